@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <set>
 
 #include "core/error.hpp"
@@ -81,8 +82,9 @@ class Sequence {
     released_at_ = world_.time();
     for (std::size_t block = first; block < end; ++block) add(block);
     newest_ = first;
+    const double last = release_held(first, end);
     do {
-      world_.run_until(released_at_ + settings_.max_time);
+      world_.run_until(last + settings_.max_time);
     } while (clear_zones());
     const EnergyLedger energy = of_release(before, world_.energy());
     for (std::size_t block = first; block < end; ++block) {
@@ -94,6 +96,22 @@ class Sequence {
     }
   }
 
+  /// Lets go what is held, each block at its time.
+  /// @return  time of the last release, s
+  double release_held(std::size_t first, std::size_t end) {
+    std::map<double, std::vector<std::size_t>> held;
+    for (std::size_t block = first; block < end; ++block) {
+      if (is_held(block)) held[released_at_ + blocks_[block].held].push_back(block);
+    }
+    for (const auto& [time, blocks] : held) {
+      world_.run_to(time);
+      world_.free_bodies(blocks);
+    }
+    return held.empty() ? released_at_ : held.rbegin()->first;
+  }
+
+  bool is_held(std::size_t block) const { return settings_.at_once && blocks_[block].held > 0.0; }
+
   void add(std::size_t block) {
     SequenceResult& result = results_.emplace_back();
     watched_.emplace_back();
@@ -103,8 +121,8 @@ class Sequence {
       result.raised = height - start.position.z();
       start.position.z() = height;
     }
-    result.released_at = released_at_;
-    world_.add_body(blocks_[block].shape, start);
+    result.released_at = released_at_ + (is_held(block) ? blocks_[block].held : 0.0);
+    world_.add_body(blocks_[block].shape, start, is_held(block));
   }
 
   /// Removes the blocks that rest where blocks are cleared away.
@@ -162,8 +180,9 @@ class Sequence {
     }
     if (!observe_) return;
     MotionStep since_release = step;
-    since_release.begin_time -= results_[block].released_at;
-    since_release.end_time -= results_[block].released_at;
+    const double release = settings_.at_once ? released_at_ : results_[block].released_at;
+    since_release.begin_time -= release;
+    since_release.end_time -= release;
     observe_(block, since_release);
   }
 
@@ -209,6 +228,10 @@ std::vector<SequenceResult> simulate_sequence(const TerrainSurface& terrain,
                                               const SequenceSettings& settings,
                                               const SequenceObserver& observe) {
   settings.check();
+  for (const SequenceBlock& block : blocks) {
+    if (block.held >= 0.0) continue;
+    throw InputError("held = " + with_digits(block.held, 6) + "; must be 0 or more");
+  }
   return Sequence(terrain, zones, shapes, blocks, settings, observe).run();
 }
 

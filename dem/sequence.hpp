@@ -15,13 +15,18 @@ namespace clast {
 struct SequenceBlock {
   std::size_t shape = 0;  ///< index into the shapes
   RigidState start;
+  /// Of blocks released at once, s: until then, since the first of them was released, it is held
+  /// where it is. Others may hit it.
+  double held = 0.0;
 };
 
 struct SequenceSettings {
   WorldSettings world;
-  /// All blocks are released together, each at its very start; else one after the other.
+  /// All blocks are there together, each at its very start, and those that are not held released at
+  /// once; else one after the other.
   bool at_once = false;
-  /// Of each release, s: then the next block follows though some still move.
+  /// Of each release, s, of blocks at once since the last of them was released: then the next block
+  /// follows though some still move.
   double max_time = 0.0;
   /// Ground zones that are cleared whenever all blocks rest: a block whose centre lies in one of
   /// them is removed before the next one is released, and what it held may move on.
@@ -46,8 +51,9 @@ struct SequenceResult {
   std::uint32_t blocks_hit = 0;      ///< other blocks that it touched during its own release
 };
 
-/// Sees how a block moved in a step, in the order of time. Times count from its own release, and
-/// there is nothing to see while it sleeps.
+/// Sees how a block moved in a step, in the order of time. Times count from its own release, of
+/// blocks released at once from the first release. There is nothing to see while it sleeps or is
+/// held.
 using SequenceObserver = std::function<void(std::size_t block, const MotionStep&)>;
 
 /// Releases all blocks, in their order or at once.

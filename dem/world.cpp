@@ -99,6 +99,22 @@ void World::remove_body(std::size_t body) {
   impl_->remove(body);
 }
 
+void World::free_bodies(std::span<const std::size_t> bodies) {
+  for (const std::size_t body : bodies) {
+    const std::string name = name_of_body(body);
+    if (body >= body_count()) {
+      throw SimulationError("there is no " + name + " to free, only " +
+                            std::to_string(body_count()) + " bodies");
+    }
+    if (!fixed(body) || gone(body)) {
+      throw SimulationError(name + (gone(body) ? " is gone" : " moves already") +
+                            "; only fixed bodies that are there can be freed");
+    }
+    if (impl_->terrain()) check_start(*impl_->terrain(), state(body).position, name);
+  }
+  impl_->free(bodies);
+}
+
 void World::step() { impl_->advance(1e300); }
 
 StopReason World::run_until(double time) {
@@ -114,6 +130,18 @@ StopReason World::run_until(double time) {
   const bool any_here = std::any_of(bodies.begin(), bodies.end(),
                                     [](const WorldBody& body) { return !body.still(); });
   return any_here ? StopReason::kRest : StopReason::kLeftTerrain;
+}
+
+void World::run_to(double time) {
+  const std::vector<WorldBody>& bodies = impl_->bodies();
+  const auto idle = [](const WorldBody& body) { return body.idle(); };
+  for (double left; (left = time - impl_->time()) > 0.0;) {
+    if (std::all_of(bodies.begin(), bodies.end(), idle)) {
+      impl_->wait(left);
+    } else {
+      impl_->advance(left);
+    }
+  }
 }
 
 double World::time() const { return impl_->time(); }

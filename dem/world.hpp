@@ -51,7 +51,8 @@ struct WorldStatistics {
 using BodyObserver = std::function<void(std::size_t body, const MotionStep&)>;
 
 /// Bodies in motion. Every body has a shape out of a common list, a state, and may be fixed: then
-/// nothing moves it. Bodies and terrain touch by the same contact search and the same law.
+/// nothing moves it until it is freed. Bodies and terrain touch by the same contact search and the
+/// same law.
 ///
 /// Invariant: states, contacts and energies always belong to one instant, `time()`.
 class World {
@@ -77,6 +78,12 @@ class World {
   /// energy; what it touched is woken.
   /// @throws SimulationError  no such body
   void remove_body(std::size_t body);
+  /// Lets fixed bodies move from now on, from rest where they are; each brings its energy to
+  /// `initial`. What leaned on them keeps its contacts.
+  /// @throws SimulationError  no such body, or one that is not fixed or that is gone; off the
+  ///                          terrain or below it; deeper in the ground, or in a body that did not
+  ///                          move either, than a start may be
+  void free_bodies(std::span<const std::size_t> bodies);
 
   /// One step: of `stiffness.time_step` while there is an impact and before one may begin, else up
   /// to twice `stiffness.longest_step`, or as far as all bodies fly freely.
@@ -86,6 +93,8 @@ class World {
   /// Steps until every body rests or is gone (kRest; kLeftTerrain when all that could move are
   /// gone), or `time` is reached (kMaxTime).
   StopReason run_until(double time);
+  /// Steps until `time` is reached, whether bodies rest or not.
+  void run_to(double time);
 
   double time() const;  ///< s
   std::size_t body_count() const;

@@ -79,9 +79,10 @@ std::vector<RealisationPassages> barrier_passages(const Comparison& comparison) 
     const CampaignResults& results = comparison.results[row.file];
     const StayRecord* stay = results.stay_of(row.record->run);
     if (!results.stay || !stay) continue;
+    // Times of blocks released at once count from the first release, others from their own.
+    const double begun = results.stay->at_once ? 0.0 : stay->released_at;
     found[{crossing.barrier, row.file, cluster_of(results, *row.record)}].passages.push_back(
-        {crossing.row, stay->released_at + crossing.crossing->time, row.block->mass,
-         row.block->volume,
+        {crossing.row, begun + crossing.crossing->time, row.block->mass, row.block->volume,
          crossing.crossing->translational_energy + crossing.crossing->rotational_energy});
   }
   std::vector<RealisationPassages> all;

@@ -260,6 +260,12 @@ Campaign parse_campaign(const std::string& text, const fs::path& file) {
   return read_or_parse(file, text);
 }
 
+double StayPlan::last_release() const {
+  double last = 0.0;
+  for (const MassPlan& mass : masses) last = std::max(last, mass.release_time);
+  return last;
+}
+
 std::vector<Quat> grid_45_orientations() {
   std::vector<Quat> orientations;
   const auto turn = [](int steps, const Vec3& axis) {

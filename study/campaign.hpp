@@ -110,22 +110,30 @@ struct ReleasePlan {
 };
 
 /// A rock mass whose blocks are released at once, from where they lie in the frame of their
-/// library, or out of a heap put together without overlap.
+/// library, or out of a heap put together without overlap. Its name is that of its ReleasePlan.
 struct MassPlan {
   bool in_place = false;
-  double raised = 0.0;              ///< above their places in the library, m
-  std::vector<Vec2> polygon;        ///< else: that the heap lies in, in map coordinates
+  double raised = 0.0;  ///< above their places in the library, m
+  /// In map coordinates: that the heap lies in; of blocks in place, where there are several masses,
+  /// that their centres lie in.
+  std::vector<Vec2> polygon;
   std::optional<double> thickness;  ///< most height of the heap above the ground, m
+  /// Of the blocks of a realisation; none, and no count: by area of the polygon, of what is left.
+  std::optional<double> share;
+  std::optional<std::uint32_t> count;  ///< of blocks in each realisation
+  double release_time = 0.0;           ///< held until then, since the first release, s
 };
 
 /// Blocks that stay where they stop: in each realisation they are released one after the other,
-/// each when those before it have come to rest, or as one mass.
+/// each when those before it have come to rest, or as rock masses.
 struct StayPlan {
   std::uint32_t realisations = 1;
-  std::optional<MassPlan> mass;  ///< none: one after the other
+  std::vector<MassPlan> masses;  ///< none: one after the other; else one to each ReleasePlan
   bool random_order = true;      ///< of the blocks, drawn for each realisation; else as selected
   std::vector<std::string> cleared_zones;  ///< blocks that come to rest there are removed
   GroundParameters between_blocks;         ///< what two blocks do to each other
+
+  double last_release() const;  ///< of the masses, since the first, s; 0 without
 };
 
 /// A campaign, read and checked. Paths are resolved against the campaign file's folder, with
@@ -142,7 +150,7 @@ struct Campaign {
   std::map<std::string, GroundTable> ground;  ///< complete
   std::vector<BlockGroup> groups;             ///< a block is in one at most
   Ensemble ensemble;
-  /// One at least; names differ. That of a mass has no points.
+  /// One at least; names differ. Those of masses have no points.
   std::vector<ReleasePlan> releases;
   std::optional<StayPlan> stay;  ///< none: every run has the terrain to itself
   ContactWeights weights = ContactWeights::kPatch;

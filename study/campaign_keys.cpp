@@ -242,13 +242,23 @@ KeyTable release_table() {
 
 KeyTable mass_table() {
   return {"mass",
-          "One rock mass, all blocks of which are released at once",
+          "A rock mass, all blocks of which are released at once",
           Repeat::kEither,
-          {{"in_place", "", "blocks start where they lie in their library", {flag()}},
+          {{"name", "", "of the mass, required where there are several", {text()}},
+           {"in_place", "", "blocks start where they lie in their library", {flag()}},
            {"height_m", "m", "a mass in place is raised by this", {number(kDropHeight)}},
-           {"polygon", "m", "outline in plan that all blocks of a heap lie in", {list(point(), 3)}},
+           {"polygon",
+            "m",
+            "outline in plan of a heap, or of one of several masses in place",
+            {list(point(), 3)}},
            {"thickness_m", "m", "largest height of a heap above the ground", {number(kThickness)}},
-           {"realisations", "", "how often it is released", {count(1, kMostPerSet)}},
+           {"share", "", "of the blocks that are in this heap", {number(kMassShare)}},
+           {"count", "", "blocks that are in this heap", {count(1, kMostPerSet)}},
+           {"release_time_s",
+            "s",
+            "its blocks are held until then, since the first release",
+            {number(kReleaseTime)}},
+           {"realisations", "", "how often the masses are released", {count(1, kMostPerSet)}},
            {"seed", "", "of what is drawn", {seed()}}}};
 }
 

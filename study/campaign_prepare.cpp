@@ -126,7 +126,9 @@ PreparedCampaign prepare_campaign(const Campaign& campaign, const BlockMaking& m
   check_falls(prepared);
   std::vector<std::string> warnings = settle_stiffness(prepared);
   const std::optional<StayPlan>& stay = campaign.stay;
-  if (stay && stay->mass && stay->mass->in_place) check_mass_start(prepared, 0);
+  if (stay && !stay->masses.empty() && stay->masses.front().in_place) {
+    check_mass_start(prepared, 0);
+  }
   header.warnings = campaign_warnings(prepared);
   header.warnings.insert(header.warnings.begin(), warnings.begin(), warnings.end());
   const std::vector<std::string>& notes = prepared.choice.notes;

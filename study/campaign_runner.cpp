@@ -170,7 +170,9 @@ TimeProbe probe_time(const PreparedCampaign& prepared, double budget) {
   constexpr double kLongestProbe = 5.0;
   const std::uint32_t together = prepared.header.runs_together();
   const bool at_once = prepared.header.stay && prepared.header.stay->at_once;
-  const double longest_run = (at_once ? 1 : together) * prepared.campaign.max_time;  // s, simulated
+  const double max_time = prepared.campaign.max_time;
+  const double longest_run =  // s, simulated
+      at_once ? prepared.campaign.stay->last_release() + max_time : together * max_time;
   const auto begin = std::chrono::steady_clock::now();
   const auto spent = [&] {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();

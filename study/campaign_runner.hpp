@@ -15,6 +15,7 @@ namespace clast {
 
 /// What the blocks of a mass start as, of one realisation.
 struct MassStart {
+  std::size_t blocks = 0;
   double volume = 0.0;             ///< of the blocks, m^3
   double mass = 0.0;               ///< kg
   double area = 0.0;               ///< of the polygon, m^2; this and what follows is of a heap
@@ -35,7 +36,7 @@ struct PreparedCampaign {
   /// Planned runs in order: blocks, release sets, their points, their orientations, members of the
   /// ensemble (fastest); where blocks stay: realisations, blocks in the order of their release.
   std::vector<RunRecord> runs;    ///< with their stiffness; `result` still empty
-  std::vector<MassStart> masses;  ///< of each realisation of a mass
+  std::vector<MassStart> masses;  ///< of each realisation, one to each mass
 };
 
 /// A block as the dynamics sees it.

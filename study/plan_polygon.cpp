@@ -21,18 +21,22 @@ bool is_inside(std::span<const Vec2> polygon, const Vec2& point) {
   return odd;
 }
 
-void check_has_area(std::span<const Vec2> polygon) {
-  Bounds box;
+double polygon_area(std::span<const Vec2> polygon) {
   double twice_area = 0.0;
   for (std::size_t i = 0; i < polygon.size(); ++i) {
     const Vec2 a = polygon[i] - polygon[0];
     const Vec2 b = polygon[(i + 1) % polygon.size()] - polygon[0];
     twice_area += a.x() * b.y() - a.y() * b.x();
-    box.include({polygon[i].x(), polygon[i].y(), 0.0});
   }
+  return 0.5 * std::abs(twice_area);
+}
+
+void check_has_area(std::span<const Vec2> polygon) {
+  Bounds box;
+  for (const Vec2& corner : polygon) box.include({corner.x(), corner.y(), 0.0});
   const Vec3 size = box.high - box.low;
   // Random points would hardly ever fall into a polygon thinner than this.
-  if (!(std::abs(twice_area) > 2e-3 * size.x() * size.y())) {
+  if (!(polygon_area(polygon) > 1e-3 * size.x() * size.y())) {
     throw InputError(
         "the polygon has no area; give three or more corners that are not on one line");
   }

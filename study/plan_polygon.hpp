@@ -11,6 +11,9 @@ namespace clast {
 /// crosses itself, what it goes round twice is outside.
 bool is_inside(std::span<const Vec2> polygon, const Vec2& point);
 
+/// Of a polygon that does not cross itself.
+double polygon_area(std::span<const Vec2> polygon);
+
 /// @throws InputError  fewer than three corners, or all on one line
 void check_has_area(std::span<const Vec2> polygon);
 

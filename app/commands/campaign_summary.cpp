@@ -29,9 +29,13 @@ std::string releases_text(const PreparedCampaign& prepared) {
   std::string text;
   if (const std::optional<StaySummary>& stay = prepared.header.stay) {
     text = counted(prepared.campaign.stay->realisations, "realisation") + " of " +
-           counted(stay->blocks_each, "block") +
-           (stay->at_once ? " released at once" : " that stay");
-    if (stay->at_once) return text + ground_draws_text(prepared);
+           counted(stay->blocks_each, "block") + (stay->at_once ? "" : " that stay");
+    const std::size_t masses = prepared.campaign.stay->masses.size();
+    if (stay->at_once) {
+      return text +
+             (masses > 1 ? " in " + counted(masses, "mass", "masses") : " released at once") +
+             ground_draws_text(prepared);
+    }
     const std::vector<std::string>& cleared = prepared.campaign.stay->cleared_zones;
     if (!cleared.empty()) text += ", but are removed from " + printable(listed(cleared));
   }
@@ -44,24 +48,41 @@ std::string releases_text(const PreparedCampaign& prepared) {
   return text + ground_draws_text(prepared);
 }
 
-/// The heaps that masses start in, from the least to the largest of the realisations.
-std::string masses_text(const PreparedCampaign& prepared) {
+/// What a mass starts as, from the least to the largest of the realisations.
+std::string mass_text(const PreparedCampaign& prepared, std::size_t mass) {
+  const std::vector<MassPlan>& plans = prepared.campaign.stay->masses;
   const auto range = [&](auto value) {
     double low = INFINITY, high = -INFINITY;
-    for (const MassStart& mass : prepared.masses) {
-      low = std::min(low, std::invoke(value, mass));
-      high = std::max(high, std::invoke(value, mass));
+    for (std::size_t i = mass; i < prepared.masses.size(); i += plans.size()) {
+      low = std::min(low, std::invoke(value, prepared.masses[i]));
+      high = std::max(high, std::invoke(value, prepared.masses[i]));
     }
     const std::string from = with_digits(low, 3), to = with_digits(high, 3);
     return from == to ? from : from + " to " + to;
   };
-  const std::string rock = "each mass: " + range(&MassStart::volume) + " m3 of rock, " +
-                           range([](const MassStart& mass) { return mass.mass / 1000.0; }) + " t, ";
-  if (prepared.campaign.stay->mass->in_place) return rock + "in place\n";
+  std::string rock = "each mass: ";
+  if (plans.size() > 1) {
+    rock = "mass " + printable(prepared.campaign.releases[mass].name) + ", released at " +
+           with_digits(plans[mass].release_time, 6) +
+           " s: " + counted(prepared.masses[mass].blocks, "block") + ", ";
+  }
+  rock += range(&MassStart::volume) + " m3 of rock, " +
+          range([](const MassStart& start) { return start.mass / 1000.0; }) + " t, ";
+  if (plans[mass].in_place) return rock + "in place\n";
   return rock + "on " + range(&MassStart::area) + " m2 in a heap " +
          range(&MassStart::mean_thickness) + " m thick on average, " +
          range(&MassStart::largest_thickness) + " m at most, of which blocks fill " +
-         range([](const MassStart& mass) { return 100.0 * mass.solid_fraction(); }) + " %\n";
+         range([](const MassStart& start) { return 100.0 * start.solid_fraction(); }) + " %\n";
+}
+
+/// A line for each mass; empty without.
+std::string masses_text(const PreparedCampaign& prepared) {
+  std::string text;
+  if (prepared.masses.empty()) return text;
+  for (std::size_t mass = 0; mass < prepared.campaign.stay->masses.size(); ++mass) {
+    text += mass_text(prepared, mass);
+  }
+  return text;
 }
 
 /// "66 bodies made of 1 block of scans.h5"; empty where blocks run as they are.
@@ -98,8 +119,7 @@ TextTable stiffness_table(const PreparedCampaign& prepared) {
 void print_plan(const PreparedCampaign& prepared) {
   std::cout << counted(prepared.runs.size(), "run") << ": "
             << counted(prepared.bodies.size(), "block") << ", " << releases_text(prepared) << "\n"
-            << made_text(prepared) << (prepared.masses.empty() ? "" : masses_text(prepared))
-            << stiffness_table(prepared).text();
+            << made_text(prepared) << masses_text(prepared) << stiffness_table(prepared).text();
   for (const std::string& warning : prepared.header.warnings) {
     std::cout << "warning: " << shown(warning) << "\n";
   }

@@ -99,9 +99,10 @@ void ContactPairs::update(std::span<const WorldBody> bodies, double duration, Th
   });
 }
 
-void ContactPairs::begin(std::span<const WorldBody> bodies, std::size_t known) {
+void ContactPairs::begin(std::span<const WorldBody> bodies,
+                         const std::function<bool(const ContactPair&)>& is_new) {
   for (const ContactPair& pair : pairs_) {
-    if (pair.between(known)) continue;
+    if (!is_new(pair)) continue;
     pair.contacts->update(motion_of(pair.reference, bodies), motion_of(pair.block, bodies), 0.0);
   }
 }
@@ -111,7 +112,7 @@ void ContactPairs::end_contacts_of(std::uint32_t body, std::span<const WorldBody
     const ContactPair& pair = pairs_[e];
     pair.contacts->end_contacts(motion_of(pair.reference, bodies), motion_of(pair.block, bodies));
   }
-  broad_phase_ = {};  // the broad phase runs again without it
+  list_anew();  // without it
 }
 
 void ContactPairs::remember_dents(std::span<const WorldBody> bodies, SoilMemory& soil) {

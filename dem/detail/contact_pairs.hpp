@@ -3,6 +3,7 @@
 /// with their contacts from step to step.
 #include <algorithm>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <span>
 #include <vector>
@@ -49,9 +50,11 @@ class ContactPairs {
   /// Runs the narrow phase and the contact law of all pairs at the places that the bodies have
   /// moved to in a step of `duration`, but for those of which neither moves: their loads stay.
   void update(std::span<const WorldBody> bodies, double duration, ThreadTeam& team);
-  /// The same, without a step, for pairs with a new body.
-  /// @param known  bodies from this number on are new
-  void begin(std::span<const WorldBody> bodies, std::size_t known);
+  /// The same, without a step, for pairs that are new.
+  void begin(std::span<const WorldBody> bodies,
+             const std::function<bool(const ContactPair&)>& is_new);
+  /// Has the broad phase run at the next `refresh`: the bodies that may move are other ones.
+  void list_anew() { broad_phase_ = {}; }
   /// Lets the soil remember the dents of bodies that have parted from the ground, fallen asleep or
   /// left the world.
   void remember_dents(std::span<const WorldBody> bodies, SoilMemory& soil);

@@ -93,23 +93,43 @@ void WorldMotion::advance(double longest) {
 
 void WorldMotion::prepare() {
   if (prepared_ == bodies_.size()) return;
+  begin_pairs([this](const ContactPair& pair) { return !pair.between(prepared_); });
+  prepared_ = bodies_.size();
+}
+
+void WorldMotion::free(std::span<const std::size_t> bodies) {
+  prepare();
+  std::vector<bool> was_still;
+  for (const WorldBody& body : bodies_) was_still.push_back(body.still());
+  for (const std::size_t i : bodies) {
+    WorldBody& body = bodies_[i];
+    body.fixed = false;
+    body.motion = body.moving.motion();
+    initial_ += body.energy(settings_.gravity);
+  }
+  pairs_.list_anew();
+  begin_pairs([&](const ContactPair& pair) {
+    return was_still[pair.block] && (pair.reference == kTerrain || was_still[pair.reference]);
+  });
+}
+
+void WorldMotion::begin_pairs(const IsNew& is_new) {
   pairs_.set_slack(bodies_);
   // Bodies that start in contact bring what is stored there.
   const double before = losses().reassigned;
   pairs_.refresh(bodies_);
-  pairs_.begin(bodies_, prepared_);
+  pairs_.begin(bodies_, is_new);
   const double brought = losses().reassigned - before;
   reassigned_ -= brought;
   initial_ -= brought;
-  refuse_deep_starts();
+  refuse_deep_starts(is_new);
   sleeping_.wake_touched(bodies_, pairs_);
   apply_loads_anew();
-  prepared_ = bodies_.size();
 }
 
-void WorldMotion::refuse_deep_starts() const {
+void WorldMotion::refuse_deep_starts(const IsNew& is_new) const {
   for (const ContactPair& pair : pairs_.all()) {
-    if (pair.between(prepared_)) continue;
+    if (!is_new(pair)) continue;
     const Shape& block = *bodies_[pair.block].shape;
     double size = block.body.size();
     if (pair.reference != kTerrain) {

@@ -1,6 +1,7 @@
 #pragma once
 /// How the bodies of a world move: a step of all of them, from the loads to the next ones.
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <span>
 #include <string>
@@ -30,8 +31,12 @@ class WorldMotion {
   void add(std::size_t shape, const RigidState& start, bool fixed);
   /// Takes a body out of the motion, where it is; wakes what it touched.
   void remove(std::size_t body);
+  /// Lets fixed bodies, each named once, move from now on.
+  void free(std::span<const std::size_t> bodies);
   /// A step as long as contacts allow, but no longer than `longest`, s.
   void advance(double longest);
+  /// Lets time pass while no body moves, s.
+  void wait(double duration) { time_ += duration; }
 
   /// All contacts of a body now, as `World::touch`.
   Touch touch(std::size_t body) const;
@@ -63,7 +68,11 @@ class WorldMotion {
   Vec3 gravity() const { return {0.0, 0.0, -settings_.gravity}; }
 
   void prepare();
-  void refuse_deep_starts() const;
+  /// Has a pair contacts for the first time, at a start?
+  using IsNew = std::function<bool(const ContactPair&)>;
+  /// Lists the pairs and begins the contacts of new ones.
+  void begin_pairs(const IsNew& is_new);
+  void refuse_deep_starts(const IsNew& is_new) const;
   void apply_loads_anew();
   /// What Verlet steps of this length lose when they begin with the present loads, J.
   double first_kicks(double dt) const;

@@ -35,9 +35,17 @@ nlohmann::ordered_json plan_json(const PreparedCampaign& prepared) {
   if (const std::optional<StaySummary>& stay = prepared.header.stay) {
     plan["realisations"] = prepared.campaign.stay->realisations;
     plan["blocks_per_realisation"] = stay->blocks_each;
-    for (const MassStart& mass : prepared.masses) {
-      nlohmann::ordered_json row = {{"volume_m3", mass.volume}, {"mass_kg", mass.mass}};
-      if (!prepared.campaign.stay->mass->in_place) {
+    const std::vector<MassPlan>& plans = prepared.campaign.stay->masses;
+    for (std::size_t i = 0; i < prepared.masses.size(); ++i) {
+      const MassStart& mass = prepared.masses[i];
+      const std::size_t of_realisation = i % plans.size();
+      nlohmann::ordered_json row;
+      if (plans.size() > 1) row["name"] = prepared.campaign.releases[of_realisation].name;
+      row["blocks"] = mass.blocks;
+      row["release_time_s"] = plans[of_realisation].release_time;
+      row["volume_m3"] = mass.volume;
+      row["mass_kg"] = mass.mass;
+      if (!plans[of_realisation].in_place) {
         row["area_m2"] = mass.area;
         row["mean_thickness_m"] = mass.mean_thickness;
         row["largest_thickness_m"] = mass.largest_thickness;

@@ -130,6 +130,15 @@ std::optional<RigidState> BlockPacking::place(const RigidBody& body, const Groun
   return state;
 }
 
+double BlockPacking::common_area(const BlockPacking& other) const {
+  std::size_t common = 0;
+  for (const std::size_t cell : inside_) {
+    const auto at = static_cast<std::int64_t>(cell);
+    if (other.find(first_i_ + at % columns_, first_j_ + at / columns_)) ++common;
+  }
+  return static_cast<double>(common) * width_ * width_;
+}
+
 Filling BlockPacking::filling() const {
   Filling filling;
   double sum = 0.0;

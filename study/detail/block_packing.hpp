@@ -41,6 +41,10 @@ class BlockPacking {
 
   Filling filling() const;
 
+  /// Area of the cells that belong to the outlines of both, m^2.
+  /// @param other  of the same width
+  double common_area(const BlockPacking& other) const;
+
  private:
   struct Cell {
     double ground = 0.0;  ///< highest ground in it, m

@@ -183,7 +183,7 @@ void check_posterior_starts(const TomlTable& top, const Campaign& campaign) {
   const TomlTable table(*top.find("ensemble"), top.file(), "[ensemble]", campaign_keys("ensemble"));
   for (const std::string& parameter : campaign.ensemble.posterior->parameters) {
     if (!is_of_release(parameter)) continue;
-    if (campaign.stay && campaign.stay->mass) {
+    if (campaign.stay && !campaign.stay->masses.empty()) {
       table.refuse("take", *table.find("take"),
                    "the blocks of a mass start at rest where they lie, and the posterior has " +
                        parameter + "; leave \"release\" out");

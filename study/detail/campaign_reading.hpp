@@ -83,9 +83,17 @@ void check_posterior_starts(const TomlTable& top, const Campaign& campaign);
 /// @throws InputError  fewer than three, or no points
 std::vector<Vec2> read_polygon(const TomlTable& table, const std::string& key,
                                const TomlNode& node);
-/// The seed of [mass], and that its orientations are random; none without [mass].
-std::optional<ReleasePlan> read_mass_release(const TomlTable& top);
-/// Of [release], or that of [mass].
+/// How often blocks that stay are released: of [release] or the first [[mass]].
+std::uint32_t read_realisations(const TomlTable& table);
+/// [contact.blocks].
+/// @param who  needs it, for the message
+GroundParameters read_between_blocks(const TomlTable& top, const std::string& who);
+/// Names of the masses, seed, and that orientations are random: one to each [[mass]]; none without.
+std::vector<ReleasePlan> read_mass_releases(const TomlTable& top);
+/// All [[mass]]; none without.
+/// @param campaign  with its blocks and groups
+std::optional<StayPlan> read_masses(const TomlTable& top, const Campaign& campaign);
+/// Of [release], or those of [[mass]].
 std::vector<ReleasePlan> read_releases(const TomlTable& top, bool y_up);
 /// @param campaign  with its blocks, groups and releases
 std::optional<StayPlan> read_stay_plan(const TomlTable& top, const Campaign& campaign);

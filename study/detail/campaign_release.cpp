@@ -141,7 +141,7 @@ ReleasePlan read_release(const TomlTable& table, bool y_up) {
 }  // namespace
 
 std::vector<ReleasePlan> read_releases(const TomlTable& top, bool y_up) {
-  if (std::optional<ReleasePlan> mass = read_mass_release(top)) return {*std::move(mass)};
+  if (std::vector<ReleasePlan> masses = read_mass_releases(top); !masses.empty()) return masses;
   const std::vector<const TomlNode*> nodes = tables_of(top, "release");
   if (nodes.empty()) {
     throw InputError(

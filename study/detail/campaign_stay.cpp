@@ -1,5 +1,4 @@
-// Blocks that stay: `sequence = "stay"` of [release], [mass] and [contact.blocks] of a campaign
-// file.
+// Blocks that stay: `sequence = "stay"` of [release], and [contact.blocks] of a campaign file.
 #include <algorithm>
 
 #include "core/error.hpp"
@@ -8,7 +7,6 @@
 #include "study/detail/campaign_ranges.hpp"
 #include "study/detail/campaign_reading.hpp"
 #include "study/ground_fields.hpp"
-#include "study/plan_polygon.hpp"
 
 namespace clast::study_detail {
 
@@ -42,7 +40,12 @@ const TomlNode* contact_of_blocks(const TomlTable& top) {
   return contact ? contact->find("blocks") : nullptr;
 }
 
-/// @param who  needs it, for the message
+}  // namespace
+
+std::uint32_t read_realisations(const TomlTable& table) {
+  return static_cast<std::uint32_t>(table.count("realisations", 1, kMostPerSet).value_or(1));
+}
+
 GroundParameters read_between_blocks(const TomlTable& top, const std::string& who) {
   const TomlNode* between = contact_of_blocks(top);
   if (!between) {
@@ -61,75 +64,6 @@ GroundParameters read_between_blocks(const TomlTable& top, const std::string& wh
   return between_blocks;
 }
 
-std::uint32_t read_realisations(const TomlTable& table) {
-  return static_cast<std::uint32_t>(table.count("realisations", 1, kMostPerSet).value_or(1));
-}
-
-/// The table of the one mass; none without.
-std::optional<TomlTable> mass_table(const TomlTable& top) {
-  const std::vector<const TomlNode*> nodes = tables_of(top, "mass");
-  if (nodes.empty()) return std::nullopt;
-  const TomlTable table(*nodes.front(), top.file(), "[mass]", campaign_keys("mass"));
-  if (nodes.size() > 1) {
-    table.refuse(
-        "there is more than one; a campaign releases one rock mass, so make a campaign "
-        "for each, or one polygon around all");
-  }
-  return table;
-}
-
-/// Of a mass whose blocks are where they were cut or scanned.
-void read_places(const TomlTable& table, const Campaign& campaign, MassPlan& mass) {
-  for (const char* key : {"polygon", "thickness_m"}) {
-    if (const TomlNode* node = table.find(key)) {
-      table.refuse(key, *node, "is for a heap; blocks that are in place have theirs already");
-    }
-  }
-  if (campaign.blocks.draw || campaign.blocks.scale.kind != BlockScale::Kind::kNone) {
-    table.refuse("in_place", *table.find("in_place"),
-                 "blocks in place are neither drawn nor scaled; leave [blocks] draw and scale out");
-  }
-  if (campaign.blocks.vary) {
-    table.refuse("in_place", *table.find("in_place"),
-                 "blocks in place run as they are; leave [blocks] vary out");
-  }
-  mass.raised = table.number("height_m", kDropHeight).value_or(0.0);
-}
-
-void read_heap(const TomlTable& table, MassPlan& mass) {
-  if (const TomlNode* node = table.find("height_m")) {
-    table.refuse("height_m", *node, "is for blocks in place; a heap lies on the ground");
-  }
-  mass.polygon = read_polygon(table, "polygon",
-                              table.required("polygon", "[[x, y], ...]; or give in_place = true"));
-  mass.thickness = table.number("thickness_m", kThickness);
-  try {
-    check_has_area(mass.polygon);
-  } catch (const InputError& error) {
-    table.refuse("polygon", *table.find("polygon"), error.what());
-  }
-}
-
-StayPlan read_mass(const TomlTable& top, const TomlTable& table, const Campaign& campaign) {
-  if (!campaign.groups.empty()) {
-    table.refuse("the blocks of a mass share one ground; leave the block groups out");
-  }
-  StayPlan plan;
-  plan.realisations = read_realisations(table);
-  plan.mass.emplace();
-  plan.mass->in_place = table.boolean("in_place").value_or(false);
-  if (plan.mass->in_place) {
-    read_places(table, campaign, *plan.mass);
-    plan.random_order = false;
-  } else {
-    read_heap(table, *plan.mass);
-  }
-  plan.between_blocks = read_between_blocks(top, "the blocks of a mass");
-  return plan;
-}
-
-}  // namespace
-
 std::vector<Vec2> read_polygon(const TomlTable& table, const std::string& key,
                                const TomlNode& node) {
   if (node.kind != TomlNode::Kind::kList || node.list.size() < 3) {
@@ -144,26 +78,8 @@ std::vector<Vec2> read_polygon(const TomlTable& table, const std::string& key,
   return corners;
 }
 
-std::optional<ReleasePlan> read_mass_release(const TomlTable& top) {
-  const std::optional<TomlTable> table = mass_table(top);
-  if (!table) return std::nullopt;
-  if (top.find("release")) {
-    table->refuse(
-        "the blocks of a mass are not released from points; leave out [release], or "
-        "[mass]");
-  }
-  ReleasePlan release;
-  release.seed = table->count("seed", 0, INT64_MAX).value_or(release.seed);
-  release.orientation_seed = release.seed;
-  release.orientation_source = "random";
-  release.orientations = {Quat::Identity()};
-  release.in_principal_frame = true;
-  release.fresh_orientations = true;
-  return release;
-}
-
 std::optional<StayPlan> read_stay_plan(const TomlTable& top, const Campaign& campaign) {
-  if (const std::optional<TomlTable> mass = mass_table(top)) return read_mass(top, *mass, campaign);
+  if (std::optional<StayPlan> masses = read_masses(top, campaign)) return masses;
   const std::vector<const TomlNode*> nodes = tables_of(top, "release");
   const TomlTable table(*nodes.front(), top.file(), "[release]", campaign_keys("release"));
   const bool stay = campaign_choice(table, "release", "sequence") == "stay";

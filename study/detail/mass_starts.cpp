@@ -6,6 +6,7 @@
 
 #include "core/error.hpp"
 #include "core/number_text.hpp"
+#include "study/detail/mass_members.hpp"
 #include "study/detail/run_starts.hpp"
 
 namespace clast::study_detail {
@@ -16,64 +17,99 @@ namespace {
 constexpr double kCellShare = 1.0 / 6.0;
 constexpr double kMostCells = 1e6;
 
-BlockPacking packing_of(const PreparedCampaign& prepared) {
-  std::vector<Vec2> outline = prepared.campaign.stay->mass->polygon;
-  Bounds box;
-  for (Vec2& corner : outline) {
-    corner -= prepared.header.frame.origin.head<2>();
-    box.include({corner.x(), corner.y(), 0.0});
+/// Of each mass, local frame.
+std::vector<std::vector<Vec2>> outlines(const PreparedCampaign& prepared) {
+  std::vector<std::vector<Vec2>> outlines;
+  for (const MassPlan& mass : prepared.campaign.stay->masses) {
+    std::vector<Vec2>& outline = outlines.emplace_back(mass.polygon);
+    for (Vec2& corner : outline) corner -= prepared.header.frame.origin.head<2>();
   }
+  return outlines;
+}
+
+/// One width for all heaps, so that no cell belongs to two of them.
+double width_of_cells(const PreparedCampaign& prepared,
+                      const std::vector<std::vector<Vec2>>& outlines) {
   double smallest = std::numeric_limits<double>::infinity();
   for (const RigidBody& body : prepared.bodies) smallest = std::min(smallest, body.size());
-  const Vec3 sides = box.high - box.low;
-  const double width =
-      std::max(kCellShare * smallest, std::sqrt(sides.x() * sides.y() / kMostCells));
-  try {
-    return BlockPacking(*prepared.surface, outline, width);
-  } catch (const InputError& error) {
-    throw InputError(prepared.campaign.file.string() + ": [mass] " + error.what() +
-                     "; check its corners and the map frame");
+  double width = kCellShare * smallest;
+  for (const std::vector<Vec2>& outline : outlines) {
+    Bounds box;
+    for (const Vec2& corner : outline) box.include({corner.x(), corner.y(), 0.0});
+    const Vec3 sides = box.high - box.low;
+    width = std::max(width, std::sqrt(sides.x() * sides.y() / kMostCells));
   }
+  return width;
 }
 
 }  // namespace
 
 MassStarts::MassStarts(const PreparedCampaign& prepared)
-    : prepared_(prepared), plan_(*prepared.campaign.stay->mass) {
-  if (!plan_.in_place) packing_.emplace(packing_of(prepared));
+    : prepared_(prepared), plans_(prepared.campaign.stay->masses) {
+  if (plans_.front().in_place) return;
+  const std::vector<std::vector<Vec2>> all = outlines(prepared);
+  const double width = width_of_cells(prepared, all);
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    try {
+      packings_.emplace_back(*prepared.surface, all[i], width);
+    } catch (const InputError& error) {
+      throw InputError(prepared.campaign.file.string() + ": " + mass_name(prepared.campaign, i) +
+                       " " + error.what() + "; check its corners and the map frame");
+    }
+  }
+  refuse_common_places();
 }
 
-void MassStarts::begin(const std::string& name) {
-  if (packing_) packing_->clear();
+void MassStarts::refuse_common_places() const {
+  for (std::size_t i = 0; i < packings_.size(); ++i) {
+    for (std::size_t other = 0; other < i; ++other) {
+      const double area = packings_[i].common_area(packings_[other]);
+      if (area == 0.0) continue;
+      throw InputError(prepared_.campaign.file.string() + ": the polygons of " +
+                       mass_name(prepared_.campaign, other) + " and " +
+                       mass_name(prepared_.campaign, i) + " overlap on " + with_digits(area, 3) +
+                       " m^2, where blocks of both would be; move one of them, or draw one "
+                       "polygon around both");
+    }
+  }
+}
+
+void MassStarts::begin(const std::string& name, const std::vector<std::size_t>& blocks) {
+  for (BlockPacking& packing : packings_) packing.clear();
   name_ = name;
-  count_ = 0;
-  placed_ = {};
+  expected_ = blocks;
+  placed_.assign(plans_.size(), {});
 }
 
-RigidState MassStarts::place(std::uint32_t block, const GroundOverlap& overlap, Random& random) {
-  const RigidState state =
-      plan_.in_place ? in_place(block, overlap) : on_heap(block, overlap, random);
-  ++count_;
-  placed_.volume += prepared_.header.blocks[block].volume;
-  placed_.mass += prepared_.bodies[block].mass;
+RigidState MassStarts::place(std::size_t mass, std::uint32_t block, const GroundOverlap& overlap,
+                             Random& random) {
+  const RigidState state = plans_[mass].in_place ? in_place(mass, block, overlap)
+                                                 : on_heap(mass, block, overlap, random);
+  MassStart& placed = placed_[mass];
+  ++placed.blocks;
+  placed.volume += prepared_.header.blocks[block].volume;
+  placed.mass += prepared_.bodies[block].mass;
   return state;
 }
 
-MassStart MassStarts::placed() const {
-  MassStart placed = placed_;
-  if (!packing_) return placed;
-  const Filling filling = packing_->filling();
-  placed.area = filling.area;
-  placed.mean_thickness = filling.mean_thickness;
-  placed.largest_thickness = filling.largest_thickness;
+std::vector<MassStart> MassStarts::placed() const {
+  std::vector<MassStart> placed = placed_;
+  for (std::size_t i = 0; i < packings_.size(); ++i) {
+    const Filling filling = packings_[i].filling();
+    placed[i].area = filling.area;
+    placed[i].mean_thickness = filling.mean_thickness;
+    placed[i].largest_thickness = filling.largest_thickness;
+  }
   return placed;
 }
 
-RigidState MassStarts::in_place(std::uint32_t block, const GroundOverlap& overlap) const {
+RigidState MassStarts::in_place(std::size_t mass, std::uint32_t block,
+                                const GroundOverlap& overlap) const {
   const BlockChoice& choice = prepared_.choice;
   const Pose place = choice.library[choice.blocks[block].library].source_from_body();
   RigidState state;
-  state.position = prepared_.header.frame.local(place.translation) + Vec3(0.0, 0.0, plan_.raised);
+  state.position =
+      prepared_.header.frame.local(place.translation) + Vec3(0.0, 0.0, plans_[mass].raised);
   state.orientation = place.rotation.normalized();
   const std::string where = prepared_.campaign.file.string() + ": [mass] in_place: block " +
                             prepared_.header.blocks[block].id + " with its centre at " +
@@ -90,28 +126,31 @@ RigidState MassStarts::in_place(std::uint32_t block, const GroundOverlap& overla
                         "give [mass] height_m");
 }
 
-RigidState MassStarts::on_heap(std::uint32_t block, const GroundOverlap& overlap, Random& random) {
+RigidState MassStarts::on_heap(std::size_t mass, std::uint32_t block, const GroundOverlap& overlap,
+                               Random& random) {
   const Quat turn = fresh_orientations(prepared_.campaign.releases.front(),
                                        prepared_.choice.blocks[block].id, name_, 1)
                         .front();
   const std::optional<RigidState> start =
-      packing_->place(prepared_.bodies[block], overlap, turn, plan_.thickness, random);
-  if (!start) refuse_block(block);
+      packings_[mass].place(prepared_.bodies[block], overlap, turn, plans_[mass].thickness, random);
+  if (!start) refuse_block(mass, block);
   return *start;
 }
 
-void MassStarts::refuse_block(std::uint32_t block) const {
+void MassStarts::refuse_block(std::size_t mass, std::uint32_t block) const {
   const BlockSummary& summary = prepared_.header.blocks[block];
+  const std::size_t realisation = prepared_.masses.size() / plans_.size() + 1;
   const std::string text =
-      prepared_.campaign.file.string() + ": [mass] holds " + std::to_string(count_) + " of " +
-      std::to_string(prepared_.header.stay->blocks_each) + " blocks of realisation " +
-      std::to_string(prepared_.masses.size() + 1) + ", and block " + summary.id +
+      prepared_.campaign.file.string() + ": " + mass_name(prepared_.campaign, mass) + " holds " +
+      std::to_string(placed_[mass].blocks) + " of " + std::to_string(expected_[mass]) +
+      " blocks of realisation " + std::to_string(realisation) + ", and block " + summary.id +
       " with L = " + with_decimals(summary.axes.L, 3) + " m fits nowhere";
-  throw InputError(text +
-                   (plan_.thickness
-                        ? " below thickness_m = " + with_digits(*plan_.thickness, 6) +
-                              "; allow more, widen the polygon, or take fewer or smaller blocks"
-                        : "; widen the polygon, or take smaller blocks"));
+  const std::optional<double>& thickness = plans_[mass].thickness;
+  throw InputError(text + (thickness
+                               ? " below thickness_m = " + with_digits(*thickness, 6) +
+                                     "; allow more, widen the polygon, or take fewer or smaller "
+                                     "blocks"
+                               : "; widen the polygon, or take smaller blocks"));
 }
 
 }  // namespace clast::study_detail

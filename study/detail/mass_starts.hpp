@@ -1,7 +1,7 @@
 #pragma once
-/// Where the blocks of a rock mass start.
-#include <optional>
+/// Where the blocks of rock masses start.
 #include <string>
+#include <vector>
 
 #include "core/random.hpp"
 #include "study/campaign_runner.hpp"
@@ -14,30 +14,34 @@ namespace clast::study_detail {
 class MassStarts {
  public:
   /// @param prepared  with campaign, blocks, terrain and header; must outlive it
-  /// @throws InputError  a polygon without area, or beyond the terrain
+  /// @throws InputError  a polygon without area, beyond the terrain, or over that of another heap
   explicit MassStarts(const PreparedCampaign& prepared);
 
   /// Begins a realisation.
-  /// @param name  that orientations are drawn by
-  void begin(const std::string& name);
+  /// @param name    that orientations are drawn by
+  /// @param blocks  how many each mass will have
+  void begin(const std::string& name, const std::vector<std::size_t>& blocks);
   /// @param overlap  of this block with the ground
   /// @throws InputError       the block fits nowhere, or its place is off the terrain
   /// @throws SimulationError  its place is inside the ground
-  RigidState place(std::uint32_t block, const GroundOverlap& overlap, Random& random);
-  /// What was placed since `begin`.
-  MassStart placed() const;
+  RigidState place(std::size_t mass, std::uint32_t block, const GroundOverlap& overlap,
+                   Random& random);
+  /// What was placed of each mass since `begin`.
+  std::vector<MassStart> placed() const;
 
  private:
-  RigidState in_place(std::uint32_t block, const GroundOverlap& overlap) const;
-  RigidState on_heap(std::uint32_t block, const GroundOverlap& overlap, Random& random);
-  [[noreturn]] void refuse_block(std::uint32_t block) const;
+  void refuse_common_places() const;
+  RigidState in_place(std::size_t mass, std::uint32_t block, const GroundOverlap& overlap) const;
+  RigidState on_heap(std::size_t mass, std::uint32_t block, const GroundOverlap& overlap,
+                     Random& random);
+  [[noreturn]] void refuse_block(std::size_t mass, std::uint32_t block) const;
 
   const PreparedCampaign& prepared_;
-  const MassPlan& plan_;
-  std::optional<BlockPacking> packing_;  ///< of a heap
+  const std::vector<MassPlan>& plans_;
+  std::vector<BlockPacking> packings_;  ///< of the heaps; none in place
   std::string name_;
-  std::size_t count_ = 0;  ///< placed
-  MassStart placed_;
+  std::vector<std::size_t> expected_;  ///< blocks of each mass
+  std::vector<MassStart> placed_;      ///< of each mass
 };
 
 }  // namespace clast::study_detail

@@ -81,8 +81,9 @@ class RunObserver {
       trajectory.time.push_back(time);
       trajectory.states.push_back(state);
     };
-    // A block that was at rest among others: none until it moves again.
-    if (last && step.begin_time > last_time + interval) {
+    // A block that was held, or at rest among others: none until it moves.
+    if (step.begin_time > last_time + interval) {
+      if (!last) add(0.0, step.begin);
       next_frame_ = static_cast<std::uint64_t>(std::ceil(step.begin_time / interval));
       add(step.begin_time, step.begin);
       if (static_cast<double>(next_frame_) * interval <= step.begin_time) ++next_frame_;
@@ -139,7 +140,7 @@ SequenceSettings sequence_settings(const PreparedCampaign& prepared, const RunRe
   settings.gravity = campaign.gravity;
   settings.rest_energy = campaign.rest_energy;
   settings.rest_duration = campaign.rest_duration;
-  sequence.at_once = campaign.stay->mass.has_value();
+  sequence.at_once = !campaign.stay->masses.empty();
   sequence.max_time = campaign.max_time;
   const std::vector<std::string>& cleared = campaign.stay->cleared_zones;
   for (std::size_t zone = 0; zone < prepared.header.zone_names.size(); ++zone) {
@@ -159,7 +160,9 @@ std::vector<StoredRun> realisation(const PreparedCampaign& prepared,
   std::vector<SequenceBlock> blocks;
   std::vector<std::unique_ptr<RunObserver>> observers;
   for (const RunRecord& run : planned) {
-    blocks.push_back({shapes.size(), run.start});
+    const std::vector<MassPlan>& masses = prepared.campaign.stay->masses;
+    const double held = masses.empty() ? 0.0 : masses[run.point].release_time;
+    blocks.push_back({shapes.size(), run.start, held});
     shapes.push_back(prepared.bodies[run.block]);
     observers.push_back(std::make_unique<RunObserver>(prepared, run));
   }

@@ -12,6 +12,7 @@
 #include "core/random.hpp"
 #include "dem/ground_overlap.hpp"
 #include "study/detail/campaign_checks.hpp"
+#include "study/detail/mass_members.hpp"
 #include "study/detail/mass_starts.hpp"
 #include "study/detail/member_settings.hpp"
 #include "study/detail/named_seed.hpp"
@@ -162,21 +163,29 @@ class Planner {
     return run;
   }
 
-  /// All blocks of a realisation of a mass, in a drawn order or as they are in place.
+  /// All blocks of a realisation of masses, in a drawn order or as they are in place, mass by mass.
   void plan_mass(std::uint32_t realisation) {
     const Campaign& campaign = prepared_.campaign;
     const std::string name = "realisation " + std::to_string(realisation);
     Random random(named_seed(campaign.releases.front().seed, name));
     if (!mass_) mass_.emplace(prepared_);
-    mass_->begin(name);
-    for (const std::uint32_t block : order_of(realisation, random)) {
-      RunRecord run;
-      run.block = block;
-      run.start = mass_->place(block, overlap_of(block), random);
-      run.ground_set = realisation % campaign.ensemble.members;
-      add(run);
+    const std::vector<std::vector<std::uint32_t>> blocks =
+        blocks_of_masses(prepared_, order_of(realisation, random));
+    std::vector<std::size_t> counts;
+    for (const std::vector<std::uint32_t>& of_mass : blocks) counts.push_back(of_mass.size());
+    mass_->begin(name, counts);
+    for (std::size_t mass = 0; mass < blocks.size(); ++mass) {
+      for (const std::uint32_t block : blocks[mass]) {
+        RunRecord run;
+        run.block = block;
+        run.point = static_cast<std::uint32_t>(mass);
+        run.start = mass_->place(mass, block, overlap_of(block), random);
+        run.ground_set = realisation % campaign.ensemble.members;
+        add(run);
+      }
     }
-    prepared_.masses.push_back(mass_->placed());
+    const std::vector<MassStart> placed = mass_->placed();
+    prepared_.masses.insert(prepared_.masses.end(), placed.begin(), placed.end());
   }
 
   /// The blocks of a realisation in the order of their release; points and orientations are drawn.
@@ -283,10 +292,16 @@ void check_count(const Campaign& campaign, std::size_t blocks) {
                    " runs; split it into campaigns of at most 99999999");
 }
 
-Vec3 middle_of_starts(const std::vector<RunRecord>& runs) {
+/// Of all runs of a release point.
+Vec3 middle_of_starts(const std::vector<RunRecord>& runs, std::uint32_t point) {
   Vec3 sum = Vec3::Zero();
-  for (const RunRecord& run : runs) sum += run.start.position;
-  return sum / static_cast<double>(runs.size());
+  double count = 0.0;
+  for (const RunRecord& run : runs) {
+    if (run.point != point) continue;
+    sum += run.start.position;
+    count += 1.0;
+  }
+  return sum / count;
 }
 
 }  // namespace
@@ -299,7 +314,7 @@ void plan_runs(PreparedCampaign& prepared) {
   if (campaign.stay) {
     const std::size_t each =
         campaign.blocks.draw ? campaign.blocks.draw->count : prepared.bodies.size();
-    const bool at_once = campaign.stay->mass.has_value();
+    const bool at_once = !campaign.stay->masses.empty();
     header.stay = {static_cast<std::uint32_t>(each), campaign.stay->between_blocks, at_once};
     for (std::uint32_t i = 0; i < campaign.stay->realisations; ++i) {
       at_once ? planner.plan_mass(i) : planner.plan_realisation(i);
@@ -317,8 +332,10 @@ void plan_runs(PreparedCampaign& prepared) {
   }
   if (!prepared.masses.empty()) {
     // A mass counts as released from its middle.
-    header.set_of_point.push_back(0);
-    header.release_points.push_back(middle_of_starts(prepared.runs));
+    for (std::uint32_t mass = 0; mass < campaign.stay->masses.size(); ++mass) {
+      header.set_of_point.push_back(mass);
+      header.release_points.push_back(middle_of_starts(prepared.runs, mass));
+    }
     return;
   }
   // Where the first run of each point starts; a point that no run was drawn for stays as it is.

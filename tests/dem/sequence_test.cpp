@@ -194,6 +194,58 @@ TEST(Sequence, BlocksReleasedAtOnceFallTogether) {
   EXPECT_TRUE(contains(message, "body 0") || contains(message, "body 1")) << message;
 }
 
+// Held blocks stay where they are, whatever hits them, until their time comes.
+TEST(Sequence, HoldsBlocksUntilTheirTime) {
+  const TerrainSurface terrain = ground(plane_mesh(10.0, 20));
+  const std::vector<RigidBody> shapes = {box(60.0, {0.4, 0.4, 0.3})};
+  SequenceSettings settings = settings_for(shapes);
+  settings.at_once = true;
+  const auto release = [&](const std::vector<SequenceBlock>& blocks,
+                           const SequenceObserver& observe = {}) {
+    return simulate_sequence(terrain, kGround, shapes, blocks, settings, observe);
+  };
+  RigidState thrown = at({-2.0, 0.0, 0.7}, {8.0, 0.0, 0.0});
+  const SequenceBlock hits{0, thrown}, held{0, at({0.0, 0.05, 0.55}), 5.0},
+      apart{0, at({3.0, 0.3, 1.1}), 7.5};
+  double first_seen = -1.0;
+  const auto found = release({hits, held, apart}, [&](std::size_t block, const MotionStep& step) {
+    if (block != 1) return;
+    if (first_seen < 0.0) {
+      first_seen = step.begin_time;
+      EXPECT_EQ(step.begin.position, held.start.position);
+    }
+  });
+  EXPECT_NEAR(first_seen, 5.0, 1e-9);
+  EXPECT_EQ(found[0].released_at, 0.0);
+  EXPECT_EQ(found[1].released_at, 5.0);
+  EXPECT_EQ(found[2].released_at, 7.5);
+  // The thrown one is stopped by the held one.
+  EXPECT_EQ(found[0].blocks_hit, 1u);
+  EXPECT_LT(found[0].release.final_state.position.x(), -0.3);
+  EXPECT_LT(found[1].release.final_state.position.z(), 0.5);
+  EXPECT_GT(found[2].release.duration, 7.5);
+  // What is alone falls as it would at once, later.
+  const SequenceBlock now{0, apart.start};
+  const auto alone = release({now});
+  EXPECT_LT((found[2].release.final_state.position - alone[0].release.final_state.position).norm(),
+            1e-4);
+  const auto later = release({apart});
+  EXPECT_LT((later[0].release.final_state.position - alone[0].release.final_state.position).norm(),
+            1e-9);
+  EXPECT_NEAR(later[0].release.duration, 7.5 + alone[0].release.duration, 1e-6);
+  // A held block brings its energy when it is freed, and no balance is lost.
+  EXPECT_NEAR(later[0].release.energy.initial, alone[0].release.energy.initial, 1e-9);
+  for (const SequenceResult& result : found) {
+    EXPECT_EQ(result.release.stop_reason, StopReason::kRest);
+    EXPECT_LT(result.release.energy.error, 1e-3);
+  }
+  settings.world.threads = 2;
+  const auto threads = release({hits, held, apart});
+  for (std::size_t i = 0; i < 3; ++i) {
+    EXPECT_EQ(threads[i].release.final_state.position, found[i].release.final_state.position);
+  }
+}
+
 TEST(Sequence, RefusesWhatIsNoSequence) {
   const TerrainSurface terrain = ground(plane_mesh(10.0, 20));
   const std::vector<RigidBody> shapes = {ball(10.0, 0.2)};
@@ -205,6 +257,10 @@ TEST(Sequence, RefusesWhatIsNoSequence) {
                          sequence(terrain, shapes, {{0, at({50, 0, 1})}});
                        }),
                        "body 0"));
+  EXPECT_TRUE(contains(refusal([&] {
+                         sequence(terrain, shapes, {{0, at({0, 0, 1}), -1.0}});
+                       }),
+                       "held = -1; must be 0 or more"));
 }
 
 }  // namespace

@@ -178,7 +178,10 @@ TEST_F(MassCampaign, RefusesWhatDoesNotFit) {
           "below thickness_m = 0.9; allow more, widen the polygon");
   refused(mass("[-1, -1.5], [-1, 1.5], [-4, 1.5]", "[-3.7, -1.5], [-3.7, -1.2], [-4, -1.2]"),
           "[mass] holds 0 of 8 blocks of realisation 1, and block ");
-  refused(text(std::string(kMass) + kMass), "[mass]: there is more than one");
+  refused(text(std::string(kMass) + "share = 0.5\n"),
+          "makes the shares of all masses add up to 0.5; they must add up to 1");
+  refused(text(std::string(kMass) + "count = 5\n"), "make 5 of 8 blocks of a realisation");
+  refused(text(std::string(kMass) + "release_time_s = 2\n"), "no mass is released then");
   refused(text() + "[release]\npoints = [[0, 0, 1]]\n", "leave out [release], or [mass]");
   const std::string without = text();
   refused(without.substr(0, without.find("[contact.blocks]")),
