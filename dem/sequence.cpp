@@ -2,8 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <limits>
 #include <map>
 #include <set>
+#include <string>
 
 #include "core/error.hpp"
 #include "core/number_text.hpp"
@@ -32,9 +35,7 @@ class Sequence {
         settings_(settings),
         observe_(observe),
         world_({shapes.begin(), shapes.end()}, settings.world, terrain,
-               {zones.begin(), zones.end()}) {
-    world_.observe([this](std::size_t block, const MotionStep& step) { see(block, step); });
-  }
+               {zones.begin(), zones.end()}) {}
 
   std::vector<SequenceResult> run() {
     const std::size_t together = settings_.at_once ? blocks_.size() : 1;
@@ -78,9 +79,15 @@ class Sequence {
 
   /// Blocks from `first` to before `end`, until all that lie there rest.
   void release(std::size_t first, std::size_t end) {
-    const EnergyLedger before = world_.energy();
+    EnergyLedger before = world_.energy();
     released_at_ = world_.time();
     for (std::size_t block = first; block < end; ++block) add(block);
+    if (!settings_.forms.empty()) {
+      settle();
+      before = world_.energy();
+      released_at_ = world_.time();
+    }
+    world_.observe([this](std::size_t block, const MotionStep& step) { see(block, step); });
     newest_ = first;
     const double last = release_held(first, end);
     do {
@@ -96,21 +103,78 @@ class Sequence {
     }
   }
 
-  /// Lets go what is held, each block at its time.
-  /// @return  time of the last release, s
-  double release_held(std::size_t first, std::size_t end) {
-    std::map<double, std::vector<std::size_t>> held;
-    for (std::size_t block = first; block < end; ++block) {
-      if (is_held(block)) held[released_at_ + blocks_[block].held].push_back(block);
-    }
-    for (const auto& [time, blocks] : held) {
-      world_.run_to(time);
-      world_.free_bodies(blocks);
-    }
-    return held.empty() ? released_at_ : held.rbegin()->first;
+  /// Does a form hold the block?
+  bool settles(std::size_t block) const {
+    return std::any_of(settings_.forms.begin(), settings_.forms.end(),
+                       [&](const SequenceForm& f) { return block >= f.first && block < f.end; });
   }
 
-  bool is_held(std::size_t block) const { return settings_.at_once && blocks_[block].held > 0.0; }
+  /// When a block is released, since the first is, s.
+  double release_time(std::size_t block) const {
+    double time = std::numeric_limits<double>::infinity();
+    for (const SequenceForm& form : settings_.forms) {
+      if (block >= form.first && block < form.end) time = std::min(time, form.removed_at);
+    }
+    return std::isfinite(time) ? time : blocks_[block].held;
+  }
+
+  /// Lets the blocks that forms hold come to rest.
+  void settle() {
+    for (const SequenceForm& form : settings_.forms) {
+      forms_.push_back(world_.add_form(form.shape, form.place, form.first, form.end));
+    }
+    world_.run_until(settings_.settle_time);
+    refuse_settled("left their form", "place them deeper in it", [&](std::size_t block) {
+      return world_.gone(block) ||
+             std::any_of(settings_.forms.begin(), settings_.forms.end(), [&](const auto& form) {
+               const Vec3 inwards = form.place.orientation * Vec3::UnitX();
+               const Vec3 way = world_.state(block).position - form.place.position;
+               return block >= form.first && block < form.end && inwards.dot(way) <= 0.0;
+             });
+    });
+    refuse_settled("still move after settle_time = " + with_digits(settings_.settle_time, 6) + " s",
+                   "give them more time",
+                   [&](std::size_t block) { return !world_.resting(block); });
+    for (std::size_t block = 0; block < blocks_.size(); ++block) {
+      if (settles(block)) results_[block].settled = world_.state(block);
+    }
+  }
+
+  /// @param is_bad  of a block that settles
+  void refuse_settled(const std::string& problem, const std::string& advice,
+                      const std::function<bool(std::size_t)>& is_bad) const {
+    std::size_t all = 0, bad = 0, first = 0;
+    for (std::size_t block = 0; block < blocks_.size(); ++block) {
+      if (!settles(block)) continue;
+      ++all;
+      if (is_bad(block) && bad++ == 0) first = block;
+    }
+    if (bad == 0) return;
+    throw SimulationError(std::to_string(bad) + " of " + std::to_string(all) +
+                          " blocks that settle, body " + std::to_string(first) + " the first, " +
+                          problem + "; " + advice);
+  }
+
+  /// Lets go what is held and removes the forms, each at its time.
+  /// @return  time of the last release, s
+  double release_held(std::size_t first, std::size_t end) {
+    struct Change {
+      std::vector<std::size_t> freed, removed;
+    };
+    std::map<double, Change> changes;  // by time since the first release
+    for (std::size_t block = first; block < end; ++block) {
+      if (world_.fixed(block)) changes[blocks_[block].held].freed.push_back(block);
+    }
+    for (std::size_t form = 0; form < forms_.size(); ++form) {
+      changes[settings_.forms[form].removed_at].removed.push_back(forms_[form]);
+    }
+    for (const auto& [time, change] : changes) {
+      world_.run_to(released_at_ + time);
+      if (!change.freed.empty()) world_.free_bodies(change.freed);
+      for (const std::size_t form : change.removed) world_.remove_body(form);
+    }
+    return released_at_ + (changes.empty() ? 0.0 : changes.rbegin()->first);
+  }
 
   void add(std::size_t block) {
     SequenceResult& result = results_.emplace_back();
@@ -121,15 +185,18 @@ class Sequence {
       result.raised = height - start.position.z();
       start.position.z() = height;
     }
-    result.released_at = released_at_ + (is_held(block) ? blocks_[block].held : 0.0);
-    world_.add_body(blocks_[block].shape, start, is_held(block));
+    result.released_at = settings_.at_once ? release_time(block) : released_at_;
+    // While others settle, nothing else moves.
+    const bool held = settings_.at_once && !settles(block) &&
+                      (blocks_[block].held > 0.0 || !settings_.forms.empty());
+    world_.add_body(blocks_[block].shape, start, held);
   }
 
   /// Removes the blocks that rest where blocks are cleared away.
   /// @return  were there any?
   bool clear_zones() {
     bool any = false;
-    for (std::size_t block = 0; block < world_.body_count(); ++block) {
+    for (std::size_t block = 0; block < results_.size(); ++block) {
       if (world_.gone(block) || !world_.resting(block) || !lies_in_cleared_zone(block)) continue;
       results_[block].release.settled_penetration = world_.touch(block).overlap;
       results_[block].removed_at = world_.time();
@@ -156,7 +223,7 @@ class Sequence {
     part.rolling = after.rolling - before.rolling;
     part.reassigned = after.reassigned - before.reassigned;
     double potential = 0.0;
-    for (std::size_t i = 0; i < world_.body_count(); ++i) {
+    for (std::size_t i = 0; i < results_.size(); ++i) {
       potential += body_of(i).mass * settings_.world.gravity * world_.state(i).position.z();
     }
     part.close(after.final, part.initial - potential);
@@ -176,7 +243,9 @@ class Sequence {
     if (touching && !watched.touching) ++result.impacts;
     watched.touching = touching;
     if (block >= newest_) {
-      for (const std::size_t other : world_.touched_bodies(block)) watched.hit.insert(other);
+      for (const std::size_t other : world_.touched_bodies(block)) {
+        if (other < blocks_.size()) watched.hit.insert(other);
+      }
     }
     if (!observe_) return;
     MotionStep since_release = step;
@@ -208,8 +277,9 @@ class Sequence {
   World world_;
   std::vector<SequenceResult> results_;
   std::vector<Watched> watched_;
-  double released_at_ = 0.0;  ///< when the newest blocks were, s
-  std::size_t newest_ = 0;    ///< the first of them
+  std::vector<std::size_t> forms_;  ///< their numbers as bodies
+  double released_at_ = 0.0;        ///< when the newest blocks were, s
+  std::size_t newest_ = 0;          ///< the first of them
 };
 
 }  // namespace
@@ -218,6 +288,12 @@ void SequenceSettings::check() const {
   world.check();
   if (!(max_time > 0.0)) {
     throw InputError("max_time = " + with_digits(max_time, 6) + "; must be above 0");
+  }
+  if (!(settle_time > 0.0)) {
+    throw InputError("settle_time = " + with_digits(settle_time, 6) + "; must be above 0");
+  }
+  if (!forms.empty() && !at_once) {
+    throw InputError("forms hold blocks that are released at once; give at_once too");
   }
 }
 

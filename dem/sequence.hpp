@@ -20,6 +20,15 @@ struct SequenceBlock {
   double held = 0.0;
 };
 
+/// A fixed body that holds blocks released at once while they settle, and until it is removed. All
+/// else passes through it.
+struct SequenceForm {
+  std::size_t shape = 0;           ///< index into the shapes
+  RigidState place;                ///< its x axis points to the blocks that it holds
+  std::size_t first = 0, end = 0;  ///< these blocks
+  double removed_at = 0.0;         ///< since the first release, s
+};
+
 struct SequenceSettings {
   WorldSettings world;
   /// All blocks are there together, each at its very start, and those that are not held released at
@@ -31,6 +40,11 @@ struct SequenceSettings {
   /// Ground zones that are cleared whenever all blocks rest: a block whose centre lies in one of
   /// them is removed before the next one is released, and what it held may move on.
   std::vector<std::uint16_t> cleared_zones;
+  /// Of blocks at once: what they hold settles by gravity before the first release, while all other
+  /// blocks are held. Times and energies count from then on, and a block is released when the first
+  /// of its forms is removed.
+  std::vector<SequenceForm> forms;
+  double settle_time = 20.0;  ///< s, that what settles must rest after
 
   void check() const;  ///< throws InputError naming the field and its value
 };
@@ -46,9 +60,10 @@ struct SequenceResult {
   /// How much higher than asked for it was released, m: one after the other, its bounding sphere is
   /// clear of the bounding spheres of all blocks that lie there.
   double raised = 0.0;
-  double moved_later = 0.0;          ///< from the end of its own release to its last place, m
-  std::optional<double> removed_at;  ///< since the first block was released, s; none: it stayed
-  std::uint32_t blocks_hit = 0;      ///< other blocks that it touched during its own release
+  std::optional<RigidState> settled;  ///< of a block that settled: where it was then
+  double moved_later = 0.0;           ///< from the end of its own release to its last place, m
+  std::optional<double> removed_at;   ///< since the first block was released, s; none: it stayed
+  std::uint32_t blocks_hit = 0;       ///< other blocks that it touched during its own release
 };
 
 /// Sees how a block moved in a step, in the order of time. Times count from its own release, of
@@ -61,9 +76,10 @@ using SequenceObserver = std::function<void(std::size_t block, const MotionStep&
 /// @param shapes  that the blocks have
 /// @param zones   parameters of each ground zone of the terrain, by zone number
 /// @throws InputError       settings out of range
-/// @throws SimulationError  a start off the terrain, inside the ground or another block, or a
-/// motion
-///                          that is not finite any more: with the number of the block, from 0
+/// @throws SimulationError  a start off the terrain, inside the ground or another block, blocks
+/// that
+///                          do not come to rest in their form or leave it, or a motion that is not
+///                          finite any more: with the number of the block, from 0
 std::vector<SequenceResult> simulate_sequence(const TerrainSurface& terrain,
                                               std::span<const GroundParameters> zones,
                                               std::span<const RigidBody> shapes,

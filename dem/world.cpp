@@ -48,6 +48,7 @@ void WorldSettings::check() const {
   same.rest_duration = rest_duration;
   same.check();
   between_bodies.check("between bodies");
+  on_forms.check("on forms");
   const auto require = [](bool fine, const char* name, double value, const char* range) {
     if (fine) return;
     throw InputError(std::string(name) + " = " + with_digits(value, 6) + "; must be " + range);
@@ -89,6 +90,13 @@ std::size_t World::add_body(std::size_t shape, const RigidState& state, bool fix
   if (fixed) start.velocity = start.angular_velocity = Vec3::Zero();
   impl_->add(shape, start, fixed);
   return body_count() - 1;
+}
+
+std::size_t World::add_form(std::size_t shape, const RigidState& state, std::size_t first,
+                            std::size_t end) {
+  const std::size_t form = add_body(shape, state, true);
+  impl_->hold(form, {first, end});
+  return form;
 }
 
 void World::remove_body(std::size_t body) {

@@ -16,10 +16,11 @@ struct WorldSettings {
   ContactStiffness stiffness;  ///< of all contacts
   ContactLaw law;              ///< likewise
   ContactWeights weights = ContactWeights::kPatch;
-  GroundParameters between_bodies;  ///< what two bodies do to each other
-  double gravity = 9.81;            ///< m/s^2, along -z
-  double rest_energy = 2e-4;        ///< J/kg: v^2/2 + w.J.w/(2 m) below this ...
-  double rest_duration = 0.5;       ///< ... for so long, s, with a contact throughout, is rest
+  GroundParameters between_bodies;             ///< what two bodies do to each other
+  GroundParameters on_forms{.friction = 0.0};  ///< what a form and a body that it holds do
+  double gravity = 9.81;                       ///< m/s^2, along -z
+  double rest_energy = 2e-4;                   ///< J/kg: v^2/2 + w.J.w/(2 m) below this ...
+  double rest_duration = 0.5;  ///< ... for so long, s, with a contact throughout, is rest
   /// A body stays where it is when it was in contact and had less than ten times `rest_energy` for
   /// twice `sleep_duration`, s, and its mean places in the first and the second half differ by no
   /// more than this share of S. It falls asleep when all that touches it stays too: it is at rest
@@ -74,8 +75,13 @@ class World {
   /// Numbers bodies from 0 in the order they come.
   /// @throws SimulationError  no such shape, a state that is not finite, or a start off the terrain
   std::size_t add_body(std::size_t shape, const RigidState& state, bool fixed = false);
+  /// Adds a form: a fixed body that holds others while they settle. Nothing but the bodies from
+  /// `first` to before `end` touches it, with the parameters `on_forms`. It has the next number.
+  /// @throws SimulationError  as `add_body`
+  std::size_t add_form(std::size_t shape, const RigidState& state, std::size_t first,
+                       std::size_t end);
   /// Takes a body away, fixed or not. It keeps its number and the state it had, with that state's
-  /// energy; what it touched is woken.
+  /// energy; what it touched is woken, and does not count as resting.
   /// @throws SimulationError  no such body
   void remove_body(std::size_t body);
   /// Lets fixed bodies move from now on, from rest where they are; each brings its energy to

@@ -262,8 +262,16 @@ Campaign parse_campaign(const std::string& text, const fs::path& file) {
 
 double StayPlan::last_release() const {
   double last = 0.0;
-  for (const MassPlan& mass : masses) last = std::max(last, mass.release_time);
+  for (const MassPlan& mass : masses) {
+    const double faces = mass.face_interval * static_cast<double>(mass.polygon.size());
+    last = std::max(last, mass.release_time + faces);
+  }
   return last;
+}
+
+bool StayPlan::settles() const {
+  return std::any_of(masses.begin(), masses.end(),
+                     [](const MassPlan& mass) { return mass.settle; });
 }
 
 std::vector<Quat> grid_45_orientations() {

@@ -122,6 +122,10 @@ struct MassPlan {
   std::optional<double> share;
   std::optional<std::uint32_t> count;  ///< of blocks in each realisation
   double release_time = 0.0;           ///< held until then, since the first release, s
+  bool settle = false;                 ///< behind faces on the sides of the polygon, at first
+  double settle_time = 20.0;           ///< that the blocks must rest after, s
+  /// The faces are removed at the release, one after the other at this interval, s; 0: together.
+  double face_interval = 0.0;
 };
 
 /// Blocks that stay where they stop: in each realisation they are released one after the other,
@@ -133,7 +137,9 @@ struct StayPlan {
   std::vector<std::string> cleared_zones;  ///< blocks that come to rest there are removed
   GroundParameters between_blocks;         ///< what two blocks do to each other
 
-  double last_release() const;  ///< of the masses, since the first, s; 0 without
+  /// Of the masses, since the first, s; 0 without. Faces that are removed one by one count.
+  double last_release() const;
+  bool settles() const;  ///< does any of the masses?
 };
 
 /// A campaign, read and checked. Paths are resolved against the campaign file's folder, with

@@ -258,6 +258,13 @@ KeyTable mass_table() {
             "s",
             "its blocks are held until then, since the first release",
             {number(kReleaseTime)}},
+           {"settle", "", "the blocks of a heap settle before it is released", {flag()}},
+           {"settle_time_s", "s", "after which they must rest", {number(kSettleTime)}},
+           {"faces",
+            "",
+            "how the faces that they settle behind are removed",
+            {words({"together", "one by one"})}},
+           {"face_interval_s", "s", "from one face to the next", {number(kFaceInterval)}},
            {"realisations", "", "how often the masses are released", {count(1, kMostPerSet)}},
            {"seed", "", "of what is drawn", {seed()}}}};
 }

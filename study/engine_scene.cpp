@@ -48,6 +48,11 @@ void check_campaign_fits(const PreparedCampaign& prepared, const EngineSceneOpti
                      "it have stopped, which a scene can't say; export a [[mass]], or the "
                      "campaign without sequence = \"stay\"");
   }
+  if (prepared.header.stay && prepared.campaign.stay->settles()) {
+    throw InputError(file +
+                     ": its masses settle behind faces first, which a scene can't say; leave "
+                     "settle out");
+  }
   if (prepared.header.stay && prepared.campaign.stay->last_release() > 0.0) {
     throw InputError(file +
                      ": its masses are released at different times, which a scene can't say; "

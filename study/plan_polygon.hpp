@@ -1,6 +1,8 @@
 #pragma once
 /// Polygons in the plan, as users draw them: corners in either order, the first repeated at the end
 /// or not.
+#include <cstddef>
+#include <optional>
 #include <span>
 
 #include "core/types.hpp"
@@ -13,6 +15,10 @@ bool is_inside(std::span<const Vec2> polygon, const Vec2& point);
 
 /// Of a polygon that does not cross itself.
 double polygon_area(std::span<const Vec2> polygon);
+
+/// The first corner at which the polygon turns against its own sense, so that it is not convex;
+/// none of a convex one, which may have corners on a side and repeat its first.
+std::optional<std::size_t> reflex_corner(std::span<const Vec2> polygon);
 
 /// @throws InputError  fewer than three corners, or all on one line
 void check_has_area(std::span<const Vec2> polygon);

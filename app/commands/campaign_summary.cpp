@@ -72,7 +72,8 @@ std::string mass_text(const PreparedCampaign& prepared, std::size_t mass) {
   return rock + "on " + range(&MassStart::area) + " m2 in a heap " +
          range(&MassStart::mean_thickness) + " m thick on average, " +
          range(&MassStart::largest_thickness) + " m at most, of which blocks fill " +
-         range([](const MassStart& start) { return 100.0 * start.solid_fraction(); }) + " %\n";
+         range([](const MassStart& start) { return 100.0 * start.solid_fraction(); }) +
+         (plans[mass].settle ? " %, before they settle\n" : " %\n");
 }
 
 /// A line for each mass; empty without.

@@ -14,6 +14,12 @@ constexpr double kSlackShare = 0.15;
 /// Pairs that a thread takes at a time.
 constexpr std::size_t kPairsAtATime = 8;
 
+/// A form touches what it holds, and nothing else.
+bool may_touch(const BroadPhase::Pair& pair, std::span<const WorldBody> bodies) {
+  const std::optional<HeldBodies>&first = bodies[pair[0]].holds, &second = bodies[pair[1]].holds;
+  return (!first || first->has(pair[1])) && (!second || second->has(pair[0]));
+}
+
 }  // namespace
 
 void ContactPairs::set_slack(std::span<const WorldBody> bodies) {
@@ -36,18 +42,19 @@ ContactPair ContactPairs::contact_pair(std::uint32_t first, std::uint32_t second
   }
   const Shape& b = *bodies[second].shape;
   const double size = std::min(a.body.size(), b.body.size());
+  const bool with_form = bodies[first].holds || bodies[second].holds;
+  const BodyPair::Rules& rules = with_form ? on_forms_ : between_bodies_;
   if (first_is_reference(a.surface, a.radius, b.surface, b.radius)) {
-    return {first, second,
-            std::make_unique<BodyPair>(a.surface, b.surface, b.radius, size, between_bodies_)};
+    return {first, second, std::make_unique<BodyPair>(a.surface, b.surface, b.radius, size, rules)};
   }
-  return {second, first,
-          std::make_unique<BodyPair>(b.surface, a.surface, a.radius, size, between_bodies_)};
+  return {second, first, std::make_unique<BodyPair>(b.surface, a.surface, a.radius, size, rules)};
 }
 
 std::vector<BroadPhase::Pair> ContactPairs::pairs_to_keep(std::span<const WorldBody> bodies) const {
   std::vector<BroadPhase::Pair> wanted;
   for (const BroadPhase::Pair& pair : broad_phase_.pairs()) {
-    if (!bodies[pair[0]].gone && !bodies[pair[1]].gone) wanted.push_back(pair);
+    if (bodies[pair[0]].gone || bodies[pair[1]].gone || !may_touch(pair, bodies)) continue;
+    wanted.push_back(pair);
   }
   if (terrain_) {
     for (std::uint32_t i = 0; i < bodies.size(); ++i) {

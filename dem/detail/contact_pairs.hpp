@@ -38,10 +38,14 @@ class ContactPairs {
  public:
   /// @param terrain         none, or it must outlive the pairs
   /// @param between_bodies  rules of two bodies; what they refer to must outlive the pairs
+  /// @param on_forms        rules of a form and a body that it holds, likewise
   /// @param on_terrain      rules of a body on the terrain, likewise
   ContactPairs(const TerrainSurface* terrain, const BodyPair::Rules& between_bodies,
-               const BodyPair::Rules& on_terrain)
-      : terrain_(terrain), between_bodies_(between_bodies), on_terrain_(on_terrain) {}
+               const BodyPair::Rules& on_forms, const BodyPair::Rules& on_terrain)
+      : terrain_(terrain),
+        between_bodies_(between_bodies),
+        on_forms_(on_forms),
+        on_terrain_(on_terrain) {}
 
   /// How far bounding spheres may be apart to be listed follows from the bodies that move.
   void set_slack(std::span<const WorldBody> bodies);
@@ -95,7 +99,7 @@ class ContactPairs {
                            std::span<const WorldBody> bodies) const;
 
   const TerrainSurface* terrain_;
-  BodyPair::Rules between_bodies_, on_terrain_;
+  BodyPair::Rules between_bodies_, on_forms_, on_terrain_;
   BodyMotion still_ground_;
   BroadPhase broad_phase_;
   double slack_ = 0.0;  ///< of the broad phase, m

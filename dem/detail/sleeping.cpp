@@ -59,7 +59,12 @@ void Sleeping::wake_around(std::uint32_t body, std::span<WorldBody> bodies,
   wake(body, bodies, pairs);
   for (const std::uint32_t e : pairs.of(body)) {
     const ContactPair& pair = pairs.all()[e];
-    if (bodies_touch(pair)) wake(other_of(pair, body), bodies, pairs);
+    if (!bodies_touch(pair)) continue;
+    const std::uint32_t other = other_of(pair, body);
+    wake(other, bodies, pairs);
+    // Also one that is awake may have rested on it.
+    bodies[other].resting = 0.0;
+    bodies[other].watch.reset();
   }
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 /// A moving or fixed body of a world, and the shape it shares with others.
 #include <algorithm>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -26,6 +27,13 @@ struct Shape {
   double largest_mobility;
 };
 
+/// Bodies that a form holds.
+struct HeldBodies {
+  std::size_t first = 0, end = 0;
+
+  bool has(std::size_t body) const { return body >= first && body < end; }
+};
+
 struct WorldBody {
   /// @param of_shape  must outlive the body
   WorldBody(const Shape& of_shape, const RigidState& start, bool is_fixed)
@@ -48,9 +56,10 @@ struct WorldBody {
   const Shape* shape;
   MovingBody moving;
   bool fixed;
-  bool gone = false;         ///< left the terrain or was removed: it stays where it was then
-  bool off_terrain = false;  ///< found in the last step: about to leave
-  BodyMotion motion;         ///< over the last step
+  std::optional<HeldBodies> holds;  ///< of a form, which touches these alone
+  bool gone = false;                ///< left the terrain or was removed: it stays where it was then
+  bool off_terrain = false;         ///< found in the last step: about to leave
+  BodyMotion motion;                ///< over the last step
   Vec3 force = Vec3::Zero();
   Vec3 torque = Vec3::Zero();
   double corrected = 0.0;        ///< energy that events inside the last step added, J

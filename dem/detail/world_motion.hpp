@@ -29,6 +29,8 @@ class WorldMotion {
 
   /// @param start  a unit quaternion, and on the terrain
   void add(std::size_t shape, const RigidState& start, bool fixed);
+  /// Makes a fixed body, the last that was added, a form.
+  void hold(std::size_t form, const HeldBodies& held) { bodies_[form].holds = held; }
   /// Takes a body out of the motion, where it is; wakes what it touched.
   void remove(std::size_t body);
   /// Lets fixed bodies, each named once, move from now on.
@@ -93,6 +95,7 @@ class WorldMotion {
 
   std::vector<WorldBody> bodies_;
   ContactPairs pairs_{terrain_, rules(std::span(&settings_.between_bodies, 1), {}, nullptr),
+                      rules(std::span(&settings_.on_forms, 1), {}, nullptr),
                       rules(zones_,
                             terrain_ ? std::span<const std::uint16_t>(terrain_->impl().zones)
                                      : std::span<const std::uint16_t>(),

@@ -46,7 +46,7 @@ void check_polygon(const TomlTable& table, const MassPlan& mass) {
 
 /// Of a mass whose blocks are where they were cut or scanned.
 void read_places(const TomlTable& table, const Campaign& campaign, MassPlan& mass) {
-  for (const char* key : {"thickness_m", "share", "count"}) {
+  for (const char* key : {"thickness_m", "share", "count", "settle"}) {
     if (const TomlNode* node = table.find(key)) {
       table.refuse(key, *node, "is for a heap; blocks that are in place have theirs already");
     }
@@ -73,6 +73,32 @@ void read_places(const TomlTable& table, const Campaign& campaign, MassPlan& mas
   check_polygon(table, mass);
 }
 
+/// Whether and how the blocks of a heap settle.
+void read_settling(const TomlTable& table, MassPlan& mass) {
+  mass.settle = table.boolean("settle").value_or(false);
+  for (const char* key : {"settle_time_s", "faces", "face_interval_s"}) {
+    const TomlNode* node = table.find(key);
+    if (node && !mass.settle)
+      table.refuse(key, *node, "is for a heap that settles; add settle = true");
+  }
+  if (!mass.settle) return;
+  mass.settle_time = table.number("settle_time_s", kSettleTime).value_or(mass.settle_time);
+  if (campaign_choice(table, "mass", "faces") == "one by one") {
+    table.required("face_interval_s", "the time from one face to the next");
+    mass.face_interval = *table.number("face_interval_s", kFaceInterval);
+  } else if (const TomlNode* node = table.find("face_interval_s")) {
+    table.refuse("face_interval_s", *node, "is for faces = \"one by one\"");
+  }
+  if (const std::optional<std::size_t> corner = reflex_corner(mass.polygon)) {
+    const Vec2& place = mass.polygon[*corner];
+    table.refuse("polygon", *table.find("polygon"),
+                 "is not convex at its corner " + std::to_string(*corner + 1) + ", [" +
+                     with_digits(place.x(), 9) + ", " + with_digits(place.y(), 9) +
+                     "]; blocks settle behind the faces of a convex one, so divide it into several "
+                     "[[mass]]");
+  }
+}
+
 void read_heap(const TomlTable& table, MassPlan& mass) {
   if (const TomlNode* node = table.find("height_m")) {
     table.refuse("height_m", *node, "is for blocks in place; a heap lies on the ground");
@@ -81,6 +107,7 @@ void read_heap(const TomlTable& table, MassPlan& mass) {
                               table.required("polygon", "[[x, y], ...]; or give in_place = true"));
   mass.thickness = table.number("thickness_m", kThickness);
   check_polygon(table, mass);
+  read_settling(table, mass);
   mass.share = table.number("share", kMassShare);
   if (const std::optional<std::uint64_t> count = table.count("count", 1, kMostPerSet)) {
     if (mass.share) {

@@ -29,6 +29,8 @@ inline constexpr NumberRange kDropHeight{1e-6, 1e4, "m", "on the ground"};
 
 // [mass]
 inline constexpr NumberRange kThickness{1e-3, 1e3, "m"};
+inline constexpr NumberRange kSettleTime{1e-2, 1e4, "s"};
+inline constexpr NumberRange kFaceInterval{1e-3, 1e4, "s"};
 inline constexpr NumberRange kMassShare{1e-6, 1.0};
 inline constexpr NumberRange kReleaseTime{1e-6, 1e5, "s", "at the first release"};
 

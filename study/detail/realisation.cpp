@@ -13,6 +13,7 @@
 #include "core/number_text.hpp"
 #include "dem/sequence.hpp"
 #include "mesh/triangle_tree.hpp"
+#include "study/detail/holding_faces.hpp"
 
 namespace clast::study_detail {
 
@@ -142,6 +143,10 @@ SequenceSettings sequence_settings(const PreparedCampaign& prepared, const RunRe
   settings.rest_duration = campaign.rest_duration;
   sequence.at_once = !campaign.stay->masses.empty();
   sequence.max_time = campaign.max_time;
+  if (campaign.stay->settles()) sequence.settle_time = 0.0;
+  for (const MassPlan& mass : campaign.stay->masses) {
+    if (mass.settle) sequence.settle_time = std::max(sequence.settle_time, mass.settle_time);
+  }
   const std::vector<std::string>& cleared = campaign.stay->cleared_zones;
   for (std::size_t zone = 0; zone < prepared.header.zone_names.size(); ++zone) {
     if (std::find(cleared.begin(), cleared.end(), prepared.header.zone_names[zone]) !=
@@ -168,6 +173,9 @@ std::vector<StoredRun> realisation(const PreparedCampaign& prepared,
   }
   SequenceSettings settings = sequence_settings(prepared, planned.front());
   settings.world.threads = threads;
+  HoldingFaces faces = holding_faces(prepared, planned);
+  shapes.insert(shapes.end(), faces.shapes.begin(), faces.shapes.end());
+  settings.forms = std::move(faces.forms);
   std::vector<SequenceResult> results;
   std::string message;
   std::size_t newest = 0;
@@ -198,6 +206,7 @@ std::vector<StoredRun> realisation(const PreparedCampaign& prepared,
     const SequenceResult& result = results[i];
     runs.push_back(observers[i]->stored(result.release));
     runs.back().record.start.position.z() += result.raised;
+    if (result.settled) runs.back().record.start = *result.settled;
     runs.back().stays.push_back({planned[i].run, result.released_at, result.raised,
                                  result.moved_later, result.blocks_hit,
                                  result.removed_at.value_or(std::nan(""))});
