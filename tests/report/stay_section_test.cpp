@@ -51,6 +51,11 @@ TEST(DepositSection, GivesMeansOverRealisationsForEachFile) {
   const Comparison comparison = compared(results, results);
   EXPECT_TRUE(
       contains(provenance_section(comparison), "2 realisations of 3 blocks, released at once"));
+  CampaignResults masses = results;
+  masses.release_points.resize(3);
+  masses.set_of_point.resize(3);
+  EXPECT_TRUE(contains(provenance_section(compared(masses)),
+                       "2 realisations of 3 blocks, released as 3 masses"));
   EXPECT_EQ(stay_section(comparison), "");
   RealisationDeposits deposits = realisation_deposits(comparison);
   ASSERT_EQ(deposits.realisations.size(), 4u);
