@@ -239,5 +239,46 @@ TEST_F(Campaigns, CompareRefusesWhatIsNoResult) {
   expect_refused(folder, {"compare", "text.h5", "-o", "out"}, 1, "text.h5");
 }
 
+TEST_F(Campaigns, SayWhatEachOfSeveralMassesIs) {
+  std::string text = slope_campaign(
+      "[contact.blocks]\nenergy_restitution = 0.01\nfriction = 0.7\nrolling_friction = 0.2\n");
+  const std::size_t begin = text.find("[release]");
+  text.replace(begin, text.find("[[barrier]]") - begin,
+               "[[mass]]\nname = \"upper\"\npolygon = [[5, -2], [9, -2], [9, 2], [5, 2]]\n"
+               "settle = true\nrealisations = 2\n"
+               "[[mass]]\nname = \"lower\"\npolygon = [[12, -2], [14, -2], [14, 2], [12, 2]]\n"
+               "release_time_s = 2.5\n");
+  text = replaced(text, "[terrain]", "draw = { count = 9 }\n[terrain]");
+  write_text_file(folder / "masses.toml", text);
+  const ProgramRun dry = run_clast({"simulate", "masses.toml", "--dry-run"}, folder.path());
+  ASSERT_EQ(dry.exit_code, 0) << dry.err;
+  for (const char* part : {"18 runs: 18 blocks, 2 realisations of 9 blocks in 2 masses\n",
+                           "mass upper, released at 0 s: 6 blocks, ", " %, before they settle\n",
+                           "mass lower, released at 2.5 s: 3 blocks, "}) {
+    EXPECT_TRUE(contains(dry.out, part)) << dry.out;
+  }
+  const ProgramRun json =
+      run_clast({"simulate", "masses.toml", "--dry-run", "--json"}, folder.path());
+  const Json masses = Json::parse(json.out)["masses"];
+  ASSERT_EQ(masses.size(), 4u);
+  EXPECT_EQ(masses[0]["name"], "upper");
+  EXPECT_EQ(masses[0]["blocks"], 6);
+  EXPECT_EQ(masses[3]["name"], "lower");
+  EXPECT_EQ(masses[3]["blocks"], 3);
+  EXPECT_EQ(masses[3]["release_time_s"], 2.5);
+  EXPECT_NEAR(masses[3]["area_m2"], 8.0, 1.0);
+  const ProgramRun run = run_clast({"simulate", "masses.toml", "-o", "m.h5"}, folder.path());
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  const ProgramRun compared =
+      run_clast({"compare", "m.h5", "-o", "out", "--by", "release_set"}, folder.path());
+  ASSERT_EQ(compared.exit_code, 0) << compared.err;
+  const std::string runs = read_text_file(folder / "out" / "runs.csv");
+  EXPECT_TRUE(contains(runs, ",upper,") && contains(runs, ",lower,"));
+  const ProgramRun scenes =
+      run_clast({"export", "masses.toml", "--to", "rockable", "-o", "scenes"}, folder.path());
+  EXPECT_EQ(scenes.exit_code, 1);
+  EXPECT_TRUE(contains(scenes.err, "its masses settle behind faces first")) << scenes.err;
+}
+
 }  // namespace
 }  // namespace clast
