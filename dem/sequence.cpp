@@ -28,12 +28,14 @@ class Sequence {
  public:
   Sequence(const TerrainSurface& terrain, std::span<const GroundParameters> zones,
            std::span<const RigidBody> shapes, std::span<const SequenceBlock> blocks,
-           const SequenceSettings& settings, const SequenceObserver& observe)
+           const SequenceSettings& settings, const SequenceObserver& observe,
+           const EnergyObserver& observe_energy)
       : terrain_(terrain),
         shapes_(shapes),
         blocks_(blocks),
         settings_(settings),
         observe_(observe),
+        observe_energy_(observe_energy),
         world_({shapes.begin(), shapes.end()}, settings.world, terrain,
                {zones.begin(), zones.end()}) {}
 
@@ -89,10 +91,13 @@ class Sequence {
     }
     world_.observe([this](std::size_t block, const MotionStep& step) { see(block, step); });
     newest_ = first;
+    if (first == 0) begin_ = world_.energy_sample();
+    take_energy();
     const double last = release_held(first, end);
     do {
-      world_.run_until(last + settings_.max_time);
+      world_.run_until(last + settings_.max_time, energy_when_due());
     } while (clear_zones());
+    take_energy();
     const EnergyLedger energy = of_release(before, world_.energy());
     for (std::size_t block = first; block < end; ++block) {
       SequenceResult& result = results_[block];
@@ -169,11 +174,28 @@ class Sequence {
       changes[settings_.forms[form].removed_at].removed.push_back(forms_[form]);
     }
     for (const auto& [time, change] : changes) {
-      world_.run_to(released_at_ + time);
+      world_.run_to(released_at_ + time, energy_when_due());
       if (!change.freed.empty()) world_.free_bodies(change.freed);
       for (const std::size_t form : change.removed) world_.remove_body(form);
+      take_energy();
     }
     return released_at_ + (changes.empty() ? 0.0 : changes.rbegin()->first);
+  }
+
+  void take_energy() {
+    if (observe_energy_) observe_energy_(world_.energy_sample().since(begin_));
+  }
+
+  /// For after each step; empty where no energies are asked for.
+  std::function<void()> energy_when_due() {
+    if (!observe_energy_ || settings_.energy_interval == 0.0) return {};
+    return [this] {
+      const double intervals =
+          std::floor((world_.time() - begin_.time) / settings_.energy_interval);
+      if (intervals <= energy_intervals_) return;
+      energy_intervals_ = intervals;
+      take_energy();
+    };
   }
 
   void add(std::size_t block) {
@@ -274,12 +296,15 @@ class Sequence {
   std::span<const SequenceBlock> blocks_;
   const SequenceSettings& settings_;
   const SequenceObserver& observe_;
+  const EnergyObserver& observe_energy_;
   World world_;
   std::vector<SequenceResult> results_;
   std::vector<Watched> watched_;
   std::vector<std::size_t> forms_;  ///< their numbers as bodies
   double released_at_ = 0.0;        ///< when the newest blocks were, s
   std::size_t newest_ = 0;          ///< the first of them
+  EnergySample begin_;              ///< at the first release
+  double energy_intervals_ = 0.0;   ///< that have passed since then at the last sample
 };
 
 }  // namespace
@@ -288,6 +313,10 @@ void SequenceSettings::check() const {
   world.check();
   if (!(max_time > 0.0)) {
     throw InputError("max_time = " + with_digits(max_time, 6) + "; must be above 0");
+  }
+  if (!(energy_interval >= 0.0)) {
+    throw InputError("energy_interval = " + with_digits(energy_interval, 6) +
+                     "; must be 0 or more");
   }
   if (!(settle_time > 0.0)) {
     throw InputError("settle_time = " + with_digits(settle_time, 6) + "; must be above 0");
@@ -302,13 +331,14 @@ std::vector<SequenceResult> simulate_sequence(const TerrainSurface& terrain,
                                               std::span<const RigidBody> shapes,
                                               std::span<const SequenceBlock> blocks,
                                               const SequenceSettings& settings,
-                                              const SequenceObserver& observe) {
+                                              const SequenceObserver& observe,
+                                              const EnergyObserver& observe_energy) {
   settings.check();
   for (const SequenceBlock& block : blocks) {
     if (block.held >= 0.0) continue;
     throw InputError("held = " + with_digits(block.held, 6) + "; must be 0 or more");
   }
-  return Sequence(terrain, zones, shapes, blocks, settings, observe).run();
+  return Sequence(terrain, zones, shapes, blocks, settings, observe, observe_energy).run();
 }
 
 }  // namespace clast

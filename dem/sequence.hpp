@@ -37,6 +37,8 @@ struct SequenceSettings {
   /// Of each release, s, of blocks at once since the last of them was released: then the next block
   /// follows though some still move.
   double max_time = 0.0;
+  /// Between samples of the energy, s; 0: none but at each release and rest.
+  double energy_interval = 0.0;
   /// Ground zones that are cleared whenever all blocks rest: a block whose centre lies in one of
   /// them is removed before the next one is released, and what it held may move on.
   std::vector<std::uint16_t> cleared_zones;
@@ -71,6 +73,11 @@ struct SequenceResult {
 /// held.
 using SequenceObserver = std::function<void(std::size_t block, const MotionStep&)>;
 
+/// Sees the energy of all blocks, in the order of time since the first block was released: at each
+/// release, after the first step that reaches each multiple of `energy_interval`, and at each rest.
+/// It changes nothing: steps are as long as without.
+using EnergyObserver = std::function<void(const EnergySample&)>;
+
 /// Releases all blocks, in their order or at once.
 ///
 /// @param shapes  that the blocks have
@@ -85,6 +92,7 @@ std::vector<SequenceResult> simulate_sequence(const TerrainSurface& terrain,
                                               std::span<const RigidBody> shapes,
                                               std::span<const SequenceBlock> blocks,
                                               const SequenceSettings& settings,
-                                              const SequenceObserver& observe = {});
+                                              const SequenceObserver& observe = {},
+                                              const EnergyObserver& observe_energy = {});
 
 }  // namespace clast

@@ -125,22 +125,21 @@ void World::free_bodies(std::span<const std::size_t> bodies) {
 
 void World::step() { impl_->advance(1e300); }
 
-StopReason World::run_until(double time) {
+StopReason World::run_until(double time, const std::function<void()>& after_step) {
   const std::vector<WorldBody>& bodies = impl_->bodies();
-  const auto over = [&](const WorldBody& body) {
-    return body.idle() || body.resting >= impl_->settings().rest_duration;
-  };
+  const auto over = [&](const WorldBody& body) { return impl_->resting(body); };
   while (!std::all_of(bodies.begin(), bodies.end(), over)) {
     const double left = time - impl_->time();
     if (!(left > 0.0)) return StopReason::kMaxTime;
     impl_->advance(left);
+    if (after_step) after_step();
   }
   const bool any_here = std::any_of(bodies.begin(), bodies.end(),
                                     [](const WorldBody& body) { return !body.still(); });
   return any_here ? StopReason::kRest : StopReason::kLeftTerrain;
 }
 
-void World::run_to(double time) {
+void World::run_to(double time, const std::function<void()>& after_step) {
   const std::vector<WorldBody>& bodies = impl_->bodies();
   const auto idle = [](const WorldBody& body) { return body.idle(); };
   for (double left; (left = time - impl_->time()) > 0.0;) {
@@ -149,6 +148,7 @@ void World::run_to(double time) {
     } else {
       impl_->advance(left);
     }
+    if (after_step) after_step();
   }
 }
 
@@ -214,6 +214,7 @@ Vec3 World::angular_momentum() const {
 }
 
 EnergyLedger World::energy() const { return impl_->energy(); }
+EnergySample World::energy_sample() const { return impl_->energy_sample(); }
 
 WorldStatistics World::statistics() const {
   WorldStatistics statistics;

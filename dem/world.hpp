@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "dem/energy_sample.hpp"
 #include "dem/release.hpp"
 
 namespace clast {
@@ -98,9 +99,10 @@ class World {
   void step();
   /// Steps until every body rests or is gone (kRest; kLeftTerrain when all that could move are
   /// gone), or `time` is reached (kMaxTime).
-  StopReason run_until(double time);
+  /// @param after_step  called after every step
+  StopReason run_until(double time, const std::function<void()>& after_step = {});
   /// Steps until `time` is reached, whether bodies rest or not.
-  void run_to(double time);
+  void run_to(double time, const std::function<void()>& after_step = {});
 
   double time() const;  ///< s
   std::size_t body_count() const;
@@ -129,6 +131,8 @@ class World {
   Vec3 angular_momentum() const;
   /// Balance since the first body came. A body added later brings its energy to `initial`.
   EnergyLedger energy() const;
+  /// The energy now, and what has become of the rest.
+  EnergySample energy_sample() const;
   WorldStatistics statistics() const;
 
  private:

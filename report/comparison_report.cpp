@@ -50,7 +50,8 @@ FolderKind comparison_folder() {
                                                  "mobility.csv",
                                                  "sorting.csv",
                                                  "passages.csv",
-                                                 "passage_curves.csv"};
+                                                 "passage_curves.csv",
+                                                 "energies.csv"};
     const std::string folder = file.parent_path().string(), extension = file.extension().string();
     if (folder == "rasters") return extension == ".tif" || extension == ".qml";
     if (folder == "animation") return extension == ".vtp" || extension == ".pvd";
@@ -93,6 +94,7 @@ std::vector<std::filesystem::path> write_comparison(const Comparison& comparison
   write("realisation_differences.csv", realisation_differences_csv(figures));
   write("passages.csv", passages_csv(comparison));
   write("passage_curves.csv", passage_curves_csv(comparison));
+  write("energies.csv", energies_csv(comparison));
   const DepositFabric fabric = deposit_fabric(comparison);
   write("fabric.csv", fabric_csv(fabric));
   write("neighbours.csv", neighbours_csv(fabric));

@@ -93,9 +93,9 @@ std::vector<RealisationPassages> barrier_passages(const Comparison& comparison) 
   return all;
 }
 
-PassageCurve passage_curve(const std::vector<const RealisationPassages*>& realisations,
-                           const PassageValue& value) {
-  PassageCurve curve;
+RealisationCurve passage_curve(const std::vector<const RealisationPassages*>& realisations,
+                               const PassageValue& value) {
+  RealisationCurve curve;
   double last = -INFINITY;
   for (const RealisationPassages* one : realisations) {
     if (!one->passages.empty()) last = std::max(last, one->last());

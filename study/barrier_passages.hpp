@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "study/comparison.hpp"
+#include "study/realisation_curve.hpp"
 
 namespace clast {
 
@@ -52,14 +53,10 @@ struct RealisationPassages {
 /// By barrier, file and realisation; of files that have the barrier, those without a passage too.
 std::vector<RealisationPassages> barrier_passages(const Comparison& comparison);
 
-/// What has passed until a time, over realisations.
-struct PassageCurve {
-  std::vector<double> time;  ///< s, from 0 to the last passage
-  std::vector<double> mean, least, most;
-};
+/// What has passed until a time, from 0 to the last passage.
 /// @param realisations  of one barrier and file
 /// @return empty where nothing passed
-PassageCurve passage_curve(const std::vector<const RealisationPassages*>& realisations,
-                           const PassageValue& value);
+RealisationCurve passage_curve(const std::vector<const RealisationPassages*>& realisations,
+                               const PassageValue& value);
 
 }  // namespace clast

@@ -217,6 +217,12 @@ RealisationDeposits realisation_deposits(const Comparison& comparison) {
     layers.include(cells);
     deposits.realisations.push_back(deposit);
   }
+  for (const RealisationEnergies& energies : realisation_energies(comparison)) {
+    for (RealisationDeposit& deposit : deposits.realisations) {
+      if (deposit.file != energies.file || deposit.realisation != energies.realisation) continue;
+      deposit.energy = energy_shares(energies.samples);
+    }
+  }
   deposits.rasters = layers.rasters(width);
   return deposits;
 }

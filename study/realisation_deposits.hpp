@@ -1,10 +1,12 @@
 #pragma once
 /// What blocks that stay leave behind, realisation by realisation: where they lie, how far the mass
 /// of them came, how high they are piled.
+#include <optional>
 #include <vector>
 
 #include "study/comparison.hpp"
 #include "study/map_rasters.hpp"
+#include "study/realisation_energies.hpp"
 
 namespace clast {
 
@@ -30,6 +32,8 @@ struct RealisationDeposit {
   double area = NAN;                 ///< that blocks lie on, in plan, m^2
   double bulk_volume = NAN;          ///< between ground and the top of the blocks, m^3
   double thickness = NAN;            ///< most height of a block's top above the ground, m
+  /// What its energy was dissipated by; none where the results do not know.
+  std::optional<EnergyShares> energy;
 };
 
 /// Drop over distance in plan, H/L.

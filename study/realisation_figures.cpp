@@ -70,6 +70,9 @@ void correct_p(std::vector<FigureDifference>& differences) {
 
 const std::vector<RealisationFigure>& realisation_figures() {
   using Row = RealisationDeposit;
+  const auto of_energy = [](auto value) {
+    return [value](const Row& row) { return row.energy ? value(*row.energy) : NAN; };
+  };
   static const std::vector<RealisationFigure> kFigures = {
       {"lying", "", "blocks that lie there", 1,
        [](const Row& row) { return static_cast<double>(row.lying); }, kPositive},
@@ -103,7 +106,21 @@ const std::vector<RealisationFigure>& realisation_figures() {
        [](const Row& row) { return row.volume / row.bulk_volume; }, kPositive},
       {"mean_thickness_m", "m", "mean thickness", 2,
        [](const Row& row) { return row.bulk_volume / row.area; }, kPositive},
-      {"thickness_m", "m", "largest thickness", 2, &Row::thickness, kPositive}};
+      {"thickness_m", "m", "largest thickness", 2, &Row::thickness, kPositive},
+      {"largest_kinetic_j", "J", "largest kinetic energy of all blocks together", 0,
+       of_energy([](const EnergyShares& energy) { return energy.largest_kinetic; }), kPositive},
+      {"dissipated_by_friction", "", "share of the dissipation that is friction", 3,
+       of_energy([](const EnergyShares& energy) {
+         return energy.on_ground.friction + energy.between_blocks.friction;
+       }),
+       kShare},
+      {"dissipated_by_rolling", "", "share of the dissipation that is rolling resistance", 3,
+       of_energy([](const EnergyShares& energy) {
+         return energy.on_ground.rolling + energy.between_blocks.rolling;
+       }),
+       kShare},
+      {"dissipated_between_blocks", "", "share of the dissipation that is between blocks", 3,
+       of_energy([](const EnergyShares& energy) { return energy.between_blocks.sum(); }), kShare}};
   return kFigures;
 }
 

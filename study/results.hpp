@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "classify/form.hpp"
+#include "dem/energy_sample.hpp"
 #include "dem/release.hpp"
 #include "shapes/sphero_polyhedron.hpp"
 #include "study/barrier.hpp"
@@ -65,6 +66,12 @@ struct StayRecord {
   double removed_at = std::numeric_limits<double>::quiet_NaN();
 };
 
+/// The energy of all blocks of a realisation of blocks that stay, at one instant.
+struct EnergyRecord {
+  std::uint32_t run = 0;  ///< the first of the realisation
+  EnergySample energy;    ///< its time counts from the first release
+};
+
 /// Realisations of blocks that stay: runs are in order of realisations, then of release.
 struct StaySummary {
   std::uint32_t blocks_each = 1;  ///< in each realisation
@@ -90,7 +97,8 @@ struct StoredRun {
   RunRecord record;
   std::vector<Crossing> crossings;
   std::vector<Impact> impacts;
-  std::vector<StayRecord> stays;  ///< one where blocks stay, else none
+  std::vector<StayRecord> stays;       ///< one where blocks stay, else none
+  std::vector<EnergyRecord> energies;  ///< of its realisation, if it is the first run of one
   Trajectory trajectory;
 };
 
@@ -126,6 +134,8 @@ struct CampaignResults {
   std::vector<Crossing> crossings;  ///< in run order, then time
   std::vector<Impact> impacts;      ///< in run order, then time
   std::vector<StayRecord> stays;    ///< in run order
+  /// In order of realisation, then time; none in results of older programs.
+  std::vector<EnergyRecord> energies;
 
   /// Whether the runs tell of contacts: penetration, impacts, dissipation.
   bool has_contacts() const { return engine.empty(); }

@@ -24,6 +24,7 @@ struct Place {
   std::size_t first_crossing = 0;  ///< into the part's crossings
   std::size_t first_impact = 0;    ///< into the part's impacts
   std::size_t first_stay = 0;      ///< into the part's stays
+  std::size_t first_energy = 0;    ///< into the part's energies
 };
 
 void check_same_campaign(const CampaignResults& first, const CampaignResults& other) {
@@ -79,13 +80,14 @@ std::vector<Place> places_of(const std::vector<Part>& parts) {
   std::vector<Place> places;
   for (std::size_t part = 0; part < parts.size(); ++part) {
     const CampaignResults& results = parts[part].results;
-    std::size_t crossing = 0, impact = 0, stay = 0;
+    std::size_t crossing = 0, impact = 0, stay = 0, energy = 0;
     for (std::size_t row = 0; row < results.runs.size(); ++row) {
       const std::uint32_t run = results.runs[row].run;
-      places.push_back({run, part, row, crossing, impact, stay});
+      places.push_back({run, part, row, crossing, impact, stay, energy});
       crossing += events_of(results.crossings, run, crossing).size();
       impact += events_of(results.impacts, run, impact).size();
       stay += events_of(results.stays, run, stay).size();
+      energy += events_of(results.energies, run, energy).size();
     }
   }
   std::sort(places.begin(), places.end(),
@@ -134,6 +136,8 @@ void merge_results(const std::vector<fs::path>& files, const fs::path& target) {
     run.impacts.assign(impacts.begin(), impacts.end());
     const auto stays = events_of(part.results.stays, place.run, place.first_stay);
     run.stays.assign(stays.begin(), stays.end());
+    const auto energies = events_of(part.results.energies, place.run, place.first_energy);
+    run.energies.assign(energies.begin(), energies.end());
     if (part.trajectories.frames(place.run) > 0) run.trajectory = part.trajectories.read(place.run);
     return run;
   });

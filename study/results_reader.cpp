@@ -347,6 +347,11 @@ CampaignResults read_results(const fs::path& path) {
   check_below(impacts, "zone", results.impacts, &Impact::zone, results.zone_names.size());
   check_events(impacts, results.impacts, results);
   if (root.group.has("stays")) read_stays(root.into("stays"), results);
+  if (root.group.has("energies")) {
+    const CheckedGroup energies = root.into("energies");
+    read_rows(energies, results.energies);
+    check_events(energies, results.energies, results);
+  }
   return results;
 }
 

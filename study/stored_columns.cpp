@@ -60,4 +60,9 @@ const TableColumns<StayRecord>& stored_stay_columns() {
   return columns;
 }
 
+const TableColumns<EnergyRecord>& stored_energy_columns() {
+  static const TableColumns<EnergyRecord> columns = stored_columns<EnergyRecord>();
+  return columns;
+}
+
 }  // namespace clast

@@ -13,6 +13,7 @@ const TableColumns<RunRecord>& stored_run_columns();
 const TableColumns<Crossing>& stored_crossing_columns();
 const TableColumns<Impact>& stored_impact_columns();
 const TableColumns<StayRecord>& stored_stay_columns();
+const TableColumns<EnergyRecord>& stored_energy_columns();
 
 /// Columns of runs and stays that take contacts to know, which other engines do not tell: results
 /// of these are without them, and their cells are empty.

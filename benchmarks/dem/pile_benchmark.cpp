@@ -5,6 +5,7 @@
 // states, which shows whether two builds or thread counts computed the same.
 #include <benchmark/benchmark.h>
 
+#include <cmath>
 #include <cstring>
 
 #include "tests/support/test_worlds.hpp"
@@ -54,6 +55,34 @@ BENCHMARK(blocks_falling_into_a_pile)
     ->Iterations(20)
     ->UseRealTime()
     ->MeasureProcessCPUTime()
+    ->Unit(benchmark::kMillisecond);
+
+/// Layers of rocks that fall onto level ground, as many one above the other for any number of them:
+/// what a body and step cost, and how that grows. Argument: blocks.
+void layers_falling_onto_a_plane(benchmark::State& state) {
+  const auto blocks = static_cast<std::size_t>(state.range(0));
+  const double sides = std::sqrt(static_cast<double>(blocks) / 14.0);
+  const TerrainSurface terrain = ground(plane_mesh(0.75 * sides + 12.0, 40));
+  World world = falling_pile(terrain, blocks, 2, 1, static_cast<std::size_t>(std::lround(sides)));
+  world.run_until(0.9);
+  const WorldStatistics before = world.statistics();
+  for (auto _ : state) world.run_until(world.time() + 0.01);
+  const WorldStatistics after = world.statistics();
+  const auto steps = static_cast<double>(after.steps - before.steps);
+  const auto touching = static_cast<double>(after.pair_steps - before.pair_steps) / steps;
+  state.counters["s_per_body_and_step"] =
+      benchmark::Counter(steps * static_cast<double>(blocks),
+                         benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
+  state.counters["touching_pairs_per_body"] = touching / static_cast<double>(blocks);
+  state.counters["near_pairs_per_body"] =
+      static_cast<double>(after.near_pairs) / static_cast<double>(blocks);
+}
+BENCHMARK(layers_falling_onto_a_plane)
+    ->ArgName("blocks")
+    ->Arg(500)
+    ->Arg(4000)
+    ->Arg(20000)
+    ->Iterations(2)
     ->Unit(benchmark::kMillisecond);
 
 }  // namespace

@@ -78,7 +78,7 @@ void ContactPairs::refresh(std::span<const WorldBody> bodies) {
   const auto end_until = [&](const BroadPhase::Pair& key) {
     for (; old != known.end() && old->key() < key; ++old) {
       old->contacts->end_contacts(motion_of(old->reference, bodies), motion_of(old->block, bodies));
-      ended_ += old->contacts->ledger();
+      ended_.of(*old) += old->contacts->ledger();
     }
   };
   for (const BroadPhase::Pair& pair : pairs_to_keep(bodies)) {
@@ -129,10 +129,10 @@ void ContactPairs::remember_dents(std::span<const WorldBody> bodies, SoilMemory&
   }
 }
 
-EnergyLedger ContactPairs::losses() const {
-  EnergyLedger sum = ended_;
-  for (const ContactPair& pair : pairs_) sum += pair.contacts->ledger();
-  return sum;
+ContactPairs::Losses ContactPairs::losses() const {
+  Losses losses = ended_;
+  for (const ContactPair& pair : pairs_) losses.of(pair) += pair.contacts->ledger();
+  return losses;
 }
 
 double ContactPairs::stored_energy() const {

@@ -81,7 +81,17 @@ class ContactPairs {
   std::span<const std::uint32_t> of(std::size_t body) const { return of_body_[body]; }
 
   /// What contacts dissipated or reassigned, also those that have ended, J.
-  EnergyLedger losses() const;
+  struct Losses {
+    EnergyLedger on_ground, between_bodies;
+    EnergyLedger& of(const ContactPair& pair) {
+      return pair.reference == ContactPair::kTerrain ? on_ground : between_bodies;
+    }
+    EnergyLedger sum() const {
+      EnergyLedger sum = on_ground;
+      return sum += between_bodies;
+    }
+  };
+  Losses losses() const;
   double stored_energy() const;  ///< J
   /// Has the pair a body that takes part in the motion?
   static bool active(const ContactPair& pair, std::span<const WorldBody> bodies) {
@@ -106,7 +116,7 @@ class ContactPairs {
   std::vector<BoundingSphere> spheres_;
   std::vector<ContactPair> pairs_;
   std::vector<std::vector<std::uint32_t>> of_body_;
-  EnergyLedger ended_;  ///< losses of pairs that have ended
+  Losses ended_;  ///< of pairs that have ended
   std::uint64_t broad_phases_ = 0;
 };
 

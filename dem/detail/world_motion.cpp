@@ -290,4 +290,31 @@ EnergyLedger WorldMotion::energy() const {
   return ledger;
 }
 
+EnergySample WorldMotion::energy_sample() const {
+  const auto dissipation = [](const EnergyLedger& ledger) {
+    return Dissipation{ledger.normal, ledger.friction, ledger.rolling};
+  };
+  EnergySample sample;
+  sample.time = time_;
+  const ContactPairs::Losses lost = pairs_.losses();
+  sample.on_ground = dissipation(lost.on_ground);
+  sample.between_bodies = dissipation(lost.between_bodies);
+  sample.reassigned = losses().reassigned;
+  sample.stored = pairs_.stored_energy();
+  for (const WorldBody& body : bodies_) {
+    if (body.fixed) continue;
+    if (body.gone) {
+      sample.gone += body.energy(settings_.gravity);
+      continue;
+    }
+    if (!resting(body)) ++sample.moving;
+    const RigidBody& rigid = body.shape->body;
+    const RigidState& state = body.moving.state();
+    sample.translational += 0.5 * rigid.mass * state.velocity.squaredNorm();
+    sample.rotational += rotational_energy(rigid, state);
+    sample.potential += rigid.mass * settings_.gravity * state.position.z();
+  }
+  return sample;
+}
+
 }  // namespace clast::dem_detail

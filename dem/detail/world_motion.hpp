@@ -44,7 +44,12 @@ class WorldMotion {
   Touch touch(std::size_t body) const;
   /// Balance since the first body came.
   EnergyLedger energy() const;
+  EnergySample energy_sample() const;
 
+  /// Nothing in a step, or slow with a contact for as long as rest takes.
+  bool resting(const WorldBody& body) const {
+    return body.idle() || body.resting >= settings_.rest_duration;
+  }
   const WorldSettings& settings() const { return settings_; }
   const TerrainSurface* terrain() const { return terrain_; }
   std::span<const Shape> shapes() const { return shapes_; }
@@ -63,7 +68,7 @@ class WorldMotion {
     return {of_zones, zone_of_face, settings_.stiffness, settings_.weights, settings_.law, soil};
   }
   EnergyLedger losses() const {
-    EnergyLedger sum = pairs_.losses();
+    EnergyLedger sum = pairs_.losses().sum();
     sum.reassigned += reassigned_;
     return sum;
   }

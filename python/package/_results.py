@@ -118,6 +118,11 @@ class _Tables:
         return self.table("passage_curves")
 
     @property
+    def energies(self) -> Table:
+        """Energies of blocks that stay against time, with what dissipated them: energies.csv."""
+        return self.table("energies")
+
+    @property
     def fabric(self) -> Table:
         """A row per file and group of blocks that stayed: fabric.csv."""
         return self.table("fabric")

@@ -5,8 +5,8 @@
 #include <functional>
 
 #include "report/charts/palette.hpp"
-#include "report/charts/plotly_chart.hpp"
 #include "report/html/html_page.hpp"
+#include "report/pages/realisation_traces.hpp"
 #include "report/pages/report_groups.hpp"
 #include "report/text/plain_numbers.hpp"
 #include "report/text/subject_words.hpp"
@@ -30,7 +30,7 @@ std::vector<Realisations> by_file(const std::vector<RealisationPassages>& all, s
 }
 
 /// Goes on a little after the last passage, so that its step is seen.
-PassageCurve with_end(PassageCurve curve) {
+RealisationCurve with_end(RealisationCurve curve) {
   constexpr double kFarther = 1.03;
   if (curve.time.empty()) return curve;
   curve.time.push_back(kFarther * curve.time.back());
@@ -44,20 +44,12 @@ std::string chart_of(const Comparison& comparison, const std::vector<Realisation
                      const ChartAxes& axes, const PassageValue& value) {
   std::vector<Trace> traces;
   for (std::size_t i = 0; i < files.size(); ++i) {
-    const PassageCurve curve = with_end(passage_curve(files[i], value));
+    const RealisationCurve curve = with_end(passage_curve(files[i], value));
     const std::string name =
         (several_files(comparison) ? file_name(comparison, files[i].front()->file) : "mean") +
         " of " + counted(files[i].size(), "realisation");
-    Trace low{name, data_colour(i), "", Trace::Kind::kSteps, curve.time, curve.least};
-    low.named = false;
-    Trace high{name, data_colour(i), "", Trace::Kind::kSteps, curve.time, curve.most};
-    high.named = false;
-    high.filled = true;
-    if (files[i].size() > 1) {
-      traces.push_back(std::move(low));
-      traces.push_back(std::move(high));
-    }
-    traces.push_back({name, data_colour(i), "", Trace::Kind::kSteps, curve.time, curve.mean});
+    add_realisation_curve(traces, name, data_colour(i), Trace::Kind::kSteps, curve,
+                          files[i].size());
   }
   return plotly_chart(axes, traces);
 }

@@ -19,6 +19,9 @@ std::string deposit_map(const Comparison& comparison, const MapRasters& rasters)
 /// Where the blocks of a realisation lie as a whole: how far the mass of them came, how large and
 /// thick the deposit is; empty where no block stayed.
 std::string deposit_section(const Comparison& comparison, const RealisationDeposits& deposits);
+/// Kinetic energy and what it becomes, against time, of blocks that stay; empty where the results
+/// don't know.
+std::string energy_section(const Comparison& comparison);
 /// Which way long axes point, whether classes lie together, which blocks went far; empty where no
 /// block stayed.
 std::string fabric_section(const Comparison& comparison, const DepositFabric& fabric);

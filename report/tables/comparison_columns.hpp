@@ -40,6 +40,13 @@ struct RunStay {
   const StayRecord& stay;
 };
 
+/// The energy of a realisation at one instant.
+struct EnergyOfFile {
+  std::uint32_t file = 0;
+  std::uint32_t realisation = 0;  ///< from 0
+  const EnergyRecord& record;
+};
+
 /// The share of one factor, or of all interactions, in the variance of an outcome.
 struct EffectShare {
   const DesignEffects& effects;
@@ -76,6 +83,7 @@ const TableColumns<ComparisonRow<CrossingRow>>& crossing_columns();
 const TableColumns<ComparisonRow<GroupDeposit>>& deposit_columns();
 const TableColumns<ComparisonRow<Difference>>& difference_columns();
 const TableColumns<EffectShare>& effect_columns();
+const TableColumns<EnergyOfFile>& energy_columns();
 const TableColumns<ComparisonRow<ParameterEffect>>& ensemble_columns();
 const TableColumns<FabricGroup>& fabric_columns();
 const TableColumns<ComparisonRow<ZoneOfSet>>& ground_set_columns();
@@ -98,6 +106,8 @@ const TableColumns<TrendOfFile>& trend_columns();
 std::vector<GroupDeposit> deposit_rows(const Comparison& comparison);
 /// They refer to `all`.
 std::vector<EffectShare> effect_rows(const std::vector<DesignEffects>& all);
+/// In order of file, realisation and time.
+std::vector<EnergyOfFile> energy_rows(const Comparison& comparison);
 std::vector<ZoneOfSet> ground_set_rows(const Comparison& comparison);
 std::vector<RunImpact> impact_rows(const Comparison& comparison);
 /// In order of barrier, file, realisation and time. They refer to `all`.

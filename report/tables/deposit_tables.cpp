@@ -57,7 +57,9 @@ const TableColumns<FigureOfFile>& report_detail::realisation_figure_columns() {
        "`centre_distance_m`, `centre_drop_m`, `centre_drop_ratio` of the centre of mass; "
        "`toe_distance_m`, `toe_drop_m`, `toe_drop_ratio`, `travel_angle_deg` from crest to toe; "
        "`area_m2`, `bulk_volume_m3`, `solid_share` (rock in the bulk volume), `mean_thickness_m` "
-       "(bulk volume over area), `thickness_m`",
+       "(bulk volume over area), `thickness_m`; `largest_kinetic_j` of all blocks together, and "
+       "the shares of what contacts dissipated: `dissipated_by_friction`, "
+       "`dissipated_by_rolling`, `dissipated_between_blocks`",
        [](const Row& row) { return realisation_figures()[row.figure].name; }},
       {"realisations", "", "that have the figure",
        [](const Row& row) { return row.summary.count; }},

@@ -31,6 +31,8 @@ std::string profiles_csv(const Comparison& comparison, const std::vector<Profile
 std::string passages_csv(const Comparison& comparison);
 /// A row for each passage of them.
 std::string passage_curves_csv(const Comparison& comparison);
+/// A row for each instant of each realisation; the header alone where no block stayed.
+std::string energies_csv(const Comparison& comparison);
 /// A row for each realisation; the header alone where no block stayed.
 /// @param deposits  `realisation_deposits` of the comparison
 std::string realisations_csv(const RealisationDeposits& deposits);

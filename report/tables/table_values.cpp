@@ -71,6 +71,7 @@ const NamedTables<Comparison>& comparison_tables() {
          const std::vector<RealisationPassages> passages = barrier_passages(all);
          return values_of(passage_curve_columns(), rows_of(all, passage_curve_rows(passages)));
        }},
+      {"energies", [](const auto& all) { return values_of(energy_columns(), energy_rows(all)); }},
       {"mobility",
        [](const auto& all) { return values_of(mobility_columns(), mass_mobility(all)); }},
       {"fabric",

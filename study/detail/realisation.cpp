@@ -143,6 +143,7 @@ SequenceSettings sequence_settings(const PreparedCampaign& prepared, const RunRe
   settings.rest_duration = campaign.rest_duration;
   sequence.at_once = !campaign.stay->masses.empty();
   sequence.max_time = campaign.max_time;
+  sequence.energy_interval = campaign.trajectory_interval;
   if (campaign.stay->settles()) sequence.settle_time = 0.0;
   for (const MassPlan& mass : campaign.stay->masses) {
     if (mass.settle) sequence.settle_time = std::max(sequence.settle_time, mass.settle_time);
@@ -177,13 +178,15 @@ std::vector<StoredRun> realisation(const PreparedCampaign& prepared,
   shapes.insert(shapes.end(), faces.shapes.begin(), faces.shapes.end());
   settings.forms = std::move(faces.forms);
   std::vector<SequenceResult> results;
+  std::vector<EnergyRecord> energies;
   std::string message;
   std::size_t newest = 0;
   double begun = 0.0, now = 0.0;  // when the newest block was released, and now, s
   try {
     results = simulate_sequence(
         *prepared.surface, prepared.header.ground_sets[planned.front().ground_set].zones, shapes,
-        blocks, settings, [&](std::size_t block, const MotionStep& step) {
+        blocks, settings,
+        [&](std::size_t block, const MotionStep& step) {
           observers[block]->see(step);
           if (block > newest && !prepared.header.stay->at_once) {
             newest = block;
@@ -192,6 +195,9 @@ std::vector<StoredRun> realisation(const PreparedCampaign& prepared,
           if (block < newest) return;
           now = begun + step.end_time;
           if (after_step) after_step(now);
+        },
+        [&](const EnergySample& sample) {
+          energies.push_back({planned.front().run, sample});
         });
   } catch (const std::exception& error) {
     message = "the realisation failed (its blocks are bodies, from 0, in the order of release): " +
@@ -211,6 +217,7 @@ std::vector<StoredRun> realisation(const PreparedCampaign& prepared,
                                  result.moved_later, result.blocks_hit,
                                  result.removed_at.value_or(std::nan(""))});
   }
+  runs.front().energies = std::move(energies);
   return runs;
 }
 

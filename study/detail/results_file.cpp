@@ -199,18 +199,21 @@ void write_results_file(const fs::path& target, const CampaignResults& header, s
     std::vector<Crossing> crossings;
     std::vector<Impact> impacts;
     std::vector<StayRecord> stays;
+    std::vector<EnergyRecord> energies;
     for (std::size_t i = 0; i < count; ++i) {
       const StoredRun stored = run(i);
       records.push_back(stored.record);
       crossings.insert(crossings.end(), stored.crossings.begin(), stored.crossings.end());
       impacts.insert(impacts.end(), stored.impacts.begin(), stored.impacts.end());
       stays.insert(stays.end(), stored.stays.begin(), stored.stays.end());
+      energies.insert(energies.end(), stored.energies.begin(), stored.energies.end());
       write_trajectory(trajectories, stored.record.run, stored.trajectory);
     }
     write_rows(root.create_group("runs"), records, header.has_contacts());
     write_rows(root.create_group("crossings"), crossings);
     write_rows(root.create_group("impacts"), impacts);
     if (header.stay) write_stays(root.create_group("stays"), header, stays);
+    if (header.stay && header.has_contacts()) write_rows(root.create_group("energies"), energies);
     file.flush();
   }
   output.commit();

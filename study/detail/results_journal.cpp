@@ -20,7 +20,7 @@ namespace {
 static_assert(std::endian::native == std::endian::little, "the journal is little-endian");
 
 constexpr std::size_t kDigestLength = 64;
-const std::string kMagic = "clast results journal 4\n";
+const std::string kMagic = "clast results journal 5\n";
 
 // A record to be, and the same calls that read it back.
 class Packer {
@@ -96,6 +96,7 @@ void transfer(Archive& archive, StoredRun& run) {
   transfer_rows(archive, run.crossings);
   transfer_rows(archive, run.impacts);
   transfer_rows(archive, run.stays);
+  transfer_rows(archive, run.energies);
   archive.size(run.trajectory.time);
   for (double& time : run.trajectory.time) archive.value(time);
   transfer_rows(archive, run.trajectory.states);

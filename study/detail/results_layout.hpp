@@ -231,6 +231,39 @@ void visit_columns(std::type_identity<StayRecord>, const Visit& visit) {
         &StayRecord::removed_at);
 }
 
+template <class Visit>
+void visit_columns(std::type_identity<EnergyRecord>, const Visit& visit) {
+  const auto dissipated = [&](const std::string& prefix, const std::string& where,
+                              Dissipation EnergySample::*part) {
+    const auto add = [&](const char* name, const char* by, double Dissipation::*value) {
+      visit(prefix + name, "J", "dissipated " + where + by + ", since the first release",
+            [part, value](auto& e) -> decltype(auto) { return (e.energy.*part.*value); });
+    };
+    add("normal_j", " by normal forces", &Dissipation::normal);
+    add("friction_j", " by friction", &Dissipation::friction);
+    add("rolling_j", " by rolling resistance", &Dissipation::rolling);
+  };
+  visit("run", "", "number of the first run of the realisation", &EnergyRecord::run);
+  visit("time_s", "s", "since the first release",
+        [](auto& e) -> decltype(auto) { return (e.energy.time); });
+  visit("moving", "", "blocks that are neither at rest nor gone",
+        [](auto& e) -> decltype(auto) { return (e.energy.moving); });
+  visit("translational_j", "J", "kinetic energy of the centres of mass of the blocks there",
+        [](auto& e) -> decltype(auto) { return (e.energy.translational); });
+  visit("rotational_j", "J", "kinetic energy of the rotations of the blocks there",
+        [](auto& e) -> decltype(auto) { return (e.energy.rotational); });
+  visit("potential_j", "J", "m g z of the blocks there, z in the local frame",
+        [](auto& e) -> decltype(auto) { return (e.energy.potential); });
+  visit("stored_j", "J", "elastic energy of the contacts",
+        [](auto& e) -> decltype(auto) { return (e.energy.stored); });
+  visit("gone_j", "J", "kinetic and potential energy of blocks that are gone, when they went",
+        [](auto& e) -> decltype(auto) { return (e.energy.gone); });
+  dissipated("ground_", "on the ground", &EnergySample::on_ground);
+  dissipated("blocks_", "between blocks", &EnergySample::between_bodies);
+  visit("reassigned_j", "J", "lost (or gained, below 0) when contacts change, likewise",
+        [](auto& e) -> decltype(auto) { return (e.energy.reassigned); });
+}
+
 /// Rows of a trajectory dataset: time, then the state.
 inline std::size_t trajectory_rows() {
   std::size_t rows = 1;

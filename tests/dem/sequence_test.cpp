@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/error.hpp"
@@ -47,6 +48,95 @@ TEST(Sequence, OfOneBlockIsItsRelease) {
   EXPECT_NEAR(found.energy.initial, expected.energy.initial, 1e-6);
   EXPECT_LT(found.energy.error, 1e-3);
   EXPECT_FALSE(found.below_ground);
+}
+
+std::vector<EnergySample> energies_of(const TerrainSurface& terrain,
+                                      const std::vector<RigidBody>& shapes,
+                                      const std::vector<SequenceBlock>& blocks,
+                                      const SequenceSettings& settings) {
+  std::vector<EnergySample> samples;
+  simulate_sequence(terrain, kGround, shapes, blocks, settings, {},
+                    [&](const EnergySample& sample) { samples.push_back(sample); });
+  return samples;
+}
+
+// A box that slides on level ground loses its kinetic energy to friction with the ground.
+TEST(SequenceEnergies, AreSampledUntilAllIsDissipated) {
+  const TerrainSurface terrain = ground(plane_mesh(10.0, 20));
+  const std::vector<RigidBody> shapes = {box(50.0, {0.6, 0.6, 0.1})};
+  SequenceSettings settings = settings_for(shapes);
+  settings.energy_interval = 0.1;
+  const auto samples =
+      energies_of(terrain, shapes, {{0, at({0.0, 0.0, 0.05}, {3.0, 0.0, 0.0})}}, settings);
+  ASSERT_GT(samples.size(), 5u);  // it slides for v/(mu g) = 0.44 s
+  EXPECT_EQ(samples.front().time, 0.0);
+  EXPECT_EQ(samples.front().moving, 1u);
+  EXPECT_NEAR(samples.front().translational, 225.0, 1e-9);
+  EXPECT_NEAR(samples.front().potential, 50.0 * 9.81 * 0.05, 1e-9);
+  const double brought = samples.front().sum();
+  for (std::size_t i = 1; i + 1 < samples.size(); ++i) {
+    EXPECT_GE(samples[i].time, 0.1 * static_cast<double>(i));
+    EXPECT_LT(samples[i].time, 0.1 * static_cast<double>(i + 1));
+    EXPECT_NEAR(samples[i].sum(), brought, 1e-3 * brought);
+    EXPECT_GE(samples[i].on_ground.friction, samples[i - 1].on_ground.friction);
+  }
+  EXPECT_EQ(samples.back().moving, 0u);
+  EXPECT_NEAR(samples.back().on_ground.friction, 225.0, 0.02 * 225.0);
+  EXPECT_EQ(samples.back().between_bodies.sum(), 0.0);
+}
+
+// Two boxes meet head on while they fall: what they lose then, they lose to each other.
+TEST(SequenceEnergies, TellGroundFromBlocks) {
+  const TerrainSurface terrain = ground(plane_mesh(10.0, 20));
+  const std::vector<RigidBody> shapes = {box(50.0, {0.4, 0.4, 0.4})};
+  SequenceSettings settings = settings_for(shapes);
+  settings.at_once = true;
+  settings.energy_interval = 0.02;
+  const std::vector<SequenceBlock> blocks = {{0, at({-0.5, 0.0, 3.0}, {4.0, 0.0, 0.0})},
+                                             {0, at({0.5, 0.0, 3.0}, {-4.0, 0.0, 0.0})}};
+  const auto samples = energies_of(terrain, shapes, blocks, settings);
+  // They meet after 0.075 s, and reach the ground after 0.76 s at the earliest. Both laws return
+  // e_n^2 of the energy.
+  const auto before_ground = std::find_if(samples.begin(), samples.end(),
+                                          [](const auto& sample) { return sample.time > 0.5; });
+  ASSERT_NE(before_ground, samples.end());
+  EXPECT_EQ(before_ground->on_ground.sum(), 0.0);
+  EXPECT_NEAR(before_ground->between_bodies.normal, 0.95 * 800.0, 0.02 * 800.0);
+  EXPECT_GT(samples.back().on_ground.sum(), 0.9 * 2.0 * 50.0 * 9.81 * 2.8);
+  EXPECT_NEAR(samples.back().sum(), samples.front().sum(), 1e-3 * samples.front().sum());
+}
+
+TEST(SequenceEnergies, ChangeNothing) {
+  const TerrainSurface terrain = ground(plane_mesh(10.0, 20));
+  const std::vector<RigidBody> shapes = {box(60.0, {0.4, 0.4, 0.3})};
+  const SequenceBlock block{0, at({0.1, 0.1, 0.36})};
+  SequenceSettings settings = settings_for(shapes);
+  const auto without =
+      simulate_sequence(terrain, kGround, shapes, std::vector{block, block}, settings);
+  settings.energy_interval = 0.01;
+  const auto with = simulate_sequence(terrain, kGround, shapes, std::vector{block, block}, settings,
+                                      {}, [](const EnergySample&) {});
+  for (std::size_t i = 0; i < 2; ++i) {
+    EXPECT_EQ(with[i].release.final_state.position, without[i].release.final_state.position);
+    EXPECT_EQ(with[i].release.duration, without[i].release.duration);
+  }
+  settings.energy_interval = -1.0;
+  EXPECT_TRUE(
+      contains(refusal([&] { settings.check(); }), "energy_interval = -1; must be 0 or more"));
+}
+
+// What a block takes along when it leaves the terrain is neither there nor dissipated.
+TEST(SequenceEnergies, KnowWhatLeft) {
+  const TerrainSurface terrain = ground(plane_mesh(2.0, 20));
+  const std::vector<RigidBody> shapes = {box(50.0, {0.2, 0.2, 0.2})};
+  SequenceSettings settings = settings_for(shapes);
+  settings.energy_interval = 0.05;
+  const auto samples =
+      energies_of(terrain, shapes, {{0, at({0.0, 0.0, 1.5}, {12.0, 0.0, 0.0})}}, settings);
+  EXPECT_GT(samples.back().gone, 0.5 * 50.0 * 144.0 * 0.9);
+  EXPECT_EQ(samples.back().translational, 0.0);
+  EXPECT_EQ(samples.back().potential, 0.0);
+  EXPECT_NEAR(samples.back().sum(), samples.front().sum(), 1e-6 * samples.front().sum());
 }
 
 TEST(Sequence, BlocksReleasedAtOnePlacePileUp) {

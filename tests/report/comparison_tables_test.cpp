@@ -218,6 +218,7 @@ TEST(WriteComparison, LeavesTheWholeSetAndNothingElse) {
                                              "deposits.csv",
                                              "differences.csv",
                                              "effects.csv",
+                                             "energies.csv",
                                              "ensemble.csv",
                                              "fabric.csv",
                                              "ground_sets.csv",

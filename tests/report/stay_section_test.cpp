@@ -4,9 +4,10 @@
 #include <cmath>
 
 #include "core/number_text.hpp"
+#include "report/charts/plotly_chart.hpp"
 #include "report/pages/report_sections.hpp"
 #include "study/mass_mobility.hpp"
-#include "tests/study/boxes_that_stay.hpp"
+#include "tests/study/energies_that_are_lost.hpp"
 #include "tests/support/markup.hpp"
 #include "tests/support/refusal.hpp"
 
@@ -49,13 +50,8 @@ TEST(DepositSection, GivesMeansOverRealisationsForEachFile) {
   for (std::uint32_t run = 0; run < 6; ++run) results.stays.push_back({.run = run});
   results.runs[5].result.stop_reason = StopReason::kLeftTerrain;
   const Comparison comparison = compared(results, results);
-  EXPECT_TRUE(
-      contains(provenance_section(comparison), "2 realisations of 3 blocks, released at once"));
-  CampaignResults masses = results;
-  masses.release_points.resize(3);
-  masses.set_of_point.resize(3);
-  EXPECT_TRUE(contains(provenance_section(compared(masses)),
-                       "2 realisations of 3 blocks, released as 3 masses"));
+  EXPECT_TRUE(contains(provenance_section(comparison),
+                       "2 realisations of 3 blocks, released as one mass at once"));
   EXPECT_EQ(stay_section(comparison), "");
   RealisationDeposits deposits = realisation_deposits(comparison);
   ASSERT_EQ(deposits.realisations.size(), 4u);
@@ -72,6 +68,29 @@ TEST(DepositSection, GivesMeansOverRealisationsForEachFile) {
   const std::string figures = html.substr(html.find("Figures of the deposit"));
   const std::string lying = figures.substr(figures.find("blocks that lie there"));
   EXPECT_TRUE(contains(lying.substr(0, lying.find("</tr>")), ">2.0<"));
+}
+
+TEST(EnergySection, SaysWhatTheEnergyWasDissipatedBy) {
+  EXPECT_EQ(energy_section(compared(boxes_that_stay())), "");
+  CampaignResults results = energies_that_are_lost();
+  const std::string one_by_one = energy_section(compared(results));
+  EXPECT_TRUE(contains(one_by_one,
+                       "Of the energy that the blocks lost, friction took 70 %, normal forces "
+                       "20 % and rolling resistance 10 %; 40 % was lost between blocks, the rest "
+                       "on the ground."));
+  EXPECT_FALSE(contains(one_by_one, "What the energy has become"));
+  results.stay->at_once = true;
+  const std::string html = energy_section(compared(results, results));
+  EXPECT_EQ(unbalanced(html), "");
+  EXPECT_TRUE(contains(html, "file 2: least share"));
+  const std::string friction = html.substr(html.find(">friction on the ground<"));
+  for (const char* cell : {">0.400<", ">40.0 %<"}) {
+    EXPECT_TRUE(contains(friction.substr(0, friction.find("</tr>")), cell)) << cell;
+  }
+  if (plotly_is_installed()) {
+    EXPECT_TRUE(contains(html, "Kinetic energy of all blocks together"));
+    EXPECT_TRUE(contains(html, "What the energy has become, file 2"));
+  }
 }
 
 /// Files of two realisations whose blocks stop as far as given.

@@ -100,6 +100,7 @@ INSTANTIATE_TEST_SUITE_P(
                           lines_of(realisation_difference_columns())},
                     Table{"passages.csv", lines_of(passage_columns())},
                     Table{"passage_curves.csv", lines_of(passage_curve_columns())},
+                    Table{"energies.csv", lines_of(energy_columns())},
                     Table{"fabric.csv", lines_of(fabric_columns())},
                     Table{"mobility.csv", lines_of(mobility_columns())},
                     Table{"neighbours.csv", lines_of(neighbour_columns())},
@@ -126,7 +127,8 @@ INSTANTIATE_TEST_SUITE_P(Hdf5, ResultsColumnsOf,
                          testing::Values(Table{"runs", datasets_of<RunRecord>("runs")},
                                          Table{"impacts", datasets_of<Impact>("impacts")},
                                          Table{"crossings", datasets_of<Crossing>("crossings")},
-                                         Table{"stays", datasets_of<StayRecord>("stays")}));
+                                         Table{"stays", datasets_of<StayRecord>("stays")},
+                                         Table{"energies", datasets_of<EnergyRecord>("energies")}));
 
 }  // namespace
 }  // namespace clast

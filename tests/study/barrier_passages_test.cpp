@@ -94,7 +94,7 @@ TEST(PassageCurve, IsTheMeanAndTheRangeOfWhatHasPassed) {
   RealisationPassages first, second, none;
   first.passages = passages_at({1.0, 2.0});
   second.passages = passages_at({4.0});
-  const PassageCurve curve = passage_curve({&first, &second, &none}, one);
+  const RealisationCurve curve = passage_curve({&first, &second, &none}, one);
   const auto at = [&](double time) {
     std::size_t i = 0;
     while (i + 1 < curve.time.size() && curve.time[i + 1] <= time) ++i;

@@ -60,6 +60,19 @@ TEST_F(MassCampaign, ReleasesAllBlocksOfAHeapAtOnce) {
     places.insert(record.start.position.x() + 10.0 * record.start.position.y());
   }
   EXPECT_EQ(places.size(), 16u);  // not twice the same heap
+  // Until they rest, energies are sampled at the interval of states, and balance.
+  const EnergySample& start = results.energies.front().energy;
+  EXPECT_EQ(start.time, 0.0);
+  EXPECT_EQ(start.moving, 8u);
+  EXPECT_EQ(results.energies.front().run, 0u);
+  EXPECT_EQ(results.energies.back().run, 8u);
+  EXPECT_EQ(results.energies.back().energy.moving, 0u);
+  for (const EnergyRecord& record : results.energies) {
+    if (record.run > 0) break;
+    const double dropped = start.potential - record.energy.potential;
+    EXPECT_NEAR(record.energy.sum(), start.sum(), 1e-3 * dropped + 1e-9);
+    EXPECT_LE(record.energy.time, results.runs[0].result.duration);
+  }
   std::vector<CampaignResults> all = {results};
   const Comparison comparison = compare(std::move(all));
   const RealisationDeposits deposits = realisation_deposits(comparison);
@@ -86,6 +99,9 @@ TEST_F(MassCampaign, IsTheSameOnThreadsAndInShards) {
   const CampaignResults merged = read_results(*folder_ / "merged.h5");
   EXPECT_TRUE(merged.stay->at_once);
   ASSERT_EQ(merged.runs.size(), whole.runs.size());
+  ASSERT_GT(whole.energies.size(), 20u);
+  expect_equal_energies(threads, whole);
+  expect_equal_energies(merged, whole);
   for (std::size_t i = 0; i < whole.runs.size(); ++i) {
     expect_equal(whole.runs[i].result.final_state, threads.runs[i].result.final_state);
     expect_equal(whole.runs[i].result.final_state, merged.runs[i].result.final_state);

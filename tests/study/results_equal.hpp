@@ -82,6 +82,27 @@ inline void expect_equal(const RunRecord& a, const RunRecord& b) {
   EXPECT_EQ(x.impacts, y.impacts);
 }
 
+inline void expect_equal_energies(const CampaignResults& a, const CampaignResults& b) {
+  ASSERT_EQ(a.energies.size(), b.energies.size());
+  for (std::size_t i = 0; i < a.energies.size(); ++i) {
+    const EnergySample &x = a.energies[i].energy, &y = b.energies[i].energy;
+    EXPECT_EQ(a.energies[i].run, b.energies[i].run);
+    EXPECT_EQ(x.time, y.time);
+    EXPECT_EQ(x.moving, y.moving);
+    EXPECT_EQ(x.translational, y.translational);
+    EXPECT_EQ(x.rotational, y.rotational);
+    EXPECT_EQ(x.potential, y.potential);
+    EXPECT_EQ(x.stored, y.stored);
+    EXPECT_EQ(x.gone, y.gone);
+    for (const auto place : {&EnergySample::on_ground, &EnergySample::between_bodies}) {
+      EXPECT_EQ((x.*place).normal, (y.*place).normal);
+      EXPECT_EQ((x.*place).friction, (y.*place).friction);
+      EXPECT_EQ((x.*place).rolling, (y.*place).rolling);
+    }
+    EXPECT_EQ(x.reassigned, y.reassigned);
+  }
+}
+
 inline void expect_equal(const Trajectory& a, const Trajectory& b) {
   EXPECT_EQ(a.time, b.time);
   ASSERT_EQ(a.states.size(), b.states.size());

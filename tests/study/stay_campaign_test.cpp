@@ -46,6 +46,8 @@ class StayCampaign : public CampaignRun {
       EXPECT_EQ(a.stays[i].blocks_hit, b.stays[i].blocks_hit);
       EXPECT_EQ(std::isnan(a.stays[i].removed_at), std::isnan(b.stays[i].removed_at));
     }
+    EXPECT_FALSE(a.energies.empty());
+    expect_equal_energies(a, b);
   }
 };
 
@@ -125,6 +127,9 @@ TEST_F(StayCampaign, GoesOnInTheMiddleOfARealisation) {
     StoredRun first;
     first.record = whole.runs[0];
     first.stays = {whole.stays[0]};
+    for (const EnergyRecord& record : whole.energies) {
+      if (record.run == 0) first.energies.push_back(record);
+    }
     writer.add(first);
   }
   run_campaign(plan, *folder_ / "half.h5", {.resume = true});

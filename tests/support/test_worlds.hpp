@@ -87,9 +87,10 @@ inline TriangleMesh bowl() {
   return mesh;
 }
 
-/// Rocks of 10 cuts^2 + 2 vertices in a column, 36 to a layer, falling into the bowl.
+/// Rocks of 10 cuts^2 + 2 vertices in layers above the middle of the terrain, falling onto it.
+/// @param side  blocks of a row and rows of a layer
 inline World falling_pile(const TerrainSurface& terrain, std::size_t blocks, int cuts,
-                          unsigned threads) {
+                          unsigned threads, std::size_t side = 6) {
   std::vector<RigidBody> shapes;
   for (std::uint64_t seed = 1; seed <= 4; ++seed) {
     shapes.push_back(rock(cuts, {0.30, 0.25, 0.20}, 0.01, 2650.0, seed));
@@ -102,10 +103,11 @@ inline World falling_pile(const TerrainSurface& terrain, std::size_t blocks, int
   World world(shapes, settings, terrain, zones);
   Random random(5);
   for (std::size_t i = 0; i < blocks; ++i) {
-    const std::size_t layer = i / 36, place = i % 36;
+    const std::size_t layer = i / (side * side), place = i % (side * side);
+    const double middle = 0.5 * static_cast<double>(side - 1);
     RigidState state;
-    state.position = {0.75 * (static_cast<double>(place % 6) - 2.5),
-                      0.75 * (static_cast<double>(place / 6) - 2.5),
+    state.position = {0.75 * (static_cast<double>(place % side) - middle),
+                      0.75 * (static_cast<double>(place / side) - middle),
                       1.5 + 0.72 * static_cast<double>(layer)};
     state.orientation = random.rotation();
     state.velocity = {0.0, 0.0, -2.0};

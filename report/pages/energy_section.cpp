@@ -1,0 +1,205 @@
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+#include "report/charts/palette.hpp"
+#include "report/html/html_page.hpp"
+#include "report/pages/realisation_traces.hpp"
+#include "report/pages/report_groups.hpp"
+#include "report/pages/report_sections.hpp"
+#include "report/text/plain_numbers.hpp"
+#include "report/text/subject_words.hpp"
+#include "study/realisation_energies.hpp"
+
+namespace clast::report_detail {
+namespace {
+
+using Realisations = std::vector<const RealisationEnergies*>;
+
+constexpr double kKilo = 1e-3;  ///< J to kJ
+
+/// What energy becomes, in the order that charts stack it.
+struct Use {
+  const char* words;
+  const char* colour;
+  const char* blend;  ///< that the colour is mixed with: paler between blocks
+  double Dissipation::*part;
+  Dissipation EnergySample::*place;
+  Dissipation EnergyShares::*share;
+};
+
+constexpr double kPaler = 0.5;
+
+const std::vector<Use>& uses() {
+  static const std::vector<Use> kUses = [] {
+    std::vector<Use> uses;
+    const auto add = [&](const char* ground, const char* blocks, std::size_t colour,
+                         double Dissipation::*part) {
+      uses.push_back({ground, kDataColours[colour], kDataColours[colour], part,
+                      &EnergySample::on_ground, &EnergyShares::on_ground});
+      uses.push_back({blocks, kDataColours[colour], "#ffffff", part, &EnergySample::between_bodies,
+                      &EnergyShares::between_blocks});
+    };
+    add("friction on the ground", "friction between blocks", 0, &Dissipation::friction);
+    add("normal forces on the ground", "normal forces between blocks", 1, &Dissipation::normal);
+    add("rolling resistance on the ground", "rolling resistance between blocks", 2,
+        &Dissipation::rolling);
+    return uses;
+  }();
+  return kUses;
+}
+
+double kinetic(const EnergySample& sample) { return sample.translational + sample.rotational; }
+
+std::vector<Realisations> by_file(const std::vector<RealisationEnergies>& all) {
+  std::vector<Realisations> files;
+  for (const RealisationEnergies& one : all) {
+    if (files.empty() || files.back().front()->file != one.file) files.emplace_back();
+    files.back().push_back(&one);
+  }
+  return files;
+}
+
+std::string of_file(const Comparison& comparison, std::uint32_t file) {
+  return several_files(comparison) ? ", " + file_name(comparison, file) : "";
+}
+
+/// What the energy of a mass has become until a time, each use on top of the one before, the
+/// kinetic energy on top of all.
+std::string uses_chart(const Comparison& comparison, const Realisations& realisations) {
+  std::vector<Trace> traces;
+  std::vector<double> below;
+  const auto add = [&](const std::string& words, const std::string& colour,
+                       const EnergyValue& value) {
+    const RealisationCurve curve = energy_curve(
+        realisations, [&](const EnergySample& sample) { return kKilo * value(sample); });
+    if (below.empty()) {
+      below.assign(curve.time.size(), 0.0);
+      Trace zero{words, colour, "", Trace::Kind::kLine, curve.time, below};
+      zero.named = false;
+      traces.push_back(std::move(zero));
+    }
+    for (std::size_t i = 0; i < below.size(); ++i) below[i] += curve.mean[i];
+    Trace top{words, colour, "", Trace::Kind::kLine, curve.time, below};
+    top.filled = true;
+    traces.push_back(std::move(top));
+  };
+  for (const Use& use : uses()) {
+    add(use.words, mixed(use.colour, use.blend, kPaler),
+        [&](const EnergySample& sample) { return sample.*use.place.*use.part; });
+  }
+  add("kinetic energy", "#555555", kinetic);
+  return plotly_chart(
+      {"What the energy has become" + of_file(comparison, realisations.front()->file),
+       "time since the release, s",
+       realisations.size() > 1 ? "energy, mean of realisations, kJ" : "energy, kJ"},
+      traces);
+}
+
+std::string kinetic_chart(const Comparison& comparison, const std::vector<Realisations>& masses) {
+  std::vector<Trace> traces;
+  for (std::size_t i = 0; i < masses.size(); ++i) {
+    const std::string name =
+        (several_files(comparison) ? file_name(comparison, masses[i].front()->file) : "mean") +
+        " of " + counted(masses[i].size(), "realisation");
+    add_realisation_curve(
+        traces, name, data_colour(i), Trace::Kind::kLine,
+        energy_curve(masses[i], [](const EnergySample& sample) { return kKilo * kinetic(sample); }),
+        masses[i].size());
+  }
+  return plotly_chart(
+      {"Kinetic energy of all blocks together", "time since the release, s", "kinetic energy, kJ"},
+      traces);
+}
+
+std::string shares_table(const Comparison& comparison, const std::vector<Realisations>& files) {
+  std::vector<std::string> heads = {"dissipated by"};
+  for (const Realisations& realisations : files) {
+    const std::string file = several_files(comparison)
+                                 ? "file " + std::to_string(realisations.front()->file + 1) + ": "
+                                 : "";
+    for (const char* head : {"mean, kJ", "share", "least share", "most share"}) {
+      heads.push_back(file + head);
+    }
+  }
+  HtmlTable table(heads, 1);
+  const auto row = [&](const std::string& words, const EnergyValue& energy,
+                       const std::function<double(const EnergyShares&)>& share) {
+    std::vector<std::string> cells = {words};
+    for (const Realisations& realisations : files) {
+      std::vector<double> energies, shares;
+      for (const RealisationEnergies* one : realisations) {
+        energies.push_back(kKilo * energy(one->samples.back()));
+        shares.push_back(share(energy_shares(one->samples)));
+      }
+      const Summary summary = summarise(shares);
+      cells.push_back(significant(summarise(energies).mean));
+      cells.push_back(percent(summary.mean));
+      cells.push_back(percent(*std::min_element(shares.begin(), shares.end())));
+      cells.push_back(percent(summary.max));
+    }
+    table.row(std::move(cells));
+  };
+  for (const Use& use : uses()) {
+    row(
+        use.words, [&](const EnergySample& sample) { return sample.*use.place.*use.part; },
+        [&](const EnergyShares& shares) { return shares.*use.share.*use.part; });
+  }
+  row(
+      "all between blocks", [](const EnergySample& sample) { return sample.between_bodies.sum(); },
+      [](const EnergyShares& shares) { return shares.between_blocks.sum(); });
+  return table.html();
+}
+
+/// "53 % of what was dissipated was friction, 31 % ...": means over the realisations of a file.
+std::string in_words(const Comparison& comparison, const Realisations& realisations) {
+  const auto mean = [&](const std::function<double(const EnergyShares&)>& share) {
+    std::vector<double> shares;
+    for (const RealisationEnergies* one : realisations) {
+      shares.push_back(share(energy_shares(one->samples)));
+    }
+    return summarise(shares).mean;
+  };
+  const auto by = [&](double Dissipation::*part) {
+    return mean([part](const EnergyShares& shares) {
+      return shares.on_ground.*part + shares.between_blocks.*part;
+    });
+  };
+  const double between =
+      mean([](const EnergyShares& shares) { return shares.between_blocks.sum(); });
+  if (!std::isfinite(between)) return "";
+  const std::string of =
+      several_files(comparison) ? " of " + file_name(comparison, realisations.front()->file) : "";
+  return paragraph("Of the energy that the blocks" + of + " lost, friction took " +
+                   share_in_words(by(&Dissipation::friction)) + ", normal forces " +
+                   share_in_words(by(&Dissipation::normal)) + " and rolling resistance " +
+                   share_in_words(by(&Dissipation::rolling)) + "; " + share_in_words(between) +
+                   " was lost between blocks, the rest on the ground.");
+}
+
+}  // namespace
+
+std::string energy_section(const Comparison& comparison) {
+  const std::vector<RealisationEnergies> all = realisation_energies(comparison);
+  const std::vector<Realisations> files = by_file(all);
+  if (files.empty()) return "";
+  std::vector<Realisations> masses;
+  std::string body;
+  for (const Realisations& realisations : files) {
+    body += in_words(comparison, realisations);
+    if (comparison.results[realisations.front()->file].stay->at_once) {
+      masses.push_back(realisations);
+    }
+  }
+  if (!masses.empty()) body += kinetic_chart(comparison, masses);
+  for (const Realisations& realisations : masses) body += uses_chart(comparison, realisations);
+  return section(
+      "Where the energy goes",
+      body + folded("What energy was dissipated by",
+                    paragraph("By the end of each realisation, over realisations; shares are of "
+                              "all that was dissipated. Energies against time are in "
+                              "energies.csv.") +
+                        shares_table(comparison, files)));
+}
+
+}  // namespace clast::report_detail

@@ -1,0 +1,16 @@
+#pragma once
+/// Curves over realisations, as the charts of a page draw them.
+#include <string>
+#include <vector>
+
+#include "report/charts/plotly_chart.hpp"
+#include "study/realisation_curve.hpp"
+
+namespace clast::report_detail {
+
+/// Adds the mean, and below it the band from least to most where there are several realisations.
+void add_realisation_curve(std::vector<Trace>& traces, const std::string& name,
+                           const std::string& colour, Trace::Kind kind,
+                           const RealisationCurve& curve, std::size_t realisations);
+
+}  // namespace clast::report_detail

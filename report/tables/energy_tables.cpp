@@ -1,0 +1,39 @@
+// The table of where the energy of blocks that stay goes.
+#include "report/tables/comparison_columns.hpp"
+#include "report/tables/group_tables.hpp"
+#include "study/stored_columns.hpp"
+
+namespace clast {
+
+using namespace report_detail;
+
+const TableColumns<EnergyOfFile>& report_detail::energy_columns() {
+  using Row = EnergyOfFile;
+  static const auto columns = joined<Row>(
+      {{{"realisation", "", "from 1", [](const Row& row) { return row.realisation + 1; }}},
+       columns_of_part<Row>(
+           chosen(stored_energy_columns(),
+                  {"time_s", "moving", "translational_j", "rotational_j", "potential_j", "stored_j",
+                   "gone_j", "ground_normal_j", "ground_friction_j", "ground_rolling_j",
+                   "blocks_normal_j", "blocks_friction_j", "blocks_rolling_j", "reassigned_j"}),
+           [](const Row& row) -> const EnergyRecord& { return row.record; }),
+       {{"file", "", "number of the results file", [](const Row& row) { return row.file + 1; }}}});
+  return columns;
+}
+
+std::vector<EnergyOfFile> report_detail::energy_rows(const Comparison& comparison) {
+  std::vector<EnergyOfFile> rows;
+  for (std::uint32_t file = 0; file < comparison.results.size(); ++file) {
+    const CampaignResults& results = comparison.results[file];
+    for (const EnergyRecord& record : results.energies) {
+      rows.push_back({file, record.run / results.runs_together(), record});
+    }
+  }
+  return rows;
+}
+
+std::string energies_csv(const Comparison& comparison) {
+  return csv_of(energy_columns(), energy_rows(comparison));
+}
+
+}  // namespace clast
