@@ -49,16 +49,20 @@ class Collector {
     if (!prepared.header.stay || !options_.progress) {
       return add(runs_from(prepared, first, {}, threads));
     }
-    const std::string name =
-        "realisation " + std::to_string(first / prepared.header.runs_together() + 1);
+    const std::uint32_t together = prepared.header.runs_together();
+    const bool at_once = prepared.header.stay->at_once;
+    const std::string name = "realisation " + std::to_string(first / together + 1);
     auto last = std::chrono::steady_clock::now();
-    const auto report = [&](double time) {
+    const auto report = [&](const RunProgress& progress) {
       const auto now = std::chrono::steady_clock::now();
       if (std::chrono::duration<double>(now - last).count() < kReportAfter) return;
       last = now;
       const std::lock_guard lock(one_at_a_time_);
       try {
-        report_progress(name + ": " + with_decimals(time, 1) + " s simulated");
+        report_progress(name + ": " + with_decimals(progress.time, 1) + " s simulated" +
+                        (at_once ? ""
+                                 : ", block " + std::to_string(progress.released) + " of " +
+                                       std::to_string(together)));
       } catch (...) {
         throw Stopped{std::current_exception()};
       }
@@ -181,11 +185,13 @@ TimeProbe probe_time(const PreparedCampaign& prepared, double budget) {
   double whole = 0.0;  // time of the runs that were not cut short
   // Simulated time, s, and what it took, of the run that goes on, halfway to its end and now.
   double halfway = -1.0, halfway_spent = 0.0, reached = 0.0;
-  const auto in_time = [&](double time) {
+  std::size_t released = 1;
+  const auto in_time = [&](const RunProgress& progress) {
     const double now = spent() - whole, longest = kLongestProbe * budget - whole;
-    reached = time;
+    reached = progress.time;
+    released = progress.released;
     if (halfway < 0.0 && now > 0.5 * longest) {
-      halfway = time;
+      halfway = progress.time;
       halfway_spent = now;
     }
     if (now > longest) throw ProbeOver();
@@ -202,11 +208,19 @@ TimeProbe probe_time(const PreparedCampaign& prepared, double budget) {
       halfway = -1.0;
     }
   } catch (const ProbeOver&) {
-    // Flights cost next to nothing: the second half, as a rule without one, shows what is to come.
     probe.cut_short = true;
     const double taken = spent() - whole;
-    const double pace = (taken - halfway_spent) / std::max(reached - halfway, 1e-12);
-    whole += taken + pace * (longest_run - reached);
+    if (released > 1) {
+      // Of blocks that follow each other, the next ones take as long as those that have come to
+      // rest.
+      whole += taken * static_cast<double>(together) / static_cast<double>(released - 1);
+    } else {
+      // Flights cost next to nothing: the second half, as a rule without one, shows what is to
+      // come.
+      probe.at_most = true;
+      const double pace = (taken - halfway_spent) / std::max(reached - halfway, 1e-12);
+      whole += taken + pace * (longest_run - reached);
+    }
     probe.runs += together;
   }
   if (probe.runs > 0) probe.each = whole / static_cast<double>(probe.runs);

@@ -75,9 +75,9 @@ struct Shard {
 struct TimeProbe {
   std::size_t runs = 0;  ///< that were tried
   double each = 0.0;     ///< mean time of one on one thread, s
-  /// The last took too long to be waited for: it counts as if it went on like that to the time
-  /// limit, so `each` is the most to expect.
-  bool cut_short = false;
+  bool cut_short = false;  ///< the last took too long to be waited for
+  /// It counts as if it went on like that to the time limit, so `each` is the most to expect.
+  bool at_most = false;
   /// How far those went that were not cut short: along `downslope` where it is given, else in plan,
   /// m.
   std::vector<double> runouts = {};

@@ -100,7 +100,7 @@ void report_dry_run(const SimulateArgs& args, const PreparedCampaign& prepared, 
     return;
   }
   const std::string sentence = planned_power_sentence(power);
-  std::cout << (probe.cut_short ? "at most " : "about ") << duration_text(expected) << " for "
+  std::cout << (probe.at_most ? "at most " : "about ") << duration_text(expected) << " for "
             << counted(items, prepared.header.stay ? "realisation" : "run") << " on "
             << counted(threads, "thread") << ", judging by "
             << counted(probe.runs / together, prepared.header.stay ? "realisation" : "run")

@@ -97,8 +97,8 @@ std::string released(const CampaignResults& results) {
   return counted(results.planned_runs / results.stay->blocks_each, "realisation") + " of " +
          counted(results.stay->blocks_each, "block") +
          (results.stay->at_once
-              ? ", released as " +
-                    (points > 1 ? counted(points, "mass", "masses") : "one mass at once")
+              ? ", released " +
+                    (points > 1 ? "as " + counted(points, "mass", "masses") : "at once as one mass")
               : ", released one after the other from " + counted(points, "point")) +
          " and left where they stop" +
          (removed > 0 ? ", but for " +

@@ -114,7 +114,7 @@ ReleaseResult failed(const RunObserver& observer, const RunRecord& run, const ch
 }
 
 StoredRun single_run(const PreparedCampaign& prepared, const RunRecord& planned,
-                     const std::function<void(double)>& after_step, const MotionObserver& observe) {
+                     const ProgressObserver& after_step, const MotionObserver& observe) {
   RunObserver observer(prepared, planned);
   try {
     return observer.stored(
@@ -123,7 +123,7 @@ StoredRun single_run(const PreparedCampaign& prepared, const RunRecord& planned,
                          release_settings(prepared.campaign, planned), [&](const MotionStep& step) {
                            observer.see(step);
                            if (observe) observe(step);
-                           if (after_step) after_step(step.end_time);
+                           if (after_step) after_step({step.end_time});
                          }));
   } catch (const std::exception& error) {  // one bad run never costs the campaign
     return observer.stored(failed(observer, planned, error.what()));
@@ -160,8 +160,7 @@ SequenceSettings sequence_settings(const PreparedCampaign& prepared, const RunRe
 
 std::vector<StoredRun> realisation(const PreparedCampaign& prepared,
                                    std::span<const RunRecord> planned,
-                                   const std::function<void(double)>& after_step,
-                                   unsigned threads) {
+                                   const ProgressObserver& after_step, unsigned threads) {
   std::vector<RigidBody> shapes;
   std::vector<SequenceBlock> blocks;
   std::vector<std::unique_ptr<RunObserver>> observers;
@@ -194,7 +193,7 @@ std::vector<StoredRun> realisation(const PreparedCampaign& prepared,
           }
           if (block < newest) return;
           now = begun + step.end_time;
-          if (after_step) after_step(now);
+          if (after_step) after_step({now, newest + 1});
         },
         [&](const EnergySample& sample) {
           energies.push_back({planned.front().run, sample});
@@ -269,7 +268,7 @@ void check_mass_start(const PreparedCampaign& prepared, std::uint32_t first) {
 }
 
 std::vector<StoredRun> runs_from(const PreparedCampaign& prepared, std::uint32_t first,
-                                 const std::function<void(double)>& after_step, unsigned threads,
+                                 const ProgressObserver& after_step, unsigned threads,
                                  const MotionObserver& observe) {
   if (!prepared.header.stay) {
     return {single_run(prepared, prepared.runs[first], after_step, observe)};

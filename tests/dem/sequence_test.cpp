@@ -86,7 +86,7 @@ TEST(SequenceEnergies, AreSampledUntilAllIsDissipated) {
 }
 
 // Two boxes meet head on while they fall: what they lose then, they lose to each other.
-TEST(SequenceEnergies, TellGroundFromBlocks) {
+TEST(SequenceEnergies, SeparateGroundAndBlocks) {
   const TerrainSurface terrain = ground(plane_mesh(10.0, 20));
   const std::vector<RigidBody> shapes = {box(50.0, {0.4, 0.4, 0.4})};
   SequenceSettings settings = settings_for(shapes);

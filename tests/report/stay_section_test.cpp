@@ -50,8 +50,13 @@ TEST(DepositSection, GivesMeansOverRealisationsForEachFile) {
   for (std::uint32_t run = 0; run < 6; ++run) results.stays.push_back({.run = run});
   results.runs[5].result.stop_reason = StopReason::kLeftTerrain;
   const Comparison comparison = compared(results, results);
-  EXPECT_TRUE(contains(provenance_section(comparison),
-                       "2 realisations of 3 blocks, released as one mass at once"));
+  EXPECT_TRUE(
+      contains(provenance_section(comparison), "2 realisations of 3 blocks, released at once"));
+  CampaignResults masses = results;
+  masses.release_points.resize(3);
+  masses.set_of_point.resize(3);
+  EXPECT_TRUE(contains(provenance_section(compared(masses)),
+                       "2 realisations of 3 blocks, released as 3 masses"));
   EXPECT_EQ(stay_section(comparison), "");
   RealisationDeposits deposits = realisation_deposits(comparison);
   ASSERT_EQ(deposits.realisations.size(), 4u);

@@ -119,6 +119,21 @@ TEST_F(StayCampaign, EndsWithinARealisation) {
   EXPECT_FALSE(std::filesystem::exists(*folder_ / "endless.h5"));
 }
 
+// Blocks that have come to rest say what the others will take, not the time limit of each.
+TEST_F(StayCampaign, AProbeThatIsCutShortCountsBlocksThatRest) {
+  const std::string many =
+      replaced_once(text("draw = { count = 40 }\n"), "realisations = 3", "realisations = 1");
+  const PreparedCampaign plan = prepared(many);
+  const TimeProbe whole = probe_time(plan, 1e3);
+  ASSERT_FALSE(whole.cut_short);
+  ASSERT_EQ(whole.runs, 40u);
+  const TimeProbe cut = probe_time(plan, whole.each * 40.0 / 15.0);  // stops after a third
+  EXPECT_TRUE(cut.cut_short);
+  EXPECT_FALSE(cut.at_most);
+  EXPECT_LT(cut.each, 5.0 * whole.each);
+  EXPECT_GT(cut.each, 0.2 * whole.each);
+}
+
 TEST_F(StayCampaign, GoesOnInTheMiddleOfARealisation) {
   const CampaignResults whole = run("all.h5");
   const PreparedCampaign plan = prepared(text());
