@@ -21,6 +21,8 @@ namespace {
 
 /// What is next to no time, s.
 constexpr double kInstant = 1e-9;
+/// Between energies where no states are stored, s.
+constexpr double kEnergyInterval = 1.0;
 
 // Collects what the stored results need of a motion, as it goes by.
 class RunObserver {
@@ -143,7 +145,8 @@ SequenceSettings sequence_settings(const PreparedCampaign& prepared, const RunRe
   settings.rest_duration = campaign.rest_duration;
   sequence.at_once = !campaign.stay->masses.empty();
   sequence.max_time = campaign.max_time;
-  sequence.energy_interval = campaign.trajectory_interval;
+  sequence.energy_interval =
+      campaign.trajectory_interval > 0.0 ? campaign.trajectory_interval : kEnergyInterval;
   if (campaign.stay->settles()) sequence.settle_time = 0.0;
   for (const MassPlan& mass : campaign.stay->masses) {
     if (mass.settle) sequence.settle_time = std::max(sequence.settle_time, mass.settle_time);

@@ -86,6 +86,21 @@ TEST_F(MassCampaign, ReleasesAllBlocksOfAHeapAtOnce) {
   }
 }
 
+TEST_F(MassCampaign, WithoutTrajectoriesEnergiesAreOfEachSecond) {
+  const std::string of = replaced_once(text(), "[run]\n", "[run]\ntrajectory_interval_s = 0\n");
+  run_campaign(prepared(of), *folder_ / "seconds.h5");
+  std::vector<double> times;
+  for (const EnergyRecord& record : read_results(*folder_ / "seconds.h5").energies) {
+    if (record.run == 0) times.push_back(record.energy.time);
+  }
+  ASSERT_GT(times.size(), 3u);
+  EXPECT_EQ(times.front(), 0.0);
+  for (std::size_t i = 1; i + 1 < times.size(); ++i) {
+    EXPECT_GE(times[i], static_cast<double>(i));
+    EXPECT_LT(times[i], static_cast<double>(i) + 0.1);
+  }
+}
+
 TEST_F(MassCampaign, IsTheSameOnThreadsAndInShards) {
   const CampaignResults whole = run("whole.h5", {.threads = 1});
   const CampaignResults threads = run("threads.h5", {.threads = 2});
