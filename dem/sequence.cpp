@@ -129,7 +129,7 @@ class Sequence {
       forms_.push_back(world_.add_form(form.shape, form.place, form.first, form.end));
     }
     world_.run_until(settings_.settle_time);
-    refuse_settled("left their form", "place them deeper in it", [&](std::size_t block) {
+    refuse_settled(true, [&](std::size_t block) {
       return world_.gone(block) ||
              std::any_of(settings_.forms.begin(), settings_.forms.end(), [&](const auto& form) {
                const Vec3 inwards = form.place.orientation * Vec3::UnitX();
@@ -137,17 +137,14 @@ class Sequence {
                return block >= form.first && block < form.end && inwards.dot(way) <= 0.0;
              });
     });
-    refuse_settled("still move after settle_time = " + with_digits(settings_.settle_time, 6) + " s",
-                   "give them more time",
-                   [&](std::size_t block) { return !world_.resting(block); });
+    refuse_settled(false, [&](std::size_t block) { return !world_.resting(block); });
     for (std::size_t block = 0; block < blocks_.size(); ++block) {
       if (settles(block)) results_[block].settled = world_.state(block);
     }
   }
 
-  /// @param is_bad  of a block that settles
-  void refuse_settled(const std::string& problem, const std::string& advice,
-                      const std::function<bool(std::size_t)>& is_bad) const {
+  /// @param is_bad  of a block that settles: it left its form, or still moves
+  void refuse_settled(bool left, const std::function<bool(std::size_t)>& is_bad) const {
     std::size_t all = 0, bad = 0, first = 0;
     for (std::size_t block = 0; block < blocks_.size(); ++block) {
       if (!settles(block)) continue;
@@ -155,9 +152,14 @@ class Sequence {
       if (is_bad(block) && bad++ == 0) first = block;
     }
     if (bad == 0) return;
-    throw SimulationError(std::to_string(bad) + " of " + std::to_string(all) +
-                          " blocks that settle, body " + std::to_string(first) + " the first, " +
-                          problem + "; " + advice);
+    const std::string problem =
+        left ? "left their form; place them deeper in it"
+             : "still move after settle_time = " + with_digits(settings_.settle_time, 6) +
+                   " s; give them more time";
+    throw SettlingError(std::to_string(bad) + " of " + std::to_string(all) +
+                            " blocks that settle, body " + std::to_string(first) + " the first, " +
+                            problem,
+                        first, bad, left);
   }
 
   /// Lets go what is held and removes the forms, each at its time.

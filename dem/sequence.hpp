@@ -5,8 +5,10 @@
 #include <functional>
 #include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
+#include "core/error.hpp"
 #include "dem/world.hpp"
 
 namespace clast {
@@ -51,6 +53,18 @@ struct SequenceSettings {
   void check() const;  ///< throws InputError naming the field and its value
 };
 
+/// Blocks that forms hold do not settle.
+class SettlingError : public SimulationError {
+ public:
+  SettlingError(const std::string& message, std::size_t first_block, std::size_t of_blocks,
+                bool left)
+      : SimulationError(message), block(first_block), count(of_blocks), left_form(left) {}
+
+  std::size_t block = 0;   ///< the first of them
+  std::size_t count = 0;   ///< how many do not
+  bool left_form = false;  ///< they left their forms; else they still moved after `settle_time`
+};
+
 /// What became of a block of a sequence.
 struct SequenceResult {
   /// `duration` and `energy` are of its own release, which blocks released at once share: until all
@@ -83,6 +97,7 @@ using EnergyObserver = std::function<void(const EnergySample&)>;
 /// @param shapes  that the blocks have
 /// @param zones   parameters of each ground zone of the terrain, by zone number
 /// @throws InputError       settings out of range
+/// @throws SettlingError    blocks that forms hold do not come to rest behind them
 /// @throws SimulationError  a start off the terrain, inside the ground or another block, blocks
 /// that
 ///                          do not come to rest in their form or leave it, or a motion that is not

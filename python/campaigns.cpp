@@ -145,6 +145,7 @@ py::object dry_run(const std::string& text, const fs::path& file, const py::dict
     json.update(power_json(power));
     json["probed_runs"] = probe.runs;
     json["probe_cut_short"] = probe.cut_short;
+    json["probe_failure"] = probe.failure;
     json["threads"] = thread_count(threads);
     if (map) {
       write_output(*map, plan_map(prepared.header), rules);

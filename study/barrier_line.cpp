@@ -71,7 +71,7 @@ bool inside_is_left(std::span<const Vec2> ring) {
   return twice_area > 0.0;
 }
 
-void check_barrier_line(std::span<const Vec2> line) {
+std::optional<SelfContact> find_self_contact(std::span<const Vec2> line) {
   std::vector<Segment> segments;
   for (std::size_t i = 0; i + 1 < line.size(); ++i) segments.push_back({line[i], line[i + 1]});
   const std::size_t count = segments.size();
@@ -81,8 +81,7 @@ void check_barrier_line(std::span<const Vec2> line) {
   std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
     return segments[a].low().x() < segments[b].low().x();
   });
-  std::optional<std::pair<std::size_t, std::size_t>> first;
-  Vec2 place = Vec2::Zero();
+  std::optional<SelfContact> first;
   for (std::size_t i = 0; i < count; ++i) {
     for (std::size_t k = i + 1; k < count; ++k) {
       const auto [a, b] = std::minmax(order[i], order[k]);
@@ -95,15 +94,19 @@ void check_barrier_line(std::span<const Vec2> line) {
                                         : ring && a == 0 && b + 1 == count
                                             ? retraced(segments[b], segments[a])
                                             : meeting(segments[a], segments[b]);
-      if (!found || (first && *first < std::pair(a, b))) continue;
-      first = std::pair(a, b);
-      place = *found;
+      if (!found || (first && std::pair(first->first, first->second) < std::pair(a, b))) continue;
+      first = {a, b, *found};
     }
   }
-  if (!first) return;
-  throw InputError("segments " + std::to_string(first->first + 1) + " and " +
-                   std::to_string(first->second + 1) + " meet at (" + with_digits(place.x(), 9) +
-                   ", " + with_digits(place.y(), 9) +
+  return first;
+}
+
+void check_barrier_line(std::span<const Vec2> line) {
+  const std::optional<SelfContact> found = find_self_contact(line);
+  if (!found) return;
+  throw InputError("segments " + std::to_string(found->first + 1) + " and " +
+                   std::to_string(found->second + 1) + " meet at (" +
+                   with_digits(found->place.x(), 9) + ", " + with_digits(found->place.y(), 9) +
                    "); a barrier must not cross, touch or retrace itself, apart from a ring, whose "
                    "last point is its first: make two barriers of it");
 }

@@ -1,5 +1,8 @@
 #pragma once
-/// The lines of barriers on the map: where crossings can be counted, and what a ring encloses.
+/// Lines on the map: where crossings can be counted, what a ring encloses, and where a line meets
+/// itself.
+#include <cstddef>
+#include <optional>
 #include <span>
 
 #include "core/types.hpp"
@@ -11,6 +14,16 @@ bool is_ring(std::span<const Vec2> line);
 
 /// Whether a ring runs around its inside with it on the left (counter-clockwise).
 bool inside_is_left(std::span<const Vec2> ring);
+
+/// Two segments of a line that meet beside the points that they share: it crosses, touches or
+/// retraces itself there.
+struct SelfContact {
+  std::size_t first = 0, second = 0;  ///< segments, from 0
+  Vec2 place = Vec2::Zero();
+};
+/// The first of them.
+/// @param line  map, m; two points at least, neighbours differ; a ring ends at its first point
+std::optional<SelfContact> find_self_contact(std::span<const Vec2> line);
 
 /// Refuses a line at which a block could not be counted, since two of its segments meet beside the
 /// points that they share: it crosses, touches or retraces itself.

@@ -202,7 +202,13 @@ TimeProbe probe_time(const PreparedCampaign& prepared, double budget) {
       const auto items = static_cast<double>(prepared.runs.size() / together);
       const std::vector<StoredRun> tried =
           runs_from(prepared, together * static_cast<std::uint32_t>(share * items), in_time);
-      for (const StoredRun& run : tried) probe.runouts.push_back(probed_runout(prepared, run));
+      for (const StoredRun& run : tried) {
+        probe.runouts.push_back(probed_runout(prepared, run));
+        const ReleaseResult& result = run.record.result;
+        if (probe.failure.empty() && result.stop_reason == StopReason::kError) {
+          probe.failure = result.message;
+        }
+      }
       probe.runs += together;
       whole = spent();
       halfway = -1.0;

@@ -73,9 +73,11 @@ struct Shard {
 
 /// How long runs take, from some of them.
 struct TimeProbe {
-  std::size_t runs = 0;  ///< that were tried
-  double each = 0.0;     ///< mean time of one on one thread, s
+  std::size_t runs = 0;    ///< that were tried
+  double each = 0.0;       ///< mean time of one on one thread, s
   bool cut_short = false;  ///< the last took too long to be waited for
+  /// What the first of the tried runs that failed says; empty: none did.
+  std::string failure = {};
   /// It counts as if it went on like that to the time limit, so `each` is the most to expect.
   bool at_most = false;
   /// How far those went that were not cut short: along `downslope` where it is given, else in plan,

@@ -76,7 +76,7 @@ struct BarrierGroup {
   std::string counted;          ///< as `BarrierLine::counted_direction`
   std::size_t line = 0;         ///< into Comparison::lines
   std::size_t group_index = 0;  ///< into Comparison::groups
-  std::size_t started = 0;      ///< runs of the group in files that have the barrier
+  std::size_t started = 0;      ///< runs of the group, in files with the barrier, that did not fail
   std::size_t crossed = 0;
   std::size_t backward = 0;  ///< runs that passed backward first, counted or not; of a ring none
   double probability = 0.0;

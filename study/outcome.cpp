@@ -31,13 +31,18 @@ CampaignOutcome outcome_of(const CampaignResults& results) {
 void check_outcome(const CampaignResults& results, const std::filesystem::path& file) {
   const CampaignOutcome outcome = outcome_of(results);
   if (outcome.errors() == 0) return;
-  throw SimulationError(
-      std::to_string(outcome.errors()) + " of " + counted(results.runs.size(), "run") +
-      " ended with an error, the first: " + outcome.first_error + ". All runs are in " +
-      file.string() +
-      "; clast compare lists the failed ones and leaves them out of its statistics. Try a "
-      "smaller "
-      "[contact] time_step_s, or stiffness = \"auto\", and look at the ground at the place named");
+  // A mass that does not settle says itself what to do.
+  const std::string advice = outcome.first_error.find(": [mass]") != std::string::npos
+                                 ? ""
+                                 : ". Try a smaller [contact] time_step_s, or stiffness = "
+                                   "\"auto\", and look at the ground "
+                                   "at the place named";
+  throw SimulationError(std::to_string(outcome.errors()) + " of " +
+                        counted(results.runs.size(), "run") + " ended with an error, the first: " +
+                        outcome.first_error + ". All runs are in " + file.string() +
+                        "; clast compare lists the failed ones and leaves them out of its "
+                        "statistics" +
+                        advice);
 }
 
 }  // namespace clast

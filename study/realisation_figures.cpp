@@ -109,17 +109,17 @@ const std::vector<RealisationFigure>& realisation_figures() {
       {"thickness_m", "m", "largest thickness", 2, &Row::thickness, kPositive},
       {"largest_kinetic_j", "J", "largest kinetic energy of all blocks together", 0,
        of_energy([](const EnergyShares& energy) { return energy.largest_kinetic; }), kPositive},
-      {"dissipated_by_friction", "", "share of the dissipation that is friction", 3,
+      {"dissipated_by_friction", "", "share dissipated by friction", 3,
        of_energy([](const EnergyShares& energy) {
          return energy.on_ground.friction + energy.between_blocks.friction;
        }),
        kShare},
-      {"dissipated_by_rolling", "", "share of the dissipation that is rolling resistance", 3,
+      {"dissipated_by_rolling", "", "share dissipated by rolling resistance", 3,
        of_energy([](const EnergyShares& energy) {
          return energy.on_ground.rolling + energy.between_blocks.rolling;
        }),
        kShare},
-      {"dissipated_between_blocks", "", "share of the dissipation that is between blocks", 3,
+      {"dissipated_between_blocks", "", "share dissipated between blocks", 3,
        of_energy([](const EnergyShares& energy) { return energy.between_blocks.sum(); }), kShare}};
   return kFigures;
 }

@@ -60,7 +60,7 @@ std::string mass_text(const PreparedCampaign& prepared, std::size_t mass) {
     const std::string from = with_digits(low, 3), to = with_digits(high, 3);
     return from == to ? from : from + " to " + to;
   };
-  std::string rock = "each mass: ";
+  std::string rock = prepared.masses.size() > 1 ? "each mass: " : "the mass: ";
   if (plans.size() > 1) {
     rock = "mass " + printable(prepared.campaign.releases[mass].name) + ", released at " +
            with_digits(plans[mass].release_time, 6) +

@@ -94,10 +94,15 @@ void report_dry_run(const SimulateArgs& args, const PreparedCampaign& prepared, 
     summary["expected_time_s"] = expected;
     summary["probed_runs"] = probe.runs;
     summary["probe_cut_short"] = probe.cut_short;
+    summary["probe_failure"] = probe.failure;
     summary["threads"] = threads;
     summary["map"] = map.string();
     std::cout << summary.dump(2) << "\n";
     return;
+  }
+  if (!probe.failure.empty()) {
+    std::cout << "warning: a run that was tried failed, so the time is not to be relied on: "
+              << printable(probe.failure) << "\n";
   }
   const std::string sentence = planned_power_sentence(power);
   std::cout << (probe.at_most ? "at most " : "about ") << duration_text(expected) << " for "
@@ -105,7 +110,10 @@ void report_dry_run(const SimulateArgs& args, const PreparedCampaign& prepared, 
             << counted(threads, "thread") << ", judging by "
             << counted(probe.runs / together, prepared.header.stay ? "realisation" : "run")
             << " of " << rounded(each, 2) << " s"
-            << (probe.cut_short ? ", the last of which was not waited for" : "") << "\n"
+            << (!probe.cut_short         ? ""
+                : probe.runs == together ? ", which was stopped early"
+                                         : ", the last of which was stopped early")
+            << "\n"
             << (sentence.empty() ? "" : sentence + "\n") << printable(map.string())
             << ": written\n";
 }

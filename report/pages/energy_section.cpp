@@ -90,8 +90,8 @@ std::string uses_chart(const Comparison& comparison, const Realisations& realisa
   }
   add("kinetic energy", "#555555", kinetic);
   return plotly_chart(
-      {"What the energy has become" + of_file(comparison, realisations.front()->file),
-       "time since the release, s",
+      {"Where the energy has gone, against time" + of_file(comparison, realisations.front()->file),
+       "time since the first release, s",
        realisations.size() > 1 ? "energy, mean of realisations, kJ" : "energy, kJ"},
       traces);
 }
@@ -107,9 +107,9 @@ std::string kinetic_chart(const Comparison& comparison, const std::vector<Realis
         energy_curve(masses[i], [](const EnergySample& sample) { return kKilo * kinetic(sample); }),
         masses[i].size());
   }
-  return plotly_chart(
-      {"Kinetic energy of all blocks together", "time since the release, s", "kinetic energy, kJ"},
-      traces);
+  return plotly_chart({"Kinetic energy of all blocks together", "time since the first release, s",
+                       "kinetic energy, kJ"},
+                      traces);
 }
 
 std::string shares_table(const Comparison& comparison, const std::vector<Realisations>& files) {
@@ -118,7 +118,7 @@ std::string shares_table(const Comparison& comparison, const std::vector<Realisa
     const std::string file = several_files(comparison)
                                  ? "file " + std::to_string(realisations.front()->file + 1) + ": "
                                  : "";
-    for (const char* head : {"mean, kJ", "share", "least share", "most share"}) {
+    for (const char* head : {"mean, kJ", "share", "smallest share", "largest share"}) {
       heads.push_back(file + head);
     }
   }
@@ -170,11 +170,11 @@ std::string in_words(const Comparison& comparison, const Realisations& realisati
   if (!std::isfinite(between)) return "";
   const std::string of =
       several_files(comparison) ? " of " + file_name(comparison, realisations.front()->file) : "";
-  return paragraph("Of the energy that the blocks" + of + " lost, friction took " +
+  return paragraph("Of the energy dissipated in contacts" + of + ", friction took " +
                    share_in_words(by(&Dissipation::friction)) + ", normal forces " +
                    share_in_words(by(&Dissipation::normal)) + " and rolling resistance " +
                    share_in_words(by(&Dissipation::rolling)) + "; " + share_in_words(between) +
-                   " was lost between blocks, the rest on the ground.");
+                   " was dissipated between blocks, the rest on the ground.");
 }
 
 }  // namespace
@@ -195,11 +195,15 @@ std::string energy_section(const Comparison& comparison) {
   for (const Realisations& realisations : masses) body += uses_chart(comparison, realisations);
   return section(
       "Where the energy goes",
-      body + folded("What energy was dissipated by",
-                    paragraph("By the end of each realisation, over realisations; shares are of "
-                              "all that was dissipated. Energies against time are in "
-                              "energies.csv.") +
-                        shares_table(comparison, files)));
+      body +
+          folded(
+              "How the energy was dissipated",
+              paragraph(
+                  "Totals at the end of each realisation; means, smallest and largest shares over "
+                  "realisations. Shares are of the energy dissipated in contacts. Energies against "
+                  "time are in "
+                  "energies.csv.") +
+                  shares_table(comparison, files)));
 }
 
 }  // namespace clast::report_detail

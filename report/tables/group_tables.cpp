@@ -68,7 +68,9 @@ const TableColumns<BarrierGroup>& report_detail::barrier_columns() {
   static const auto columns = joined<Row>(
       {{{"barrier", "", "name; of a ring with `(in)` or `(out)`", &Row::barrier},
         {"group", "", "name", &Row::group},
-        {"runs", "", "runs started by the group in campaigns with this barrier", &Row::started},
+        {"runs", "",
+         "runs started by the group in campaigns with this barrier, without those that failed",
+         &Row::started},
         {"counted", "",
          "`either`: the first crossing of a run whatever its direction; `forward`: the first from "
          "the left of the line to its right; for a ring `in` or `out`",

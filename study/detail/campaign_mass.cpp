@@ -3,6 +3,7 @@
 
 #include "core/error.hpp"
 #include "core/number_text.hpp"
+#include "study/barrier_line.hpp"
 #include "study/campaign_keys.hpp"
 #include "study/detail/campaign_ranges.hpp"
 #include "study/detail/campaign_reading.hpp"
@@ -41,6 +42,19 @@ void check_polygon(const TomlTable& table, const MassPlan& mass) {
     check_has_area(mass.polygon);
   } catch (const InputError& error) {
     table.refuse("polygon", *table.find("polygon"), error.what());
+  }
+  std::vector<Vec2> ring;
+  for (const Vec2& corner : mass.polygon) {
+    if (ring.empty() || corner != ring.back()) ring.push_back(corner);
+  }
+  if (ring.front() != ring.back()) ring.push_back(ring.front());
+  if (const std::optional<SelfContact> found = find_self_contact(ring)) {
+    table.refuse("polygon", *table.find("polygon"),
+                 "must not cross, touch or retrace itself, and its sides " +
+                     std::to_string(found->first + 1) + " and " +
+                     std::to_string(found->second + 1) + " meet at [" +
+                     with_digits(found->place.x(), 9) + ", " + with_digits(found->place.y(), 9) +
+                     "]; give the corners in their order around it");
   }
 }
 
@@ -169,6 +183,10 @@ std::vector<ReleasePlan> read_mass_releases(const TomlTable& top) {
   for (const TomlTable& table : tables) {
     if (tables.size() > 1) table.required("name", "a text in quotes, since there are several");
     release.name = table.text("name").value_or("");
+    if (const TomlNode* name = table.find("name");
+        name && release.name.find_first_not_of(" \t") == std::string::npos) {
+      table.refuse("name", *name, "must not be blank");
+    }
     for (const ReleasePlan& other : releases) {
       if (other.name != release.name) continue;
       table.refuse("name", *table.find("name"), "another mass has this name");

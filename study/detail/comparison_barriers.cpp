@@ -178,6 +178,8 @@ BarrierComparison compare_barriers(const std::vector<CampaignResults>& results,
       ClusteredValues hits;
       for (const std::size_t row : groups[g].rows) {
         if (std::find(files.begin(), files.end(), rows[row].file) == files.end()) continue;
+        // Whether a run that failed would have passed is not known.
+        if (rows[row].record->result.stop_reason == StopReason::kError) continue;
         ++started;
         hits.values.push_back(first[row] != nullptr ? 1.0 : 0.0);
         hits.clusters.push_back(clusters.of(rows[row]));

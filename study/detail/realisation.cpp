@@ -161,6 +161,19 @@ SequenceSettings sequence_settings(const PreparedCampaign& prepared, const RunRe
   return sequence;
 }
 
+/// Which blocks of which mass did not settle, and what to do.
+std::string not_settled(const PreparedCampaign& prepared, std::span<const RunRecord> planned,
+                        const SettlingError& error, double settle_time) {
+  const RunRecord& first = planned[error.block];
+  const std::string& name = prepared.campaign.releases[first.point].name;
+  return "[mass]" + (name.empty() ? "" : " " + name) + ": " + counted(error.count, "block") + ", " +
+         prepared.header.blocks[first.block].id + " the first, " +
+         (error.left_form
+              ? "left the faces that they settle behind; widen the polygon, or give thickness_m"
+              : "still moved after settle_time_s = " + with_digits(settle_time, 6) +
+                    "; raise it, or give rolling_friction or friction that lets them rest");
+}
+
 std::vector<StoredRun> realisation(const PreparedCampaign& prepared,
                                    std::span<const RunRecord> planned,
                                    const ProgressObserver& after_step, unsigned threads) {
@@ -201,6 +214,8 @@ std::vector<StoredRun> realisation(const PreparedCampaign& prepared,
         [&](const EnergySample& sample) {
           energies.push_back({planned.front().run, sample});
         });
+  } catch (const SettlingError& error) {
+    message = not_settled(prepared, planned, error, settings.settle_time);
   } catch (const std::exception& error) {
     message = "the realisation failed (its blocks are bodies, from 0, in the order of release): " +
               std::string(error.what());

@@ -260,7 +260,8 @@ void visit_columns(std::type_identity<EnergyRecord>, const Visit& visit) {
         [](auto& e) -> decltype(auto) { return (e.energy.gone); });
   dissipated("ground_", "on the ground", &EnergySample::on_ground);
   dissipated("blocks_", "between blocks", &EnergySample::between_bodies);
-  visit("reassigned_j", "J", "lost (or gained, below 0) when contacts change, likewise",
+  visit("reassigned_j", "J",
+        "lost (or gained, below 0) where contacts change, since the first release",
         [](auto& e) -> decltype(auto) { return (e.energy.reassigned); });
 }
 

@@ -79,22 +79,23 @@ TEST(EnergySection, SaysWhatTheEnergyWasDissipatedBy) {
   EXPECT_EQ(energy_section(compared(boxes_that_stay())), "");
   CampaignResults results = energies_that_are_lost();
   const std::string one_by_one = energy_section(compared(results));
-  EXPECT_TRUE(contains(one_by_one,
-                       "Of the energy that the blocks lost, friction took 70 %, normal forces "
-                       "20 % and rolling resistance 10 %; 40 % was lost between blocks, the rest "
-                       "on the ground."));
-  EXPECT_FALSE(contains(one_by_one, "What the energy has become"));
+  EXPECT_TRUE(
+      contains(one_by_one,
+               "Of the energy dissipated in contacts, friction took 70 %, normal forces "
+               "20 % and rolling resistance 10 %; 40 % was dissipated between blocks, the rest "
+               "on the ground."));
+  EXPECT_FALSE(contains(one_by_one, "Where the energy has gone, against time"));
   results.stay->at_once = true;
   const std::string html = energy_section(compared(results, results));
   EXPECT_EQ(unbalanced(html), "");
-  EXPECT_TRUE(contains(html, "file 2: least share"));
+  EXPECT_TRUE(contains(html, "file 2: smallest share"));
   const std::string friction = html.substr(html.find(">friction on the ground<"));
   for (const char* cell : {">0.400<", ">40.0 %<"}) {
     EXPECT_TRUE(contains(friction.substr(0, friction.find("</tr>")), cell)) << cell;
   }
   if (plotly_is_installed()) {
     EXPECT_TRUE(contains(html, "Kinetic energy of all blocks together"));
-    EXPECT_TRUE(contains(html, "What the energy has become, file 2"));
+    EXPECT_TRUE(contains(html, "Where the energy has gone, against time, file 2"));
   }
 }
 

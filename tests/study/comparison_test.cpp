@@ -324,6 +324,16 @@ TEST(Compare, TwoFilesAreGroupedTogetherAndEachAlone) {
   EXPECT_EQ(at_barrier(comparison, "B<1>", "file 2: all").crossed, 1u);
 }
 
+// Nobody knows whether a run that failed would have passed.
+TEST(Compare, ARunThatFailedDoesNotCountAtBarriers) {
+  CampaignResults results = hand_made_results();
+  const std::size_t crossed = at_barrier(compared(results), "B<1>", "all").crossed;
+  results.runs[2].result.stop_reason = StopReason::kError;
+  const Comparison comparison = compared(std::move(results));
+  EXPECT_EQ(at_barrier(comparison, "B<1>", "all").started, 5u);
+  EXPECT_EQ(at_barrier(comparison, "B<1>", "all").crossed, crossed - 1);
+}
+
 TEST(Compare, BarrierOfOneFileCountsOnlyThatFilesRuns) {
   CampaignResults second = hand_made_results();
   second.barriers[0].through[0].y() = -5.0;  // another line under the same name

@@ -151,8 +151,13 @@ TEST_F(SettledMass, IsKeptAsAFailureWhereItDoesNotSettle) {
   const CampaignResults results = run(text("settle = true\nsettle_time_s = 0.1\n"), "moving.h5");
   for (const RunRecord& record : results.runs) {
     EXPECT_EQ(record.result.stop_reason, StopReason::kError);
-    EXPECT_TRUE(contains(record.result.message, "still move after settle_time = 0.1 s"));
+    EXPECT_TRUE(contains(record.result.message, "still moved after settle_time_s = 0.1; raise it"));
   }
+}
+
+TEST_F(SettledMass, ATrialThatDoesNotSettleIsReported) {
+  const PreparedCampaign plan = prepared(text("settle = true\nsettle_time_s = 0.1\n"));
+  EXPECT_TRUE(contains(probe_time(plan, 0.0).failure, "still moved after settle_time_s = 0.1"));
 }
 
 TEST_F(SettledMass, RefusesWhatDoesNotFit) {
@@ -166,6 +171,8 @@ TEST_F(SettledMass, RefusesWhatDoesNotFit) {
   refused(text("settle = true\nsettle_time_s = 0\n"), "settle_time_s = 0");
   refused(replaced_once(text(), "[-4, 1], [-6, 1]]", "[-4, 1], [-5, 0], [-6, 1]]"),
           "is not convex at its corner 4, [-5, 0]");
+  refused(replaced_once(text(), "[-4, -1], [-4, 1], [-6, 1]]", "[-4, 1], [-4, -1], [-6, 2]]"),
+          "its sides 1 and 3 meet at");
   refused(replaced_once(text("in_place = true\nsettle = true\n"),
                         "polygon = [[-6, -1], [-4, -1], [-4, 1], [-6, 1]]\n", ""),
           "is for a heap; blocks that are in place");

@@ -215,6 +215,7 @@ TEST_F(SeveralMasses, RefuseWhatDoesNotFit) {
   const std::string good = masses();
   refused(replaced_once(good, "name = \"lower\"\n", ""), "name is missing");
   refused(replaced_once(good, "\"lower\"", "\"upper\""), "another mass has this name");
+  refused(replaced_once(good, "\"lower\"", "\" \""), "must not be blank");
   refused(masses("realisations = 2\n"), "give it in the first [[mass]] alone");
   refused(masses("seed = 2\n"), "give it in the first [[mass]] alone");
   refused(masses("release_time_s = 2\n", "release_time_s = 1\n"),
