@@ -5,6 +5,7 @@
 
 #include "core/digest.hpp"
 #include "core/number_text.hpp"
+#include "dem/box_body.hpp"
 #include "dem/release.hpp"
 #include "dem/stiffness.hpp"
 #include "dem/world.hpp"
@@ -34,22 +35,6 @@ std::vector<GroundParameters> all_kinds_of_ground() {
   slope.scar_drag = 0.5;
   slope.soil_density = 1500.0;
   return {slope, {0.2, 0.5, 0.3}};
-}
-
-RigidBody rounded_box(const Vec3& sides, double mass) {
-  TriangleMesh mesh;
-  for (int i = 0; i < 8; ++i) {
-    mesh.vertices.emplace_back((i & 1 ? 0.5 : -0.5) * sides.x(), (i & 2 ? 0.5 : -0.5) * sides.y(),
-                               (i & 4 ? 0.5 : -0.5) * sides.z());
-  }
-  mesh.triangles = {{0, 2, 3}, {0, 3, 1}, {4, 5, 7}, {4, 7, 6}, {0, 1, 5}, {0, 5, 4},
-                    {2, 6, 7}, {2, 7, 3}, {0, 4, 6}, {0, 6, 2}, {1, 3, 7}, {1, 7, 5}};
-  constexpr double kRadius = 0.04;
-  const Vec3 squares = sides.cwiseProduct(sides);
-  return {sphero_polyhedron(mesh, kRadius), mass,
-          mass / 12.0 *
-              Vec3(squares.y() + squares.z(), squares.x() + squares.z(), squares.x() + squares.y()),
-          sides.minCoeff() + 2.0 * kRadius};
 }
 
 RigidState tumbling(const Vec3& place) {
@@ -91,8 +76,8 @@ ContactStiffness stiffness_of(std::span<const RigidBody> bodies,
 std::string standard_motions(double gravity) {
   const TerrainSurface terrain = slope_and_flat();
   std::vector<GroundParameters> zones = all_kinds_of_ground();
-  const std::vector<RigidBody> bodies = {rounded_box({0.9, 0.6, 0.4}, 600.0),
-                                         rounded_box({0.5, 0.5, 0.3}, 200.0)};
+  const std::vector<RigidBody> bodies = {box_body({0.9, 0.6, 0.4}, 0.04, 600.0),
+                                         box_body({0.5, 0.5, 0.3}, 0.04, 200.0)};
   std::string text;
   for (const std::string& law : contact_law_names()) {
     ReleaseSettings settings;

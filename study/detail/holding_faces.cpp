@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "dem/box_body.hpp"
 #include "study/plan_polygon.hpp"
 
 namespace clast::study_detail {
@@ -98,25 +99,6 @@ double reach_over(const PreparedCampaign& prepared, std::span<const RunRecord> r
   return reach;
 }
 
-RigidBody face_body(const Vec3& sides) {
-  TriangleMesh mesh;
-  for (int i = 0; i < 8; ++i) {
-    mesh.vertices.emplace_back((i & 1 ? 0.5 : -0.5) * sides.x(), (i & 2 ? 0.5 : -0.5) * sides.y(),
-                               (i & 4 ? 0.5 : -0.5) * sides.z());
-  }
-  mesh.triangles = {{0, 2, 3}, {0, 3, 1}, {4, 5, 7}, {4, 7, 6}, {0, 1, 5}, {0, 5, 4},
-                    {2, 6, 7}, {2, 7, 3}, {0, 4, 6}, {0, 6, 2}, {1, 3, 7}, {1, 7, 5}};
-  RigidBody body;
-  body.shape = sphero_polyhedron(mesh, 0.0);
-  body.mass = kDensity * sides.prod();
-  const Vec3 squares = sides.cwiseAbs2();
-  body.moments =
-      body.mass / 12.0 *
-      Vec3(squares.y() + squares.z(), squares.x() + squares.z(), squares.x() + squares.y());
-  body.smallest_side = sides.minCoeff();
-  return body;
-}
-
 /// How far a face goes on beyond a corner, so that it meets the next one, m.
 /// @param reach  that no face is farther out
 double beyond_corner(const Heap& heap, std::size_t corner, double reach) {
@@ -152,7 +134,8 @@ void add_faces(const PreparedCampaign& prepared, std::span<const RunRecord> runs
     form.end = heap.end;
     form.removed_at = plan.release_time + static_cast<double>(side) * plan.face_interval;
     faces.forms.push_back(form);
-    faces.shapes.push_back(face_body({heap.thickness, (to - from).norm(), heap.high - heap.low}));
+    const Vec3 sides(heap.thickness, (to - from).norm(), heap.high - heap.low);
+    faces.shapes.push_back(box_body(sides, 0.0, kDensity * sides.prod()));
   }
 }
 
