@@ -72,7 +72,7 @@ TomlNode converted(const toml::node& node, const SourceText& source) {
   result.written = source.quoted(node.source());
   if (const auto* table = node.as_table()) {
     for (const auto& [key, value] : *table) {
-      result.table.emplace_back(std::string(key.str()), converted(value, source));
+      result.table.push_back({std::string(key.str()), converted(value, source)});
     }
   } else if (const auto* array = node.as_array()) {
     result.kind = Kind::kList;

@@ -6,13 +6,14 @@
 #include <filesystem>
 #include <optional>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "core/number_range.hpp"
 #include "core/types.hpp"
 
 namespace clast {
+
+struct TomlEntry;
 
 /// One value, with the line it begins on.
 struct TomlNode {
@@ -25,10 +26,16 @@ struct TomlNode {
   double number = 0.0;  ///< of integers too
   std::string text;
   std::vector<TomlNode> list;
-  std::vector<std::pair<std::string, TomlNode>> table;  ///< in order of name
+  std::vector<TomlEntry> table;  ///< in order of name
 
   bool is_number() const { return kind == Kind::kInteger || kind == Kind::kFloat; }
   const TomlNode* find(const std::string& key) const;
+};
+
+/// A key of a table.
+struct TomlEntry {
+  std::string key;
+  TomlNode value;
 };
 
 /// @param name  of the file, for messages

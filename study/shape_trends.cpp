@@ -93,7 +93,7 @@ double limit_of(std::vector<double> values) {
   const auto from = std::lower_bound(values.begin(), values.end(), values[half]);
   const std::size_t before = half - static_cast<std::size_t>(from - values.begin());
   const std::size_t after = static_cast<std::size_t>(above - values.begin()) - half;
-  const bool up = from == values.begin() || (above != values.end() && after < before);
+  const bool up = above != values.end() && (from == values.begin() || after < before);
   return up ? *above : values[half];
 }
 

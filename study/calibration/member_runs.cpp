@@ -172,14 +172,13 @@ std::string packed_outcomes(const std::vector<ReleaseOutcome>& outcomes) {
     put_all(outcome.barriers);
     put_all(outcome.moments);
   }
-  std::string bytes(numbers.size() * sizeof(double), '\0');
-  std::memcpy(bytes.data(), numbers.data(), bytes.size());
-  return bytes;
+  const auto* bytes = reinterpret_cast<const char*>(numbers.data());
+  return {bytes, bytes + numbers.size() * sizeof(double)};
 }
 
 std::vector<ReleaseOutcome> unpacked_outcomes(const std::string& bytes) {
   std::vector<double> numbers(bytes.size() / sizeof(double));
-  std::memcpy(numbers.data(), bytes.data(), bytes.size());
+  if (!numbers.empty()) std::memcpy(numbers.data(), bytes.data(), bytes.size());
   std::size_t next = 0;
   const auto take = [&] { return numbers[next++]; };
   const auto take_count = [&] { return static_cast<std::uint32_t>(take()); };

@@ -173,7 +173,7 @@ TEST_F(CampaignContent, RollingLengthIsOfAZoneAndNeedNotBeStated) {
   // k_r by zone: k_t (S/2)^2, or k_n a^2 where a is stated.
   const double k_n = plan.runs.front().stiffness.normal;
   const double arm = 0.5 * plan.header.blocks.front().axes.S;
-  const ValueRange& k_r = stiffness_by_block(plan.header, plan.runs).front().values[2].range;
+  const ValueRange k_r = stiffness_by_block(plan.header, plan.runs).front().values[2].range;
   EXPECT_NEAR(k_r.low, k_n * std::min(0.01, arm * arm), 1e-6 * k_n);
   EXPECT_NEAR(k_r.high, k_n * std::max(0.01, arm * arm), 1e-6 * k_n);
 }
