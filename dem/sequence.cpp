@@ -5,7 +5,6 @@
 #include <functional>
 #include <limits>
 #include <map>
-#include <set>
 #include <string>
 
 #include "core/error.hpp"
@@ -28,14 +27,12 @@ class Sequence {
  public:
   Sequence(const TerrainSurface& terrain, std::span<const GroundParameters> zones,
            std::span<const RigidBody> shapes, std::span<const SequenceBlock> blocks,
-           const SequenceSettings& settings, const SequenceObserver& observe,
-           const EnergyObserver& observe_energy)
+           const SequenceSettings& settings, const SequenceObservers& observers)
       : terrain_(terrain),
         shapes_(shapes),
         blocks_(blocks),
         settings_(settings),
-        observe_(observe),
-        observe_energy_(observe_energy),
+        observers_(observers),
         world_({shapes.begin(), shapes.end()}, settings.world, terrain,
                {zones.begin(), zones.end()}) {}
 
@@ -52,7 +49,7 @@ class Sequence {
   /// What is known of a block while the sequence goes on.
   struct Watched {
     bool touching = false;
-    std::set<std::size_t> hit;       ///< blocks it touched during its own release
+    std::vector<std::size_t> hit;    ///< blocks it touched during its own release, ascending
     Vec3 first_rest = Vec3::Zero();  ///< its place at the end of its own release
   };
 
@@ -95,7 +92,7 @@ class Sequence {
     take_energy();
     const double last = release_held(first, end);
     do {
-      world_.run_until(last + settings_.max_time, energy_when_due());
+      world_.run_until(last + settings_.max_time, after_step());
     } while (clear_zones());
     take_energy();
     const EnergyLedger energy = of_release(before, world_.energy());
@@ -128,7 +125,9 @@ class Sequence {
     for (const SequenceForm& form : settings_.forms) {
       forms_.push_back(world_.add_form(form.shape, form.place, form.first, form.end));
     }
-    world_.run_until(settings_.settle_time);
+    settling_ = true;
+    world_.run_until(settings_.settle_time, after_step());
+    settling_ = false;
     refuse_settled(true, [&](std::size_t block) {
       return world_.gone(block) ||
              std::any_of(settings_.forms.begin(), settings_.forms.end(), [&](const auto& form) {
@@ -176,7 +175,7 @@ class Sequence {
       changes[settings_.forms[form].removed_at].removed.push_back(forms_[form]);
     }
     for (const auto& [time, change] : changes) {
-      world_.run_to(released_at_ + time, energy_when_due());
+      world_.run_to(released_at_ + time, after_step());
       if (!change.freed.empty()) world_.free_bodies(change.freed);
       for (const std::size_t form : change.removed) world_.remove_body(form);
       take_energy();
@@ -185,19 +184,34 @@ class Sequence {
   }
 
   void take_energy() {
-    if (observe_energy_) observe_energy_(world_.energy_sample().since(begin_));
+    if (observers_.energy) observers_.energy(world_.energy_sample().since(begin_));
   }
 
-  /// For after each step; empty where no energies are asked for.
-  std::function<void()> energy_when_due() {
-    if (!observe_energy_ || settings_.energy_interval == 0.0) return {};
-    return [this] {
-      const double intervals =
-          std::floor((world_.time() - begin_.time) / settings_.energy_interval);
-      if (intervals <= energy_intervals_) return;
-      energy_intervals_ = intervals;
-      take_energy();
+  /// What is to be done after each step; empty where that is nothing.
+  std::function<void()> after_step() {
+    const bool sample = observers_.energy && settings_.energy_interval > 0.0 && !settling_;
+    if (!sample && !observers_.progress) return {};
+    return [this, sample] {
+      if (sample) take_energy_when_due();
+      if (observers_.progress) observers_.progress(progress());
     };
+  }
+
+  void take_energy_when_due() {
+    const double intervals = std::floor((world_.time() - begin_.time) / settings_.energy_interval);
+    if (intervals <= energy_intervals_) return;
+    energy_intervals_ = intervals;
+    take_energy();
+  }
+
+  SequenceProgress progress() const {
+    SequenceProgress progress{.time = world_.time(), .settling = settling_};
+    for (std::size_t block = 0; block < results_.size(); ++block) {
+      if (settling_ ? !settles(block) : world_.fixed(block)) continue;
+      ++progress.released;
+      if (world_.gone(block) || world_.resting(block)) ++progress.resting;
+    }
+    return progress;
   }
 
   void add(std::size_t block) {
@@ -266,17 +280,21 @@ class Sequence {
     if (touching) ++result.contact_steps;
     if (touching && !watched.touching) ++result.impacts;
     watched.touching = touching;
-    if (block >= newest_) {
-      for (const std::size_t other : world_.touched_bodies(block)) {
-        if (other < blocks_.size()) watched.hit.insert(other);
-      }
-    }
-    if (!observe_) return;
+    if (block >= newest_ && touching) note_hits(block, watched.hit);
+    if (!observers_.motion) return;
     MotionStep since_release = step;
     const double release = settings_.at_once ? released_at_ : results_[block].released_at;
     since_release.begin_time -= release;
     since_release.end_time -= release;
-    observe_(block, since_release);
+    observers_.motion(block, since_release);
+  }
+
+  void note_hits(std::size_t block, std::vector<std::size_t>& hit) const {
+    for (const std::size_t other : world_.touched_bodies(block)) {
+      if (other >= blocks_.size()) continue;  // a form
+      const auto place = std::lower_bound(hit.begin(), hit.end(), other);
+      if (place == hit.end() || *place != other) hit.insert(place, other);
+    }
   }
 
   void finish(std::size_t block) {
@@ -297,16 +315,16 @@ class Sequence {
   std::span<const RigidBody> shapes_;
   std::span<const SequenceBlock> blocks_;
   const SequenceSettings& settings_;
-  const SequenceObserver& observe_;
-  const EnergyObserver& observe_energy_;
+  const SequenceObservers& observers_;
   World world_;
   std::vector<SequenceResult> results_;
   std::vector<Watched> watched_;
   std::vector<std::size_t> forms_;  ///< their numbers as bodies
   double released_at_ = 0.0;        ///< when the newest blocks were, s
   std::size_t newest_ = 0;          ///< the first of them
-  EnergySample begin_;              ///< at the first release
-  double energy_intervals_ = 0.0;   ///< that have passed since then at the last sample
+  bool settling_ = false;
+  EnergySample begin_;             ///< at the first release
+  double energy_intervals_ = 0.0;  ///< that have passed since then at the last sample
 };
 
 }  // namespace
@@ -333,14 +351,13 @@ std::vector<SequenceResult> simulate_sequence(const TerrainSurface& terrain,
                                               std::span<const RigidBody> shapes,
                                               std::span<const SequenceBlock> blocks,
                                               const SequenceSettings& settings,
-                                              const SequenceObserver& observe,
-                                              const EnergyObserver& observe_energy) {
+                                              const SequenceObservers& observers) {
   settings.check();
   for (const SequenceBlock& block : blocks) {
     if (block.held >= 0.0) continue;
     throw InputError("held = " + with_digits(block.held, 6) + "; must be 0 or more");
   }
-  return Sequence(terrain, zones, shapes, blocks, settings, observe, observe_energy).run();
+  return Sequence(terrain, zones, shapes, blocks, settings, observers).run();
 }
 
 }  // namespace clast

@@ -82,15 +82,33 @@ struct SequenceResult {
   std::uint32_t blocks_hit = 0;       ///< other blocks that it touched during its own release
 };
 
-/// Sees how a block moved in a step, in the order of time. Times count from its own release, of
-/// blocks released at once from the first release. There is nothing to see while it sleeps or is
-/// held.
+/// Sees how a block moved in a step, in the order of time; called from any of the world's threads,
+/// for different blocks at a time. Times count from its own release, of blocks released at once
+/// from the first release. There is nothing to see while it sleeps or is held, and while blocks
+/// settle.
 using SequenceObserver = std::function<void(std::size_t block, const MotionStep&)>;
+
+/// How far a sequence has come.
+struct SequenceProgress {
+  double time = 0.0;         ///< simulated since the first block came, what settled included, s
+  std::size_t released = 0;  ///< blocks so far
+  std::size_t resting = 0;   ///< of these, now: at rest, or no longer there
+  bool settling = false;     ///< behind forms
+};
+/// Called after each step; what it throws ends the sequence.
+using SequenceProgressObserver = std::function<void(const SequenceProgress&)>;
 
 /// Sees the energy of all blocks, in the order of time since the first block was released: at each
 /// release, after the first step that reaches each multiple of `energy_interval`, and at each rest.
 /// It changes nothing: steps are as long as without.
 using EnergyObserver = std::function<void(const EnergySample&)>;
+
+/// Each may be left out. None of them changes a bit of the results.
+struct SequenceObservers {
+  SequenceObserver motion = {};
+  EnergyObserver energy = {};
+  SequenceProgressObserver progress = {};
+};
 
 /// Releases all blocks, in their order or at once.
 ///
@@ -107,7 +125,6 @@ std::vector<SequenceResult> simulate_sequence(const TerrainSurface& terrain,
                                               std::span<const RigidBody> shapes,
                                               std::span<const SequenceBlock> blocks,
                                               const SequenceSettings& settings,
-                                              const SequenceObserver& observe = {},
-                                              const EnergyObserver& observe_energy = {});
+                                              const SequenceObservers& observers = {});
 
 }  // namespace clast

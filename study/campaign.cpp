@@ -269,9 +269,12 @@ double StayPlan::last_release() const {
   return last;
 }
 
-bool StayPlan::settles() const {
-  return std::any_of(masses.begin(), masses.end(),
-                     [](const MassPlan& mass) { return mass.settle; });
+double StayPlan::settling_time() const {
+  double longest = 0.0;
+  for (const MassPlan& mass : masses) {
+    if (mass.settle) longest = std::max(longest, mass.settle_time);
+  }
+  return longest;
 }
 
 std::vector<Quat> grid_45_orientations() {

@@ -139,7 +139,8 @@ struct StayPlan {
 
   /// Of the masses, since the first, s; 0 without. Faces that are removed one by one count.
   double last_release() const;
-  bool settles() const;  ///< does any of the masses?
+  /// That the blocks of masses that settle must rest after, s; 0: none settles.
+  double settling_time() const;
 };
 
 /// A campaign, read and checked. Paths are resolved against the campaign file's folder, with

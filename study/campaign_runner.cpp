@@ -33,6 +33,18 @@ struct Stopped {
 // Realisations can take hours: between runs, progress is reported this often, s.
 constexpr double kReportAfter = 0.5;
 
+// ": 12.5 s simulated, 31 of 60 blocks at rest".
+std::string progress_text(const SequenceProgress& progress, const StaySummary& stay) {
+  std::string text = ": " + with_decimals(progress.time, 1) + " s simulated";
+  if (!stay.at_once) {
+    return text + ", block " + std::to_string(progress.released) + " of " +
+           std::to_string(stay.blocks_each);
+  }
+  if (progress.settling) text += ", settling";
+  return text + ", " + std::to_string(progress.resting) + " of " +
+         counted(progress.released, "block") + " at rest";
+}
+
 // Keeps finished runs, one at a time, and reports progress.
 class Collector {
  public:
@@ -50,19 +62,15 @@ class Collector {
       return add(runs_from(prepared, first, {}, threads));
     }
     const std::uint32_t together = prepared.header.runs_together();
-    const bool at_once = prepared.header.stay->at_once;
     const std::string name = "realisation " + std::to_string(first / together + 1);
     auto last = std::chrono::steady_clock::now();
-    const auto report = [&](const RunProgress& progress) {
+    const auto report = [&](const SequenceProgress& progress) {
       const auto now = std::chrono::steady_clock::now();
       if (std::chrono::duration<double>(now - last).count() < kReportAfter) return;
       last = now;
       const std::lock_guard lock(one_at_a_time_);
       try {
-        report_progress(name + ": " + with_decimals(progress.time, 1) + " s simulated" +
-                        (at_once ? ""
-                                 : ", block " + std::to_string(progress.released) + " of " +
-                                       std::to_string(together)));
+        report_progress(name + progress_text(progress, *prepared.header.stay));
       } catch (...) {
         throw Stopped{std::current_exception()};
       }
@@ -176,7 +184,9 @@ TimeProbe probe_time(const PreparedCampaign& prepared, double budget) {
   const bool at_once = prepared.header.stay && prepared.header.stay->at_once;
   const double max_time = prepared.campaign.max_time;
   const double longest_run =  // s, simulated
-      at_once ? prepared.campaign.stay->last_release() + max_time : together * max_time;
+      at_once ? prepared.campaign.stay->settling_time() + prepared.campaign.stay->last_release() +
+                    max_time
+              : together * max_time;
   const auto begin = std::chrono::steady_clock::now();
   const auto spent = [&] {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
@@ -186,7 +196,7 @@ TimeProbe probe_time(const PreparedCampaign& prepared, double budget) {
   // Simulated time, s, and what it took, of the run that goes on, halfway to its end and now.
   double halfway = -1.0, halfway_spent = 0.0, reached = 0.0;
   std::size_t released = 1;
-  const auto in_time = [&](const RunProgress& progress) {
+  const auto in_time = [&](const SequenceProgress& progress) {
     const double now = spent() - whole, longest = kLongestProbe * budget - whole;
     reached = progress.time;
     released = progress.released;
@@ -216,7 +226,7 @@ TimeProbe probe_time(const PreparedCampaign& prepared, double budget) {
   } catch (const ProbeOver&) {
     probe.cut_short = true;
     const double taken = spent() - whole;
-    if (released > 1) {
+    if (!at_once && released > 1) {
       // Of blocks that follow each other, the next ones take as long as those that have come to
       // rest.
       whole += taken * static_cast<double>(together) / static_cast<double>(released - 1);

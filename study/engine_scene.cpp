@@ -48,7 +48,7 @@ void check_campaign_fits(const PreparedCampaign& prepared, const EngineSceneOpti
                      "it have stopped, which a scene can't say; export a [[mass]], or the "
                      "campaign without sequence = \"stay\"");
   }
-  if (prepared.header.stay && prepared.campaign.stay->settles()) {
+  if (prepared.header.stay && prepared.campaign.stay->settling_time() > 0.0) {
     throw InputError(file +
                      ": its masses settle behind faces first, which a scene can't say; leave "
                      "settle out");

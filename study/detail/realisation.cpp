@@ -116,7 +116,7 @@ ReleaseResult failed(const RunObserver& observer, const RunRecord& run, const ch
 }
 
 StoredRun single_run(const PreparedCampaign& prepared, const RunRecord& planned,
-                     const ProgressObserver& after_step, const MotionObserver& observe) {
+                     const SequenceProgressObserver& after_step, const MotionObserver& observe) {
   RunObserver observer(prepared, planned);
   try {
     return observer.stored(
@@ -125,7 +125,7 @@ StoredRun single_run(const PreparedCampaign& prepared, const RunRecord& planned,
                          release_settings(prepared.campaign, planned), [&](const MotionStep& step) {
                            observer.see(step);
                            if (observe) observe(step);
-                           if (after_step) after_step({step.end_time});
+                           if (after_step) after_step({.time = step.end_time, .released = 1});
                          }));
   } catch (const std::exception& error) {  // one bad run never costs the campaign
     return observer.stored(failed(observer, planned, error.what()));
@@ -147,10 +147,7 @@ SequenceSettings sequence_settings(const PreparedCampaign& prepared, const RunRe
   sequence.max_time = campaign.max_time;
   sequence.energy_interval =
       campaign.trajectory_interval > 0.0 ? campaign.trajectory_interval : kEnergyInterval;
-  if (campaign.stay->settles()) sequence.settle_time = 0.0;
-  for (const MassPlan& mass : campaign.stay->masses) {
-    if (mass.settle) sequence.settle_time = std::max(sequence.settle_time, mass.settle_time);
-  }
+  if (const double time = campaign.stay->settling_time(); time > 0.0) sequence.settle_time = time;
   const std::vector<std::string>& cleared = campaign.stay->cleared_zones;
   for (std::size_t zone = 0; zone < prepared.header.zone_names.size(); ++zone) {
     if (std::find(cleared.begin(), cleared.end(), prepared.header.zone_names[zone]) !=
@@ -176,7 +173,7 @@ std::string not_settled(const PreparedCampaign& prepared, std::span<const RunRec
 
 std::vector<StoredRun> realisation(const PreparedCampaign& prepared,
                                    std::span<const RunRecord> planned,
-                                   const ProgressObserver& after_step, unsigned threads) {
+                                   const SequenceProgressObserver& after_step, unsigned threads) {
   std::vector<RigidBody> shapes;
   std::vector<SequenceBlock> blocks;
   std::vector<std::unique_ptr<RunObserver>> observers;
@@ -195,25 +192,15 @@ std::vector<StoredRun> realisation(const PreparedCampaign& prepared,
   std::vector<SequenceResult> results;
   std::vector<EnergyRecord> energies;
   std::string message;
-  std::size_t newest = 0;
-  double begun = 0.0, now = 0.0;  // when the newest block was released, and now, s
   try {
     results = simulate_sequence(
         *prepared.surface, prepared.header.ground_sets[planned.front().ground_set].zones, shapes,
         blocks, settings,
-        [&](std::size_t block, const MotionStep& step) {
-          observers[block]->see(step);
-          if (block > newest && !prepared.header.stay->at_once) {
-            newest = block;
-            begun = now;
-          }
-          if (block < newest) return;
-          now = begun + step.end_time;
-          if (after_step) after_step({now, newest + 1});
-        },
-        [&](const EnergySample& sample) {
-          energies.push_back({planned.front().run, sample});
-        });
+        {[&](std::size_t block, const MotionStep& step) { observers[block]->see(step); },
+         [&](const EnergySample& sample) {
+           energies.push_back({planned.front().run, sample});
+         },
+         after_step});
   } catch (const SettlingError& error) {
     message = not_settled(prepared, planned, error, settings.settle_time);
   } catch (const std::exception& error) {
@@ -286,7 +273,7 @@ void check_mass_start(const PreparedCampaign& prepared, std::uint32_t first) {
 }
 
 std::vector<StoredRun> runs_from(const PreparedCampaign& prepared, std::uint32_t first,
-                                 const ProgressObserver& after_step, unsigned threads,
+                                 const SequenceProgressObserver& after_step, unsigned threads,
                                  const MotionObserver& observe) {
   if (!prepared.header.stay) {
     return {single_run(prepared, prepared.runs[first], after_step, observe)};

@@ -1,18 +1,11 @@
 #pragma once
 /// Runs of a campaign that are computed together.
-#include <functional>
 #include <vector>
 
+#include "dem/sequence.hpp"
 #include "study/campaign_runner.hpp"
 
 namespace clast::study_detail {
-
-/// How far runs that are computed together have come.
-struct RunProgress {
-  double time = 0.0;         ///< simulated since the first release, s
-  std::size_t released = 1;  ///< blocks of a realisation of blocks that follow each other
-};
-using ProgressObserver = std::function<void(const RunProgress&)>;
 
 /// Runs one run, or all of a realisation of blocks that stay. What fails is stored with stop reason
 /// `error` and its message, a realisation as a whole.
@@ -21,8 +14,8 @@ using ProgressObserver = std::function<void(const RunProgress&)>;
 /// @param threads     that a realisation may use
 /// @param observe     sees the motion of a single run; nothing of blocks that stay
 std::vector<StoredRun> runs_from(const PreparedCampaign& prepared, std::uint32_t first,
-                                 const ProgressObserver& after_step = {}, unsigned threads = 1,
-                                 const MotionObserver& observe = {});
+                                 const SequenceProgressObserver& after_step = {},
+                                 unsigned threads = 1, const MotionObserver& observe = {});
 
 /// Makes sure that no two blocks of a mass overlap at the start, so that it can run.
 /// @param first  number of the first of its runs

@@ -166,13 +166,27 @@ class SettledSequence : public testing::Test {
     settings_.forms = square_form(1, 0.7, blocks_.size());
   }
   std::vector<SequenceResult> release(const SequenceObserver& observe = {}) const {
-    return simulate_sequence(terrain_, std::vector{kRough}, shapes_, blocks_, settings_, observe);
+    return simulate_sequence(terrain_, std::vector{kRough}, shapes_, blocks_, settings_, {observe});
   }
   const TerrainSurface terrain_ = incline(0.0);
   const std::vector<RigidBody> shapes_ = {box(60.0, {0.4, 0.3, 0.25}, 0.03), box(1e3, kFaceSides)};
   std::vector<SequenceBlock> blocks_;
   SequenceSettings settings_;
 };
+
+TEST_F(SettledSequence, IsEndedByItsObserverAlsoWhileItSettles) {
+  struct Enough {};
+  std::size_t steps = 0;
+  const auto end = [&](const SequenceProgress& now) {
+    EXPECT_TRUE(now.settling);
+    EXPECT_EQ(now.released, blocks_.size());
+    if (++steps == 10) throw Enough();
+  };
+  EXPECT_THROW(simulate_sequence(terrain_, std::vector{kRough}, shapes_, blocks_, settings_,
+                                 {.progress = end}),
+               Enough);
+  EXPECT_EQ(steps, 10u);
+}
 
 TEST_F(SettledSequence, BeginsWhenTheBlocksRest) {
   double first = -1.0;

@@ -28,7 +28,7 @@ std::vector<SequenceResult> sequence(const TerrainSurface& terrain,
                                      const std::vector<SequenceBlock>& blocks,
                                      double max_time = 20.0, const SequenceObserver& observe = {}) {
   return simulate_sequence(terrain, kGround, shapes, blocks, settings_for(shapes, max_time),
-                           observe);
+                           {observe});
 }
 
 TEST(Sequence, OfOneBlockIsItsRelease) {
@@ -55,8 +55,8 @@ std::vector<EnergySample> energies_of(const TerrainSurface& terrain,
                                       const std::vector<SequenceBlock>& blocks,
                                       const SequenceSettings& settings) {
   std::vector<EnergySample> samples;
-  simulate_sequence(terrain, kGround, shapes, blocks, settings, {},
-                    [&](const EnergySample& sample) { samples.push_back(sample); });
+  simulate_sequence(terrain, kGround, shapes, blocks, settings,
+                    {.energy = [&](const EnergySample& sample) { samples.push_back(sample); }});
   return samples;
 }
 
@@ -115,7 +115,7 @@ TEST(SequenceEnergies, ChangeNothing) {
       simulate_sequence(terrain, kGround, shapes, std::vector{block, block}, settings);
   settings.energy_interval = 0.01;
   const auto with = simulate_sequence(terrain, kGround, shapes, std::vector{block, block}, settings,
-                                      {}, [](const EnergySample&) {});
+                                      {.energy = [](const EnergySample&) {}});
   for (std::size_t i = 0; i < 2; ++i) {
     EXPECT_EQ(with[i].release.final_state.position, without[i].release.final_state.position);
     EXPECT_EQ(with[i].release.duration, without[i].release.duration);
@@ -284,6 +284,25 @@ TEST(Sequence, BlocksReleasedAtOnceFallTogether) {
   EXPECT_TRUE(contains(message, "body 0") || contains(message, "body 1")) << message;
 }
 
+TEST(Sequence, ReportsHowFarItIs) {
+  const TerrainSurface terrain = ground(plane_mesh(10.0, 20));
+  const std::vector<RigidBody> shapes = {box(60.0, {0.4, 0.4, 0.3})};
+  const SequenceBlock block{0, at({0.1, 0.1, 0.36})};
+  std::vector<SequenceProgress> seen;
+  simulate_sequence(terrain, kGround, shapes, std::vector{block, block}, settings_for(shapes),
+                    {.progress = [&](const SequenceProgress& now) { seen.push_back(now); }});
+  ASSERT_GT(seen.size(), 100u);
+  EXPECT_EQ(seen.front().released, 1u);
+  EXPECT_EQ(seen.front().resting, 0u);
+  EXPECT_EQ(seen.back().released, 2u);
+  EXPECT_EQ(seen.back().resting, 2u);
+  for (std::size_t i = 1; i < seen.size(); ++i) {
+    EXPECT_GT(seen[i].time, seen[i - 1].time);
+    EXPECT_GE(seen[i].released, seen[i - 1].released);
+    EXPECT_FALSE(seen[i].settling);
+  }
+}
+
 // Held blocks stay where they are, whatever hits them, until their time comes.
 TEST(Sequence, HoldsBlocksUntilTheirTime) {
   const TerrainSurface terrain = ground(plane_mesh(10.0, 20));
@@ -292,7 +311,7 @@ TEST(Sequence, HoldsBlocksUntilTheirTime) {
   settings.at_once = true;
   const auto release = [&](const std::vector<SequenceBlock>& blocks,
                            const SequenceObserver& observe = {}) {
-    return simulate_sequence(terrain, kGround, shapes, blocks, settings, observe);
+    return simulate_sequence(terrain, kGround, shapes, blocks, settings, {observe});
   };
   RigidState thrown = at({-2.0, 0.0, 0.7}, {8.0, 0.0, 0.0});
   const SequenceBlock hits{0, thrown}, held{0, at({0.0, 0.05, 0.55}), 5.0},

@@ -2,7 +2,9 @@
 /// Small campaigns that are prepared and run: a slope, a flat, and two boxes.
 #include <gtest/gtest.h>
 
+#include <filesystem>
 #include <string>
+#include <vector>
 
 #include "core/error.hpp"
 #include "core/text_file.hpp"
@@ -113,6 +115,17 @@ max_time_s = 6
   static std::string refusal(const std::string& text) {
     const Campaign read = campaign(text);
     return clast::refusal<Error>([&] { prepare_campaign(read); });
+  }
+
+  /// Runs a campaign in shards, part1.h5 and so on, and joins them to merged.h5.
+  static CampaignResults run_in_shards(const PreparedCampaign& plan, std::uint32_t count) {
+    std::vector<std::filesystem::path> parts;
+    for (std::uint32_t i = 1; i <= count; ++i) {
+      parts.push_back(*folder_ / ("part" + std::to_string(i) + ".h5"));
+      run_campaign(plan, parts.back(), {.shard = {i, count}});
+    }
+    merge_results(parts, *folder_ / "merged.h5");
+    return read_results(*folder_ / "merged.h5");
   }
 
   inline static ScratchFolder* folder_ = nullptr;

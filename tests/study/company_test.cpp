@@ -128,12 +128,7 @@ TEST_F(Company, OtherBlocksChangeNothing) {
 TEST_F(Company, NeitherDoThreadsNorShards) {
   const Runs alone = runs_of("slab", of("\"slab\""));
   expect_same(alone, runs_of("slab", campaign_text(), {.threads = 2, .replace = true}));
-  std::vector<std::filesystem::path> parts;
-  for (std::uint32_t shard = 1; shard <= 3; ++shard) {
-    parts.push_back(*folder_ / ("part" + std::to_string(shard) + ".h5"));
-    run_campaign(prepared(campaign_text()), parts.back(), {.threads = 2, .shard = {shard, 3}});
-  }
-  merge_results(parts, *folder_ / "merged.h5");
+  run_in_shards(prepared(campaign_text()), 3);
   expect_same(alone, stored(*folder_ / "merged.h5", "slab"));
 }
 

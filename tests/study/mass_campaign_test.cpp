@@ -105,13 +105,7 @@ TEST_F(MassCampaign, IsTheSameOnThreadsAndInShards) {
   const CampaignResults whole = run("whole.h5", {.threads = 1});
   const CampaignResults threads = run("threads.h5", {.threads = 2});
   const PreparedCampaign plan = prepared(text());
-  std::vector<std::filesystem::path> parts;
-  for (std::uint32_t i = 1; i <= 2; ++i) {
-    parts.push_back(*folder_ / ("mass" + std::to_string(i) + ".h5"));
-    run_campaign(plan, parts.back(), {.shard = {i, 2}});
-  }
-  merge_results(parts, *folder_ / "merged.h5");
-  const CampaignResults merged = read_results(*folder_ / "merged.h5");
+  const CampaignResults merged = run_in_shards(plan, 2);
   EXPECT_TRUE(merged.stay->at_once);
   ASSERT_EQ(merged.runs.size(), whole.runs.size());
   ASSERT_GT(whole.energies.size(), 20u);

@@ -62,13 +62,7 @@ TEST_F(SettledMass, IsTheSameOnThreadsAndInShards) {
   const CampaignResults threads = run(two, "threads.h5", {.threads = 2});
   const CampaignResults wide = run(text(), "wide.h5", {.threads = 2});  // all for one realisation
   const PreparedCampaign plan = prepared(two);
-  std::vector<std::filesystem::path> parts;
-  for (std::uint32_t i = 1; i <= 2; ++i) {
-    parts.push_back(*folder_ / ("part" + std::to_string(i) + ".h5"));
-    run_campaign(plan, parts.back(), {.shard = {i, 2}});
-  }
-  merge_results(parts, *folder_ / "merged.h5");
-  const CampaignResults merged = read_results(*folder_ / "merged.h5");
+  const CampaignResults merged = run_in_shards(plan, 2);
   for (std::size_t i = 0; i < whole.runs.size(); ++i) {
     for (const CampaignResults* other : {&threads, &merged, &wide}) {
       if (i >= other->runs.size()) continue;
@@ -157,7 +151,14 @@ TEST_F(SettledMass, IsKeptAsAFailureWhereItDoesNotSettle) {
 
 TEST_F(SettledMass, ATrialThatDoesNotSettleIsReported) {
   const PreparedCampaign plan = prepared(text("settle = true\nsettle_time_s = 0.1\n"));
-  EXPECT_TRUE(contains(probe_time(plan, 0.0).failure, "still moved after settle_time_s = 0.1"));
+  EXPECT_TRUE(contains(probe_time(plan, 2.0).failure, "still moved after settle_time_s = 0.1"));
+}
+
+TEST_F(SettledMass, ATrialIsCutShortWhileItSettles) {
+  const TimeProbe probe = probe_time(prepared(text("settle = true\n")), 0.0);
+  EXPECT_TRUE(probe.cut_short);
+  EXPECT_TRUE(probe.at_most);
+  EXPECT_EQ(probe.runouts.size(), 0u);
 }
 
 TEST_F(SettledMass, RefusesWhatDoesNotFit) {

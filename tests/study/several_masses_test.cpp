@@ -133,13 +133,7 @@ TEST_F(SeveralMasses, AreTheSameOnThreadsInShardsAndResumed) {
   const CampaignResults whole = run(held, "whole.h5", {.threads = 1});
   const CampaignResults threads = run(held, "threads.h5", {.threads = 2});
   const PreparedCampaign plan = prepared(held);
-  std::vector<std::filesystem::path> parts;
-  for (std::uint32_t i = 1; i <= 2; ++i) {
-    parts.push_back(*folder_ / ("part" + std::to_string(i) + ".h5"));
-    run_campaign(plan, parts.back(), {.shard = {i, 2}});
-  }
-  merge_results(parts, *folder_ / "merged.h5");
-  const CampaignResults merged = read_results(*folder_ / "merged.h5");
+  const CampaignResults merged = run_in_shards(plan, 2);
   EXPECT_EQ(merged.release_sets, whole.release_sets);
   ASSERT_EQ(merged.runs.size(), whole.runs.size());
   for (std::size_t i = 0; i < whole.runs.size(); ++i) {
