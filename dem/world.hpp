@@ -49,7 +49,8 @@ struct WorldStatistics {
   double max_overlap = 0.0;         ///< now, m
 };
 
-/// Sees how a body moved in a step.
+/// Sees how a body moved in a step; called from any of the world's threads, for different bodies at
+/// a time.
 using BodyObserver = std::function<void(std::size_t body, const MotionStep&)>;
 
 /// Bodies in motion. Every body has a shape out of a common list, a state, and may be fixed: then
@@ -69,8 +70,8 @@ class World {
   ~World();
   World(World&&) noexcept;
 
-  /// Has every step seen from now on, for each body that takes part in it, in their order. Times
-  /// are the world's; in a `flight` no body touches anything.
+  /// Has every step seen from now on, for each body that takes part in it. Times are the world's;
+  /// in a `flight` no body touches anything.
   void observe(BodyObserver observer);
 
   /// Numbers bodies from 0 in the order they come.

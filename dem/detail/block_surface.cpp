@@ -1,5 +1,7 @@
 #include "dem/detail/block_surface.hpp"
 
+#include <algorithm>
+
 namespace clast::dem_detail {
 
 EdgeArc::EdgeArc(const SurfaceFeatures& surface, const SurfaceEdge& edge)
@@ -19,7 +21,9 @@ BlockSurface::BlockSurface(const SpheroPolyhedron& body)
   for (const SurfaceEdge& edge : features.edges) arcs.emplace_back(features, edge);
   for (std::uint32_t v = 0; v < features.vertices.size(); ++v) {
     cone_slacks.push_back(cone_slack(features, v));
+    bounding_radius = std::max(bounding_radius, features.vertices[v].norm());
   }
+  bounding_radius += radius;
 }
 
 }  // namespace clast::dem_detail

@@ -26,6 +26,7 @@ struct BlockSurface : IndexedSurface {
   std::vector<LocalGround::Face> local_faces;
   std::vector<EdgeArc> arcs;        ///< of the edges
   std::vector<double> cone_slacks;  ///< of the vertices, sines
+  double bounding_radius = 0.0;     ///< of the rounded block about its origin, m
 };
 
 }  // namespace clast::dem_detail

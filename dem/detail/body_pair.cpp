@@ -14,11 +14,10 @@ constexpr double kDropShare = 0.2;
 
 }  // namespace
 
-bool first_is_reference(const IndexedSurface& first, double first_radius,
-                        const IndexedSurface& second, double second_radius) {
+bool first_is_reference(const BlockSurface& first, const BlockSurface& second) {
   const bool first_has = !first.features.faces.empty(), second_has = !second.features.faces.empty();
   if (first_has != second_has) return first_has;
-  return first_radius >= second_radius;
+  return first.bounding_radius >= second.bounding_radius;
 }
 
 BodyPair::Near::Near(Search of_pair, const BlockSurface& block, double size, const Rules& rules)
@@ -28,16 +27,18 @@ BodyPair::Near::Near(Search of_pair, const BlockSurface& block, double size, con
   forces.find_dents_in(rules.soil);
 }
 
-BodyPair::BodyPair(const IndexedSurface& terrain, const BlockSurface& block, double block_radius,
-                   double size, const Rules& rules)
-    : reference_(terrain), block_(block), block_radius_(block_radius), size_(size), rules_(rules) {
+BodyPair::BodyPair(const IndexedSurface& terrain, const BlockSurface& block, double size,
+                   const Rules& rules)
+    : reference_(terrain), block_(block), size_(size), rules_(rules) {
   if (rules.soil) dents_.emplace(rules.zones);
 }
 
-BodyPair::BodyPair(const BlockSurface& reference, const BlockSurface& block, double block_radius,
-                   double size, const Rules& rules)
-    : BodyPair(static_cast<const IndexedSurface&>(reference), block, block_radius, size, rules) {
+BodyPair::BodyPair(const BlockSurface& reference, const BlockSurface& block, double size,
+                   const Rules& rules)
+    : BodyPair(static_cast<const IndexedSurface&>(reference), block, size, rules) {
   reference_block_ = &reference;
+  const Vec3 corner = reference.extent.low.cwiseAbs().cwiseMax(reference.extent.high.cwiseAbs());
+  far_apart_ = corner.norm() + reference.radius + block.bounding_radius;
 }
 
 BodyPair::Search BodyPair::new_search() const {
@@ -49,11 +50,13 @@ BodyPair::Search BodyPair::new_search() const {
 double BodyPair::gap_of_bounds(const Vec3& block_centre) const {
   const Vec3 nearest =
       block_centre.cwiseMax(reference_.extent.low).cwiseMin(reference_.extent.high);
-  return (block_centre - nearest).norm() - block_radius_ - reference_.radius;
+  return (block_centre - nearest).norm() - block_.bounding_radius - reference_.radius;
 }
 
 const ContactLoad& BodyPair::update(const BodyMotion& reference, const BodyMotion& block,
                                     double duration) {
+  const Vec3 way = block.world_from_body.translation - reference.world_from_body.translation;
+  if (!near_ && way.squaredNorm() > far_apart_ * far_apart_) return load_;
   const Pose pose = reference.world_from_body.inverse() * block.world_from_body;
   load_ = {};
   if (!near_) {
@@ -62,7 +65,8 @@ const ContactLoad& BodyPair::update(const BodyMotion& reference, const BodyMotio
   } else {
     // A turn by an angle a moves no point farther than 2 sin(a/2) times its distance.
     const double turn = 2.0 * (near_->pose.rotation.conjugate() * pose.rotation).vec().norm();
-    near_->travel += (pose.translation - near_->pose.translation).norm() + turn * block_radius_;
+    near_->travel +=
+        (pose.translation - near_->pose.translation).norm() + turn * block_.bounding_radius;
     if (near_->forces.empty()) near_->forces.wait(duration);
   }
   near_->pose = pose;

@@ -25,13 +25,12 @@ class BodyPair {
     const SoilMemory* soil = nullptr;  ///< dents of earlier contacts; null: none is remembered
   };
 
-  /// @param block_radius  of the rounded block about its origin, m
-  /// @param size          smallest side of the smaller body, m
-  BodyPair(const BlockSurface& reference, const BlockSurface& block, double block_radius,
-           double size, const Rules& rules);
+  /// @param size  smallest side of the smaller body, m
+  BodyPair(const BlockSurface& reference, const BlockSurface& block, double size,
+           const Rules& rules);
   /// A block on the terrain.
-  BodyPair(const IndexedSurface& terrain, const BlockSurface& block, double block_radius,
-           double size, const Rules& rules);
+  BodyPair(const IndexedSurface& terrain, const BlockSurface& block, double size,
+           const Rules& rules);
 
   /// Loads at the present places after a step of `duration`; every joule goes to `ledger()`.
   const ContactLoad& update(const BodyMotion& reference, const BodyMotion& block, double duration);
@@ -89,8 +88,8 @@ class BodyPair {
   const IndexedSurface& reference_;
   const BlockSurface* reference_block_ = nullptr;  ///< the same, unless it is the terrain
   const BlockSurface& block_;
-  double block_radius_;
   double size_;
+  double far_apart_ = 1e150;  ///< centres farther from each other have a gap whatever the turn, m
   const Rules& rules_;
   std::optional<Near> near_;
   std::optional<SoilMemory> dents_;  ///< of this touch, where soil remembers
@@ -100,7 +99,6 @@ class BodyPair {
 
 /// True when the first of two bodies is the reference body: one with faces before one without, then
 /// the larger, then the first.
-bool first_is_reference(const IndexedSurface& first, double first_radius,
-                        const IndexedSurface& second, double second_radius);
+bool first_is_reference(const BlockSurface& first, const BlockSurface& second);
 
 }  // namespace clast::dem_detail

@@ -37,17 +37,17 @@ ContactPair ContactPairs::contact_pair(std::uint32_t first, std::uint32_t second
   const Shape& a = *bodies[first].shape;
   if (second == ContactPair::kTerrain) {
     return {second, first,
-            std::make_unique<BodyPair>(terrain_->impl().surface, a.surface, a.radius, a.body.size(),
+            std::make_unique<BodyPair>(terrain_->impl().surface, a.surface, a.body.size(),
                                        on_terrain_)};
   }
   const Shape& b = *bodies[second].shape;
   const double size = std::min(a.body.size(), b.body.size());
   const bool with_form = bodies[first].holds || bodies[second].holds;
   const BodyPair::Rules& rules = with_form ? on_forms_ : between_bodies_;
-  if (first_is_reference(a.surface, a.radius, b.surface, b.radius)) {
-    return {first, second, std::make_unique<BodyPair>(a.surface, b.surface, b.radius, size, rules)};
+  if (first_is_reference(a.surface, b.surface)) {
+    return {first, second, std::make_unique<BodyPair>(a.surface, b.surface, size, rules)};
   }
-  return {second, first, std::make_unique<BodyPair>(b.surface, a.surface, a.radius, size, rules)};
+  return {second, first, std::make_unique<BodyPair>(b.surface, a.surface, size, rules)};
 }
 
 std::vector<BroadPhase::Pair> ContactPairs::pairs_to_keep(std::span<const WorldBody> bodies) const {
@@ -99,19 +99,21 @@ void ContactPairs::refresh(std::span<const WorldBody> bodies) {
 
 void ContactPairs::update(std::span<const WorldBody> bodies, double duration, ThreadTeam& team) {
   team.run(pairs_.size(), kPairsAtATime, [&](std::size_t e) {
-    const ContactPair& pair = pairs_[e];
-    if (!active(pair, bodies)) return;
-    pair.contacts->update(motion_of(pair.reference, bodies), motion_of(pair.block, bodies),
-                          duration);
+    if (active(pairs_[e], bodies)) update(pairs_[e], bodies, duration);
   });
 }
 
 void ContactPairs::begin(std::span<const WorldBody> bodies,
                          const std::function<bool(const ContactPair&)>& is_new) {
-  for (const ContactPair& pair : pairs_) {
-    if (!is_new(pair)) continue;
-    pair.contacts->update(motion_of(pair.reference, bodies), motion_of(pair.block, bodies), 0.0);
+  for (ContactPair& pair : pairs_) {
+    if (is_new(pair)) update(pair, bodies, 0.0);
   }
+}
+
+void ContactPairs::update(ContactPair& pair, std::span<const WorldBody> bodies, double duration) {
+  const ContactLoad& load = pair.contacts->update(motion_of(pair.reference, bodies),
+                                                  motion_of(pair.block, bodies), duration);
+  pair.loads = pair.contacts->touching() || load.event;
 }
 
 void ContactPairs::end_contacts_of(std::uint32_t body, std::span<const WorldBody> bodies) {

@@ -24,6 +24,8 @@ struct ContactPair {
   std::uint32_t reference;  ///< kTerrain, or the body in whose frame contacts are searched
   std::uint32_t block;
   std::unique_ptr<BodyPair> contacts;
+  bool loads = false;  ///< do the contacts do anything to the two? Kept here, where it is read for
+                       ///< many pairs that do not.
 
   BroadPhase::Pair key() const { return {std::min(reference, block), std::max(reference, block)}; }
   /// True when no body of it has a number from `end` on.
@@ -104,6 +106,7 @@ class ContactPairs {
   const BodyMotion& motion_of(std::uint32_t body, std::span<const WorldBody> bodies) const {
     return body == ContactPair::kTerrain ? still_ground_ : bodies[body].motion;
   }
+  void update(ContactPair& pair, std::span<const WorldBody> bodies, double duration);
   std::vector<BroadPhase::Pair> pairs_to_keep(std::span<const WorldBody> bodies) const;
   ContactPair contact_pair(std::uint32_t first, std::uint32_t second,
                            std::span<const WorldBody> bodies) const;

@@ -187,6 +187,7 @@ void WorldMotion::end_moves(double dt, bool flight) {
     std::optional<EventLoad> events;
     for (const std::uint32_t e : pairs_.of(i)) {
       const ContactPair& pair = pairs_.all()[e];
+      if (!pair.loads) continue;
       const ContactLoad& load = pair.contacts->load();
       const bool is_block = pair.block == i;
       body.force += is_block ? load.force : Vec3(-load.force);
@@ -239,16 +240,16 @@ void WorldMotion::note_begins() {
   }
 }
 
-void WorldMotion::show_moves(double begin, bool flight) const {
-  for (std::size_t i = 0; i < bodies_.size(); ++i) {
-    if (!began_[i]) continue;
+void WorldMotion::show_moves(double begin, bool flight) {
+  team_.run(bodies_.size(), kBodiesAtATime, [&](std::size_t i) {
+    if (!began_[i]) return;
     observer_(i, {.begin_time = begin,
                   .end_time = time_,
                   .begin = *began_[i],
                   .end = bodies_[i].moving.state(),
                   .flight = flight,
                   .touch = touch(i)});
-  }
+  });
 }
 
 Touch WorldMotion::touch(std::size_t body) const {

@@ -89,7 +89,7 @@ class WorldMotion {
   void remove_bodies_off_terrain();
   void take_out(std::size_t body);
   void note_begins();
-  void show_moves(double begin, bool flight) const;
+  void show_moves(double begin, bool flight);
 
   WorldSettings settings_;
   const TerrainSurface* terrain_;

@@ -88,7 +88,7 @@ TEST_P(Walk, NothingTouchesUnseen) {
   const GroundParameters law{0.2, 0.5, 0.1};
   const BodyPair::Rules rules{
       std::span(&law, 1), {}, {1e6, 1e6, 1e5, 1e-4}, ContactWeights::kNone, {}};
-  BodyPair pair(ground, block, block_body.bounding_radius(), size, rules);
+  BodyPair pair(ground, block, size, rules);
   BodyMotion a, b;
   b.world_from_body.translation = {0.9, 0, 0};
   const auto wander = [&](BodyMotion& motion) {
@@ -238,13 +238,15 @@ TEST(RodContacts, OfRodsAndBalls) {
 }
 
 TEST(GroundsPlace, IsTakenByFacesThenSizeThenOrder) {
-  const BlockSurface sphere(ball(1.0, 0.2).shape);
-  const BlockSurface cube(box(1.0, Vec3::Ones()).shape);
-  EXPECT_TRUE(first_is_reference(cube, 0.1, sphere, 0.5));
-  EXPECT_FALSE(first_is_reference(sphere, 0.5, cube, 0.1));
-  EXPECT_TRUE(first_is_reference(cube, 0.5, cube, 0.4));
-  EXPECT_FALSE(first_is_reference(cube, 0.4, cube, 0.5));
-  EXPECT_TRUE(first_is_reference(cube, 0.5, cube, 0.5));
+  const BlockSurface small_ball(ball(1.0, 0.2).shape), large_ball(ball(1.0, 2.0).shape);
+  const BlockSurface cube(box(1.0, Vec3::Ones()).shape),
+      small_cube(box(1.0, {0.8, 0.8, 0.8}).shape);
+  EXPECT_TRUE(first_is_reference(cube, large_ball));
+  EXPECT_FALSE(first_is_reference(large_ball, cube));
+  EXPECT_TRUE(first_is_reference(cube, small_ball));
+  EXPECT_TRUE(first_is_reference(cube, small_cube));
+  EXPECT_FALSE(first_is_reference(small_cube, cube));
+  EXPECT_TRUE(first_is_reference(cube, cube));
 }
 
 }  // namespace
