@@ -6,6 +6,7 @@
 /// at another number than 0. Reader and number together give the same bytes on every machine.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cstdlib>
 #include <ctime>
@@ -15,6 +16,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/error.hpp"
@@ -89,39 +91,66 @@ inline std::string mutated_file(const std::string& reader, const std::string& so
   return mutated(sound, random);
 }
 
-/// Reads the sound files, then mutated ones. What is thrown must be an Error that names a file of
-/// the folder, or the folder.
-inline void expect_read_or_refused(const FuzzedReader& reader, std::uint64_t usual_files) {
-  const ScratchFolder folder;
-  for (const auto& [name, bytes] : reader.files) {
-    std::filesystem::create_directories((folder / name).parent_path());
-    write_text_file(folder / name, bytes);
+/// A folder with the files of a reader, one of which is replaced by whatever it is tried with.
+class TriedReader {
+ public:
+  explicit TriedReader(FuzzedReader reader) : reader_(std::move(reader)) {
+    for (const auto& [name, bytes] : reader_.files) {
+      std::filesystem::create_directories((folder_ / name).parent_path());
+      write_text_file(folder_ / name, bytes);
+    }
   }
-  ASSERT_NO_THROW(reader.read(folder.path())) << "the sound file";
-  const auto names_a_file = [&](const std::string& message) {
-    bool named =
-        message.find(folder.path().string()) != std::string::npos ||
-        (!reader.made_of_all.empty() && message.find(reader.made_of_all) != std::string::npos);
-    for (const auto& [name, bytes] : reader.files) named |= message.find(name) != std::string::npos;
-    return named;
+
+  void read_sound() const { reader_.read(folder_.path()); }
+  const std::string& sound() const { return reader_.files.at(reader_.mutated_file); }
+
+  struct Outcome {
+    bool read = false;
+    std::string fault = {};  ///< of the reader: what it threw is no Error, or names no file
   };
+  Outcome read(const std::string& bytes) const {
+    write_text_file(folder_ / reader_.mutated_file, bytes);
+    try {
+      reader_.read(folder_.path());
+      return {true};
+    } catch (const Error& error) {
+      if (names_a_file(error.what())) return {};
+      return {false, std::string("names no file: ") + error.what()};
+    } catch (const std::exception& error) {
+      return {false, std::string("no Error: ") + error.what()};
+    }
+  }
+
+ private:
+  /// A file of the folder, or the folder.
+  bool names_a_file(const std::string& message) const {
+    const auto has = [&](const std::string& text) {
+      return message.find(text) != std::string::npos;
+    };
+    return has(folder_.path().string()) ||
+           (!reader_.made_of_all.empty() && has(reader_.made_of_all)) ||
+           std::any_of(reader_.files.begin(), reader_.files.end(),
+                       [&](const auto& file) { return has(file.first); });
+  }
+
+  FuzzedReader reader_;
+  ScratchFolder folder_;
+};
+
+/// Reads the sound files, then mutated ones.
+inline void expect_read_or_refused(const FuzzedReader& reader, std::uint64_t usual_files) {
+  const TriedReader tried(reader);
+  ASSERT_NO_THROW(tried.read_sound()) << "the sound file";
   std::size_t read = 0, refused = 0;
   double longest = 0.0;
   FuzzNumbers numbers(reader.name, usual_files);
   while (const std::optional<std::uint64_t> number = numbers.next()) {
     SCOPED_TRACE(reader.name + " number " + std::to_string(*number));
-    write_text_file(folder / reader.mutated_file,
-                    mutated_file(reader.name, reader.files.at(reader.mutated_file), *number));
     const std::clock_t begin = std::clock();
-    try {
-      reader.read(folder.path());
-      ++read;
-    } catch (const Error& error) {
-      EXPECT_TRUE(names_a_file(error.what())) << error.what();
-      ++refused;
-    } catch (const std::exception& error) {
-      ADD_FAILURE() << "no Error: " << error.what();
-    }
+    const TriedReader::Outcome outcome =
+        tried.read(mutated_file(reader.name, tried.sound(), *number));
+    EXPECT_EQ(outcome.fault, "");
+    ++(outcome.read ? read : refused);
     const double seconds = static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
     EXPECT_LT(seconds, kMostFuzzSeconds);
     longest = std::max(longest, seconds);

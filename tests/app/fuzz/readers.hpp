@@ -21,6 +21,14 @@ std::vector<NamedReader> table_and_campaign_readers();
 std::vector<NamedReader> hdf5_readers();
 std::vector<NamedReader> terrain_readers();
 std::vector<NamedReader> photo_readers();
+inline std::vector<NamedReader> all_readers() {
+  std::vector<NamedReader> all;
+  for (const auto& some : {cloud_and_shape_readers(), table_and_campaign_readers(), hdf5_readers(),
+                           terrain_readers(), photo_readers()}) {
+    all.insert(all.end(), some.begin(), some.end());
+  }
+  return all;
+}
 
 /// A reader of one file.
 inline NamedReader reader_of(const std::string& file, const std::function<std::string()>& bytes,

@@ -6,15 +6,6 @@
 namespace clast {
 namespace {
 
-std::vector<NamedReader> all_readers() {
-  std::vector<NamedReader> all;
-  for (const auto& some : {cloud_and_shape_readers(), table_and_campaign_readers(), hdf5_readers(),
-                           terrain_readers(), photo_readers()}) {
-    all.insert(all.end(), some.begin(), some.end());
-  }
-  return all;
-}
-
 class MutatedInputs : public testing::TestWithParam<NamedReader> {};
 
 TEST_P(MutatedInputs, AreReadOrRefused) {
