@@ -5,7 +5,8 @@ add_library(clast_options INTERFACE)
 target_compile_features(clast_options INTERFACE cxx_std_20)
 target_compile_options(clast_options INTERFACE
   # GCC 12 reports -Wrestrict falsely inside std::string.
-  -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor -Wno-restrict $<$<BOOL:${CLAST_WERROR}>:-Werror>
+  -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor
+  $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict> $<$<BOOL:${CLAST_WERROR}>:-Werror>
   # Same bits everywhere: no fused multiply-add unless the source asks for it.
   -ffp-contract=off)
 
@@ -46,12 +47,12 @@ function(clast_executable name)
   target_link_libraries(${name} PRIVATE clast_options ${ARG_LINK})
 endfunction()
 
-# clast_test(name LABEL label SOURCES ... LINK ... [TIMEOUT seconds] [WHOLE]): one GoogleTest
-# program, each of its tests registered with ctest under the label; with WHOLE the program is one
-# test, for suites whose tests share a costly set-up. Tests that may take longest start first, so that
-# none is left over at the end.
+# clast_test(name LABEL label SOURCES ... LINK ... [LONG tests...] [TIMEOUT seconds] [WHOLE]): one
+# GoogleTest program, each of its tests registered with ctest under the label, those of LONG under the
+# label `long`; with WHOLE the program is one test, for suites whose tests share a costly set-up. Tests
+# that may take longest start first, so that none is left over at the end.
 function(clast_test name)
-  cmake_parse_arguments(ARG "WHOLE" "LABEL;TIMEOUT" "SOURCES;LINK" ${ARGN})
+  cmake_parse_arguments(ARG "WHOLE" "LABEL;TIMEOUT" "SOURCES;LINK;LONG" ${ARGN})
   if(NOT ARG_TIMEOUT)
     set(ARG_TIMEOUT 120)
   endif()
@@ -63,10 +64,20 @@ function(clast_test name)
     add_test(NAME ${ARG_LABEL}.${name} COMMAND ${name})
     set_tests_properties(${ARG_LABEL}.${name} PROPERTIES LABELS ${ARG_LABEL} TIMEOUT ${ARG_TIMEOUT}
                           COST ${ARG_TIMEOUT})
-  else()
-    gtest_discover_tests(${name} TEST_PREFIX "${ARG_LABEL}." DISCOVERY_TIMEOUT 60
-                         PROPERTIES LABELS ${ARG_LABEL} TIMEOUT ${ARG_TIMEOUT} COST ${ARG_TIMEOUT})
+    return()
   endif()
+  list(JOIN ARG_LONG ":" long)
+  set(others *)
+  if(long)
+    clast_discover(${name} long ${ARG_TIMEOUT} "${long}")
+    set(others "-${long}")
+  endif()
+  clast_discover(${name} ${ARG_LABEL} ${ARG_TIMEOUT} "${others}")
+endfunction()
+
+function(clast_discover name label timeout filter)
+  gtest_discover_tests(${name} TEST_PREFIX "${label}." TEST_FILTER "${filter}" DISCOVERY_TIMEOUT 60
+                       PROPERTIES LABELS ${label} TIMEOUT ${timeout} COST ${timeout})
 endfunction()
 
 # clast_benchmark(name SOURCES ... LINK ...): one Google Benchmark program, run by hand.

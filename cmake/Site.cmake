@@ -13,10 +13,10 @@ add_custom_target(site
   COMMENT "Documentation site" VERBATIM USES_TERMINAL)
 
 if(CLAST_TESTS)
-  add_test(NAME cli.site_test
+  add_test(NAME long.site_test
     COMMAND ${CLAST_SITE_PYTHON} -m pytest -q -rs -p no:cacheprovider site_test.py
     WORKING_DIRECTORY ${PROJECT_SOURCE_DIR}/docs/site)
-  set_tests_properties(cli.site_test PROPERTIES LABELS cli TIMEOUT 120
+  set_tests_properties(long.site_test PROPERTIES LABELS long TIMEOUT 120
     SKIP_REGULAR_EXPRESSION "SKIPPED.*mkdocs"
     ENVIRONMENT "PYTHONDONTWRITEBYTECODE=1;CLAST_PROGRAM=$<TARGET_FILE:clast>")
   add_test(NAME validation.site.commands_of_the_pages_run

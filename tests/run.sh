@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # Installs what is missing (Debian packages), builds clast and its tests, and runs them.
 #
-#   tests/run.sh         unit, physics, cli and validation-quick: about four minutes after the build
-#   tests/run.sh --ci    validation too: about 25 minutes
+#   tests/run.sh         unit, physics, cli and validation-quick: about six minutes after the build
+#   tests/run.sh --ci    long and validation too: about 30 minutes
 #   tests/run.sh --all   slow tests too
 #
 # The validation tests read real data from the folder that CLAST_DATA names (default
@@ -15,8 +15,8 @@ labels="unit physics cli validation-quick"
 ci=${CI:-false}
 for option in "$@"; do
   case "$option" in
-    --ci) labels+=" validation"; ci=true ;;
-    --all) labels+=" validation slow" ;;
+    --ci) labels+=" long validation"; ci=true ;;
+    --all) labels+=" long validation slow" ;;
     *) sed -n '2,/^set/s/^# \{0,1\}//p' tests/run.sh >&2; exit 2 ;;
   esac
 done
