@@ -87,7 +87,7 @@ ElastoplasticLaw ElastoplasticLaw::of(double stiffness, const GroundParameters& 
 
 NormalResponse ElastoplasticLaw::along(const OverlapPath& path, const NormalState& past,
                                        double /*effective_mass*/) const {
-  const auto& [force, dent] = past;
+  const double force = past.force, dent = past.dent;
   const double deeper = path.after - path.before;
   const auto smooth = [&](double end, double new_dent) {
     return NormalResponse{end, 0.5 * (force + end) * deeper, 0.0, 0.0, new_dent};

@@ -52,11 +52,18 @@ using Cell = Delaunay::Cell_handle;
 using Oriented = std::pair<mesh_detail::CgalPoint, mesh_detail::CgalKernel::Vector_3>;
 using Function = CGAL::Poisson_reconstruction_function<mesh_detail::CgalKernel>;
 
-/// Where a cell is asked for its side: its circumcentre, or, of a flat one whose circumcentre is
-/// nowhere, its middle.
+/// Flat to rounding: its circumcentre is nowhere, and CGAL must not be asked for it.
+bool is_flat(const Cell& cell) {
+  const auto edge = [&](int k) { return cell->vertex(k)->point() - cell->vertex(0)->point(); };
+  const auto p = edge(1), q = edge(2), r = edge(3);
+  return CGAL::determinant(p.x(), p.y(), p.z(), q.x(), q.y(), q.z(), r.x(), r.y(), r.z()) == 0.0;
+}
+
+/// Where a cell is asked for its side: its circumcentre, or, of a flat one, its middle.
 mesh_detail::CgalPoint asked_at(const Cell& cell) {
   const mesh_detail::CgalPoint &a = cell->vertex(0)->point(), &b = cell->vertex(1)->point(),
                                &c = cell->vertex(2)->point(), &d = cell->vertex(3)->point();
+  if (is_flat(cell)) return CGAL::centroid(a, b, c, d);
   const mesh_detail::CgalPoint centre = CGAL::circumcenter(a, b, c, d);
   return std::isfinite(CGAL::squared_distance(centre, a)) ? centre : CGAL::centroid(a, b, c, d);
 }
@@ -144,7 +151,7 @@ void take_in_thin_parts(Delaunay& delaunay, std::span<const double> spacings) {
       const std::uint32_t v = cell->vertex(k)->info();
       if (!held[v]) spacing = std::max(spacing, spacings[v]);
     }
-    return spacing > 0.0 &&
+    return spacing > 0.0 && !is_flat(cell) &&
            CGAL::squared_radius(cell->vertex(0)->point(), cell->vertex(1)->point(),
                                 cell->vertex(2)->point(),
                                 cell->vertex(3)->point()) <= kThin * kThin * spacing * spacing;
