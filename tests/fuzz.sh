@@ -1,11 +1,11 @@
 #!/usr/bin/env bash
-# Coverage-guided fuzzing of the readers under sanitizers (Debian packages clang, libclang-rt-dev or
-# that of clang's version): each file made is read or refused with a message.
+# Coverage-guided fuzzing of the readers under sanitizers (Debian packages clang and
+# libclang-rt-14-dev): every file that libFuzzer makes must be read or refused with a message.
 #
-#   tests/fuzz.sh SECONDS [READER ...]   so long for each, one on each core at a time
+#   tests/fuzz.sh SECONDS [READER ...]   so long for each reader, as many at a time as there are cores
 #
-# Readers: build/fuzz/tests/app/fuzz/guided_fuzz names them. What it learned stays in
-# build/fuzz/corpus for the next time; files at fault are put into build/fuzz/found.
+# build/fuzz/tests/app/fuzz/guided_fuzz lists the readers. Files that reach new code are kept in
+# build/fuzz/corpus for the next time, files at fault in build/fuzz/found.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 if ! [[ ${1-} =~ ^[1-9][0-9]*$ ]]; then
