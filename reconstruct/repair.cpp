@@ -208,6 +208,7 @@ RepairedMesh repair_mesh(const TriangleMesh& dirty, const RepairOptions& options
   std::vector<Component> components = reconstruct_detail::components_of(mesh);
   reconstruct_detail::put_best_copy_first(components);
   mesh = std::move(components.front().mesh);
+  reconstruct_detail::check_extent(mesh);
   repair_block(mesh, welded_mesh, origin, options, log);
   turn_outward(mesh, log);
   reconstruct_detail::sort_out_components(mesh, components, options, log);

@@ -60,12 +60,15 @@ void check_coordinates(const TriangleMesh& mesh) {
                           "the unit it was read in");
     }
   }
+  check_extent(mesh);
+}
+
+void check_extent(const TriangleMesh& mesh) {
   const double diagonal = bounds(mesh).diagonal();
-  if (!mesh.vertices.empty() && diagonal < kSmallestExtent) {
-    throw GeometryError("the mesh is " + with_digits(diagonal, 3) +
-                        " m across: the file is damaged, or its unit is wrong; check the unit it "
-                        "was read in");
-  }
+  if (mesh.vertices.empty() || diagonal >= kSmallestExtent) return;
+  throw GeometryError("the mesh is " + with_digits(diagonal, 3) +
+                      " m across: the file is damaged, or its unit is wrong; check the unit it "
+                      "was read in");
 }
 
 void check_not_empty(const TriangleMesh& mesh) {

@@ -55,8 +55,14 @@ TriangleMesh beheaded(TriangleMesh mesh, double height) {
 }
 
 TEST(Repair, AMeshOfNoExtentIsRefused) {
-  EXPECT_TRUE(contains(refusal<GeometryError>([] { repair_mesh(scaled(rock(), 1e-44)); }),
-                       "m across: the file is damaged, or its unit is wrong"));
+  const auto refused = [](const TriangleMesh& mesh) {
+    EXPECT_TRUE(contains(refusal<GeometryError>([&] { repair_mesh(mesh); }),
+                         "m across: the file is damaged, or its unit is wrong"));
+  };
+  refused(scaled(rock(), 1e-44));
+  TriangleMesh beside_a_vertex = scaled(rock(), 1e-39);
+  beside_a_vertex.vertices.push_back({1.0, 0.0, 0.0});  // of no triangle
+  refused(beside_a_vertex);
   EXPECT_NO_THROW(repair_mesh(scaled(rock(), 1e-8)));
 }
 
