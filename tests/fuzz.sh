@@ -23,10 +23,10 @@ fuzz() {
   local corpus=$PWD/build/fuzz/corpus/$1 found=$PWD/build/fuzz/found/$1
   local log=$PWD/build/fuzz/found/$1.log
   mkdir -p "$corpus" "$found"
-  # 2 GB for one allocation: a count in a header must not be believed. Leaks are those of libraries
-  # after files that they refuse.
+  # 2 GB for one allocation: a count in a header must not be believed. 120 s for one file: repairs
+  # take up to fifty times as long here. Leaks are those of libraries after files that they refuse.
   local status=0
-  ASAN_OPTIONS=detect_leaks=0 "$program" "$1" -max_total_time="$seconds" -timeout=20 \
+  ASAN_OPTIONS=detect_leaks=0 "$program" "$1" -max_total_time="$seconds" -timeout=120 \
     -malloc_limit_mb=2048 -rss_limit_mb=4096 -verbosity=1 -print_final_stats=1 \
     -artifact_prefix="$found/" "$corpus" >"$log" 2>&1 || status=$?
   local files
