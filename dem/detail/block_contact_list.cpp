@@ -103,8 +103,6 @@ void BlockContacts::make_list() {
   vertices_.clear();
   faces_.clear();
   pairs_.clear();
-  due_pairs_.clear();
-  pairs_due_at_ = travel_;
   list_touching_ = touching_distance();
   const double gap = widen_gap();
   if (gap > listed_within()) {
@@ -194,8 +192,7 @@ void BlockContacts::list_vertex(std::uint32_t vertex, const Vec3& centre, double
       faces_.push_back(face.face);
     }
   }
-  vertices_.push_back(
-      {vertex, 0, static_cast<std::uint32_t>(faces_.size()), travel_ + distance - tests_.reach()});
+  vertices_.push_back({vertex, 0, static_cast<std::uint32_t>(faces_.size())});
 }
 
 void BlockContacts::list_sides(const BlockPart& part) {

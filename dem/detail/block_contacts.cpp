@@ -11,9 +11,6 @@ namespace {
 
 /// Margin of the list, as a share of the smallest side: short lists that are made anew rarely.
 constexpr double kMarginShare = 0.04;
-/// Pairs that are due within this share of the margin are visited each time, all others when the
-/// first of them is.
-constexpr double kSoonShare = 0.1;
 /// Faces of the ground near a vertex for which no memory is asked of the system.
 constexpr std::size_t kFacesAtOnce = 32;
 
@@ -30,14 +27,13 @@ BlockContacts::BlockContacts(const BlockSurface& ground, const BlockSurface& blo
 const std::vector<ContactPoint>& BlockContacts::contacts(const Pose& ground_from_block,
                                                          double travel) {
   tests_.move_to(ground_from_block.rotation.toRotationMatrix(), ground_from_block.translation);
-  const std::size_t contacts_before = contacts_.size();
   contacts_.clear();
   travel_ = travel;
   // Without a past nothing is known of how deep the two may be.
   if (list_until_ < 0.0) allowed_.reset(size_);
   if (travel >= list_until_) make_list();
   safe_until_ = list_until_;
-  find_at_vertices(contacts_before == 0);
+  find_at_vertices();
   for (const ContactPoint& contact : contacts_) deepest_ = std::max(deepest_, contact.overlap);
   allowed_.update(deepest_, margin_);
   if (touching_distance() > list_touching_) make_list();
@@ -50,7 +46,6 @@ const std::vector<ContactPoint>& BlockContacts::contacts(const Pose& ground_from
     normal += contact.overlap * contact.normal;
   }
   if (contacts_.empty()) {
-    if (contacts_before > 0) find_at_vertices(true);
     allowed_.reset();
   } else if (!normal.isZero()) {
     direction_ = normal.normalized();
@@ -58,14 +53,13 @@ const std::vector<ContactPoint>& BlockContacts::contacts(const Pose& ground_from
   return contacts_;
 }
 
-void BlockContacts::find_at_vertices(bool all) {
+void BlockContacts::find_at_vertices() {
   std::array<LocalGround::Face, kFacesAtOnce> few;
   std::vector<LocalGround::Face> many;
   std::uint32_t begin = 0;
   for (ListedVertex& listed : vertices_) {
     const std::span<const std::uint32_t> numbers(faces_.data() + begin, listed.end_face - begin);
     begin = listed.end_face;
-    if (!all && travel_ < listed.clear_until) continue;
     if (numbers.size() > few.size()) many.resize(numbers.size());
     LocalGround::Face* const copied = numbers.size() > few.size() ? many.data() : few.data();
     for (std::size_t i = 0; i < numbers.size(); ++i) copied[i] = ground_.local_faces[numbers[i]];
@@ -79,8 +73,7 @@ void BlockContacts::find_at_vertex(ListedVertex& listed, std::span<const LocalGr
       nearest_of(faces, ground_.features, centre, 1e300, 0.0, listed.near_face);
   const NearestPoint& nearest = found.nearest;
   listed.near_face = found.entry;
-  listed.clear_until = travel_ + nearest.distance - tests_.reach();
-  safe_until_ = std::min(safe_until_, listed.clear_until);
+  safe_until_ = std::min(safe_until_, travel_ + nearest.distance - tests_.reach());
   if (nearest.distance >= tests_.reach()) return;
   if (nearest.distance >= 0.0) {
     tests_.add_outside(listed.vertex, centre, faces, contacts_);
@@ -93,24 +86,8 @@ void BlockContacts::find_at_vertex(ListedVertex& listed, std::span<const LocalGr
   }
 }
 
-void BlockContacts::find_due_pairs() {
-  due_pairs_.clear();
-  pairs_due_at_ = list_until_;
-  const double soon = travel_ + kSoonShare * margin_;
-  for (std::uint32_t i = 0; i < pairs_.size(); ++i) {
-    if (pairs_[i].clear_until <= soon) {
-      due_pairs_.push_back(i);
-    } else {
-      pairs_due_at_ = std::min(pairs_due_at_, pairs_[i].clear_until);
-    }
-  }
-}
-
 void BlockContacts::find_at_sides() {
-  if (travel_ >= pairs_due_at_) find_due_pairs();
-  safe_until_ = std::min(safe_until_, pairs_due_at_);
-  for (const std::uint32_t i : due_pairs_) {
-    ListedPair& pair = pairs_[i];
+  for (ListedPair& pair : pairs_) {
     if (travel_ < pair.clear_until) {
       safe_until_ = std::min(safe_until_, pair.clear_until);
       continue;

@@ -42,7 +42,6 @@ class BlockContacts {
     std::uint32_t vertex;
     std::uint32_t near_face;  ///< entry of its faces that was nearest
     std::uint32_t end_face;   ///< its faces are those in `faces_` since the vertex before
-    double clear_until;       ///< travel before which it cannot touch, m
   };
   /// An edge or face of the block with an edge or corner of the ground.
   struct ListedPair {
@@ -100,10 +99,8 @@ class BlockContacts {
                 const Vec3& direction) const;
   bool corner_may_face(std::uint32_t ground_vertex, const EdgeArc& arc) const;
 
-  /// @param all  also those that can't touch yet, for what is safe to travel
-  void find_at_vertices(bool all);
+  void find_at_vertices();
   void find_at_vertex(ListedVertex& listed, std::span<const LocalGround::Face> faces);
-  void find_due_pairs();
   void find_at_sides();
 
   const BlockSurface& ground_;
@@ -117,9 +114,7 @@ class BlockContacts {
   std::vector<ListedVertex> vertices_;
   std::vector<std::uint32_t> faces_;  ///< of the ground that may be nearest to a listed vertex
   std::vector<ListedPair> pairs_;
-  std::vector<std::uint32_t> due_pairs_;  ///< of `pairs_`, ascending: all that are due before ...
-  double pairs_due_at_ = 0.0;             ///< ... this travel, m
-  std::uint32_t near_face_ = 0;           ///< of the ground, nearest to the vertex listed last
+  std::uint32_t near_face_ = 0;    ///< of the ground, nearest to the vertex listed last
   double low_ = 0.0, high_ = 0.0;  ///< lowest point of the block, highest of the ground along the
                                    ///< direction, m
   double list_until_ = -1.0;       ///< travel to which the list holds ...

@@ -37,8 +37,6 @@ BodyPair::BodyPair(const BlockSurface& reference, const BlockSurface& block, dou
                    const Rules& rules)
     : BodyPair(static_cast<const IndexedSurface&>(reference), block, size, rules) {
   reference_block_ = &reference;
-  const Vec3 corner = reference.extent.low.cwiseAbs().cwiseMax(reference.extent.high.cwiseAbs());
-  far_apart_ = corner.norm() + reference.radius + block.bounding_radius;
 }
 
 BodyPair::Search BodyPair::new_search() const {
@@ -55,8 +53,6 @@ double BodyPair::gap_of_bounds(const Vec3& block_centre) const {
 
 const ContactLoad& BodyPair::update(const BodyMotion& reference, const BodyMotion& block,
                                     double duration) {
-  const Vec3 way = block.world_from_body.translation - reference.world_from_body.translation;
-  if (!near_ && way.squaredNorm() > far_apart_ * far_apart_) return load_;
   const Pose pose = reference.world_from_body.inverse() * block.world_from_body;
   load_ = {};
   if (!near_) {

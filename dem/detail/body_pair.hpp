@@ -89,7 +89,6 @@ class BodyPair {
   const BlockSurface* reference_block_ = nullptr;  ///< the same, unless it is the terrain
   const BlockSurface& block_;
   double size_;
-  double far_apart_ = 1e150;  ///< centres farther from each other have a gap whatever the turn, m
   const Rules& rules_;
   std::optional<Near> near_;
   std::optional<SoilMemory> dents_;  ///< of this touch, where soil remembers
