@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Installs what is missing (Debian packages), builds clast and its tests, and runs them.
 #
-#   tests/run.sh         unit, physics, cli and validation-quick: about six minutes after the build
+#   tests/run.sh         unit, physics, cli and validation-quick: about four minutes after the build
 #   tests/run.sh --ci    long and validation too: about 30 minutes
 #   tests/run.sh --all   slow tests too
 #
