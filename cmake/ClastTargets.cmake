@@ -75,6 +75,8 @@ function(clast_test name)
   clast_discover(${name} ${ARG_LABEL} ${ARG_TIMEOUT} "${others}")
 endfunction()
 
+# clast_discover(name label timeout filter): registers the tests of a program that pass a filter of
+# GoogleTest.
 function(clast_discover name label timeout filter)
   gtest_discover_tests(${name} TEST_PREFIX "${label}." TEST_FILTER "${filter}" DISCOVERY_TIMEOUT 60
                        PROPERTIES LABELS ${label} TIMEOUT ${timeout} COST ${timeout})

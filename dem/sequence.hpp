@@ -116,10 +116,8 @@ struct SequenceObservers {
 /// @param zones   parameters of each ground zone of the terrain, by zone number
 /// @throws InputError       settings out of range
 /// @throws SettlingError    blocks that forms hold do not come to rest behind them
-/// @throws SimulationError  a start off the terrain, inside the ground or another block, blocks
-/// that
-///                          do not come to rest in their form or leave it, or a motion that is not
-///                          finite any more: with the number of the block, from 0
+/// @throws SimulationError  a start off the terrain, inside the ground or a block, or a motion
+///                          that is not finite any more: with the number of the block, from 0
 std::vector<SequenceResult> simulate_sequence(const TerrainSurface& terrain,
                                               std::span<const GroundParameters> zones,
                                               std::span<const RigidBody> shapes,

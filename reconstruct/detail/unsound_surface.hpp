@@ -13,9 +13,8 @@ inline constexpr const char* kRepairAdvice =
 /// @throws GeometryError  a vertex is not finite, or farther from the origin than
 ///                        `kLargestCoordinate`
 void check_coordinates(const TriangleMesh& mesh);
-/// @throws GeometryError  it is smaller than anything that can be scanned, such as what is left of
-/// a
-///                        damaged file beside vertices of no triangle
+/// @throws GeometryError  less than 1 nm across, as what a damaged file leaves beside vertices of
+///                        no triangle
 void check_extent(const TriangleMesh& mesh);
 
 /// @throws GeometryError  no triangle is left
