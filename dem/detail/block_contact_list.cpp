@@ -192,7 +192,8 @@ void BlockContacts::list_vertex(std::uint32_t vertex, const Vec3& centre, double
       faces_.push_back(face.face);
     }
   }
-  vertices_.push_back({vertex, 0, static_cast<std::uint32_t>(faces_.size())});
+  vertices_.push_back(
+      {.vertex = vertex, .near_face = 0, .end_face = static_cast<std::uint32_t>(faces_.size())});
 }
 
 void BlockContacts::list_sides(const BlockPart& part) {
@@ -254,9 +255,9 @@ void BlockContacts::list_face(const PlacedSide& side, std::span<const std::uint3
       continue;
     }
     std::optional<ContactPoint> contact;
-    const Vec3 between =
+    const FeaturesApart apart =
         tests_.face_corner(block_.parts.sides[side.number].feature, corner, contact);
-    list(ContactKind::kFaceVertex, side.number, corner, between, contact.has_value());
+    list(ContactKind::kFaceVertex, side.number, corner, apart, contact.has_value());
   }
 }
 
@@ -274,8 +275,8 @@ void BlockContacts::list_edge(const PlacedSide& side, std::span<const std::uint3
       continue;
     }
     contact.reset();
-    const Vec3 between = tests_.edge_edge(feature, other.feature, contact);
-    list(ContactKind::kEdgeEdge, side.number, other.feature, between, contact.has_value());
+    const FeaturesApart apart = tests_.edge_edge(feature, other.feature, contact);
+    list(ContactKind::kEdgeEdge, side.number, other.feature, apart, contact.has_value());
   }
   const double within_reach = tests_.reach() + margin_ + kRounding;
   if (!(tests_.reach() > 0.0) || side.lowest > high_ + within_reach) return;
@@ -286,15 +287,15 @@ void BlockContacts::list_edge(const PlacedSide& side, std::span<const std::uint3
       continue;
     }
     contact.reset();
-    const Vec3 between = tests_.edge_corner(feature, corner, contact);
-    list(ContactKind::kEdgeVertex, side.number, corner, between, contact.has_value());
+    const FeaturesApart apart = tests_.edge_corner(feature, corner, contact);
+    list(ContactKind::kEdgeVertex, side.number, corner, apart, contact.has_value());
   }
 }
 
 void BlockContacts::list(ContactKind kind, std::uint32_t side, std::uint32_t of_ground,
-                         const Vec3& between, bool touches) {
-  if (!within(between, listed_within() + kRounding)) return;
-  pairs_.push_back({kind, side, of_ground, clear_until(between, touches)});
+                         const FeaturesApart& apart, bool touches) {
+  if (!within(apart.between, listed_within() + kRounding)) return;
+  pairs_.push_back({kind, side, of_ground, clear_until(apart, touches)});
 }
 
 double BlockContacts::depth_beyond(double along, double slack) const {

@@ -1,7 +1,7 @@
 #include "dem/detail/block_contacts.hpp"
 
 #include <algorithm>
-#include <array>
+#include <cmath>
 
 #include "dem/detail/deep_contacts.hpp"
 
@@ -11,8 +11,11 @@ namespace {
 
 /// Margin of the list, as a share of the smallest side: short lists that are made anew rarely.
 constexpr double kMarginShare = 0.04;
-/// Faces of the ground near a vertex for which no memory is asked of the system.
-constexpr std::size_t kFacesAtOnce = 32;
+/// A list for contacts this many times as deep as may come is made anew.
+constexpr double kListedTooDeep = 2.0;
+/// How much farther than the nearest face others are looked for, in margins: for half that way the
+/// nearest is sure to be it.
+constexpr double kDistinctMargins = 1.0;
 
 }  // namespace
 
@@ -50,30 +53,33 @@ const std::vector<ContactPoint>& BlockContacts::contacts(const Pose& ground_from
   } else if (!normal.isZero()) {
     direction_ = normal.normalized();
   }
+  if (kListedTooDeep * touching_distance() < list_touching_) list_until_ = travel_;
   return contacts_;
 }
 
 void BlockContacts::find_at_vertices() {
-  std::array<LocalGround::Face, kFacesAtOnce> few;
-  std::vector<LocalGround::Face> many;
   std::uint32_t begin = 0;
   for (ListedVertex& listed : vertices_) {
-    const std::span<const std::uint32_t> numbers(faces_.data() + begin, listed.end_face - begin);
+    const std::span<const std::uint32_t> faces(faces_.data() + begin, listed.end_face - begin);
     begin = listed.end_face;
-    if (numbers.size() > few.size()) many.resize(numbers.size());
-    LocalGround::Face* const copied = numbers.size() > few.size() ? many.data() : few.data();
-    for (std::size_t i = 0; i < numbers.size(); ++i) copied[i] = ground_.local_faces[numbers[i]];
-    find_at_vertex(listed, {copied, numbers.size()});
+    if (travel_ >= listed.clear_until) find_at_vertex(listed, faces);
+    safe_until_ = std::min(safe_until_, listed.clear_until);
   }
 }
 
-void BlockContacts::find_at_vertex(ListedVertex& listed, std::span<const LocalGround::Face> faces) {
+void BlockContacts::find_at_vertex(ListedVertex& listed, std::span<const std::uint32_t> numbers) {
   const Vec3 centre = tests_.placed(block_.features.vertices[listed.vertex]);
-  const LocalGround::Nearest found =
-      nearest_of(faces, ground_.features, centre, 1e300, 0.0, listed.near_face);
-  const NearestPoint& nearest = found.nearest;
-  listed.near_face = found.entry;
-  safe_until_ = std::min(safe_until_, travel_ + nearest.distance - tests_.reach());
+  const LocalGround::Face& sure = ground_.local_faces[numbers[listed.near_face]];
+  std::span<const LocalGround::Face> faces(&sure, 1);
+  NearestPoint nearest;
+  if (travel_ < listed.sure_until) nearest = foot_on_face(ground_.features, sure.face, centre);
+  if (!nearest.within_face) {
+    near_faces_.clear();
+    for (const std::uint32_t face : numbers) near_faces_.push_back(ground_.local_faces[face]);
+    faces = near_faces_;
+    nearest = nearest_of_all(listed, centre);
+  }
+  listed.clear_until = travel_ + nearest.distance - tests_.reach();
   if (nearest.distance >= tests_.reach()) return;
   if (nearest.distance >= 0.0) {
     tests_.add_outside(listed.vertex, centre, faces, contacts_);
@@ -86,6 +92,20 @@ void BlockContacts::find_at_vertex(ListedVertex& listed, std::span<const LocalGr
   }
 }
 
+/// Of all its faces; finds out for how long the nearest one is sure to be it.
+NearestPoint BlockContacts::nearest_of_all(ListedVertex& listed, const Vec3& centre) {
+  const double beyond = kDistinctMargins * margin_;
+  const LocalGround::Nearest found =
+      nearest_of(near_faces_, ground_.features, centre, 1e300, beyond, listed.near_face);
+  // Faces that are not listed are at least this far by now.
+  const double unlisted = tests_.reach() + margin_ + list_until_ - travel_;
+  const double others = std::min(found.second, unlisted);
+  listed.near_face = found.entry;
+  listed.sure_until = travel_ + std::min(0.5 * (others - std::abs(found.nearest.distance)),
+                                         others - tests_.reach());
+  return found.nearest;
+}
+
 void BlockContacts::find_at_sides() {
   for (ListedPair& pair : pairs_) {
     if (travel_ < pair.clear_until) {
@@ -94,8 +114,8 @@ void BlockContacts::find_at_sides() {
     }
     const std::uint32_t of_block = block_.parts.sides[pair.side].feature;
     std::optional<ContactPoint> contact;
-    const Vec3 between = tests_.side(pair.kind, of_block, pair.ground_feature, contact);
-    pair.clear_until = clear_until(between, contact.has_value());
+    const FeaturesApart apart = tests_.side(pair.kind, of_block, pair.ground_feature, contact);
+    pair.clear_until = clear_until(apart, contact.has_value());
     safe_until_ = std::min(safe_until_, pair.clear_until);
     if (contact) add_once(contacts_, *contact);
   }

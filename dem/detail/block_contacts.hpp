@@ -40,8 +40,11 @@ class BlockContacts {
   /// ends.
   struct ListedVertex {
     std::uint32_t vertex;
-    std::uint32_t near_face;  ///< entry of its faces that was nearest
-    std::uint32_t end_face;   ///< its faces are those in `faces_` since the vertex before
+    std::uint32_t near_face;   ///< entry of its faces that was nearest
+    std::uint32_t end_face;    ///< its faces are those in `faces_` since the vertex before
+    double clear_until = 0.0;  ///< travel before which it cannot touch, m
+    double sure_until = 0.0;   ///< and before which, while its foot lies on that face, no other one
+                               ///< is nearer or within reach of it, m
   };
   /// An edge or face of the block with an edge or corner of the ground.
   struct ListedPair {
@@ -59,8 +62,9 @@ class BlockContacts {
   }
 
   /// Travel before which an edge or face cannot touch one of the ground, m.
-  double clear_until(const Vec3& between, bool touches) const {
-    return touches ? travel_ : travel_ + between.norm() - list_touching_;
+  double clear_until(const FeaturesApart& apart, bool touches) const {
+    return touches ? travel_
+                   : travel_ + std::max(apart.between.norm() - list_touching_, apart.clear);
   }
 
   void make_list();
@@ -77,8 +81,8 @@ class BlockContacts {
   void list_face(const PlacedSide& side, std::span<const std::uint32_t> corners);
   void list_edge(const PlacedSide& side, std::span<const std::uint32_t> edges,
                  std::span<const std::uint32_t> corners);
-  void list(ContactKind kind, std::uint32_t side, std::uint32_t of_ground, const Vec3& between,
-            bool touches);
+  void list(ContactKind kind, std::uint32_t side, std::uint32_t of_ground,
+            const FeaturesApart& apart, bool touches);
 
   /// How far below the block's lowest point, or above the ground's highest, a feature may still
   /// touch, m.
@@ -100,7 +104,8 @@ class BlockContacts {
   bool corner_may_face(std::uint32_t ground_vertex, const EdgeArc& arc) const;
 
   void find_at_vertices();
-  void find_at_vertex(ListedVertex& listed, std::span<const LocalGround::Face> faces);
+  void find_at_vertex(ListedVertex& listed, std::span<const std::uint32_t> faces);
+  NearestPoint nearest_of_all(ListedVertex& listed, const Vec3& centre);
   void find_at_sides();
 
   const BlockSurface& ground_;
@@ -113,6 +118,7 @@ class BlockContacts {
 
   std::vector<ListedVertex> vertices_;
   std::vector<std::uint32_t> faces_;  ///< of the ground that may be nearest to a listed vertex
+  std::vector<LocalGround::Face> near_faces_;  ///< of the vertex measured last
   std::vector<ListedPair> pairs_;
   std::uint32_t near_face_ = 0;    ///< of the ground, nearest to the vertex listed last
   double low_ = 0.0, high_ = 0.0;  ///< lowest point of the block, highest of the ground along the

@@ -26,9 +26,9 @@ class BroadPhase {
   /// @param slack  how far spheres may be apart to be listed, m; above 0
   bool refresh(std::span<const BoundingSphere> spheres, double slack);
 
-  /// How far a body may move on before the list may miss a pair of it, m.
+  /// How far a body may move on before the list may miss a pair of it, m; 0 before there is a list.
   double way_left(std::size_t body, const Vec3& centre, double slack) const {
-    return 0.5 * slack - (centre - centres_[body]).norm();
+    return body < centres_.size() ? 0.5 * slack - (centre - centres_[body]).norm() : 0.0;
   }
 
   /// Sorted; holds at least every pair of spheres that overlaps at the last `refresh`.

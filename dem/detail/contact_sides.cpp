@@ -89,7 +89,7 @@ void ContactSearch::update_feature(std::uint32_t p, GroundFeature& feature) {
 void ContactSearch::update_pair(const PartState& part, FeaturePair& pair) {
   const std::uint32_t of_block = parts_.sides[pair.side].feature;
   std::optional<ContactPoint> contact;
-  const Vec3 between = tests_.side(pair.kind, of_block, pair.ground_feature, contact);
+  const Vec3 between = tests_.side(pair.kind, of_block, pair.ground_feature, contact).between;
   if (contact) {
     pair.asleep = {};
     side_contacts_.push_back({pair.side, *contact});

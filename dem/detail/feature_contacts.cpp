@@ -48,6 +48,7 @@ FeatureContacts::FeatureContacts(const IndexedSurface& ground, const BlockSurfac
     : ground_(ground),
       block_(block.features),
       reach_(block.radius + ground.radius),
+      bounding_radius_(block.bounding_radius),
       depth_limit_(kDepthShare * size) {}
 
 bool FeatureContacts::meets_vertex(std::uint32_t vertex, const Vec3& normal) const {
@@ -64,21 +65,24 @@ bool FeatureContacts::edges_carry(const SurfaceEdge& of_ground, const SurfaceEdg
   return near_arc(ground_.features, of_ground, normal) && near_arc(block_, of_block, in_body);
 }
 
-Vec3 FeatureContacts::edge_edge(std::uint32_t block_edge, std::uint32_t ground_edge,
-                                std::optional<ContactPoint>& contact) const {
+FeaturesApart FeatureContacts::edge_edge(std::uint32_t block_edge, std::uint32_t ground_edge,
+                                         std::optional<ContactPoint>& contact) const {
   const SurfaceEdge& edge = block_.edges[block_edge];
   const SurfaceEdge& other = ground_.features.edges[ground_edge];
-  const Vec3 along = rotation_ * edge.direction;
-  const Vec3 start = placed(block_.vertices[edge.vertices[0]]);
-  const Vec3& base = ground_.features.vertices[other.vertices[0]];
-  const ClosestOnSegments closest =
-      closest_on_segments(start, along, edge.length, base, other.direction, other.length);
-  if (!closest.crossing) return closest.between;
-  Vec3 normal = along.cross(other.direction);
+  const Segment of_block{placed(block_.vertices[edge.vertices[0]]), rotation_ * edge.direction,
+                         edge.length};
+  const Segment of_ground{ground_.features.vertices[other.vertices[0]], other.direction,
+                          other.length};
+  const ClosestOnSegments closest = closest_on_segments(of_block, of_ground);
+  if (!closest.crossing) {
+    return {closest.between,
+            way_to_crossing(closest, of_block, of_ground, position_, bounding_radius_)};
+  }
+  Vec3 normal = of_block.direction.cross(other.direction);
   normal *= (normal.dot(ground_.features.edge_normal(other)) >= 0.0 ? 1.0 : -1.0) / normal.norm();
-  const double gap = normal.dot(start - base);
+  const double gap = normal.dot(of_block.start - of_ground.start);
   if (gap >= reach_ || gap < -depth_limit_ || !edges_carry(other, edge, normal)) {
-    return closest.between;
+    return {closest.between, 0.0};
   }
   contact.emplace();
   contact->kind = ContactKind::kEdgeEdge;
@@ -87,12 +91,12 @@ Vec3 FeatureContacts::edge_edge(std::uint32_t block_edge, std::uint32_t ground_e
   contact->ground_face = other.faces[0];
   contact->normal = normal;
   contact->overlap = reach_ - gap;
-  contact->foot = base + closest.second * other.direction + ground_.radius * normal;
-  return closest.between;
+  contact->foot = of_ground.at(closest.second) + ground_.radius * normal;
+  return {closest.between, 0.0};
 }
 
-Vec3 FeatureContacts::edge_corner(std::uint32_t block_edge, std::uint32_t ground_vertex,
-                                  std::optional<ContactPoint>& contact) const {
+FeaturesApart FeatureContacts::edge_corner(std::uint32_t block_edge, std::uint32_t ground_vertex,
+                                           std::optional<ContactPoint>& contact) const {
   const SurfaceEdge& edge = block_.edges[block_edge];
   const Vec3& corner = ground_.features.vertices[ground_vertex];
   const Vec3 start = placed(block_.vertices[edge.vertices[0]]);
@@ -100,30 +104,37 @@ Vec3 FeatureContacts::edge_corner(std::uint32_t block_edge, std::uint32_t ground
   const double s = along.dot(corner - start);
   const Vec3 out = start + std::clamp(s, 0.0, edge.length) * along - corner;
   const double distance = out.norm();
-  if (distance >= reach_ || s <= 0.0 || s >= edge.length || !(distance > 0.0)) return out;
+  const double beyond = std::max(-s, s - edge.length);
+  if (distance >= reach_ || beyond >= 0.0 || !(distance > 0.0)) {
+    return {out, std::max({0.0, distance - reach_, beyond / moving_as_seen(corner)})};
+  }
   const Vec3 normal = out / distance;
   if (meets_edge(block_edge, normal) && in_cone(ground_.features, ground_vertex, normal)) {
     contact = at_corner(ContactKind::kEdgeVertex, block_edge, ground_vertex, normal, distance);
   }
-  return out;
+  return {out, 0.0};
 }
 
-Vec3 FeatureContacts::face_corner(std::uint32_t block_face, std::uint32_t ground_vertex,
-                                  std::optional<ContactPoint>& contact) const {
+FeaturesApart FeatureContacts::face_corner(std::uint32_t block_face, std::uint32_t ground_vertex,
+                                           std::optional<ContactPoint>& contact) const {
   const SurfaceFace& face = block_.faces[block_face];
   const Vec3& corner = ground_.features.vertices[ground_vertex];
   const Vec3 in_body = rotation_.transpose() * (corner - position_);
-  if (depth_in_face(block_, face, in_body) < 0.0) {
-    return rotation_ * (in_body - nearest_on_face(block_, block_face, in_body).point);
-  }
   const double height = face.normal.dot(in_body - block_.vertices[face.vertices[0]]);
+  const double moving = moving_as_seen(corner);
+  if (depth_in_face(block_, face, in_body) < 0.0) {
+    const Vec3 between = in_body - nearest_on_face(block_, block_face, in_body).point;
+    const double beside = std::sqrt(std::max(0.0, between.squaredNorm() - height * height));
+    return {rotation_ * between, std::max(beside, height - reach_) / moving};
+  }
   const Vec3 between = height * (rotation_ * face.normal);
-  if (height >= reach_ || height < -depth_limit_) return between;
+  if (height >= reach_) return {between, (height - reach_) / moving};
+  if (height < -depth_limit_) return {between, 0.0};
   const Vec3 normal = -(rotation_ * face.normal);
   if (near_cone(ground_.features, ground_vertex, normal)) {
     contact = at_corner(ContactKind::kFaceVertex, block_face, ground_vertex, normal, height);
   }
-  return between;
+  return {between, 0.0};
 }
 
 ContactPoint FeatureContacts::at_corner(ContactKind kind, std::uint32_t block_feature,

@@ -2,6 +2,7 @@
 /// Exact tests of a feature of a block with one of its ground, the terrain or another block: how
 /// far they are apart, and where they touch. The searches (`ContactSearch`, `BlockContacts`) choose
 /// which features are worth a test. Everything is in the frame of the ground.
+#include <algorithm>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -17,6 +18,14 @@ enum class ContactKind : std::uint8_t {
   kEdgeEdge,
   kEdgeVertex,  ///< block edge against a ground vertex
   kFaceVertex,  ///< block face against a ground vertex
+};
+
+/// A feature of the block and one of its ground.
+struct FeaturesApart {
+  Vec3 between = Vec3::Zero();  ///< from the nearest point of the ground's to the block's, m
+  /// No contact of the two, however deep, before the block has moved so far, m: the shift of its
+  /// centre and its bounding radius times the chord of its turn together. 0 where that is not known.
+  double clear = 0.0;
 };
 
 /// One point where the rounded block overlaps the ground's skin.
@@ -67,22 +76,21 @@ class FeatureContacts {
   /// A point of the body in the frame of the ground.
   Vec3 placed(const Vec3& in_body) const { return position_ + rotation_ * in_body; }
 
-  // Each sets the contact if there is one, and returns the way from the nearest point of the
-  // ground's feature to that of the block's, m.
+  // Each sets the contact if there is one, and returns how far the two are apart.
 
   /// By kind, which is not kVertexGround.
-  Vec3 side(ContactKind kind, std::uint32_t of_block, std::uint32_t of_ground,
-            std::optional<ContactPoint>& contact) const {
+  FeaturesApart side(ContactKind kind, std::uint32_t of_block, std::uint32_t of_ground,
+                     std::optional<ContactPoint>& contact) const {
     return kind == ContactKind::kEdgeEdge     ? edge_edge(of_block, of_ground, contact)
            : kind == ContactKind::kEdgeVertex ? edge_corner(of_block, of_ground, contact)
                                               : face_corner(of_block, of_ground, contact);
   }
-  Vec3 edge_edge(std::uint32_t block_edge, std::uint32_t ground_edge,
-                 std::optional<ContactPoint>& contact) const;
-  Vec3 edge_corner(std::uint32_t block_edge, std::uint32_t ground_vertex,
-                   std::optional<ContactPoint>& contact) const;
-  Vec3 face_corner(std::uint32_t block_face, std::uint32_t ground_vertex,
-                   std::optional<ContactPoint>& contact) const;
+  FeaturesApart edge_edge(std::uint32_t block_edge, std::uint32_t ground_edge,
+                          std::optional<ContactPoint>& contact) const;
+  FeaturesApart edge_corner(std::uint32_t block_edge, std::uint32_t ground_vertex,
+                            std::optional<ContactPoint>& contact) const;
+  FeaturesApart face_corner(std::uint32_t block_face, std::uint32_t ground_vertex,
+                            std::optional<ContactPoint>& contact) const;
 
   // A vertex of the block at `centre`, inside the ground or within reach of it.
 
@@ -107,6 +115,11 @@ class FeatureContacts {
                    std::vector<ContactPoint>& contacts) const;
 
  private:
+  /// Seen from the block, a point of the ground moves up to this many times as far as the block:
+  /// farther where it is beyond the bounding radius.
+  double moving_as_seen(const Vec3& point) const {
+    return std::max(1.0, (point - position_).norm() / bounding_radius_);
+  }
   ContactPoint at_corner(ContactKind kind, std::uint32_t block_feature, std::uint32_t ground_vertex,
                          const Vec3& normal, double distance) const;
   /// Direction in which a vertex inside the ground is pushed: to the surface point, or up to the
@@ -123,7 +136,8 @@ class FeatureContacts {
   const IndexedSurface& ground_;
   const SurfaceFeatures& block_;
   double reach_;
-  double depth_limit_;  ///< edge and face contacts deeper than this are not trusted, m
+  double bounding_radius_;  ///< of the block
+  double depth_limit_;      ///< edge and face contacts deeper than this are not trusted, m
   Mat3 rotation_ = Mat3::Identity();
   Vec3 position_ = Vec3::Zero();
 };

@@ -66,15 +66,14 @@ void RodContacts::find_at_vertex(std::uint32_t v) {
 void RodContacts::find_at_edge(std::uint32_t e) {
   const SurfaceFeatures& ground = ground_.features;
   const SurfaceEdge& edge = block_.edges[e];
-  const Vec3& start = placed_[edge.vertices[0]];
-  const Vec3 along = rotation_ * edge.direction;
+  const Segment of_block{placed_[edge.vertices[0]], rotation_ * edge.direction, edge.length};
   ContactPoint contact;
   contact.block_feature = e;
   contact.kind = ContactKind::kEdgeVertex;
   for (std::uint32_t g = 0; g < ground.vertices.size(); ++g) {
     contact.ground_feature = g;
     const std::optional<Vec3> foot =
-        foot_between_ends(start, along, edge.length, ground.vertices[g]);
+        foot_between_ends(of_block.start, of_block.direction, of_block.length, ground.vertices[g]);
     if (foot && owned_by_ends(kNoFeature, g, (*foot - ground.vertices[g]).normalized())) {
       touch(contact, ground.vertices[g], *foot);
     }
@@ -82,12 +81,11 @@ void RodContacts::find_at_edge(std::uint32_t e) {
   contact.kind = ContactKind::kEdgeEdge;
   for (std::uint32_t g = 0; g < ground.edges.size(); ++g) {
     const SurfaceEdge& other = ground.edges[g];
-    const Vec3& base = ground.vertices[other.vertices[0]];
-    const ClosestOnSegments closest =
-        closest_on_segments(start, along, edge.length, base, other.direction, other.length);
+    const Segment of_ground{ground.vertices[other.vertices[0]], other.direction, other.length};
+    const ClosestOnSegments closest = closest_on_segments(of_block, of_ground);
     if (!closest.crossing) continue;  // of parallel rods the ends carry the contact
     contact.ground_feature = g;
-    touch(contact, base + closest.second * other.direction, start + closest.first * along);
+    touch(contact, of_ground.at(closest.second), of_block.at(closest.first));
   }
 }
 

@@ -4,15 +4,31 @@
 
 namespace clast::dem_detail {
 
+struct Segment {
+  Vec3 start = Vec3::Zero();
+  Vec3 direction = Vec3::UnitX();  ///< unit
+  double length = 0.0;             ///< m
+
+  Vec3 at(double along) const { return start + along * direction; }
+};
+
 struct ClosestOnSegments {
   double first = 0.0;           ///< along the first segment, m
   double second = 0.0;          ///< along the second, m
   Vec3 between = Vec3::Zero();  ///< from the point on the second to the one on the first
   bool crossing = false;        ///< both points are inside, where the lines themselves are closest
+  // The same of the lines, and the sine of the angle between them; all 0 where they are parallel.
+  double line_first = 0.0, line_second = 0.0;
+  double sine = 0.0;
 };
 
-/// @param a, u  start and unit direction of the first segment; b, v of the second
-ClosestOnSegments closest_on_segments(const Vec3& a, const Vec3& u, double length_a, const Vec3& b,
-                                      const Vec3& v, double length_b);
+ClosestOnSegments closest_on_segments(const Segment& a, const Segment& b);
+
+/// How far a body may move that carries the first segment before the two cross, m; 0 where that is
+/// not known. Its way counts as the shift of its centre and `radius` times the chord of its turn
+/// together (docs/theory.md, Contact search).
+/// @param closest  of these two, not crossing
+double way_to_crossing(const ClosestOnSegments& closest, const Segment& a, const Segment& b,
+                       const Vec3& centre, double radius);
 
 }  // namespace clast::dem_detail

@@ -204,7 +204,7 @@ TEST(ClosestOnSegments, NoOtherPairOfPointsIsCloser) {
     const Vec3 a = random.direction(), b = 0.5 * random.direction(), u = random.direction();
     const Vec3 v = i % 10 == 0 ? u : random.direction();  // parallel ones too
     const double length_a = random.uniform(0.1, 2.0), length_b = random.uniform(0.1, 2.0);
-    const ClosestOnSegments closest = closest_on_segments(a, u, length_a, b, v, length_b);
+    const ClosestOnSegments closest = closest_on_segments({a, u, length_a}, {b, v, length_b});
     EXPECT_LT((closest.between - (a + closest.first * u - b - closest.second * v)).norm(), 1e-12);
     double sampled = 1e300;
     for (int s = 0; s <= 100; ++s) {
@@ -216,6 +216,36 @@ TEST(ClosestOnSegments, NoOtherPairOfPointsIsCloser) {
     EXPECT_LE(closest.between.norm(), sampled + 1e-12);
     EXPECT_GE(closest.between.norm(), sampled - 0.01 * (length_a + length_b));
   }
+}
+
+// Segments that do not cross are moved about at random, as far as they are said not to cross.
+TEST(WayToCrossing, NothingCrossesBefore) {
+  Random random(11);
+  int told = 0, crossed_soon_after = 0;
+  for (int i = 0; i < 20000; ++i) {
+    const Segment block{0.6 * random.direction(), random.direction(), random.uniform(0.1, 0.6)};
+    const Segment ground{block.at(random.uniform(-0.3, 0.9)) + 0.1 * random.direction(),
+                         random.direction(), random.uniform(0.1, 0.6)};
+    const double radius = 1.2;  // of all that the block holds, about the origin
+    const ClosestOnSegments closest = closest_on_segments(block, ground);
+    if (closest.crossing) continue;
+    const double way = way_to_crossing(closest, block, ground, Vec3::Zero(), radius);
+    EXPECT_GE(way, 0.0);
+    if (way > 0.0) ++told;
+    const auto crosses_after = [&](double moved) {
+      const double turning = random.uniform(0.0, 1.0);
+      const double angle = 2.0 * std::asin(std::min(1.0, 0.5 * turning * moved / radius));
+      const Eigen::AngleAxisd turn(angle, random.direction());
+      const Vec3 shift = (1.0 - turning) * moved * random.direction();
+      return closest_on_segments({turn * block.start + shift, turn * block.direction, block.length},
+                                 ground)
+          .crossing;
+    };
+    for (int k = 0; k < 40; ++k) ASSERT_FALSE(crosses_after(0.999 * way)) << i;
+    for (int k = 0; k < 40; ++k) crossed_soon_after += crosses_after(2.0 * way);
+  }
+  EXPECT_GT(told, 10000);
+  EXPECT_GT(crossed_soon_after, 10000);  // so the bound is not far from the best there is
 }
 
 TEST(Contacts, FourKindsAreFound) {

@@ -224,6 +224,21 @@ TEST(LeavingTheTerrain, EndsTheRunOfABodyAlone) {
   EXPECT_LT(world.energy().error, 0.005);
 }
 
+TEST(LeavingTheTerrain, LetsOthersFlyOn) {
+  const TerrainSurface terrain = ground(plane_mesh(2.0, 4));
+  const RigidBody body = ball(10.0, 0.2);
+  WorldSettings settings = stiff_world(body, 1e6);
+  settings.stiffness.longest_step = 2.0 * settings.stiffness.time_step;
+  settings.gravity = 9.81;
+  World world({body}, settings, terrain, {{0.2, 0.5, 0.3}});
+  world.add_body(0, at({1.0, 0, 20.0}, {6.0, 0, 0}));
+  world.add_body(0, at({1.0, 1.0, 20.0}, {1.0, 0, 0}));
+  EXPECT_EQ(world.run_until(20.0), StopReason::kLeftTerrain);
+  EXPECT_NEAR(world.state(0).position.x(), 2.0, 0.01);
+  EXPECT_NEAR(world.state(1).position.x(), 2.0, 0.01);
+  EXPECT_NEAR(world.state(1).velocity.z(), -9.81, 0.1);
+}
+
 TEST(Newcomers, BringTheirEnergy) {
   const RigidBody body = ball(10.0, 0.2);
   WorldSettings settings = stiff_world(body, 1e6);

@@ -51,8 +51,8 @@ inline std::optional<double> ground_gap(const TerrainSurface& terrain, const Rig
     for (const std::uint32_t g : edges) {
       const SurfaceEdge& other = ground.features.edges[g];
       const ClosestOnSegments closest = closest_on_segments(
-          corners[edge.vertices[0]], along, edge.length,
-          ground.features.vertices[other.vertices[0]], other.direction, other.length);
+          {corners[edge.vertices[0]], along, edge.length},
+          {ground.features.vertices[other.vertices[0]], other.direction, other.length});
       nearest = std::min(nearest, closest.between.norm());
     }
   }
