@@ -47,8 +47,10 @@ struct MotionStep {
   double end_time = 0.0;
   RigidState begin;
   RigidState end;
-  bool flight = false;  ///< no contact: `free_flight` gives every state between exactly
-  Touch touch;          ///< at the end; a flight that ends by a touch has one
+  /// No contact: `free_flight` gives every state between exactly. A step of a body of a world is a
+  /// flight when nothing touches the body as it begins; what touches it within acts in it already.
+  bool flight = false;
+  Touch touch;  ///< at the end; a flight that ends by a touch has one
 };
 
 /// The state inside a step: exact in flight, interpolated (cubic centre, steady turn) else.

@@ -70,8 +70,7 @@ class World {
   ~World();
   World(World&&) noexcept;
 
-  /// Has every step seen from now on, for each body that takes part in it. Times are the world's;
-  /// in a `flight` no body touches anything.
+  /// Has every step seen from now on, for each body that takes part in it. Times are the world's.
   void observe(BodyObserver observer);
 
   /// Numbers bodies from 0 in the order they come.

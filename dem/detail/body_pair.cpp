@@ -45,6 +45,13 @@ BodyPair::Search BodyPair::new_search() const {
   return BlockContacts(*reference_block_, block_, size_);
 }
 
+bool BodyPair::are_far_apart(const BodyMotion& reference, const BodyMotion& block) const {
+  if (!reference_block_) return false;
+  const double near = reference_block_->bounding_radius + block_.bounding_radius;
+  return (block.world_from_body.translation - reference.world_from_body.translation).squaredNorm() >
+         near * near;
+}
+
 double BodyPair::gap_of_bounds(const Vec3& block_centre) const {
   const Vec3 nearest =
       block_centre.cwiseMax(reference_.extent.low).cwiseMin(reference_.extent.high);
@@ -53,6 +60,7 @@ double BodyPair::gap_of_bounds(const Vec3& block_centre) const {
 
 const ContactLoad& BodyPair::update(const BodyMotion& reference, const BodyMotion& block,
                                     double duration) {
+  if (!near_ && are_far_apart(reference, block)) return load_;  // which is none
   const Pose pose = reference.world_from_body.inverse() * block.world_from_body;
   load_ = {};
   if (!near_) {

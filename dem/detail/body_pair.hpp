@@ -82,6 +82,8 @@ class BodyPair {
   };
 
   Search new_search() const;
+  /// By their bounding spheres alone.
+  bool are_far_apart(const BodyMotion& reference, const BodyMotion& block) const;
   double gap_of_bounds(const Vec3& block_centre) const;
   void find_points(const Pose& world_from_reference, const Pose& reference_from_block);
 

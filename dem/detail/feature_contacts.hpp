@@ -24,7 +24,8 @@ enum class ContactKind : std::uint8_t {
 struct FeaturesApart {
   Vec3 between = Vec3::Zero();  ///< from the nearest point of the ground's to the block's, m
   /// No contact of the two, however deep, before the block has moved so far, m: the shift of its
-  /// centre and its bounding radius times the chord of its turn together. 0 where that is not known.
+  /// centre and its bounding radius times the chord of its turn together. 0 where that is not
+  /// known.
   double clear = 0.0;
 };
 

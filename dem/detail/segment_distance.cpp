@@ -41,7 +41,8 @@ ClosestOnSegments closest_on_segments(const Segment& a, const Segment& b) {
 double way_to_crossing(const ClosestOnSegments& closest, const Segment& a, const Segment& b,
                        const Vec3& centre, double radius) {
   // A segment that ends before the other's line stays on its side of the plane of that line and the
-  // common normal. The plane turns about the line, faster than the body by up to pi/2 over the sine.
+  // common normal. The plane turns about the line, faster than the body by up to pi/2 over the
+  // sine.
   const double turning = kHalfPi / (radius * closest.sine);
   const auto way_of = [&](double beyond, const Segment& of, double line, const Segment& other,
                           double moving) {

@@ -62,6 +62,7 @@ struct WorldBody {
   BodyMotion motion;                ///< over the last step
   Vec3 force = Vec3::Zero();
   Vec3 torque = Vec3::Zero();
+  bool touching = false;         ///< has contacts
   double corrected = 0.0;        ///< energy that events inside the last step added, J
   double resting = 0.0;          ///< s
   bool asleep = false;           ///< at rest, and so is all that touches it: no part of the step

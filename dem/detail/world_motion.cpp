@@ -85,7 +85,7 @@ void WorldMotion::advance(double longest) {
                             with_digits(time_, 6) + " s; a shorter time step may help");
     }
   }
-  if (observer_) show_moves(begin, step.flight);
+  if (observer_) show_moves(begin);
   remove_bodies_off_terrain();
   if (settings_.sleep_drift > 0.0) reassigned_ += sleeping_.let_sleep(bodies_, pairs_);
   if (soil_.any()) pairs_.remember_dents(bodies_, soil_);
@@ -197,6 +197,7 @@ void WorldMotion::end_moves(double dt, bool flight) {
       ++touching;
       if (is_block) ++as_block;
     }
+    body.touching = touching > 0;
     if (body.still()) return;
     if (!flight) body.moving.end_step(dt, body.force, body.torque, gravity());
     if (events && dt > 0.0) {  // else they were applied at the end of the step before
@@ -236,28 +237,30 @@ void WorldMotion::take_out(std::size_t body) {
 void WorldMotion::note_begins() {
   began_.assign(bodies_.size(), std::nullopt);
   for (std::size_t i = 0; i < bodies_.size(); ++i) {
-    if (!bodies_[i].idle()) began_[i] = bodies_[i].moving.state();
+    const WorldBody& body = bodies_[i];
+    if (!body.idle()) began_[i] = {body.moving.state(), !body.touching};
   }
 }
 
-void WorldMotion::show_moves(double begin, bool flight) {
+void WorldMotion::show_moves(double begin) {
   team_.run(bodies_.size(), kBodiesAtATime, [&](std::size_t i) {
     if (!began_[i]) return;
     observer_(i, {.begin_time = begin,
                   .end_time = time_,
-                  .begin = *began_[i],
+                  .begin = began_[i]->state,
                   .end = bodies_[i].moving.state(),
-                  .flight = flight,
+                  .flight = began_[i]->free,
                   .touch = touch(i)});
   });
 }
 
 Touch WorldMotion::touch(std::size_t body) const {
   Touch sum;
-  if (!prepared(body)) return sum;
+  if (!prepared(body) || !bodies_[body].touching) return sum;
   bool on_ground = false;
   for (const std::uint32_t e : pairs_.of(body)) {
     const ContactPair& pair = pairs_.all()[e];
+    if (!pair.loads) continue;
     const std::optional<ContactForces::Deepest> deepest = pair.contacts->deepest();
     if (!deepest) continue;
     sum.points += deepest->points;

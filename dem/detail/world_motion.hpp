@@ -89,7 +89,7 @@ class WorldMotion {
   void remove_bodies_off_terrain();
   void take_out(std::size_t body);
   void note_begins();
-  void show_moves(double begin, bool flight);
+  void show_moves(double begin);
 
   WorldSettings settings_;
   const TerrainSurface* terrain_;
@@ -108,7 +108,12 @@ class WorldMotion {
   std::size_t prepared_ = 0;  ///< bodies that are part of the motion already
   Sleeping sleeping_;
   BodyObserver observer_;
-  std::vector<std::optional<RigidState>> began_;  ///< of bodies that move in the step, if observed
+  /// Where a body was when the step began, and whether nothing touched it then.
+  struct Begin {
+    RigidState state;
+    bool free = false;
+  };
+  std::vector<std::optional<Begin>> began_;  ///< of bodies that move in the step, if observed
 
   double time_ = 0.0;
   double step_length_ = settings_.stiffness.time_step;  ///< of the last step, s

@@ -70,6 +70,7 @@ struct Pairing {
   const char* name;
   RigidBody ground, block;
   int steps = 2000;
+  double pace = 1.0;  ///< slowly, what was found before counts for many steps
 };
 void PrintTo(const Pairing& pairing, std::ostream* out) { *out << pairing.name; }
 
@@ -82,7 +83,13 @@ std::vector<Pairing> pairings() {
       {"sharp edges", rock(3, {0.42, 0.36, 0.30}, 0.0, 2700.0, 5), box(100.0, {0.4, 0.3, 0.35})},
       {"boxes", box(100.0, {0.5, 0.4, 0.45}, 0.02), box(100.0, {0.4, 0.3, 0.35}, 0.02)},
       {"rod", rock(3, {0.42, 0.36, 0.30}, 0.02, 2700.0, 6), capsule(10.0, 0.5, 0.06)},
-      {"ball", rock(3, {0.42, 0.36, 0.30}, 0.02, 2700.0, 7), ball(10.0, 0.2)}};
+      {"ball", rock(3, {0.42, 0.36, 0.30}, 0.02, 2700.0, 7), ball(10.0, 0.2)},
+      {"rock on rock, slowly", rock(2, {0.42, 0.36, 0.30}, 0.02, 2700.0, 1),
+       rock(2, {0.35, 0.28, 0.25}, 0.01, 2700.0, 2), 4000, 0.1},
+      {"sharp edges, slowly", rock(3, {0.42, 0.36, 0.30}, 0.0, 2700.0, 5),
+       box(100.0, {0.4, 0.3, 0.35}), 4000, 0.1},
+      {"boxes, slowly", box(100.0, {0.5, 0.4, 0.45}, 0.02), box(100.0, {0.4, 0.3, 0.35}, 0.02),
+       8000, 0.05}};
 }
 
 class BlockContactsOf : public testing::TestWithParam<Pairing> {};
@@ -100,10 +107,11 @@ TEST_P(BlockContactsOf, AreThoseOfAllFeatures) {
   double travel = 0.0, deepest = 0.0;
   std::size_t touched = 0, apart = 0, slept = 0;
   for (int step = 0; step < GetParam().steps; ++step) {
-    const double turn = random.uniform(0.0, 0.01);
-    Vec3 shift = random.uniform(0.0, 0.004) * random.direction();
-    const double closing = 0.003 + 0.006 * std::sin(0.05 * step) - 0.4 * deepest;
-    shift -= closing * pose.translation.normalized();
+    const double pace = GetParam().pace;
+    const double turn = pace * random.uniform(0.0, 0.01);
+    Vec3 shift = pace * random.uniform(0.0, 0.004) * random.direction();
+    const double closing = 0.003 + 0.006 * std::sin(0.05 * pace * step) - 0.4 * deepest;
+    shift -= pace * closing * pose.translation.normalized();
     pose.rotation =
         (Quat(Eigen::AngleAxisd(turn, random.direction())) * pose.rotation).normalized();
     pose.translation += shift;
@@ -150,6 +158,17 @@ TEST(BlockContacts, LetBlocksFarApartMoveAsFarAsTheirGap) {
   BlockContacts search(a, b, 0.4);
   EXPECT_TRUE(search.contacts({{3.0, 0.0, 0.0}, Quat::Identity()}, 0.0).empty());
   EXPECT_NEAR(search.safe_travel(), 3.0 - 0.5 - 0.05 - 0.2, 1e-9);
+}
+
+// The first call knows of no past, in which the two may have gone deep into each other.
+TEST(BlockContacts, LetBlocksSideBySideMoveAsFarAsTheirGapFromTheSecondCallOn) {
+  const BlockSurface surface(box(1.0, {1.0, 1.0, 1.0}, 0.02, 1).shape);
+  BlockContacts search(surface, surface, 1.0);
+  const Quat turned(Eigen::AngleAxisd(0.3, Vec3::UnitX()));
+  for (const double travel : {0.0, 1e-6}) {
+    EXPECT_TRUE(search.contacts({{1.06, 0.1, 0.0}, turned}, travel).empty());
+  }
+  EXPECT_NEAR(search.safe_travel(), 0.02 + 1e-6, 1e-9);
 }
 
 }  // namespace

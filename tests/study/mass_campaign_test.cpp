@@ -86,6 +86,27 @@ TEST_F(MassCampaign, ReleasesAllBlocksOfAHeapAtOnce) {
   }
 }
 
+TEST_F(MassCampaign, TellsTheImpactsOfEachBlock) {
+  const CampaignResults results = run("impacts.h5");
+  std::vector<std::size_t> impacts(results.runs.size(), 0);
+  for (const Impact& impact : results.impacts) {
+    ++impacts[impact.run];
+    EXPECT_GT(impact.depth, 0.0);
+    EXPECT_GT(impact.speed_before, 0.0);
+    EXPECT_LE(impact.time + impact.contact_duration, results.runs[impact.run].result.duration);
+  }
+  double flown = 0.0;
+  for (const RunRecord& run : results.runs) {
+    EXPECT_GE(impacts[run.run], 1u) << run.run;
+    EXPECT_LE(impacts[run.run], run.result.impacts);
+    EXPECT_GT(run.contacts.contact_time, 0.0);
+    EXPECT_LT(run.contacts.contact_time, run.result.duration);
+    EXPECT_GE(run.contacts.mean_points, 1.0);
+    flown = std::max(flown, run.contacts.longest_flight);
+  }
+  EXPECT_GT(flown, 0.0);
+}
+
 TEST_F(MassCampaign, WithoutTrajectoriesEnergiesAreOfEachSecond) {
   const std::string of = replaced_once(text(), "[run]\n", "[run]\ntrajectory_interval_s = 0\n");
   run_campaign(prepared(of), *folder_ / "seconds.h5");
