@@ -42,8 +42,8 @@ struct ContactStiffness {
   double tangential = 0.0;  ///< k_t, N/m
   double rolling = 0.0;     ///< k_r on ground that states no rolling length, N m/rad
   double time_step = 0.0;   ///< resolves an impact, s
-  /// Resolves what goes on between the impacts of a release, s: a contact of the block's most
-  /// mobile point. Not above `time_step`: all steps have that length.
+  /// Resolves what goes on between impacts, s: a contact of the block's most mobile point. Below
+  /// `time_step`: all steps have that length.
   double longest_step = 0.0;
 };
 

@@ -65,9 +65,10 @@ void add_stiffness(std::string& text, const ContactStiffness& stiffness) {
 
 ContactStiffness stiffness_of(std::span<const RigidBody> bodies,
                               std::span<const GroundParameters> zones, double gravity,
-                              const ContactLaw& law) {
+                              const ContactLaw& law, bool mass) {
   StiffnessOptions options;
   options.law = law;
+  options.mass = mass;
   return choose_stiffness(bodies, zones, kFastest, gravity, options).stiffness;
 }
 
@@ -84,7 +85,7 @@ std::string standard_motions(double gravity) {
     settings.law = contact_law(law);
     settings.gravity = gravity;
     settings.max_time = 0.9;
-    settings.stiffness = stiffness_of(std::span(bodies.data(), 1), zones, gravity, settings.law);
+    settings.stiffness = stiffness_of(std::span(bodies.data(), 1), zones, gravity, settings.law, false);
     const ReleaseResult run =
         simulate_release(terrain, zones, bodies[0], tumbling({-3.0, 0.3, 2.5}), settings);
     text += law + "\n";
@@ -97,7 +98,7 @@ std::string standard_motions(double gravity) {
   together.gravity = gravity;
   together.between_bodies = {0.1, 0.5, 0.1};
   for (GroundParameters& zone : zones) zone.soil_memory = 0.2;
-  together.stiffness = stiffness_of(bodies, zones, gravity, together.law);
+  together.stiffness = stiffness_of(bodies, zones, gravity, together.law, true);
   World world(bodies, together, terrain, zones);
   world.add_body(0, tumbling({-1.0, 0.3, 1.6}));
   RigidState second = tumbling({0.2, 0.5, 1.5});

@@ -194,7 +194,7 @@ class Release {
   /// resolve an impact (docs/theory.md, Time step).
   double needed_step() const {
     const ContactStiffness& contact = settings_.stiffness;
-    if (!(contact.longest_step > contact.time_step)) return contact.time_step;
+    if (!(contact.longest_step >= contact.time_step)) return contact.time_step;
     const double stiffer = forces_.mobility(mobilities_) / largest_mobility_;
     const double together =
         contact.longest_step * std::min(1.0 / std::sqrt(stiffer), kHardlyMobile);

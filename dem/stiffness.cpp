@@ -16,7 +16,7 @@ constexpr double kSettledDepthShare = 0.02;
 constexpr double kImpactDepthShare = 0.25;
 /// Time step times the highest contact frequency, in impacts and between them. Explicit stepping is
 /// stable below 2 (docs/theory.md, Time step).
-constexpr double kImpactStep = 0.2;
+constexpr double kImpactStep = 0.2, kMassImpactStep = 0.4;
 constexpr double kLongestStep = 0.4;
 constexpr double kUnstable = 2.0;
 /// Share of the smallest S that a block may travel in one step.
@@ -179,7 +179,8 @@ StiffnessChoice choose_stiffness(std::span<const ContactBody> bodies, const Cont
                                                        stiffest_rolling / demand.smallest_moment)));
   // A step in contact may not carry a block past the ground, however soft that is.
   const double travel = fastest > 0.0 ? kTravelShare * demand.smallest_side / fastest : 1e300;
-  const double resolved = std::min(kImpactStep / frequency, travel);
+  const double impact_step = options.mass ? kMassImpactStep : kImpactStep;
+  const double resolved = std::min(impact_step / frequency, travel);
   chosen.time_step = options.time_step.value_or(resolved);
   // Half of what may be travelled: contacts that are hard to move allow twice this step.
   if (!options.time_step) chosen.longest_step = std::min(kLongestStep / frequency, 0.5 * travel);

@@ -17,6 +17,9 @@ struct StiffnessOptions {
   std::optional<double> rolling;     ///< k_r on ground that states no rolling length, N m/rad
   std::optional<double> time_step;   ///< s
   ContactLaw law;                    ///< sets the settled depth and the fastest rate of a contact
+  /// Of a mass: some impact is always going on, and what counts is all of them together. Steps in
+  /// them are twice as long (docs/theory.md, Steps of a world).
+  bool mass = false;
 };
 
 /// How easily a force at the surface beyond each vertex of the body moves it there: the largest

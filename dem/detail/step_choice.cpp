@@ -60,7 +60,7 @@ StepChoice choose_step(std::span<const WorldBody> bodies, const ContactPairs& pa
                        const WorldSettings& settings) {
   const ContactStiffness& contact = settings.stiffness;
   const StepChoice shortest{contact.time_step, false};
-  if (!(contact.longest_step > contact.time_step)) return shortest;
+  if (!(contact.longest_step >= contact.time_step)) return shortest;
   bool touching = false;
   for (const ContactPair& pair : pairs.all()) {
     if (!pair.contacts->touching() || !ContactPairs::active(pair, bodies)) continue;

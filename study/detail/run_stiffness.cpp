@@ -54,8 +54,10 @@ std::vector<std::string> settle_together(PreparedCampaign& prepared,
       together.push_back(bodies[run.block]);
     }
     const std::size_t member = std::min<std::size_t>(runs.front().ground_set, members.size() - 1);
-    const StiffnessChoice choice = choose_stiffness(together, worst.ground, worst.fastest,
-                                                    campaign.gravity, members[member].stiffness);
+    StiffnessOptions options = members[member].stiffness;
+    options.mass = prepared.header.stay->at_once;
+    const StiffnessChoice choice =
+        choose_stiffness(together, worst.ground, worst.fastest, campaign.gravity, options);
     for (RunRecord& run : runs) {
       run.stiffness = choice.stiffness;
       run.rest_depth = choice.settled_depth;

@@ -62,6 +62,7 @@ inline Collapse collapse_column(const ColumnScene& scene) {
                                                {scene.energy_restitution, 0.0, 0.0}};
   StiffnessOptions options;
   options.law = scene.law;
+  options.mass = true;
   options.normal = scene.stiffness_factor * middle_mass * kGravity * scene.aspect * result.radius /
                    (0.01 * contact_ground(zones, scene.law).rest_share);
   WorldSettings settings;

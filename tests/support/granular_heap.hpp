@@ -118,6 +118,7 @@ inline Heap heap_on_disc(const HeapScene& scene) {
 
   const std::vector<GroundParameters> zones = {{0.1, scene.friction, 0.0}};
   StiffnessOptions options;
+  options.mass = true;
   options.normal = scene.stiffness_factor * shapes[2].mass * kGravity * kRadius /
                    (0.01 * contact_ground(zones, ContactLaw()).rest_share);
   WorldSettings settings;
