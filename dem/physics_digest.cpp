@@ -85,7 +85,8 @@ std::string standard_motions(double gravity) {
     settings.law = contact_law(law);
     settings.gravity = gravity;
     settings.max_time = 0.9;
-    settings.stiffness = stiffness_of(std::span(bodies.data(), 1), zones, gravity, settings.law, false);
+    settings.stiffness =
+        stiffness_of(std::span(bodies.data(), 1), zones, gravity, settings.law, false);
     const ReleaseResult run =
         simulate_release(terrain, zones, bodies[0], tumbling({-3.0, 0.3, 2.5}), settings);
     text += law + "\n";
