@@ -218,10 +218,10 @@ TEST(ClosestOnSegments, NoOtherPairOfPointsIsCloser) {
   }
 }
 
-// Segments that do not cross are moved about at random, as far as they are said not to cross.
+// Segments that do not cross are moved about at random, as far as `way_to_crossing` allows.
 TEST(WayToCrossing, NothingCrossesBefore) {
   Random random(11);
-  int told = 0, crossed_soon_after = 0;
+  int bounded = 0, crossed_soon_after = 0;
   for (int i = 0; i < 20000; ++i) {
     const Segment block{0.6 * random.direction(), random.direction(), random.uniform(0.1, 0.6)};
     const Segment ground{block.at(random.uniform(-0.3, 0.9)) + 0.1 * random.direction(),
@@ -231,7 +231,7 @@ TEST(WayToCrossing, NothingCrossesBefore) {
     if (closest.crossing) continue;
     const double way = way_to_crossing(closest, block, ground, Vec3::Zero(), radius);
     EXPECT_GE(way, 0.0);
-    if (way > 0.0) ++told;
+    if (way > 0.0) ++bounded;
     const auto crosses_after = [&](double moved) {
       const double turning = random.uniform(0.0, 1.0);
       const double angle = 2.0 * std::asin(std::min(1.0, 0.5 * turning * moved / radius));
@@ -244,7 +244,7 @@ TEST(WayToCrossing, NothingCrossesBefore) {
     for (int k = 0; k < 40; ++k) ASSERT_FALSE(crosses_after(0.999 * way)) << i;
     for (int k = 0; k < 40; ++k) crossed_soon_after += crosses_after(2.0 * way);
   }
-  EXPECT_GT(told, 10000);
+  EXPECT_GT(bounded, 10000);
   EXPECT_GT(crossed_soon_after, 10000);  // so the bound is not far from the best there is
 }
 

@@ -86,7 +86,7 @@ TEST_F(MassCampaign, ReleasesAllBlocksOfAHeapAtOnce) {
   }
 }
 
-TEST_F(MassCampaign, TellsTheImpactsOfEachBlock) {
+TEST_F(MassCampaign, RecordsTheImpactsOfEachBlock) {
   const CampaignResults results = run("impacts.h5");
   std::vector<std::size_t> impacts(results.runs.size(), 0);
   for (const Impact& impact : results.impacts) {
