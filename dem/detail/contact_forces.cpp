@@ -38,6 +38,29 @@ void add_event(ContactLoad& load, const NormalResponse& response, const Contact&
 
 }  // namespace
 
+ContactForces::Action::Action(const ContactLoad& load, const PairMotion& motion)
+    : force(load.force),
+      torque(load.torque),
+      torque_on_other(
+          load.torque + (motion.block.world_from_body.translation - motion.other.world_from_body.translation)
+                            .cross(load.force)),
+      centre(motion.block.world_from_body.translation),
+      centre_of_other(motion.other.world_from_body.translation) {}
+
+double ContactForces::Action::power_at(const PairMotion& motion) const {
+  return torque_on_other.dot(motion.other.angular_velocity) -
+         torque.dot(motion.block.angular_velocity) -
+         force.dot(motion.block.velocity - motion.other.velocity);
+}
+
+double ContactForces::Action::power_from(const PairMotion& motion) const {
+  // Events may have shifted the bodies since.
+  const Vec3 arm = centre - motion.block.begin_position;
+  const Vec3 arm_of_other = centre_of_other - motion.other.begin_position;
+  return power_at(motion) + arm_of_other.cross(force).dot(motion.other.angular_velocity) -
+         arm.cross(force).dot(motion.block.angular_velocity);
+}
+
 ContactForces::ContactForces(std::span<const GroundParameters> zones,
                              std::span<const std::uint16_t> zone_of_face, const BlockSurface& block,
                              double size, const ContactStiffness& stiffness, ContactWeights weights,
@@ -87,9 +110,13 @@ ContactLoad ContactForces::apply(const std::vector<Law>& laws,
   if (slip_grows_ && contacts_.empty()) forget_slip();
 
   ContactLoad load;
+  ledger.reassigned += 0.5 * motion.duration * acted_.power_from(motion);
   for (std::size_t i = 0; i < now_.size(); ++i) {
     load_contact(i, laws[now_[i].zone], motion, load, ledger);
   }
+  acted_ = Action(load, motion);
+  load.torque_on_other = -acted_.torque_on_other;
+  ledger.reassigned += 0.5 * motion.duration * acted_.power_at(motion);
   for (std::size_t j = 0; j < contacts_.size(); ++j) {
     if (history_.continues(j)) continue;
     end_contact(contacts_[j], laws[contacts_[j].zone], motion, load, ledger);
@@ -155,6 +182,7 @@ void ContactForces::load_contact(std::size_t index, const Law& law, const PairMo
   Contact& contact = now_[index];
   const GroundParameters& ground = zones_[contact.zone];
   const Slip slip(contact, motion);
+  const double w = contact.weight;
   const Contact* previous = history_.previous(index, contacts_);
   Past past =
       previous ? past_of(contact, *previous, motion) : past_of_new(contact, slip, law, motion);
@@ -171,18 +199,19 @@ void ContactForces::load_contact(std::size_t index, const Law& law, const PairMo
   const NormalResponse response = normal_response(contact, past, law);
   contact.normal = response.force;
   contact.dent = response.dent;
-  contact.tangential = friction(contact, slip, stiffness_.tangential, motion.duration,
-                                slip_grows_ ? ground.friction_after(slip_) : ground.friction);
-  if (slip_grows_) {
-    const Vec3 trial = past.tangential - stiffness_.tangential * motion.duration * slip.sliding;
-    slipped_ +=
-        contact.weight * tangential_give_ * std::max(0.0, trial.norm() - contact.tangential.norm());
-  }
-  contact.rolling =
+  const SpringResponse sliding =
+      friction(contact, slip, stiffness_.tangential, motion.duration,
+               slip_grows_ ? ground.friction_after(slip_) : ground.friction);
+  const SpringResponse rolling =
       rolling_resistance(contact, slip, rolling_[contact.zone], motion, ground.rolling_friction);
+  if (slip_grows_) {
+    const Vec3 trial = contact.tangential - stiffness_.tangential * motion.duration * slip.sliding;
+    slipped_ += w * tangential_give_ * std::max(0.0, trial.norm() - std::sqrt(sliding.squared));
+  }
+  contact.tangential = sliding.load;
+  contact.rolling = rolling.load;
 
   // Eq. 6: the loads of a point count by its weight.
-  const double w = contact.weight;
   const double drop = law.drop(contact.point.overlap, contact.normal);
   const double share = slip.closing > 0.0 ? 1.0 : law.returning_share(stiffness_.normal);
   load.impact += 0.5 * w *
@@ -191,27 +220,23 @@ void ContactForces::load_contact(std::size_t index, const Law& law, const PairMo
   const Vec3 force = w * (contact.normal * contact.point.normal + contact.tangential);
   load.force += force;
   load.torque += slip.arm.cross(force) + w * contact.rolling;
-  load.torque_on_other -=
-      (contact.place - motion.other.world_from_body.translation).cross(force) + w * contact.rolling;
   if (past.continuous && is_event(response)) add_event(load, response, contact, motion);
 
   // With the mean weight of the step. What the forces took beyond these losses and what is stored,
   // because weights, zones, normals or the contacts changed, is booked apart.
   const double mean_weight = 0.5 * (past.weight + w);
+  const double stored_by_normal = law.stored(contact.point.overlap, contact.dent);
   const double by_normal =
-      mean_weight * (response.work - law.stored(contact.point.overlap, contact.dent) +
+      mean_weight * (response.work - stored_by_normal +
                      law.stored(std::max(0.0, past.path.before), past.normal.dent));
-  const double by_friction = spring_loss(mean_weight, tangential_give_, past.tangential,
-                                         contact.tangential, slip.sliding, motion.duration);
-  const double by_rolling = spring_loss(mean_weight, rolling_give_[contact.zone], past.rolling,
-                                        contact.rolling, motion.spin, motion.duration);
-  const double power = -force.dot(slip.velocity) - w * contact.rolling.dot(motion.spin);
-  contact.stored = stored_in(contact, law);
+  const double by_friction = mean_weight * tangential_give_ * sliding.loss;
+  const double by_rolling = mean_weight * rolling_give_[contact.zone] * rolling.loss;
+  contact.stored = w * (stored_by_normal + 0.5 * (sliding.squared * tangential_give_ +
+                                                  rolling.squared * rolling_give_[contact.zone]));
   ledger.normal += by_normal;
   ledger.friction += by_friction;
   ledger.rolling += by_rolling;
-  ledger.reassigned += 0.5 * motion.duration * (past.power + power) - by_normal - by_friction -
-                       by_rolling - (contact.stored - past.stored);
+  ledger.reassigned -= by_normal + by_friction + by_rolling + (contact.stored - past.stored);
 }
 
 template <class Law>
@@ -221,9 +246,6 @@ void ContactForces::end_contact(const Contact& contact, const Law& law, const Pa
   const Vec3& n = contact.point.normal;
   const Vec3 velocity = motion.velocity_from(contact.place);
   const double overlap = contact.point.overlap;
-  const double taken =
-      -0.5 * duration * w *
-      ((contact.normal * n + contact.tangential).dot(velocity) + contact.rolling.dot(motion.spin));
   const OverlapPath path{duration, overlap, overlap - velocity.dot(n) * duration,
                          -motion.begin_velocity_at(contact.place).dot(n)};
   double own = 0.0;
@@ -233,15 +255,15 @@ void ContactForces::end_contact(const Contact& contact, const Law& law, const Pa
     if (is_event(response)) add_event(load, response, contact, motion);
     const double by_normal = w * (response.work + law.stored(overlap, contact.dent));
     const double by_friction =
-        spring_loss(w, tangential_give_, contact.tangential, Vec3::Zero(), velocity, duration);
-    const double by_rolling = spring_loss(w, rolling_give_[contact.zone], contact.rolling,
-                                          Vec3::Zero(), motion.spin, duration);
+        end_of_spring(w, tangential_give_, contact.tangential, velocity, duration);
+    const double by_rolling =
+        end_of_spring(w, rolling_give_[contact.zone], contact.rolling, motion.spin, duration);
     ledger.normal += by_normal;
     ledger.friction += by_friction;
     ledger.rolling += by_rolling;
     own = by_normal + by_friction + by_rolling;
   }
-  ledger.reassigned += taken + contact.stored - own;
+  ledger.reassigned += contact.stored - own;
 }
 
 template <class Law>

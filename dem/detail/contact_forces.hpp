@@ -99,6 +99,22 @@ class ContactForces {
     Vec3 torque_on_other = Vec3::Zero();
   };
 
+  /// What all contacts together did at the end of the last step, in world axes: `force` on the
+  /// block and the opposite on the other body.
+  struct Action {
+    Action() = default;
+    Action(const ContactLoad& load, const PairMotion& motion);
+    /// Power that it takes from the bodies in their mean motion over the step that it ends, W ...
+    double power_at(const PairMotion& motion) const;
+    /// ... and over the one that it begins.
+    double power_from(const PairMotion& motion) const;
+
+    Vec3 force = Vec3::Zero();
+    Vec3 torque = Vec3::Zero();           ///< on the block about its centre of mass
+    Vec3 torque_on_other = Vec3::Zero();  ///< against what the other body feels about its own
+    Vec3 centre = Vec3::Zero(), centre_of_other = Vec3::Zero();
+  };
+
   template <class Law>
   struct ByZone {
     std::vector<Law> laws;
@@ -148,6 +164,7 @@ class ContactForces {
   double tangential_give_;                      ///< 1/k_t
   std::vector<double> rolling_, rolling_give_;  ///< k_r and 1/k_r by zone
   std::vector<Contact> contacts_;
+  Action acted_;
   ScarDrag drag_;
   const SoilMemory* soil_ = nullptr;
   bool slip_grows_ = false;  ///< on any zone

@@ -25,7 +25,7 @@ void ContactHistory::match(const std::vector<ContactPoint>& points,
                            const std::vector<Contact>& before) {
   previous_of_.assign(points.size(), -1);
   continues_.assign(before.size(), 0);
-  match_features(points, before);
+  if (match_features(points, before) == points.size()) return;
   // The same block feature on the next ground feature, or the same ground feature under the next
   // block feature; then whatever continues at the same place.
   match_related(points, before, [](const ContactPoint& a, const ContactPoint& b) {
@@ -38,10 +38,10 @@ void ContactHistory::match(const std::vector<ContactPoint>& points,
   });
 }
 
-void ContactHistory::match_features(const std::vector<ContactPoint>& points,
-                                    const std::vector<Contact>& before) {
+std::size_t ContactHistory::match_features(const std::vector<ContactPoint>& points,
+                                           const std::vector<Contact>& before) {
   // Both lists are in the same order, so the search goes on where the last one ended.
-  std::size_t next = 0;
+  std::size_t next = 0, found = 0;
   for (std::size_t i = 0; i < points.size(); ++i) {
     for (std::size_t tried = 0; tried < before.size(); ++tried) {
       if (next == before.size()) next = 0;
@@ -53,9 +53,11 @@ void ContactHistory::match_features(const std::vector<ContactPoint>& points,
         continue;
       }
       link(i, j);
+      ++found;
       break;
     }
   }
+  return found;
 }
 
 template <class Related>
@@ -80,15 +82,18 @@ void ContactHistory::match_related(const std::vector<ContactPoint>& points,
 void ContactHistory::transfer_springs(std::vector<Contact>& now, const std::vector<Contact>& before,
                                       const ContactPatches& patches) {
   transfers_.assign(now.size(), {});
+  gained_.resize(now.size());
   for (std::size_t i = 0; i < now.size(); ++i) {
     Contact& contact = now[i];
+    double more = contact.weight;
     if (const Contact* previous = this->previous(i, before)) {
       contact.tangential =
           turned_into_plane(previous->tangential, previous->point.normal, contact.point.normal);
       contact.rolling = previous->rolling;
+      more -= previous->weight;
     }
+    gained_[i] = more;
     Transfer& transfer = transfers_[patches.patch_of(i)];
-    const double more = weight_gain(i, now, before);
     if (more > 0.0) {
       transfer.gained += more;
     } else {
@@ -98,11 +103,11 @@ void ContactHistory::transfer_springs(std::vector<Contact>& now, const std::vect
     }
   }
   for (std::size_t i = 0; i < now.size(); ++i) {
+    const double more = gained_[i];
+    if (!(more > 0.0)) continue;
     const Transfer& transfer = transfers_[patches.patch_of(i)];
     if (!(transfer.lost > 0.0)) continue;
     Contact& contact = now[i];
-    const double more = weight_gain(i, now, before);
-    if (!(more > 0.0)) continue;
     // What more is gained than lost keeps the point's own springs.
     const double taken = more / std::max(transfer.gained, transfer.lost);
     const double own = 1.0 - taken * transfer.lost / contact.weight;

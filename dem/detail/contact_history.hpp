@@ -50,7 +50,9 @@ class ContactHistory {
     Vec3 rolling = Vec3::Zero();      ///< N m
   };
 
-  void match_features(const std::vector<ContactPoint>& points, const std::vector<Contact>& before);
+  /// @return  how many points it has matched
+  std::size_t match_features(const std::vector<ContactPoint>& points,
+                             const std::vector<Contact>& before);
   template <class Related>
   void match_related(const std::vector<ContactPoint>& points, const std::vector<Contact>& before,
                      const Related& related);
@@ -58,16 +60,13 @@ class ContactHistory {
     previous_of_[point] = static_cast<int>(contact);
     continues_[contact] = 1;
   }
-  double weight_gain(std::size_t point, const std::vector<Contact>& now,
-                     const std::vector<Contact>& before) const {
-    const Contact* previous = this->previous(point, before);
-    return now[point].weight - (previous ? previous->weight : 0.0);
-  }
 
   double near_;
   std::vector<int> previous_of_;     ///< contact of the step before, -1 for none
   std::vector<char> continues_;      ///< contacts of the step before
-  std::vector<Transfer> transfers_;  ///< by patch; kept to spare the allocations
+  // Kept to spare the allocations.
+  std::vector<Transfer> transfers_;  ///< by patch
+  std::vector<double> gained_;       ///< weight of each point, less what it had before
 };
 
 }  // namespace clast::dem_detail

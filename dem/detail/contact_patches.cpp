@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <utility>
 
 namespace clast::dem_detail {
 namespace {
@@ -20,6 +21,12 @@ bool smooth_between(const ContactPoint& a, const ContactPoint& b) {
   const Vec3 between = b.foot - a.foot;
   const double rise = kPatchRise * between.norm();
   return a.normal.dot(between) <= rise && b.normal.dot(between) >= -rise;
+}
+
+/// True for two vertices that touch one face of the ground within it.
+bool on_one_face(const ContactPoint& a, const ContactPoint& b) {
+  return a.ground_face == b.ground_face && a.kind == ContactKind::kVertexGround &&
+         b.kind == ContactKind::kVertexGround && a.normal == b.normal;
 }
 
 }  // namespace
@@ -68,9 +75,8 @@ bool ContactPatches::same_features(const std::vector<ContactPoint>& points) cons
   return true;
 }
 
-void ContactPatches::list_joints(const std::vector<ContactPoint>& points) {
+void ContactPatches::list_links(const std::vector<ContactPoint>& points) {
   features_.clear();
-  on_joint_.clear();
   links_.clear();
   last_on_joint_.resize(block_.faces.size() + block_.edges.size(), kNoFeature);
   std::iota(patch_.begin(), patch_.end(), 0u);
@@ -79,21 +85,21 @@ void ContactPatches::list_joints(const std::vector<ContactPoint>& points) {
     features_.emplace_back(points[i].kind, points[i].block_feature);
     std::uint32_t patch = i;
     for (const std::uint32_t joint : joints_of(points[i], buffer)) {
-      const std::uint32_t last = last_on_joint_[joint];
-      const std::uint32_t other = last != kNoFeature ? patch_so_far(on_joint_[last].point) : patch;
-      if (other != patch) {
-        links_.push_back({i, on_joint_[last].point, joint});
-        patch = patch_[std::max(patch, other)] = std::min(patch, other);
-      }
-      last_on_joint_[joint] = static_cast<std::uint32_t>(on_joint_.size());
-      on_joint_.push_back({i, joint, last});
+      const std::uint32_t earlier = std::exchange(last_on_joint_[joint], i);
+      if (earlier == kNoFeature) continue;
+      const std::uint32_t other = patch_so_far(earlier);
+      if (other == patch) continue;
+      links_.push_back({i, earlier, joint});
+      patch = patch_[std::max(patch, other)] = std::min(patch, other);
     }
   }
-  for (const OnJoint& entry : on_joint_) last_on_joint_[entry.joint] = kNoFeature;
+  for (const ContactPoint& point : points) {
+    for (const std::uint32_t joint : joints_of(point, buffer)) last_on_joint_[joint] = kNoFeature;
+  }
 }
 
 void ContactPatches::join(const std::vector<ContactPoint>& points, const Quat& orientation) {
-  if (!same_features(points)) list_joints(points);
+  if (!same_features(points)) list_links(points);
   std::iota(patch_.begin(), patch_.end(), 0u);
   const Mat3 body_from_world = orientation.toRotationMatrix().transpose();
   normals_in_body_.clear();
@@ -104,22 +110,35 @@ void ContactPatches::join(const std::vector<ContactPoint>& points, const Quat& o
   }
   bool all = true;
   for (const Link& link : links_) all = join(link, points) && all;
-  if (!all) {
-    for (const OnJoint& on : on_joint_) {
-      for (std::uint32_t j = on.before; j != kNoFeature; j = on_joint_[j].before) {
-        const std::uint32_t earlier = on_joint_[j].point;
-        if (patch_so_far(on.point) != patch_so_far(earlier)) {
-          join({on.point, earlier, on.joint}, points);
-        }
-      }
-    }
-  }
+  if (!all) join_any(points);
   for (std::uint32_t& patch : patch_) patch = patch_[patch];
 }
 
+void ContactPatches::join_any(const std::vector<ContactPoint>& points) {
+  on_joint_.clear();
+  std::array<std::uint32_t, 3> buffer;
+  for (std::uint32_t i = 0; i < points.size(); ++i) {
+    for (const std::uint32_t joint : joints_of(points[i], buffer)) {
+      const auto entry = static_cast<std::uint32_t>(on_joint_.size());
+      on_joint_.push_back({i, joint, std::exchange(last_on_joint_[joint], entry)});
+    }
+  }
+  for (const OnJoint& on : on_joint_) {
+    last_on_joint_[on.joint] = kNoFeature;
+    for (std::uint32_t j = on.before; j != kNoFeature; j = on_joint_[j].before) {
+      const std::uint32_t earlier = on_joint_[j].point;
+      if (patch_so_far(on.point) != patch_so_far(earlier)) {
+        join({on.point, earlier, on.joint}, points);
+      }
+    }
+  }
+}
+
 bool ContactPatches::join(const Link& link, const std::vector<ContactPoint>& points) {
-  if (is_wall(link.joint, link.point) || is_wall(link.joint, link.earlier) ||
-      !smooth_between(points[link.point], points[link.earlier])) {
+  const ContactPoint &point = points[link.point], &earlier = points[link.earlier];
+  if (is_wall(link.joint, link.point)) return false;
+  if (!on_one_face(point, earlier) &&
+      (is_wall(link.joint, link.earlier) || !smooth_between(point, earlier))) {
     return false;
   }
   const std::uint32_t a = patch_so_far(link.point), b = patch_so_far(link.earlier);

@@ -35,11 +35,13 @@ class ContactPatches {
   };
 
   bool same_features(const std::vector<ContactPoint>& points) const;
-  void list_joints(const std::vector<ContactPoint>& points);
+  void list_links(const std::vector<ContactPoint>& points);
   /// Finds the patches: points of one joint with smooth ground between them, and what those join.
   void join(const std::vector<ContactPoint>& points, const Quat& orientation);
   /// Joins two that are of different patches so far, where it may.
   bool join(const Link& link, const std::vector<ContactPoint>& points);
+  /// Tries every two points of a joint that are of different patches so far.
+  void join_any(const std::vector<ContactPoint>& points);
   /// A side wall joins no points on the ground: two feet stay two.
   bool is_wall(std::uint32_t joint, std::uint32_t point) const;
   std::uint32_t patch_so_far(std::uint32_t point);
@@ -57,11 +59,12 @@ class ContactPatches {
   std::vector<double> patch_overlap_;
   std::vector<Vec3> normals_in_body_;
   std::vector<std::pair<ContactKind, std::uint32_t>> features_;  ///< of the block, by point
-  std::vector<OnJoint> on_joint_;
   /// As few as join all that the joints can: mostly every one of them does, and no other pair of
   /// points needs a look.
   std::vector<Link> links_;
-  std::vector<std::uint32_t> last_on_joint_;  ///< entry of `on_joint_`, by joint
+  // Scratch.
+  std::vector<OnJoint> on_joint_;
+  std::vector<std::uint32_t> last_on_joint_;  ///< point, or entry of `on_joint_`, by joint
 };
 
 }  // namespace clast::dem_detail

@@ -34,10 +34,8 @@ struct Slip {
 struct Past {
   OverlapPath path;  ///< of the overlap over the step
   NormalState normal = {};
-  Vec3 tangential, rolling;  ///< springs as transferred, N and N m
   double weight = 0.0;
   double stored = 0.0;     ///< J
-  double power = 0.0;      ///< taken from the bodies when the step began, W
   bool continuous = true;  ///< false: appeared with an overlap that its speed does not explain
 };
 
@@ -46,8 +44,6 @@ inline Past past_of(const Contact& contact, const Contact& previous, const PairM
   const ContactPoint &point = contact.point, &point_before = previous.point;
   Past past{.path = {motion.duration, point_before.overlap, point.overlap, 0.0},
             .normal = {previous.normal, previous.dent},
-            .tangential = contact.tangential,
-            .rolling = contact.rolling,
             .weight = previous.weight,
             .stored = previous.stored};
   // On another feature it goes on as before only if the surface does too.
@@ -57,9 +53,6 @@ inline Past past_of(const Contact& contact, const Contact& previous, const PairM
                      point_before.normal.dot(point.normal) > kSameNormal);
   past.path.rate = same ? -motion.begin_velocity_at(previous.place).dot(point_before.normal)
                         : (past.path.after - past.path.before) / motion.duration;
-  const Vec3 force = previous.normal * point_before.normal + previous.tangential;
-  past.power = -previous.weight * (force.dot(motion.velocity_from(previous.place)) +
-                                   previous.rolling.dot(motion.spin));
   return past;
 }
 
@@ -70,8 +63,6 @@ Past past_of_new(const Contact& contact, const Slip& slip, const Law& law,
                  const PairMotion& motion) {
   const double overlap = contact.point.overlap;
   Past past{.path = {motion.duration, overlap - slip.closing * motion.duration, overlap, 0.0},
-            .tangential = contact.tangential,
-            .rolling = contact.rolling,
             .weight = contact.weight};
   past.path.rate = -motion.begin_velocity_at(contact.place - motion.duration * slip.velocity)
                         .dot(contact.point.normal);
@@ -95,38 +86,49 @@ NormalResponse normal_response(const Contact& contact, const Past& past, const L
   return {.force = first.force, .dent = first.dent};
 }
 
+/// A spring of friction or rolling resistance after a step, and what it gave up to its limit.
+struct SpringResponse {
+  Vec3 load;         ///< N, or N m
+  double squared;    ///< of its length
+  double loss = 0.0; ///< dissipated, times k_t or k_r and per unit of weight
+};
+
+/// Of the spring that would have become `trial` without a limit, and becomes `share` of it.
+inline SpringResponse limited(const Vec3& before, const Vec3& trial, double squared, double share) {
+  // The slip of the step winds the spring up by trial - before: its work less what is stored more.
+  return {share * trial, share * share * squared,
+          0.5 * (1.0 - share) * (before.dot(trial) + share * squared)};
+}
+
 /// Eq. 4: the tangential spring follows the slip up to mu f.
-inline Vec3 friction(const Contact& contact, const Slip& slip, double stiffness, double duration,
-                     double friction_coefficient) {
-  Vec3 force = contact.tangential - stiffness * duration * slip.sliding;
+inline SpringResponse friction(const Contact& contact, const Slip& slip, double stiffness,
+                               double duration, double friction_coefficient) {
+  const Vec3 trial = contact.tangential - stiffness * duration * slip.sliding;
   const double largest = friction_coefficient * contact.normal;
-  const double squared = force.squaredNorm();
-  if (squared > largest * largest) force *= largest / std::sqrt(squared);
-  return force;
+  const double squared = trial.squaredNorm();
+  if (!(squared > largest * largest)) return {trial, squared};
+  return limited(contact.tangential, trial, squared, largest / std::sqrt(squared));
 }
 
 /// Eq. 5: the rolling spring follows the spin up to mu_R l f.
-inline Vec3 rolling_resistance(const Contact& contact, const Slip& slip, double stiffness,
-                               const PairMotion& motion, double rolling_friction) {
-  if (!(rolling_friction > 0.0)) return Vec3::Zero();
-  Vec3 moment = contact.rolling - stiffness * motion.duration * motion.spin;
+inline SpringResponse rolling_resistance(const Contact& contact, const Slip& slip, double stiffness,
+                                         const PairMotion& motion, double rolling_friction) {
+  const Vec3 trial = contact.rolling - stiffness * motion.duration * motion.spin;
+  const double squared = trial.squaredNorm();
+  if (!(rolling_friction > 0.0)) return limited(contact.rolling, trial, squared, 0.0);
   // The arm l is perpendicular to the axis about which the block rolls: the length of the moment
   // times the arm is that of the product of both.
-  const double squared = moment.squaredNorm();
-  const double largest = rolling_friction * contact.normal * slip.arm.cross(moment).norm();
-  if (squared > largest) moment *= largest / squared;
-  return moment;
+  const double largest = rolling_friction * contact.normal * slip.arm.cross(trial).norm();
+  if (!(squared > largest)) return {trial, squared};
+  return limited(contact.rolling, trial, squared, largest / squared);
 }
 
-/// What friction or rolling resistance dissipates over a step: the work on its spring less what
-/// that stores more, J.
+/// What the end of a contact dissipates of one of its springs over a step, J.
 /// @param give  1/k_t or 1/k_r
 /// @param rate  of the slip or spin that winds it up
-inline double spring_loss(double weight, double give, const Vec3& before, const Vec3& after,
-                          const Vec3& rate, double duration) {
-  return -0.5 * weight *
-         (duration * (before + after).dot(rate) +
-          (after.squaredNorm() - before.squaredNorm()) * give);
+inline double end_of_spring(double weight, double give, const Vec3& before, const Vec3& rate,
+                            double duration) {
+  return 0.5 * weight * (before.squaredNorm() * give - duration * before.dot(rate));
 }
 
 }  // namespace clast::dem_detail
