@@ -37,17 +37,20 @@ std::span<const double> ContactPatches::share(const std::vector<ContactPoint>& p
   if (count == 1) {  // by whatever rule
     patch_.assign(1, 0);
     share_.assign(1, 1.0);
+    features_.clear();
     return share_;
   }
   share_.assign(count, weights_ == ContactWeights::kCount ? 1.0 / static_cast<double>(count) : 1.0);
-  patch_.assign(count, 0);
-  if (weights_ == ContactWeights::kNone) std::iota(patch_.begin(), patch_.end(), 0u);
-  if (weights_ == ContactWeights::kNone || weights_ == ContactWeights::kCount) return share_;
-  if (weights_ == ContactWeights::kPatch) join(points, orientation);
+  if (weights_ == ContactWeights::kPatch) {
+    join(points, orientation);
+  } else {
+    patch_.assign(count, 0);
+    if (weights_ == ContactWeights::kNone) std::iota(patch_.begin(), patch_.end(), 0u);
+    if (weights_ != ContactWeights::kOverlap) return share_;
+  }
   patch_overlap_.assign(count, 0.0);
-  for (std::size_t i = 0; i < count; ++i) patch_overlap_[patch_of(i)] += points[i].overlap;
-  for (std::size_t i = 0; i < count; ++i)
-    share_[i] = points[i].overlap / patch_overlap_[patch_of(i)];
+  for (std::size_t i = 0; i < count; ++i) patch_overlap_[patch_[i]] += points[i].overlap;
+  for (std::size_t i = 0; i < count; ++i) share_[i] = points[i].overlap / patch_overlap_[patch_[i]];
   return share_;
 }
 
@@ -78,6 +81,7 @@ bool ContactPatches::same_features(const std::vector<ContactPoint>& points) cons
 void ContactPatches::list_links(const std::vector<ContactPoint>& points) {
   features_.clear();
   links_.clear();
+  patch_.resize(points.size());
   last_on_joint_.resize(block_.faces.size() + block_.edges.size(), kNoFeature);
   std::iota(patch_.begin(), patch_.end(), 0u);
   std::array<std::uint32_t, 3> buffer;
@@ -99,8 +103,8 @@ void ContactPatches::list_links(const std::vector<ContactPoint>& points) {
 }
 
 void ContactPatches::join(const std::vector<ContactPoint>& points, const Quat& orientation) {
-  if (!same_features(points)) list_links(points);
-  std::iota(patch_.begin(), patch_.end(), 0u);
+  const bool same_links = same_features(points);
+  if (!same_links) list_links(points);
   const Mat3 body_from_world = orientation.toRotationMatrix().transpose();
   normals_in_body_.clear();
   for (std::size_t i = 0; i < points.size(); ++i) {
@@ -108,9 +112,15 @@ void ContactPatches::join(const std::vector<ContactPoint>& points, const Quat& o
     normals_in_body_.push_back(same ? normals_in_body_.back()
                                     : Vec3(body_from_world * points[i].normal));
   }
-  bool all = true;
-  for (const Link& link : links_) all = join(link, points) && all;
-  if (!all) join_any(points);
+  const auto may_join = [&](const Link& link) { return joins(link, points); };
+  const bool as_before = same_links && all_joined_;
+  all_joined_ = std::all_of(links_.begin(), links_.end(), may_join);
+  if (as_before && all_joined_) return;
+  std::iota(patch_.begin(), patch_.end(), 0u);
+  for (const Link& link : links_) {
+    if (all_joined_ || joins(link, points)) unite(link.point, link.earlier);
+  }
+  if (!all_joined_) join_any(points);
   for (std::uint32_t& patch : patch_) patch = patch_[patch];
 }
 
@@ -127,23 +137,24 @@ void ContactPatches::join_any(const std::vector<ContactPoint>& points) {
     last_on_joint_[on.joint] = kNoFeature;
     for (std::uint32_t j = on.before; j != kNoFeature; j = on_joint_[j].before) {
       const std::uint32_t earlier = on_joint_[j].point;
-      if (patch_so_far(on.point) != patch_so_far(earlier)) {
-        join({on.point, earlier, on.joint}, points);
+      if (patch_so_far(on.point) != patch_so_far(earlier) &&
+          joins({on.point, earlier, on.joint}, points)) {
+        unite(on.point, earlier);
       }
     }
   }
 }
 
-bool ContactPatches::join(const Link& link, const std::vector<ContactPoint>& points) {
+bool ContactPatches::joins(const Link& link, const std::vector<ContactPoint>& points) const {
   const ContactPoint &point = points[link.point], &earlier = points[link.earlier];
   if (is_wall(link.joint, link.point)) return false;
-  if (!on_one_face(point, earlier) &&
-      (is_wall(link.joint, link.earlier) || !smooth_between(point, earlier))) {
-    return false;
-  }
-  const std::uint32_t a = patch_so_far(link.point), b = patch_so_far(link.earlier);
+  return on_one_face(point, earlier) ||
+         (!is_wall(link.joint, link.earlier) && smooth_between(point, earlier));
+}
+
+void ContactPatches::unite(std::uint32_t point, std::uint32_t other) {
+  const std::uint32_t a = patch_so_far(point), b = patch_so_far(other);
   patch_[std::max(a, b)] = std::min(a, b);
-  return true;
 }
 
 bool ContactPatches::is_wall(std::uint32_t joint, std::uint32_t point) const {

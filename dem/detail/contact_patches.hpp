@@ -38,8 +38,9 @@ class ContactPatches {
   void list_links(const std::vector<ContactPoint>& points);
   /// Finds the patches: points of one joint with smooth ground between them, and what those join.
   void join(const std::vector<ContactPoint>& points, const Quat& orientation);
-  /// Joins two that are of different patches so far, where it may.
-  bool join(const Link& link, const std::vector<ContactPoint>& points);
+  /// Whether the ground joins two points that the block may.
+  bool joins(const Link& link, const std::vector<ContactPoint>& points) const;
+  void unite(std::uint32_t point, std::uint32_t other);
   /// Tries every two points of a joint that are of different patches so far.
   void join_any(const std::vector<ContactPoint>& points);
   /// A side wall joins no points on the ground: two feet stay two.
@@ -62,6 +63,7 @@ class ContactPatches {
   /// As few as join all that the joints can: mostly every one of them does, and no other pair of
   /// points needs a look.
   std::vector<Link> links_;
+  bool all_joined_ = false;  ///< in the last call; then the same links leave the same patches
   // Scratch.
   std::vector<OnJoint> on_joint_;
   std::vector<std::uint32_t> last_on_joint_;  ///< point, or entry of `on_joint_`, by joint
