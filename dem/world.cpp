@@ -176,7 +176,9 @@ std::vector<std::size_t> World::touched_bodies(std::size_t body) const {
   if (!impl_->prepared(body)) return touched;
   for (const std::uint32_t e : impl_->pairs().of(body)) {
     const ContactPair& pair = impl_->pairs().all()[e];
-    if (pair.reference == ContactPair::kTerrain || !pair.contacts->touching()) continue;
+    if (!pair.loads || pair.reference == ContactPair::kTerrain || !pair.contacts->touching()) {
+      continue;
+    }
     touched.push_back(pair.block == body ? pair.reference : pair.block);
   }
   std::sort(touched.begin(), touched.end());

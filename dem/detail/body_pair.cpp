@@ -45,11 +45,12 @@ BodyPair::Search BodyPair::new_search() const {
   return BlockContacts(*reference_block_, block_, size_);
 }
 
-bool BodyPair::are_far_apart(const BodyMotion& reference, const BodyMotion& block) const {
-  if (!reference_block_) return false;
+double BodyPair::gap_of_spheres(const BodyMotion& reference, const BodyMotion& block) const {
+  if (!reference_block_) return 0.0;
   const double near = reference_block_->bounding_radius + block_.bounding_radius;
-  return (block.world_from_body.translation - reference.world_from_body.translation).squaredNorm() >
-         near * near;
+  const double apart =
+      (block.world_from_body.translation - reference.world_from_body.translation).norm();
+  return std::max(0.0, apart - near);
 }
 
 double BodyPair::gap_of_bounds(const Vec3& block_centre) const {
@@ -58,19 +59,23 @@ double BodyPair::gap_of_bounds(const Vec3& block_centre) const {
   return (block_centre - nearest).norm() - block_.bounding_radius - reference_.radius;
 }
 
+double BodyPair::travel_to(const Pose& pose) const {
+  // A turn by an angle a moves no point farther than 2 sin(a/2) times its distance.
+  const double turn = 2.0 * (near_->pose.rotation.conjugate() * pose.rotation).vec().norm();
+  return near_->travel + (pose.translation - near_->pose.translation).norm() +
+         turn * block_.bounding_radius;
+}
+
 const ContactLoad& BodyPair::update(const BodyMotion& reference, const BodyMotion& block,
                                     double duration) {
-  if (!near_ && are_far_apart(reference, block)) return load_;  // which is none
+  if (!near_ && gap_of_spheres(reference, block) > 0.0) return load_;  // which is none
   const Pose pose = reference.world_from_body.inverse() * block.world_from_body;
   load_ = {};
   if (!near_) {
     if (gap_of_bounds(pose.translation) > 0.0) return load_;
     near_.emplace(new_search(), block_, size_, rules_);
   } else {
-    // A turn by an angle a moves no point farther than 2 sin(a/2) times its distance.
-    const double turn = 2.0 * (near_->pose.rotation.conjugate() * pose.rotation).vec().norm();
-    near_->travel +=
-        (pose.translation - near_->pose.translation).norm() + turn * block_.bounding_radius;
+    near_->travel = travel_to(pose);
     if (near_->forces.empty()) near_->forces.wait(duration);
   }
   near_->pose = pose;
@@ -97,11 +102,11 @@ const ContactLoad& BodyPair::update(const BodyMotion& reference, const BodyMotio
 }
 
 double BodyPair::clearance(const BodyMotion& reference, const BodyMotion& block) const {
-  const double clear =
-      near_
-          ? near_->asleep_until - near_->travel
-          : gap_of_bounds(reference.world_from_body.inverse() * block.world_from_body.translation);
-  return touching() ? 0.0 : std::max(0.0, clear);
+  if (touching()) return 0.0;
+  const Pose pose = reference.world_from_body.inverse() * block.world_from_body;
+  return std::max(0.0, near_ ? near_->asleep_until - travel_to(pose)
+                             : std::max(gap_of_spheres(reference, block),
+                                        gap_of_bounds(pose.translation)));
 }
 
 void BodyPair::end_contacts(const BodyMotion& reference, const BodyMotion& block) {

@@ -34,6 +34,10 @@ class BodyPair {
 
   /// Loads at the present places after a step of `duration`; every joule goes to `ledger()`.
   const ContactLoad& update(const BodyMotion& reference, const BodyMotion& block, double duration);
+  /// Lets time pass in which the two do not touch, without an `update`, s.
+  void wait(double duration) {
+    if (near_ && near_->forces.empty()) near_->forces.wait(duration);
+  }
   /// Ends all contacts, as when a body is removed; what they stored goes to the ledger.
   void end_contacts(const BodyMotion& reference, const BodyMotion& block);
 
@@ -47,8 +51,8 @@ class BodyPair {
   /// neither of the two moves.
   void drop_event() { load_.event.reset(); }
 
-  /// How far the two may move against each other from the places of the last update before they
-  /// can touch, m; 0 where that is not known.
+  /// How far the two may move against each other from here before they can touch, m; 0 where that
+  /// is not known.
   double clearance(const BodyMotion& reference, const BodyMotion& block) const;
   /// Of all contacts together, for the block as `ContactForces::mobility`, and their weights.
   double mobility(std::span<const double> of_vertices) const {
@@ -82,9 +86,11 @@ class BodyPair {
   };
 
   Search new_search() const;
-  /// By their bounding spheres alone.
-  bool are_far_apart(const BodyMotion& reference, const BodyMotion& block) const;
+  /// Between their bounding spheres, m; 0 where that is not known.
+  double gap_of_spheres(const BodyMotion& reference, const BodyMotion& block) const;
   double gap_of_bounds(const Vec3& block_centre) const;
+  /// `travel` of what is near when the block is at `pose`.
+  double travel_to(const Pose& pose) const;
   void find_points(const Pose& world_from_reference, const Pose& reference_from_block);
 
   const IndexedSurface& reference_;

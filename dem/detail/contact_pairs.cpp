@@ -99,7 +99,13 @@ void ContactPairs::refresh(std::span<const WorldBody> bodies) {
 
 void ContactPairs::update(std::span<const WorldBody> bodies, double duration, ThreadTeam& team) {
   team.run(pairs_.size(), kPairsAtATime, [&](std::size_t e) {
-    if (active(pairs_[e], bodies)) update(pairs_[e], bodies, duration);
+    ContactPair& pair = pairs_[e];
+    if (!active(pair, bodies)) return;
+    if (!pair.loads && way(pair, bodies) < pair.asleep_until) {
+      pair.waited += duration;
+    } else {
+      update(pair, bodies, duration);
+    }
   });
 }
 
@@ -111,9 +117,25 @@ void ContactPairs::begin(std::span<const WorldBody> bodies,
 }
 
 void ContactPairs::update(ContactPair& pair, std::span<const WorldBody> bodies, double duration) {
-  const ContactLoad& load = pair.contacts->update(motion_of(pair.reference, bodies),
-                                                  motion_of(pair.block, bodies), duration);
+  const BodyMotion& reference = motion_of(pair.reference, bodies);
+  const BodyMotion& block = motion_of(pair.block, bodies);
+  pair.contacts->wait(std::exchange(pair.waited, 0.0));
+  const ContactLoad& load = pair.contacts->update(reference, block, duration);
   pair.loads = pair.contacts->touching() || load.event;
+  if (pair.loads) return;
+  if (pair.reference != ContactPair::kTerrain) {
+    pair.arm = (block.world_from_body.translation - reference.world_from_body.translation).norm() +
+               bodies[pair.block].shape->radius;
+  }
+  pair.asleep_until = way(pair, bodies) + pair.contacts->clearance(reference, block);
+}
+
+double ContactPairs::way(const ContactPair& pair, std::span<const WorldBody> bodies) {
+  const WorldBody& block = bodies[pair.block];
+  const double of_block = block.way + block.turn * block.shape->radius;
+  if (pair.reference == ContactPair::kTerrain) return of_block;
+  const WorldBody& reference = bodies[pair.reference];
+  return of_block + reference.way + reference.turn * pair.arm;
 }
 
 void ContactPairs::end_contacts_of(std::uint32_t body, std::span<const WorldBody> bodies) {

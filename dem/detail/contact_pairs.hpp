@@ -24,8 +24,11 @@ struct ContactPair {
   std::uint32_t reference;  ///< kTerrain, or the body in whose frame contacts are searched
   std::uint32_t block;
   std::unique_ptr<BodyPair> contacts;
-  bool loads = false;  ///< do the contacts do anything to the two? Kept here, where it is read for
-                       ///< many pairs that do not.
+  // Kept here, where they are read for many pairs that do nothing:
+  bool loads = false;            ///< do the contacts do anything to the two?
+  double asleep_until = -1e300;  ///< `way` before which they cannot touch, m
+  double arm = 0.0;              ///< farthest that the block reached from the reference's centre, m
+  double waited = 0.0;           ///< time since the last update, s
 
   BroadPhase::Pair key() const { return {std::min(reference, block), std::max(reference, block)}; }
   /// True when no body of it has a number from `end` on.
@@ -107,6 +110,9 @@ class ContactPairs {
     return body == ContactPair::kTerrain ? still_ground_ : bodies[body].motion;
   }
   void update(ContactPair& pair, std::span<const WorldBody> bodies, double duration);
+  /// Bounds how far any point of the block has moved as the reference sees it, m: only its growth
+  /// means something.
+  static double way(const ContactPair& pair, std::span<const WorldBody> bodies);
   std::vector<BroadPhase::Pair> pairs_to_keep(std::span<const WorldBody> bodies) const;
   ContactPair contact_pair(std::uint32_t first, std::uint32_t second,
                            std::span<const WorldBody> bodies) const;

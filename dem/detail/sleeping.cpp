@@ -11,7 +11,7 @@ constexpr std::uint32_t kTerrain = ContactPair::kTerrain;
 
 /// Two bodies that touch; a body that touches the terrain is none.
 bool bodies_touch(const ContactPair& pair) {
-  return pair.reference != kTerrain && pair.contacts->touching();
+  return pair.loads && pair.reference != kTerrain && pair.contacts->touching();
 }
 
 std::uint32_t other_of(const ContactPair& pair, std::uint32_t body) {
@@ -36,7 +36,7 @@ double put_to_sleep(std::uint32_t number, std::span<WorldBody> bodies, const Con
   RigidState state = body.moving.state();
   state.velocity = state.angular_velocity = Vec3::Zero();
   body.moving.place(state);
-  body.motion = body.moving.motion();
+  body.move(body.moving.motion());
   body.asleep = true;
   for (const std::uint32_t e : pairs.of(number)) pairs.all()[e].contacts->drop_event();
   return energy;

@@ -63,7 +63,7 @@ StepChoice choose_step(std::span<const WorldBody> bodies, const ContactPairs& pa
   if (!(contact.longest_step >= contact.time_step)) return shortest;
   bool touching = false;
   for (const ContactPair& pair : pairs.all()) {
-    if (!pair.contacts->touching() || !ContactPairs::active(pair, bodies)) continue;
+    if (!pair.loads || !ContactPairs::active(pair, bodies) || !pair.contacts->touching()) continue;
     touching = true;
     const WorldBody& block = bodies[pair.block];
     const double energy = pair.contacts->load().impact * block.shape->body.mass;

@@ -46,6 +46,13 @@ struct WorldBody {
     return still;
   }
   bool still() const { return fixed || gone; }
+  /// Takes its motion over a step.
+  void move(const BodyMotion& over_step) {
+    const Pose &from = motion.world_from_body, &to = over_step.world_from_body;
+    way += (to.translation - from.translation).norm();
+    turn += 2.0 * (from.rotation.conjugate() * to.rotation).vec().norm();
+    motion = over_step;
+  }
   /// Does nothing in a step, now.
   bool idle() const { return still() || asleep; }
   /// Kinetic and potential, J.
@@ -60,6 +67,8 @@ struct WorldBody {
   bool gone = false;                ///< left the terrain or was removed: it stays where it was then
   bool off_terrain = false;         ///< found in the last step: about to leave
   BodyMotion motion;                ///< over the last step
+  double way = 0.0;                 ///< of its centre since it came, step by step, m
+  double turn = 0.0;                ///< likewise: chords of its turns, m at an arm of 1 m
   Vec3 force = Vec3::Zero();
   Vec3 torque = Vec3::Zero();
   bool touching = false;         ///< has contacts

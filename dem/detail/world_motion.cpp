@@ -104,7 +104,7 @@ void WorldMotion::free(std::span<const std::size_t> bodies) {
   for (const std::size_t i : bodies) {
     WorldBody& body = bodies_[i];
     body.fixed = false;
-    body.motion = body.moving.motion();
+    body.move(body.moving.motion());
     initial_ += body.energy(settings_.gravity);
   }
   pairs_.list_anew();
@@ -171,9 +171,9 @@ void WorldMotion::begin_moves(const StepChoice& step) {
   team_.run(bodies_.size(), kBodiesAtATime, [&](std::size_t i) {
     WorldBody& body = bodies_[i];
     if (body.idle()) return;
-    body.motion = step.flight
-                      ? body.moving.fly(step.length, gravity())
-                      : body.moving.begin_step(step.length, body.force, body.torque, gravity());
+    body.move(step.flight
+                  ? body.moving.fly(step.length, gravity())
+                  : body.moving.begin_step(step.length, body.force, body.torque, gravity()));
   });
 }
 
@@ -231,7 +231,7 @@ void WorldMotion::take_out(std::size_t body) {
   pairs_.end_contacts_of(static_cast<std::uint32_t>(body), bodies_);
   if (soil_.any()) pairs_.remember_dents(bodies_, soil_);
   bodies_[body].gone = true;
-  bodies_[body].motion = bodies_[body].without_motion();
+  bodies_[body].move(bodies_[body].without_motion());
 }
 
 void WorldMotion::note_begins() {
