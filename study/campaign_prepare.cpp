@@ -1,3 +1,5 @@
+#include <map>
+#include <utility>
 
 #include "classify/schemes.hpp"
 #include "core/digest.hpp"
@@ -49,7 +51,12 @@ std::vector<BlockSummary> block_summaries(const PreparedCampaign& prepared) {
 
 void make_bodies(PreparedCampaign& prepared) {
   prepared.bodies.clear();
+  prepared.same_body.clear();
+  std::map<std::pair<std::size_t, double>, std::uint32_t> first;
   for (const CampaignBlock& block : prepared.choice.blocks) {
+    const auto number = static_cast<std::uint32_t>(prepared.bodies.size());
+    prepared.same_body.push_back(
+        first.try_emplace({block.library, block.scale}, number).first->second);
     prepared.bodies.push_back(
         scaled(rigid_body(prepared.choice.library[block.library]), block.scale));
   }

@@ -32,6 +32,7 @@ struct PreparedCampaign {
   CampaignResults header;  ///< no runs yet
   BlockChoice choice;
   std::vector<RigidBody> bodies;          ///< of `choice.blocks`, scaled
+  std::vector<std::uint32_t> same_body;   ///< of each block: the first that has the same body
   std::optional<TerrainSurface> surface;  ///< of `header.terrain`; always there
   /// Planned runs in order: blocks, release sets, their points, their orientations, members of the
   /// ensemble (fastest); where blocks stay: realisations, blocks in the order of their release.

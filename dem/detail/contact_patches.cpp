@@ -34,9 +34,9 @@ bool on_one_face(const ContactPoint& a, const ContactPoint& b) {
 std::span<const double> ContactPatches::share(const std::vector<ContactPoint>& points,
                                               const Quat& orientation) {
   const std::size_t count = points.size();
-  if (count == 1) {  // by whatever rule
-    patch_.assign(1, 0);
-    share_.assign(1, 1.0);
+  if (count < 2) {  // by whatever rule
+    patch_.assign(count, 0);
+    share_.assign(count, 1.0);
     features_.clear();
     return share_;
   }

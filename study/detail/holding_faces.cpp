@@ -126,7 +126,7 @@ void add_faces(const PreparedCampaign& prepared, std::span<const RunRecord> runs
         heap.corner(side + 1) + beyond_corner(heap, (side + 1) % heap.outline.size(), reach) * way;
     const Vec2 middle = 0.5 * (from + to) + (reaches[side] + 0.5 * heap.thickness) * outwards;
     SequenceForm form;
-    form.shape = runs.size() + faces.shapes.size();
+    form.shape = faces.shapes.size();
     form.place.position = {middle.x(), middle.y(), 0.5 * (heap.low + heap.high)};
     form.place.orientation =
         Quat(Eigen::AngleAxisd(std::atan2(-outwards.y(), -outwards.x()), Vec3::UnitZ()));

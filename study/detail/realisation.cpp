@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <exception>
+#include <map>
 #include <memory>
 #include <optional>
 #include <span>
@@ -171,22 +172,36 @@ std::string not_settled(const PreparedCampaign& prepared, std::span<const RunRec
                     "; raise it, or give rolling_friction or friction that lets them rest");
 }
 
+/// The shapes of the blocks of some runs, each once.
+struct ShapesOfRuns {
+  ShapesOfRuns(const PreparedCampaign& prepared, std::span<const RunRecord> runs) {
+    std::map<std::uint32_t, std::size_t> place;  // of a body, by the first block that has it
+    for (const RunRecord& run : runs) {
+      const auto [found, is_new] = place.try_emplace(prepared.same_body[run.block], shapes.size());
+      if (is_new) shapes.push_back(prepared.bodies[run.block]);
+      of_run.push_back(found->second);
+    }
+  }
+  std::vector<RigidBody> shapes;
+  std::vector<std::size_t> of_run;
+};
+
 std::vector<StoredRun> realisation(const PreparedCampaign& prepared,
                                    std::span<const RunRecord> planned,
                                    const SequenceProgressObserver& after_step, unsigned threads) {
-  std::vector<RigidBody> shapes;
+  auto [shapes, shape_of_run] = ShapesOfRuns(prepared, planned);
   std::vector<SequenceBlock> blocks;
   std::vector<std::unique_ptr<RunObserver>> observers;
   for (const RunRecord& run : planned) {
     const std::vector<MassPlan>& masses = prepared.campaign.stay->masses;
     const double held = masses.empty() ? 0.0 : masses[run.point].release_time;
-    blocks.push_back({shapes.size(), run.start, held});
-    shapes.push_back(prepared.bodies[run.block]);
+    blocks.push_back({shape_of_run[blocks.size()], run.start, held});
     observers.push_back(std::make_unique<RunObserver>(prepared, run));
   }
   SequenceSettings settings = sequence_settings(prepared, planned.front());
   settings.world.threads = threads;
   HoldingFaces faces = holding_faces(prepared, planned);
+  for (SequenceForm& form : faces.forms) form.shape += shapes.size();
   shapes.insert(shapes.end(), faces.shapes.begin(), faces.shapes.end());
   settings.forms = std::move(faces.forms);
   std::vector<SequenceResult> results;
@@ -239,25 +254,26 @@ void check_mass_start(const PreparedCampaign& prepared, std::uint32_t first) {
   const std::span runs(&prepared.runs[first], prepared.header.runs_together());
   WorldSettings settings = sequence_settings(prepared, runs.front()).world;
   const double allowed = std::exchange(settings.start_overlap, 1e300);
-  std::vector<RigidBody> shapes;
-  for (const RunRecord& run : runs) shapes.push_back(prepared.bodies[run.block]);
+  const auto [shapes, shape_of_run] = ShapesOfRuns(prepared, runs);
   World world(shapes, settings, *prepared.surface,
               prepared.header.ground_sets[runs.front().ground_set].zones);
-  for (std::size_t i = 0; i < runs.size(); ++i) world.add_body(i, runs[i].start);
+  for (std::size_t i = 0; i < runs.size(); ++i) world.add_body(shape_of_run[i], runs[i].start);
   world.run_until(kInstant);
   std::size_t overlapping = 0;
   std::pair<std::size_t, std::size_t> worst;
   double deepest = 0.0;
   for (std::size_t i = 0; i < runs.size(); ++i) {
     for (std::size_t other = 0; other < i; ++other) {
+      const RigidBody &body = prepared.bodies[runs[i].block],
+                      &other_body = prepared.bodies[runs[other].block];
       const double apart = (runs[i].start.position - runs[other].start.position).norm();
-      if (apart >= shapes[i].bounding_radius() + shapes[other].bounding_radius()) continue;
+      if (apart >= body.bounding_radius() + other_body.bounding_radius()) continue;
       // One that lies in another touches no surface.
       const double overlap =
           std::max({world.overlap(i, other),
-                    depth_inside(shapes[i], runs[i].start, runs[other].start.position),
-                    depth_inside(shapes[other], runs[other].start, runs[i].start.position)});
-      if (overlap <= allowed * std::min(shapes[i].size(), shapes[other].size())) continue;
+                    depth_inside(body, runs[i].start, runs[other].start.position),
+                    depth_inside(other_body, runs[other].start, runs[i].start.position)});
+      if (overlap <= allowed * std::min(body.size(), other_body.size())) continue;
       ++overlapping;
       if (overlap <= deepest) continue;
       deepest = overlap;

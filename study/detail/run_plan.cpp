@@ -249,7 +249,7 @@ class Planner {
   }
 
   const GroundOverlap& overlap_of(std::uint32_t block) {
-    std::optional<GroundOverlap>& overlap = ground_overlaps_[block];
+    std::optional<GroundOverlap>& overlap = ground_overlaps_[prepared_.same_body[block]];
     if (!overlap) overlap.emplace(*prepared_.surface, prepared_.bodies[block]);
     return *overlap;
   }
@@ -268,7 +268,8 @@ class Planner {
   PreparedCampaign& prepared_;
   std::vector<MemberSettings> settings_;
   std::vector<std::vector<Vec3>> points_;                      ///< of each release set, local frame
-  std::vector<std::optional<GroundOverlap>> ground_overlaps_;  ///< of blocks, as they are needed
+  /// Of blocks, as they are needed; those with the same body share one.
+  std::vector<std::optional<GroundOverlap>> ground_overlaps_;
   std::optional<MassStarts> mass_;
 };
 
