@@ -125,9 +125,11 @@ void BodyPair::find_points(const Pose& world_from_reference, const Pose& referen
         }
       },
       near_->search);
+  if (!reference_block_) return;  // the terrain is in world axes
+  const Mat3 rotation = world_from_reference.rotation.toRotationMatrix();
   for (ContactPoint& point : near_->points) {
-    point.normal = world_from_reference.rotation * point.normal;
-    point.foot = world_from_reference * point.foot;
+    point.normal = rotation * point.normal;
+    point.foot = rotation * point.foot + world_from_reference.translation;
   }
 }
 

@@ -127,6 +127,7 @@ ContactLoad ContactForces::apply(const std::vector<Law>& laws,
   if (load.event && motion.other.inverse_mass == 0.0) {
     shift_overlaps(laws, *load.event, motion.block, ledger);
   }
+  find_deepest();
   return load;
 }
 
@@ -346,19 +347,18 @@ double ContactForces::stored_energy() const {
   return sum;
 }
 
-double ContactForces::max_overlap() const {
-  double largest = 0.0;
-  for (const Contact& contact : contacts_) largest = std::max(largest, contact.point.overlap);
-  return largest;
+void ContactForces::find_deepest() {
+  deepest_ = 0;
+  for (std::size_t i = 1; i < contacts_.size(); ++i) {
+    if (contacts_[i].point.overlap > contacts_[deepest_].point.overlap) deepest_ = i;
+  }
 }
 
 std::optional<ContactForces::Deepest> ContactForces::deepest() const {
-  const auto found = std::max_element(
-      contacts_.begin(), contacts_.end(),
-      [](const Contact& a, const Contact& b) { return a.point.overlap < b.point.overlap; });
-  if (found == contacts_.end()) return std::nullopt;
-  return Deepest{static_cast<std::uint32_t>(contacts_.size()), found->point.overlap, found->place,
-                 found->zone};
+  if (contacts_.empty()) return std::nullopt;
+  const Contact& contact = contacts_[deepest_];
+  return Deepest{static_cast<std::uint32_t>(contacts_.size()), contact.point.overlap, contact.place,
+                 contact.zone};
 }
 
 double ContactForces::settled_depth() {

@@ -74,7 +74,7 @@ class ContactForces {
   /// Sum of the weights of all contacts.
   double weight() const;
   double stored_energy() const;  ///< what unloading would give back, J
-  double max_overlap() const;    ///< m
+  double max_overlap() const { return contacts_.empty() ? 0.0 : contacts_[deepest_].point.overlap; }
   struct Deepest {
     std::uint32_t points = 0;  ///< all there are
     double overlap = 0.0;      ///< m
@@ -150,6 +150,7 @@ class ContactForces {
   template <class Law>
   void shift_overlaps(const std::vector<Law>& laws, const EventLoad& event, const BodyMotion& block,
                       EnergyLedger& ledger);
+  void find_deepest();
   /// Energy in all springs of the contact, with its weight, J.
   template <class Law>
   double stored_in(const Contact& contact, const Law& law) const;
@@ -164,6 +165,7 @@ class ContactForces {
   double tangential_give_;                      ///< 1/k_t
   std::vector<double> rolling_, rolling_give_;  ///< k_r and 1/k_r by zone
   std::vector<Contact> contacts_;
+  std::size_t deepest_ = 0;  ///< contact with the largest overlap, the first of such
   Action acted_;
   ScarDrag drag_;
   const SoilMemory* soil_ = nullptr;
