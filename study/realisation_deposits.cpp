@@ -78,13 +78,18 @@ class Tops {
   std::map<MapCell, double> heights_;
 };
 
-/// Thickness of the deposit, where there is any.
+RigidState first_state(const RunRow& row) { return row.record->start; }
+RigidState last_state(const RunRow& row) { return row.record->result.final_state; }
+
+/// How high blocks reach above the ground, where there are any.
+/// @param state  of the block of a row
 std::map<MapCell, double> thicknesses(const CampaignResults& results, const TerrainSurface& ground,
-                                      const std::vector<const RunRow*>& lying, double width) {
+                                      const std::vector<const RunRow*>& rows,
+                                      RigidState (*state)(const RunRow&), double width) {
   Tops tops(width, results.frame.origin.head<2>());
-  for (const RunRow* row : lying) {
+  for (const RunRow* row : rows) {
     const SpheroPolyhedron shape = scaled(results.shapes[row->block->shape], row->block->scale);
-    tops.include(transformed(skin_mesh(shape), row->record->result.final_state.world_from_body()));
+    tops.include(transformed(skin_mesh(shape), state(*row).world_from_body()));
   }
   std::map<MapCell, double> thicknesses;
   for (const auto& [cell, top] : tops.heights()) {
@@ -207,7 +212,7 @@ RealisationDeposits realisation_deposits(const Comparison& comparison) {
       if (lies_there(comparison, *row)) lying.push_back(row);
     }
     RealisationDeposit deposit = deposit_of(file, realisation, of_realisation, lying);
-    const std::map<MapCell, double> cells = thicknesses(results, *ground, lying, width);
+    const std::map<MapCell, double> cells = thicknesses(results, *ground, lying, last_state, width);
     if (!lying.empty()) deposit.area = deposit.bulk_volume = deposit.thickness = 0.0;
     for (const auto& [cell, thickness] : cells) {
       deposit.area += width * width;
@@ -215,6 +220,14 @@ RealisationDeposits realisation_deposits(const Comparison& comparison) {
       deposit.thickness = std::max(deposit.thickness, thickness);
     }
     layers.include(cells);
+    if (results.stay->at_once) {
+      deposit.first_volume = deposit.first_bulk_volume = 0.0;
+      for (const RunRow* row : of_realisation) deposit.first_volume += row->block->volume;
+      for (const auto& [cell, thickness] :
+           thicknesses(results, *ground, of_realisation, first_state, width)) {
+        deposit.first_bulk_volume += width * width * thickness;
+      }
+    }
     deposits.realisations.push_back(deposit);
   }
   for (const RealisationEnergies& energies : realisation_energies(comparison)) {

@@ -32,6 +32,10 @@ struct RealisationDeposit {
   double area = NAN;                 ///< that blocks lie on, in plan, m^2
   double bulk_volume = NAN;          ///< between ground and the top of the blocks, m^3
   double thickness = NAN;            ///< most height of a block's top above the ground, m
+  // Of all blocks where a rock mass started, held or settled; not a number for blocks that were
+  // released one after the other.
+  double first_volume = NAN;       ///< without the space between them, m^3
+  double first_bulk_volume = NAN;  ///< between ground and the top of the blocks, m^3
   /// What its energy was dissipated by; none where the results do not know.
   std::optional<EnergyShares> energy;
 };

@@ -104,6 +104,8 @@ const std::vector<RealisationFigure>& realisation_figures() {
       {"bulk_volume_m3", "m\xC2\xB3", "bulk volume", 2, &Row::bulk_volume, kPositive},
       {"solid_share", "", "share of the bulk volume that is rock", 3,
        [](const Row& row) { return row.volume / row.bulk_volume; }, kPositive},
+      {"first_solid_share", "", "share of the bulk volume that was rock at the start", 3,
+       [](const Row& row) { return row.first_volume / row.first_bulk_volume; }, kPositive},
       {"mean_thickness_m", "m", "mean thickness", 2,
        [](const Row& row) { return row.bulk_volume / row.area; }, kPositive},
       {"thickness_m", "m", "largest thickness", 2, &Row::thickness, kPositive},

@@ -104,9 +104,9 @@ const ContactLoad& BodyPair::update(const BodyMotion& reference, const BodyMotio
 double BodyPair::clearance(const BodyMotion& reference, const BodyMotion& block) const {
   if (touching()) return 0.0;
   const Pose pose = reference.world_from_body.inverse() * block.world_from_body;
-  return std::max(0.0, near_ ? near_->asleep_until - travel_to(pose)
-                             : std::max(gap_of_spheres(reference, block),
-                                        gap_of_bounds(pose.translation)));
+  return std::max(
+      0.0, near_ ? near_->asleep_until - travel_to(pose)
+                 : std::max(gap_of_spheres(reference, block), gap_of_bounds(pose.translation)));
 }
 
 void BodyPair::end_contacts(const BodyMotion& reference, const BodyMotion& block) {

@@ -41,9 +41,9 @@ void add_event(ContactLoad& load, const NormalResponse& response, const Contact&
 ContactForces::Action::Action(const ContactLoad& load, const PairMotion& motion)
     : force(load.force),
       torque(load.torque),
-      torque_on_other(
-          load.torque + (motion.block.world_from_body.translation - motion.other.world_from_body.translation)
-                            .cross(load.force)),
+      torque_on_other(load.torque + (motion.block.world_from_body.translation -
+                                     motion.other.world_from_body.translation)
+                                        .cross(load.force)),
       centre(motion.block.world_from_body.translation),
       centre_of_other(motion.other.world_from_body.translation) {}
 

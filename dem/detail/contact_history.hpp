@@ -62,8 +62,8 @@ class ContactHistory {
   }
 
   double near_;
-  std::vector<int> previous_of_;     ///< contact of the step before, -1 for none
-  std::vector<char> continues_;      ///< contacts of the step before
+  std::vector<int> previous_of_;  ///< contact of the step before, -1 for none
+  std::vector<char> continues_;   ///< contacts of the step before
   // Kept to spare the allocations.
   std::vector<Transfer> transfers_;  ///< by patch
   std::vector<double> gained_;       ///< weight of each point, less what it had before

@@ -88,9 +88,9 @@ NormalResponse normal_response(const Contact& contact, const Past& past, const L
 
 /// A spring of friction or rolling resistance after a step, and what it gave up to its limit.
 struct SpringResponse {
-  Vec3 load;         ///< N, or N m
-  double squared;    ///< of its length
-  double loss = 0.0; ///< dissipated, times k_t or k_r and per unit of weight
+  Vec3 load;          ///< N, or N m
+  double squared;     ///< of its length
+  double loss = 0.0;  ///< dissipated, times k_t or k_r and per unit of weight
 };
 
 /// Of the spring that would have become `trial` without a limit, and becomes `share` of it.

@@ -38,6 +38,11 @@ const TableColumns<RealisationDeposit>& report_detail::realisation_columns() {
         {"bulk_volume_m3", "m3", "between the ground and the tops of the blocks",
          &Row::bulk_volume},
         {"thickness_m", "m", "largest height of a block's top above the ground", &Row::thickness},
+        {"first_volume_m3", "m3", "of all blocks where a rock mass started; else empty",
+         &Row::first_volume},
+        {"first_bulk_volume_m3", "m3",
+         "between the ground and the tops of the blocks where a rock mass started; else empty",
+         &Row::first_bulk_volume},
         {"file", "", "number of the results file", [](const Row& row) { return row.file + 1; }}}});
   return columns;
 }
@@ -56,8 +61,9 @@ const TableColumns<FigureOfFile>& report_detail::realisation_figure_columns() {
        "`lying`, `lying_share` of the blocks released, `left_terrain`, `volume_m3`; "
        "`centre_distance_m`, `centre_drop_m`, `centre_drop_ratio` of the centre of mass; "
        "`toe_distance_m`, `toe_drop_m`, `toe_drop_ratio`, `travel_angle_deg` from crest to toe; "
-       "`area_m2`, `bulk_volume_m3`, `solid_share` (rock in the bulk volume), `mean_thickness_m` "
-       "(bulk volume over area), `thickness_m`; `largest_kinetic_j` of all blocks together, and "
+       "`area_m2`, `bulk_volume_m3`, `solid_share` (rock in the bulk volume), "
+       "`first_solid_share` (of a rock mass where it started), `mean_thickness_m` (bulk volume "
+       "over area), `thickness_m`; `largest_kinetic_j` of all blocks together, and "
        "the shares of what contacts dissipated: `dissipated_by_friction`, "
        "`dissipated_by_rolling`, `dissipated_between_blocks`",
        [](const Row& row) { return realisation_figures()[row.figure].name; }},

@@ -269,10 +269,9 @@ void check_mass_start(const PreparedCampaign& prepared, std::uint32_t first) {
       const double apart = (runs[i].start.position - runs[other].start.position).norm();
       if (apart >= body.bounding_radius() + other_body.bounding_radius()) continue;
       // One that lies in another touches no surface.
-      const double overlap =
-          std::max({world.overlap(i, other),
-                    depth_inside(body, runs[i].start, runs[other].start.position),
-                    depth_inside(other_body, runs[other].start, runs[i].start.position)});
+      const double overlap = std::max(
+          {world.overlap(i, other), depth_inside(body, runs[i].start, runs[other].start.position),
+           depth_inside(other_body, runs[other].start, runs[i].start.position)});
       if (overlap <= allowed * std::min(body.size(), other_body.size())) continue;
       ++overlapping;
       if (overlap <= deepest) continue;

@@ -267,7 +267,7 @@ class Planner {
 
   PreparedCampaign& prepared_;
   std::vector<MemberSettings> settings_;
-  std::vector<std::vector<Vec3>> points_;                      ///< of each release set, local frame
+  std::vector<std::vector<Vec3>> points_;  ///< of each release set, local frame
   /// Of blocks, as they are needed; those with the same body share one.
   std::vector<std::optional<GroundOverlap>> ground_overlaps_;
   std::optional<MassStarts> mass_;

@@ -15,6 +15,8 @@ TEST(RealisationDeposits, OfBoxesThatLieOnThePlane) {
   // In the second realisation one lies on another, and one is removed.
   results.runs[4].result.final_state.position = {0.0, 0.0, 0.75};
   results.stays[5].removed_at = 3.0;
+  // Both masses start as three boxes one over the other, the highest with its top at 10.25 m.
+  results.stay->at_once = true;
   const Comparison comparison = compared(std::move(results));
   const RealisationDeposits deposits = realisation_deposits(comparison);
   ASSERT_EQ(deposits.realisations.size(), 2u);
@@ -32,6 +34,8 @@ TEST(RealisationDeposits, OfBoxesThatLieOnThePlane) {
   EXPECT_NEAR(first.bulk_volume, 3.0, 1e-9);
   EXPECT_NEAR(second.area, 2.0, 1e-9);
   EXPECT_NEAR(second.bulk_volume, 2.0, 1e-9);
+  EXPECT_NEAR(second.first_volume, 3.0, 1e-12);
+  EXPECT_NEAR(second.first_bulk_volume, 2.0 * 10.25, 1e-9);
   // Places are on the map.
   EXPECT_LT((first.centre - kMapOrigin - Vec3(4.0, 0.0, 0.25)).norm(), 1e-6);
   EXPECT_LT((first.first_centre - kMapOrigin - Vec3(-10.0, 0.0, 9.0)).norm(), 1e-6);

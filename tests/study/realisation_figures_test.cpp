@@ -33,6 +33,8 @@ RealisationDeposit realisation(std::uint32_t file, std::uint32_t number, double 
   deposit.centre = deposit.first_centre + Vec3(3.0, -4.0, -2.0);
   deposit.area = 8.0;
   deposit.bulk_volume = 12.0;
+  deposit.first_volume = 10.0;
+  deposit.first_bulk_volume = 16.0;
   deposit.thickness = 2.5;
   deposit.energy = {{.normal = 0.3, .friction = 0.4}, {.friction = 0.2, .rolling = 0.1}, 5000.0};
   return deposit;
@@ -59,6 +61,7 @@ TEST(RealisationFigures, AreThoseOfTheDeposit) {
   EXPECT_NEAR(value("toe_drop_ratio"), 0.5, 1e-9);
   EXPECT_NEAR(value("travel_angle_deg"), 26.565051177, 1e-6);
   EXPECT_DOUBLE_EQ(value("solid_share"), 0.5);
+  EXPECT_NEAR(value("first_solid_share"), 10.0 / 16.0, 1e-12);
   EXPECT_DOUBLE_EQ(value("dissipated_by_friction"), 0.6);
   EXPECT_DOUBLE_EQ(value("dissipated_between_blocks"), 0.3);
   EXPECT_DOUBLE_EQ(value("mean_thickness_m"), 1.5);

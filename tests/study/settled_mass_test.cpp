@@ -5,6 +5,7 @@
 
 #include "core/random.hpp"
 #include "study/plan_polygon.hpp"
+#include "study/realisation_deposits.hpp"
 #include "tests/study/campaign_run.hpp"
 #include "tests/study/results_equal.hpp"
 
@@ -139,6 +140,10 @@ TEST_F(SettledMass, FillsItsSpaceAsRandomPackingsDo) {
   EXPECT_GT(after, before + 0.1) << before;
   EXPECT_GT(after, 0.54);
   EXPECT_LT(after, 0.67);
+  // The report measures all of the heap from its tops, rough as they are.
+  const Comparison comparison = compare({results});
+  const RealisationDeposit deposit = realisation_deposits(comparison).realisations.at(0);
+  EXPECT_NEAR(deposit.first_volume / deposit.first_bulk_volume, after, 0.06);
 }
 
 TEST_F(SettledMass, IsKeptAsAFailureWhereItDoesNotSettle) {
