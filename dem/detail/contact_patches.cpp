@@ -81,6 +81,7 @@ bool ContactPatches::same_features(const std::vector<ContactPoint>& points) cons
 void ContactPatches::list_links(const std::vector<ContactPoint>& points) {
   features_.clear();
   links_.clear();
+  on_joint_.clear();
   patch_.resize(points.size());
   last_on_joint_.resize(block_.faces.size() + block_.edges.size(), kNoFeature);
   std::iota(patch_.begin(), patch_.end(), 0u);
@@ -113,19 +114,21 @@ void ContactPatches::join(const std::vector<ContactPoint>& points, const Quat& o
                                     : Vec3(body_from_world * points[i].normal));
   }
   const auto may_join = [&](const Link& link) { return joins(link, points); };
-  const bool as_before = same_links && all_joined_;
-  all_joined_ = std::all_of(links_.begin(), links_.end(), may_join);
-  if (as_before && all_joined_) return;
+  if (same_links && all_joined_ && std::all_of(links_.begin(), links_.end(), may_join)) return;
   std::iota(patch_.begin(), patch_.end(), 0u);
+  all_joined_ = true;
   for (const Link& link : links_) {
-    if (all_joined_ || joins(link, points)) unite(link.point, link.earlier);
+    if (may_join(link)) {
+      unite(link.point, link.earlier);
+    } else {
+      all_joined_ = false;
+    }
   }
   if (!all_joined_) join_any(points);
   for (std::uint32_t& patch : patch_) patch = patch_[patch];
 }
 
-void ContactPatches::join_any(const std::vector<ContactPoint>& points) {
-  on_joint_.clear();
+void ContactPatches::list_joints(const std::vector<ContactPoint>& points) {
   std::array<std::uint32_t, 3> buffer;
   for (std::uint32_t i = 0; i < points.size(); ++i) {
     for (const std::uint32_t joint : joints_of(points[i], buffer)) {
@@ -133,8 +136,12 @@ void ContactPatches::join_any(const std::vector<ContactPoint>& points) {
       on_joint_.push_back({i, joint, std::exchange(last_on_joint_[joint], entry)});
     }
   }
+  for (const OnJoint& on : on_joint_) last_on_joint_[on.joint] = kNoFeature;
+}
+
+void ContactPatches::join_any(const std::vector<ContactPoint>& points) {
+  if (on_joint_.empty()) list_joints(points);
   for (const OnJoint& on : on_joint_) {
-    last_on_joint_[on.joint] = kNoFeature;
     for (std::uint32_t j = on.before; j != kNoFeature; j = on_joint_[j].before) {
       const std::uint32_t earlier = on_joint_[j].point;
       if (patch_so_far(on.point) != patch_so_far(earlier) &&

@@ -36,6 +36,7 @@ class ContactPatches {
 
   bool same_features(const std::vector<ContactPoint>& points) const;
   void list_links(const std::vector<ContactPoint>& points);
+  void list_joints(const std::vector<ContactPoint>& points);
   /// Finds the patches: points of one joint with smooth ground between them, and what those join.
   void join(const std::vector<ContactPoint>& points, const Quat& orientation);
   /// Whether the ground joins two points that the block may.
@@ -64,9 +65,8 @@ class ContactPatches {
   /// points needs a look.
   std::vector<Link> links_;
   bool all_joined_ = false;  ///< in the last call; then the same links leave the same patches
-  // Scratch.
-  std::vector<OnJoint> on_joint_;
-  std::vector<std::uint32_t> last_on_joint_;  ///< point, or entry of `on_joint_`, by joint
+  std::vector<OnJoint> on_joint_;  ///< of these features; empty while nobody has asked
+  std::vector<std::uint32_t> last_on_joint_;  ///< scratch: point or entry of `on_joint_`, by joint
 };
 
 }  // namespace clast::dem_detail
