@@ -13,6 +13,11 @@ namespace {
 constexpr double kMarginShare = 0.04;
 /// A list for contacts this many times as deep as may come is made anew.
 constexpr double kListedTooDeep = 2.0;
+/// A way out of the ground that does not lead through the block itself is taken up to this many
+/// times as deep as other vertices are ...
+constexpr double kForwardsTimes = 2.0;
+/// ... or up to this share of the smallest side: beyond lies the far side of the ground.
+constexpr double kForwardsShare = 0.25;
 /// How much farther than the nearest face others are looked for, in margins: for half that way the
 /// nearest is sure to be it.
 constexpr double kDistinctMargins = 1.0;
@@ -65,6 +70,26 @@ void BlockContacts::find_at_vertices() {
     if (travel_ >= listed.clear_until) find_at_vertex(listed, faces);
     safe_until_ = std::min(safe_until_, listed.clear_until);
   }
+  turn_forwards();
+}
+
+void BlockContacts::turn_forwards() {
+  double deepest = kForwardsShare * size_;
+  for (std::size_t i = 0, next = 0; i < contacts_.size(); ++i) {
+    if (next < backwards_.size() && backwards_[next].contact == i) {
+      ++next;
+    } else {
+      deepest = std::max(deepest, kForwardsTimes * contacts_[i].overlap);
+    }
+  }
+  for (const Backwards& backwards : backwards_) {
+    const ContactPoint forwards =
+        tests_.inside(backwards.vertex, backwards.centre,
+                      tests_.nearest_forwards(backwards.vertex, backwards.centre, backwards.nearest,
+                                              ground_.local_faces));
+    if (forwards.overlap <= deepest) contacts_[backwards.contact] = forwards;
+  }
+  backwards_.clear();
 }
 
 void BlockContacts::find_at_vertex(ListedVertex& listed, std::span<const std::uint32_t> numbers) {
@@ -83,11 +108,10 @@ void BlockContacts::find_at_vertex(ListedVertex& listed, std::span<const std::ui
   if (nearest.distance >= tests_.reach()) return;
   if (nearest.distance >= 0.0) {
     tests_.add_outside(listed.vertex, centre, faces, contacts_);
-  } else if (tests_.is_backwards(listed.vertex, centre, nearest)) {
-    contacts_.push_back(tests_.inside(
-        listed.vertex, centre,
-        tests_.nearest_forwards(listed.vertex, centre, nearest, ground_.local_faces)));
   } else {
+    if (tests_.is_backwards(listed.vertex, centre, nearest)) {
+      backwards_.push_back({contacts_.size(), listed.vertex, centre, nearest});
+    }
     contacts_.push_back(tests_.inside(listed.vertex, centre, nearest));
   }
 }

@@ -103,7 +103,18 @@ class BlockContacts {
                 const Vec3& direction) const;
   bool corner_may_face(std::uint32_t ground_vertex, const EdgeArc& arc) const;
 
+  /// A contact whose push would lead the vertex out through its own block.
+  struct Backwards {
+    std::size_t contact;  ///< of `contacts_`
+    std::uint32_t vertex;
+    Vec3 centre;
+    NearestPoint nearest;
+  };
+
   void find_at_vertices();
+  /// Gives contacts that push backwards the nearest way out that does not, where that is not much
+  /// deeper than the other contacts are.
+  void turn_forwards();
   void find_at_vertex(ListedVertex& listed, std::span<const std::uint32_t> faces);
   NearestPoint nearest_of_all(ListedVertex& listed, const Vec3& centre);
   void find_at_sides();
@@ -130,6 +141,7 @@ class BlockContacts {
   double safe_until_ = 0.0;  ///< travel to which nothing that is listed can touch, m
   double deepest_ = 0.0;     ///< largest overlap at the last call, m
   AllowedDepth allowed_;
+  std::vector<Backwards> backwards_;  ///< of this call
   std::vector<ContactPoint> contacts_;
 };
 

@@ -64,7 +64,7 @@ class ContactPatches {
   /// As few as join all that the joints can: mostly every one of them does, and no other pair of
   /// points needs a look.
   std::vector<Link> links_;
-  bool all_joined_ = false;  ///< in the last call; then the same links leave the same patches
+  bool all_joined_ = false;        ///< in the last call; then the same links leave the same patches
   std::vector<OnJoint> on_joint_;  ///< of these features; empty while nobody has asked
   std::vector<std::uint32_t> last_on_joint_;  ///< scratch: point or entry of `on_joint_`, by joint
 };

@@ -171,5 +171,36 @@ TEST(BlockContacts, LetBlocksSideBySideMoveAsFarAsTheirGapFromTheSecondCallOn) {
   EXPECT_NEAR(search.safe_travel(), 0.02 + 1e-6, 1e-9);
 }
 
+/// Two rough rocks are pushed into each other until some corners of one are inside the other. One
+/// that points aside may be nearest to a face that would push it out through its own rock; the way
+/// out that is taken instead is not that to the far side.
+TEST(CornersThatPointAside, AreNotPushedToTheFarSide) {
+  Random random(3);
+  std::size_t deep = 0;
+  for (int pair = 0; pair < 60; ++pair) {
+    const auto seed = static_cast<std::uint64_t>(1 + pair % 4);
+    const RigidBody first = rock(5, {0.30, 0.25, 0.20}, 0.01, 2650.0, seed);
+    const RigidBody second = rock(5, {0.30, 0.25, 0.20}, 0.01, 2650.0, 5 - seed);
+    const BlockSurface ground(first.shape), block(second.shape);
+    const double size = std::min(first.size(), second.size());
+    const Vec3 direction = random.direction();
+    const Quat turn = random.rotation();
+    for (double distance = 0.5; distance > 0.2; distance -= 0.01) {
+      BlockContacts search(ground, block, size);
+      const std::vector<ContactPoint>& contacts =
+          search.contacts({distance * direction, turn}, 0.0);
+      if (contacts.size() < 30) continue;
+      std::vector<double> overlaps;
+      for (const ContactPoint& contact : contacts) overlaps.push_back(contact.overlap);
+      std::sort(overlaps.begin(), overlaps.end());
+      EXPECT_LE(overlaps.back(), std::max(0.25 * size, 2.0 * overlaps[overlaps.size() - 2]))
+          << pair;
+      if (overlaps.back() > 0.1 * size) ++deep;
+      break;
+    }
+  }
+  EXPECT_GT(deep, 30u);
+}
+
 }  // namespace
 }  // namespace clast
