@@ -111,7 +111,7 @@ class ContactForces {
 
     Vec3 force = Vec3::Zero();
     Vec3 torque = Vec3::Zero();           ///< on the block about its centre of mass
-    Vec3 torque_on_other = Vec3::Zero();  ///< against what the other body feels about its own
+    Vec3 torque_on_other = Vec3::Zero();  ///< the opposite of that on the other body, about its own
     Vec3 centre = Vec3::Zero(), centre_of_other = Vec3::Zero();
   };
 
