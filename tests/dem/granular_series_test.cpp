@@ -87,7 +87,8 @@ double missing_front(const std::vector<Collapse>& collapses) {
 
 // The law holds for grains that are fine against r0. Blocks end c diameters short of it
 // (docs/theory.md, Columns): s and c come from columns of different sizes and heights
-// together, and s must be 1. Flat columns have a shorter front than others.
+// together, and s must be within 15 % of 1, as well as it is known. Flat columns have a shorter
+// front than others.
 TEST(GranularColumns, RunOutAsPublishedLessAFrontOfTheThicknessOfABlock) {
   constexpr double kBar = 0.15;
   const std::vector<Series> all = {
@@ -100,7 +101,7 @@ TEST(GranularColumns, RunOutAsPublishedLessAFrontOfTheThicknessOfABlock) {
   const FrontFit fit = fit_front(collapses);
   std::printf("r - r0 = (%.2f +- %.2f) F r0 - (%.1f +- %.1f) d\n", fit.scale, fit.scale_error,
               fit.diameters, fit.diameters_error);
-  EXPECT_NEAR(fit.scale, 1.0, 2.0 * fit.scale_error);
+  EXPECT_NEAR(fit.scale, 1.0, kBar + 2.0 * fit.scale_error);
   EXPECT_LT(fit.scale_error, kBar);
   const double missing = missing_front(collapses);
   std::printf("with s = 1 and a > 1: %.1f d\n", missing);
