@@ -81,6 +81,7 @@ class Sequence {
     EnergyLedger before = world_.energy();
     released_at_ = world_.time();
     for (std::size_t block = first; block < end; ++block) add(block);
+    count_released();
     if (!settings_.forms.empty()) {
       settle();
       before = world_.energy();
@@ -126,8 +127,10 @@ class Sequence {
       forms_.push_back(world_.add_form(form.shape, form.place, form.first, form.end));
     }
     settling_ = true;
+    count_released();
     world_.run_until(settings_.settle_time, after_step());
     settling_ = false;
+    count_released();
     refuse_settled(true, [&](std::size_t block) {
       return world_.gone(block) ||
              std::any_of(settings_.forms.begin(), settings_.forms.end(), [&](const auto& form) {
@@ -177,6 +180,7 @@ class Sequence {
     for (const auto& [time, change] : changes) {
       world_.run_to(released_at_ + time, after_step());
       if (!change.freed.empty()) world_.free_bodies(change.freed);
+      count_released();
       for (const std::size_t form : change.removed) world_.remove_body(form);
       take_energy();
     }
@@ -204,14 +208,27 @@ class Sequence {
     take_energy();
   }
 
-  SequenceProgress progress() const {
-    SequenceProgress progress{.time = world_.time(), .settling = settling_};
+  bool is_released(std::size_t block) const {
+    return settling_ ? settles(block) : !world_.fixed(block);
+  }
+
+  /// Counts them when that changes, since progress is seen after every step.
+  void count_released() {
+    released_ = 0;
     for (std::size_t block = 0; block < results_.size(); ++block) {
-      if (settling_ ? !settles(block) : world_.fixed(block)) continue;
-      ++progress.released;
-      if (world_.gone(block) || world_.resting(block)) ++progress.resting;
+      if (is_released(block)) ++released_;
     }
-    return progress;
+  }
+
+  SequenceProgress progress() const {
+    const auto resting = [this] {
+      std::size_t count = 0;
+      for (std::size_t block = 0; block < results_.size(); ++block) {
+        if (is_released(block) && (world_.gone(block) || world_.resting(block))) ++count;
+      }
+      return count;
+    };
+    return {world_.time(), released_, settling_, resting};
   }
 
   void add(std::size_t block) {
@@ -323,6 +340,7 @@ class Sequence {
   double released_at_ = 0.0;        ///< when the newest blocks were, s
   std::size_t newest_ = 0;          ///< the first of them
   bool settling_ = false;
+  std::size_t released_ = 0;       ///< blocks, so far
   EnergySample begin_;             ///< at the first release
   double energy_intervals_ = 0.0;  ///< that have passed since then at the last sample
 };

@@ -92,8 +92,10 @@ using SequenceObserver = std::function<void(std::size_t block, const MotionStep&
 struct SequenceProgress {
   double time = 0.0;         ///< simulated since the first block came, what settled included, s
   std::size_t released = 0;  ///< blocks so far
-  std::size_t resting = 0;   ///< of these, now: at rest, or no longer there
   bool settling = false;     ///< behind forms
+  /// Counts those of the blocks released so far that are at rest now, or no longer there; holds
+  /// while the observer runs.
+  std::function<std::size_t()> resting = {};
 };
 /// Called after each step; what it throws ends the sequence.
 using SequenceProgressObserver = std::function<void(const SequenceProgress&)>;

@@ -127,8 +127,12 @@ void World::step() { impl_->advance(1e300); }
 
 StopReason World::run_until(double time, const std::function<void()>& after_step) {
   const std::vector<WorldBody>& bodies = impl_->bodies();
-  const auto over = [&](const WorldBody& body) { return impl_->resting(body); };
-  while (!std::all_of(bodies.begin(), bodies.end(), over)) {
+  const auto all_rest = [&] {
+    const std::span<const std::uint32_t> moving = impl_->moving();
+    return std::all_of(moving.begin(), moving.end(),
+                       [&](std::uint32_t i) { return impl_->resting(bodies[i]); });
+  };
+  while (!all_rest()) {
     const double left = time - impl_->time();
     if (!(left > 0.0)) return StopReason::kMaxTime;
     impl_->advance(left);
@@ -140,10 +144,8 @@ StopReason World::run_until(double time, const std::function<void()>& after_step
 }
 
 void World::run_to(double time, const std::function<void()>& after_step) {
-  const std::vector<WorldBody>& bodies = impl_->bodies();
-  const auto idle = [](const WorldBody& body) { return body.idle(); };
   for (double left; (left = time - impl_->time()) > 0.0;) {
-    if (std::all_of(bodies.begin(), bodies.end(), idle)) {
+    if (impl_->moving().empty()) {
       impl_->wait(left);
     } else {
       impl_->advance(left);
@@ -227,7 +229,7 @@ WorldStatistics World::statistics() const {
   for (const ContactPair& pair : impl_->pairs().all()) {
     ++statistics.near_pairs;
     if (pair.contacts->near()) ++statistics.searched_pairs;
-    if (ContactPairs::active(pair, impl_->bodies())) ++statistics.active_pairs;
+    if (ContactPairs::is_active(pair, impl_->bodies())) ++statistics.active_pairs;
     if (pair.contacts->touching()) ++statistics.touching_pairs;
     statistics.contact_points += pair.contacts->contact_count();
     statistics.max_overlap = std::max(statistics.max_overlap, pair.contacts->max_overlap());

@@ -57,6 +57,28 @@ BENCHMARK(blocks_falling_into_a_pile)
     ->MeasureProcessCPUTime()
     ->Unit(benchmark::kMillisecond);
 
+/// The pile of 500 at rest, while a rock rolls down beside it: for 0.6 s it touches none of them.
+/// To be set against the moving pile, step by step.
+void block_beside_a_pile_at_rest(benchmark::State& state) {
+  const TerrainSurface terrain = ground(bowl());
+  World world = falling_pile(terrain, static_cast<std::size_t>(state.range(0)), 2, 1);
+  world.run_until(60.0);
+  const WorldStatistics before = world.statistics();
+  world.add_body(0, at({7.0, 0.0, 0.15 * 49.0 + 0.9}));
+  for (auto _ : state) world.run_to(world.time() + 0.6);
+  const WorldStatistics after = world.statistics();
+  state.counters["s_per_step"] =
+      benchmark::Counter(static_cast<double>(after.steps - before.steps),
+                         benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
+  state.counters["asleep"] = static_cast<double>(after.sleeping_bodies);
+}
+BENCHMARK(block_beside_a_pile_at_rest)
+    ->ArgName("blocks")
+    ->Arg(0)
+    ->Arg(500)
+    ->Iterations(1)
+    ->Unit(benchmark::kMillisecond);
+
 /// Layers of rocks that fall onto level ground, as many one above the other for any number of them:
 /// what a body and step cost, and how that grows. Argument: blocks.
 void layers_falling_onto_a_plane(benchmark::State& state) {

@@ -21,11 +21,14 @@ int widest_axis(std::span<const BoundingSphere> spheres) {
 
 }  // namespace
 
-bool BroadPhase::refresh(std::span<const BoundingSphere> spheres, double slack) {
+bool BroadPhase::refresh(std::span<const BoundingSphere> spheres, double slack,
+                         std::optional<std::span<const std::uint32_t>> moved) {
+  const auto holds = [&](std::size_t i) {
+    return (spheres[i].centre - centres_[i]).squaredNorm() <= 0.25 * slack * slack;
+  };
   bool valid = centres_.size() == spheres.size();
-  for (std::size_t i = 0; valid && i < spheres.size(); ++i) {
-    valid = (spheres[i].centre - centres_[i]).squaredNorm() <= 0.25 * slack * slack;
-  }
+  const std::size_t looked_at = moved ? moved->size() : spheres.size();
+  for (std::size_t i = 0; valid && i < looked_at; ++i) valid = holds(moved ? (*moved)[i] : i);
   if (valid) return false;
   centres_.clear();
   for (const BoundingSphere& sphere : spheres) centres_.push_back(sphere.centre);

@@ -2,6 +2,7 @@
 /// Broad phase: which bodies are near each other, as their bounding spheres overlap or soon might.
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -24,7 +25,9 @@ class BroadPhase {
   /// of bodies has changed; true then. Until that call the list held every pair of overlapping
   /// spheres.
   /// @param slack  how far spheres may be apart to be listed, m; above 0
-  bool refresh(std::span<const BoundingSphere> spheres, double slack);
+  /// @param moved  those that may have moved since the last call; none given: all
+  bool refresh(std::span<const BoundingSphere> spheres, double slack,
+               std::optional<std::span<const std::uint32_t>> moved = {});
 
   /// How far a body may move on before the list may miss a pair of it, m; 0 before there is a list.
   double way_left(std::size_t body, const Vec3& centre, double slack) const {

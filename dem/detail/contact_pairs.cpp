@@ -65,12 +65,19 @@ std::vector<BroadPhase::Pair> ContactPairs::pairs_to_keep(std::span<const WorldB
   return wanted;
 }
 
-void ContactPairs::refresh(std::span<const WorldBody> bodies) {
-  spheres_.clear();
-  for (const WorldBody& body : bodies) {
-    spheres_.push_back({body.motion.world_from_body.translation, body.shape->radius, body.still()});
+void ContactPairs::refresh(std::span<const WorldBody> bodies,
+                           std::optional<std::span<const std::uint32_t>> moved) {
+  const auto place = [&](std::size_t i) {
+    const WorldBody& body = bodies[i];
+    spheres_[i] = {body.motion.world_from_body.translation, body.shape->radius, body.still()};
+  };
+  if (moved) {
+    for (const std::uint32_t i : *moved) place(i);
+  } else {
+    spheres_.resize(bodies.size());
+    for (std::size_t i = 0; i < bodies.size(); ++i) place(i);
   }
-  if (!broad_phase_.refresh(spheres_, slack_)) return;
+  if (!broad_phase_.refresh(spheres_, slack_, moved)) return;
   ++broad_phases_;
   // Both lists are sorted: pairs in both go on, those no longer near end.
   std::vector<ContactPair> known = std::exchange(pairs_, {});
@@ -97,10 +104,16 @@ void ContactPairs::refresh(std::span<const WorldBody> bodies) {
   }
 }
 
+void ContactPairs::list_active(std::span<const WorldBody> bodies) {
+  active_.clear();
+  for (std::uint32_t e = 0; e < pairs_.size(); ++e) {
+    if (is_active(pairs_[e], bodies)) active_.push_back(e);
+  }
+}
+
 void ContactPairs::update(std::span<const WorldBody> bodies, double duration, ThreadTeam& team) {
-  team.run(pairs_.size(), kPairsAtATime, [&](std::size_t e) {
-    ContactPair& pair = pairs_[e];
-    if (!active(pair, bodies)) return;
+  team.run(active_.size(), kPairsAtATime, [&](std::size_t i) {
+    ContactPair& pair = pairs_[active_[i]];
     if (!pair.loads && way(pair, bodies) < pair.asleep_until) {
       pair.waited += duration;
     } else {

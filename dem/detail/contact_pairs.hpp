@@ -55,9 +55,14 @@ class ContactPairs {
   /// How far bounding spheres may be apart to be listed follows from the bodies that move.
   void set_slack(std::span<const WorldBody> bodies);
   /// Runs the broad phase where that is due, and ends pairs that are no longer near.
-  void refresh(std::span<const WorldBody> bodies);
-  /// Runs the narrow phase and the contact law of all pairs at the places that the bodies have
-  /// moved to in a step of `duration`, but for those of which neither moves: their loads stay.
+  /// @param moved  bodies that may have moved since the last call; none given: all
+  void refresh(std::span<const WorldBody> bodies,
+               std::optional<std::span<const std::uint32_t>> moved = {});
+  /// Lists the pairs that take part in the motion; to be called when other bodies move, or when the
+  /// pairs are other ones.
+  void list_active(std::span<const WorldBody> bodies);
+  /// Runs the narrow phase and the contact law of the active pairs at the places that the bodies
+  /// have moved to in a step of `duration`; the loads of all others stay.
   void update(std::span<const WorldBody> bodies, double duration, ThreadTeam& team);
   /// The same, without a step, for pairs that are new.
   void begin(std::span<const WorldBody> bodies,
@@ -82,6 +87,8 @@ class ContactPairs {
 
   /// First a body's with the terrain, then by the other body; sorted by the smaller number.
   std::span<const ContactPair> all() const { return pairs_; }
+  /// Places in `all` of those that take part in the motion, by the last `list_active`; ascending.
+  std::span<const std::uint32_t> active() const { return active_; }
   /// Places in `all` of the pairs of a body, ascending.
   std::span<const std::uint32_t> of(std::size_t body) const { return of_body_[body]; }
 
@@ -99,7 +106,7 @@ class ContactPairs {
   Losses losses() const;
   double stored_energy() const;  ///< J
   /// Has the pair a body that takes part in the motion?
-  static bool active(const ContactPair& pair, std::span<const WorldBody> bodies) {
+  static bool is_active(const ContactPair& pair, std::span<const WorldBody> bodies) {
     return !bodies[pair.block].idle() ||
            (pair.reference != ContactPair::kTerrain && !bodies[pair.reference].idle());
   }
@@ -124,6 +131,7 @@ class ContactPairs {
   double slack_ = 0.0;  ///< of the broad phase, m
   std::vector<BoundingSphere> spheres_;
   std::vector<ContactPair> pairs_;
+  std::vector<std::uint32_t> active_;
   std::vector<std::vector<std::uint32_t>> of_body_;
   Losses ended_;  ///< of pairs that have ended
   std::uint64_t broad_phases_ = 0;

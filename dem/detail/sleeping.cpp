@@ -46,7 +46,8 @@ double put_to_sleep(std::uint32_t number, std::span<WorldBody> bodies, const Con
 
 void Sleeping::wake_touched(std::span<WorldBody> bodies, const ContactPairs& pairs) {
   if (count_ == 0) return;
-  for (const ContactPair& pair : pairs.all()) {
+  for (const std::uint32_t e : pairs.active()) {
+    const ContactPair& pair = pairs.all()[e];
     if (!bodies_touch(pair)) continue;
     const WorldBody &block = bodies[pair.block], &reference = bodies[pair.reference];
     if (block.asleep && !stays(reference)) wake(pair.block, bodies, pairs);
@@ -86,9 +87,10 @@ void Sleeping::wake(std::uint32_t body, std::span<WorldBody> bodies, const Conta
   }
 }
 
-double Sleeping::let_sleep(std::span<WorldBody> bodies, const ContactPairs& pairs) {
+double Sleeping::let_sleep(std::span<WorldBody> bodies, std::span<const std::uint32_t> moving,
+                           const ContactPairs& pairs) {
   double energy = 0.0;
-  for (std::uint32_t i = 0; i < bodies.size(); ++i) {
+  for (const std::uint32_t i : moving) {
     if (bodies[i].idle() || !bodies[i].watch.stays() || !is_among_staying(i, bodies, pairs)) {
       continue;
     }

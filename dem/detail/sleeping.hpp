@@ -14,12 +14,15 @@ class Sleeping {
   std::size_t count() const { return count_; }
 
   /// Wakes what a body in motion touches, and all that is asleep around it.
+  /// @param pairs  with those listed that are active: no other one wakes anything
   void wake_touched(std::span<WorldBody> bodies, const ContactPairs& pairs);
   /// Wakes a body that is about to go, and what it touches, with all that is asleep around them.
   void wake_around(std::uint32_t body, std::span<WorldBody> bodies, const ContactPairs& pairs);
   /// Puts bodies to sleep that stay where they are, as do all that touch them.
+  /// @param moving  numbers of the bodies that were not idle in the step, ascending
   /// @return  the kinetic energy that this takes from them, J
-  double let_sleep(std::span<WorldBody> bodies, const ContactPairs& pairs);
+  double let_sleep(std::span<WorldBody> bodies, std::span<const std::uint32_t> moving,
+                   const ContactPairs& pairs);
 
  private:
   void wake(std::uint32_t body, std::span<WorldBody> bodies, const ContactPairs& pairs);

@@ -56,14 +56,15 @@ double time_apart(const ContactPair& pair, std::span<const WorldBody> bodies,
 
 }  // namespace
 
-StepChoice choose_step(std::span<const WorldBody> bodies, const ContactPairs& pairs,
-                       const WorldSettings& settings) {
+StepChoice choose_step(std::span<const WorldBody> bodies, std::span<const std::uint32_t> moving,
+                       const ContactPairs& pairs, const WorldSettings& settings) {
   const ContactStiffness& contact = settings.stiffness;
   const StepChoice shortest{contact.time_step, false};
   if (!(contact.longest_step >= contact.time_step)) return shortest;
   bool touching = false;
-  for (const ContactPair& pair : pairs.all()) {
-    if (!pair.loads || !ContactPairs::active(pair, bodies) || !pair.contacts->touching()) continue;
+  for (const std::uint32_t e : pairs.active()) {
+    const ContactPair& pair = pairs.all()[e];
+    if (!pair.loads || !pair.contacts->touching()) continue;
     touching = true;
     const WorldBody& block = bodies[pair.block];
     const double energy = pair.contacts->load().impact * block.shape->body.mass;
@@ -74,18 +75,18 @@ StepChoice choose_step(std::span<const WorldBody> bodies, const ContactPairs& pa
     }
   }
   double length = touching ? kHardlyMobile * contact.longest_step : 1e300;
-  for (std::uint32_t i = 0; i < bodies.size(); ++i) {
+  for (const std::uint32_t i : moving) {
     const WorldBody& body = bodies[i];
-    if (body.idle()) continue;
     const double stiffer = mobility_of(i, bodies, pairs) / body.shape->largest_mobility;
     if (stiffer > 0.0) length = std::min(length, contact.longest_step / std::sqrt(stiffer));
     if (touching) continue;
     length = std::min(length, time_over(pairs.way_left(i, body.moving.state().position),
                                         body.moving.state().velocity.norm(), settings.gravity));
   }
-  for (const ContactPair& pair : pairs.all()) {
+  for (const std::uint32_t e : pairs.active()) {
+    const ContactPair& pair = pairs.all()[e];
     if (length <= contact.time_step) return shortest;
-    if (pair.contacts->touching() || !ContactPairs::active(pair, bodies)) continue;
+    if (pair.contacts->touching()) continue;
     length = std::min(length, time_apart(pair, bodies, pairs, settings.gravity));
   }
   if (length <= contact.time_step || length >= 1e300) return shortest;

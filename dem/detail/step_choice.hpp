@@ -22,8 +22,9 @@ struct StepChoice {
 /// As long as the contacts of all bodies that are not idle allow: `time_step` while one of them is
 /// in an impact, and before one may begin. Without longer steps in the settings it is `time_step`
 /// throughout.
-/// @param pairs  up to date
-StepChoice choose_step(std::span<const WorldBody> bodies, const ContactPairs& pairs,
-                       const WorldSettings& settings);
+/// @param moving  numbers of the bodies that are not idle
+/// @param pairs   up to date, and so is the list of the active ones
+StepChoice choose_step(std::span<const WorldBody> bodies, std::span<const std::uint32_t> moving,
+                       const ContactPairs& pairs, const WorldSettings& settings);
 
 }  // namespace clast::dem_detail

@@ -51,6 +51,7 @@ WorldMotion::WorldMotion(std::vector<RigidBody> of_shapes, const WorldSettings& 
 }
 
 void WorldMotion::add(std::size_t shape, const RigidState& start, bool fixed) {
+  motion_changed();
   const WorldBody& body = bodies_.emplace_back(shapes_[shape], start, fixed);
   if (!fixed) initial_ += body.energy(settings_.gravity);
 }
@@ -61,34 +62,71 @@ void WorldMotion::remove(std::size_t body) {
   sleeping_.wake_around(static_cast<std::uint32_t>(body), bodies_, pairs_);
   take_out(body);
   pairs_.refresh(bodies_);
+  motion_changed();
   apply_loads_anew();
 }
 
 void WorldMotion::advance(double longest) {
   prepare();
-  StepChoice step = choose_step(bodies_, pairs_, settings_);
+  list_moving();
+  StepChoice step = choose_step(bodies_, moving_, pairs_, settings_);
   step.length = std::min(step.length, longest);
   const double dt = step.length;
   set_step_length(dt);
   if (observer_) note_begins();
   begin_moves(step);
-  pairs_.refresh(bodies_);
+  refresh_pairs();
   pairs_.update(bodies_, dt, team_);
-  sleeping_.wake_touched(bodies_, pairs_);
+  wake_touched();
   end_moves(dt, step.flight);
   const double begin = time_;
   time_ += dt;
   ++steps_;
-  for (std::size_t i = 0; i < bodies_.size(); ++i) {
-    if (!bodies_[i].idle() && !bodies_[i].moving.finite()) {
+  for (const std::uint32_t i : moving_) {
+    if (!bodies_[i].moving.finite()) {
       throw SimulationError("the motion of " + name_of_body(i) + " is not finite any more at " +
                             with_digits(time_, 6) + " s; a shorter time step may help");
     }
   }
   if (observer_) show_moves(begin);
   remove_bodies_off_terrain();
-  if (settings_.sleep_drift > 0.0) reassigned_ += sleeping_.let_sleep(bodies_, pairs_);
+  if (settings_.sleep_drift > 0.0) let_sleep();
   if (soil_.any()) pairs_.remember_dents(bodies_, soil_);
+}
+
+void WorldMotion::list_moving() {
+  if (listed_) return;
+  moving_.clear();
+  awake_.clear();
+  for (std::uint32_t i = 0; i < bodies_.size(); ++i) {
+    if (!bodies_[i].asleep) awake_.push_back(i);
+    if (!bodies_[i].idle()) moving_.push_back(i);
+  }
+  pairs_.list_active(bodies_);
+  listed_ = true;
+}
+
+void WorldMotion::refresh_pairs() {
+  const std::uint64_t before = pairs_.broad_phases();
+  if (places_known_) {
+    pairs_.refresh(bodies_, moving_);
+  } else {
+    pairs_.refresh(bodies_);
+  }
+  places_known_ = true;
+  if (pairs_.broad_phases() != before) pairs_.list_active(bodies_);
+}
+
+void WorldMotion::wake_touched() {
+  const std::size_t before = sleeping_.count();
+  sleeping_.wake_touched(bodies_, pairs_);
+  if (sleeping_.count() != before) motion_changed();
+}
+
+void WorldMotion::let_sleep() {
+  const std::size_t before = sleeping_.count();
+  reassigned_ += sleeping_.let_sleep(bodies_, moving_, pairs_);
+  if (sleeping_.count() != before) motion_changed();
 }
 
 void WorldMotion::prepare() {
@@ -118,12 +156,14 @@ void WorldMotion::begin_pairs(const IsNew& is_new) {
   // Bodies that start in contact bring what is stored there.
   const double before = losses().reassigned;
   pairs_.refresh(bodies_);
+  motion_changed();
+  list_moving();
   pairs_.begin(bodies_, is_new);
   const double brought = losses().reassigned - before;
   reassigned_ -= brought;
   initial_ -= brought;
   refuse_deep_starts(is_new);
-  sleeping_.wake_touched(bodies_, pairs_);
+  wake_touched();
   apply_loads_anew();
 }
 
@@ -158,19 +198,19 @@ void WorldMotion::set_step_length(double dt) {
   step_length_ = dt;
 }
 
-double WorldMotion::first_kicks(double dt) const {
+double WorldMotion::first_kicks(double dt) {
+  list_moving();
   double sum = 0.0;
-  for (const WorldBody& body : bodies_) {
-    if (body.idle()) continue;
+  for (const std::uint32_t i : moving_) {
+    const WorldBody& body = bodies_[i];
     sum += body.moving.first_kick(dt, body.force, body.torque, gravity());
   }
   return sum;
 }
 
 void WorldMotion::begin_moves(const StepChoice& step) {
-  team_.run(bodies_.size(), kBodiesAtATime, [&](std::size_t i) {
-    WorldBody& body = bodies_[i];
-    if (body.idle()) return;
+  team_.run(moving_.size(), kBodiesAtATime, [&](std::size_t of_moving) {
+    WorldBody& body = bodies_[moving_[of_moving]];
     body.move(step.flight
                   ? body.moving.fly(step.length, gravity())
                   : body.moving.begin_step(step.length, body.force, body.torque, gravity()));
@@ -178,9 +218,10 @@ void WorldMotion::begin_moves(const StepChoice& step) {
 }
 
 void WorldMotion::end_moves(double dt, bool flight) {
-  team_.run(bodies_.size(), kBodiesAtATime, [&](std::size_t i) {
+  list_moving();
+  team_.run(awake_.size(), kBodiesAtATime, [&](std::size_t of_awake) {
+    const std::uint32_t i = awake_[of_awake];
     WorldBody& body = bodies_[i];
-    if (body.asleep) return;
     body.force = body.torque = Vec3::Zero();
     body.corrected = 0.0;
     std::uint64_t touching = 0, as_block = 0;
@@ -216,14 +257,12 @@ void WorldMotion::end_moves(double dt, bool flight) {
     const Vec3& place = body.moving.state().position;
     body.off_terrain = terrain_ && !terrain_->covers(place.x(), place.y());
   });
-  for (const WorldBody& body : bodies_) {
-    if (!body.asleep) reassigned_ -= body.corrected;
-  }
+  for (const std::uint32_t i : awake_) reassigned_ -= bodies_[i].corrected;
 }
 
 void WorldMotion::remove_bodies_off_terrain() {
-  for (std::size_t i = 0; i < bodies_.size(); ++i) {
-    if (!bodies_[i].idle() && bodies_[i].off_terrain) take_out(i);
+  for (const std::uint32_t i : moving_) {
+    if (bodies_[i].off_terrain) take_out(i);
   }
 }
 
@@ -232,25 +271,25 @@ void WorldMotion::take_out(std::size_t body) {
   if (soil_.any()) pairs_.remember_dents(bodies_, soil_);
   bodies_[body].gone = true;
   bodies_[body].move(bodies_[body].without_motion());
+  motion_changed();
 }
 
 void WorldMotion::note_begins() {
-  began_.assign(bodies_.size(), std::nullopt);
-  for (std::size_t i = 0; i < bodies_.size(); ++i) {
-    const WorldBody& body = bodies_[i];
-    if (!body.idle()) began_[i] = {body.moving.state(), !body.touching};
+  began_.clear();
+  for (const std::uint32_t i : moving_) {
+    began_.push_back({i, bodies_[i].moving.state(), !bodies_[i].touching});
   }
 }
 
 void WorldMotion::show_moves(double begin) {
-  team_.run(bodies_.size(), kBodiesAtATime, [&](std::size_t i) {
-    if (!began_[i]) return;
-    observer_(i, {.begin_time = begin,
-                  .end_time = time_,
-                  .begin = began_[i]->state,
-                  .end = bodies_[i].moving.state(),
-                  .flight = began_[i]->free,
-                  .touch = touch(i)});
+  team_.run(began_.size(), kBodiesAtATime, [&](std::size_t of_began) {
+    const Begin& began = began_[of_began];
+    observer_(began.body, {.begin_time = begin,
+                           .end_time = time_,
+                           .begin = began.state,
+                           .end = bodies_[began.body].moving.state(),
+                           .flight = began.free,
+                           .touch = touch(began.body)});
   });
 }
 

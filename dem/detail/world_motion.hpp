@@ -37,6 +37,11 @@ class WorldMotion {
   void free(std::span<const std::size_t> bodies);
   /// A step as long as contacts allow, but no longer than `longest`, s.
   void advance(double longest);
+  /// Bodies that are not idle, ascending; until the next step.
+  std::span<const std::uint32_t> moving() {
+    list_moving();
+    return moving_;
+  }
   /// Lets time pass while no body moves, s.
   void wait(double duration) { time_ += duration; }
 
@@ -75,14 +80,22 @@ class WorldMotion {
   Vec3 gravity() const { return {0.0, 0.0, -settings_.gravity}; }
 
   void prepare();
+  /// Lists the bodies and pairs that take part in the motion, where other ones do by now.
+  void list_moving();
+  /// Other bodies or pairs take part in the motion from now on.
+  void motion_changed() { listed_ = places_known_ = false; }
   /// Has a pair contacts for the first time, at a start?
   using IsNew = std::function<bool(const ContactPair&)>;
   /// Lists the pairs and begins the contacts of new ones.
   void begin_pairs(const IsNew& is_new);
   void refuse_deep_starts(const IsNew& is_new) const;
+  /// Brings the pairs up to date with the places of the bodies.
+  void refresh_pairs();
+  void wake_touched();
+  void let_sleep();
   void apply_loads_anew();
   /// What Verlet steps of this length lose when they begin with the present loads, J.
-  double first_kicks(double dt) const;
+  double first_kicks(double dt);
   void set_step_length(double dt);
   void begin_moves(const StepChoice& step);
   void end_moves(double dt, bool flight);
@@ -110,10 +123,17 @@ class WorldMotion {
   BodyObserver observer_;
   /// Where a body was when the step began, and whether nothing touched it then.
   struct Begin {
+    std::uint32_t body;
     RigidState state;
     bool free = false;
   };
-  std::vector<std::optional<Begin>> began_;  ///< of bodies that move in the step, if observed
+  std::vector<Begin> began_;  ///< of bodies that move in the step, if observed
+
+  // A body that sleeps shall cost nothing, so that what a step does is done for these alone.
+  bool listed_ = false;                ///< the two lists, and that of the pairs, are up to date
+  std::vector<std::uint32_t> moving_;  ///< bodies that are not idle, ascending
+  std::vector<std::uint32_t> awake_;   ///< bodies that are not asleep: fixed ones too
+  bool places_known_ = false;          ///< to the broad phase, of bodies that don't move
 
   double time_ = 0.0;
   double step_length_ = settings_.stiffness.time_step;  ///< of the last step, s

@@ -110,7 +110,9 @@ TEST(GranularColumns, RunOutAsPublishedLessAFrontOfTheThicknessOfABlock) {
     const double fine = collapse.runout() + missing / collapse.radius;
     std::printf("a %.2f: with the front %.3f, law %.3f, %+.1f %%\n", collapse.aspect(), fine, law,
                 100.0 * (fine / law - 1.0));
-    if (collapse.aspect() > 1.0) EXPECT_NEAR(fine, law, kBar * law) << collapse.aspect();
+    if (collapse.aspect() > 1.0) {
+      EXPECT_NEAR(fine, law, kBar * law) << collapse.aspect();
+    }
   }
 }
 
