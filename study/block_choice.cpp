@@ -160,6 +160,69 @@ void put_in_groups(const Campaign& campaign, BlockChoice& choice) {
   }
 }
 
+/// Every share of a draw with the blocks that it can be drawn from; without shares all in one.
+struct DrawPools {
+  std::vector<std::vector<std::size_t>> pools;
+  std::vector<double> shares;
+};
+
+DrawPools pools_of_shares(const Campaign& campaign, const std::vector<Block>& blocks) {
+  const BlockDraw& draw = *campaign.blocks.draw;
+  DrawPools result;
+  if (draw.shares.empty()) {
+    result.pools.emplace_back(blocks.size());
+    std::iota(result.pools.back().begin(), result.pools.back().end(), std::size_t{0});
+    result.shares.push_back(1.0);
+  }
+  for (const auto& [name, share] : drawn_shares(draw)) {
+    std::vector<std::size_t> pool;
+    for (std::size_t i = 0; i < blocks.size(); ++i) {
+      if (shape_class(draw.scheme, blocks[i].axes()) == name) pool.push_back(i);
+    }
+    if (pool.empty()) {
+      throw InputError(campaign.file.string() + ": [blocks] draw asks for blocks of class \"" +
+                       name + "\" by " + draw.scheme + ", but none is selected from " +
+                       campaign.blocks.library.string() +
+                       "; add such a block to the library or leave the class out");
+    }
+    result.pools.push_back(std::move(pool));
+    result.shares.push_back(share);
+  }
+  return result;
+}
+
+/// Of the blocks that a draw gives, on average, m^3.
+double mean_drawn_volume(const Campaign& campaign, const std::vector<Block>& blocks) {
+  const std::optional<Uncertain>& drawn_mass = campaign.blocks.draw->mass;
+  const double mean_mass = drawn_mass ? drawn_mass->mean() : 0.0;
+  const auto [pools, shares] = pools_of_shares(campaign, blocks);
+  double volume = 0.0;
+  for (std::size_t i = 0; i < pools.size(); ++i) {
+    double sum = 0.0;
+    for (const std::size_t block : pools[i]) {
+      const MassProperties& own = blocks[block].mass;
+      sum += drawn_mass ? own.volume * mean_mass / own.mass : own.volume;
+    }
+    volume += shares[i] * sum / static_cast<double>(pools[i].size());
+  }
+  return volume;
+}
+
+/// How many blocks have the volume that a draw asks for, on average.
+std::size_t count_of_volume(const Campaign& campaign, const std::vector<Block>& blocks) {
+  const double asked = *campaign.blocks.draw->volume;
+  const double each = mean_drawn_volume(campaign, blocks);
+  const double count = std::round(asked / each);
+  if (count >= 1.0 && count <= static_cast<double>(study_detail::kMostPerSet)) {
+    return static_cast<std::size_t>(count);
+  }
+  throw InputError(campaign.file.string() + ": [blocks] draw volume_m3 = " + with_digits(asked, 6) +
+                   " is " + with_digits(asked / each, 3) + " blocks of " + with_digits(each, 3) +
+                   " m^3 on average; it must be from 1 to " +
+                   std::to_string(study_detail::kMostPerSet) +
+                   " blocks, so give another volume or mass_kg");
+}
+
 // Draws need not touch every block of the library.
 void drop_unused(BlockChoice& choice) {
   std::vector<std::size_t> place(choice.library.size(), choice.library.size());
@@ -197,30 +260,10 @@ std::vector<Block> selected_blocks(const Campaign& campaign) {
 
 std::vector<CampaignBlock> draw_blocks(const Campaign& campaign, const std::vector<Block>& blocks) {
   const BlockDraw& draw = *campaign.blocks.draw;
-  // Every share with the blocks that it can be drawn from; without shares all in one.
-  std::vector<std::vector<std::size_t>> pools;
-  std::vector<double> shares;
-  if (draw.shares.empty()) {
-    pools.emplace_back(blocks.size());
-    std::iota(pools.back().begin(), pools.back().end(), std::size_t{0});
-    shares.push_back(1.0);
-  }
-  for (const auto& [name, share] : drawn_shares(draw)) {
-    std::vector<std::size_t> pool;
-    for (std::size_t i = 0; i < blocks.size(); ++i) {
-      if (shape_class(draw.scheme, blocks[i].axes()) == name) pool.push_back(i);
-    }
-    if (pool.empty()) {
-      throw InputError(campaign.file.string() + ": [blocks] draw asks for blocks of class \"" +
-                       name + "\" by " + draw.scheme + ", but none is selected from " +
-                       campaign.blocks.library.string() +
-                       "; add such a block to the library or leave the class out");
-    }
-    pools.push_back(std::move(pool));
-    shares.push_back(share);
-  }
+  const auto [pools, shares] = pools_of_shares(campaign, blocks);
   std::vector<CampaignBlock> drawn;
-  const std::vector<std::size_t> counts = quotas(shares, draw.count);
+  const std::vector<std::size_t> counts =
+      quotas(shares, draw.count > 0 ? draw.count : count_of_volume(campaign, blocks));
   const std::uint32_t draws = campaign.stay ? campaign.stay->realisations : 1;
   for (std::uint32_t k = 0; k < draws; ++k) {
     Random random(k == 0 ? draw.seed

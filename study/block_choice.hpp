@@ -48,7 +48,8 @@ std::vector<Block> selected_blocks(const Campaign& campaign);
 
 /// Draws as [blocks] draw asks.
 /// @param pool  selected blocks; those drawn name their places in it
-/// @throws InputError  a class that shall be drawn and has no block; shares as `drawn_shares`
+/// @throws InputError  a class that shall be drawn and has no block; shares as `drawn_shares`; a
+///                     volume of less than half a block or of too many
 std::vector<CampaignBlock> draw_blocks(const Campaign& campaign, const std::vector<Block>& pool);
 
 /// Shares of the classes of a draw, sum 1; empty: as they are. Shares that are set stay, the other

@@ -35,7 +35,8 @@ struct BlockScale {
 /// Blocks drawn from those selected: so many of each class, each scaled to a drawn mass; where
 /// blocks stay, anew for each realisation.
 struct BlockDraw {
-  std::size_t count = 0;
+  std::size_t count = 0;         ///< 0: as many as have `volume` on average
+  std::optional<double> volume;  ///< of all of them together, in place of `count`, m^3
   std::uint64_t seed = 1;
   std::string scheme = "garcia";
   std::vector<std::pair<std::string, double>> shares;  ///< of classes, sum 1; empty: as they are

@@ -104,7 +104,11 @@ KeyTable blocks_table() {
         "",
         "blocks drawn from those selected",
         {table(
-            {{"count", "", "how many", {count(1, kMostPerSet)}, true},
+            {{"count", "", "how many", {count(1, kMostPerSet)}},
+             {"volume_m3",
+              "m^3",
+              "in place of count: volume of all of them, on average",
+              {number(kDrawnVolume)}},
              {"seed", "", "of the draw", {seed()}},
              {"scheme", "", "scheme of the classes in shares", {words(kSelectingSchemes)}},
              {"shares", "", "share of each class; they add up to 1", {named(number(kClassShare))}},

@@ -49,19 +49,6 @@ std::vector<BlockSummary> block_summaries(const PreparedCampaign& prepared) {
   return summaries;
 }
 
-void make_bodies(PreparedCampaign& prepared) {
-  prepared.bodies.clear();
-  prepared.same_body.clear();
-  std::map<std::pair<std::size_t, double>, std::uint32_t> first;
-  for (const CampaignBlock& block : prepared.choice.blocks) {
-    const auto number = static_cast<std::uint32_t>(prepared.bodies.size());
-    prepared.same_body.push_back(
-        first.try_emplace({block.library, block.scale}, number).first->second);
-    prepared.bodies.push_back(
-        scaled(rigid_body(prepared.choice.library[block.library]), block.scale));
-  }
-}
-
 std::string with_digest(const std::filesystem::path& file) {
   return file.string() + " " + sha256_of_file(file);
 }
@@ -106,16 +93,9 @@ CampaignResults header_of(const PreparedCampaign& prepared, Terrain terrain) {
 
 }  // namespace
 
-RigidBody rigid_body(const Block& block) {
-  return {.shape = transformed(block.body, block.source_from_body().inverse()),
-          .mass = block.mass.mass,
-          .moments = block.principal.moments,
-          .smallest_side = block.axes().S};
-}
-
 void redraw_blocks(PreparedCampaign& prepared) {
   prepared.choice.blocks = draw_blocks(prepared.campaign, prepared.choice.library);
-  make_bodies(prepared);
+  prepared.bodies = BlockBodies(prepared.choice);
   prepared.header.blocks = block_summaries(prepared);
 }
 
@@ -123,7 +103,11 @@ PreparedCampaign prepare_campaign(const Campaign& campaign, const BlockMaking& m
   PreparedCampaign prepared;
   prepared.campaign = campaign;
   prepared.choice = choose_blocks(campaign, making);
-  make_bodies(prepared);
+  if (std::optional<BlockDraw>& draw = prepared.campaign.blocks.draw) {
+    // What is drawn again later is as many.
+    draw->count = prepared.choice.blocks.size() / (campaign.stay ? campaign.stay->realisations : 1);
+  }
+  prepared.bodies = BlockBodies(prepared.choice);
   prepared.header = header_of(prepared, read_terrain(campaign.terrain));
   CampaignResults& header = prepared.header;
   check_sizes(prepared);

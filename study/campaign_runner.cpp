@@ -8,11 +8,13 @@
 #include <mutex>
 
 #include "core/error.hpp"
+#include "core/machine.hpp"
 #include "core/number_text.hpp"
 #include "core/parallel.hpp"
 #include "core/statistics.hpp"
 #include "study/detail/realisation.hpp"
 #include "study/detail/results_journal.hpp"
+#include "study/memory_need.hpp"
 #include "study/runout.hpp"
 #include "study/team_work.hpp"
 
@@ -41,7 +43,7 @@ std::string progress_text(const SequenceProgress& progress, const StaySummary& s
            std::to_string(stay.blocks_each);
   }
   if (progress.settling) text += ", settling";
-  return text + ", " + std::to_string(progress.resting) + " of " +
+  return text + ", " + std::to_string(progress.resting()) + " of " +
          counted(progress.released, "block") + " at rest";
 }
 
@@ -283,6 +285,9 @@ void run_campaign(const PreparedCampaign& prepared, const std::filesystem::path&
   // Processes are asked for one by one, so each has a core to itself unless another number is
   // given.
   const unsigned threads = options.threads == 0 && team ? 1 : thread_count(options.threads);
+  check_memory(prepared,
+               std::clamp<std::size_t>(runs / prepared.header.runs_together(), 1, threads),
+               available_memory());
   std::optional<ResultsWriter> writer;
   std::vector<std::uint32_t> open;
   const auto open_results = [&] {

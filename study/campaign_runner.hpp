@@ -5,6 +5,7 @@
 
 #include "core/progress.hpp"
 #include "library/block_library.hpp"
+#include "study/block_bodies.hpp"
 #include "study/block_choice.hpp"
 #include "study/campaign.hpp"
 #include "study/process_team.hpp"
@@ -31,17 +32,13 @@ struct PreparedCampaign {
   Campaign campaign;
   CampaignResults header;  ///< no runs yet
   BlockChoice choice;
-  std::vector<RigidBody> bodies;          ///< of `choice.blocks`, scaled
-  std::vector<std::uint32_t> same_body;   ///< of each block: the first that has the same body
+  BlockBodies bodies;                     ///< of `choice.blocks`
   std::optional<TerrainSurface> surface;  ///< of `header.terrain`; always there
   /// Planned runs in order: blocks, release sets, their points, their orientations, members of the
   /// ensemble (fastest); where blocks stay: realisations, blocks in the order of their release.
   std::vector<RunRecord> runs;    ///< with their stiffness; `result` still empty
   std::vector<MassStart> masses;  ///< of each realisation, one to each mass
 };
-
-/// A block as the dynamics sees it.
-RigidBody rigid_body(const Block& block);
 
 /// What the campaign and the run itself, its stiffness and time step, ask of the dynamics.
 ReleaseSettings release_settings(const Campaign& campaign, const RunRecord& run);
@@ -114,8 +111,8 @@ struct RunOptions {
 /// reason `error` and its message. The datasets do not depend on the number of threads or
 /// processes, or on interruptions; what `progress` throws ends the campaign after the runs under
 /// way, which are kept. Realisations under way are lost.
-/// @throws InputError  the target can't be written or holds results that are kept, or resuming what
-///                     another campaign or shard began
+/// @throws InputError  the target can't be written or holds results that are kept; resuming what
+///                     another campaign or shard began; more memory is needed than is free
 void run_campaign(const PreparedCampaign& prepared, const std::filesystem::path& target,
                   const RunOptions& options = {});
 

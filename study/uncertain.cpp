@@ -26,6 +26,23 @@ double drawn_once(const Uncertain& number, Random& random) {
 
 double Uncertain::central() const { return law == Law::kUniform ? 0.5 * (first + second) : first; }
 
+double Uncertain::mean() const {
+  if (law == Law::kFixed || law == Law::kUniform) return central();
+  // Of a law cut off at both ends, in standard deviations from its middle.
+  const auto deviations = [&](double value) {
+    if (law == Law::kNormal) return (value - first) / second;
+    return value > 0.0 ? std::log(value / first) / second : -1e300;
+  };
+  const double from = deviations(low), to = deviations(high);
+  const double all = normal_below(to) - normal_below(from);
+  if (law == Law::kLogNormal) {
+    return first * std::exp(0.5 * second * second) *
+           (normal_below(to - second) - normal_below(from - second)) / all;
+  }
+  const auto density = [](double z) { return std::exp(-0.5 * z * z) / std::sqrt(2.0 * kPi); };
+  return first + second * (density(from) - density(to)) / all;
+}
+
 double Uncertain::draw(Random& random) const {
   // Mean and median lie inside the range, so about every second draw does at worst.
   while (true) {

@@ -17,6 +17,8 @@ struct Uncertain {
   bool fixed() const { return law == Law::kFixed; }
   /// The number, middle, mean or median.
   double central() const;
+  /// Of the draws.
+  double mean() const;
   double draw(Random& random) const;
   /// The value that the share `below` of all draws lies below; the number itself where it is fixed.
   /// @param below  in [0, 1)

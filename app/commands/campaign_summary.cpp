@@ -12,6 +12,7 @@
 #include "core/text_table.hpp"
 #include "study/block_stiffness.hpp"
 #include "study/comparison.hpp"
+#include "study/memory_need.hpp"
 #include "study/outcome.hpp"
 
 namespace clast {
@@ -86,6 +87,12 @@ std::string masses_text(const PreparedCampaign& prepared) {
   return text;
 }
 
+/// "about 210 MB of memory for each realisation"; empty where blocks are run one by one.
+std::string memory_line(const PreparedCampaign& prepared) {
+  const double bytes = realisation_memory(prepared);
+  return bytes > 0.0 ? "about " + memory_text(bytes) + " of memory for each realisation\n" : "";
+}
+
 /// "66 bodies made of 1 block of scans.h5"; empty where blocks run as they are.
 std::string made_text(const PreparedCampaign& prepared) {
   const BlockChoice& choice = prepared.choice;
@@ -120,7 +127,8 @@ TextTable stiffness_table(const PreparedCampaign& prepared) {
 void print_plan(const PreparedCampaign& prepared) {
   std::cout << counted(prepared.runs.size(), "run") << ": "
             << counted(prepared.bodies.size(), "block") << ", " << releases_text(prepared) << "\n"
-            << made_text(prepared) << masses_text(prepared) << stiffness_table(prepared).text();
+            << made_text(prepared) << masses_text(prepared) << memory_line(prepared)
+            << stiffness_table(prepared).text();
   for (const std::string& warning : prepared.header.warnings) {
     std::cout << "warning: " << shown(warning) << "\n";
   }

@@ -1,6 +1,7 @@
 #include "report/json/campaign_json.hpp"
 
 #include "study/block_stiffness.hpp"
+#include "study/memory_need.hpp"
 #include "study/outcome.hpp"
 
 namespace clast {
@@ -35,6 +36,7 @@ nlohmann::ordered_json plan_json(const PreparedCampaign& prepared) {
   if (const std::optional<StaySummary>& stay = prepared.header.stay) {
     plan["realisations"] = prepared.campaign.stay->realisations;
     plan["blocks_per_realisation"] = stay->blocks_each;
+    plan["memory_bytes_per_realisation"] = realisation_memory(prepared);
     const std::vector<MassPlan>& plans = prepared.campaign.stay->masses;
     for (std::size_t i = 0; i < prepared.masses.size(); ++i) {
       const MassStart& mass = prepared.masses[i];

@@ -244,8 +244,9 @@ std::vector<ReleaseOutcome> SiteSimulator::simulate(std::uint32_t member,
   std::vector<ReleaseOutcome> outcomes(prepared.runs.size());
   std::vector<std::string> failures(prepared.runs.size());
   parallel_for(prepared.runs.size(), threads, [&](std::size_t i) {
-    MomentObserver moments(own.facts.moments, prepared.bodies[prepared.runs[i].block],
-                           prepared.header.frame, prepared.campaign.gravity);
+    const RigidBody body = prepared.bodies[prepared.runs[i].block];
+    MomentObserver moments(own.facts.moments, body, prepared.header.frame,
+                           prepared.campaign.gravity);
     MotionObserver observe;
     if (!own.facts.moments.empty()) observe = [&](const MotionStep& step) { moments.see(step); };
     const StoredRun run =

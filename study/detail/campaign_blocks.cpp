@@ -80,10 +80,15 @@ std::vector<std::pair<std::string, double>> read_shares(const TomlTable& draw,
 
 BlockDraw read_draw(const TomlTable& blocks, const TomlNode& node) {
   const TomlTable table(node, blocks.file(), "[blocks] draw",
-                        {"count", "seed", "scheme", "shares", "mass_kg"});
-  table.required("count", "how many blocks, a whole number");
+                        {"count", "volume_m3", "seed", "scheme", "shares", "mass_kg"});
   BlockDraw draw;
-  draw.count = *table.count("count", 1, kMostPerSet);
+  draw.volume = table.number("volume_m3", kDrawnVolume);
+  if (!draw.volume) {
+    table.required("count", "how many blocks, or give volume_m3 of all of them");
+  } else if (const TomlNode* count = table.find("count")) {
+    table.refuse("count", *count, "contradicts volume_m3; keep one of the two");
+  }
+  draw.count = table.count("count", 1, kMostPerSet).value_or(0);
   draw.seed = table.count("seed", 0, INT64_MAX).value_or(draw.seed);
   draw.scheme = choice(table, "scheme", kSelectingSchemes).value_or(draw.scheme);
   draw.shares = read_shares(table, draw.scheme);

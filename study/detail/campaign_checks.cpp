@@ -213,9 +213,9 @@ std::vector<std::string> campaign_warnings(const PreparedCampaign& prepared) {
     if (warning) warnings.push_back(*warning);
   };
   double smallest = 1e300, largest = 0.0;
-  for (const RigidBody& body : prepared.bodies) {
-    smallest = std::min(smallest, body.smallest_side);
-    largest = std::max(largest, body.smallest_side);
+  for (const BlockSummary& block : prepared.header.blocks) {
+    smallest = std::min(smallest, block.axes.S);
+    largest = std::max(largest, block.axes.S);
   }
   warn(cell_size_warning(prepared.header.terrain, smallest, largest));
   if (prepared.campaign.border_distance) {

@@ -19,7 +19,8 @@ inline constexpr NumberRange kScarDrag{1e-3, 100.0};
 inline constexpr NumberRange kSoilDensity{50.0, 5000.0, "kg/m^3"};
 inline constexpr NumberRange kSoilMemory{0.01, 10.0, "m"};
 
-// [blocks] draw shares, and laws of uncertain numbers
+// [blocks] draw, and laws of uncertain numbers
+inline constexpr NumberRange kDrawnVolume{1e-9, 1e9, "m^3"};
 inline constexpr NumberRange kClassShare{1e-6, 1.0, "", ""};
 /// Of the natural logarithm: at 5 every third draw is 150 times more or less than the median.
 inline constexpr NumberRange kLogSigma{1e-9, 5.0};

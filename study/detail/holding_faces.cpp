@@ -89,7 +89,7 @@ double reach_over(const PreparedCampaign& prepared, std::span<const RunRecord> r
   const Vec2 outwards = heap.outwards(side);
   double reach = 0.0;
   for (const RunRecord& run : runs.subspan(heap.first, heap.end - heap.first)) {
-    const SpheroPolyhedron& shape = prepared.bodies[run.block].shape;
+    const SpheroPolyhedron shape = prepared.bodies[run.block].shape;
     const Pose place = run.start.world_from_body();
     for (const Vec3& vertex : shape.vertices) {
       const Vec2 point = (place * vertex).head<2>();

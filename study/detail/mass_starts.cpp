@@ -31,7 +31,10 @@ std::vector<std::vector<Vec2>> outlines(const PreparedCampaign& prepared) {
 double width_of_cells(const PreparedCampaign& prepared,
                       const std::vector<std::vector<Vec2>>& outlines) {
   double smallest = std::numeric_limits<double>::infinity();
-  for (const RigidBody& body : prepared.bodies) smallest = std::min(smallest, body.size());
+  for (std::size_t i = 0; i < prepared.bodies.size(); ++i) {
+    if (prepared.bodies.first_like(i) < i) continue;
+    smallest = std::min(smallest, prepared.bodies[i].size());
+  }
   double width = kCellShare * smallest;
   for (const std::vector<Vec2>& outline : outlines) {
     Bounds box;
@@ -81,14 +84,14 @@ void MassStarts::begin(const std::string& name, const std::vector<std::size_t>& 
   placed_.assign(plans_.size(), {});
 }
 
-RigidState MassStarts::place(std::size_t mass, std::uint32_t block, const GroundOverlap& overlap,
+RigidState MassStarts::place(std::size_t mass, std::uint32_t block, const MeasuredBody& body,
                              Random& random) {
-  const RigidState state = plans_[mass].in_place ? in_place(mass, block, overlap)
-                                                 : on_heap(mass, block, overlap, random);
+  const RigidState state =
+      plans_[mass].in_place ? in_place(mass, block, body) : on_heap(mass, block, body, random);
   MassStart& placed = placed_[mass];
   ++placed.blocks;
   placed.volume += prepared_.header.blocks[block].volume;
-  placed.mass += prepared_.bodies[block].mass;
+  placed.mass += prepared_.header.blocks[block].mass;
   return state;
 }
 
@@ -104,7 +107,7 @@ std::vector<MassStart> MassStarts::placed() const {
 }
 
 RigidState MassStarts::in_place(std::size_t mass, std::uint32_t block,
-                                const GroundOverlap& overlap) const {
+                                const MeasuredBody& body) const {
   const BlockChoice& choice = prepared_.choice;
   const Pose place = choice.library[choice.blocks[block].library].source_from_body();
   RigidState state;
@@ -119,20 +122,20 @@ RigidState MassStarts::in_place(std::size_t mass, std::uint32_t block,
                      " is off the terrain; check the map frame and the axis that points up");
   }
   const std::optional<double> depth =
-      depth_in_ground(overlap, *prepared_.surface, prepared_.bodies[block], state);
+      depth_in_ground(body.overlap, *prepared_.surface, body.body, state);
   if (!depth) return state;
   throw SimulationError(where + " starts " + with_decimals(*depth, 3) +
                         " m inside the ground; the terrain must be the one without the mass, or "
                         "give [mass] height_m");
 }
 
-RigidState MassStarts::on_heap(std::size_t mass, std::uint32_t block, const GroundOverlap& overlap,
+RigidState MassStarts::on_heap(std::size_t mass, std::uint32_t block, const MeasuredBody& body,
                                Random& random) {
   const Quat turn = fresh_orientations(prepared_.campaign.releases.front(),
                                        prepared_.choice.blocks[block].id, name_, 1)
                         .front();
   const std::optional<RigidState> start =
-      packings_[mass].place(prepared_.bodies[block], overlap, turn, plans_[mass].thickness, random);
+      packings_[mass].place(body.body, body.overlap, turn, plans_[mass].thickness, random);
   if (!start) refuse_block(mass, block);
   return *start;
 }

@@ -6,6 +6,7 @@
 #include "core/random.hpp"
 #include "study/campaign_runner.hpp"
 #include "study/detail/block_packing.hpp"
+#include "study/detail/measured_bodies.hpp"
 
 namespace clast::study_detail {
 
@@ -21,18 +22,17 @@ class MassStarts {
   /// @param name    that orientations are drawn by
   /// @param blocks  how many each mass will have
   void begin(const std::string& name, const std::vector<std::size_t>& blocks);
-  /// @param overlap  of this block with the ground
+  /// @param body  of this block
   /// @throws InputError       the block fits nowhere, or its place is off the terrain
   /// @throws SimulationError  its place is inside the ground
-  RigidState place(std::size_t mass, std::uint32_t block, const GroundOverlap& overlap,
-                   Random& random);
+  RigidState place(std::size_t mass, std::uint32_t block, const MeasuredBody& body, Random& random);
   /// What was placed of each mass since `begin`.
   std::vector<MassStart> placed() const;
 
  private:
   void refuse_common_places() const;
-  RigidState in_place(std::size_t mass, std::uint32_t block, const GroundOverlap& overlap) const;
-  RigidState on_heap(std::size_t mass, std::uint32_t block, const GroundOverlap& overlap,
+  RigidState in_place(std::size_t mass, std::uint32_t block, const MeasuredBody& body) const;
+  RigidState on_heap(std::size_t mass, std::uint32_t block, const MeasuredBody& body,
                      Random& random);
   [[noreturn]] void refuse_block(std::size_t mass, std::uint32_t block) const;
 

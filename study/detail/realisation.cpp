@@ -28,11 +28,9 @@ constexpr double kEnergyInterval = 1.0;
 // Collects what the stored results need of a motion, as it goes by.
 class RunObserver {
  public:
-  RunObserver(const PreparedCampaign& prepared, const RunRecord& run)
-      : impacts(prepared.bodies[run.block], run.run),
-        prepared_(prepared),
-        planned_(run),
-        body_(prepared.bodies[run.block]) {}
+  /// @param body  of the block; must outlive the observer
+  RunObserver(const PreparedCampaign& prepared, const RunRecord& run, const RigidBody& body)
+      : impacts(body, run.run), prepared_(prepared), planned_(run), body_(body) {}
 
   void see(const MotionStep& step) {
     const double gravity = prepared_.campaign.gravity;
@@ -118,16 +116,16 @@ ReleaseResult failed(const RunObserver& observer, const RunRecord& run, const ch
 
 StoredRun single_run(const PreparedCampaign& prepared, const RunRecord& planned,
                      const SequenceProgressObserver& after_step, const MotionObserver& observe) {
-  RunObserver observer(prepared, planned);
+  const RigidBody body = prepared.bodies[planned.block];
+  RunObserver observer(prepared, planned, body);
   try {
-    return observer.stored(
-        simulate_release(*prepared.surface, prepared.header.ground_sets[planned.ground_set].zones,
-                         prepared.bodies[planned.block], planned.start,
-                         release_settings(prepared.campaign, planned), [&](const MotionStep& step) {
-                           observer.see(step);
-                           if (observe) observe(step);
-                           if (after_step) after_step({.time = step.end_time, .released = 1});
-                         }));
+    return observer.stored(simulate_release(
+        *prepared.surface, prepared.header.ground_sets[planned.ground_set].zones, body,
+        planned.start, release_settings(prepared.campaign, planned), [&](const MotionStep& step) {
+          observer.see(step);
+          if (observe) observe(step);
+          if (after_step) after_step({.time = step.end_time, .released = 1});
+        }));
   } catch (const std::exception& error) {  // one bad run never costs the campaign
     return observer.stored(failed(observer, planned, error.what()));
   }
@@ -177,7 +175,8 @@ struct ShapesOfRuns {
   ShapesOfRuns(const PreparedCampaign& prepared, std::span<const RunRecord> runs) {
     std::map<std::uint32_t, std::size_t> place;  // of a body, by the first block that has it
     for (const RunRecord& run : runs) {
-      const auto [found, is_new] = place.try_emplace(prepared.same_body[run.block], shapes.size());
+      const auto [found, is_new] =
+          place.try_emplace(prepared.bodies.first_like(run.block), shapes.size());
       if (is_new) shapes.push_back(prepared.bodies[run.block]);
       of_run.push_back(found->second);
     }
@@ -196,7 +195,6 @@ std::vector<StoredRun> realisation(const PreparedCampaign& prepared,
     const std::vector<MassPlan>& masses = prepared.campaign.stay->masses;
     const double held = masses.empty() ? 0.0 : masses[run.point].release_time;
     blocks.push_back({shape_of_run[blocks.size()], run.start, held});
-    observers.push_back(std::make_unique<RunObserver>(prepared, run));
   }
   SequenceSettings settings = sequence_settings(prepared, planned.front());
   settings.world.threads = threads;
@@ -204,6 +202,10 @@ std::vector<StoredRun> realisation(const PreparedCampaign& prepared,
   for (SequenceForm& form : faces.forms) form.shape += shapes.size();
   shapes.insert(shapes.end(), faces.shapes.begin(), faces.shapes.end());
   settings.forms = std::move(faces.forms);
+  for (std::size_t i = 0; i < planned.size(); ++i) {
+    observers.push_back(
+        std::make_unique<RunObserver>(prepared, planned[i], shapes[shape_of_run[i]]));
+  }
   std::vector<SequenceResult> results;
   std::vector<EnergyRecord> energies;
   std::string message;
@@ -264,8 +266,7 @@ void check_mass_start(const PreparedCampaign& prepared, std::uint32_t first) {
   double deepest = 0.0;
   for (std::size_t i = 0; i < runs.size(); ++i) {
     for (std::size_t other = 0; other < i; ++other) {
-      const RigidBody &body = prepared.bodies[runs[i].block],
-                      &other_body = prepared.bodies[runs[other].block];
+      const RigidBody &body = shapes[shape_of_run[i]], &other_body = shapes[shape_of_run[other]];
       const double apart = (runs[i].start.position - runs[other].start.position).norm();
       if (apart >= body.bounding_radius() + other_body.bounding_radius()) continue;
       // One that lies in another touches no surface.

@@ -59,7 +59,7 @@ double path_length(const RigidBody& body, const MotionStep& step, double gravity
 
 StoredRun run_of_states(const PreparedCampaign& prepared, const RunRecord& planned,
                         const StateSeries& series, const SeriesEnd& end) {
-  const RigidBody& body = prepared.bodies[planned.block];
+  const RigidBody body = prepared.bodies[planned.block];
   const double gravity = prepared.campaign.gravity;
   StoredRun run;
   run.record = planned;
@@ -113,7 +113,7 @@ std::size_t first_off_terrain(const PreparedCampaign& prepared, const StateSerie
 
 bool rests_at_end(const PreparedCampaign& prepared, const RunRecord& planned,
                   const StateSeries& series) {
-  const RigidBody& body = prepared.bodies[planned.block];
+  const RigidBody body = prepared.bodies[planned.block];
   std::size_t first = series.states.size();
   while (first > 0 && kinetic_energy(body, series.states[first - 1]) <
                           prepared.campaign.rest_energy * body.mass) {

@@ -10,10 +10,10 @@
 #include "core/error.hpp"
 #include "core/number_text.hpp"
 #include "core/random.hpp"
-#include "dem/ground_overlap.hpp"
 #include "study/detail/campaign_checks.hpp"
 #include "study/detail/mass_members.hpp"
 #include "study/detail/mass_starts.hpp"
+#include "study/detail/measured_bodies.hpp"
 #include "study/detail/member_settings.hpp"
 #include "study/detail/named_seed.hpp"
 #include "study/detail/run_starts.hpp"
@@ -70,11 +70,11 @@ void place_above_ground(const TerrainSurface& surface, const RigidBody& body, do
   if (std::isfinite(clearance)) state.position.z() += drop_height - clearance;
 }
 
-void check_clear_of_ground(const PreparedCampaign& prepared, const GroundOverlap& ground_overlap,
+void check_clear_of_ground(const PreparedCampaign& prepared, const MeasuredBody& measured,
                            const ReleasePlan& release, std::size_t point_of_set,
                            const RunRecord& run) {
   const std::optional<double> depth =
-      depth_in_ground(ground_overlap, *prepared.surface, prepared.bodies[run.block], run.start);
+      depth_in_ground(measured.overlap, *prepared.surface, measured.body, run.start);
   if (!depth) return;
   const std::string table = release.name.empty() ? "[release]" : "[[release]] " + release.name;
   throw SimulationError(
@@ -93,7 +93,7 @@ class Planner {
   explicit Planner(PreparedCampaign& prepared)
       : prepared_(prepared),
         settings_(member_settings(prepared.campaign)),
-        ground_overlaps_(prepared.bodies.size()) {
+        bodies_(*prepared.surface, prepared.bodies) {
     for (const ReleasePlan& release : prepared.campaign.releases) {
       points_.push_back(
           local_points(prepared.campaign, release, *prepared.surface, prepared.header.frame));
@@ -159,7 +159,7 @@ class Planner {
     run.point = static_cast<std::uint32_t>(point + of_set);
     run.orientation = static_cast<std::uint32_t>(turn);
     run.ground_set = static_cast<std::uint32_t>(chosen.group * campaign.ensemble.members + member);
-    check_clear_of_ground(prepared_, overlap_of(block), release, of_set, run);
+    check_clear_of_ground(prepared_, bodies_.of(block), release, of_set, run);
     return run;
   }
 
@@ -179,7 +179,7 @@ class Planner {
         RunRecord run;
         run.block = block;
         run.point = static_cast<std::uint32_t>(mass);
-        run.start = mass_->place(mass, block, overlap_of(block), random);
+        run.start = mass_->place(mass, block, bodies_.of(block), random);
         run.ground_set = realisation % campaign.ensemble.members;
         add(run);
       }
@@ -224,7 +224,7 @@ class Planner {
   }
 
   RunRecord start_of(std::uint32_t block, std::size_t set, std::size_t of_set, std::size_t member,
-                     const Quat& orientation) const {
+                     const Quat& orientation) {
     const ReleaseStart& start = settings_[std::min(member, settings_.size() - 1)].starts[set];
     const ReleasePlan& release = prepared_.campaign.releases[set];
     const Block& source = prepared_.choice.library[prepared_.choice.blocks[block].library];
@@ -237,8 +237,7 @@ class Planner {
     run.start.velocity = start.velocity;
     run.start.angular_velocity = start.angular_velocity;
     if (start.drop_height) {
-      place_above_ground(*prepared_.surface, prepared_.bodies[block], *start.drop_height,
-                         run.start);
+      place_above_ground(*prepared_.surface, bodies_.of(block).body, *start.drop_height, run.start);
     }
     return run;
   }
@@ -248,15 +247,9 @@ class Planner {
            prepared_.campaign.ensemble.members;
   }
 
-  const GroundOverlap& overlap_of(std::uint32_t block) {
-    std::optional<GroundOverlap>& overlap = ground_overlaps_[prepared_.same_body[block]];
-    if (!overlap) overlap.emplace(*prepared_.surface, prepared_.bodies[block]);
-    return *overlap;
-  }
-
   void check_clear(std::size_t set, std::size_t of_set, RunRecord& run) {
     run.run = static_cast<std::uint32_t>(prepared_.runs.size());
-    check_clear_of_ground(prepared_, overlap_of(run.block), prepared_.campaign.releases[set],
+    check_clear_of_ground(prepared_, bodies_.of(run.block), prepared_.campaign.releases[set],
                           of_set, run);
   }
 
@@ -268,8 +261,7 @@ class Planner {
   PreparedCampaign& prepared_;
   std::vector<MemberSettings> settings_;
   std::vector<std::vector<Vec3>> points_;  ///< of each release set, local frame
-  /// Of blocks, as they are needed; those with the same body share one.
-  std::vector<std::optional<GroundOverlap>> ground_overlaps_;
+  MeasuredBodies bodies_;
   std::optional<MassStarts> mass_;
 };
 
@@ -314,7 +306,7 @@ void plan_runs(PreparedCampaign& prepared) {
   Planner planner(prepared);
   if (campaign.stay) {
     const std::size_t each =
-        campaign.blocks.draw ? campaign.blocks.draw->count : prepared.bodies.size();
+        prepared.bodies.size() / (campaign.blocks.draw ? campaign.stay->realisations : 1);
     const bool at_once = !campaign.stay->masses.empty();
     header.stay = {static_cast<std::uint32_t>(each), campaign.stay->between_blocks, at_once};
     for (std::uint32_t i = 0; i < campaign.stay->realisations; ++i) {

@@ -13,10 +13,12 @@ namespace {
 constexpr std::size_t kMostNamed = 20;
 
 /// All energy of a start, and the fall to the lowest ground, in the speed.
-double fastest_speed(const RunRecord& run, const RigidBody& body, double lowest, double gravity) {
+double fastest_speed(const RunRecord& run, const BlockSummary& block, double lowest,
+                     double gravity) {
   const double fall = std::max(0.0, run.start.position.z() - lowest);
   return std::sqrt(run.start.velocity.squaredNorm() +
-                   body.moments.maxCoeff() / body.mass * run.start.angular_velocity.squaredNorm() +
+                   block.moments.maxCoeff() / block.mass *
+                       run.start.angular_velocity.squaredNorm() +
                    2.0 * gravity * fall);
 }
 
@@ -49,7 +51,7 @@ std::vector<std::string> settle_together(PreparedCampaign& prepared,
     worst.include(0.0, between);
     std::vector<ContactBody> together;
     for (const RunRecord& run : runs) {
-      worst.include(fastest_speed(run, prepared.bodies[run.block], lowest, campaign.gravity),
+      worst.include(fastest_speed(run, prepared.header.blocks[run.block], lowest, campaign.gravity),
                     grounds[run.ground_set]);
       together.push_back(bodies[run.block]);
     }
@@ -83,7 +85,10 @@ std::vector<std::string> settle_stiffness(PreparedCampaign& prepared) {
     grounds.push_back(contact_ground(set.zones, prepared.campaign.stiffness.law));
   }
   std::vector<ContactBody> bodies;
-  for (const RigidBody& body : prepared.bodies) bodies.push_back(contact_body(body));
+  for (std::size_t i = 0; i < prepared.bodies.size(); ++i) {
+    const std::uint32_t first = prepared.bodies.first_like(i);
+    bodies.push_back(first < i ? bodies[first] : contact_body(prepared.bodies[i]));
+  }
   if (prepared.header.stay) return settle_together(prepared, bodies, grounds);
   const auto choose = [&](std::size_t block, const ContactGround& ground, double fastest,
                           const StiffnessOptions& options) {
@@ -96,7 +101,7 @@ std::vector<std::string> settle_stiffness(PreparedCampaign& prepared) {
 
   std::vector<Worst> worst(bodies.size());
   for (RunRecord& run : prepared.runs) {
-    const double fastest = fastest_speed(run, prepared.bodies[run.block], lowest, gravity);
+    const double fastest = fastest_speed(run, prepared.header.blocks[run.block], lowest, gravity);
     const std::uint32_t member = prepared.header.ground_sets[run.ground_set].member;
     const StiffnessChoice choice =
         choose(run.block, grounds[run.ground_set], fastest,

@@ -131,7 +131,7 @@ Scene scene_of(const PreparedCampaign& prepared, const SceneSet& set, std::uint3
   for (std::uint32_t i = first; i < first + together; ++i) {
     const RunRecord& run = prepared.runs[i];
     const CampaignBlock& block = prepared.choice.blocks[run.block];
-    const RigidBody& body = prepared.bodies[run.block];
+    const RigidBody body = prepared.bodies[run.block];
     scene.bodies.push_back({static_cast<std::uint32_t>(block.library), block.scale, run.start});
     speed = std::max(speed, fastest(prepared, scene.bodies.back()));
     smallest = std::min(smallest, body.size());

@@ -38,8 +38,9 @@ TEST_F(CampaignRun, PlansEveryBlockPointAndOrientationInOrder) {
   // The only bound there is for a body that starts at rest: the fall to the lowest ground.
   const double fastest = std::sqrt(2 * 9.81 * 9.5);
   for (const RunRecord& run : plan.runs) {
-    const StiffnessChoice expected = choose_stiffness(std::span(&plan.bodies[run.block], 1),
-                                                      plan.header.ground, fastest, 9.81, {});
+    const RigidBody body = plan.bodies[run.block];
+    const StiffnessChoice expected =
+        choose_stiffness(std::span(&body, 1), plan.header.ground, fastest, 9.81, {});
     EXPECT_NEAR(run.stiffness.normal, expected.stiffness.normal, 1e-9 * expected.stiffness.normal);
   }
 }
@@ -48,7 +49,7 @@ TEST_F(CampaignRun, QuaternionFileTurnsTheBlockAsItsSourceHoldsIt) {
   const PreparedCampaign plan = prepared();
   for (const RunRecord& run : plan.runs) {
     const Block& block = plan.choice.library[plan.choice.blocks[run.block].library];
-    const RigidBody& body = plan.bodies[run.block];
+    const RigidBody body = plan.bodies[run.block];
     const Quat& turn = plan.campaign.releases[0].orientations[run.orientation];
     for (std::size_t i = 0; i < body.shape.vertices.size(); ++i) {
       const Vec3 placed = run.start.world_from_body() * body.shape.vertices[i];
@@ -67,7 +68,7 @@ TEST_F(CampaignRun, DropHeightIsTheClearanceOfTheLowestSkinPoint) {
   const PreparedCampaign plan = prepared(with("points = [[-12, -3, 9.5], [-12, 3, 9.5]]",
                                               "points = [[-12, -3], [10, 3]]\nheight_m = 0.75"));
   for (const RunRecord& run : plan.runs) {
-    const RigidBody& body = plan.bodies[run.block];
+    const RigidBody body = plan.bodies[run.block];
     double clearance = 1e9;
     for (const Vec3& vertex : body.shape.vertices) {
       const Vec3 point = plan.header.frame.map(run.start.world_from_body() * vertex);

@@ -119,6 +119,7 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(Key{"mass_kg", kSelect, "scale = { mass_kg = VALUE }", "500"},
                     Key{"volume_m3", kSelect, "scale = { volume_m3 = VALUE }", "0.5"},
                     Key{"draw mass_kg", kSelect, "draw = { count = 3, mass_kg = VALUE }", "500"},
+                    Key{"draw volume_m3", kSelect, "draw = { volume_m3 = VALUE }", "0.5"},
                     Key{"compact", kSelect,
                         "draw = { count = 3, shares = { compact = VALUE, elongated = 0.4 } }",
                         "0.6"}),
@@ -167,6 +168,26 @@ TEST(UncertainNumbers, TheWidestLawsDrawWithinTheirRange) {
       const double value = number.draw(random);
       EXPECT_TRUE(value > number.low && value <= number.high);
     }
+  }
+}
+
+TEST(UncertainNumbers, TheMeanIsThatOfTheDraws) {
+  Random random(1);
+  using Law = Uncertain::Law;
+  for (const Uncertain& number :
+       {Uncertain{Law::kFixed, 3.0}, Uncertain{Law::kUniform, 1.0, 4.0},
+        Uncertain{Law::kNormal, 2.0, 0.5}, Uncertain{Law::kNormal, 2.0, 3.0, 1.0, 9.0},
+        Uncertain{Law::kLogNormal, 2.0, 0.7}, Uncertain{Law::kLogNormal, 2.0, 1.5, 1.0, 20.0}}) {
+    constexpr int kDraws = 100000;
+    double sum = 0.0, squares = 0.0;
+    for (int i = 0; i < kDraws; ++i) {
+      const double value = number.draw(random);
+      sum += value;
+      squares += value * value;
+    }
+    const double mean = sum / kDraws;
+    const double error = std::sqrt(std::max(0.0, squares / kDraws - mean * mean) / kDraws);
+    EXPECT_NEAR(number.mean(), mean, 4.0 * error + 1e-9);
   }
 }
 

@@ -253,6 +253,12 @@ INSTANTIATE_TEST_SUITE_P(
                 "campaign.toml:3: [blocks] scale mass_kg = -1: must be from 1e-09 to 1e+13 kg"},
         Refused{"select = [\"B1\", \"B2\"]", "draw = { count = 0 }",
                 "campaign.toml:3: [blocks] draw count = 0: must be from 1 to 1000000"},
+        Refused{"select = [\"B1\", \"B2\"]", "draw = { seed = 5 }",
+                "campaign.toml:3: [blocks] draw: count is missing; it must be how many blocks, or "
+                "give volume_m3 of all of them"},
+        Refused{"select = [\"B1\", \"B2\"]", "draw = { count = 5, volume_m3 = 2 }",
+                "campaign.toml:3: [blocks] draw count = 5: contradicts volume_m3; keep one of "
+                "the two"},
         Refused{"select = [\"B1\", \"B2\"]",
                 "draw = { count = 5, shares = { compact = 0.5, elongated = 0.4 } }",
                 "campaign.toml:3: [blocks] draw shares = { compact = 0.5, elongated = 0.4 }: the "

@@ -197,7 +197,7 @@ TEST_F(Company, EveryBlockHasTheStiffnessOfItsOwnMassAndSize) {
   ASSERT_EQ(runs.size(), 4u);
   bool by_rest = false, by_impact = false;
   for (const auto& [id, run] : runs) {
-    const RigidBody& body = plan.bodies[run.block];
+    const RigidBody body = plan.bodies[run.block];
     const double side = body.smallest_side, depth = std::min(0.02, 0.02 * side);
     const double rest = body.mass * 9.81 / (0.1 * depth);
     // From 9.5 m on the map to the flat at 0 m.

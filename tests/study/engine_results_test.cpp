@@ -108,7 +108,7 @@ TEST_F(EngineResultsOf, AFlightHasItsEndItsPathAndItsEnergy) {
   EXPECT_EQ(results.planned_runs, plan_.runs.size());
   const RunRecord& run = results.runs[0];
   EXPECT_EQ(run.result.duration, 1.2);
-  const RigidBody& body = plan_.bodies[run.block];
+  const RigidBody body = plan_.bodies[run.block];
   const RigidState end = flight(0)(1.2);
   EXPECT_LT((run.result.final_state.position - end.position).norm(), 1e-12);
   EXPECT_NEAR(run.result.max_speed, end.velocity.norm(), 1e-12);
@@ -135,7 +135,7 @@ TEST_F(EngineResultsOf, CrossingsHaveTimesSpeedsAndEnergiesOfTheFlight) {
   const CampaignResults results = imported();
   ASSERT_EQ(results.crossings.size(), 1u);
   const Crossing& crossing = results.crossings[0];
-  const RigidBody& body = plan_.bodies[plan_.runs[1].block];
+  const RigidBody body = plan_.bodies[plan_.runs[1].block];
   EXPECT_EQ(crossing.run, 1u);
   EXPECT_NEAR(crossing.time, 2.0, 1e-9);
   EXPECT_NEAR(crossing.position.x(), 0.0, 1e-8);

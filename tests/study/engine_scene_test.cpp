@@ -121,7 +121,7 @@ TEST_F(EngineScenesOf, RockableHaveMassInertiaAndGround) {
     const Conf conf = read_conf(at(scenes.folders[i]) / "input.txt");
     const ConfBody& block = conf.bodies.back();
     const ShpShape& shape = shapes.at(block.shape);
-    const RigidBody& body = plan.bodies[plan.runs[i].block];
+    const RigidBody body = plan.bodies[plan.runs[i].block];
     const double density = conf.pair.at("density " + std::to_string(block.group));
     const double mass = std::pow(block.scale, 3) * density * shape.volume;
     EXPECT_NEAR(mass, 800.0, 1e-9);

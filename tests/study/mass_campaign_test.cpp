@@ -5,6 +5,7 @@
 #include <set>
 
 #include "library/mass_blocks.hpp"
+#include "study/memory_need.hpp"
 #include "study/realisation_deposits.hpp"
 #include "tests/study/campaign_run.hpp"
 #include "tests/study/results_equal.hpp"
@@ -30,6 +31,41 @@ class MassCampaign : public CampaignRun {
   static constexpr const char* kMass =
       "[[mass]]\npolygon = [[-4, -1.5], [-1, -1.5], [-1, 1.5], [-4, 1.5]]\nrealisations = 2\n";
 };
+
+TEST_F(MassCampaign, DrawsAsManyBlocksAsHaveAVolume) {
+  const std::string of_volume = "draw = { volume_m3 = 0.5, mass_kg = { uniform = [20, 60] } }";
+  const PreparedCampaign plan = prepared(replaced_once(text(), "draw = { count = 8 }", of_volume));
+  ASSERT_EQ(plan.masses.size(), 2u);
+  EXPECT_NE(plan.masses[0].volume, plan.masses[1].volume);
+  const double density = plan.bodies[0].mass / plan.header.blocks[0].volume;
+  for (const MassStart& mass : plan.masses) {
+    EXPECT_EQ(mass.blocks, std::lround(0.5 * density / 40.0));
+    EXPECT_NEAR(mass.volume, 0.5, 0.1);
+  }
+  const std::string too_small = replaced_once(of_volume, "0.5", "0.005");
+  EXPECT_TRUE(contains(refusal(replaced_once(text(), "draw = { count = 8 }", too_small)),
+                       "[blocks] draw volume_m3 = 0.005 is 0.3"));
+}
+
+TEST_F(MassCampaign, IsRefusedWhereTheMachineHasTooLittleMemory) {
+  const PreparedCampaign plan = prepared(text());
+  const double each = realisation_memory(plan);
+  EXPECT_GT(each, 8 * 50e3);  // of eight small blocks, and a state of each every 0.1 s
+  EXPECT_LT(each, 8 * 100e3);
+  EXPECT_NO_THROW(check_memory(plan, 2, 2.1 * each));
+  EXPECT_NO_THROW(check_memory(plan, 2, std::nullopt));
+  const auto message = [&](double available) {
+    return clast::refusal<InputError>([&] { check_memory(plan, 2, available); });
+  };
+  EXPECT_TRUE(contains(message(1.5 * each), "campaign.toml: 2 realisations of 8 blocks at a time"));
+  EXPECT_TRUE(contains(message(1.5 * each), "are free; give fewer threads"));
+  EXPECT_TRUE(contains(message(0.5 * each), "are free; draw fewer blocks"));
+  const std::string states =
+      replaced_once(text(), "max_time_s = 20", "max_time_s = 20\ntrajectory_interval_s = 0.01");
+  EXPECT_NEAR(realisation_memory(prepared(states)) - each, 8 * (2000 - 200) * 112.0, 1.0);
+  // Blocks that run one by one take next to nothing.
+  EXPECT_EQ(realisation_memory(prepared()), 0.0);
+}
 
 TEST_F(MassCampaign, ReleasesAllBlocksOfAHeapAtOnce) {
   const PreparedCampaign plan = prepared(text());
