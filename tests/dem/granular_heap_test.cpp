@@ -48,8 +48,7 @@ void expect_steeper(const Slope& a, const Slope& b) {
   EXPECT_GT(a.mean - b.mean, 2.0 * std::hypot(a.error, b.error));
 }
 
-// Without rolling friction, so that shape and friction alone hold the slope. What elongation adds
-// is less than the scatter of such small heaps, and only printed.
+// Without rolling friction, so that shape and friction alone hold the slope.
 TEST(GranularHeap, IsSteeperWithFrictionAndTheSameForOtherStepsAndStiffness) {
   const Slope balls_10 = slope_of({HeapShape::kBall, 0.1}, "balls");
   const Slope balls = slope_of({HeapShape::kBall, 0.5}, "balls");
@@ -57,7 +56,6 @@ TEST(GranularHeap, IsSteeperWithFrictionAndTheSameForOtherStepsAndStiffness) {
   const Slope compact_30 = slope_of({HeapShape::kCompact, 0.3}, "compact");
   const Slope compact = slope_of({HeapShape::kCompact, 0.5}, "compact");
   const Slope compact_70 = slope_of({HeapShape::kCompact, 0.7}, "compact");
-  slope_of({HeapShape::kElongated, 0.5}, "elongated");
   expect_steeper(balls, balls_10);
   expect_steeper(compact_30, compact_10);
   EXPECT_GT(compact.mean, compact_30.mean);
@@ -66,6 +64,18 @@ TEST(GranularHeap, IsSteeperWithFrictionAndTheSameForOtherStepsAndStiffness) {
   expect_same(slope_of({HeapShape::kCompact, 0.5, 1, 0.5, 1.0}, "compact"), compact);
   std::printf("twice the stiffness: ");
   expect_same(slope_of({HeapShape::kCompact, 0.5, 1, 1.0, 2.0}, "compact"), compact);
+}
+
+// On discs of 8 d: what elongation adds is less than the scatter of smaller heaps.
+TEST(GranularHeap, IsSteeperForElongatedBlocks) {
+  const auto on_wide_disc = [](HeapShape shape, const char* name) {
+    return slope_of({.shape = shape, .radius = 8.0}, name);
+  };
+  const Slope balls = on_wide_disc(HeapShape::kBall, "balls");
+  const Slope compact = on_wide_disc(HeapShape::kCompact, "compact");
+  const Slope elongated = on_wide_disc(HeapShape::kElongated, "elongated");
+  EXPECT_GT(compact.mean, balls.mean);
+  expect_steeper(elongated, compact);
 }
 
 }  // namespace

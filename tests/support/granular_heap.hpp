@@ -15,6 +15,8 @@ struct HeapScene {
   std::uint64_t seed = 1;
   double step_factor = 1.0;       ///< on the steps of `auto`
   double stiffness_factor = 1.0;  ///< on that with 1 % of a diameter under the whole filling
+  double radius = 5.0;            ///< of the disc, m; blocks grow in number with its cube
+  double elongation = 1.7;        ///< of the elongated ones: longest axis over the middle one
 };
 
 struct Heap {
@@ -24,12 +26,12 @@ struct Heap {
   double energy_error = 0.0;  ///< of the balance, relative
 };
 
-inline std::vector<RigidBody> heap_sizes(HeapShape shape) {
-  if (shape == HeapShape::kCompact) return block_sizes();
+inline std::vector<RigidBody> heap_sizes(const HeapScene& scene) {
+  if (scene.shape == HeapShape::kCompact) return block_sizes();
   return five_sizes([&](double scale) {
-    return shape == HeapShape::kBall
+    return scene.shape == HeapShape::kBall
                ? ball(kBlockDensity * kPi / 6.0 * scale * scale * scale, 0.5 * scale)
-               : convex_block(0.5 * scale * Vec3(2.5, 1.0, 0.9), 0.05 * scale);
+               : convex_block(0.5 * scale * Vec3(scene.elongation, 1.0, 0.9), 0.05 * scale);
   });
 }
 
@@ -107,19 +109,22 @@ class UpperSurface {
 /// removed, and what falls off the disc, until the rest lies still. The slope is that of their
 /// upper surface from the axis outwards.
 inline Heap heap_on_disc(const HeapScene& scene) {
-  constexpr double kGravity = 9.81, kRadius = 5.0, kCalm = 1e-3;
-  constexpr std::size_t kBlocks = 180;
-  std::vector<RigidBody> shapes = heap_sizes(scene.shape);
+  constexpr double kGravity = 9.81, kCalm = 1e-3;
+  constexpr double kBlocksPerCube = 1.44;  // of the radius, in metres
+  const double radius = scene.radius;
+  const auto count =
+      static_cast<std::size_t>(std::lround(kBlocksPerCube * radius * radius * radius));
+  std::vector<RigidBody> shapes = heap_sizes(scene);
   const std::size_t sizes = shapes.size();
   const double reach = largest_reach(shapes);
   Random random(scene.seed);
-  const auto filling = loose_filling(kBlocks, kRadius, reach, 0.5, false, random);
+  const auto filling = loose_filling(count, radius, reach, 0.5, false, random);
   const double top = filling.back().position.z() + reach + 1.0;
 
   const std::vector<GroundParameters> zones = {{0.1, scene.friction, 0.0}};
   StiffnessOptions options;
   options.mass = true;
-  options.normal = scene.stiffness_factor * shapes[2].mass * kGravity * kRadius /
+  options.normal = scene.stiffness_factor * shapes[2].mass * kGravity * radius /
                    (0.01 * contact_ground(zones, ContactLaw()).rest_share);
   WorldSettings settings;
   settings.between_bodies = zones[0];
@@ -127,19 +132,19 @@ inline Heap heap_on_disc(const HeapScene& scene) {
       choose_stiffness(shapes, zones, std::sqrt(2.0 * kGravity * top), kGravity, options).stiffness;
   settings.stiffness.time_step *= scene.step_factor;
   settings.stiffness.longest_step *= scene.step_factor;
-  const RingWall ring(kRadius, -1.0, top, 4);
+  const RingWall ring(radius, -1.0, top, 4);
   shapes.push_back(ring.slab);
   World world(shapes, settings);
   // A rough disc without the order of a lattice, on which balls would stack: fixed blocks of all
   // sizes about half a diameter below it, aside and up and down at random.
-  const int cells = static_cast<int>(kRadius) + 1;
+  const int cells = static_cast<int>(radius) + 1;
   for (int i = -cells; i <= cells; ++i) {
     for (int j = -cells; j <= cells; ++j) {
       RigidState state;
       state.position = Vec3(i, j, -0.5) + 0.25 * Vec3(random.uniform(-1, 1), random.uniform(-1, 1),
                                                       random.uniform(-1, 1));
       state.orientation = random.rotation();
-      if (state.position.head<2>().norm() > kRadius) continue;
+      if (state.position.head<2>().norm() > radius) continue;
       world.add_body(static_cast<std::size_t>(random.uniform(0.0, 5.0)), state, true);
     }
   }
@@ -160,7 +165,7 @@ inline Heap heap_on_disc(const HeapScene& scene) {
   advance_until_calm(world, start + 3.0, start + 12.0, kCalm, remove_fallen);
 
   Heap heap;
-  UpperSurface surface(kRadius);
+  UpperSurface surface(radius);
   for (const std::size_t i : moving_blocks(world)) {
     surface.add(shapes[(i - first) % sizes], world.state(i));
     ++heap.blocks;
