@@ -212,7 +212,8 @@ class Sequence {
     return settling_ ? settles(block) : !world_.fixed(block);
   }
 
-  /// Counts them when that changes, since progress is seen after every step.
+  /// Counts the released blocks only when their number changes, since progress is reported after
+  /// every step.
   void count_released() {
     released_ = 0;
     for (std::size_t block = 0; block < results_.size(); ++block) {

@@ -93,8 +93,8 @@ struct SequenceProgress {
   double time = 0.0;         ///< simulated since the first block came, what settled included, s
   std::size_t released = 0;  ///< blocks so far
   bool settling = false;     ///< behind forms
-  /// Counts those of the blocks released so far that are at rest now, or no longer there; holds
-  /// while the observer runs.
+  /// Counts the blocks released so far that are now at rest or gone. Valid only while the observer
+  /// runs; empty for single runs.
   std::function<std::size_t()> resting = {};
 };
 /// Called after each step; what it throws ends the sequence.

@@ -11,8 +11,8 @@ namespace clast {
 /// A block as the dynamics sees it.
 RigidBody rigid_body(const Block& block);
 
-/// What the blocks are made of is kept once for each block of the library, and a body when it is
-/// asked for: a campaign may draw hundreds of thousands of blocks, each of a size of its own.
+/// Keeps one body for each block of the library. The scaled body of a block is made each time it is
+/// asked for, since a campaign may draw hundreds of thousands of blocks, each of its own size.
 class BlockBodies {
  public:
   BlockBodies() = default;

@@ -217,10 +217,10 @@ std::size_t count_of_volume(const Campaign& campaign, const std::vector<Block>& 
     return static_cast<std::size_t>(count);
   }
   throw InputError(campaign.file.string() + ": [blocks] draw volume_m3 = " + with_digits(asked, 6) +
-                   " is " + with_digits(asked / each, 3) + " blocks of " + with_digits(each, 3) +
-                   " m^3 on average; it must be from 1 to " +
+                   " comes to " + with_digits(asked / each, 3) + " blocks of " +
+                   with_digits(each, 3) + " m^3 on average; the number must round to 1 to " +
                    std::to_string(study_detail::kMostPerSet) +
-                   " blocks, so give another volume or mass_kg");
+                   ", so give another volume_m3 or mass_kg");
 }
 
 // Draws need not touch every block of the library.

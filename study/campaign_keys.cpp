@@ -107,7 +107,7 @@ KeyTable blocks_table() {
             {{"count", "", "how many", {count(1, kMostPerSet)}},
              {"volume_m3",
               "m^3",
-              "in place of count: volume of all of them, on average",
+              "total volume of rock, on average; in place of count",
               {number(kDrawnVolume)}},
              {"seed", "", "of the draw", {seed()}},
              {"scheme", "", "scheme of the classes in shares", {words(kSelectingSchemes)}},

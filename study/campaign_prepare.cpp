@@ -1,4 +1,3 @@
-#include <map>
 #include <utility>
 
 #include "classify/schemes.hpp"
@@ -104,7 +103,7 @@ PreparedCampaign prepare_campaign(const Campaign& campaign, const BlockMaking& m
   prepared.campaign = campaign;
   prepared.choice = choose_blocks(campaign, making);
   if (std::optional<BlockDraw>& draw = prepared.campaign.blocks.draw) {
-    // What is drawn again later is as many.
+    // Later redraws give the same number of blocks.
     draw->count = prepared.choice.blocks.size() / (campaign.stay ? campaign.stay->realisations : 1);
   }
   prepared.bodies = BlockBodies(prepared.choice);

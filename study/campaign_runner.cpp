@@ -178,6 +178,7 @@ double probed_runout(const PreparedCampaign& prepared, const StoredRun& run) {
 }  // namespace
 
 TimeProbe probe_time(const PreparedCampaign& prepared, double budget) {
+  check_memory(prepared, 1, available_memory());
   // Steps of the golden ratio are spread evenly however many are taken.
   constexpr double kGoldenRatio = 0.61803398874989485;
   // A run that takes this many times the budget is not waited for.

@@ -84,6 +84,7 @@ struct TimeProbe {
 };
 /// Tries runs from all over the campaign, one after the other, until `budget` seconds are spent,
 /// or a run has taken several times that; one at least. Nothing is kept.
+/// @throws InputError  more memory is needed than is free
 TimeProbe probe_time(const PreparedCampaign& prepared, double budget);
 /// What could be told apart, judging by those runs; nothing where blocks stay.
 PlannedPower planned_power(const PreparedCampaign& prepared, const TimeProbe& probe);

@@ -8,8 +8,9 @@
 namespace clast {
 namespace {
 
-/// Of a block among others, with its contacts: measured in piles of 500 rocks of 12 to 642 vertices
-/// (docs/benchmarks.md, Rock masses), with half as much again.
+/// Bytes of a block, with its contacts, and of each vertex: at least 1.5 times what was measured in
+/// piles of 500 rocks of 12 to 642 vertices (docs/benchmarks.md, Five hundred blocks falling into a
+/// pile).
 constexpr double kOfBlock = 55e3, kOfVertex = 0.7e3;
 /// Of a stored state: a time, a place, an orientation, a velocity and a spin.
 constexpr double kOfState = 14.0 * sizeof(double);
@@ -40,13 +41,13 @@ void check_memory(const PreparedCampaign& prepared, std::size_t at_a_time,
   const double each = realisation_memory(prepared);
   const double all = each * static_cast<double>(at_a_time);
   if (!available || all <= *available) return;
+  const std::string blocks = counted(at_a_time, "realisation") + " of " +
+                             counted(prepared.header.stay->blocks_each, "block") +
+                             (at_a_time > 1 ? " at a time need about " : " needs about ");
   throw InputError(
-      prepared.campaign.file.string() + ": " + counted(at_a_time, "realisation") + " of " +
-      counted(prepared.header.stay->blocks_each, "block") +
-      (at_a_time > 1 ? " at a time need about " : " needs about ") + memory_text(all) +
-      " of memory, and " + memory_text(*available) + " are free; " +
-      (each <= *available ? "give fewer threads"
-                          : "draw fewer blocks, or blocks of fewer vertices") +
+      prepared.campaign.file.string() + ": " + blocks + memory_text(all) + " of memory, and " +
+      memory_text(*available) + " is free; use " +
+      (each <= *available ? "fewer threads" : "fewer blocks, or blocks with fewer vertices") +
       (prepared.campaign.trajectory_interval > 0.0 ? ", or a longer trajectory_interval_s" : ""));
 }
 

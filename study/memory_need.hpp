@@ -1,19 +1,22 @@
 #pragma once
 /// How much memory blocks that stay take.
+#include <cstddef>
 #include <optional>
+#include <string>
 
 #include "study/campaign_runner.hpp"
 
 namespace clast {
 
-/// About what a realisation takes while it is simulated, beside the prepared campaign, bytes: by
-/// the vertices of its blocks, and by the states that are stored of them. 0 where blocks are run
-/// one by one.
+/// About what the first realisation takes while it is simulated, in addition to the prepared
+/// campaign, bytes: by the vertices of its blocks, and by the states that are stored of them. 0
+/// where blocks are run one by one.
 double realisation_memory(const PreparedCampaign& prepared);
 
 /// @param at_a_time  realisations that are simulated at the same time
 /// @param available  bytes; none where that is not known, and nothing is refused
-/// @throws InputError  they need more: how much of each, and what to do
+/// @throws InputError  they need more than is available; the message says how much is needed and
+///                     free, and what to change
 void check_memory(const PreparedCampaign& prepared, std::size_t at_a_time,
                   std::optional<double> available);
 

@@ -57,8 +57,8 @@ BENCHMARK(blocks_falling_into_a_pile)
     ->MeasureProcessCPUTime()
     ->Unit(benchmark::kMillisecond);
 
-/// The pile of 500 at rest, while a rock rolls down beside it: for 0.6 s it touches none of them.
-/// To be set against the moving pile, step by step.
+/// A rock rolls for 0.6 s beside a pile at rest, without touching it. Argument: blocks in the pile;
+/// 0: the rock alone. Compare the time per step with that of the moving pile.
 void block_beside_a_pile_at_rest(benchmark::State& state) {
   const TerrainSurface terrain = ground(bowl());
   World world = falling_pile(terrain, static_cast<std::size_t>(state.range(0)), 2, 1);

@@ -58,8 +58,8 @@ class ContactPairs {
   /// @param moved  bodies that may have moved since the last call; none given: all
   void refresh(std::span<const WorldBody> bodies,
                std::optional<std::span<const std::uint32_t>> moved = {});
-  /// Lists the pairs that take part in the motion; to be called when other bodies move, or when the
-  /// pairs are other ones.
+  /// Lists the pairs that take part in the motion; to be called whenever the set of moving bodies
+  /// or the list of pairs has changed.
   void list_active(std::span<const WorldBody> bodies);
   /// Runs the narrow phase and the contact law of the active pairs at the places that the bodies
   /// have moved to in a step of `duration`; the loads of all others stay.

@@ -14,7 +14,7 @@ class Sleeping {
   std::size_t count() const { return count_; }
 
   /// Wakes what a body in motion touches, and all that is asleep around it.
-  /// @param pairs  with those listed that are active: no other one wakes anything
+  /// @param pairs  with an up-to-date list of active ones; no other pair wakes anything
   void wake_touched(std::span<WorldBody> bodies, const ContactPairs& pairs);
   /// Wakes a body that is about to go, and what it touches, with all that is asleep around them.
   void wake_around(std::uint32_t body, std::span<WorldBody> bodies, const ContactPairs& pairs);

@@ -80,9 +80,10 @@ class WorldMotion {
   Vec3 gravity() const { return {0.0, 0.0, -settings_.gravity}; }
 
   void prepare();
-  /// Lists the bodies and pairs that take part in the motion, where other ones do by now.
+  /// Lists the bodies and pairs that take part in the motion, if they have changed since the last
+  /// list.
   void list_moving();
-  /// Other bodies or pairs take part in the motion from now on.
+  /// To be called when the bodies or pairs that take part in the motion change.
   void motion_changed() { listed_ = places_known_ = false; }
   /// Has a pair contacts for the first time, at a start?
   using IsNew = std::function<bool(const ContactPair&)>;
@@ -129,11 +130,11 @@ class WorldMotion {
   };
   std::vector<Begin> began_;  ///< of bodies that move in the step, if observed
 
-  // A body that sleeps shall cost nothing, so that what a step does is done for these alone.
+  // Sleeping bodies should cost next to nothing, so a step works on these lists only.
   bool listed_ = false;                ///< the two lists, and that of the pairs, are up to date
   std::vector<std::uint32_t> moving_;  ///< bodies that are not idle, ascending
   std::vector<std::uint32_t> awake_;   ///< bodies that are not asleep: fixed ones too
-  bool places_known_ = false;          ///< to the broad phase, of bodies that don't move
+  bool places_known_ = false;          ///< the broad phase has those of bodies that don't move
 
   double time_ = 0.0;
   double step_length_ = settings_.stiffness.time_step;  ///< of the last step, s

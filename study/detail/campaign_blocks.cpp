@@ -84,7 +84,7 @@ BlockDraw read_draw(const TomlTable& blocks, const TomlNode& node) {
   BlockDraw draw;
   draw.volume = table.number("volume_m3", kDrawnVolume);
   if (!draw.volume) {
-    table.required("count", "how many blocks, or give volume_m3 of all of them");
+    table.required("count", "a whole number of blocks; or give volume_m3 instead");
   } else if (const TomlNode* count = table.find("count")) {
     table.refuse("count", *count, "contradicts volume_m3; keep one of the two");
   }

@@ -1,5 +1,5 @@
 #pragma once
-/// Bodies of blocks, with what measuring where they start takes.
+/// Bodies of blocks, with what is needed to measure how deep they start in the ground.
 #include <cstdint>
 #include <map>
 #include <memory>
@@ -20,7 +20,7 @@ struct MeasuredBody {
   GroundOverlap overlap;
 };
 
-/// Those that were asked for last are kept: blocks are planned in order, or the same ones in each
+/// Keeps up to 500 of them, then starts anew: blocks are planned in order, or the same ones in each
 /// realisation, and drawn ones can be too many to keep all.
 class MeasuredBodies {
  public:

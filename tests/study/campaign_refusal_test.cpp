@@ -254,8 +254,8 @@ INSTANTIATE_TEST_SUITE_P(
         Refused{"select = [\"B1\", \"B2\"]", "draw = { count = 0 }",
                 "campaign.toml:3: [blocks] draw count = 0: must be from 1 to 1000000"},
         Refused{"select = [\"B1\", \"B2\"]", "draw = { seed = 5 }",
-                "campaign.toml:3: [blocks] draw: count is missing; it must be how many blocks, or "
-                "give volume_m3 of all of them"},
+                "campaign.toml:3: [blocks] draw: count is missing; it must be a whole number of "
+                "blocks; or give volume_m3 instead"},
         Refused{"select = [\"B1\", \"B2\"]", "draw = { count = 5, volume_m3 = 2 }",
                 "campaign.toml:3: [blocks] draw count = 5: contradicts volume_m3; keep one of "
                 "the two"},

@@ -44,7 +44,7 @@ TEST_F(MassCampaign, DrawsAsManyBlocksAsHaveAVolume) {
   }
   const std::string too_small = replaced_once(of_volume, "0.5", "0.005");
   EXPECT_TRUE(contains(refusal(replaced_once(text(), "draw = { count = 8 }", too_small)),
-                       "[blocks] draw volume_m3 = 0.005 is 0.3"));
+                       "[blocks] draw volume_m3 = 0.005 comes to 0.3"));
 }
 
 TEST_F(MassCampaign, IsRefusedWhereTheMachineHasTooLittleMemory) {
@@ -58,8 +58,8 @@ TEST_F(MassCampaign, IsRefusedWhereTheMachineHasTooLittleMemory) {
     return clast::refusal<InputError>([&] { check_memory(plan, 2, available); });
   };
   EXPECT_TRUE(contains(message(1.5 * each), "campaign.toml: 2 realisations of 8 blocks at a time"));
-  EXPECT_TRUE(contains(message(1.5 * each), "are free; give fewer threads"));
-  EXPECT_TRUE(contains(message(0.5 * each), "are free; draw fewer blocks"));
+  EXPECT_TRUE(contains(message(1.5 * each), "is free; use fewer threads"));
+  EXPECT_TRUE(contains(message(0.5 * each), "is free; use fewer blocks"));
   const std::string states =
       replaced_once(text(), "max_time_s = 20", "max_time_s = 20\ntrajectory_interval_s = 0.01");
   EXPECT_NEAR(realisation_memory(prepared(states)) - each, 8 * (2000 - 200) * 112.0, 1.0);

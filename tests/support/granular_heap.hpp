@@ -15,7 +15,7 @@ struct HeapScene {
   std::uint64_t seed = 1;
   double step_factor = 1.0;       ///< on the steps of `auto`
   double stiffness_factor = 1.0;  ///< on that with 1 % of a diameter under the whole filling
-  double radius = 5.0;            ///< of the disc, m; blocks grow in number with its cube
+  double radius = 5.0;            ///< of the disc, m; the number of blocks grows with its cube
   double elongation = 1.7;        ///< of the elongated ones: longest axis over the middle one
 };
 
@@ -110,7 +110,7 @@ class UpperSurface {
 /// upper surface from the axis outwards.
 inline Heap heap_on_disc(const HeapScene& scene) {
   constexpr double kGravity = 9.81, kCalm = 1e-3;
-  constexpr double kBlocksPerCube = 1.44;  // of the radius, in metres
+  constexpr double kBlocksPerCube = 1.44;  // blocks per m^3 of radius cubed
   const double radius = scene.radius;
   const auto count =
       static_cast<std::size_t>(std::lround(kBlocksPerCube * radius * radius * radius));
