@@ -33,6 +33,11 @@ struct EnergyLedger {
 
   /// |initial - final - dissipated| / max(dissipated, 1e-3 |kinetic + drop|)
   double error = 0.0;
+
+  template <class Bytes>
+  void serialize(Bytes& bytes) {
+    bytes(initial, final, normal, friction, rolling, reassigned, error);
+  }
 };
 
 }  // namespace clast

@@ -17,6 +17,10 @@ struct Dissipation {
     rolling -= part.rolling;
     return *this;
   }
+  template <class Bytes>
+  void serialize(Bytes& bytes) {
+    bytes(normal, friction, rolling);
+  }
 };
 
 /// Energies of all bodies that move, J. Their sum, with what was dissipated and reassigned, is what
@@ -46,6 +50,11 @@ struct EnergySample {
   double sum() const {
     return translational + rotational + potential + stored + gone + on_ground.sum() +
            between_bodies.sum() + reassigned;
+  }
+  template <class Bytes>
+  void serialize(Bytes& bytes) {
+    bytes(time, moving, translational, rotational, potential, stored, gone, on_ground,
+          between_bodies, reassigned);
   }
 };
 

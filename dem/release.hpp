@@ -73,6 +73,12 @@ struct ReleaseResult {
   std::uint64_t contact_steps = 0;
   std::uint64_t flight_pieces = 0;  ///< parts of flights between two contact searches
   std::uint64_t impacts = 0;        ///< flights ended by a contact
+
+  template <class Bytes>
+  void serialize(Bytes& bytes) {
+    bytes(stop_reason, message, duration, final_state, path_length, max_speed, max_penetration,
+          settled_penetration, below_ground, energy, contact_steps, flight_pieces, impacts);
+  }
 };
 
 /// Runs one release.

@@ -18,6 +18,10 @@ struct RigidState {
   Vec3 angular_velocity = Vec3::Zero();  ///< rad/s, world axes
 
   Pose world_from_body() const { return {position, orientation}; }
+  template <class Bytes>
+  void serialize(Bytes& bytes) {
+    bytes(position, orientation, velocity, angular_velocity);
+  }
 };
 
 /// A block in its principal frame, origin at the centre of mass.

@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <iterator>
 #include <limits>
 #include <map>
 #include <string>
 
+#include "core/byte_archive.hpp"
 #include "core/error.hpp"
 #include "core/number_text.hpp"
 
@@ -36,10 +38,19 @@ class Sequence {
         world_({shapes.begin(), shapes.end()}, settings.world, terrain,
                {zones.begin(), zones.end()}) {}
 
+  /// To be called before `run`.
+  void restore(ByteReader& from) {
+    serialize(from);
+    world_.restore(from);
+    observe_blocks();
+    count_released();
+  }
+
   std::vector<SequenceResult> run() {
     const std::size_t together = settings_.at_once ? blocks_.size() : 1;
-    for (std::size_t first = 0; first < blocks_.size(); first += together) {
-      release(first, first + together);
+    while (phase_ != Phase::kReleased || results_.size() < blocks_.size()) {
+      if (phase_ == Phase::kReleased) add_blocks(results_.size(), results_.size() + together);
+      finish_release();
     }
     for (std::size_t block = 0; block < blocks_.size(); ++block) finish(block);
     return std::move(results_);
@@ -51,7 +62,25 @@ class Sequence {
     bool touching = false;
     std::vector<std::size_t> hit;    ///< blocks it touched during its own release, ascending
     Vec3 first_rest = Vec3::Zero();  ///< its place at the end of its own release
+
+    template <class Bytes>
+    void serialize(Bytes& bytes) {
+      bytes(touching, hit, first_rest);
+    }
   };
+  /// What the newest blocks do. Each phase can be entered again where a checkpoint was taken.
+  enum class Phase : std::uint8_t {
+    kSettling,  ///< behind forms
+    kHeld,      ///< until the last of them is released
+    kMoving,    ///< until all blocks rest
+    kReleased,  ///< nothing any more
+  };
+
+  template <class Bytes>
+  void serialize(Bytes& bytes) {
+    bytes(phase_, changes_done_, before_, results_, watched_, forms_, released_at_, newest_, begin_,
+          energy_intervals_);
+  }
 
   const RigidBody& body_of(std::size_t block) const { return shapes_[blocks_[block].shape]; }
 
@@ -76,34 +105,49 @@ class Sequence {
     return height;
   }
 
-  /// Blocks from `first` to before `end`, until all that lie there rest.
-  void release(std::size_t first, std::size_t end) {
-    EnergyLedger before = world_.energy();
+  /// Blocks from `first` to before `end`.
+  void add_blocks(std::size_t first, std::size_t end) {
+    before_ = world_.energy();
     released_at_ = world_.time();
     for (std::size_t block = first; block < end; ++block) add(block);
-    count_released();
-    if (!settings_.forms.empty()) {
-      settle();
-      before = world_.energy();
-      released_at_ = world_.time();
-    }
-    world_.observe([this](std::size_t block, const MotionStep& step) { see(block, step); });
     newest_ = first;
-    if (first == 0) begin_ = world_.energy_sample();
+    for (const SequenceForm& form : settings_.forms) {
+      forms_.push_back(world_.add_form(form.shape, form.place, form.first, form.end));
+    }
+    phase_ = forms_.empty() ? Phase::kHeld : Phase::kSettling;
+    count_released();
+    if (forms_.empty()) begin_release();
+  }
+
+  void begin_release() {
+    phase_ = Phase::kHeld;
+    observe_blocks();
+    if (newest_ == 0) begin_ = world_.energy_sample();
     take_energy();
-    const double last = release_held(first, end);
+  }
+
+  void observe_blocks() {
+    if (phase_ == Phase::kSettling) return;
+    world_.observe([this](std::size_t block, const MotionStep& step) { see(block, step); });
+  }
+
+  /// Until all blocks that lie there rest.
+  void finish_release() {
+    if (phase_ == Phase::kSettling) settle();
+    const double last = released_at_ + release_held();
     do {
       world_.run_until(last + settings_.max_time, after_step());
     } while (clear_zones());
     take_energy();
-    const EnergyLedger energy = of_release(before, world_.energy());
-    for (std::size_t block = first; block < end; ++block) {
+    const EnergyLedger energy = of_release(before_, world_.energy());
+    for (std::size_t block = newest_; block < results_.size(); ++block) {
       SequenceResult& result = results_[block];
       result.release.duration = world_.time() - released_at_;
       result.release.energy = energy;
       result.blocks_hit = static_cast<std::uint32_t>(watched_[block].hit.size());
       watched_[block].first_rest = world_.state(block).position;
     }
+    phase_ = Phase::kReleased;
   }
 
   /// Does a form hold the block?
@@ -123,14 +167,7 @@ class Sequence {
 
   /// Lets the blocks that forms hold come to rest.
   void settle() {
-    for (const SequenceForm& form : settings_.forms) {
-      forms_.push_back(world_.add_form(form.shape, form.place, form.first, form.end));
-    }
-    settling_ = true;
-    count_released();
     world_.run_until(settings_.settle_time, after_step());
-    settling_ = false;
-    count_released();
     refuse_settled(true, [&](std::size_t block) {
       return world_.gone(block) ||
              std::any_of(settings_.forms.begin(), settings_.forms.end(), [&](const auto& form) {
@@ -143,6 +180,10 @@ class Sequence {
     for (std::size_t block = 0; block < blocks_.size(); ++block) {
       if (settles(block)) results_[block].settled = world_.state(block);
     }
+    before_ = world_.energy();
+    released_at_ = world_.time();
+    begin_release();
+    count_released();
   }
 
   /// @param is_bad  of a block that settles: it left its form, or still moves
@@ -164,27 +205,39 @@ class Sequence {
                         first, bad, left);
   }
 
+  /// Is the block held where it starts?
+  bool is_held(std::size_t block) const {
+    // While others settle, nothing else moves.
+    return settings_.at_once && !settles(block) &&
+           (blocks_[block].held > 0.0 || !settings_.forms.empty());
+  }
+
   /// Lets go what is held and removes the forms, each at its time.
-  /// @return  time of the last release, s
-  double release_held(std::size_t first, std::size_t end) {
+  /// @return  time of the last release since the first, s
+  double release_held() {
     struct Change {
       std::vector<std::size_t> freed, removed;
     };
     std::map<double, Change> changes;  // by time since the first release
-    for (std::size_t block = first; block < end; ++block) {
-      if (world_.fixed(block)) changes[blocks_[block].held].freed.push_back(block);
+    for (std::size_t block = newest_; block < results_.size(); ++block) {
+      if (is_held(block)) changes[blocks_[block].held].freed.push_back(block);
     }
     for (std::size_t form = 0; form < forms_.size(); ++form) {
       changes[settings_.forms[form].removed_at].removed.push_back(forms_[form]);
     }
-    for (const auto& [time, change] : changes) {
-      world_.run_to(released_at_ + time, after_step());
-      if (!change.freed.empty()) world_.free_bodies(change.freed);
-      count_released();
-      for (const std::size_t form : change.removed) world_.remove_body(form);
-      take_energy();
+    if (phase_ == Phase::kHeld) {
+      auto next = std::next(changes.begin(), static_cast<std::ptrdiff_t>(changes_done_));
+      for (; next != changes.end(); ++next, ++changes_done_) {
+        const auto& [time, change] = *next;
+        world_.run_to(released_at_ + time, after_step());
+        if (!change.freed.empty()) world_.free_bodies(change.freed);
+        count_released();
+        for (const std::size_t form : change.removed) world_.remove_body(form);
+        take_energy();
+      }
+      phase_ = Phase::kMoving;
     }
-    return released_at_ + (changes.empty() ? 0.0 : changes.rbegin()->first);
+    return changes.empty() ? 0.0 : changes.rbegin()->first;
   }
 
   void take_energy() {
@@ -193,7 +246,7 @@ class Sequence {
 
   /// What is to be done after each step; empty where that is nothing.
   std::function<void()> after_step() {
-    const bool sample = observers_.energy && settings_.energy_interval > 0.0 && !settling_;
+    const bool sample = observers_.energy && settings_.energy_interval > 0.0 && !settling();
     if (!sample && !observers_.progress) return {};
     return [this, sample] {
       if (sample) take_energy_when_due();
@@ -209,7 +262,7 @@ class Sequence {
   }
 
   bool is_released(std::size_t block) const {
-    return settling_ ? settles(block) : !world_.fixed(block);
+    return settling() ? settles(block) : !world_.fixed(block);
   }
 
   /// Counts the released blocks only when their number changes, since progress is reported after
@@ -221,7 +274,9 @@ class Sequence {
     }
   }
 
-  SequenceProgress progress() const {
+  bool settling() const { return phase_ == Phase::kSettling; }
+
+  SequenceProgress progress() {
     const auto resting = [this] {
       std::size_t count = 0;
       for (std::size_t block = 0; block < results_.size(); ++block) {
@@ -229,7 +284,11 @@ class Sequence {
       }
       return count;
     };
-    return {world_.time(), released_, settling_, resting};
+    const auto save = [this](ByteWriter& to) {
+      serialize(to);
+      world_.save(to);
+    };
+    return {world_.time(), released_, settling(), resting, save};
   }
 
   void add(std::size_t block) {
@@ -242,10 +301,7 @@ class Sequence {
       start.position.z() = height;
     }
     result.released_at = settings_.at_once ? release_time(block) : released_at_;
-    // While others settle, nothing else moves.
-    const bool held = settings_.at_once && !settles(block) &&
-                      (blocks_[block].held > 0.0 || !settings_.forms.empty());
-    world_.add_body(blocks_[block].shape, start, held);
+    world_.add_body(blocks_[block].shape, start, is_held(block));
   }
 
   /// Removes the blocks that rest where blocks are cleared away.
@@ -340,7 +396,9 @@ class Sequence {
   std::vector<std::size_t> forms_;  ///< their numbers as bodies
   double released_at_ = 0.0;        ///< when the newest blocks were, s
   std::size_t newest_ = 0;          ///< the first of them
-  bool settling_ = false;
+  Phase phase_ = Phase::kReleased;
+  std::size_t changes_done_ = 0;   ///< of what is held, in order of time
+  EnergyLedger before_;            ///< the newest blocks were released
   std::size_t released_ = 0;       ///< blocks, so far
   EnergySample begin_;             ///< at the first release
   double energy_intervals_ = 0.0;  ///< that have passed since then at the last sample
@@ -365,18 +423,18 @@ void SequenceSettings::check() const {
   }
 }
 
-std::vector<SequenceResult> simulate_sequence(const TerrainSurface& terrain,
-                                              std::span<const GroundParameters> zones,
-                                              std::span<const RigidBody> shapes,
-                                              std::span<const SequenceBlock> blocks,
-                                              const SequenceSettings& settings,
-                                              const SequenceObservers& observers) {
+std::vector<SequenceResult> simulate_sequence(
+    const TerrainSurface& terrain, std::span<const GroundParameters> zones,
+    std::span<const RigidBody> shapes, std::span<const SequenceBlock> blocks,
+    const SequenceSettings& settings, const SequenceObservers& observers, ByteReader* from) {
   settings.check();
   for (const SequenceBlock& block : blocks) {
     if (block.held >= 0.0) continue;
     throw InputError("held = " + with_digits(block.held, 6) + "; must be 0 or more");
   }
-  return Sequence(terrain, zones, shapes, blocks, settings, observers).run();
+  Sequence sequence(terrain, zones, shapes, blocks, settings, observers);
+  if (from) sequence.restore(*from);
+  return sequence.run();
 }
 
 }  // namespace clast

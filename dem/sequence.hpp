@@ -80,6 +80,11 @@ struct SequenceResult {
   double moved_later = 0.0;           ///< from the end of its own release to its last place, m
   std::optional<double> removed_at;   ///< since the first block was released, s; none: it stayed
   std::uint32_t blocks_hit = 0;       ///< other blocks that it touched during its own release
+
+  template <class Bytes>
+  void serialize(Bytes& bytes) {
+    bytes(release, released_at, raised, settled, moved_later, removed_at, blocks_hit);
+  }
 };
 
 /// Sees how a block moved in a step, in the order of time; called from any of the world's threads,
@@ -94,8 +99,10 @@ struct SequenceProgress {
   std::size_t released = 0;  ///< blocks so far
   bool settling = false;     ///< behind forms
   /// Counts the blocks released so far that are now at rest or gone. Valid only while the observer
-  /// runs; empty for single runs.
+  /// runs, as the next; empty for single runs.
   std::function<std::size_t()> resting = {};
+  /// Writes all that the sequence has come to: `simulate_sequence` can go on from there.
+  std::function<void(ByteWriter& to)> save = {};
 };
 /// Called after each step; what it throws ends the sequence.
 using SequenceProgressObserver = std::function<void(const SequenceProgress&)>;
@@ -116,7 +123,11 @@ struct SequenceObservers {
 ///
 /// @param shapes  that the blocks have
 /// @param zones   parameters of each ground zone of the terrain, by zone number
-/// @throws InputError       settings out of range
+/// @param from    what the same program has saved of the same sequence (`SequenceProgress::save`):
+/// it
+///                goes on from there, and results and what is observed from then on are the same to
+///                the bit. Null: from the start
+/// @throws InputError       settings out of range; what was saved ends too early
 /// @throws SettlingError    blocks that forms hold do not come to rest behind them
 /// @throws SimulationError  a start off the terrain, inside the ground or a block, or a motion
 ///                          that is not finite any more: with the number of the block, from 0
@@ -125,6 +136,7 @@ std::vector<SequenceResult> simulate_sequence(const TerrainSurface& terrain,
                                               std::span<const RigidBody> shapes,
                                               std::span<const SequenceBlock> blocks,
                                               const SequenceSettings& settings,
-                                              const SequenceObservers& observers = {});
+                                              const SequenceObservers& observers = {},
+                                              ByteReader* from = nullptr);
 
 }  // namespace clast

@@ -6,6 +6,7 @@
 #include <string>
 #include <utility>
 
+#include "core/byte_archive.hpp"
 #include "core/error.hpp"
 #include "core/number_text.hpp"
 #include "dem/detail/rotation.hpp"
@@ -236,5 +237,8 @@ WorldStatistics World::statistics() const {
   }
   return statistics;
 }
+
+void World::save(ByteWriter& to) const { to(*impl_); }
+void World::restore(ByteReader& from) { from(*impl_); }
 
 }  // namespace clast

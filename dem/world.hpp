@@ -12,6 +12,9 @@
 
 namespace clast {
 
+class ByteReader;
+class ByteWriter;
+
 /// Everything about a world that is not bodies or terrain.
 struct WorldSettings {
   ContactStiffness stiffness;  ///< of all contacts
@@ -134,6 +137,13 @@ class World {
   /// The energy now, and what has become of the rest.
   EnergySample energy_sample() const;
   WorldStatistics statistics() const;
+
+  /// Writes all that its motion depends on.
+  void save(ByteWriter& to) const;
+  /// Takes over the motion of another world with the same shapes, settings, terrain and zones, as
+  /// the same program has saved it: it goes on from there to the same bits.
+  /// @throws InputError  the bytes end too early
+  void restore(ByteReader& from);
 
  private:
   struct Impl;

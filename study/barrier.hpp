@@ -37,6 +37,12 @@ struct Crossing {
   double clearance = 0.0;                ///< of the lowest skin point above the ground under it, m
   double translational_energy = 0.0;     ///< J
   double rotational_energy = 0.0;        ///< J
+
+  template <class Bytes>
+  void serialize(Bytes& bytes) {
+    bytes(run, barrier, forward, time, position, velocity, angular_velocity, height, clearance,
+          translational_energy, rotational_energy);
+  }
 };
 
 /// The crossings of `step` through the barrier in order of time, one at most through each segment:

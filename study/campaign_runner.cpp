@@ -12,8 +12,10 @@
 #include "core/number_text.hpp"
 #include "core/parallel.hpp"
 #include "core/statistics.hpp"
+#include "study/detail/checkpoint_file.hpp"
 #include "study/detail/realisation.hpp"
 #include "study/detail/results_journal.hpp"
+#include "study/detail/resumable_runs.hpp"
 #include "study/memory_need.hpp"
 #include "study/runout.hpp"
 #include "study/team_work.hpp"
@@ -25,27 +27,6 @@ namespace {
 
 // Thrown by a probe that is long enough; no error of the run.
 struct ProbeOver {};
-
-// Thrown through the dynamics, which keeps errors as those of the run, by a progress that wants the
-// campaign to end.
-struct Stopped {
-  std::exception_ptr why;
-};
-
-// Realisations can take hours: between runs, progress is reported this often, s.
-constexpr double kReportAfter = 0.5;
-
-// ": 12.5 s simulated, 31 of 60 blocks at rest".
-std::string progress_text(const SequenceProgress& progress, const StaySummary& stay) {
-  std::string text = ": " + with_decimals(progress.time, 1) + " s simulated";
-  if (!stay.at_once) {
-    return text + ", block " + std::to_string(progress.released) + " of " +
-           std::to_string(stay.blocks_each);
-  }
-  if (progress.settling) text += ", settling";
-  return text + ", " + std::to_string(progress.resting()) + " of " +
-         counted(progress.released, "block") + " at rest";
-}
 
 // Keeps finished runs, one at a time, and reports progress.
 class Collector {
@@ -59,29 +40,12 @@ class Collector {
 
   /// Runs and keeps those that are computed together from `first` on.
   /// @param threads  that a realisation may use
-  void compute(const PreparedCampaign& prepared, std::uint32_t first, unsigned threads = 1) {
-    if (!prepared.header.stay || !options_.progress) {
-      return add(runs_from(prepared, first, {}, threads));
-    }
-    const std::uint32_t together = prepared.header.runs_together();
-    const std::string name = "realisation " + std::to_string(first / together + 1);
-    auto last = std::chrono::steady_clock::now();
-    const auto report = [&](const SequenceProgress& progress) {
-      const auto now = std::chrono::steady_clock::now();
-      if (std::chrono::duration<double>(now - last).count() < kReportAfter) return;
-      last = now;
+  void compute(const ResumableRuns& runs, std::uint32_t first, unsigned threads = 1) {
+    add(runs.compute(first, threads, [this](const std::string& what) {
       const std::lock_guard lock(one_at_a_time_);
-      try {
-        report_progress(name + progress_text(progress, *prepared.header.stay));
-      } catch (...) {
-        throw Stopped{std::current_exception()};
-      }
-    };
-    try {
-      add(runs_from(prepared, first, report, threads));
-    } catch (const Stopped& stopped) {
-      std::rethrow_exception(stopped.why);
-    }
+      report_progress(what);
+    }));
+    runs.forget(first);
   }
 
   /// Of runs that are computed together, some may have been kept before an interruption.
@@ -289,12 +253,16 @@ void run_campaign(const PreparedCampaign& prepared, const std::filesystem::path&
   check_memory(prepared,
                std::clamp<std::size_t>(runs / prepared.header.runs_together(), 1, threads),
                available_memory());
+  const ResumableRuns resumable(prepared, target, options);
   std::optional<ResultsWriter> writer;
   std::vector<std::uint32_t> open;
   const auto open_results = [&] {
     if (team && !team->leads()) return std::string();
     const bool go_on = options.resume && std::filesystem::exists(partial_results(target));
-    if (!go_on) check_results_place(target, options.replace);
+    if (!go_on) {
+      check_results_place(target, options.replace);
+      CheckpointFile::remove_all(target);
+    }
     writer.emplace(go_on ? ResultsWriter::resume(target, prepared.header, runs)
                          : ResultsWriter::create(target, prepared.header, runs));
     open = open_runs(prepared, options.shard, target, writer->stored_runs());
@@ -307,20 +275,22 @@ void run_campaign(const PreparedCampaign& prepared, const std::filesystem::path&
     const auto each = static_cast<unsigned>(
         std::max<std::size_t>(1, threads / std::max<std::size_t>(1, open.size())));
     parallel_for(open.size(), threads,
-                 [&](std::size_t i) { collector.compute(prepared, open[i], each); });
+                 [&](std::size_t i) { collector.compute(resumable, open[i], each); });
     writer->finish();
+    CheckpointFile::remove_all(target);
     return;
   }
   team->agree(open_results);
   if (team->leads()) {
     Collector collector(*writer, runs, options);
     lead_work(
-        *team, open, threads, [&](std::uint32_t run) { collector.compute(prepared, run); },
+        *team, open, threads, [&](std::uint32_t run) { collector.compute(resumable, run); },
         [&](const std::string& done) { collector.add(unpacked_together(done)); });
     writer->finish();
+    CheckpointFile::remove_all(target);
   } else {
     follow_work(*team, threads,
-                [&](std::uint32_t run) { return packed_together(runs_from(prepared, run)); });
+                [&](std::uint32_t run) { return packed_together(resumable.compute(run, 1)); });
   }
 }
 

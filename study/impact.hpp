@@ -23,6 +23,12 @@ struct Impact {
   double rotational_before = 0.0;
   double rotational_after = 0.0;
   double depth = 0.0;  ///< largest overlap in between, m
+
+  template <class Bytes>
+  void serialize(Bytes& bytes) {
+    bytes(run, zone, time, contact_duration, place, speed_before, speed_after, translational_before,
+          translational_after, rotational_before, rotational_after, depth);
+  }
 };
 
 /// A flight that counts lasts as long at least, s: 0.5 mm of free fall.
@@ -36,6 +42,11 @@ struct ContactStatistics {
   double longest_flight = 0.0;  ///< m, in plan
   double max_energy = 0.0;      ///< translational and rotational, J
   double max_spin = 0.0;        ///< rad/s
+
+  template <class Bytes>
+  void serialize(Bytes& bytes) {
+    bytes(contact_time, mean_points, most_points, longest_flight, max_energy, max_spin);
+  }
 };
 
 /// Gathers the impacts of one run from its motion as it goes by.
@@ -46,6 +57,12 @@ class ImpactObserver {
   void see(const MotionStep& step);
   /// Ends what is under way; to be called once, after the last step.
   void finish();
+  /// All that it has seen, and what is under way.
+  template <class Bytes>
+  void serialize(Bytes& bytes) {
+    bytes(impacts, last_touches, statistics, first_, open_, last_touch_, last_touch_time_, flight_,
+          take_off_);
+  }
 
   std::vector<Impact> impacts;
   std::vector<RigidState> last_touches;  ///< state at the last touch of each impact

@@ -70,6 +70,11 @@ struct StayRecord {
 struct EnergyRecord {
   std::uint32_t run = 0;  ///< the first of the realisation
   EnergySample energy;    ///< its time counts from the first release
+
+  template <class Bytes>
+  void serialize(Bytes& bytes) {
+    bytes(run, energy);
+  }
 };
 
 /// Realisations of blocks that stay: runs are in order of realisations, then of release.

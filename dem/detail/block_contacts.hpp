@@ -35,6 +35,13 @@ class BlockContacts {
   /// any).
   double safe_travel() const { return safe_until_; }
 
+  /// All that the contacts to come, and their order, depend on.
+  template <class Bytes>
+  void serialize(Bytes& bytes) {
+    bytes(tests_, direction_, vertices_, faces_, pairs_, near_face_, low_, high_, list_until_,
+          travel_, list_touching_, safe_until_, deepest_, allowed_);
+  }
+
  private:
   /// A vertex of the block that may be inside the ground or within reach of it before the list
   /// ends.
@@ -45,6 +52,11 @@ class BlockContacts {
     double clear_until = 0.0;  ///< travel before which it cannot touch, m
     double sure_until = 0.0;   ///< and before which, while its foot lies on that face, no other one
                                ///< is nearer or within reach of it, m
+
+    template <class Bytes>
+    void serialize(Bytes& bytes) {
+      bytes(vertex, near_face, end_face, clear_until, sure_until);
+    }
   };
   /// An edge or face of the block with an edge or corner of the ground.
   struct ListedPair {
@@ -52,6 +64,11 @@ class BlockContacts {
     std::uint32_t side;  ///< of BlockParts::sides
     std::uint32_t ground_feature;
     double clear_until;  ///< travel before which they cannot touch, m
+
+    template <class Bytes>
+    void serialize(Bytes& bytes) {
+      bytes(kind, side, ground_feature, clear_until);
+    }
   };
 
   /// How near features must be to be listed, m.

@@ -33,6 +33,11 @@ struct BodyMotion {
     return !(velocity.isZero(0.0) && angular_velocity.isZero(0.0) && begin_velocity.isZero(0.0) &&
              begin_angular_velocity.isZero(0.0));
   }
+  template <class Bytes>
+  void serialize(Bytes& bytes) {
+    bytes(world_from_body, velocity, angular_velocity, begin_position, begin_velocity,
+          begin_angular_velocity, inverse_mass, inverse_moments);
+  }
   /// In world axes.
   Vec3 inverse_inertia_times(const Vec3& torque) const {
     const Vec3 in_body = world_from_body.rotation.conjugate() * torque;

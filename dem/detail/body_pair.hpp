@@ -72,6 +72,19 @@ class BodyPair {
   }
   const EnergyLedger& ledger() const { return ledger_; }
 
+  /// All that its loads to come depend on.
+  template <class Bytes>
+  void serialize(Bytes& bytes) {
+    bool is_near = near();
+    bytes(is_near);
+    if constexpr (Bytes::kReads) {
+      if (is_near) near_.emplace(new_search(), block_, size_, rules_);
+    }
+    if (is_near) bytes(*near_);
+    if (dents_) bytes(*dents_);
+    bytes(load_, ledger_);
+  }
+
  private:
   using Search = std::variant<ContactSearch, BlockContacts, RodContacts>;
   /// What is known while the two are near.
@@ -83,6 +96,12 @@ class BodyPair {
     Pose pose;                         ///< reference_from_block of the last step
     double travel = 0.0;               ///< no point of the block moved farther since the start, m
     double asleep_until = -1.0;        ///< travel before which nothing can touch
+
+    template <class Bytes>
+    void serialize(Bytes& bytes) {
+      std::visit([&](auto& kind) { bytes(kind); }, search);
+      bytes(forces, points, pose, travel, asleep_until);
+    }
   };
 
   Search new_search() const;

@@ -36,6 +36,10 @@ class BroadPhase {
 
   /// Sorted; holds at least every pair of spheres that overlaps at the last `refresh`.
   const std::vector<Pair>& pairs() const { return pairs_; }
+  template <class Bytes>
+  void serialize(Bytes& bytes) {
+    bytes(centres_, pairs_);
+  }
 
  private:
   std::vector<Vec3> centres_;  ///< when the list was made

@@ -23,6 +23,11 @@ struct EventLoad {
   // Only against what does not move; zero between two moving bodies.
   Vec3 moment = Vec3::Zero();          ///< mass times shift of the centre, N s^2
   Vec3 angular_moment = Vec3::Zero();  ///< inertia times turn, N m s^2
+
+  template <class Bytes>
+  void serialize(Bytes& bytes) {
+    bytes(impulse, angular_impulse, angular_impulse_on_other, moment, angular_moment);
+  }
 };
 
 /// What the contacts of a pair do to its bodies, in world axes. The other body gets -force.
@@ -35,6 +40,11 @@ struct ContactLoad {
   double impact = 0.0;
   /// To be applied once, at the end of this step (`MovingBody::correct`).
   std::optional<EventLoad> event;
+
+  template <class Bytes>
+  void serialize(Bytes& bytes) {
+    bytes(force, torque, torque_on_other, impact, event);
+  }
 };
 
 /// The contacts of a block with the ground, or with another block, over time: matched with those of
@@ -91,6 +101,12 @@ class ContactForces {
   /// Smallest stiffness with which a present contact carries a body at rest; k_n without any, N/m.
   double rest_stiffness() const;
 
+  /// All that the loads to come depend on.
+  template <class Bytes>
+  void serialize(Bytes& bytes) {
+    bytes(patches_, contacts_, deepest_, acted_, drag_, slip_, slipped_, apart_);
+  }
+
  private:
   /// What the unit force of one patch does through all its points.
   struct PatchAction {
@@ -113,6 +129,11 @@ class ContactForces {
     Vec3 torque = Vec3::Zero();           ///< on the block about its centre of mass
     Vec3 torque_on_other = Vec3::Zero();  ///< the opposite of that on the other body, about its own
     Vec3 centre = Vec3::Zero(), centre_of_other = Vec3::Zero();
+
+    template <class Bytes>
+    void serialize(Bytes& bytes) {
+      bytes(force, torque, torque_on_other, centre, centre_of_other);
+    }
   };
 
   template <class Law>

@@ -9,18 +9,24 @@ namespace clast::dem_detail {
 
 /// A contact point with its loads before weighting.
 struct Contact {
+  Contact() = default;
   Contact(const ContactPoint& at, std::uint16_t ground_zone, double share)
       : point(at), zone(ground_zone), weight(share), place(at.point()) {}
   ContactPoint point;
-  std::uint16_t zone;
-  double weight;
+  std::uint16_t zone = 0;
+  double weight = 0.0;
   double normal = 0.0;             ///< N
   Vec3 tangential = Vec3::Zero();  ///< N
   Vec3 rolling = Vec3::Zero();     ///< N m
-  Vec3 place;                      ///< where the force acts
+  Vec3 place = Vec3::Zero();       ///< where the force acts
   double effective_mass = 0.0;     ///< of its patch, kg; only where a law asks for it
   double stored = 0.0;             ///< with its weight, J
   double dent = 0.0;  ///< part of the overlap that stays, m; only where a law keeps one
+
+  template <class Bytes>
+  void serialize(Bytes& bytes) {
+    bytes(point, zone, weight, normal, tangential, rolling, place, effective_mass, stored, dent);
+  }
 };
 
 class ContactHistory {

@@ -97,7 +97,11 @@ void ContactPairs::refresh(std::span<const WorldBody> bodies,
     }
   }
   end_until({ContactPair::kTerrain, ContactPair::kTerrain});
-  of_body_.assign(bodies.size(), {});
+  list_pairs_of_bodies(bodies.size());
+}
+
+void ContactPairs::list_pairs_of_bodies(std::size_t bodies) {
+  of_body_.assign(bodies, {});
   for (std::uint32_t e = 0; e < pairs_.size(); ++e) {
     if (pairs_[e].reference != ContactPair::kTerrain) of_body_[pairs_[e].reference].push_back(e);
     of_body_[pairs_[e].block].push_back(e);

@@ -30,6 +30,11 @@ struct ContactPair {
   double arm = 0.0;              ///< farthest that the block reached from the reference's centre, m
   double waited = 0.0;           ///< time since the last update, s
 
+  template <class Bytes>
+  void serialize(Bytes& bytes) {
+    bytes(*contacts, loads, asleep_until, arm, waited);
+  }
+
   BroadPhase::Pair key() const { return {std::min(reference, block), std::max(reference, block)}; }
   /// True when no body of it has a number from `end` on.
   bool between(std::size_t end) const {
@@ -112,6 +117,23 @@ class ContactPairs {
   }
   std::uint64_t broad_phases() const { return broad_phases_; }
 
+  /// All that the motion to come depends on.
+  /// @param bodies  those of the pairs
+  template <class Bytes>
+  void serialize(Bytes& bytes, std::span<const WorldBody> bodies) {
+    std::vector<BroadPhase::Pair> keys;
+    for (const ContactPair& pair : pairs_) keys.push_back(pair.key());
+    bytes(broad_phase_, slack_, keys, ended_.on_ground, ended_.between_bodies, broad_phases_);
+    if constexpr (Bytes::kReads) {
+      pairs_.clear();
+      for (const BroadPhase::Pair& key : keys) {
+        pairs_.push_back(contact_pair(key[0], key[1], bodies));
+      }
+      list_pairs_of_bodies(bodies.size());
+    }
+    for (ContactPair& pair : pairs_) bytes(pair);
+  }
+
  private:
   const BodyMotion& motion_of(std::uint32_t body, std::span<const WorldBody> bodies) const {
     return body == ContactPair::kTerrain ? still_ground_ : bodies[body].motion;
@@ -123,6 +145,7 @@ class ContactPairs {
   std::vector<BroadPhase::Pair> pairs_to_keep(std::span<const WorldBody> bodies) const;
   ContactPair contact_pair(std::uint32_t first, std::uint32_t second,
                            std::span<const WorldBody> bodies) const;
+  void list_pairs_of_bodies(std::size_t bodies);
 
   const TerrainSurface* terrain_;
   BodyPair::Rules between_bodies_, on_forms_, on_terrain_;

@@ -29,6 +29,14 @@ bool on_one_face(const ContactPoint& a, const ContactPoint& b) {
          b.kind == ContactKind::kVertexGround && a.normal == b.normal;
 }
 
+/// Scratch of the thread, one number for each joint; all are kNoFeature again after each use.
+std::vector<std::uint32_t>& last_on_joint(const SurfaceFeatures& block) {
+  thread_local std::vector<std::uint32_t> last;
+  const std::size_t joints = block.faces.size() + block.edges.size();
+  if (last.size() < joints) last.resize(joints, kNoFeature);
+  return last;
+}
+
 }  // namespace
 
 std::span<const double> ContactPatches::share(const std::vector<ContactPoint>& points,
@@ -83,14 +91,14 @@ void ContactPatches::list_links(const std::vector<ContactPoint>& points) {
   links_.clear();
   on_joint_.clear();
   patch_.resize(points.size());
-  last_on_joint_.resize(block_.faces.size() + block_.edges.size(), kNoFeature);
+  std::vector<std::uint32_t>& last = last_on_joint(block_);
   std::iota(patch_.begin(), patch_.end(), 0u);
   std::array<std::uint32_t, 3> buffer;
   for (std::uint32_t i = 0; i < points.size(); ++i) {
     features_.emplace_back(points[i].kind, points[i].block_feature);
     std::uint32_t patch = i;
     for (const std::uint32_t joint : joints_of(points[i], buffer)) {
-      const std::uint32_t earlier = std::exchange(last_on_joint_[joint], i);
+      const std::uint32_t earlier = std::exchange(last[joint], i);
       if (earlier == kNoFeature) continue;
       const std::uint32_t other = patch_so_far(earlier);
       if (other == patch) continue;
@@ -99,7 +107,7 @@ void ContactPatches::list_links(const std::vector<ContactPoint>& points) {
     }
   }
   for (const ContactPoint& point : points) {
-    for (const std::uint32_t joint : joints_of(point, buffer)) last_on_joint_[joint] = kNoFeature;
+    for (const std::uint32_t joint : joints_of(point, buffer)) last[joint] = kNoFeature;
   }
 }
 
@@ -129,14 +137,15 @@ void ContactPatches::join(const std::vector<ContactPoint>& points, const Quat& o
 }
 
 void ContactPatches::list_joints(const std::vector<ContactPoint>& points) {
+  std::vector<std::uint32_t>& last = last_on_joint(block_);
   std::array<std::uint32_t, 3> buffer;
   for (std::uint32_t i = 0; i < points.size(); ++i) {
     for (const std::uint32_t joint : joints_of(points[i], buffer)) {
       const auto entry = static_cast<std::uint32_t>(on_joint_.size());
-      on_joint_.push_back({i, joint, std::exchange(last_on_joint_[joint], entry)});
+      on_joint_.push_back({i, joint, std::exchange(last[joint], entry)});
     }
   }
-  for (const OnJoint& on : on_joint_) last_on_joint_[on.joint] = kNoFeature;
+  for (const OnJoint& on : on_joint_) last[on.joint] = kNoFeature;
 }
 
 void ContactPatches::join_any(const std::vector<ContactPoint>& points) {

@@ -23,15 +23,29 @@ class ContactPatches {
   /// `patch_of`.
   std::span<const double> share(const std::vector<ContactPoint>& points, const Quat& orientation);
   std::size_t patch_of(std::size_t point) const { return patch_[point]; }
+  template <class Bytes>
+  void serialize(Bytes& bytes) {
+    bytes(share_, patch_, normals_in_body_, features_, links_, all_joined_, on_joint_);
+  }
 
  private:
   /// Two points that lie on the same plane or line of the block.
   struct Link {
     std::uint32_t point = 0, earlier = 0, joint = 0;
+
+    template <class Bytes>
+    void serialize(Bytes& bytes) {
+      bytes(point, earlier, joint);
+    }
   };
   /// A point on a joint, chained to the one before on the same joint.
   struct OnJoint {
     std::uint32_t point = 0, joint = 0, before = 0;
+
+    template <class Bytes>
+    void serialize(Bytes& bytes) {
+      bytes(point, joint, before);
+    }
   };
 
   bool same_features(const std::vector<ContactPoint>& points) const;
@@ -66,7 +80,6 @@ class ContactPatches {
   std::vector<Link> links_;
   bool all_joined_ = false;        ///< in the last call; then the same links leave the same patches
   std::vector<OnJoint> on_joint_;  ///< of these features; empty while nobody has asked
-  std::vector<std::uint32_t> last_on_joint_;  ///< scratch: point or entry of `on_joint_`, by joint
 };
 
 }  // namespace clast::dem_detail

@@ -48,12 +48,25 @@ class ContactSearch {
   /// @param worthwhile  s: a shorter time does not help the caller
   double safe_time(const FlightBounds& flight, double worthwhile);
 
+  /// All that the contacts to come, and their order, depend on.
+  template <class Bytes>
+  void serialize(Bytes& bytes) {
+    bytes(tests_, started_, travel_, moved_, turned_, last_move_, local_, ground_complete_,
+          ground_gathered_at_, part_states_, part_due_, vertex_states_, vertex_asleep_, search_at_,
+          deepest_, allowed_, lowest_face_);
+  }
+
  private:
   /// An edge or corner of the ground near a part.
   struct GroundFeature {
     bool is_corner = false;
     std::uint32_t entry = 0;  ///< of the list in the part's `ground`
     Asleep asleep;            ///< until a side that is not listed with it may touch
+
+    template <class Bytes>
+    void serialize(Bytes& bytes) {
+      bytes(is_corner, entry, asleep);
+    }
   };
   /// A side of the block with an edge or corner of the ground.
   struct FeaturePair {
@@ -61,12 +74,22 @@ class ContactSearch {
     std::uint32_t side;  ///< of BlockParts::sides
     std::uint32_t ground_feature;
     Asleep asleep;
+
+    template <class Bytes>
+    void serialize(Bytes& bytes) {
+      bytes(kind, side, ground_feature, asleep);
+    }
   };
   /// |n.axis| and |n x axis| of a face of the ground with normal n.
   struct FaceTilt {
     double across, along;
     double way_per_height;  ///< as far as a height over its plane lets anything go that way
     bool at_border;         ///< beyond which its plane goes on
+
+    template <class Bytes>
+    void serialize(Bytes& bytes) {
+      bytes(across, along, way_per_height, at_border);
+    }
   };
   struct PartState {
     bool near = false;
@@ -88,6 +111,13 @@ class ContactSearch {
     std::vector<FeaturePair> pairs;
     std::vector<std::uint32_t> due_vertices;         ///< those that touch, mostly; in order
     Asleep other_vertices, all_features, all_pairs;  ///< until the first of each may be due
+
+    template <class Bytes>
+    void serialize(Bytes& bytes) {
+      bytes(near, gap, seen, seen_turned, near_face, ground, complete, gathered_at, axis, way,
+            centre, turned, tilts, features, pairs, due_vertices, other_vertices, all_features,
+            all_pairs);
+    }
   };
   struct VertexState {
     bool outside = false;  ///< known to have been out of reach of the ground
@@ -102,6 +132,12 @@ class ContactSearch {
     double sure_foot_until = -1.0;  ///< the foot cannot leave the face before
     double sure_inside_until = -1.0;
     double sure_outside_until = -1.0;
+
+    template <class Bytes>
+    void serialize(Bytes& bytes) {
+      bytes(outside, closest_plane, others, near_face, sure_face, sure_foot_until,
+            sure_inside_until, sure_outside_until);
+    }
   };
   /// A contact of a side, with what it is sorted by.
   struct SideContact {

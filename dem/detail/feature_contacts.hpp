@@ -41,6 +41,10 @@ struct ContactPoint {
 
   /// Middle of the overlap: where forces act.
   Vec3 point() const { return foot - 0.5 * overlap * normal; }
+  template <class Bytes>
+  void serialize(Bytes& bytes) {
+    bytes(kind, block_feature, ground_feature, ground_face, normal, foot, overlap);
+  }
 };
 
 /// Adds a contact unless it is known: a point on the border between two faces of one plane, or at
@@ -57,6 +61,10 @@ class AllowedDepth {
   bool update(double deepest, double margin);
   void reset(double depth = 0.0) { depth_ = depth; }
   double depth() const { return depth_; }  ///< m
+  template <class Bytes>
+  void serialize(Bytes& bytes) {
+    bytes(depth_);
+  }
 
  private:
   double depth_ = 0.0;
@@ -70,6 +78,10 @@ class FeatureContacts {
   void move_to(const Mat3& rotation, const Vec3& position) {
     rotation_ = rotation;
     position_ = position;
+  }
+  template <class Bytes>
+  void serialize(Bytes& bytes) {
+    bytes(rotation_, position_);
   }
   const Mat3& rotation() const { return rotation_; }
   const Vec3& position() const { return position_; }

@@ -15,6 +15,10 @@ struct GroundPlane {
 
   /// Lower bound of the distance of a point over the ground; negative when it gives none.
   double clearance(const Vec3& point) const { return normal.dot(point) - top; }
+  template <class Bytes>
+  void serialize(Bytes& bytes) {
+    bytes(normal, top);
+  }
 };
 struct LocalGround {
   struct Face {
@@ -23,20 +27,40 @@ struct LocalGround {
     Vec3 middle;    ///< with `radius`, a ball around the face
     double radius;
     std::uint32_t face;
+
+    template <class Bytes>
+    void serialize(Bytes& bytes) {
+      bytes(normal, offset, middle, radius, face);
+    }
   };
   struct Edge {
     Vec3 start, direction;
     double length;
     std::uint32_t edge;
+
+    template <class Bytes>
+    void serialize(Bytes& bytes) {
+      bytes(start, direction, length, edge);
+    }
   };
   struct Corner {
     Vec3 point;
     std::uint32_t vertex;
+
+    template <class Bytes>
+    void serialize(Bytes& bytes) {
+      bytes(point, vertex);
+    }
   };
   std::vector<Face> faces;
   std::vector<Edge> edges;      ///< convex ones
   std::vector<Corner> corners;  ///< pointed ones
   GroundPlane plane;            ///< over all of it
+
+  template <class Bytes>
+  void serialize(Bytes& bytes) {
+    bytes(faces, edges, corners, plane);
+  }
 
   /// Gathers everything within `reach` of the point, from the whole ground or from what was
   /// gathered before. Ordered by number.

@@ -43,6 +43,10 @@ class MovingBody {
   /// No point of it was shifted farther by the last `correct`, m.
   double corrected_by() const { return corrected_by_; }
   bool finite() const;
+  template <class Bytes>
+  void serialize(Bytes& bytes) {
+    bytes(state_, momentum_, top_speed_, corrected_by_);
+  }
 
  private:
   const RigidBody& body_;

@@ -15,6 +15,10 @@ class RodContacts {
   const std::vector<ContactPoint>& contacts(const Pose& ground_from_body);
   /// How far apart the two are at least, m; 0 in contact (valid after `contacts`).
   double clearance() const { return clearance_; }
+  template <class Bytes>
+  void serialize(Bytes& bytes) {
+    bytes(clearance_);
+  }
 
  private:
   void find_at_vertex(std::uint32_t block_vertex);

@@ -37,6 +37,10 @@ class ScarDrag {
   /// @param lost  gets what the drag of the step took from the block, J
   Vec3 update(const std::vector<Contact>& contacts, const PairMotion& motion, double& lost);
   const Vec3& place() const { return place_; }  ///< where it acts
+  template <class Bytes>
+  void serialize(Bytes& bytes) {
+    bytes(force_, place_);
+  }
 
  private:
   Vec3 force_at(const std::vector<Contact>& contacts, const PairMotion& motion);

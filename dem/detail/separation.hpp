@@ -18,6 +18,10 @@ struct Way {
   Way operator+(const Way& more) const {
     return {across + more.across, along + more.along, whole + more.whole};
   }
+  template <class Bytes>
+  void serialize(Bytes& bytes) {
+    bytes(across, along, whole);
+  }
 };
 
 /// Not measured again before both ways, each times its number, add up to `until`.
@@ -30,6 +34,10 @@ struct Asleep {
     return until - per_across * way.across - per_along * way.along;
   }
   bool due(const Way& way) const { return !(left(way) > 0.0); }
+  template <class Bytes>
+  void serialize(Bytes& bytes) {
+    bytes(per_across, per_along, until);
+  }
 };
 
 /// What keeps one or many apart from here on: |w.axis|/d and |w x axis|/d, the largest of each.

@@ -22,11 +22,20 @@ class SleepWatch {
   /// The last two windows agree. From then on until they differ by several times as much, so that
   /// a body that creeps at the limit does not change its mind all the time.
   bool stays() const { return stays_; }
+  template <class Bytes>
+  void serialize(Bytes& bytes) {
+    bytes(sum_, duration_, last_, stays_);
+  }
 
  private:
   struct Mean {
     Vec3 position = Vec3::Zero();
     Eigen::Vector4d rotation = Eigen::Vector4d::Zero();  ///< quaternion, of one hemisphere
+
+    template <class Bytes>
+    void serialize(Bytes& bytes) {
+      bytes(position, rotation);
+    }
   };
   Mean sum_;  ///< times duration, of the window under way
   double duration_ = 0.0;

@@ -12,6 +12,10 @@ namespace clast::dem_detail {
 class Sleeping {
  public:
   std::size_t count() const { return count_; }
+  template <class Bytes>
+  void serialize(Bytes& bytes) {
+    bytes(count_);
+  }
 
   /// Wakes what a body in motion touches, and all that is asleep around it.
   /// @param pairs  with an up-to-date list of active ones; no other pair wakes anything

@@ -26,6 +26,10 @@ class SoilMemory {
   void press(const Vec3& place, std::uint16_t zone, double dent);
   /// Takes over all dents of the other, and leaves it without.
   void take(SoilMemory& other);
+  template <class Bytes>
+  void serialize(Bytes& bytes) {
+    bytes(depth_);
+  }
 
  private:
   std::uint64_t cell(const Vec3& place, std::uint16_t zone) const;

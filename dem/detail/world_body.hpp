@@ -32,6 +32,10 @@ struct HeldBodies {
   std::size_t first = 0, end = 0;
 
   bool has(std::size_t body) const { return body >= first && body < end; }
+  template <class Bytes>
+  void serialize(Bytes& bytes) {
+    bytes(first, end);
+  }
 };
 
 struct WorldBody {
@@ -58,6 +62,12 @@ struct WorldBody {
   /// Kinetic and potential, J.
   double energy(double gravity) const {
     return moving.kinetic_energy() + shape->body.mass * gravity * moving.state().position.z();
+  }
+  /// All but its shape.
+  template <class Bytes>
+  void serialize(Bytes& bytes) {
+    bytes(moving, fixed, holds, gone, off_terrain, motion, way, turn, force, torque, touching,
+          corrected, resting, asleep, watch, pair_steps);
   }
 
   const Shape* shape;

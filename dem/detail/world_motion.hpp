@@ -67,6 +67,24 @@ class WorldMotion {
   std::uint64_t steps() const { return steps_; }
   void observe(BodyObserver observer) { observer_ = std::move(observer); }
 
+  /// All that the motion to come depends on, between two steps.
+  template <class Bytes>
+  void serialize(Bytes& bytes) {
+    std::vector<std::size_t> shape_of_body;
+    for (const WorldBody& body : bodies_) shape_of_body.push_back(body.shape - shapes_.data());
+    bytes(shape_of_body);
+    if constexpr (Bytes::kReads) {
+      bodies_.clear();
+      for (const std::size_t shape : shape_of_body) {
+        bodies_.emplace_back(shapes_.at(shape), RigidState(), false);
+      }
+      motion_changed();
+    }
+    for (WorldBody& body : bodies_) bytes(body);
+    pairs_.serialize(bytes, bodies_);
+    bytes(soil_, prepared_, sleeping_, time_, step_length_, initial_, reassigned_, steps_);
+  }
+
  private:
   BodyPair::Rules rules(std::span<const GroundParameters> of_zones,
                         std::span<const std::uint16_t> zone_of_face, const SoilMemory* soil) const {

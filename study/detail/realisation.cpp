@@ -10,6 +10,7 @@
 #include <string>
 #include <utility>
 
+#include "core/byte_archive.hpp"
 #include "core/error.hpp"
 #include "core/number_text.hpp"
 #include "dem/sequence.hpp"
@@ -68,6 +69,12 @@ class RunObserver {
       run.trajectory.states.push_back(result.final_state);
     }
     return run;
+  }
+
+  /// All that it has seen.
+  template <class Bytes>
+  void serialize(Bytes& bytes) {
+    bytes(trajectory.time, trajectory.states, crossings, impacts, last, last_time, next_frame_);
   }
 
   Trajectory trajectory;
@@ -187,7 +194,8 @@ struct ShapesOfRuns {
 
 std::vector<StoredRun> realisation(const PreparedCampaign& prepared,
                                    std::span<const RunRecord> planned,
-                                   const SequenceProgressObserver& after_step, unsigned threads) {
+                                   const SequenceProgressObserver& after_step, unsigned threads,
+                                   ByteReader* from) {
   auto [shapes, shape_of_run] = ShapesOfRuns(prepared, planned);
   std::vector<SequenceBlock> blocks;
   std::vector<std::unique_ptr<RunObserver>> observers;
@@ -208,6 +216,18 @@ std::vector<StoredRun> realisation(const PreparedCampaign& prepared,
   }
   std::vector<SequenceResult> results;
   std::vector<EnergyRecord> energies;
+  const auto serialize = [&](auto& bytes) {
+    for (const std::unique_ptr<RunObserver>& observer : observers) bytes(*observer);
+    bytes(energies);
+  };
+  if (from) serialize(*from);
+  const auto with_observers = [&](SequenceProgress progress) {
+    progress.save = [&, of_sequence = std::move(progress.save)](ByteWriter& to) {
+      serialize(to);
+      of_sequence(to);
+    };
+    after_step(progress);
+  };
   std::string message;
   try {
     results = simulate_sequence(
@@ -217,7 +237,8 @@ std::vector<StoredRun> realisation(const PreparedCampaign& prepared,
          [&](const EnergySample& sample) {
            energies.push_back({planned.front().run, sample});
          },
-         after_step});
+         after_step ? SequenceProgressObserver(with_observers) : SequenceProgressObserver()},
+        from);
   } catch (const SettlingError& error) {
     message = not_settled(prepared, planned, error, settings.settle_time);
   } catch (const std::exception& error) {
@@ -290,12 +311,12 @@ void check_mass_start(const PreparedCampaign& prepared, std::uint32_t first) {
 
 std::vector<StoredRun> runs_from(const PreparedCampaign& prepared, std::uint32_t first,
                                  const SequenceProgressObserver& after_step, unsigned threads,
-                                 const MotionObserver& observe) {
+                                 const MotionObserver& observe, ByteReader* from) {
   if (!prepared.header.stay) {
     return {single_run(prepared, prepared.runs[first], after_step, observe)};
   }
   const std::uint32_t each = prepared.header.stay->blocks_each;
-  return realisation(prepared, std::span(&prepared.runs[first], each), after_step, threads);
+  return realisation(prepared, std::span(&prepared.runs[first], each), after_step, threads, from);
 }
 
 }  // namespace clast::study_detail

@@ -13,9 +13,12 @@ namespace clast::study_detail {
 /// @param after_step  called after every step and flight; what it throws ends the run
 /// @param threads     that a realisation may use
 /// @param observe     sees the motion of a single run; nothing of blocks that stay
+/// @param from        what the same program has saved of the same realisation
+///                    (`SequenceProgress::save`), to go on from to the same bits; null: nothing
 std::vector<StoredRun> runs_from(const PreparedCampaign& prepared, std::uint32_t first,
                                  const SequenceProgressObserver& after_step = {},
-                                 unsigned threads = 1, const MotionObserver& observe = {});
+                                 unsigned threads = 1, const MotionObserver& observe = {},
+                                 ByteReader* from = nullptr);
 
 /// Makes sure that no two blocks of a mass overlap at the start, so that it can run.
 /// @param first  number of the first of its runs

@@ -1,10 +1,11 @@
 #include "study/detail/results_journal.hpp"
 
 #include <bit>
-#include <cstring>
 #include <optional>
 #include <set>
+#include <sstream>
 
+#include "core/byte_archive.hpp"
 #include "core/digest.hpp"
 #include "core/error.hpp"
 #include "core/text_file.hpp"
@@ -22,84 +23,28 @@ static_assert(std::endian::native == std::endian::little, "the journal is little
 constexpr std::size_t kDigestLength = 64;
 const std::string kMagic = "clast results journal 5\n";
 
-// A record to be, and the same calls that read it back.
-class Packer {
- public:
-  template <class T>
-  void value(const T& value) {
-    bytes.append(reinterpret_cast<const char*>(&value), sizeof value);
-  }
-  void value(const std::string& text) {
-    value(std::uint64_t{text.size()});
-    bytes += text;
-  }
-  template <class T>
-  void size(const std::vector<T>& list) {
-    value(std::uint64_t{list.size()});
-  }
-  /// Written last, and missing in records of older programs.
-  void last(const std::string& text) { value(text); }
-  std::string bytes;
-};
-
-class Unpacker {
- public:
-  explicit Unpacker(const std::string& bytes) : bytes_(bytes) {}
-  template <class T>
-  void value(T& value) {
-    std::memcpy(&value, take(sizeof value), sizeof value);
-  }
-  void value(std::string& text) {
-    std::uint64_t length = 0;
-    value(length);
-    text.assign(take(length), length);
-  }
-  template <class T>
-  void size(std::vector<T>& list) {
-    std::uint64_t count = 0;
-    value(count);
-    // An element takes a byte at least.
-    if (count > bytes_.size()) throw InputError("a record has an impossible size");
-    list.resize(count);
-  }
-  void last(std::string& text) {
-    if (at_ < bytes_.size()) value(text);
-  }
-
- private:
-  const char* take(std::uint64_t count) {
-    if (count > bytes_.size() - at_) throw InputError("a record is too short");
-    at_ += count;
-    return bytes_.data() + (at_ - count);
-  }
-  const std::string& bytes_;
-  std::size_t at_ = 0;
-};
-
-template <class Archive, class Row>
-void transfer_row(Archive& archive, Row& row) {
+template <class Bytes, class Row>
+void serialize_row(Bytes& bytes, Row& row) {
   visit_columns(kRowsOf<Row>, [&](const auto&, const auto&, const auto&, const auto& field) {
-    archive.value(std::invoke(field, row));
+    bytes(std::invoke(field, row));
   });
 }
 
-template <class Archive, class Row>
-void transfer_rows(Archive& archive, std::vector<Row>& rows) {
-  archive.size(rows);
-  for (Row& row : rows) transfer_row(archive, row);
+template <class Bytes, class Row>
+void serialize_rows(Bytes& bytes, std::vector<Row>& rows) {
+  rows.resize(bytes.count(rows.size()));
+  for (Row& row : rows) serialize_row(bytes, row);
 }
 
-// Fields in one order for both ways.
-template <class Archive>
-void transfer(Archive& archive, StoredRun& run) {
-  transfer_row(archive, run.record);
-  transfer_rows(archive, run.crossings);
-  transfer_rows(archive, run.impacts);
-  transfer_rows(archive, run.stays);
-  transfer_rows(archive, run.energies);
-  archive.size(run.trajectory.time);
-  for (double& time : run.trajectory.time) archive.value(time);
-  transfer_rows(archive, run.trajectory.states);
+template <class Bytes>
+void serialize_run(Bytes& bytes, StoredRun& run) {
+  serialize_row(bytes, run.record);
+  serialize_rows(bytes, run.crossings);
+  serialize_rows(bytes, run.impacts);
+  serialize_rows(bytes, run.stays);
+  serialize_rows(bytes, run.energies);
+  bytes(run.trajectory.time);
+  serialize_rows(bytes, run.trajectory.states);
 }
 
 struct Identity {
@@ -107,34 +52,25 @@ struct Identity {
   std::vector<std::string> inputs;
   std::uint32_t planned = 0;
   std::string physics;  ///< empty: of an older program
-};
 
-template <class Archive>
-void transfer(Archive& archive, Identity& identity) {
-  archive.value(identity.campaign);
-  archive.value(identity.program);
-  archive.size(identity.inputs);
-  for (std::string& input : identity.inputs) archive.value(input);
-  archive.value(identity.planned);
-  archive.last(identity.physics);
-}
+  template <class Bytes>
+  void serialize(Bytes& bytes) {
+    bytes(campaign, program, inputs, planned);
+    if constexpr (Bytes::kReads) {
+      if (bytes.at_end()) return;
+    }
+    bytes(physics);
+  }
+};
 
 Identity identity_of(const CampaignResults& header) {
   return {header.campaign_sha256, header.program_version, header.inputs, header.planned_runs,
           header.physics_digest};
 }
 
-template <class T>
-std::string bytes_of(T value) {
-  Packer packer;
-  transfer(packer, value);
-  return std::move(packer.bytes);
-}
-
 std::string record_of(const std::string& content) {
-  Packer record;
-  record.value(std::uint64_t{content.size()});
-  return record.bytes + sha256(content) + content;
+  std::uint64_t length = content.size();
+  return bytes_of(length) + sha256(content) + content;
 }
 
 // The content of the record that begins at `begin`; none when it is cut short or damaged.
@@ -204,7 +140,17 @@ std::fstream opened(const fs::path& path) {
 
 }  // namespace
 
-std::string packed(const StoredRun& run) { return bytes_of(run); }
+std::string packed(StoredRun run) {
+  std::ostringstream text;
+  ByteWriter writer(text);
+  serialize_run(writer, run);
+  return std::move(text).str();
+}
+
+std::string campaign_identity(const CampaignResults& header) {
+  Identity identity = identity_of(header);
+  return bytes_of(identity);
+}
 
 std::string campaign_difference(const CampaignResults& stored, const CampaignResults& now) {
   return difference_of(identity_of(stored), identity_of(now));
@@ -212,13 +158,13 @@ std::string campaign_difference(const CampaignResults& stored, const CampaignRes
 
 StoredRun unpacked(const std::string& bytes) {
   StoredRun run;
-  Unpacker unpacker(bytes);
-  transfer(unpacker, run);
+  ByteReader reader(bytes);
+  serialize_run(reader, run);
   return run;
 }
 
 ResultsJournal ResultsJournal::create(const fs::path& path, const CampaignResults& header) {
-  const std::string begin = kMagic + record_of(bytes_of(identity_of(header)));
+  const std::string begin = kMagic + record_of(campaign_identity(header));
   write_text_file(path, begin);
   ResultsJournal journal(path, opened(path));
   journal.physics_ = header.physics_digest;
@@ -244,8 +190,8 @@ ResultsJournal ResultsJournal::resume(const fs::path& path, const CampaignResult
                      "without `resume`");
   }
   Identity stored;
-  Unpacker unpacker(*content);
-  transfer(unpacker, stored);
+  ByteReader reader(*content);
+  reader(stored);
   check_same_campaign(path, stored, identity_of(header));
   journal.physics_ = stored.physics;
   journal.end_ = kMagic.size() + record_size(*content);

@@ -12,10 +12,12 @@
 namespace clast::study_detail {
 
 /// A run as bytes, and back: what the journal keeps and processes send each other.
-std::string packed(const StoredRun& run);
+std::string packed(StoredRun run);
 /// @throws InputError  not the bytes of a run
 StoredRun unpacked(const std::string& bytes);
 
+/// What a campaign is recognised by, with its inputs and the program, as bytes.
+std::string campaign_identity(const CampaignResults& header);
 /// How the campaign of stored results differs from this one: campaign file, inputs, version,
 /// number of runs or physics. Empty: not at all.
 std::string campaign_difference(const CampaignResults& stored, const CampaignResults& now);

@@ -30,6 +30,17 @@ class SharedCampaign : public SlopeCampaign {
                              "select = [\"bar\"]\n"
                              "vary = { to = [[0.8, 0.6]], reference = \"ellipsoid\" }\n[terrain]"));
   }
+  /// In two realisations that take long enough to be killed within.
+  void let_blocks_stay() {
+    std::string text = read_text_file(folder / "campaign.toml");
+    text = replaced(text, "random = 40, seed = 4 }",
+                    "random = 1, seed = 4, fresh = true }\nsequence = \"stay\"\nrealisations = 2");
+    text = replaced(text, "[terrain]", "draw = { count = 30 }\n[terrain]");
+    text +=
+        "[contact]\ntime_step_s = 1e-5\n"
+        "[contact.blocks]\nenergy_restitution = 0.1\nfriction = 0.5\nrolling_friction = 0.2\n";
+    write_text_file(folder / "campaign.toml", text);
+  }
   std::string run(const std::vector<std::string>& arguments) {
     const ProgramRun run = run_clast(arguments, folder.path());
     EXPECT_EQ(run.exit_code, 0) << run.err;
@@ -140,6 +151,58 @@ TEST_F(SharedCampaign, IsTheSameAfterThreeKills) {
     size = fs::file_size(partial_file("cut.h5"));
   }
   run({"simulate", "campaign.toml", "-o", "cut.h5", "--threads", "2", "--resume"});
+  expect_same_as_one("cut.h5");
+}
+
+TEST_F(SharedCampaign, WhoseBlocksStayIsTheSameAfterKillsWithinARealisation) {
+  let_blocks_stay();
+  std::string checkpoint;
+  for (int kill = 0; kill < 3; ++kill) {
+    std::vector<std::string> words = clast_words(
+        {"simulate", "campaign.toml", "-o", "cut.h5", "--threads", "1", "--checkpoint", "0.01"});
+    if (kill > 0) words.push_back("--resume");
+    RunningProgram program(words, folder.path());
+    const fs::path file = folder / "cut.h5.part.1";
+    std::string now;
+    while (!program.ended() && (now.empty() || now == checkpoint)) {
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+      if (fs::exists(file)) now = read_text_file(file);
+    }
+    program.signal(SIGKILL);
+    ASSERT_EQ(program.wait().exit_code, 128 + SIGKILL) << "kill " << kill << " came too late";
+    checkpoint = read_text_file(file);
+  }
+  run({"simulate", "campaign.toml", "-o", "cut.h5", "--threads", "2", "--resume"});
+  expect_same_as_one("cut.h5");
+  for (const auto& entry : fs::directory_iterator(folder.path())) {
+    EXPECT_FALSE(entry.path().filename().string().starts_with("cut.h5.")) << entry.path();
+  }
+}
+
+TEST_F(SharedCampaign, WhoseBlocksStayGoesOnWithinARealisationAfterCtrlC) {
+  let_blocks_stay();
+  RunningProgram program(clast_words({"simulate", "campaign.toml", "-o", "cut.h5", "--threads", "1",
+                                      "--checkpoint", "0"}),
+                         folder.path());
+  while (!program.ended() && !fs::exists(partial_file("cut.h5"))) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
+  program.signal(SIGINT);
+  const ProgramRun stopped = program.wait();
+  EXPECT_EQ(stopped.exit_code, 1);
+  EXPECT_TRUE(contains(stopped.err,
+                       "0 of 60 runs are kept, and how far realisations have come. Go on with: "
+                       "clast simulate campaign.toml -o cut.h5 --resume"))
+      << stopped.err;
+  EXPECT_TRUE(fs::exists(folder / "cut.h5.part.1"));
+  std::string damaged = read_text_file(folder / "cut.h5.part.1");
+  const std::string whole = damaged;
+  damaged[damaged.size() / 2] ^= 1;
+  write_text_file(folder / "cut.h5.part.1", damaged);
+  expect_refused(folder, {"simulate", "campaign.toml", "-o", "cut.h5", "--resume"}, 1,
+                 "cut.h5.part.1: is damaged; delete it");
+  write_text_file(folder / "cut.h5.part.1", whole);
+  run({"simulate", "campaign.toml", "-o", "cut.h5", "--resume"});
   expect_same_as_one("cut.h5");
 }
 

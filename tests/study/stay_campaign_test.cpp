@@ -113,6 +113,65 @@ TEST_F(StayCampaign, EndsWithinARealisation) {
   EXPECT_FALSE(std::filesystem::exists(*folder_ / "endless.h5"));
 }
 
+// Ended within a realisation again and again, whatever is observed on the way is kept.
+TEST_F(StayCampaign, GoesOnFromWhereItWasEndedWithinARealisation) {
+  std::string slow = changed("realisations = 3", "realisations = 1");
+  slow = replaced_once(slow, "[contact.blocks]", "[contact]\ntime_step_s = 4e-6\n[contact.blocks]");
+  slow = replaced_once(slow, "[run]",
+                       "[[barrier]]\nname = \"fence\"\nfrom = [9.9, -5]\n"
+                       "to = [10.1, 5]\n[run]\ntrajectory_interval_s = 0.05");
+  const PreparedCampaign plan = prepared(slow);
+  const std::filesystem::path file = *folder_ / "ended.h5";
+  const std::filesystem::path checkpoint = file.string() + ".part.1";
+  std::string heard;
+  const auto quit = [&](const ProgressStep& step) {
+    heard = step.what;
+    if (step.done == 0) throw SimulationError("stopped");
+  };
+  int ends = 0;
+  for (bool ended = true; ended; ++ends) {
+    ASSERT_LT(ends, 100);
+    const std::string before = std::exchange(heard, "");
+    try {
+      run_campaign(plan, file, {.threads = 1, .resume = true, .progress = quit});
+      ended = false;
+    } catch (const SimulationError&) {
+      EXPECT_TRUE(std::filesystem::exists(checkpoint));
+      EXPECT_NE(heard, before);  // it goes on
+    }
+  }
+  EXPECT_GT(ends, 2);
+  EXPECT_FALSE(std::filesystem::exists(checkpoint));
+  run_campaign(plan, *folder_ / "at-once.h5", {.threads = 2});
+  const CampaignResults whole = read_results(*folder_ / "at-once.h5"), parts = read_results(file);
+  expect_same(whole, parts);
+  ASSERT_FALSE(whole.crossings.empty());
+  ASSERT_EQ(whole.crossings.size(), parts.crossings.size());
+  ASSERT_EQ(whole.impacts.size(), parts.impacts.size());
+  for (std::size_t i = 0; i < whole.impacts.size(); ++i) {
+    expect_equal(whole.impacts[i], parts.impacts[i]);
+  }
+  for (std::size_t i = 0; i < whole.runs.size(); ++i) expect_equal(whole.runs[i], parts.runs[i]);
+  EXPECT_EQ(read_trajectory(file, 1).time, read_trajectory(*folder_ / "at-once.h5", 1).time);
+}
+
+TEST_F(StayCampaign, KeepsACheckpointNowAndThen) {
+  const PreparedCampaign plan = prepared(text());
+  const std::filesystem::path file = *folder_ / "kept.h5";
+  std::set<std::string> seen;
+  const auto look = [&](const ProgressStep&) {
+    for (const auto& entry : std::filesystem::directory_iterator(file.parent_path())) {
+      const std::string name = entry.path().filename().string();
+      if (name.starts_with("kept.h5.part.")) seen.insert(name);
+    }
+  };
+  run_campaign(plan, file, {.threads = 1, .progress = look, .checkpoint_interval = 1e-3});
+  // Each is there when its realisation is added, and goes then.
+  EXPECT_EQ(seen, (std::set<std::string>{"kept.h5.part.1", "kept.h5.part.2", "kept.h5.part.3"}));
+  look({});
+  EXPECT_FALSE(std::filesystem::exists(file.string() + ".part.3"));
+}
+
 // Blocks that have come to rest say what the others will take, not the time limit of each.
 TEST_F(StayCampaign, AProbeThatIsCutShortCountsBlocksThatRest) {
   const std::string many =

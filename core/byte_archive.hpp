@@ -1,0 +1,161 @@
+#pragma once
+/// Values as bytes and back, for files that only the program reads that wrote them: journals and
+/// checkpoints.
+///
+/// One list of what a class holds serves both ways, as a member or as a function beside it:
+///
+///     template <class Bytes>
+///     void serialize(Bytes& bytes) { bytes(first_, second_); }
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <cstring>
+#include <optional>
+#include <ostream>
+#include <sstream>
+#include <string>
+#include <string_view>
+#include <type_traits>
+#include <unordered_map>
+#include <utility>
+#include <vector>
+
+#include "core/error.hpp"
+#include "core/pose.hpp"
+
+namespace clast {
+
+class ByteWriter {
+ public:
+  static constexpr bool kReads = false;
+
+  /// @param to  must outlive the writer
+  explicit ByteWriter(std::ostream& to) : to_(to) {}
+
+  template <class... Values>
+  void operator()(Values&... values) {
+    (serialize(*this, values), ...);
+  }
+  void raw(const void* data, std::size_t size) {
+    to_.write(static_cast<const char*>(data), static_cast<std::streamsize>(size));
+  }
+  /// How many elements follow.
+  std::size_t count(std::size_t size) {
+    std::uint64_t stored = size;
+    raw(&stored, sizeof stored);
+    return size;
+  }
+
+ private:
+  std::ostream& to_;
+};
+
+class ByteReader {
+ public:
+  static constexpr bool kReads = true;
+
+  /// @param bytes  must outlive the reader
+  explicit ByteReader(std::string_view bytes) : bytes_(bytes) {}
+
+  /// @throws InputError  more is asked for than there is
+  template <class... Values>
+  void operator()(Values&... values) {
+    (serialize(*this, values), ...);
+  }
+  void raw(void* data, std::size_t size) {
+    if (size > bytes_.size()) throw InputError("a record is too short");
+    if (size > 0) std::memcpy(data, bytes_.data(), size);
+    bytes_.remove_prefix(size);
+  }
+  std::size_t count(std::size_t) {
+    std::uint64_t stored = 0;
+    raw(&stored, sizeof stored);
+    // An element takes a byte at least.
+    if (stored > bytes_.size()) throw InputError("a record has an impossible size");
+    return stored;
+  }
+  bool at_end() const { return bytes_.empty(); }
+
+ private:
+  std::string_view bytes_;  ///< those that are left
+};
+
+template <class Bytes, class T>
+requires(std::is_arithmetic_v<T> || std::is_enum_v<T>) void serialize(Bytes& bytes, T& value) {
+  bytes.raw(&value, sizeof value);
+}
+
+template <class Bytes, class T>
+requires requires(Bytes& bytes, T& value) { value.serialize(bytes); }
+void serialize(Bytes& bytes, T& value) { value.serialize(bytes); }
+
+template <class Bytes, int kRows, int kColumns>
+void serialize(Bytes& bytes, Eigen::Matrix<double, kRows, kColumns>& matrix) {
+  bytes.raw(matrix.data(), sizeof(double) * kRows * kColumns);
+}
+
+template <class Bytes>
+void serialize(Bytes& bytes, Quat& rotation) {
+  bytes(rotation.coeffs());
+}
+
+template <class Bytes>
+void serialize(Bytes& bytes, Pose& pose) {
+  bytes(pose.translation, pose.rotation);
+}
+
+template <class Bytes>
+void serialize(Bytes& bytes, std::string& text) {
+  text.resize(bytes.count(text.size()));
+  bytes.raw(text.data(), text.size());
+}
+
+template <class Bytes, class T>
+void serialize(Bytes& bytes, std::vector<T>& list) {
+  list.resize(bytes.count(list.size()));
+  if constexpr (std::is_arithmetic_v<T>) {
+    bytes.raw(list.data(), sizeof(T) * list.size());
+  } else {
+    for (T& element : list) bytes(element);
+  }
+}
+
+template <class Bytes, class First, class Second>
+void serialize(Bytes& bytes, std::pair<First, Second>& pair) {
+  bytes(pair.first, pair.second);
+}
+
+template <class Bytes, class T, std::size_t kCount>
+void serialize(Bytes& bytes, std::array<T, kCount>& array) {
+  for (T& element : array) bytes(element);
+}
+
+template <class Bytes, class T>
+void serialize(Bytes& bytes, std::optional<T>& value) {
+  bool has = value.has_value();
+  bytes(has);
+  if constexpr (Bytes::kReads) {
+    value.reset();
+    if (has) value.emplace();
+  }
+  if (has) bytes(*value);
+}
+
+template <class Bytes, class Key, class T>
+void serialize(Bytes& bytes, std::unordered_map<Key, T>& map) {
+  std::vector<std::pair<Key, T>> entries(map.begin(), map.end());
+  std::sort(entries.begin(), entries.end());  // equal maps are equal bytes
+  bytes(entries);
+  if constexpr (Bytes::kReads) map = {entries.begin(), entries.end()};
+}
+
+/// The bytes of something that is serialized.
+template <class T>
+std::string bytes_of(T& value) {
+  std::ostringstream text;
+  ByteWriter writer(text);
+  writer(value);
+  return std::move(text).str();
+}
+
+}  // namespace clast

@@ -1,0 +1,96 @@
+#include "study/detail/resumable_runs.hpp"
+
+#include <chrono>
+#include <exception>
+
+#include "core/byte_archive.hpp"
+#include "core/number_text.hpp"
+#include "study/detail/checkpoint_file.hpp"
+#include "study/detail/realisation.hpp"
+
+namespace clast::study_detail {
+
+namespace {
+
+/// Between two reports of a realisation under way, s.
+constexpr double kReportAfter = 0.5;
+
+/// Thrown through the dynamics, which keeps errors as those of the run.
+struct Stopped {
+  std::exception_ptr why;
+};
+
+/// ": 12.5 s simulated, 31 of 60 blocks at rest".
+std::string progress_text(const SequenceProgress& progress, const StaySummary& stay) {
+  std::string text = ": " + with_decimals(progress.time, 1) + " s simulated";
+  if (!stay.at_once) {
+    return text + ", block " + std::to_string(progress.released) + " of " +
+           std::to_string(stay.blocks_each);
+  }
+  if (progress.settling) text += ", settling";
+  return text + ", " + std::to_string(progress.resting()) + " of " +
+         counted(progress.released, "block") + " at rest";
+}
+
+/// Has an interval passed since the last time that it had?
+class Timer {
+ public:
+  explicit Timer(double interval) : interval_(interval) {}
+  bool is_due() {
+    const auto now = std::chrono::steady_clock::now();
+    if (std::chrono::duration<double>(now - last_).count() < interval_) return false;
+    last_ = now;
+    return true;
+  }
+
+ private:
+  double interval_;  ///< s
+  std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
+};
+
+CheckpointFile checkpoint_of(const PreparedCampaign& prepared, const std::filesystem::path& target,
+                             std::uint32_t first) {
+  return {target, prepared.header, first / prepared.header.runs_together()};
+}
+
+}  // namespace
+
+std::vector<StoredRun> ResumableRuns::compute(std::uint32_t first, unsigned threads,
+                                              const Report& report) const {
+  if (!prepared_.header.stay) return runs_from(prepared_, first, {}, threads);
+  const CheckpointFile file = checkpoint_of(prepared_, target_, first);
+  const std::string name =
+      "realisation " + std::to_string(first / prepared_.header.runs_together() + 1);
+  Timer report_timer(kReportAfter), checkpoint_timer(options_.checkpoint_interval);
+  const auto send_report = [&](const SequenceProgress& progress) {
+    try {
+      report(name + progress_text(progress, *prepared_.header.stay));
+    } catch (...) {
+      file.write(progress.save);
+      throw;
+    }
+  };
+  const auto after_step = [&](const SequenceProgress& progress) {
+    try {
+      if (options_.checkpoint_interval > 0.0 && checkpoint_timer.is_due()) {
+        file.write(progress.save);
+      }
+      if (report && report_timer.is_due()) send_report(progress);
+    } catch (...) {
+      throw Stopped{std::current_exception()};
+    }
+  };
+  const std::string saved = options_.resume ? file.read() : std::string();
+  ByteReader from(saved);
+  try {
+    return runs_from(prepared_, first, after_step, threads, {}, saved.empty() ? nullptr : &from);
+  } catch (const Stopped& stopped) {
+    std::rethrow_exception(stopped.why);
+  }
+}
+
+void ResumableRuns::forget(std::uint32_t first) const {
+  if (prepared_.header.stay) checkpoint_of(prepared_, target_, first).remove();
+}
+
+}  // namespace clast::study_detail

@@ -1,0 +1,79 @@
+// Files of realisations under way: what is kept, refused and removed.
+#include "study/detail/checkpoint_file.hpp"
+
+#include <gtest/gtest.h>
+
+#include "core/error.hpp"
+#include "core/text_file.hpp"
+#include "tests/study/hand_made_results.hpp"
+#include "tests/support/refusal.hpp"
+#include "tests/support/scratch_folder.hpp"
+
+namespace clast {
+namespace {
+
+namespace fs = std::filesystem;
+using study_detail::CheckpointFile;
+
+void write(const CheckpointFile& file, const std::string& content) {
+  file.write([&](ByteWriter& to) { to.raw(content.data(), content.size()); });
+}
+
+TEST(CheckpointFiles, KeepTheLastState) {
+  const ScratchFolder folder;
+  const CheckpointFile file(folder / "r.h5", hand_made_results(), 1);
+  EXPECT_EQ(file.read(), "");
+  write(file, "first");
+  write(file, "");
+  EXPECT_EQ(file.read(), "");
+  write(file, std::string("a\0b", 3));
+  EXPECT_EQ(file.read(), std::string("a\0b", 3));
+  EXPECT_TRUE(fs::exists(folder / "r.h5.part.2"));
+  file.remove();
+  EXPECT_FALSE(fs::exists(folder / "r.h5.part.2"));
+  file.remove();
+}
+
+TEST(CheckpointFiles, ThatAreDamagedAreRefused) {
+  const ScratchFolder folder;
+  const fs::path path = folder / "r.h5.part.1";
+  const CheckpointFile file(folder / "r.h5", hand_made_results(), 0);
+  write(file, "so far");
+  const std::string whole = read_text_file(path);
+  for (std::size_t i = 0; i < whole.size(); ++i) {
+    std::string damaged = whole;
+    damaged[i] = static_cast<char>(damaged[i] ^ 1);
+    write_text_file(path, damaged);
+    EXPECT_TRUE(contains(refusal([&] { file.read(); }), path.string() + ": is damaged; delete it"))
+        << i;
+    write_text_file(path, whole.substr(0, i));
+    EXPECT_TRUE(contains(refusal([&] { file.read(); }), "is damaged")) << i;
+  }
+}
+
+TEST(CheckpointFiles, OfAnotherCampaignAreRefused) {
+  const ScratchFolder folder;
+  CampaignResults header = hand_made_results();
+  write(CheckpointFile(folder / "r.h5", header, 0), "so far");
+  header.campaign_sha256[0] = 'x';
+  const CheckpointFile other(folder / "r.h5", header, 0);
+  EXPECT_TRUE(contains(refusal([&] { other.read(); }), "r.h5.part.1: is of another campaign"));
+}
+
+TEST(CheckpointFiles, AreRemovedAndNothingElse) {
+  const ScratchFolder folder;
+  for (const char* name : {"r.h5.part.1", "r.h5.part.12", "r.h5.part", "r.h5.part.old",
+                           "r.h5.part.1.old", "other.h5.part.1"}) {
+    write_text_file(folder / name, "x");
+  }
+  CheckpointFile::remove_all(folder / "r.h5");
+  EXPECT_FALSE(fs::exists(folder / "r.h5.part.1"));
+  EXPECT_FALSE(fs::exists(folder / "r.h5.part.12"));
+  for (const char* name : {"r.h5.part", "r.h5.part.old", "r.h5.part.1.old", "other.h5.part.1"}) {
+    EXPECT_TRUE(fs::exists(folder / name)) << name;
+  }
+  CheckpointFile::remove_all(folder / "no" / "folder.h5");
+}
+
+}  // namespace
+}  // namespace clast
