@@ -40,17 +40,20 @@ std::string CheckpointFile::read() const {
   if (!fs::exists(path_)) return {};
   std::string file = read_text_file(path_);
   const std::size_t whole = file.size() - std::min(file.size(), kDigestLength);
-  if (!file.starts_with(kMagic) ||
-      sha256(std::string_view(file).substr(0, whole)) != file.substr(whole)) {
+  const std::string digest = file.substr(whole);
+  file.resize(whole);
+  if (sha256(file) != digest) {
     throw InputError(path_.string() +
                      ": is damaged; delete it, and `resume` begins that realisation anew");
   }
-  if (file.compare(kMagic.size(), identity_.size(), identity_) != 0) {
+  const std::string begin = kMagic + identity_;
+  if (!file.starts_with(begin)) {
     throw InputError(path_.string() +
                      ": is of another campaign, other inputs or another clast; delete it, and "
                      "`resume` begins that realisation anew");
   }
-  return file.substr(kMagic.size() + identity_.size(), whole - kMagic.size() - identity_.size());
+  file.erase(0, begin.size());
+  return file;
 }
 
 void CheckpointFile::write(const std::function<void(ByteWriter& to)>& save) const {

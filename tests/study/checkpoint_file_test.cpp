@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/digest.hpp"
 #include "core/error.hpp"
 #include "core/text_file.hpp"
 #include "tests/study/hand_made_results.hpp"
@@ -58,6 +59,11 @@ TEST(CheckpointFiles, OfAnotherCampaignAreRefused) {
   header.campaign_sha256[0] = 'x';
   const CheckpointFile other(folder / "r.h5", header, 0);
   EXPECT_TRUE(contains(refusal([&] { other.read(); }), "r.h5.part.1: is of another campaign"));
+  std::string older = read_text_file(folder / "r.h5.part.1");
+  older.resize(older.size() - 64);
+  older.insert(older.find('\n'), "0");
+  write_text_file(folder / "r.h5.part.1", older + sha256(older));
+  EXPECT_TRUE(contains(refusal([&] { other.read(); }), "another clast"));
 }
 
 TEST(CheckpointFiles, AreRemovedAndNothingElse) {
