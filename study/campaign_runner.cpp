@@ -266,6 +266,7 @@ void run_campaign(const PreparedCampaign& prepared, const std::filesystem::path&
     writer.emplace(go_on ? ResultsWriter::resume(target, prepared.header, runs)
                          : ResultsWriter::create(target, prepared.header, runs));
     open = open_runs(prepared, options.shard, target, writer->stored_runs());
+    resumable.check(open);
     return std::string();
   };
   if (!team) {

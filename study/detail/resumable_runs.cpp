@@ -55,6 +55,11 @@ CheckpointFile checkpoint_of(const PreparedCampaign& prepared, const std::filesy
 
 }  // namespace
 
+void ResumableRuns::check(const std::vector<std::uint32_t>& firsts) const {
+  if (!prepared_.header.stay || !options_.resume) return;
+  for (const std::uint32_t first : firsts) checkpoint_of(prepared_, target_, first).read();
+}
+
 std::vector<StoredRun> ResumableRuns::compute(std::uint32_t first, unsigned threads,
                                               const Report& report) const {
   if (!prepared_.header.stay) return runs_from(prepared_, first, {}, threads);

@@ -22,10 +22,14 @@ class ResumableRuns {
                 const RunOptions& options)
       : prepared_(prepared), target_(target), options_(options) {}
 
+  /// To be called before the first runs.
+  /// @param firsts  of those that are computed together
+  /// @throws InputError  one of their checkpoints, to resume, is not fit to go on from
+  void check(const std::vector<std::uint32_t>& firsts) const;
   /// Those that are computed together from `first` on; to resume, from their checkpoint if there is
   /// one.
   /// @param threads  that a realisation may use
-  /// @throws InputError  a checkpoint can't be written, or is not fit to go on from
+  /// @throws InputError  as `check`; or a checkpoint can't be written
   std::vector<StoredRun> compute(std::uint32_t first, unsigned threads,
                                  const Report& report = {}) const;
   /// Removes the checkpoint of those runs, once they are kept.

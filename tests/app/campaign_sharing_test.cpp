@@ -35,9 +35,9 @@ class SharedCampaign : public SlopeCampaign {
     std::string text = read_text_file(folder / "campaign.toml");
     text = replaced(text, "random = 40, seed = 4 }",
                     "random = 1, seed = 4, fresh = true }\nsequence = \"stay\"\nrealisations = 2");
-    text = replaced(text, "[terrain]", "draw = { count = 30 }\n[terrain]");
+    text = replaced(text, "[terrain]", "draw = { count = 5 }\n[terrain]");
     text +=
-        "[contact]\ntime_step_s = 1e-5\n"
+        "[contact]\ntime_step_s = 3e-6\n"
         "[contact.blocks]\nenergy_restitution = 0.1\nfriction = 0.5\nrolling_friction = 0.2\n";
     write_text_file(folder / "campaign.toml", text);
   }
@@ -191,7 +191,7 @@ TEST_F(SharedCampaign, WhoseBlocksStayGoesOnWithinARealisationAfterCtrlC) {
   const ProgramRun stopped = program.wait();
   EXPECT_EQ(stopped.exit_code, 1);
   EXPECT_TRUE(contains(stopped.err,
-                       "0 of 60 runs are kept, and how far realisations have come. Go on with: "
+                       "0 of 10 runs are kept, and how far realisations have come. Go on with: "
                        "clast simulate campaign.toml -o cut.h5 --resume"))
       << stopped.err;
   EXPECT_TRUE(fs::exists(folder / "cut.h5.part.1"));
