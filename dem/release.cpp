@@ -40,8 +40,8 @@ class Release {
         observe_(observe),
         surface_(body.shape),
         search_(terrain.impl().surface, surface_, body.size()),
-        forces_(zones, terrain.impl().zones, surface_, body.size(), settings.stiffness,
-                settings.weights, settings.law),
+        rules_(zones, terrain.impl().zones, settings.stiffness, settings.weights, settings.law),
+        forces_(rules_, surface_, body.size()),
         moving_(body, start),
         mobilities_(vertex_mobilities(body)),
         largest_mobility_(*std::max_element(mobilities_.begin(), mobilities_.end())),
@@ -292,6 +292,7 @@ class Release {
   const MotionObserver& observe_;
   BlockSurface surface_;
   ContactSearch search_;
+  ContactRules rules_;
   ContactForces forces_;
   MovingBody moving_;
   std::vector<double> mobilities_;  ///< of the block's vertices, 1/kg

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "dem/detail/block_contacts.hpp"
+#include "dem/detail/trimmed.hpp"
 
 namespace clast::dem_detail {
 
@@ -111,6 +112,7 @@ void BlockContacts::make_list() {
   }
   list_until_ = travel_ + margin_;
   list_features();
+  trim(vertices_, faces_, pairs_);
 }
 
 void BlockContacts::list_features() {

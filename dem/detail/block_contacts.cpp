@@ -32,8 +32,7 @@ BlockContacts::BlockContacts(const BlockSurface& ground, const BlockSurface& blo
       turn_(margin_ / block.bounding_radius),
       tests_(ground, block, size) {}
 
-const std::vector<ContactPoint>& BlockContacts::contacts(const Pose& ground_from_block,
-                                                         double travel) {
+std::vector<ContactPoint>& BlockContacts::contacts(const Pose& ground_from_block, double travel) {
   tests_.move_to(ground_from_block.rotation.toRotationMatrix(), ground_from_block.translation);
   contacts_.clear();
   travel_ = travel;
@@ -99,10 +98,11 @@ void BlockContacts::find_at_vertex(ListedVertex& listed, std::span<const std::ui
   NearestPoint nearest;
   if (travel_ < listed.sure_until) nearest = foot_on_face(ground_.features, sure.face, centre);
   if (!nearest.within_face) {
-    near_faces_.clear();
-    for (const std::uint32_t face : numbers) near_faces_.push_back(ground_.local_faces[face]);
-    faces = near_faces_;
-    nearest = nearest_of_all(listed, centre);
+    thread_local std::vector<LocalGround::Face> near_faces;
+    near_faces.clear();
+    for (const std::uint32_t face : numbers) near_faces.push_back(ground_.local_faces[face]);
+    faces = near_faces;
+    nearest = nearest_of_all(listed, faces, centre);
   }
   listed.clear_until = travel_ + nearest.distance - tests_.reach();
   if (nearest.distance >= tests_.reach()) return;
@@ -117,10 +117,12 @@ void BlockContacts::find_at_vertex(ListedVertex& listed, std::span<const std::ui
 }
 
 /// Of all its faces; finds out for how long the nearest one is sure to be it.
-NearestPoint BlockContacts::nearest_of_all(ListedVertex& listed, const Vec3& centre) {
+NearestPoint BlockContacts::nearest_of_all(ListedVertex& listed,
+                                           std::span<const LocalGround::Face> faces,
+                                           const Vec3& centre) {
   const double beyond = kDistinctMargins * margin_;
   const LocalGround::Nearest found =
-      nearest_of(near_faces_, ground_.features, centre, 1e300, beyond, listed.near_face);
+      nearest_of(faces, ground_.features, centre, 1e300, beyond, listed.near_face);
   // Faces that are not listed are at least this far by now.
   const double unlisted = tests_.reach() + margin_ + list_until_ - travel_;
   const double others = std::min(found.second, unlisted);

@@ -25,11 +25,11 @@ class BlockContacts {
   /// @param size    smallest side of the smaller one, m: lists look ahead a share of it
   BlockContacts(const BlockSurface& ground, const BlockSurface& block, double size);
 
-  /// The contacts, in a fixed order.
+  /// The contacts, in a fixed order; the caller may change them.
   /// @param travel  a bound of how far any point of the block has moved against the ground, m:
   /// grows from call to call by no less than the shift of its centre and the chord of its turn
   /// times its bounding radius together
-  const std::vector<ContactPoint>& contacts(const Pose& ground_from_block, double travel);
+  std::vector<ContactPoint>& contacts(const Pose& ground_from_block, double travel);
 
   /// No contact can come before the travel has grown beyond this (valid after `contacts`, without
   /// any).
@@ -133,7 +133,8 @@ class BlockContacts {
   /// deeper than the other contacts are.
   void turn_forwards();
   void find_at_vertex(ListedVertex& listed, std::span<const std::uint32_t> faces);
-  NearestPoint nearest_of_all(ListedVertex& listed, const Vec3& centre);
+  NearestPoint nearest_of_all(ListedVertex& listed, std::span<const LocalGround::Face> faces,
+                              const Vec3& centre);
   void find_at_sides();
 
   const BlockSurface& ground_;
@@ -146,7 +147,6 @@ class BlockContacts {
 
   std::vector<ListedVertex> vertices_;
   std::vector<std::uint32_t> faces_;  ///< of the ground that may be nearest to a listed vertex
-  std::vector<LocalGround::Face> near_faces_;  ///< of the vertex measured last
   std::vector<ListedPair> pairs_;
   std::uint32_t near_face_ = 0;    ///< of the ground, nearest to the vertex listed last
   double low_ = 0.0, high_ = 0.0;  ///< lowest point of the block, highest of the ground along the

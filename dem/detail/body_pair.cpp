@@ -20,21 +20,18 @@ bool first_is_reference(const BlockSurface& first, const BlockSurface& second) {
   return first.bounding_radius >= second.bounding_radius;
 }
 
-BodyPair::Near::Near(Search of_pair, const BlockSurface& block, double size, const Rules& rules)
-    : search(std::move(of_pair)),
-      forces(rules.zones, rules.zone_of_face, block, size, rules.stiffness, rules.weights,
-             rules.law) {
-  forces.find_dents_in(rules.soil);
-}
+BodyPair::Near::Near(Search of_pair, const BlockSurface& block, double size,
+                     const ContactRules& rules)
+    : search(std::move(of_pair)), forces(rules, block, size) {}
 
 BodyPair::BodyPair(const IndexedSurface& terrain, const BlockSurface& block, double size,
-                   const Rules& rules)
+                   const ContactRules& rules)
     : reference_(terrain), block_(block), size_(size), rules_(rules) {
-  if (rules.soil) dents_.emplace(rules.zones);
+  if (rules.soil) dents_ = std::make_unique<SoilMemory>(rules.zones);
 }
 
 BodyPair::BodyPair(const BlockSurface& reference, const BlockSurface& block, double size,
-                   const Rules& rules)
+                   const ContactRules& rules)
     : BodyPair(static_cast<const IndexedSurface&>(reference), block, size, rules) {
   reference_block_ = &reference;
 }
@@ -73,7 +70,7 @@ const ContactLoad& BodyPair::update(const BodyMotion& reference, const BodyMotio
   load_ = {};
   if (!near_) {
     if (gap_of_bounds(pose.translation) > 0.0) return load_;
-    near_.emplace(new_search(), block_, size_, rules_);
+    near_ = std::make_unique<Near>(new_search(), block_, size_, rules_);
   } else {
     near_->travel = travel_to(pose);
     if (near_->forces.empty()) near_->forces.wait(duration);
@@ -84,8 +81,8 @@ const ContactLoad& BodyPair::update(const BodyMotion& reference, const BodyMotio
     near_.reset();
     return load_;
   }
-  find_points(reference.world_from_body, pose);
-  load_ = near_->forces.update(near_->points, block, reference, duration, ledger_);
+  load_ = near_->forces.update(find_points(reference.world_from_body, pose), block, reference,
+                               duration, ledger_);
   if (dents_) near_->forces.leave_dents_in(*dents_);
   if (near_->forces.empty()) {
     near_->asleep_until = std::visit(
@@ -115,9 +112,10 @@ void BodyPair::end_contacts(const BodyMotion& reference, const BodyMotion& block
   load_ = {};
 }
 
-void BodyPair::find_points(const Pose& world_from_reference, const Pose& reference_from_block) {
-  near_->points = std::visit(
-      [&]<class Kind>(Kind& search) -> const std::vector<ContactPoint>& {
+std::vector<ContactPoint>& BodyPair::find_points(const Pose& world_from_reference,
+                                                 const Pose& reference_from_block) {
+  std::vector<ContactPoint>& points = std::visit(
+      [&]<class Kind>(Kind& search) -> std::vector<ContactPoint>& {
         if constexpr (std::is_same_v<Kind, RodContacts>) {
           return search.contacts(reference_from_block);
         } else {
@@ -125,12 +123,13 @@ void BodyPair::find_points(const Pose& world_from_reference, const Pose& referen
         }
       },
       near_->search);
-  if (!reference_block_) return;  // the terrain is in world axes
+  if (!reference_block_) return points;  // the terrain is in world axes
   const Mat3 rotation = world_from_reference.rotation.toRotationMatrix();
-  for (ContactPoint& point : near_->points) {
+  for (ContactPoint& point : points) {
     point.normal = rotation * point.normal;
     point.foot = rotation * point.foot + world_from_reference.translation;
   }
+  return points;
 }
 
 }  // namespace clast::dem_detail

@@ -1,5 +1,6 @@
 #pragma once
 /// The contacts of two bodies, or of a body and the terrain, while they are near each other.
+#include <memory>
 #include <optional>
 #include <variant>
 
@@ -15,22 +16,13 @@ namespace clast::dem_detail {
 /// together, and keeps what the search needs only while they are near.
 class BodyPair {
  public:
-  /// What all pairs of a kind share. Everything referred to must outlive the pair.
-  struct Rules {
-    std::span<const GroundParameters> zones;
-    std::span<const std::uint16_t> zone_of_face;  ///< of the reference; empty: all are of zone 0
-    ContactStiffness stiffness;
-    ContactWeights weights = ContactWeights::kPatch;
-    ContactLaw law;
-    const SoilMemory* soil = nullptr;  ///< dents of earlier contacts; null: none is remembered
-  };
-
-  /// @param size  smallest side of the smaller body, m
+  /// @param size   smallest side of the smaller body, m
+  /// @param rules  they must outlive the pair
   BodyPair(const BlockSurface& reference, const BlockSurface& block, double size,
-           const Rules& rules);
+           const ContactRules& rules);
   /// A block on the terrain.
   BodyPair(const IndexedSurface& terrain, const BlockSurface& block, double size,
-           const Rules& rules);
+           const ContactRules& rules);
 
   /// Loads at the present places after a step of `duration`; every joule goes to `ledger()`.
   const ContactLoad& update(const BodyMotion& reference, const BodyMotion& block, double duration);
@@ -62,8 +54,8 @@ class BodyPair {
 
   const ContactLoad& load() const { return load_; }
   bool touching() const { return near_ && !near_->forces.empty(); }
-  bool near() const { return near_.has_value(); }
-  std::size_t contact_count() const { return touching() ? near_->points.size() : 0; }
+  bool near() const { return near_ != nullptr; }
+  std::size_t contact_count() const { return near_ ? near_->forces.count() : 0; }
   double stored_energy() const { return near_ ? near_->forces.stored_energy() : 0.0; }
   double max_overlap() const { return near_ ? near_->forces.max_overlap() : 0.0; }
   /// The contact with the largest overlap; none without contacts.
@@ -78,7 +70,7 @@ class BodyPair {
     bool is_near = near();
     bytes(is_near);
     if constexpr (Bytes::kReads) {
-      if (is_near) near_.emplace(new_search(), block_, size_, rules_);
+      if (is_near) near_ = std::make_unique<Near>(new_search(), block_, size_, rules_);
     }
     if (is_near) bytes(*near_);
     if (dents_) bytes(*dents_);
@@ -89,18 +81,17 @@ class BodyPair {
   using Search = std::variant<ContactSearch, BlockContacts, RodContacts>;
   /// What is known while the two are near.
   struct Near {
-    Near(Search of_pair, const BlockSurface& block, double size, const Rules& rules);
+    Near(Search of_pair, const BlockSurface& block, double size, const ContactRules& rules);
     Search search;
     ContactForces forces;
-    std::vector<ContactPoint> points;  ///< in world axes
-    Pose pose;                         ///< reference_from_block of the last step
-    double travel = 0.0;               ///< no point of the block moved farther since the start, m
-    double asleep_until = -1.0;        ///< travel before which nothing can touch
+    Pose pose;                   ///< reference_from_block of the last step
+    double travel = 0.0;         ///< no point of the block moved farther since the start, m
+    double asleep_until = -1.0;  ///< travel before which nothing can touch
 
     template <class Bytes>
     void serialize(Bytes& bytes) {
       std::visit([&](auto& kind) { bytes(kind); }, search);
-      bytes(forces, points, pose, travel, asleep_until);
+      bytes(forces, pose, travel, asleep_until);
     }
   };
 
@@ -110,15 +101,17 @@ class BodyPair {
   double gap_of_bounds(const Vec3& block_centre) const;
   /// `travel` of what is near when the block is at `pose`.
   double travel_to(const Pose& pose) const;
-  void find_points(const Pose& world_from_reference, const Pose& reference_from_block);
+  /// The contact points in world axes, until the next call.
+  std::vector<ContactPoint>& find_points(const Pose& world_from_reference,
+                                         const Pose& reference_from_block);
 
   const IndexedSurface& reference_;
   const BlockSurface* reference_block_ = nullptr;  ///< the same, unless it is the terrain
   const BlockSurface& block_;
   double size_;
-  const Rules& rules_;
-  std::optional<Near> near_;
-  std::optional<SoilMemory> dents_;  ///< of this touch, where soil remembers
+  const ContactRules& rules_;
+  std::unique_ptr<Near> near_;
+  std::unique_ptr<SoilMemory> dents_;  ///< of this touch, where soil remembers
   ContactLoad load_;
   EnergyLedger ledger_;
 };

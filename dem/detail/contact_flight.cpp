@@ -92,7 +92,7 @@ double ContactSearch::safe_travel() {
 
 double ContactSearch::part_time(std::uint32_t p, const FlightBounds& flight, double wanted) {
   const BlockPart& of_block = parts_.parts[p];
-  PartState& part = part_states_[p];
+  const std::unique_ptr<NearPart>& near = part_states_[p].near;
   const Vec3 velocity = flight.velocity + flight.spin.cross(tests_.rotation() * of_block.centre);
   const double turning = flight.spin.norm() * of_block.radius;
   // By the speed that points of the part have now, or the top speed: the shorter way.
@@ -106,16 +106,17 @@ double ContactSearch::part_time(std::uint32_t p, const FlightBounds& flight, dou
                     time_over(left, per_whole * flight.top_speed, per_whole * flight.gravity));
   };
   const double speed = velocity.norm(), whole = way_in(wanted, speed);
-  if (part.near) {
+  if (near) {
     read_way(p);
     renew_ground(p, whole);
   } else if (part_due_[p] < moved_ + whole) {
     update_part(p, moved_ + whole);
   }
-  if (!part.near) {
+  if (!near) {
     const double gap = part_due_[p] - moved_;
     return gap >= whole ? wanted : time_for(gap, 0.0, 1.0, speed);
   }
+  const NearPart& part = *near;
   const double across = std::min(std::abs(velocity.dot(part.axis)), speed);
   const double along = std::sqrt(speed * speed - across * across);
   const Way ahead{way_in(wanted, across), way_in(wanted, along), whole};

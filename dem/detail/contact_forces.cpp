@@ -12,6 +12,8 @@ namespace {
 /// A contact may continue another on other features when it is closer than this share of the
 /// block's smallest side.
 constexpr double kNearShare = 0.03;
+/// A list of contacts may have room for twice as many as it holds, or for this many.
+constexpr std::size_t kFewContacts = 4;
 
 bool is_event(const NormalResponse& response) {
   return response.impulse != 0.0 || response.moment != 0.0;
@@ -61,69 +63,55 @@ double ContactForces::Action::power_from(const PairMotion& motion) const {
          arm.cross(force).dot(motion.block.angular_velocity);
 }
 
-ContactForces::ContactForces(std::span<const GroundParameters> zones,
-                             std::span<const std::uint16_t> zone_of_face, const BlockSurface& block,
-                             double size, const ContactStiffness& stiffness, ContactWeights weights,
-                             const ContactLaw& law)
-    : zones_(zones),
-      zone_of_face_(zone_of_face),
+ContactForces::ContactForces(const ContactRules& rules, const BlockSurface& block, double size)
+    : rules_(rules),
       block_(block.features),
-      patches_(block, weights),
-      history_(kNearShare * size),
-      stiffness_(stiffness),
-      tangential_give_(1.0 / stiffness.tangential),
-      drag_(zones, block) {
-  for (const GroundParameters& zone : zones) {
-    slip_grows_ = slip_grows_ || zone.slip_growth > 0.0;
-    rolling_.push_back(zone.rolling_stiffness(stiffness.normal, stiffness.rolling));
-    rolling_give_.push_back(1.0 / rolling_.back());
-  }
-  std::visit(
-      [&]<class Law>(const Law&) {
-        ByZone<Law> by_zone;
-        for (const GroundParameters& zone : zones) {
-          by_zone.laws.push_back(Law::of(stiffness.normal, zone));
-        }
-        laws_ = std::move(by_zone);
-      },
-      law);
+      near_(kNearShare * size),
+      patches_(block, rules.weights),
+      drag_(rules.drag_strength, block) {}
+
+ContactForces::Scratch& ContactForces::scratch() {
+  thread_local Scratch scratch;
+  return scratch;
 }
 
 ContactLoad ContactForces::update(const std::vector<ContactPoint>& points, const BodyMotion& block,
                                   const BodyMotion& other, double duration, EnergyLedger& ledger) {
   if (points.empty() && contacts_.empty()) return {};
   const PairMotion motion(block, other, duration);
-  return std::visit(
-      [&](const auto& by_zone) { return apply(by_zone.laws, points, motion, ledger); }, laws_);
+  return rules_.with_laws(
+      [&](const auto& laws) { return apply(laws, points, motion, scratch(), ledger); });
 }
 
 template <class Law>
 ContactLoad ContactForces::apply(const std::vector<Law>& laws,
                                  const std::vector<ContactPoint>& points, const PairMotion& motion,
-                                 EnergyLedger& ledger) {
-  history_.match(points, contacts_);
-  distribute(points, motion);
-  history_.transfer_springs(now_, contacts_, patches_);
-  if constexpr (Law::kNeedsEffectiveMass) find_effective_masses(motion);
-  if constexpr (Law::kKeepsDent) spread_forces();
+                                 Scratch& scratch, EnergyLedger& ledger) {
+  std::vector<Contact>& now = scratch.now;
+  ContactHistory& history = scratch.history;
+  history.match(points, contacts_, near_);
+  distribute(points, motion, now);
+  history.transfer_springs(now, contacts_, patches_);
+  if constexpr (Law::kNeedsEffectiveMass) find_effective_masses(motion, scratch);
+  if constexpr (Law::kKeepsDent) spread_forces(scratch);
 
-  if (slip_grows_ && contacts_.empty()) forget_slip();
+  if (rules_.slip_grows && contacts_.empty() && !now.empty()) forget_slip(now.front().zone);
 
   ContactLoad load;
   ledger.reassigned += 0.5 * motion.duration * acted_.power_from(motion);
-  for (std::size_t i = 0; i < now_.size(); ++i) {
-    load_contact(i, laws[now_[i].zone], motion, load, ledger);
+  for (std::size_t i = 0; i < now.size(); ++i) {
+    load_contact(now[i], history.previous(i, contacts_), laws[now[i].zone], motion, load, ledger);
   }
   acted_ = Action(load, motion);
   load.torque_on_other = -acted_.torque_on_other;
   ledger.reassigned += 0.5 * motion.duration * acted_.power_at(motion);
   for (std::size_t j = 0; j < contacts_.size(); ++j) {
-    if (history_.continues(j)) continue;
+    if (history.continues(j)) continue;
     end_contact(contacts_[j], laws[contacts_[j].zone], motion, load, ledger);
   }
-  std::swap(contacts_, now_);
-  if (slip_grows_) add_slip();
-  if (drag_.any()) add_drag(motion, load, ledger);
+  keep(now);
+  if (rules_.slip_grows) add_slip();
+  if (rules_.drags) add_drag(motion, load, ledger);
   if (load.event && motion.other.inverse_mass == 0.0) {
     shift_overlaps(laws, *load.event, motion.block, ledger);
   }
@@ -131,60 +119,72 @@ ContactLoad ContactForces::apply(const std::vector<Law>& laws,
   return load;
 }
 
-void ContactForces::distribute(const std::vector<ContactPoint>& points, const PairMotion& motion) {
-  const std::span<const double> weights =
-      patches_.share(points, motion.block.world_from_body.rotation);
-  now_.clear();
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    now_.emplace_back(points[i], zone_of_face_.empty() ? 0 : zone_of_face_[points[i].ground_face],
-                      weights[i]);
+void ContactForces::keep(std::vector<Contact>& now) {
+  const std::size_t room = std::max(kFewContacts, 2 * now.size());
+  if (now.capacity() <= room || now.capacity() == contacts_.capacity()) {
+    contacts_.swap(now);
+  } else if (contacts_.capacity() <= room) {
+    contacts_ = now;
+  } else {
+    std::vector<Contact>(now).swap(contacts_);
   }
 }
 
-void ContactForces::find_effective_masses(const PairMotion& motion) {
+void ContactForces::distribute(const std::vector<ContactPoint>& points, const PairMotion& motion,
+                               std::vector<Contact>& now) {
+  const std::span<const double> weights =
+      patches_.share(points, motion.block.world_from_body.rotation);
+  now.clear();
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    now.emplace_back(points[i], rules_.zone_of(points[i].ground_face), weights[i]);
+  }
+}
+
+void ContactForces::find_effective_masses(const PairMotion& motion, Scratch& scratch) const {
+  auto& [now, history, patch_action] = scratch;
   // The unit force of a patch acts through all its points: how easily that moves both bodies.
   const BodyMotion &block = motion.block, &other = motion.other;
-  patch_action_.assign(now_.size(), {});
-  for (std::size_t i = 0; i < now_.size(); ++i) {
-    const Contact& contact = now_[i];
+  patch_action.assign(now.size(), {});
+  for (std::size_t i = 0; i < now.size(); ++i) {
+    const Contact& contact = now[i];
     const Vec3 force = contact.weight * contact.point.normal;
-    PatchAction& action = patch_action_[patches_.patch_of(i)];
+    PatchAction& action = patch_action[patches_.patch_of(i)];
     action.force += force;
     action.torque += (contact.place - block.world_from_body.translation).cross(force);
     action.torque_on_other += (contact.place - other.world_from_body.translation).cross(force);
   }
-  for (std::size_t i = 0; i < now_.size(); ++i) {
-    const PatchAction& action = patch_action_[patches_.patch_of(i)];
+  for (std::size_t i = 0; i < now.size(); ++i) {
+    const PatchAction& action = patch_action[patches_.patch_of(i)];
     const double mobility =
         (block.inverse_mass + other.inverse_mass) * action.force.squaredNorm() +
         action.torque.dot(block.inverse_inertia_times(action.torque)) +
         action.torque_on_other.dot(other.inverse_inertia_times(action.torque_on_other));
-    now_[i].effective_mass = mobility > 0.0 ? 1.0 / mobility : 0.0;
+    now[i].effective_mass = mobility > 0.0 ? 1.0 / mobility : 0.0;
   }
 }
 
-void ContactForces::spread_forces() {
-  for (std::size_t i = 0; i < now_.size(); ++i) {
-    if (history_.previous(i, contacts_)) continue;
+void ContactForces::spread_forces(Scratch& scratch) const {
+  auto& [now, history, patch_action] = scratch;
+  for (std::size_t i = 0; i < now.size(); ++i) {
+    if (history.previous(i, contacts_)) continue;
     double force = 0.0, weight = 0.0;
-    for (std::size_t j = 0; j < now_.size(); ++j) {
-      const Contact* previous = history_.previous(j, contacts_);
+    for (std::size_t j = 0; j < now.size(); ++j) {
+      const Contact* previous = history.previous(j, contacts_);
       if (!previous || patches_.patch_of(j) != patches_.patch_of(i)) continue;
       force += previous->weight * previous->normal;
       weight += previous->weight;
     }
-    if (weight > 0.0) now_[i].normal = force / weight;
+    if (weight > 0.0) now[i].normal = force / weight;
   }
 }
 
 template <class Law>
-void ContactForces::load_contact(std::size_t index, const Law& law, const PairMotion& motion,
-                                 ContactLoad& load, EnergyLedger& ledger) {
-  Contact& contact = now_[index];
-  const GroundParameters& ground = zones_[contact.zone];
+void ContactForces::load_contact(Contact& contact, const Contact* previous, const Law& law,
+                                 const PairMotion& motion, ContactLoad& load,
+                                 EnergyLedger& ledger) {
+  const GroundParameters& ground = rules_.zones[contact.zone];
   const Slip slip(contact, motion);
   const double w = contact.weight;
-  const Contact* previous = history_.previous(index, contacts_);
   Past past =
       previous ? past_of(contact, *previous, motion) : past_of_new(contact, slip, law, motion);
   if constexpr (Law::kKeepsDent) {
@@ -192,8 +192,8 @@ void ContactForces::load_contact(std::size_t index, const Law& law, const PairMo
     if (previous && previous->zone != contact.zone && previous->normal > 0.0) {
       past.normal = law.first(past.path.before, 0.0, 0.0, previous->normal);
     }
-    if (soil_ && !previous && past.continuous) {
-      past.normal.dent = soil_->dent(contact.place, contact.zone);
+    if (rules_.soil && !previous && past.continuous) {
+      past.normal.dent = rules_.soil->dent(contact.place, contact.zone);
     }
   }
 
@@ -201,23 +201,25 @@ void ContactForces::load_contact(std::size_t index, const Law& law, const PairMo
   contact.normal = response.force;
   contact.dent = response.dent;
   const SpringResponse sliding =
-      friction(contact, slip, stiffness_.tangential, motion.duration,
-               slip_grows_ ? ground.friction_after(slip_) : ground.friction);
-  const SpringResponse rolling =
-      rolling_resistance(contact, slip, rolling_[contact.zone], motion, ground.rolling_friction);
-  if (slip_grows_) {
-    const Vec3 trial = contact.tangential - stiffness_.tangential * motion.duration * slip.sliding;
-    slipped_ += w * tangential_give_ * std::max(0.0, trial.norm() - std::sqrt(sliding.squared));
+      friction(contact, slip, rules_.stiffness.tangential, motion.duration,
+               rules_.slip_grows ? ground.friction_after(slip_) : ground.friction);
+  const SpringResponse rolling = rolling_resistance(contact, slip, rules_.rolling[contact.zone],
+                                                    motion, ground.rolling_friction);
+  if (rules_.slip_grows) {
+    const Vec3 trial =
+        contact.tangential - rules_.stiffness.tangential * motion.duration * slip.sliding;
+    slipped_ +=
+        w * rules_.tangential_give * std::max(0.0, trial.norm() - std::sqrt(sliding.squared));
   }
   contact.tangential = sliding.load;
   contact.rolling = rolling.load;
 
   // Eq. 6: the loads of a point count by its weight.
   const double drop = law.drop(contact.point.overlap, contact.normal);
-  const double share = slip.closing > 0.0 ? 1.0 : law.returning_share(stiffness_.normal);
+  const double share = slip.closing > 0.0 ? 1.0 : law.returning_share(rules_.stiffness.normal);
   load.impact += 0.5 * w *
                  (share * slip.closing * slip.closing +
-                  drop * drop * motion.block.inverse_mass / stiffness_.normal);
+                  drop * drop * motion.block.inverse_mass / rules_.stiffness.normal);
   const Vec3 force = w * (contact.normal * contact.point.normal + contact.tangential);
   load.force += force;
   load.torque += slip.arm.cross(force) + w * contact.rolling;
@@ -230,10 +232,11 @@ void ContactForces::load_contact(std::size_t index, const Law& law, const PairMo
   const double by_normal =
       mean_weight * (response.work - stored_by_normal +
                      law.stored(std::max(0.0, past.path.before), past.normal.dent));
-  const double by_friction = mean_weight * tangential_give_ * sliding.loss;
-  const double by_rolling = mean_weight * rolling_give_[contact.zone] * rolling.loss;
-  contact.stored = w * (stored_by_normal + 0.5 * (sliding.squared * tangential_give_ +
-                                                  rolling.squared * rolling_give_[contact.zone]));
+  const double by_friction = mean_weight * rules_.tangential_give * sliding.loss;
+  const double by_rolling = mean_weight * rules_.rolling_give[contact.zone] * rolling.loss;
+  contact.stored =
+      w * (stored_by_normal + 0.5 * (sliding.squared * rules_.tangential_give +
+                                     rolling.squared * rules_.rolling_give[contact.zone]));
   ledger.normal += by_normal;
   ledger.friction += by_friction;
   ledger.rolling += by_rolling;
@@ -256,9 +259,9 @@ void ContactForces::end_contact(const Contact& contact, const Law& law, const Pa
     if (is_event(response)) add_event(load, response, contact, motion);
     const double by_normal = w * (response.work + law.stored(overlap, contact.dent));
     const double by_friction =
-        end_of_spring(w, tangential_give_, contact.tangential, velocity, duration);
+        end_of_spring(w, rules_.tangential_give, contact.tangential, velocity, duration);
     const double by_rolling =
-        end_of_spring(w, rolling_give_[contact.zone], contact.rolling, motion.spin, duration);
+        end_of_spring(w, rules_.rolling_give[contact.zone], contact.rolling, motion.spin, duration);
     ledger.normal += by_normal;
     ledger.friction += by_friction;
     ledger.rolling += by_rolling;
@@ -286,14 +289,14 @@ void ContactForces::shift_overlaps(const std::vector<Law>& laws, const EventLoad
 
 template <class Law>
 double ContactForces::stored_in(const Contact& contact, const Law& law) const {
-  return contact.weight * (law.stored(contact.point.overlap, contact.dent) +
-                           0.5 * (contact.tangential.squaredNorm() * tangential_give_ +
-                                  contact.rolling.squaredNorm() * rolling_give_[contact.zone]));
+  return contact.weight *
+         (law.stored(contact.point.overlap, contact.dent) +
+          0.5 * (contact.tangential.squaredNorm() * rules_.tangential_give +
+                 contact.rolling.squaredNorm() * rules_.rolling_give[contact.zone]));
 }
 
-void ContactForces::forget_slip() {
-  if (now_.empty()) return;
-  const double memory = zones_[now_.front().zone].slip_memory;
+void ContactForces::forget_slip(std::uint16_t zone) {
+  const double memory = rules_.zones[zone].slip_memory;
   slip_ = memory > 0.0 ? slip_ * std::exp(-apart_ / memory) : 0.0;
   apart_ = 0.0;
 }
@@ -373,19 +376,17 @@ double ContactForces::settled_depth() {
 }
 
 bool ContactForces::keeps_dents() const {
-  return std::visit([]<class Law>(const ByZone<Law>&) { return Law::kKeepsDent; }, laws_);
+  return rules_.with_laws([]<class Law>(const std::vector<Law>&) { return Law::kKeepsDent; });
 }
 
 double ContactForces::rest_stiffness() const {
-  return std::visit(
-      [&](const auto& by_zone) {
-        double smallest = stiffness_.normal;
-        for (const Contact& contact : contacts_) {
-          smallest = std::min(smallest, by_zone.laws[contact.zone].rest_stiffness());
-        }
-        return smallest;
-      },
-      laws_);
+  return rules_.with_laws([&](const auto& laws) {
+    double smallest = rules_.stiffness.normal;
+    for (const Contact& contact : contacts_) {
+      smallest = std::min(smallest, laws[contact.zone].rest_stiffness());
+    }
+    return smallest;
+  });
 }
 
 }  // namespace clast::dem_detail

@@ -4,13 +4,12 @@
 /// @cite garcia2022
 #include <optional>
 #include <span>
-#include <variant>
 #include <vector>
 
 #include "dem/detail/body_motion.hpp"
 #include "dem/detail/contact_history.hpp"
+#include "dem/detail/contact_rules.hpp"
 #include "dem/detail/scar_drag.hpp"
-#include "dem/detail/soil_memory.hpp"
 #include "dem/energy_ledger.hpp"
 
 namespace clast::dem_detail {
@@ -51,14 +50,9 @@ struct ContactLoad {
 /// the step before, weighted within their patches, loaded by the constitutive law.
 class ContactForces {
  public:
-  /// @param zones         parameters of each ground zone
-  /// @param zone_of_face  of the other surface; empty: all are of zone 0
-  /// @param block         must outlive the forces
-  /// @param size          smallest side of the block, m
-  ContactForces(std::span<const GroundParameters> zones,
-                std::span<const std::uint16_t> zone_of_face, const BlockSurface& block, double size,
-                const ContactStiffness& stiffness, ContactWeights weights,
-                const ContactLaw& law = {});
+  /// @param rules  they and the block must outlive the forces
+  /// @param size   smallest side of the block, m
+  ContactForces(const ContactRules& rules, const BlockSurface& block, double size);
 
   /// Loads at the present contacts after a step of `duration`. Books every joule of the step in
   /// `ledger`.
@@ -67,9 +61,6 @@ class ContactForces {
   ContactLoad update(const std::vector<ContactPoint>& points, const BodyMotion& block,
                      const BodyMotion& other, double duration, EnergyLedger& ledger);
 
-  /// From now on contacts that begin find the dents that the soil remembers.
-  /// @param soil  null: none; else it must outlive the forces
-  void find_dents_in(const SoilMemory* soil) { soil_ = soil; }
   /// Presses the dents of the present contacts into `soil`.
   void leave_dents_in(SoilMemory& soil) const;
 
@@ -77,6 +68,7 @@ class ContactForces {
   void wait(double duration) { apart_ += duration; }
 
   bool empty() const { return contacts_.empty(); }
+  std::size_t count() const { return contacts_.size(); }
   /// Of all contacts together, 1/kg: with springs of stiffness k at each, weighted, the block has
   /// no frequency above the root of k times this.
   /// @param of_vertices  of the block (`vertex_mobilities`)
@@ -136,34 +128,35 @@ class ContactForces {
     }
   };
 
-  template <class Law>
-  struct ByZone {
-    std::vector<Law> laws;
+  /// What only one update needs: of a thread, for all its pairs.
+  struct Scratch {
+    std::vector<Contact> now;
+    ContactHistory history;
+    std::vector<PatchAction> patch_action;
   };
-  template <class Choice>
-  struct LawsOf;
-  template <class... Laws>
-  struct LawsOf<std::variant<Laws...>> {
-    using Type = std::variant<ByZone<Laws>...>;
-  };
+  static Scratch& scratch();
 
   template <class Law>
   ContactLoad apply(const std::vector<Law>& laws, const std::vector<ContactPoint>& points,
-                    const PairMotion& motion, EnergyLedger& ledger);
+                    const PairMotion& motion, Scratch& scratch, EnergyLedger& ledger);
   /// Forgets the slip of earlier contacts as the ground that is touched now does.
-  void forget_slip();
+  void forget_slip(std::uint16_t zone);
   /// Adds how far the block slid in this step, mean over its contacts.
   void add_slip();
   void add_drag(const PairMotion& motion, ContactLoad& load, EnergyLedger& ledger);
+  /// Takes over what is in the scratch, with little more room than it needs: buffers that went from
+  /// pair to pair would grow to the longest list of all.
+  void keep(std::vector<Contact>& now);
   /// Lists the present contacts with their weights (Eqs. 6-8).
-  void distribute(const std::vector<ContactPoint>& points, const PairMotion& motion);
-  void find_effective_masses(const PairMotion& motion);
+  void distribute(const std::vector<ContactPoint>& points, const PairMotion& motion,
+                  std::vector<Contact>& now);
+  void find_effective_masses(const PairMotion& motion, Scratch& scratch) const;
   /// Gives contacts without a past the mean force of those that go on in their patch.
-  void spread_forces();
+  void spread_forces(Scratch& scratch) const;
   /// Loads a present contact (Eqs. 2, 4, 5) and adds what it does to both bodies.
   template <class Law>
-  void load_contact(std::size_t index, const Law& law, const PairMotion& motion, ContactLoad& load,
-                    EnergyLedger& ledger);
+  void load_contact(Contact& contact, const Contact* previous, const Law& law,
+                    const PairMotion& motion, ContactLoad& load, EnergyLedger& ledger);
   /// Ends a contact of the step before that no present one continues.
   template <class Law>
   void end_contact(const Contact& contact, const Law& law, const PairMotion& motion,
@@ -176,28 +169,17 @@ class ContactForces {
   template <class Law>
   double stored_in(const Contact& contact, const Law& law) const;
 
-  std::span<const GroundParameters> zones_;
-  std::span<const std::uint16_t> zone_of_face_;
-  LawsOf<ContactLaw>::Type laws_;
+  const ContactRules& rules_;
   const SurfaceFeatures& block_;
+  double near_;  ///< contacts closer than this may continue each other on other features, m
   ContactPatches patches_;
-  ContactHistory history_;
-  ContactStiffness stiffness_;
-  double tangential_give_;                      ///< 1/k_t
-  std::vector<double> rolling_, rolling_give_;  ///< k_r and 1/k_r by zone
   std::vector<Contact> contacts_;
   std::size_t deepest_ = 0;  ///< contact with the largest overlap, the first of such
   Action acted_;
   ScarDrag drag_;
-  const SoilMemory* soil_ = nullptr;
-  bool slip_grows_ = false;  ///< on any zone
-  double slip_ = 0.0;        ///< how far the block has slid lately, m
-  double slipped_ = 0.0;     ///< in this step, summed over the contacts with their weights, m
-  double apart_ = 0.0;       ///< since its last contact, s
-
-  // Scratch of one update, kept to spare the allocations.
-  std::vector<Contact> now_;
-  std::vector<PatchAction> patch_action_;
+  double slip_ = 0.0;     ///< how far the block has slid lately, m
+  double slipped_ = 0.0;  ///< in this step, summed over the contacts with their weights, m
+  double apart_ = 0.0;    ///< since its last contact, s
 };
 
 }  // namespace clast::dem_detail

@@ -22,7 +22,7 @@ Vec3 turned_into_plane(const Vec3& vector, const Vec3& before, const Vec3& norma
 }  // namespace
 
 void ContactHistory::match(const std::vector<ContactPoint>& points,
-                           const std::vector<Contact>& before) {
+                           const std::vector<Contact>& before, double near) {
   previous_of_.assign(points.size(), -1);
   continues_.assign(before.size(), 0);
   if (match_features(points, before) == points.size()) return;
@@ -34,7 +34,7 @@ void ContactHistory::match(const std::vector<ContactPoint>& points,
             (a.kind != ContactKind::kVertexGround && a.ground_feature == b.ground_feature));
   });
   match_related(points, before, [&](const ContactPoint& a, const ContactPoint& b) {
-    return (a.foot - b.foot).squaredNorm() < near_ * near_;
+    return (a.foot - b.foot).squaredNorm() < near * near;
   });
 }
 

@@ -29,13 +29,13 @@ struct Contact {
   }
 };
 
+/// It keeps nothing from one `match` to the next: one serves many pairs, one after the other.
 class ContactHistory {
  public:
-  /// @param near  contacts closer than this may continue each other on other features, m
-  explicit ContactHistory(double near) : near_(near) {}
-
   /// Finds the contact of the step before that each point continues: each continues at most one.
-  void match(const std::vector<ContactPoint>& points, const std::vector<Contact>& before);
+  /// @param near  contacts closer than this may continue each other on other features, m
+  void match(const std::vector<ContactPoint>& points, const std::vector<Contact>& before,
+             double near);
   /// Of the last match: the contact that a point continues, none where it is new ...
   const Contact* previous(std::size_t point, const std::vector<Contact>& before) const {
     return previous_of_[point] >= 0 ? &before[previous_of_[point]] : nullptr;
@@ -67,7 +67,6 @@ class ContactHistory {
     continues_[contact] = 1;
   }
 
-  double near_;
   std::vector<int> previous_of_;  ///< contact of the step before, -1 for none
   std::vector<char> continues_;   ///< contacts of the step before
   // Kept to spare the allocations.

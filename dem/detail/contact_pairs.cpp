@@ -43,7 +43,7 @@ ContactPair ContactPairs::contact_pair(std::uint32_t first, std::uint32_t second
   const Shape& b = *bodies[second].shape;
   const double size = std::min(a.body.size(), b.body.size());
   const bool with_form = bodies[first].holds || bodies[second].holds;
-  const BodyPair::Rules& rules = with_form ? on_forms_ : between_bodies_;
+  const ContactRules& rules = with_form ? on_forms_ : between_bodies_;
   if (first_is_reference(a.surface, b.surface)) {
     return {first, second, std::make_unique<BodyPair>(a.surface, b.surface, size, rules)};
   }

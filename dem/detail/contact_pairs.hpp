@@ -50,8 +50,8 @@ class ContactPairs {
   /// @param between_bodies  rules of two bodies; what they refer to must outlive the pairs
   /// @param on_forms        rules of a form and a body that it holds, likewise
   /// @param on_terrain      rules of a body on the terrain, likewise
-  ContactPairs(const TerrainSurface* terrain, const BodyPair::Rules& between_bodies,
-               const BodyPair::Rules& on_forms, const BodyPair::Rules& on_terrain)
+  ContactPairs(const TerrainSurface* terrain, const ContactRules& between_bodies,
+               const ContactRules& on_forms, const ContactRules& on_terrain)
       : terrain_(terrain),
         between_bodies_(between_bodies),
         on_forms_(on_forms),
@@ -148,7 +148,7 @@ class ContactPairs {
   void list_pairs_of_bodies(std::size_t bodies);
 
   const TerrainSurface* terrain_;
-  BodyPair::Rules between_bodies_, on_forms_, on_terrain_;
+  ContactRules between_bodies_, on_forms_, on_terrain_;
   BodyMotion still_ground_;
   BroadPhase broad_phase_;
   double slack_ = 0.0;  ///< of the broad phase, m

@@ -4,6 +4,8 @@
 #include <numeric>
 #include <utility>
 
+#include "dem/detail/trimmed.hpp"
+
 namespace clast::dem_detail {
 namespace {
 
@@ -29,12 +31,21 @@ bool on_one_face(const ContactPoint& a, const ContactPoint& b) {
          b.kind == ContactKind::kVertexGround && a.normal == b.normal;
 }
 
-/// Scratch of the thread, one number for each joint; all are kNoFeature again after each use.
-std::vector<std::uint32_t>& last_on_joint(const SurfaceFeatures& block) {
-  thread_local std::vector<std::uint32_t> last;
-  const std::size_t joints = block.faces.size() + block.edges.size();
-  if (last.size() < joints) last.resize(joints, kNoFeature);
-  return last;
+/// What only one call needs: of a thread, for all its pairs.
+struct Scratch {
+  std::vector<double> share, patch_overlap;
+  std::vector<Vec3> normals_in_body;
+  std::vector<std::uint32_t> last_on_joint;  ///< kNoFeature for each joint, between two uses
+
+  std::vector<std::uint32_t>& last_on_joints_of(const SurfaceFeatures& block) {
+    const std::size_t joints = block.faces.size() + block.edges.size();
+    if (last_on_joint.size() < joints) last_on_joint.resize(joints, kNoFeature);
+    return last_on_joint;
+  }
+};
+Scratch& scratch() {
+  thread_local Scratch scratch;
+  return scratch;
 }
 
 }  // namespace
@@ -42,24 +53,25 @@ std::vector<std::uint32_t>& last_on_joint(const SurfaceFeatures& block) {
 std::span<const double> ContactPatches::share(const std::vector<ContactPoint>& points,
                                               const Quat& orientation) {
   const std::size_t count = points.size();
+  std::vector<double>&share = scratch().share, &patch_overlap = scratch().patch_overlap;
   if (count < 2) {  // by whatever rule
     patch_.assign(count, 0);
-    share_.assign(count, 1.0);
+    share.assign(count, 1.0);
     features_.clear();
-    return share_;
+    return share;
   }
-  share_.assign(count, weights_ == ContactWeights::kCount ? 1.0 / static_cast<double>(count) : 1.0);
+  share.assign(count, weights_ == ContactWeights::kCount ? 1.0 / static_cast<double>(count) : 1.0);
   if (weights_ == ContactWeights::kPatch) {
     join(points, orientation);
   } else {
     patch_.assign(count, 0);
     if (weights_ == ContactWeights::kNone) std::iota(patch_.begin(), patch_.end(), 0u);
-    if (weights_ != ContactWeights::kOverlap) return share_;
+    if (weights_ != ContactWeights::kOverlap) return share;
   }
-  patch_overlap_.assign(count, 0.0);
-  for (std::size_t i = 0; i < count; ++i) patch_overlap_[patch_[i]] += points[i].overlap;
-  for (std::size_t i = 0; i < count; ++i) share_[i] = points[i].overlap / patch_overlap_[patch_[i]];
-  return share_;
+  patch_overlap.assign(count, 0.0);
+  for (std::size_t i = 0; i < count; ++i) patch_overlap[patch_[i]] += points[i].overlap;
+  for (std::size_t i = 0; i < count; ++i) share[i] = points[i].overlap / patch_overlap[patch_[i]];
+  return share;
 }
 
 std::span<const std::uint32_t> ContactPatches::joints_of(
@@ -91,7 +103,7 @@ void ContactPatches::list_links(const std::vector<ContactPoint>& points) {
   links_.clear();
   on_joint_.clear();
   patch_.resize(points.size());
-  std::vector<std::uint32_t>& last = last_on_joint(block_);
+  std::vector<std::uint32_t>& last = scratch().last_on_joints_of(block_);
   std::iota(patch_.begin(), patch_.end(), 0u);
   std::array<std::uint32_t, 3> buffer;
   for (std::uint32_t i = 0; i < points.size(); ++i) {
@@ -114,14 +126,15 @@ void ContactPatches::list_links(const std::vector<ContactPoint>& points) {
 void ContactPatches::join(const std::vector<ContactPoint>& points, const Quat& orientation) {
   const bool same_links = same_features(points);
   if (!same_links) list_links(points);
+  std::vector<Vec3>& normals_in_body = scratch().normals_in_body;
   const Mat3 body_from_world = orientation.toRotationMatrix().transpose();
-  normals_in_body_.clear();
+  normals_in_body.clear();
   for (std::size_t i = 0; i < points.size(); ++i) {
     const bool same = i > 0 && points[i].normal == points[i - 1].normal;
-    normals_in_body_.push_back(same ? normals_in_body_.back()
-                                    : Vec3(body_from_world * points[i].normal));
+    normals_in_body.push_back(same ? normals_in_body.back()
+                                   : Vec3(body_from_world * points[i].normal));
   }
-  const auto may_join = [&](const Link& link) { return joins(link, points); };
+  const auto may_join = [&](const Link& link) { return joins(link, points, normals_in_body); };
   if (same_links && all_joined_ && std::all_of(links_.begin(), links_.end(), may_join)) return;
   std::iota(patch_.begin(), patch_.end(), 0u);
   all_joined_ = true;
@@ -132,12 +145,12 @@ void ContactPatches::join(const std::vector<ContactPoint>& points, const Quat& o
       all_joined_ = false;
     }
   }
-  if (!all_joined_) join_any(points);
+  if (!all_joined_) join_any(points, normals_in_body);
   for (std::uint32_t& patch : patch_) patch = patch_[patch];
 }
 
 void ContactPatches::list_joints(const std::vector<ContactPoint>& points) {
-  std::vector<std::uint32_t>& last = last_on_joint(block_);
+  std::vector<std::uint32_t>& last = scratch().last_on_joints_of(block_);
   std::array<std::uint32_t, 3> buffer;
   for (std::uint32_t i = 0; i < points.size(); ++i) {
     for (const std::uint32_t joint : joints_of(points[i], buffer)) {
@@ -146,26 +159,29 @@ void ContactPatches::list_joints(const std::vector<ContactPoint>& points) {
     }
   }
   for (const OnJoint& on : on_joint_) last[on.joint] = kNoFeature;
+  trim(on_joint_);
 }
 
-void ContactPatches::join_any(const std::vector<ContactPoint>& points) {
+void ContactPatches::join_any(const std::vector<ContactPoint>& points,
+                              std::span<const Vec3> normals_in_body) {
   if (on_joint_.empty()) list_joints(points);
   for (const OnJoint& on : on_joint_) {
     for (std::uint32_t j = on.before; j != kNoFeature; j = on_joint_[j].before) {
       const std::uint32_t earlier = on_joint_[j].point;
       if (patch_so_far(on.point) != patch_so_far(earlier) &&
-          joins({on.point, earlier, on.joint}, points)) {
+          joins({on.point, earlier, on.joint}, points, normals_in_body)) {
         unite(on.point, earlier);
       }
     }
   }
 }
 
-bool ContactPatches::joins(const Link& link, const std::vector<ContactPoint>& points) const {
+bool ContactPatches::joins(const Link& link, const std::vector<ContactPoint>& points,
+                           std::span<const Vec3> normals_in_body) const {
   const ContactPoint &point = points[link.point], &earlier = points[link.earlier];
-  if (is_wall(link.joint, link.point)) return false;
+  if (is_wall(link.joint, normals_in_body[link.point])) return false;
   return on_one_face(point, earlier) ||
-         (!is_wall(link.joint, link.earlier) && smooth_between(point, earlier));
+         (!is_wall(link.joint, normals_in_body[link.earlier]) && smooth_between(point, earlier));
 }
 
 void ContactPatches::unite(std::uint32_t point, std::uint32_t other) {
@@ -173,9 +189,9 @@ void ContactPatches::unite(std::uint32_t point, std::uint32_t other) {
   patch_[std::max(a, b)] = std::min(a, b);
 }
 
-bool ContactPatches::is_wall(std::uint32_t joint, std::uint32_t point) const {
+bool ContactPatches::is_wall(std::uint32_t joint, const Vec3& normal_in_body) const {
   return joint < block_.faces.size() &&
-         block_.faces[joint].normal.dot(normals_in_body_[point]) > -kFacingCosine;
+         block_.faces[joint].normal.dot(normal_in_body) > -kFacingCosine;
 }
 
 std::uint32_t ContactPatches::patch_so_far(std::uint32_t point) {

@@ -19,13 +19,13 @@ class ContactPatches {
   ContactPatches(const BlockSurface& block, ContactWeights weights)
       : block_(block.features), joints_(block.joints), weights_(weights) {}
 
-  /// Weight of every point, valid until the next call. Points of one patch have the same number in
-  /// `patch_of`.
+  /// Weight of every point, valid until the next call in this thread. Points of one patch have the
+  /// same number in `patch_of`.
   std::span<const double> share(const std::vector<ContactPoint>& points, const Quat& orientation);
   std::size_t patch_of(std::size_t point) const { return patch_[point]; }
   template <class Bytes>
   void serialize(Bytes& bytes) {
-    bytes(share_, patch_, normals_in_body_, features_, links_, all_joined_, on_joint_);
+    bytes(patch_, features_, links_, all_joined_, on_joint_);
   }
 
  private:
@@ -54,12 +54,14 @@ class ContactPatches {
   /// Finds the patches: points of one joint with smooth ground between them, and what those join.
   void join(const std::vector<ContactPoint>& points, const Quat& orientation);
   /// Whether the ground joins two points that the block may.
-  bool joins(const Link& link, const std::vector<ContactPoint>& points) const;
+  /// @param normals_in_body  of the points, out of the ground
+  bool joins(const Link& link, const std::vector<ContactPoint>& points,
+             std::span<const Vec3> normals_in_body) const;
   void unite(std::uint32_t point, std::uint32_t other);
   /// Tries every two points of a joint that are of different patches so far.
-  void join_any(const std::vector<ContactPoint>& points);
+  void join_any(const std::vector<ContactPoint>& points, std::span<const Vec3> normals_in_body);
   /// A side wall joins no points on the ground: two feet stay two.
-  bool is_wall(std::uint32_t joint, std::uint32_t point) const;
+  bool is_wall(std::uint32_t joint, const Vec3& normal_in_body) const;
   std::uint32_t patch_so_far(std::uint32_t point);
   /// Planes and straight edges of the block that a contact point lies on.
   std::span<const std::uint32_t> joints_of(const ContactPoint& point,
@@ -70,10 +72,7 @@ class ContactPatches {
   ContactWeights weights_;
 
   // Of the last call. The joints depend only on the features, which mostly stay from call to call.
-  std::vector<double> share_;
   std::vector<std::uint32_t> patch_;  ///< smallest point of the same patch
-  std::vector<double> patch_overlap_;
-  std::vector<Vec3> normals_in_body_;
   std::vector<std::pair<ContactKind, std::uint32_t>> features_;  ///< of the block, by point
   /// As few as join all that the joints can: mostly every one of them does, and no other pair of
   /// points needs a look.

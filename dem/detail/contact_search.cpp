@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "dem/detail/deep_contacts.hpp"
+#include "dem/detail/trimmed.hpp"
 
 namespace clast::dem_detail {
 namespace {
@@ -36,8 +37,6 @@ ContactSearch::ContactSearch(const IndexedSurface& ground, const BlockSurface& b
       tests_(ground, block, size),
       part_states_(parts_.parts.size()),
       part_due_(parts_.parts.size(), -1.0),
-      vertex_states_(parts_.vertices.size()),
-      vertex_asleep_(parts_.vertices.size()),
       due_parts_(parts_.parts.size()),
       visits_(parts_.parts.size()) {
   for (const Vec3& vertex : block_.vertices) {
@@ -48,8 +47,7 @@ ContactSearch::ContactSearch(const IndexedSurface& ground, const BlockSurface& b
   }
 }
 
-const std::vector<ContactPoint>& ContactSearch::contacts(const Pose& ground_from_body,
-                                                         double travel) {
+std::vector<ContactPoint>& ContactSearch::contacts(const Pose& ground_from_body, double travel) {
   move_to(ground_from_body);
   travel_ = travel;
   contacts_.clear();
@@ -102,15 +100,15 @@ void ContactSearch::list_visits() {
     } else {
       update_part(p, moved_);
     }
-    visits_.add_if(part_states_[p].near, p);
+    visits_.add_if(part_states_[p].near != nullptr, p);
   }
 }
 
 void ContactSearch::visit_all_sides() {
   visits_.clear();
   for (std::uint32_t p = 0; p < part_states_.size(); ++p) {
-    PartState& part = part_states_[p];
-    if (!part.near) continue;
+    if (!part_states_[p].near) continue;
+    NearPart& part = *part_states_[p].near;
     read_way(p);
     for (GroundFeature& feature : part.features) feature.asleep = {};
     part.pairs.clear();
@@ -164,12 +162,10 @@ void ContactSearch::update_part(std::uint32_t p, double until) {
   // A part that slept is outside the ground. At the start that is not known, nor how deep it is.
   const bool slept = !(part_due_[p] < 0.0);
   const double deepest = slept ? 0.0 : part.radius - gap - touching;
-  for (std::uint32_t v = part.first_vertex; v < part.end_vertex; ++v) {
-    vertex_states_[v].outside = slept;
-  }
-  state.way = {};
-  state.centre = centre;
-  state.turned = turned_;
+  state.near = std::make_unique<NearPart>(part);
+  for (VertexState& vertex : state.near->vertices) vertex.outside = slept;
+  state.near->centre = centre;
+  state.near->turned = turned_;
   gather(p, deepest);
 }
 
@@ -197,7 +193,7 @@ double ContactSearch::measured_gap(std::uint32_t p) {
 }
 
 void ContactSearch::read_way(std::uint32_t p) {
-  PartState& part = part_states_[p];
+  NearPart& part = *part_states_[p].near;
   const Vec3 centre = placed(parts_.parts[p].centre);
   const Vec3 shift = centre - part.centre;
   const double turn = parts_.parts[p].radius * (turned_ - part.turned);
@@ -210,13 +206,14 @@ void ContactSearch::read_way(std::uint32_t p) {
 }
 
 void ContactSearch::renew_ground(std::uint32_t p, double ahead) {
-  PartState& part = part_states_[p];
-  if (part.way.whole + ahead < list_end(part)) return;
+  if (const NearPart& part = *part_states_[p].near; part.way.whole + ahead < list_end(part)) {
+    return;
+  }
   const double touching = parts_.parts[p].radius + reach_;
   gather_ground(touching + 2.0 * kPartMargins * margin_);
   const double gap = measured_gap(p);
   if (gap > kFarMargins * margin_) {
-    part.near = false;
+    part_states_[p].near.reset();
     part_due_[p] = moved_ + gap;
     return;
   }
@@ -225,13 +222,13 @@ void ContactSearch::renew_ground(std::uint32_t p, double ahead) {
 
 void ContactSearch::gather(std::uint32_t p, double deepest) {
   const BlockPart& part = parts_.parts[p];
-  PartState& state = part_states_[p];
-  const bool was_near = std::exchange(state.near, true);
+  NearPart& state = *part_states_[p].near;
+  const bool is_new = !(state.complete > 0.0);
   state.complete = std::max(reach_, deepest) + 2.0 * kPartMargins * margin_;
   state.gathered_at = state.way.whole;
   gather_ground(state.complete);
   state.ground.gather(ground_.features, local_, state.centre, part.radius + state.complete);
-  if (!was_near || state.axis.dot(state.ground.plane.normal) < kSameAxis) turn_axis(p);
+  if (is_new || state.axis.dot(state.ground.plane.normal) < kSameAxis) turn_axis(p);
   state.tilts.clear();
   for (const LocalGround::Face& face : state.ground.faces) {
     const double across = std::min(std::abs(face.normal.dot(state.axis)), 1.0);
@@ -242,9 +239,9 @@ void ContactSearch::gather(std::uint32_t p, double deepest) {
     const double along = std::sqrt(1.0 - across * across);
     state.tilts.push_back({across, along, 2.0 / (across + along), at_border});
   }
-  for (std::uint32_t v = part.first_vertex; v < part.end_vertex; ++v) {
-    vertex_states_[v].near_face = 0;
-    vertex_states_[v].closest_plane = kNoFeature;
+  for (VertexState& vertex : state.vertices) {
+    vertex.near_face = 0;
+    vertex.closest_plane = kNoFeature;
   }
   state.pairs.clear();
   state.features.clear();
@@ -255,21 +252,19 @@ void ContactSearch::gather(std::uint32_t p, double deepest) {
   for (std::uint32_t i = 0; i < state.ground.corners.size(); ++i) {
     state.features.push_back({.is_corner = true, .entry = i, .asleep = {}});
   }
+  trim(state.tilts, state.features, state.pairs);
 }
 
 void ContactSearch::turn_axis(std::uint32_t p) {
-  const BlockPart& part = parts_.parts[p];
-  PartState& state = part_states_[p];
-  state.axis = state.ground.plane.normal;
-  for (std::uint32_t v = part.first_vertex; v < part.end_vertex; ++v) {
-    vertex_states_[v].sure_face = kNoFeature;
-    vertex_asleep_[v] = {};
-  }
-  state.other_vertices = {};
+  NearPart& part = *part_states_[p].near;
+  part.axis = part.ground.plane.normal;
+  for (VertexState& vertex : part.vertices) vertex.sure_face = kNoFeature;
+  for (Asleep& asleep : part.vertex_asleep) asleep = {};
+  part.other_vertices = {};
 }
 
 double ContactSearch::next_visit(std::uint32_t p) const {
-  const PartState& part = part_states_[p];
+  const NearPart& part = *part_states_[p].near;
   if (!part.due_vertices.empty()) return moved_;
   double least = list_end(part) - part.way.whole;
   for (const Asleep& asleep : {part.other_vertices, part.all_features, part.all_pairs}) {
@@ -282,7 +277,7 @@ double ContactSearch::next_visit(std::uint32_t p) const {
   return moved_ + least;
 }
 
-Asleep ContactSearch::asleep(const PartState& part, const Vec3& away, double apart,
+Asleep ContactSearch::asleep(const NearPart& part, const Vec3& away, double apart,
                              double others) const {
   if (!(apart > 0.0 && others > 0.0)) return {};
   const double across = std::min(std::abs(away.dot(part.axis)), 1.0);

@@ -10,6 +10,7 @@
 /// it sleeps long although it moves far (docs/theory.md, Contact search).
 #include <algorithm>
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 #include "dem/detail/feature_contacts.hpp"
@@ -34,10 +35,11 @@ class ContactSearch {
   /// @param size   smallest side of the block, m: lists look ahead a share of it
   ContactSearch(const IndexedSurface& ground, const BlockSurface& block, double size);
 
-  /// Brings everything that is due up to date and lists the contacts, in a fixed order.
+  /// Brings everything that is due up to date and lists the contacts, in a fixed order; the
+  /// caller may change them.
   /// @param travel  a bound of how far any point of the block has moved since the start, never
   /// smaller than in the call before
-  const std::vector<ContactPoint>& contacts(const Pose& ground_from_body, double travel);
+  std::vector<ContactPoint>& contacts(const Pose& ground_from_body, double travel);
 
   /// No contact can come before the travel has grown beyond this (valid after `contacts`). Where a
   /// search for it has found little it is not repeated at once, as in `safe_time`.
@@ -52,8 +54,16 @@ class ContactSearch {
   template <class Bytes>
   void serialize(Bytes& bytes) {
     bytes(tests_, started_, travel_, moved_, turned_, last_move_, local_, ground_complete_,
-          ground_gathered_at_, part_states_, part_due_, vertex_states_, vertex_asleep_, search_at_,
-          deepest_, allowed_, lowest_face_);
+          ground_gathered_at_, part_states_, part_due_, search_at_, deepest_, allowed_,
+          lowest_face_);
+    for (std::uint32_t p = 0; p < part_states_.size(); ++p) {
+      bool near = part_states_[p].near != nullptr;
+      bytes(near);
+      if constexpr (Bytes::kReads) {
+        if (near) part_states_[p].near = std::make_unique<NearPart>(parts_.parts[p]);
+      }
+      if (near) bytes(*part_states_[p].near);
+    }
   }
 
  private:
@@ -91,34 +101,6 @@ class ContactSearch {
       bytes(across, along, way_per_height, at_border);
     }
   };
-  struct PartState {
-    bool near = false;
-    // Far from the ground, what was measured last: the gap, where the centre was, and `turned_`.
-    double gap = 0.0;
-    Vec3 seen = Vec3::Zero();
-    double seen_turned = 0.0;
-    std::uint32_t near_face = 0;  ///< entry of `local_` that was nearest
-    // Near the ground.
-    LocalGround ground;
-    double complete = 0.0;     ///< from every point of the part so far the list was complete, m ...
-    double gathered_at = 0.0;  ///< ... at this `way.whole`
-    Vec3 axis = Vec3::UnitZ();
-    Way way;
-    Vec3 centre = Vec3::Zero();  ///< when the way was last read, and `turned_` then
-    double turned = 0.0;
-    std::vector<FaceTilt> tilts;  ///< of the faces of `ground`
-    std::vector<GroundFeature> features;
-    std::vector<FeaturePair> pairs;
-    std::vector<std::uint32_t> due_vertices;         ///< those that touch, mostly; in order
-    Asleep other_vertices, all_features, all_pairs;  ///< until the first of each may be due
-
-    template <class Bytes>
-    void serialize(Bytes& bytes) {
-      bytes(near, gap, seen, seen_turned, near_face, ground, complete, gathered_at, axis, way,
-            centre, turned, tilts, features, pairs, due_vertices, other_vertices, all_features,
-            all_pairs);
-    }
-  };
   struct VertexState {
     bool outside = false;  ///< known to have been out of reach of the ground
     // While outside: entry of the list whose plane it is closest to reach, and until when it is
@@ -137,6 +119,48 @@ class ContactSearch {
     void serialize(Bytes& bytes) {
       bytes(outside, closest_plane, others, near_face, sure_face, sure_foot_until,
             sure_inside_until, sure_outside_until);
+    }
+  };
+  /// A part near the ground.
+  struct NearPart {
+    explicit NearPart(const BlockPart& part)
+        : first_vertex(part.first_vertex),
+          vertices(part.end_vertex - part.first_vertex),
+          vertex_asleep(vertices.size()) {}
+
+    LocalGround ground;
+    double complete = 0.0;     ///< from every point of the part so far the list was complete, m ...
+    double gathered_at = 0.0;  ///< ... at this `way.whole`
+    Vec3 axis = Vec3::UnitZ();
+    Way way;
+    Vec3 centre = Vec3::Zero();  ///< when the way was last read, and `turned_` then
+    double turned = 0.0;
+    std::vector<FaceTilt> tilts;  ///< of the faces of `ground`
+    std::vector<GroundFeature> features;
+    std::vector<FeaturePair> pairs;
+    std::uint32_t first_vertex;         ///< of BlockParts::vertices, which those of the part follow
+    std::vector<VertexState> vertices;  ///< by number of the vertex in the part, likewise ...
+    std::vector<Asleep> vertex_asleep;
+    std::vector<std::uint32_t> due_vertices;         ///< those that touch, mostly; in order
+    Asleep other_vertices, all_features, all_pairs;  ///< until the first of each may be due
+
+    template <class Bytes>
+    void serialize(Bytes& bytes) {
+      bytes(ground, complete, gathered_at, axis, way, centre, turned, tilts, features, pairs,
+            vertices, vertex_asleep, due_vertices, other_vertices, all_features, all_pairs);
+    }
+  };
+  struct PartState {
+    std::unique_ptr<NearPart> near;  ///< none: it is far from the ground
+    // What was measured last while it was far: the gap, where the centre was, and `turned_`.
+    double gap = 0.0;
+    Vec3 seen = Vec3::Zero();
+    double seen_turned = 0.0;
+    std::uint32_t near_face = 0;  ///< entry of `local_` that was nearest
+
+    template <class Bytes>
+    void serialize(Bytes& bytes) {
+      bytes(gap, seen, seen_turned, near_face);
     }
   };
   /// A contact of a side, with what it is sorted by.
@@ -169,7 +193,7 @@ class ContactSearch {
   /// When the part must be looked at again, as `moved_`.
   double next_visit(std::uint32_t p) const;
   /// The list of the ground must be renewed at this `way.whole`.
-  double list_end(const PartState& part) const { return part.gathered_at + list_holds_; }
+  double list_end(const NearPart& part) const { return part.gathered_at + list_holds_; }
   /// How long a part touches nothing, by how far its points move; no more than `wanted` is
   /// measured.
   double part_time(std::uint32_t p, const FlightBounds& flight, double wanted);
@@ -192,29 +216,31 @@ class ContactSearch {
   /// For how long it does not touch a face, s; 0 where it may do so now.
   double time_beside(const LocalGround::Face& face, const FlyingPart& part,
                      const FlightBounds& flight, double horizon) const;
-  double completeness(const PartState& part) const {
+  double completeness(const NearPart& part) const {
     return part.complete - (part.way.whole - part.gathered_at);
   }
   /// Asleep while something `apart` away along the unit vector `away` stays out of reach, and
   /// nothing else comes closer than `others`, wherever it is; due at once when either is not above
   /// 0.
-  Asleep asleep(const PartState& part, const Vec3& away, double apart, double others) const;
+  Asleep asleep(const NearPart& part, const Vec3& away, double apart, double others) const;
+
+  // Vertices by their number in the part.
 
   /// Every vertex of the part that is due.
   /// @param ahead  way for which it must be known whether they can touch
   void update_vertices(std::uint32_t p, const Way& ahead);
-  void update_vertex(std::uint32_t p, std::uint32_t vertex, const Way& ahead);
+  void update_vertex(NearPart& part, std::uint32_t vertex, const Way& ahead);
   /// Until a vertex that is outside the ground may touch any of it; due when it may touch now.
-  Asleep clear_of_ground(const PartState& part, std::uint32_t vertex, const Vec3& centre);
+  Asleep clear_of_ground(NearPart& part, std::uint32_t vertex, const Vec3& centre);
   /// The same from its closest plane, where all else is known to be clear.
-  Asleep clear_of_plane(const PartState& part, std::uint32_t vertex, const Vec3& centre) const;
-  bool update_sure_face(const PartState& part, std::uint32_t vertex, const Vec3& centre);
-  void measure_vertex(const PartState& part, std::uint32_t vertex, const Vec3& centre);
+  Asleep clear_of_plane(const NearPart& part, std::uint32_t vertex, const Vec3& centre) const;
+  bool update_sure_face(NearPart& part, std::uint32_t vertex, const Vec3& centre);
+  void measure_vertex(NearPart& part, std::uint32_t vertex, const Vec3& centre);
   /// Everything of the part's sides that is due.
   void update_sides(std::uint32_t p, const Way& ahead);
   /// Lists the sides of the part near a feature of the ground.
   void update_feature(std::uint32_t p, GroundFeature& feature);
-  void update_pair(const PartState& part, FeaturePair& pair);
+  void update_pair(const NearPart& part, FeaturePair& pair);
   /// Sides closer than this to a feature of the ground may touch it, m.
   double touching_distance() const { return std::max(reach_, allowed_.depth()); }
   void add_side_contacts();
@@ -242,9 +268,7 @@ class ContactSearch {
   double ground_complete_ = -1.0;
   double ground_gathered_at_ = 0.0;
   std::vector<PartState> part_states_;
-  std::vector<double> part_due_;            ///< `moved_` at which to look at the part again
-  std::vector<VertexState> vertex_states_;  ///< in the order of parts_.vertices, likewise ...
-  std::vector<Asleep> vertex_asleep_;
+  std::vector<double> part_due_;           ///< `moved_` at which to look at the part again
   NumberList due_parts_;                   ///< parts to look at in this call ...
   NumberList visits_;                      ///< ... and those of them that are near the ground
   double search_at_ = -1.0;                ///< no longer flight is searched for before

@@ -21,7 +21,7 @@ Vec3 nearest_on(const LocalGround::Edge& edge, const Vec3& point) {
 }  // namespace
 
 void ContactSearch::update_sides(std::uint32_t p, const Way& ahead) {
-  PartState& part = part_states_[p];
+  NearPart& part = *part_states_[p].near;
   const Way then = part.way + ahead;
   if (part.all_features.due(then)) {
     for (GroundFeature& feature : part.features) {
@@ -48,7 +48,7 @@ void ContactSearch::update_sides(std::uint32_t p, const Way& ahead) {
 }
 
 void ContactSearch::update_feature(std::uint32_t p, GroundFeature& feature) {
-  PartState& part = part_states_[p];
+  NearPart& part = *part_states_[p].near;
   const BlockPart& of_block = parts_.parts[p];
   const LocalGround& ground = part.ground;
   const std::uint32_t number =
@@ -86,7 +86,7 @@ void ContactSearch::update_feature(std::uint32_t p, GroundFeature& feature) {
   feature.asleep = asleep(part, part.axis, others, others);
 }
 
-void ContactSearch::update_pair(const PartState& part, FeaturePair& pair) {
+void ContactSearch::update_pair(const NearPart& part, FeaturePair& pair) {
   const std::uint32_t of_block = parts_.sides[pair.side].feature;
   std::optional<ContactPoint> contact;
   const Vec3 between = tests_.side(pair.kind, of_block, pair.ground_feature, contact).between;

@@ -1,6 +1,7 @@
 // Contacts of block vertices: when each must be measured, and how it touches.
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 #include "dem/detail/contact_search.hpp"
 
@@ -15,41 +16,41 @@ constexpr double kDistinctMargins = 4.0;
 }  // namespace
 
 void ContactSearch::update_vertices(std::uint32_t p, const Way& ahead) {
-  PartState& part = part_states_[p];
+  NearPart& part = *part_states_[p].near;
   const Way then = part.way + ahead;
   FirstDue first(part.way);
+  const std::span<const Asleep> asleep(part.vertex_asleep);
   if (!part.other_vertices.due(then)) {
     if (part.due_vertices.empty()) return;
     first.include(part.other_vertices);
     std::erase_if(part.due_vertices, [&](std::uint32_t v) {
-      update_vertex(p, v, ahead);
-      if (vertex_asleep_[v].due(part.way)) return false;
-      first.include(vertex_asleep_[v]);
+      update_vertex(part, v, ahead);
+      if (asleep[v].due(part.way)) return false;
+      first.include(asleep[v]);
       return true;
     });
   } else {
     part.due_vertices.clear();
-    for (std::uint32_t v = parts_.parts[p].first_vertex; v < parts_.parts[p].end_vertex; ++v) {
-      if (vertex_asleep_[v].due(then)) {
-        update_vertex(p, v, ahead);
-        if (vertex_asleep_[v].due(part.way)) {
+    for (std::uint32_t v = 0; v < asleep.size(); ++v) {
+      if (asleep[v].due(then)) {
+        update_vertex(part, v, ahead);
+        if (asleep[v].due(part.way)) {
           part.due_vertices.push_back(v);
           continue;
         }
       }
-      first.include(vertex_asleep_[v]);
+      first.include(asleep[v]);
     }
   }
   part.other_vertices = first.asleep();
 }
 
-void ContactSearch::update_vertex(std::uint32_t p, std::uint32_t v, const Way& ahead) {
-  const PartState& part = part_states_[p];
-  const Vec3 centre = placed(block_.vertices[parts_.vertices[v]]);
+void ContactSearch::update_vertex(NearPart& part, std::uint32_t v, const Way& ahead) {
+  const Vec3 centre = placed(block_.vertices[parts_.vertices[part.first_vertex + v]]);
   if (update_sure_face(part, v, centre)) return;
   const Asleep by_closest = clear_of_plane(part, v, centre);
   if (!by_closest.due(part.way + ahead)) {
-    vertex_asleep_[v] = by_closest;
+    part.vertex_asleep[v] = by_closest;
     return;
   }
   const GroundPlane& plane = part.ground.plane;
@@ -57,24 +58,24 @@ void ContactSearch::update_vertex(std::uint32_t p, std::uint32_t v, const Way& a
   if (above > kEnough * margin_) {
     const Asleep by_plane = asleep(part, plane.normal, above, completeness(part) - reach_);
     if (!by_plane.due(part.way + ahead)) {
-      vertex_states_[v].outside = true;
-      vertex_asleep_[v] = by_plane;
+      part.vertices[v].outside = true;
+      part.vertex_asleep[v] = by_plane;
       return;
     }
   }
-  if (vertex_states_[v].outside) {
+  if (part.vertices[v].outside) {
     const Asleep clear = clear_of_ground(part, v, centre);
     if (!clear.due(part.way)) {
-      vertex_asleep_[v] = clear;
+      part.vertex_asleep[v] = clear;
       return;
     }
   }
   measure_vertex(part, v, centre);
 }
 
-Asleep ContactSearch::clear_of_plane(const PartState& part, std::uint32_t v,
+Asleep ContactSearch::clear_of_plane(const NearPart& part, std::uint32_t v,
                                      const Vec3& centre) const {
-  const VertexState& state = vertex_states_[v];
+  const VertexState& state = part.vertices[v];
   if (state.closest_plane == kNoFeature) return {};
   const LocalGround::Face& face = part.ground.faces[state.closest_plane];
   const double height = face.normal.dot(centre) - face.offset - reach_;
@@ -86,8 +87,8 @@ Asleep ContactSearch::clear_of_plane(const PartState& part, std::uint32_t v,
   return first.asleep();
 }
 
-Asleep ContactSearch::clear_of_ground(const PartState& part, std::uint32_t v, const Vec3& centre) {
-  VertexState& state = vertex_states_[v];
+Asleep ContactSearch::clear_of_ground(NearPart& part, std::uint32_t v, const Vec3& centre) {
+  VertexState& state = part.vertices[v];
   state.closest_plane = kNoFeature;
   const double complete = completeness(part) - reach_;
   if (!(complete > 0.0)) return {};
@@ -130,8 +131,8 @@ Asleep ContactSearch::clear_of_ground(const PartState& part, std::uint32_t v, co
   return others.asleep(part.way);
 }
 
-void ContactSearch::measure_vertex(const PartState& part, std::uint32_t v, const Vec3& centre) {
-  VertexState& state = vertex_states_[v];
+void ContactSearch::measure_vertex(NearPart& part, std::uint32_t v, const Vec3& centre) {
+  VertexState& state = part.vertices[v];
   const double complete = completeness(part);
   const LocalGround::Nearest found = part.ground.nearest(
       ground_.features, centre, complete, kDistinctMargins * margin_, state.near_face);
@@ -141,14 +142,15 @@ void ContactSearch::measure_vertex(const PartState& part, std::uint32_t v, const
 
   state.sure_face = kNoFeature;
   state.outside = nearest.distance >= reach_ && depth < complete;
-  vertex_asleep_[v] = {};
+  part.vertex_asleep[v] = {};
   if (depth >= complete) {
     // Beyond the list nothing is known, not even the side.
-    vertex_asleep_[v] = asleep(part, part.axis, complete - reach_, complete - reach_);
+    part.vertex_asleep[v] = asleep(part, part.axis, complete - reach_, complete - reach_);
     return;
   }
   const bool backwards =
-      nearest.distance < 0.0 && tests_.is_backwards(parts_.vertices[v], centre, nearest);
+      nearest.distance < 0.0 &&
+      tests_.is_backwards(parts_.vertices[part.first_vertex + v], centre, nearest);
   if (nearest.within_face && !backwards) {
     state.sure_face = nearest.face;
     state.sure_foot_until = part.way.whole;
@@ -157,10 +159,10 @@ void ContactSearch::measure_vertex(const PartState& part, std::uint32_t v, const
   }
   if (nearest.distance >= reach_) {
     const Vec3 away = nearest.within_face ? nearest.normal : Vec3((centre - nearest.point) / depth);
-    vertex_asleep_[v] = asleep(part, away, nearest.distance - reach_, found.second - reach_);
+    part.vertex_asleep[v] = asleep(part, away, nearest.distance - reach_, found.second - reach_);
     return;
   }
-  const std::uint32_t vertex = parts_.vertices[v];
+  const std::uint32_t vertex = parts_.vertices[part.first_vertex + v];
   if (nearest.distance >= 0.0) {
     return tests_.add_outside(vertex, centre, part.ground.faces, contacts_);
   }
@@ -169,8 +171,8 @@ void ContactSearch::measure_vertex(const PartState& part, std::uint32_t v, const
       backwards ? tests_.nearest_forwards(vertex, centre, nearest, part.ground.faces) : nearest));
 }
 
-bool ContactSearch::update_sure_face(const PartState& part, std::uint32_t v, const Vec3& centre) {
-  VertexState& state = vertex_states_[v];
+bool ContactSearch::update_sure_face(NearPart& part, std::uint32_t v, const Vec3& centre) {
+  VertexState& state = part.vertices[v];
   if (state.sure_face == kNoFeature) return false;
   const double way = part.way.whole;
   const SurfaceFace& face = ground_.features.faces[state.sure_face];
@@ -180,7 +182,7 @@ bool ContactSearch::update_sure_face(const PartState& part, std::uint32_t v, con
     const double others = state.sure_outside_until - way;
     if (others < height - reach_) return false;
     state.outside = true;
-    vertex_asleep_[v] = asleep(part, face.normal, height - reach_, others);
+    part.vertex_asleep[v] = asleep(part, face.normal, height - reach_, others);
     return true;
   }
   if (way >= state.sure_foot_until) {
@@ -188,10 +190,11 @@ bool ContactSearch::update_sure_face(const PartState& part, std::uint32_t v, con
     if (inside < 0.0) return false;
     state.sure_foot_until = way + inside;
   }
-  if (height < 0.0 && tests_.pushes_backwards(parts_.vertices[v], face.normal)) return false;
-  vertex_asleep_[v] = {};
+  if (height < 0.0 && tests_.pushes_backwards(parts_.vertices[part.first_vertex + v], face.normal))
+    return false;
+  part.vertex_asleep[v] = {};
   ContactPoint contact;
-  contact.block_feature = parts_.vertices[v];
+  contact.block_feature = parts_.vertices[part.first_vertex + v];
   contact.ground_feature = contact.ground_face = state.sure_face;
   contact.normal = face.normal;
   contact.overlap = reach_ - height;

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "dem/detail/trimmed.hpp"
+
 namespace clast::dem_detail {
 
 LocalGround::Face local_face(const SurfaceFeatures& features, std::uint32_t number) {
@@ -45,6 +47,7 @@ void LocalGround::gather(const IndexedSurface& ground, const Vec3& centre, doubl
     edges.push_back({features.vertices[edge.vertices[0]], edge.direction, edge.length, e});
   }
   for (const std::uint32_t v : corners_met) corners.push_back({features.vertices[v], v});
+  trim(faces, edges, corners);
   fit_plane(features);
 }
 
@@ -67,6 +70,7 @@ void LocalGround::gather(const SurfaceFeatures& features, const LocalGround& fro
   for (const Corner& corner : from.corners) {
     if (within(centre - corner.point, reach)) corners.push_back(corner);
   }
+  trim(faces, edges, corners);
   fit_plane(features);
 }
 

@@ -21,7 +21,7 @@ std::optional<Vec3> foot_between_ends(const Vec3& start, const Vec3& direction, 
 RodContacts::RodContacts(const IndexedSurface& ground, const IndexedSurface& block)
     : ground_(ground), block_(block.features), reach_(ground.radius + block.radius) {}
 
-const std::vector<ContactPoint>& RodContacts::contacts(const Pose& ground_from_body) {
+std::vector<ContactPoint>& RodContacts::contacts(const Pose& ground_from_body) {
   rotation_ = ground_from_body.rotation.toRotationMatrix();
   contacts_.clear();
   clearance_ = 1e300;

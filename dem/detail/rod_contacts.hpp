@@ -11,8 +11,8 @@ class RodContacts {
  public:
   RodContacts(const IndexedSurface& ground, const IndexedSurface& block);
 
-  /// The contacts in the frame of the ground, in a fixed order.
-  const std::vector<ContactPoint>& contacts(const Pose& ground_from_body);
+  /// The contacts in the frame of the ground, in a fixed order; the caller may change them.
+  std::vector<ContactPoint>& contacts(const Pose& ground_from_body);
   /// How far apart the two are at least, m; 0 in contact (valid after `contacts`).
   double clearance() const { return clearance_; }
   template <class Bytes>

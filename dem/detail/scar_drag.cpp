@@ -73,14 +73,6 @@ EmbeddedFront embedded_front(const SurfaceFeatures& block, double radius, const 
   return front;
 }
 
-ScarDrag::ScarDrag(std::span<const GroundParameters> zones, const IndexedSurface& block)
-    : block_(block) {
-  for (const GroundParameters& zone : zones) {
-    strength_.push_back(0.5 * zone.scar_drag * zone.soil_density);
-    any_ = any_ || strength_.back() > 0.0;
-  }
-}
-
 Vec3 ScarDrag::update(const std::vector<Contact>& contacts, const PairMotion& motion,
                       double& lost) {
   lost = -0.5 * motion.duration * force_.dot(motion.velocity_from(place_));

@@ -28,10 +28,9 @@ EmbeddedFront embedded_front(const SurfaceFeatures& block, double radius, const 
 /// front A along the ground.
 class ScarDrag {
  public:
-  /// @param block  must outlive the drag
-  ScarDrag(std::span<const GroundParameters> zones, const IndexedSurface& block);
-
-  bool any() const { return any_; }  ///< false: no zone has one
+  /// @param strength  C_d rho/2 by zone, kg/m^3; it and the block must outlive the drag
+  ScarDrag(std::span<const double> strength, const IndexedSurface& block)
+      : block_(block), strength_(strength) {}
 
   /// The force at the end of a step; (0, 0, 0) without contacts.
   /// @param lost  gets what the drag of the step took from the block, J
@@ -46,8 +45,7 @@ class ScarDrag {
   Vec3 force_at(const std::vector<Contact>& contacts, const PairMotion& motion);
 
   const IndexedSurface& block_;
-  std::vector<double> strength_;  ///< C_d rho/2 by zone, kg/m^3
-  bool any_ = false;
+  std::span<const double> strength_;
   Vec3 force_ = Vec3::Zero(), place_ = Vec3::Zero();
 };
 

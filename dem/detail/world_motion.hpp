@@ -86,8 +86,8 @@ class WorldMotion {
   }
 
  private:
-  BodyPair::Rules rules(std::span<const GroundParameters> of_zones,
-                        std::span<const std::uint16_t> zone_of_face, const SoilMemory* soil) const {
+  ContactRules rules(std::span<const GroundParameters> of_zones,
+                     std::span<const std::uint16_t> zone_of_face, const SoilMemory* soil) const {
     return {of_zones, zone_of_face, settings_.stiffness, settings_.weights, settings_.law, soil};
   }
   EnergyLedger losses() const {

@@ -86,7 +86,7 @@ TEST_P(Walk, NothingTouchesUnseen) {
   const BlockSurface block(block_body.shape);
   const double size = std::min(ground_body.size(), block_body.size());
   const GroundParameters law{0.2, 0.5, 0.1};
-  const BodyPair::Rules rules{
+  const ContactRules rules{
       std::span(&law, 1), {}, {1e6, 1e6, 1e5, 1e-4}, ContactWeights::kNone, {}};
   BodyPair pair(ground, block, size, rules);
   BodyMotion a, b;

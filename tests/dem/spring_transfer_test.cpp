@@ -42,8 +42,8 @@ class SpringTransfer : public testing::TestWithParam<ContactWeights> {
   RigidBody cube_ = box(1000.0, Vec3::Ones());
   BlockSurface surface_{cube_.shape};
   std::vector<GroundParameters> zones_ = {{1.0, 1e3, 0.0}};
-  ContactForces forces_{zones_,    {}, surface_, 1.0, {kStiffness, kStiffness, kStiffness, kStep},
-                        GetParam()};
+  ContactRules rules_{zones_, {}, {kStiffness, kStiffness, kStiffness, kStep}, GetParam(), {}};
+  ContactForces forces_{rules_, surface_, 1.0};
   BodyMotion motion_;
   EnergyLedger ledger_;
 };
