@@ -1,6 +1,6 @@
 #pragma once
-/// Values as bytes and back, for files that only the program reads that wrote them: journals and
-/// checkpoints.
+/// Values as bytes and back, for what only the program reads that wrote it: journals, checkpoints,
+/// messages between processes.
 ///
 /// One list of what a class holds serves both ways, as a member or as a function beside it:
 ///
@@ -70,10 +70,11 @@ class ByteReader {
   std::size_t count(std::size_t) {
     std::uint64_t stored = 0;
     raw(&stored, sizeof stored);
-    // An element takes a byte at least.
+    // An element takes at least one byte.
     if (stored > bytes_.size()) throw InputError("a record has an impossible size");
     return stored;
   }
+  std::size_t left() const { return bytes_.size(); }  ///< bytes
   bool at_end() const { return bytes_.empty(); }
 
  private:
@@ -82,7 +83,13 @@ class ByteReader {
 
 template <class Bytes, class T>
 requires(std::is_arithmetic_v<T> || std::is_enum_v<T>) void serialize(Bytes& bytes, T& value) {
-  bytes.raw(&value, sizeof value);
+  if constexpr (std::is_same_v<T, bool>) {  // not every byte is one
+    std::uint8_t stored = value ? 1 : 0;
+    bytes(stored);
+    value = stored != 0;
+  } else {
+    bytes.raw(&value, sizeof value);
+  }
 }
 
 template <class Bytes, class T>
@@ -90,7 +97,8 @@ requires requires(Bytes& bytes, T& value) { value.serialize(bytes); }
 void serialize(Bytes& bytes, T& value) { value.serialize(bytes); }
 
 template <class Bytes, int kRows, int kColumns>
-void serialize(Bytes& bytes, Eigen::Matrix<double, kRows, kColumns>& matrix) {
+requires(kRows > 0 && kColumns > 0) void serialize(Bytes& bytes,
+                                                   Eigen::Matrix<double, kRows, kColumns>& matrix) {
   bytes.raw(matrix.data(), sizeof(double) * kRows * kColumns);
 }
 

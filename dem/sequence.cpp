@@ -42,14 +42,15 @@ class Sequence {
   void restore(ByteReader& from) {
     serialize(from);
     world_.restore(from);
+    if (!from.at_end()) throw InputError("the saved state is of another sequence");
     observe_blocks();
     count_released();
   }
 
   std::vector<SequenceResult> run() {
     const std::size_t together = settings_.at_once ? blocks_.size() : 1;
-    while (phase_ != Phase::kReleased || results_.size() < blocks_.size()) {
-      if (phase_ == Phase::kReleased) add_blocks(results_.size(), results_.size() + together);
+    while (phase_ != Phase::kFinished || results_.size() < blocks_.size()) {
+      if (phase_ == Phase::kFinished) add_blocks(results_.size(), results_.size() + together);
       finish_release();
     }
     for (std::size_t block = 0; block < blocks_.size(); ++block) finish(block);
@@ -73,13 +74,13 @@ class Sequence {
     kSettling,  ///< behind forms
     kHeld,      ///< until the last of them is released
     kMoving,    ///< until all blocks rest
-    kReleased,  ///< nothing any more
+    kFinished,  ///< all rest
   };
 
   template <class Bytes>
   void serialize(Bytes& bytes) {
-    bytes(phase_, changes_done_, before_, results_, watched_, forms_, released_at_, newest_, begin_,
-          energy_intervals_);
+    bytes(phase_, changes_done_, energy_before_, results_, watched_, forms_, released_at_, newest_,
+          begin_, energy_intervals_);
   }
 
   const RigidBody& body_of(std::size_t block) const { return shapes_[blocks_[block].shape]; }
@@ -107,20 +108,24 @@ class Sequence {
 
   /// Blocks from `first` to before `end`.
   void add_blocks(std::size_t first, std::size_t end) {
-    before_ = world_.energy();
+    energy_before_ = world_.energy();
     released_at_ = world_.time();
     for (std::size_t block = first; block < end; ++block) add(block);
     newest_ = first;
     for (const SequenceForm& form : settings_.forms) {
       forms_.push_back(world_.add_form(form.shape, form.place, form.first, form.end));
     }
-    phase_ = forms_.empty() ? Phase::kHeld : Phase::kSettling;
-    count_released();
-    if (forms_.empty()) begin_release();
+    phase_ = Phase::kSettling;
+    if (forms_.empty()) {
+      begin_release();
+    } else {
+      count_released();
+    }
   }
 
   void begin_release() {
     phase_ = Phase::kHeld;
+    count_released();
     observe_blocks();
     if (newest_ == 0) begin_ = world_.energy_sample();
     take_energy();
@@ -131,7 +136,7 @@ class Sequence {
     world_.observe([this](std::size_t block, const MotionStep& step) { see(block, step); });
   }
 
-  /// Until all blocks that lie there rest.
+  /// Runs until all blocks that lie there rest.
   void finish_release() {
     if (phase_ == Phase::kSettling) settle();
     const double last = released_at_ + release_held();
@@ -139,7 +144,7 @@ class Sequence {
       world_.run_until(last + settings_.max_time, after_step());
     } while (clear_zones());
     take_energy();
-    const EnergyLedger energy = of_release(before_, world_.energy());
+    const EnergyLedger energy = of_release(energy_before_, world_.energy());
     for (std::size_t block = newest_; block < results_.size(); ++block) {
       SequenceResult& result = results_[block];
       result.release.duration = world_.time() - released_at_;
@@ -147,7 +152,7 @@ class Sequence {
       result.blocks_hit = static_cast<std::uint32_t>(watched_[block].hit.size());
       watched_[block].first_rest = world_.state(block).position;
     }
-    phase_ = Phase::kReleased;
+    phase_ = Phase::kFinished;
   }
 
   /// Does a form hold the block?
@@ -180,10 +185,9 @@ class Sequence {
     for (std::size_t block = 0; block < blocks_.size(); ++block) {
       if (settles(block)) results_[block].settled = world_.state(block);
     }
-    before_ = world_.energy();
+    energy_before_ = world_.energy();
     released_at_ = world_.time();
     begin_release();
-    count_released();
   }
 
   /// @param is_bad  of a block that settles: it left its form, or still moves
@@ -213,7 +217,7 @@ class Sequence {
   }
 
   /// Lets go what is held and removes the forms, each at its time.
-  /// @return  time of the last release since the first, s
+  /// @return  time from the first release to the last, s
   double release_held() {
     struct Change {
       std::vector<std::size_t> freed, removed;
@@ -396,9 +400,9 @@ class Sequence {
   std::vector<std::size_t> forms_;  ///< their numbers as bodies
   double released_at_ = 0.0;        ///< when the newest blocks were, s
   std::size_t newest_ = 0;          ///< the first of them
-  Phase phase_ = Phase::kReleased;
+  Phase phase_ = Phase::kFinished;
   std::size_t changes_done_ = 0;   ///< of what is held, in order of time
-  EnergyLedger before_;            ///< the newest blocks were released
+  EnergyLedger energy_before_;     ///< just before the newest blocks were released
   std::size_t released_ = 0;       ///< blocks, so far
   EnergySample begin_;             ///< at the first release
   double energy_intervals_ = 0.0;  ///< that have passed since then at the last sample

@@ -98,10 +98,11 @@ struct SequenceProgress {
   double time = 0.0;         ///< simulated since the first block came, what settled included, s
   std::size_t released = 0;  ///< blocks so far
   bool settling = false;     ///< behind forms
-  /// Counts the blocks released so far that are now at rest or gone. Valid only while the observer
-  /// runs, as the next; empty for single runs.
+  // Both functions are valid only while the observer runs, and empty for single runs.
+
+  /// Counts the blocks released so far that are now at rest or gone.
   std::function<std::size_t()> resting = {};
-  /// Writes all that the sequence has come to: `simulate_sequence` can go on from there.
+  /// Writes the complete state of the sequence, for `simulate_sequence` to continue from.
   std::function<void(ByteWriter& to)> save = {};
 };
 /// Called after each step; what it throws ends the sequence.
@@ -123,11 +124,11 @@ struct SequenceObservers {
 ///
 /// @param shapes  that the blocks have
 /// @param zones   parameters of each ground zone of the terrain, by zone number
-/// @param from    what the same program has saved of the same sequence (`SequenceProgress::save`):
-/// it
-///                goes on from there, and results and what is observed from then on are the same to
-///                the bit. Null: from the start
-/// @throws InputError       settings out of range; what was saved ends too early
+/// @param from    a state of the same sequence, saved by the same program
+/// (`SequenceProgress::save`)
+///                and all that is left to read: it continues from there, with bit-identical results
+///                and observations. Null: it starts from the beginning
+/// @throws InputError       settings out of range; the saved state is of another sequence
 /// @throws SettlingError    blocks that forms hold do not come to rest behind them
 /// @throws SimulationError  a start off the terrain, inside the ground or a block, or a motion
 ///                          that is not finite any more: with the number of the block, from 0

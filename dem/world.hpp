@@ -140,9 +140,9 @@ class World {
 
   /// Writes all that its motion depends on.
   void save(ByteWriter& to) const;
-  /// Takes over the motion of another world with the same shapes, settings, terrain and zones, as
-  /// the same program has saved it: it goes on from there to the same bits.
-  /// @throws InputError  the bytes end too early
+  /// Restores a state that `save` wrote in the same program, of a world with the same shapes,
+  /// settings, terrain and zones: its motion continues with the same bits.
+  /// @throws InputError  the bytes are of another world; this one is only to be destroyed then
   void restore(ByteReader& from);
 
  private:

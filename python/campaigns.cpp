@@ -104,7 +104,7 @@ std::string run(const std::string& text, const fs::path& file, const fs::path& o
   given.take("threads", options.threads);
   given.take("resume", options.resume);
   given.take("replace", options.replace);
-  given.take("checkpoint", options.checkpoint_interval);
+  given.take("checkpoint_interval", options.checkpoint_interval);
   const std::optional<Shard> shard = take_shard(given);
   given.done();
   options.shard = shard.value_or(Shard());

@@ -45,7 +45,7 @@ class Collector {
       const std::lock_guard lock(one_at_a_time_);
       report_progress(what);
     }));
-    runs.forget(first);
+    runs.remove_checkpoint(first);
   }
 
   /// Of runs that are computed together, some may have been kept before an interruption.
@@ -241,6 +241,10 @@ void Shard::check() const {
 void run_campaign(const PreparedCampaign& prepared, const std::filesystem::path& target,
                   const RunOptions& options) {
   options.shard.check();
+  if (!(options.checkpoint_interval >= 0.0)) {
+    throw InputError("checkpoint_interval = " + with_digits(options.checkpoint_interval, 6) +
+                     " s; must be 0 or more");
+  }
   const std::size_t runs = options.shard.runs_of(prepared);
   if (options.resume && !options.replace && !std::filesystem::exists(partial_results(target)) &&
       is_finished(target, prepared.header, runs)) {
@@ -259,14 +263,12 @@ void run_campaign(const PreparedCampaign& prepared, const std::filesystem::path&
   const auto open_results = [&] {
     if (team && !team->leads()) return std::string();
     const bool go_on = options.resume && std::filesystem::exists(partial_results(target));
-    if (!go_on) {
-      check_results_place(target, options.replace);
-      CheckpointFile::remove_all(target);
-    }
+    if (!go_on) check_results_place(target, options.replace);
     writer.emplace(go_on ? ResultsWriter::resume(target, prepared.header, runs)
                          : ResultsWriter::create(target, prepared.header, runs));
     open = open_runs(prepared, options.shard, target, writer->stored_runs());
-    resumable.check(open);
+    if (!go_on) CheckpointFile::remove_all(target);
+    resumable.check_checkpoints(open);
     return std::string();
   };
   if (!team) {
@@ -277,8 +279,8 @@ void run_campaign(const PreparedCampaign& prepared, const std::filesystem::path&
         std::max<std::size_t>(1, threads / std::max<std::size_t>(1, open.size())));
     parallel_for(open.size(), threads,
                  [&](std::size_t i) { collector.compute(resumable, open[i], each); });
-    writer->finish();
     CheckpointFile::remove_all(target);
+    writer->finish();
     return;
   }
   team->agree(open_results);
@@ -286,9 +288,13 @@ void run_campaign(const PreparedCampaign& prepared, const std::filesystem::path&
     Collector collector(*writer, runs, options);
     lead_work(
         *team, open, threads, [&](std::uint32_t run) { collector.compute(resumable, run); },
-        [&](const std::string& done) { collector.add(unpacked_together(done)); });
-    writer->finish();
+        [&](const std::string& done) {
+          const std::vector<StoredRun> runs_done = unpacked_together(done);
+          collector.add(runs_done);
+          resumable.remove_checkpoint(runs_done.front().record.run);
+        });
     CheckpointFile::remove_all(target);
+    writer->finish();
   } else {
     follow_work(*team, threads,
                 [&](std::uint32_t run) { return packed_together(resumable.compute(run, 1)); });

@@ -106,7 +106,7 @@ struct RunOptions {
   /// Called after each run with runs done and planned, from any thread, one at a time; while a
   /// realisation is under way also now and then.
   Progress progress = {};
-  /// Of computing, between two checkpoints of a realisation of blocks that stay, s; 0: none but
+  /// Wall-clock time between two checkpoints of a realisation of blocks that stay, s; 0: one only
   /// when `progress` ends the campaign.
   double checkpoint_interval = 300.0;
 };
@@ -114,10 +114,12 @@ struct RunOptions {
 /// Runs everything that is not stored yet and writes `target`. A run that fails is stored with stop
 /// reason `error` and its message. The datasets do not depend on the number of threads or
 /// processes, or on interruptions; what `progress` throws ends the campaign after the runs under
-/// way, which are kept. Of realisations under way their last checkpoints are, beside the journal:
-/// one is made then, and `resume` goes on from it.
+/// way, which are kept. Realisations under way are stopped; a checkpoint of each is written beside
+/// the journal, and `resume` continues from it. (Of a team, only the process that leads has
+/// progress; checkpoints of the others need a file system that all share.)
 /// @throws InputError  the target can't be written or holds results that are kept; resuming what
-///                     another campaign or shard began; more memory is needed than is free
+///                     another campaign or shard began, or from a damaged checkpoint; more memory
+///                     is needed than is free
 void run_campaign(const PreparedCampaign& prepared, const std::filesystem::path& target,
                   const RunOptions& options = {});
 

@@ -37,7 +37,7 @@ struct SimulateArgs {
   unsigned threads = 0;
   bool resume = false;
   bool replace = false;
-  double checkpoint = 300.0;  ///< s
+  double checkpoint_interval = 300.0;  ///< s
   bool dry_run = false;
   bool json = false;
   double margin = 0.0;  ///< m; 0: none
@@ -182,7 +182,7 @@ void simulate_with(ProcessTeam& team, const SimulateArgs& args,
   options.threads = args.threads;
   options.resume = args.resume;
   options.replace = args.replace;
-  options.checkpoint_interval = args.checkpoint;
+  options.checkpoint_interval = args.checkpoint_interval;
   options.shard = shard;
   options.team = &team;
   bool started = false;
@@ -191,11 +191,10 @@ void simulate_with(ProcessTeam& team, const SimulateArgs& args,
     bar.update(step.done, step.what);
     if (!watch.interrupted() || step.done == step.total) return;
     bar.clear();
-    throw SimulationError("interrupted; " + std::to_string(step.done) + " of " +
-                          std::to_string(step.total) +
-                          " runs are kept" +
-                          (prepared.header.stay ? ", and how far realisations have come" : "") +
-                          ". Go on with: " + resume_hint);
+    throw SimulationError(
+        "interrupted; " + std::to_string(step.done) + " of " + std::to_string(step.total) +
+        " runs" + (prepared.header.stay ? " and the checkpoints of unfinished realisations" : "") +
+        " are kept. Go on with: " + resume_hint);
   };
   run_campaign(prepared, output, options);
   bar.clear();
@@ -227,9 +226,9 @@ void add_simulate(CLI::App& app) {
   command->add_flag("--resume", args->resume, "Continue an interrupted campaign");
   command->add_flag("--replace", args->replace, "Replace the results that FILE holds");
   command
-      ->add_option("--checkpoint", args->checkpoint,
-                   "Where blocks stay: keep what each realisation has come to every S seconds, so "
-                   "that --resume continues from there after a kill; 0: only on Ctrl-C")
+      ->add_option("--checkpoint-interval", args->checkpoint_interval,
+                   "Where blocks stay: seconds between checkpoints of a realisation, from which "
+                   "--resume continues after a crash; 0: only on Ctrl-C")
       ->check(within({0.0, 1e6, "s"}))
       ->type_name("S")
       ->capture_default_str();
@@ -254,9 +253,10 @@ void add_simulate(CLI::App& app) {
       ->type_name("M");
   command->add_flag("--json", args->json, "Print the summary as JSON");
   command->footer(
-      "Ctrl-C stops after the current runs (of blocks that stay, at once, in the middle of a "
-      "realisation); --resume continues from there. Results do "
-      "not depend on interruptions, on --threads, on --shard, or on the processes of mpirun, which have one thread "
+      "Ctrl-C stops after the current runs; where blocks stay, at once, after writing checkpoints. "
+      "--resume continues. Results do "
+      "not depend on interruptions, on --threads, on --shard, or on the processes of mpirun, which "
+      "have one thread "
       "each unless\n--threads says otherwise.\n"
       "Examples:\n"
       "  clast simulate campaign.toml --dry-run\n"

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "dem/detail/block_contacts.hpp"
-#include "dem/detail/trimmed.hpp"
+#include "dem/detail/trim.hpp"
 
 namespace clast::dem_detail {
 
@@ -108,10 +108,10 @@ void BlockContacts::make_list() {
   const double gap = widen_gap();
   if (gap > listed_within()) {
     list_until_ = travel_ + gap - list_touching_;
-    return;
+  } else {
+    list_until_ = travel_ + margin_;
+    list_features();
   }
-  list_until_ = travel_ + margin_;
-  list_features();
   trim(vertices_, faces_, pairs_);
 }
 

@@ -128,7 +128,7 @@ class ContactForces {
     }
   };
 
-  /// What only one update needs: of a thread, for all its pairs.
+  /// Of one update, shared by all pairs of a thread.
   struct Scratch {
     std::vector<Contact> now;
     ContactHistory history;
@@ -144,8 +144,8 @@ class ContactForces {
   /// Adds how far the block slid in this step, mean over its contacts.
   void add_slip();
   void add_drag(const PairMotion& motion, ContactLoad& load, EnergyLedger& ledger);
-  /// Takes over what is in the scratch, with little more room than it needs: buffers that went from
-  /// pair to pair would grow to the longest list of all.
+  /// Stores `now` as the present contacts, with little spare capacity: buffers that were swapped
+  /// from pair to pair would each grow to the longest list of all.
   void keep(std::vector<Contact>& now);
   /// Lists the present contacts with their weights (Eqs. 6-8).
   void distribute(const std::vector<ContactPoint>& points, const PairMotion& motion,

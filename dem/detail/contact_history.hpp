@@ -29,7 +29,7 @@ struct Contact {
   }
 };
 
-/// It keeps nothing from one `match` to the next: one serves many pairs, one after the other.
+/// It holds no state between matches, so one object can serve many pairs in turn.
 class ContactHistory {
  public:
   /// Finds the contact of the step before that each point continues: each continues at most one.

@@ -4,7 +4,7 @@
 #include <numeric>
 #include <utility>
 
-#include "dem/detail/trimmed.hpp"
+#include "dem/detail/trim.hpp"
 
 namespace clast::dem_detail {
 namespace {
@@ -31,17 +31,35 @@ bool on_one_face(const ContactPoint& a, const ContactPoint& b) {
          b.kind == ContactKind::kVertexGround && a.normal == b.normal;
 }
 
-/// What only one call needs: of a thread, for all its pairs.
+/// The last number noted for each joint of a block; joints of which none was noted since `begin`
+/// cost nothing.
+class LastOnJoint {
+ public:
+  void begin(const SurfaceFeatures& block) {
+    ++round_;
+    const std::size_t joints = block.faces.size() + block.edges.size();
+    if (noted_.size() < joints) noted_.resize(joints);
+  }
+  /// @return  what was noted before; kNoFeature: nothing
+  std::uint32_t note(std::uint32_t joint, std::uint32_t number) {
+    const Noted before = std::exchange(noted_[joint], {round_, number});
+    return before.round == round_ ? before.number : kNoFeature;
+  }
+
+ private:
+  struct Noted {
+    std::uint64_t round = 0;
+    std::uint32_t number = 0;
+  };
+  std::vector<Noted> noted_;
+  std::uint64_t round_ = 0;
+};
+
+/// Scratch of one call, shared by all pairs of a thread.
 struct Scratch {
   std::vector<double> share, patch_overlap;
   std::vector<Vec3> normals_in_body;
-  std::vector<std::uint32_t> last_on_joint;  ///< kNoFeature for each joint, between two uses
-
-  std::vector<std::uint32_t>& last_on_joints_of(const SurfaceFeatures& block) {
-    const std::size_t joints = block.faces.size() + block.edges.size();
-    if (last_on_joint.size() < joints) last_on_joint.resize(joints, kNoFeature);
-    return last_on_joint;
-  }
+  LastOnJoint last_on_joint;
 };
 Scratch& scratch() {
   thread_local Scratch scratch;
@@ -103,23 +121,21 @@ void ContactPatches::list_links(const std::vector<ContactPoint>& points) {
   links_.clear();
   on_joint_.clear();
   patch_.resize(points.size());
-  std::vector<std::uint32_t>& last = scratch().last_on_joints_of(block_);
+  LastOnJoint& last = scratch().last_on_joint;
+  last.begin(block_);
   std::iota(patch_.begin(), patch_.end(), 0u);
   std::array<std::uint32_t, 3> buffer;
   for (std::uint32_t i = 0; i < points.size(); ++i) {
     features_.emplace_back(points[i].kind, points[i].block_feature);
     std::uint32_t patch = i;
     for (const std::uint32_t joint : joints_of(points[i], buffer)) {
-      const std::uint32_t earlier = std::exchange(last[joint], i);
+      const std::uint32_t earlier = last.note(joint, i);
       if (earlier == kNoFeature) continue;
       const std::uint32_t other = patch_so_far(earlier);
       if (other == patch) continue;
       links_.push_back({i, earlier, joint});
       patch = patch_[std::max(patch, other)] = std::min(patch, other);
     }
-  }
-  for (const ContactPoint& point : points) {
-    for (const std::uint32_t joint : joints_of(point, buffer)) last[joint] = kNoFeature;
   }
 }
 
@@ -150,15 +166,15 @@ void ContactPatches::join(const std::vector<ContactPoint>& points, const Quat& o
 }
 
 void ContactPatches::list_joints(const std::vector<ContactPoint>& points) {
-  std::vector<std::uint32_t>& last = scratch().last_on_joints_of(block_);
+  LastOnJoint& last = scratch().last_on_joint;
+  last.begin(block_);
   std::array<std::uint32_t, 3> buffer;
   for (std::uint32_t i = 0; i < points.size(); ++i) {
     for (const std::uint32_t joint : joints_of(points[i], buffer)) {
       const auto entry = static_cast<std::uint32_t>(on_joint_.size());
-      on_joint_.push_back({i, joint, std::exchange(last[joint], entry)});
+      on_joint_.push_back({i, joint, last.note(joint, entry)});
     }
   }
-  for (const OnJoint& on : on_joint_) last[on.joint] = kNoFeature;
   trim(on_joint_);
 }
 

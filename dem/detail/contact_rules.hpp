@@ -13,10 +13,10 @@ namespace clast::dem_detail {
 
 class ContactRules {
  public:
-  /// @param of_zones         parameters of each ground zone; they, the zones and the soil must
-  ///                         outlive the rules
-  /// @param of_faces         zone of each face of the reference; empty: all are of zone 0
-  /// @param remembering      dents of earlier contacts; null: none is remembered
+  /// @param of_zones     parameters of each ground zone; these, `of_faces` and `remembering` must
+  ///                     outlive the rules
+  /// @param of_faces     zone of each face of the reference; empty: all are of zone 0
+  /// @param remembering  dents of earlier contacts; null: none is remembered
   ContactRules(std::span<const GroundParameters> of_zones, std::span<const std::uint16_t> of_faces,
                const ContactStiffness& with_stiffness, ContactWeights with_weights,
                const ContactLaw& law, const SoilMemory* remembering = nullptr);

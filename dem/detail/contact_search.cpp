@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "dem/detail/deep_contacts.hpp"
-#include "dem/detail/trimmed.hpp"
+#include "dem/detail/trim.hpp"
 
 namespace clast::dem_detail {
 namespace {

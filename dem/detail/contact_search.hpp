@@ -138,8 +138,9 @@ class ContactSearch {
     std::vector<FaceTilt> tilts;  ///< of the faces of `ground`
     std::vector<GroundFeature> features;
     std::vector<FeaturePair> pairs;
-    std::uint32_t first_vertex;         ///< of BlockParts::vertices, which those of the part follow
-    std::vector<VertexState> vertices;  ///< by number of the vertex in the part, likewise ...
+    std::uint32_t first_vertex;  ///< the first of its vertices in BlockParts::vertices
+    // By number of the vertex within the part:
+    std::vector<VertexState> vertices;
     std::vector<Asleep> vertex_asleep;
     std::vector<std::uint32_t> due_vertices;         ///< those that touch, mostly; in order
     Asleep other_vertices, all_features, all_pairs;  ///< until the first of each may be due
@@ -224,7 +225,12 @@ class ContactSearch {
   /// 0.
   Asleep asleep(const NearPart& part, const Vec3& away, double apart, double others) const;
 
-  // Vertices by their number in the part.
+  // Vertices by their number within the part.
+
+  /// The vertex of the block.
+  std::uint32_t block_vertex(const NearPart& part, std::uint32_t vertex) const {
+    return parts_.vertices[part.first_vertex + vertex];
+  }
 
   /// Every vertex of the part that is due.
   /// @param ahead  way for which it must be known whether they can touch

@@ -46,7 +46,7 @@ void ContactSearch::update_vertices(std::uint32_t p, const Way& ahead) {
 }
 
 void ContactSearch::update_vertex(NearPart& part, std::uint32_t v, const Way& ahead) {
-  const Vec3 centre = placed(block_.vertices[parts_.vertices[part.first_vertex + v]]);
+  const Vec3 centre = placed(block_.vertices[block_vertex(part, v)]);
   if (update_sure_face(part, v, centre)) return;
   const Asleep by_closest = clear_of_plane(part, v, centre);
   if (!by_closest.due(part.way + ahead)) {
@@ -149,8 +149,7 @@ void ContactSearch::measure_vertex(NearPart& part, std::uint32_t v, const Vec3& 
     return;
   }
   const bool backwards =
-      nearest.distance < 0.0 &&
-      tests_.is_backwards(parts_.vertices[part.first_vertex + v], centre, nearest);
+      nearest.distance < 0.0 && tests_.is_backwards(block_vertex(part, v), centre, nearest);
   if (nearest.within_face && !backwards) {
     state.sure_face = nearest.face;
     state.sure_foot_until = part.way.whole;
@@ -162,7 +161,7 @@ void ContactSearch::measure_vertex(NearPart& part, std::uint32_t v, const Vec3& 
     part.vertex_asleep[v] = asleep(part, away, nearest.distance - reach_, found.second - reach_);
     return;
   }
-  const std::uint32_t vertex = parts_.vertices[part.first_vertex + v];
+  const std::uint32_t vertex = block_vertex(part, v);
   if (nearest.distance >= 0.0) {
     return tests_.add_outside(vertex, centre, part.ground.faces, contacts_);
   }
@@ -190,11 +189,10 @@ bool ContactSearch::update_sure_face(NearPart& part, std::uint32_t v, const Vec3
     if (inside < 0.0) return false;
     state.sure_foot_until = way + inside;
   }
-  if (height < 0.0 && tests_.pushes_backwards(parts_.vertices[part.first_vertex + v], face.normal))
-    return false;
+  if (height < 0.0 && tests_.pushes_backwards(block_vertex(part, v), face.normal)) return false;
   part.vertex_asleep[v] = {};
   ContactPoint contact;
-  contact.block_feature = parts_.vertices[part.first_vertex + v];
+  contact.block_feature = block_vertex(part, v);
   contact.ground_feature = contact.ground_face = state.sure_face;
   contact.normal = face.normal;
   contact.overlap = reach_ - height;

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "dem/detail/trimmed.hpp"
+#include "dem/detail/trim.hpp"
 
 namespace clast::dem_detail {
 

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "core/error.hpp"
 #include "core/parallel.hpp"
 #include "dem/detail/contact_pairs.hpp"
 #include "dem/detail/sleeping.hpp"
@@ -76,9 +77,10 @@ class WorldMotion {
     if constexpr (Bytes::kReads) {
       bodies_.clear();
       for (const std::size_t shape : shape_of_body) {
-        bodies_.emplace_back(shapes_.at(shape), RigidState(), false);
+        if (shape >= shapes_.size()) throw InputError("the saved state is of another world");
+        bodies_.emplace_back(shapes_[shape], RigidState(), false);
       }
-      motion_changed();
+      motion_changed();  // the lists of what moves, and places in the broad phase, are made anew
     }
     for (WorldBody& body : bodies_) bytes(body);
     pairs_.serialize(bytes, bodies_);

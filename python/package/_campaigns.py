@@ -234,28 +234,32 @@ class _Run(CampaignTable):
         threads: int = 0,
         resume: bool = False,
         replace: bool = False,
-        checkpoint: float = 300.0,
+        checkpoint_interval: float = 300.0,
         shard: tuple[int, int] | None = None,
         progress: Progress | None = None,
     ) -> Results:
         """Runs the campaign, and returns its results.
 
-        Ctrl-C stops it after the runs under way, which are kept, or in the middle of a realisation of
-        blocks that stay: `resume=True` goes on from there.
+        Ctrl-C stops it after the runs under way, which are kept; where blocks stay, at once, after
+        writing checkpoints. `resume=True` continues.
 
         Args:
             output: results file; a shard has ".2of4" before its extension.
             threads: 0: one for each core; changes no bit of the results.
             resume: continue an interrupted campaign.
             replace: results that the file holds.
-            checkpoint: seconds after which realisations of blocks that stay keep again how far they have
-                come, so that `resume=True` goes on from there after a kill; 0: only on Ctrl-C.
+            checkpoint_interval: seconds between checkpoints of a realisation of blocks that stay,
+                from which `resume=True` continues after a crash; 0: only on Ctrl-C.
             shard: (i, n): every n-th run only, from the i-th on; `merge_results` joins them.
             progress: called now and then with a dict: done, total, before, what.
         """
         text, place = self._campaign._source()
         options = dict(
-            threads=threads, resume=resume, replace=replace, checkpoint=checkpoint, shard=shard
+            threads=threads,
+            resume=resume,
+            replace=replace,
+            checkpoint_interval=checkpoint_interval,
+            shard=shard,
         )
         return Results(_core.campaign_run(text, place, os.path.abspath(output), options, progress))
 

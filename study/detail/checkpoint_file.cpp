@@ -2,11 +2,12 @@
 
 #include <algorithm>
 #include <fstream>
+#include <string_view>
 #include <system_error>
+#include <vector>
 
 #include "core/digest.hpp"
 #include "core/error.hpp"
-#include "core/output_file.hpp"
 #include "core/text_file.hpp"
 #include "study/detail/results_journal.hpp"
 
@@ -24,8 +25,14 @@ std::string name_begin(const fs::path& target) {
   return partial_results(target).filename().string() + ".";
 }
 
-bool is_number(const std::string& text) {
-  return !text.empty() && std::all_of(text.begin(), text.end(),
+/// While it is written.
+fs::path unfinished(fs::path path) { return path += ".new"; }
+
+bool is_checkpoint(std::string name, const std::string& begin) {
+  if (!name.starts_with(begin)) return false;
+  name.erase(0, begin.size());
+  if (name.ends_with(".new")) name.resize(name.size() - 4);
+  return !name.empty() && std::all_of(name.begin(), name.end(),
                                       [](unsigned char c) { return c >= '0' && c <= '9'; });
 }
 
@@ -34,44 +41,45 @@ bool is_number(const std::string& text) {
 CheckpointFile::CheckpointFile(const fs::path& target, const CampaignResults& header,
                                std::uint32_t realisation)
     : path_(target.parent_path() / (name_begin(target) + std::to_string(realisation + 1))),
-      identity_(campaign_identity(header)) {}
+      header_(header) {}
 
-std::string CheckpointFile::read() const {
-  if (!fs::exists(path_)) return {};
+std::optional<std::string> CheckpointFile::read() const {
+  if (!fs::exists(path_)) return std::nullopt;
+  const std::string advice = "; delete it, and `resume` starts that realisation again";
   std::string file = read_text_file(path_);
   const std::size_t whole = file.size() - std::min(file.size(), kDigestLength);
   const std::string digest = file.substr(whole);
   file.resize(whole);
-  if (sha256(file) != digest) {
-    throw InputError(path_.string() +
-                     ": is damaged; delete it, and `resume` begins that realisation anew");
+  if (sha256(file) != digest) throw InputError(path_.string() + ": is damaged" + advice);
+  std::string difference = "another version of clast";
+  if (file.starts_with(kMagic)) {
+    ByteReader reader(std::string_view(file).substr(kMagic.size()));
+    difference = campaign_difference(reader, header_);
+    if (difference.empty()) {
+      file.erase(0, file.size() - reader.left());
+      return file;
+    }
   }
-  const std::string begin = kMagic + identity_;
-  if (!file.starts_with(begin)) {
-    throw InputError(path_.string() +
-                     ": is of another campaign, other inputs or another clast; delete it, and "
-                     "`resume` begins that realisation anew");
-  }
-  file.erase(0, begin.size());
-  return file;
+  throw InputError(path_.string() + ": was written with " + difference + advice);
 }
 
 void CheckpointFile::write(const std::function<void(ByteWriter& to)>& save) const {
-  OutputFile output(path_);
-  {
-    std::ofstream file(output.temporary(), std::ios::binary);
-    file << kMagic << identity_;
-    ByteWriter writer(file);
-    save(writer);
-    file.flush();
-    if (file) file << sha256_of_file(output.temporary()) << std::flush;
-    if (!file) {
-      throw InputError(path_.string() +
-                       ": writing failed; is the disk full? Free some space and go on with "
-                       "`resume`");
-    }
+  const fs::path written = unfinished(path_);
+  std::ofstream file(written, std::ios::binary);
+  file << kMagic << campaign_identity(header_);
+  ByteWriter writer(file);
+  save(writer);
+  file.flush();
+  if (file) file << sha256_of_file(written) << std::flush;
+  file.close();
+  std::error_code code;
+  if (file) fs::rename(written, path_, code);
+  if (!file || code) {
+    fs::remove(written, code);
+    throw InputError(path_.string() +
+                     ": the checkpoint can't be written; is the disk full, or the folder "
+                     "write-protected?");
   }
-  output.commit();
 }
 
 void CheckpointFile::remove() const {
@@ -82,13 +90,12 @@ void CheckpointFile::remove() const {
 void CheckpointFile::remove_all(const fs::path& target) {
   const std::string begin = name_begin(target);
   const fs::path folder = target.has_parent_path() ? target.parent_path() : fs::path(".");
-  std::error_code code;
-  for (const fs::directory_entry& entry : fs::directory_iterator(folder, code)) {
-    const std::string name = entry.path().filename().string();
-    if (name.starts_with(begin) && is_number(name.substr(begin.size()))) {
-      fs::remove(entry.path(), code);
-    }
+  std::error_code code;  // what is left of them is harmless
+  std::vector<fs::path> found;
+  for (fs::directory_iterator it(folder, code), end; !code && it != end; it.increment(code)) {
+    if (is_checkpoint(it->path().filename().string(), begin)) found.push_back(it->path());
   }
+  for (const fs::path& path : found) fs::remove(path, code);
 }
 
 }  // namespace clast::study_detail

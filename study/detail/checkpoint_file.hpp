@@ -1,9 +1,9 @@
 #pragma once
-/// What realisations under way have come to, beside the journal of their campaign, so that an
-/// interruption costs little of them.
+/// Checkpoints of unfinished realisations, beside the journal of their campaign.
 #include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <optional>
 #include <string>
 
 #include "core/byte_archive.hpp"
@@ -11,20 +11,22 @@
 
 namespace clast::study_detail {
 
-/// The file of one realisation. It is only for the program that wrote it.
+/// The file of one realisation, readable only by the program that wrote it. Whoever writes it holds
+/// the lock on the target.
 class CheckpointFile {
  public:
   /// @param target       of the results; the file is beside it, `partial_results` and the number
+  /// @param header       must outlive it
   /// @param realisation  from 0; in the name from 1
   CheckpointFile(const std::filesystem::path& target, const CampaignResults& header,
                  std::uint32_t realisation);
 
-  /// What was kept last; empty: nothing.
+  const std::filesystem::path& path() const { return path_; }
+  /// The last state written; none: there is no file.
   /// @throws InputError  damaged, or of another campaign, inputs or program
-  std::string read() const;
-  /// Keeps what `save` writes, in place of what was kept before; a kill leaves the one or the
-  /// other.
-  /// @throws InputError  the disk is full
+  std::optional<std::string> read() const;
+  /// Writes what `save` gives, in place of the state before; a kill leaves one or the other.
+  /// @throws InputError  the file can't be written
   void write(const std::function<void(ByteWriter& to)>& save) const;
   void remove() const;
 
@@ -33,7 +35,7 @@ class CheckpointFile {
 
  private:
   std::filesystem::path path_;
-  std::string identity_;
+  const CampaignResults& header_;
 };
 
 }  // namespace clast::study_detail

@@ -221,12 +221,13 @@ std::vector<StoredRun> realisation(const PreparedCampaign& prepared,
     bytes(energies);
   };
   if (from) serialize(*from);
-  const auto with_observers = [&](SequenceProgress progress) {
-    progress.save = [&, of_sequence = std::move(progress.save)](ByteWriter& to) {
+  const auto with_observers = [&](const SequenceProgress& progress) {
+    SequenceProgress all = progress;
+    all.save = [&](ByteWriter& to) {
       serialize(to);
-      of_sequence(to);
+      progress.save(to);
     };
-    after_step(progress);
+    after_step(all);
   };
   std::string message;
   try {
@@ -242,6 +243,7 @@ std::vector<StoredRun> realisation(const PreparedCampaign& prepared,
   } catch (const SettlingError& error) {
     message = not_settled(prepared, planned, error, settings.settle_time);
   } catch (const std::exception& error) {
+    if (from && !from->at_end()) throw InputError(error.what());  // it could not be restored
     message = "the realisation failed (its blocks are bodies, from 0, in the order of release): " +
               std::string(error.what());
   }

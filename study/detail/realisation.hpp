@@ -13,8 +13,9 @@ namespace clast::study_detail {
 /// @param after_step  called after every step and flight; what it throws ends the run
 /// @param threads     that a realisation may use
 /// @param observe     sees the motion of a single run; nothing of blocks that stay
-/// @param from        what the same program has saved of the same realisation
-///                    (`SequenceProgress::save`), to go on from to the same bits; null: nothing
+/// @param from        a state of the same realisation, saved by the same program
+///                    (`SequenceProgress::save`), to continue from to the same bits; null: none
+/// @throws InputError  the saved state is not of this realisation
 std::vector<StoredRun> runs_from(const PreparedCampaign& prepared, std::uint32_t first,
                                  const SequenceProgressObserver& after_step = {},
                                  unsigned threads = 1, const MotionObserver& observe = {},

@@ -156,6 +156,12 @@ std::string campaign_difference(const CampaignResults& stored, const CampaignRes
   return difference_of(identity_of(stored), identity_of(now));
 }
 
+std::string campaign_difference(ByteReader& stored, const CampaignResults& now) {
+  Identity identity;
+  stored(identity);
+  return difference_of(identity, identity_of(now));
+}
+
 StoredRun unpacked(const std::string& bytes) {
   StoredRun run;
   ByteReader reader(bytes);

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "core/byte_archive.hpp"
 #include "study/results.hpp"
 
 namespace clast::study_detail {
@@ -21,6 +22,9 @@ std::string campaign_identity(const CampaignResults& header);
 /// How the campaign of stored results differs from this one: campaign file, inputs, version,
 /// number of runs or physics. Empty: not at all.
 std::string campaign_difference(const CampaignResults& stored, const CampaignResults& now);
+/// The same of a stored `campaign_identity`, which it reads.
+/// @throws InputError  no such bytes
+std::string campaign_difference(ByteReader& stored, const CampaignResults& now);
 
 class ResultsJournal {
  public:

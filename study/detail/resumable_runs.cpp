@@ -4,6 +4,7 @@
 #include <exception>
 
 #include "core/byte_archive.hpp"
+#include "core/error.hpp"
 #include "core/number_text.hpp"
 #include "study/detail/checkpoint_file.hpp"
 #include "study/detail/realisation.hpp"
@@ -15,7 +16,7 @@ namespace {
 /// Between two reports of a realisation under way, s.
 constexpr double kReportAfter = 0.5;
 
-/// Thrown through the dynamics, which keeps errors as those of the run.
+/// Passes through the dynamics uncaught: a std::exception would be stored as the error of the run.
 struct Stopped {
   std::exception_ptr why;
 };
@@ -55,7 +56,7 @@ CheckpointFile checkpoint_of(const PreparedCampaign& prepared, const std::filesy
 
 }  // namespace
 
-void ResumableRuns::check(const std::vector<std::uint32_t>& firsts) const {
+void ResumableRuns::check_checkpoints(const std::vector<std::uint32_t>& firsts) const {
   if (!prepared_.header.stay || !options_.resume) return;
   for (const std::uint32_t first : firsts) checkpoint_of(prepared_, target_, first).read();
 }
@@ -67,34 +68,48 @@ std::vector<StoredRun> ResumableRuns::compute(std::uint32_t first, unsigned thre
   const std::string name =
       "realisation " + std::to_string(first / prepared_.header.runs_together() + 1);
   Timer report_timer(kReportAfter), checkpoint_timer(options_.checkpoint_interval);
+  std::string problem;  // with the last checkpoint
+  const auto write = [&](const SequenceProgress& progress) {
+    problem.clear();
+    try {
+      file.write(progress.save);
+    } catch (const InputError& error) {
+      problem = std::string("; ") + error.what();
+    }
+  };
   const auto send_report = [&](const SequenceProgress& progress) {
     try {
-      report(name + progress_text(progress, *prepared_.header.stay));
-    } catch (...) {
-      file.write(progress.save);
+      report(name + progress_text(progress, *prepared_.header.stay) + problem);
+    } catch (const std::exception& why) {
+      write(progress);
+      if (!problem.empty()) throw SimulationError(why.what() + problem);
       throw;
     }
   };
+  std::string saved;
   const auto after_step = [&](const SequenceProgress& progress) {
+    if (!saved.empty()) saved = std::string();  // restored by now: its memory is not needed
+    if (options_.checkpoint_interval > 0.0 && checkpoint_timer.is_due()) write(progress);
+    if (!report || !report_timer.is_due()) return;
     try {
-      if (options_.checkpoint_interval > 0.0 && checkpoint_timer.is_due()) {
-        file.write(progress.save);
-      }
-      if (report && report_timer.is_due()) send_report(progress);
+      send_report(progress);
     } catch (...) {
       throw Stopped{std::current_exception()};
     }
   };
-  const std::string saved = options_.resume ? file.read() : std::string();
+  if (options_.resume) saved = file.read().value_or("");
   ByteReader from(saved);
   try {
     return runs_from(prepared_, first, after_step, threads, {}, saved.empty() ? nullptr : &from);
   } catch (const Stopped& stopped) {
     std::rethrow_exception(stopped.why);
+  } catch (const InputError& error) {
+    throw InputError(file.path().string() + ": " + error.what() +
+                     "; delete it, and `resume` starts that realisation again");
   }
 }
 
-void ResumableRuns::forget(std::uint32_t first) const {
+void ResumableRuns::remove_checkpoint(std::uint32_t first) const {
   if (prepared_.header.stay) checkpoint_of(prepared_, target_, first).remove();
 }
 

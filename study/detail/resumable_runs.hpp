@@ -12,8 +12,8 @@ namespace clast::study_detail {
 
 class ResumableRuns {
  public:
-  /// Sees now and then how far a realisation has come. What it throws ends the realisation, once a
-  /// checkpoint is kept.
+  /// Receives progress about twice a second. When it throws, a checkpoint is written and the
+  /// realisation ends.
   using Report = std::function<void(const std::string& what)>;
 
   /// All must outlive it.
@@ -24,16 +24,16 @@ class ResumableRuns {
 
   /// To be called before the first runs.
   /// @param firsts  of those that are computed together
-  /// @throws InputError  one of their checkpoints, to resume, is not fit to go on from
-  void check(const std::vector<std::uint32_t>& firsts) const;
+  /// @throws InputError  a checkpoint to resume from is damaged, or of another campaign
+  void check_checkpoints(const std::vector<std::uint32_t>& firsts) const;
   /// Those that are computed together from `first` on; to resume, from their checkpoint if there is
-  /// one.
+  /// one. A checkpoint that can't be written on the way is tried again later, and reported.
   /// @param threads  that a realisation may use
-  /// @throws InputError  as `check`; or a checkpoint can't be written
+  /// @throws InputError  as `check_checkpoints`
   std::vector<StoredRun> compute(std::uint32_t first, unsigned threads,
                                  const Report& report = {}) const;
-  /// Removes the checkpoint of those runs, once they are kept.
-  void forget(std::uint32_t first) const;
+  /// Of those runs, once they are kept.
+  void remove_checkpoint(std::uint32_t first) const;
 
  private:
   const PreparedCampaign& prepared_;

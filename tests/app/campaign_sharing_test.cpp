@@ -158,8 +158,9 @@ TEST_F(SharedCampaign, WhoseBlocksStayIsTheSameAfterKillsWithinARealisation) {
   let_blocks_stay();
   std::string checkpoint;
   for (int kill = 0; kill < 3; ++kill) {
-    std::vector<std::string> words = clast_words(
-        {"simulate", "campaign.toml", "-o", "cut.h5", "--threads", "1", "--checkpoint", "0.01"});
+    std::vector<std::string> words =
+        clast_words({"simulate", "campaign.toml", "-o", "cut.h5", "--threads", "1",
+                     "--checkpoint-interval", "0.01"});
     if (kill > 0) words.push_back("--resume");
     RunningProgram program(words, folder.path());
     const fs::path file = folder / "cut.h5.part.1";
@@ -182,7 +183,7 @@ TEST_F(SharedCampaign, WhoseBlocksStayIsTheSameAfterKillsWithinARealisation) {
 TEST_F(SharedCampaign, WhoseBlocksStayGoesOnWithinARealisationAfterCtrlC) {
   let_blocks_stay();
   RunningProgram program(clast_words({"simulate", "campaign.toml", "-o", "cut.h5", "--threads", "1",
-                                      "--checkpoint", "0"}),
+                                      "--checkpoint-interval", "0"}),
                          folder.path());
   while (!program.ended() && !fs::exists(partial_file("cut.h5"))) {
     std::this_thread::sleep_for(std::chrono::milliseconds(1));
@@ -190,9 +191,10 @@ TEST_F(SharedCampaign, WhoseBlocksStayGoesOnWithinARealisationAfterCtrlC) {
   program.signal(SIGINT);
   const ProgramRun stopped = program.wait();
   EXPECT_EQ(stopped.exit_code, 1);
-  EXPECT_TRUE(contains(stopped.err,
-                       "0 of 10 runs are kept, and how far realisations have come. Go on with: "
-                       "clast simulate campaign.toml -o cut.h5 --resume"))
+  EXPECT_TRUE(
+      contains(stopped.err,
+               "0 of 10 runs and the checkpoints of unfinished realisations are kept. Go on with: "
+               "clast simulate campaign.toml -o cut.h5 --resume"))
       << stopped.err;
   EXPECT_TRUE(fs::exists(folder / "cut.h5.part.1"));
   std::string damaged = read_text_file(folder / "cut.h5.part.1");

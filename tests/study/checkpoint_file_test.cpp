@@ -22,8 +22,9 @@ void write(const CheckpointFile& file, const std::string& content) {
 
 TEST(CheckpointFiles, KeepTheLastState) {
   const ScratchFolder folder;
-  const CheckpointFile file(folder / "r.h5", hand_made_results(), 1);
-  EXPECT_EQ(file.read(), "");
+  const CampaignResults header = hand_made_results();
+  const CheckpointFile file(folder / "r.h5", header, 1);
+  EXPECT_FALSE(file.read());
   write(file, "first");
   write(file, "");
   EXPECT_EQ(file.read(), "");
@@ -38,7 +39,8 @@ TEST(CheckpointFiles, KeepTheLastState) {
 TEST(CheckpointFiles, ThatAreDamagedAreRefused) {
   const ScratchFolder folder;
   const fs::path path = folder / "r.h5.part.1";
-  const CheckpointFile file(folder / "r.h5", hand_made_results(), 0);
+  const CampaignResults header = hand_made_results();
+  const CheckpointFile file(folder / "r.h5", header, 0);
   write(file, "so far");
   const std::string whole = read_text_file(path);
   for (std::size_t i = 0; i < whole.size(); ++i) {
@@ -54,27 +56,41 @@ TEST(CheckpointFiles, ThatAreDamagedAreRefused) {
 
 TEST(CheckpointFiles, OfAnotherCampaignAreRefused) {
   const ScratchFolder folder;
-  CampaignResults header = hand_made_results();
-  write(CheckpointFile(folder / "r.h5", header, 0), "so far");
+  const CampaignResults first = hand_made_results();
+  CampaignResults header = first;
+  write(CheckpointFile(folder / "r.h5", first, 0), "so far");
+  // The same files in another place are the same inputs.
+  for (std::string& input : header.inputs) input.insert(0, "elsewhere/");
+  EXPECT_EQ(CheckpointFile(folder / "r.h5", header, 0).read(), "so far");
   header.campaign_sha256[0] = 'x';
   const CheckpointFile other(folder / "r.h5", header, 0);
-  EXPECT_TRUE(contains(refusal([&] { other.read(); }), "r.h5.part.1: is of another campaign"));
+  EXPECT_TRUE(contains(refusal([&] { other.read(); }),
+                       "r.h5.part.1: was written with another campaign file; delete it"));
   std::string older = read_text_file(folder / "r.h5.part.1");
   older.resize(older.size() - 64);
   older.insert(older.find('\n'), "0");
   write_text_file(folder / "r.h5.part.1", older + sha256(older));
-  EXPECT_TRUE(contains(refusal([&] { other.read(); }), "another clast"));
+  EXPECT_TRUE(contains(refusal([&] { other.read(); }), "another version of clast"));
+}
+
+TEST(CheckpointFiles, ThatCannotBeWrittenAreReported) {
+  const ScratchFolder folder;
+  const CampaignResults header = hand_made_results();
+  const CheckpointFile file(folder / "none" / "r.h5", header, 0);
+  EXPECT_TRUE(contains(refusal([&] { write(file, "so far"); }),
+                       "r.h5.part.1: the checkpoint can't be written"));
 }
 
 TEST(CheckpointFiles, AreRemovedAndNothingElse) {
   const ScratchFolder folder;
-  for (const char* name : {"r.h5.part.1", "r.h5.part.12", "r.h5.part", "r.h5.part.old",
-                           "r.h5.part.1.old", "other.h5.part.1"}) {
+  for (const char* name : {"r.h5.part.1", "r.h5.part.12", "r.h5.part.3.new", "r.h5.part",
+                           "r.h5.part.old", "r.h5.part.1.old", "other.h5.part.1"}) {
     write_text_file(folder / name, "x");
   }
   CheckpointFile::remove_all(folder / "r.h5");
   EXPECT_FALSE(fs::exists(folder / "r.h5.part.1"));
   EXPECT_FALSE(fs::exists(folder / "r.h5.part.12"));
+  EXPECT_FALSE(fs::exists(folder / "r.h5.part.3.new"));
   for (const char* name : {"r.h5.part", "r.h5.part.old", "r.h5.part.1.old", "other.h5.part.1"}) {
     EXPECT_TRUE(fs::exists(folder / name)) << name;
   }

@@ -4,7 +4,7 @@
 
 namespace clast::dem_detail {
 
-/// Gives back room for more than half as many elements again.
+/// Frees spare capacity beyond half the size.
 template <class... T>
 void trim(std::vector<T>&... lists) {
   const auto trim_one = [](auto& list) {
