@@ -121,7 +121,7 @@ ContactLoad ContactForces::apply(const std::vector<Law>& laws,
 
 void ContactForces::keep(std::vector<Contact>& now) {
   const std::size_t room = std::max(kFewContacts, 2 * now.size());
-  if (now.capacity() <= room || now.capacity() == contacts_.capacity()) {
+  if (now.capacity() <= std::max(room, 4 * now.size())) {
     contacts_.swap(now);
   } else if (contacts_.capacity() <= room) {
     contacts_ = now;

@@ -144,11 +144,10 @@ void ContactPatches::join(const std::vector<ContactPoint>& points, const Quat& o
   if (!same_links) list_links(points);
   std::vector<Vec3>& normals_in_body = scratch().normals_in_body;
   const Mat3 body_from_world = orientation.toRotationMatrix().transpose();
-  normals_in_body.clear();
+  normals_in_body.resize(points.size());
   for (std::size_t i = 0; i < points.size(); ++i) {
     const bool same = i > 0 && points[i].normal == points[i - 1].normal;
-    normals_in_body.push_back(same ? normals_in_body.back()
-                                   : Vec3(body_from_world * points[i].normal));
+    normals_in_body[i] = same ? normals_in_body[i - 1] : Vec3(body_from_world * points[i].normal);
   }
   const auto may_join = [&](const Link& link) { return joins(link, points, normals_in_body); };
   if (same_links && all_joined_ && std::all_of(links_.begin(), links_.end(), may_join)) return;

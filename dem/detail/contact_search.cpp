@@ -87,11 +87,10 @@ void ContactSearch::move_to(const Pose& ground_from_body) {
 }
 
 void ContactSearch::list_visits() {
-  due_parts_.clear();
   visits_.clear();
-  for (std::uint32_t p = 0; p < part_due_.size(); ++p) {
-    due_parts_.add_if(part_due_[p] <= moved_, p);
-  }
+  const double* const due = part_due_.data();
+  due_parts_.list(static_cast<std::uint32_t>(part_due_.size()),
+                  [due, now = moved_](std::uint32_t p) { return due[p] <= now; });
   if (due_parts_.size() == 0 || sleep_whole()) return;
   for (const std::uint32_t p : due_parts_) {
     if (part_states_[p].near) {
@@ -267,11 +266,11 @@ double ContactSearch::next_visit(std::uint32_t p) const {
   const NearPart& part = *part_states_[p].near;
   if (!part.due_vertices.empty()) return moved_;
   double least = list_end(part) - part.way.whole;
-  for (const Asleep& asleep : {part.other_vertices, part.all_features, part.all_pairs}) {
-    const double left = asleep.left(part.way);
+  for (const Asleep* asleep : {&part.other_vertices, &part.all_features, &part.all_pairs}) {
+    const double left = asleep->left(part.way);
     if (!(left > 0.0)) return moved_;
     // No point of the part moves farther than any of the block, neither across nor along.
-    const double used = asleep.per_across + asleep.per_along;
+    const double used = asleep->per_across + asleep->per_along;
     if (left < least * used) least = left / used;
   }
   return moved_ + least;

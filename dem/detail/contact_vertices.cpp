@@ -17,15 +17,15 @@ constexpr double kDistinctMargins = 4.0;
 
 void ContactSearch::update_vertices(std::uint32_t p, const Way& ahead) {
   NearPart& part = *part_states_[p].near;
-  const Way then = part.way + ahead;
-  FirstDue first(part.way);
+  const Way way = part.way, then = way + ahead;
+  FirstDue first(way);
   const std::span<const Asleep> asleep(part.vertex_asleep);
   if (!part.other_vertices.due(then)) {
     if (part.due_vertices.empty()) return;
     first.include(part.other_vertices);
     std::erase_if(part.due_vertices, [&](std::uint32_t v) {
       update_vertex(part, v, ahead);
-      if (asleep[v].due(part.way)) return false;
+      if (asleep[v].due(way)) return false;
       first.include(asleep[v]);
       return true;
     });
@@ -34,7 +34,7 @@ void ContactSearch::update_vertices(std::uint32_t p, const Way& ahead) {
     for (std::uint32_t v = 0; v < asleep.size(); ++v) {
       if (asleep[v].due(then)) {
         update_vertex(part, v, ahead);
-        if (asleep[v].due(part.way)) {
+        if (asleep[v].due(way)) {
           part.due_vertices.push_back(v);
           continue;
         }

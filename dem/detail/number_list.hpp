@@ -17,6 +17,18 @@ class NumberList {
     count_ += wanted ? 1 : 0;
   }
 
+  /// Lists those before `end` that are wanted.
+  template <class Wanted>
+  void list(std::uint32_t end, const Wanted& wanted) {
+    std::uint32_t* const to = numbers_.data();
+    std::size_t count = 0;
+    for (std::uint32_t number = 0; number < end; ++number) {
+      to[count] = number;
+      count += wanted(number) ? 1 : 0;
+    }
+    count_ = count;
+  }
+
   std::size_t size() const { return count_; }
   std::uint32_t operator[](std::size_t i) const { return numbers_[i]; }
   const std::uint32_t* begin() const { return numbers_.data(); }
