@@ -1,5 +1,6 @@
 #include "study/detail/resumable_runs.hpp"
 
+#include <algorithm>
 #include <chrono>
 #include <exception>
 
@@ -33,20 +34,18 @@ std::string progress_text(const SequenceProgress& progress, const StaySummary& s
          counted(progress.released, "block") + " at rest";
 }
 
-/// Has an interval passed since the last time that it had?
+/// Checkpoints are so many times as far apart as it takes to write one, however short the interval.
+constexpr double kTimesApart = 20.0;
+
 class Timer {
  public:
-  explicit Timer(double interval) : interval_(interval) {}
-  bool is_due() {
-    const auto now = std::chrono::steady_clock::now();
-    if (std::chrono::duration<double>(now - last_).count() < interval_) return false;
-    last_ = now;
-    return true;
+  double passed() const {  ///< since it was made or restarted, s
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count();
   }
+  void restart() { begin_ = std::chrono::steady_clock::now(); }
 
  private:
-  double interval_;  ///< s
-  std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
+  std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
 };
 
 CheckpointFile checkpoint_of(const PreparedCampaign& prepared, const std::filesystem::path& target,
@@ -67,15 +66,19 @@ std::vector<StoredRun> ResumableRuns::compute(std::uint32_t first, unsigned thre
   const CheckpointFile file = checkpoint_of(prepared_, target_, first);
   const std::string name =
       "realisation " + std::to_string(first / prepared_.header.runs_together() + 1);
-  Timer report_timer(kReportAfter), checkpoint_timer(options_.checkpoint_interval);
+  Timer report_timer, checkpoint_timer;
+  double interval = options_.checkpoint_interval;
   std::string problem;  // with the last checkpoint
   const auto write = [&](const SequenceProgress& progress) {
+    const Timer writing;
     problem.clear();
     try {
       file.write(progress.save);
     } catch (const InputError& error) {
       problem = std::string("; ") + error.what();
     }
+    interval = std::max(options_.checkpoint_interval, kTimesApart * writing.passed());
+    checkpoint_timer.restart();
   };
   const auto send_report = [&](const SequenceProgress& progress) {
     try {
@@ -89,8 +92,11 @@ std::vector<StoredRun> ResumableRuns::compute(std::uint32_t first, unsigned thre
   std::string saved;
   const auto after_step = [&](const SequenceProgress& progress) {
     if (!saved.empty()) saved = std::string();  // restored by now: its memory is not needed
-    if (options_.checkpoint_interval > 0.0 && checkpoint_timer.is_due()) write(progress);
-    if (!report || !report_timer.is_due()) return;
+    if (options_.checkpoint_interval > 0.0 && checkpoint_timer.passed() >= interval) {
+      write(progress);
+    }
+    if (!report || report_timer.passed() < kReportAfter) return;
+    report_timer.restart();
     try {
       send_report(progress);
     } catch (...) {
