@@ -21,11 +21,14 @@ InterruptionWatch::InterruptionWatch() {
   stop_asked = 0;
   std::signal(SIGINT, ask_to_stop);
   std::signal(SIGTERM, ask_to_stop);
+  hangup_ = std::signal(SIGHUP, ask_to_stop);
+  if (hangup_ == SIG_IGN) std::signal(SIGHUP, SIG_IGN);  // under nohup
 }
 
 InterruptionWatch::~InterruptionWatch() {
   std::signal(SIGINT, SIG_DFL);
   std::signal(SIGTERM, SIG_DFL);
+  std::signal(SIGHUP, hangup_);
 }
 
 bool InterruptionWatch::interrupted() const { return stop_asked != 0; }

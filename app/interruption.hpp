@@ -3,8 +3,8 @@
 
 namespace clast {
 
-/// While one of these lives, the first Ctrl-C, or the first signal of a queue that wants the
-/// machine back, only sets a flag; the second ends the program at once.
+/// While one of these lives, the first Ctrl-C, the first signal of a queue that wants the machine
+/// back, or of a terminal that is closed, only sets a flag; the second ends the program at once.
 class InterruptionWatch {
  public:
   InterruptionWatch();
@@ -13,6 +13,9 @@ class InterruptionWatch {
   InterruptionWatch& operator=(const InterruptionWatch&) = delete;
 
   bool interrupted() const;
+
+ private:
+  void (*hangup_)(int);  ///< what was done before when the terminal is closed
 };
 
 }  // namespace clast

@@ -267,7 +267,7 @@ void run_campaign(const PreparedCampaign& prepared, const std::filesystem::path&
     writer.emplace(go_on ? ResultsWriter::resume(target, prepared.header, runs)
                          : ResultsWriter::create(target, prepared.header, runs));
     open = open_runs(prepared, options.shard, target, writer->stored_runs());
-    if (!go_on) CheckpointFile::remove_all(target);
+    if (!options.resume) CheckpointFile::remove_all(target);
     resumable.check_checkpoints(open);
     return std::string();
   };

@@ -130,21 +130,27 @@ std::string fingerprint(const PreparedCampaign& prepared) {
 }
 
 /// The campaign, with a bar while bodies are made.
-PreparedCampaign prepared_campaign(const SimulateArgs& args, const ProcessTeam& team) {
-  const InterruptionWatch watch;
+PreparedCampaign prepared_campaign(const SimulateArgs& args, const ProcessTeam& team,
+                                   const InterruptionWatch& watch) {
+  const auto check_interrupted = [&] {
+    if (watch.interrupted()) throw SimulationError("interrupted; nothing was run");
+  };
   std::unique_ptr<ProgressBar> bar;
   BlockMaking making{.threads = args.threads};
   making.progress = [&](const ProgressStep& step) {
-    if (watch.interrupted()) throw SimulationError("interrupted; nothing was run");
+    check_interrupted();
     if (!team.leads()) return;
     if (!bar) bar = std::make_unique<ProgressBar>("bodies", step.total);
     bar->update(step.done);
   };
-  return prepare_campaign(read_campaign(args.campaign), making);
+  PreparedCampaign prepared = prepare_campaign(read_campaign(args.campaign), making);
+  check_interrupted();
+  return prepared;
 }
 
 void simulate_with(ProcessTeam& team, const SimulateArgs& args,
                    const std::optional<Shard>& given_shard) {
+  const InterruptionWatch watch;
   const Shard shard = given_shard.value_or(Shard());
   std::optional<PreparedCampaign> plan;
   bool finished = false;
@@ -154,7 +160,7 @@ void simulate_with(ProcessTeam& team, const SimulateArgs& args,
     const bool begun = std::filesystem::exists(part);
     const bool keep = !args.replace && !args.resume && !args.dry_run && !begun;
     if (team.leads()) check_results_place(output, !keep);
-    plan.emplace(prepared_campaign(args, team));
+    plan.emplace(prepared_campaign(args, team, watch));
     if (args.resume && !args.replace && !begun) {
       finished = is_finished(output, plan->header, shard.runs_of(*plan));
     }
@@ -177,7 +183,6 @@ void simulate_with(ProcessTeam& team, const SimulateArgs& args,
                                   " --resume";
   std::cout.flush();
   ProgressBar bar("runs", shard.runs_of(prepared));
-  const InterruptionWatch watch;
   RunOptions options;
   options.threads = args.threads;
   options.resume = args.resume;
@@ -253,8 +258,9 @@ void add_simulate(CLI::App& app) {
       ->type_name("M");
   command->add_flag("--json", args->json, "Print the summary as JSON");
   command->footer(
-      "Ctrl-C stops after the current runs; where blocks stay, at once, after writing checkpoints. "
-      "--resume continues. Results do "
+      "Ctrl-C stops after the current runs; where blocks stay, at once, after writing checkpoints "
+      "(other "
+      "processes of mpirun finish their realisations). --resume continues. Results do "
       "not depend on interruptions, on --threads, on --shard, or on the processes of mpirun, which "
       "have one thread "
       "each unless\n--threads says otherwise.\n"

@@ -17,7 +17,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
-const std::string kMagic = "clast checkpoint 1\n";
+const std::string kFormat = "clast checkpoint ";
+const std::string kMagic = kFormat + "1\n";
 constexpr std::size_t kDigestLength = 64;
 
 /// Of the files of all realisations, before the number.
@@ -28,12 +29,20 @@ std::string name_begin(const fs::path& target) {
 /// While it is written.
 fs::path unfinished(fs::path path) { return path += ".new"; }
 
-bool is_checkpoint(std::string name, const std::string& begin) {
+/// Files of other programs may have such names.
+bool is_checkpoint(const fs::path& path, const std::string& begin) {
+  std::string name = path.filename().string();
   if (!name.starts_with(begin)) return false;
   name.erase(0, begin.size());
   if (name.ends_with(".new")) name.resize(name.size() - 4);
-  return !name.empty() && std::all_of(name.begin(), name.end(),
-                                      [](unsigned char c) { return c >= '0' && c <= '9'; });
+  if (name.empty() || !std::all_of(name.begin(), name.end(),
+                                   [](unsigned char c) { return c >= '0' && c <= '9'; })) {
+    return false;
+  }
+  std::string first(kFormat.size(), '\0');
+  std::ifstream file(path, std::ios::binary);
+  file.read(first.data(), static_cast<std::streamsize>(first.size()));
+  return file && first == kFormat;
 }
 
 }  // namespace
@@ -41,10 +50,14 @@ bool is_checkpoint(std::string name, const std::string& begin) {
 CheckpointFile::CheckpointFile(const fs::path& target, const CampaignResults& header,
                                std::uint32_t realisation)
     : path_(target.parent_path() / (name_begin(target) + std::to_string(realisation + 1))),
-      header_(header) {}
+      header_(header),
+      realisation_(realisation) {}
 
 std::optional<std::string> CheckpointFile::read() const {
   if (!fs::exists(path_)) return std::nullopt;
+  if (!fs::is_regular_file(path_)) {
+    throw InputError(path_.string() + ": is in the place of a checkpoint; move it away");
+  }
   const std::string advice = "; delete it, and `resume` starts that realisation again";
   std::string file = read_text_file(path_);
   const std::size_t whole = file.size() - std::min(file.size(), kDigestLength);
@@ -55,6 +68,11 @@ std::optional<std::string> CheckpointFile::read() const {
   if (file.starts_with(kMagic)) {
     ByteReader reader(std::string_view(file).substr(kMagic.size()));
     difference = campaign_difference(reader, header_);
+    std::uint32_t of = 0;
+    reader(of);
+    if (difference.empty() && of != realisation_) {
+      difference = "the number of another realisation, " + std::to_string(of + 1);
+    }
     if (difference.empty()) {
       file.erase(0, file.size() - reader.left());
       return file;
@@ -68,6 +86,8 @@ void CheckpointFile::write(const std::function<void(ByteWriter& to)>& save) cons
   std::ofstream file(written, std::ios::binary);
   file << kMagic << campaign_identity(header_);
   ByteWriter writer(file);
+  std::uint32_t of = realisation_;
+  writer(of);
   save(writer);
   file.flush();
   if (file) file << sha256_of_file(written) << std::flush;
@@ -93,7 +113,7 @@ void CheckpointFile::remove_all(const fs::path& target) {
   std::error_code code;  // what is left of them is harmless
   std::vector<fs::path> found;
   for (fs::directory_iterator it(folder, code), end; !code && it != end; it.increment(code)) {
-    if (is_checkpoint(it->path().filename().string(), begin)) found.push_back(it->path());
+    if (is_checkpoint(it->path(), begin)) found.push_back(it->path());
   }
   for (const fs::path& path : found) fs::remove(path, code);
 }

@@ -23,19 +23,21 @@ class CheckpointFile {
 
   const std::filesystem::path& path() const { return path_; }
   /// The last state written; none: there is no file.
-  /// @throws InputError  damaged, or of another campaign, inputs or program
+  /// @throws InputError  damaged, no checkpoint, or of another campaign, realisation, inputs or
+  /// program
   std::optional<std::string> read() const;
   /// Writes what `save` gives, in place of the state before; a kill leaves one or the other.
   /// @throws InputError  the file can't be written
   void write(const std::function<void(ByteWriter& to)>& save) const;
   void remove() const;
 
-  /// Removes the files of all realisations.
+  /// Removes the checkpoints of all realisations.
   static void remove_all(const std::filesystem::path& target);
 
  private:
   std::filesystem::path path_;
   const CampaignResults& header_;
+  std::uint32_t realisation_;
 };
 
 }  // namespace clast::study_detail

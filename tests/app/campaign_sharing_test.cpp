@@ -182,21 +182,26 @@ TEST_F(SharedCampaign, WhoseBlocksStayIsTheSameAfterKillsWithinARealisation) {
 
 TEST_F(SharedCampaign, WhoseBlocksStayGoesOnWithinARealisationAfterCtrlC) {
   let_blocks_stay();
-  RunningProgram program(clast_words({"simulate", "campaign.toml", "-o", "cut.h5", "--threads", "1",
-                                      "--checkpoint-interval", "0"}),
-                         folder.path());
-  while (!program.ended() && !fs::exists(partial_file("cut.h5"))) {
-    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  std::vector<std::string> words = clast_words({"simulate", "campaign.toml", "-o", "cut.h5",
+                                                "--threads", "1", "--checkpoint-interval", "0"});
+  for (const int signal : {SIGINT, SIGHUP}) {  // Ctrl-C, then a terminal that is closed
+    RunningProgram program(words, folder.path());
+    while (!program.ended() && !fs::exists(partial_file("cut.h5"))) {
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
+    if (signal == SIGHUP) std::this_thread::sleep_for(std::chrono::milliseconds(200));
+    program.signal(signal);
+    const ProgramRun stopped = program.wait();
+    EXPECT_EQ(stopped.exit_code, 1) << signal;
+    EXPECT_TRUE(contains(stopped.err, signal == SIGHUP ? "clast: interrupted; "
+                                                       : "0 of 10 runs and the checkpoints of "
+                                                         "unfinished realisations are kept. Go on "
+                                                         "with: clast simulate campaign.toml -o "
+                                                         "cut.h5 --resume"))
+        << stopped.err;
+    EXPECT_TRUE(fs::exists(folder / "cut.h5.part.1"));
+    words.push_back("--resume");
   }
-  program.signal(SIGINT);
-  const ProgramRun stopped = program.wait();
-  EXPECT_EQ(stopped.exit_code, 1);
-  EXPECT_TRUE(
-      contains(stopped.err,
-               "0 of 10 runs and the checkpoints of unfinished realisations are kept. Go on with: "
-               "clast simulate campaign.toml -o cut.h5 --resume"))
-      << stopped.err;
-  EXPECT_TRUE(fs::exists(folder / "cut.h5.part.1"));
   std::string damaged = read_text_file(folder / "cut.h5.part.1");
   const std::string whole = damaged;
   damaged[damaged.size() / 2] ^= 1;

@@ -73,6 +73,19 @@ TEST(CheckpointFiles, OfAnotherCampaignAreRefused) {
   EXPECT_TRUE(contains(refusal([&] { other.read(); }), "another version of clast"));
 }
 
+TEST(CheckpointFiles, OfAnotherRealisationAreRefused) {
+  const ScratchFolder folder;
+  const CampaignResults header = hand_made_results();
+  write(CheckpointFile(folder / "r.h5", header, 0), "so far");
+  fs::rename(folder / "r.h5.part.1", folder / "r.h5.part.3");
+  const CheckpointFile third(folder / "r.h5", header, 2);
+  EXPECT_TRUE(contains(refusal([&] { third.read(); }),
+                       "r.h5.part.3: was written with the number of another realisation, 1"));
+  fs::create_directory(folder / "r.h5.part.2");
+  const CheckpointFile second(folder / "r.h5", header, 1);
+  EXPECT_TRUE(contains(refusal([&] { second.read(); }), "is in the place of a checkpoint"));
+}
+
 TEST(CheckpointFiles, ThatCannotBeWrittenAreReported) {
   const ScratchFolder folder;
   const CampaignResults header = hand_made_results();
@@ -83,15 +96,18 @@ TEST(CheckpointFiles, ThatCannotBeWrittenAreReported) {
 
 TEST(CheckpointFiles, AreRemovedAndNothingElse) {
   const ScratchFolder folder;
+  const std::string checkpoint = "clast checkpoint 1\n";
   for (const char* name : {"r.h5.part.1", "r.h5.part.12", "r.h5.part.3.new", "r.h5.part",
                            "r.h5.part.old", "r.h5.part.1.old", "other.h5.part.1"}) {
-    write_text_file(folder / name, "x");
+    write_text_file(folder / name, checkpoint);
   }
+  write_text_file(folder / "r.h5.part.02", "what another program has split");
   CheckpointFile::remove_all(folder / "r.h5");
   EXPECT_FALSE(fs::exists(folder / "r.h5.part.1"));
   EXPECT_FALSE(fs::exists(folder / "r.h5.part.12"));
   EXPECT_FALSE(fs::exists(folder / "r.h5.part.3.new"));
-  for (const char* name : {"r.h5.part", "r.h5.part.old", "r.h5.part.1.old", "other.h5.part.1"}) {
+  for (const char* name :
+       {"r.h5.part", "r.h5.part.old", "r.h5.part.1.old", "r.h5.part.02", "other.h5.part.1"}) {
     EXPECT_TRUE(fs::exists(folder / name)) << name;
   }
   CheckpointFile::remove_all(folder / "no" / "folder.h5");
