@@ -259,11 +259,9 @@ void add_simulate(CLI::App& app) {
   command->add_flag("--json", args->json, "Print the summary as JSON");
   command->footer(
       "Ctrl-C stops after the current runs; where blocks stay, at once, after writing checkpoints "
-      "(other "
-      "processes of mpirun finish their realisations). --resume continues. Results do "
-      "not depend on interruptions, on --threads, on --shard, or on the processes of mpirun, which "
-      "have one thread "
-      "each unless\n--threads says otherwise.\n"
+      "(other processes of mpirun finish their realisations). --resume continues. Results do not "
+      "depend on interruptions, on --threads, on --shard, or on the processes of mpirun, which\n"
+      "have one thread each unless --threads says otherwise.\n"
       "Examples:\n"
       "  clast simulate campaign.toml --dry-run\n"
       "  clast simulate campaign.toml -o results.h5 --threads 4\n"

@@ -20,6 +20,7 @@ namespace {
 const std::string kFormat = "clast checkpoint ";
 const std::string kMagic = kFormat + "1\n";
 constexpr std::size_t kDigestLength = 64;
+const std::string kInTheWay = "is in the place of a checkpoint; move it away";
 
 /// Of the files of all realisations, before the number.
 std::string name_begin(const fs::path& target) {
@@ -29,16 +30,17 @@ std::string name_begin(const fs::path& target) {
 /// While it is written.
 fs::path unfinished(fs::path path) { return path += ".new"; }
 
-/// Files of other programs may have such names.
-bool is_checkpoint(const fs::path& path, const std::string& begin) {
-  std::string name = path.filename().string();
+/// May a file with such a name be a checkpoint?
+bool is_checkpoint_name(std::string name, const std::string& begin) {
   if (!name.starts_with(begin)) return false;
   name.erase(0, begin.size());
   if (name.ends_with(".new")) name.resize(name.size() - 4);
-  if (name.empty() || !std::all_of(name.begin(), name.end(),
-                                   [](unsigned char c) { return c >= '0' && c <= '9'; })) {
-    return false;
-  }
+  return !name.empty() && std::all_of(name.begin(), name.end(),
+                                      [](unsigned char c) { return c >= '0' && c <= '9'; });
+}
+
+/// Files of other programs may have such names too.
+bool is_checkpoint(const fs::path& path) {
   std::string first(kFormat.size(), '\0');
   std::ifstream file(path, std::ios::binary);
   file.read(first.data(), static_cast<std::streamsize>(first.size()));
@@ -56,7 +58,7 @@ CheckpointFile::CheckpointFile(const fs::path& target, const CampaignResults& he
 std::optional<std::string> CheckpointFile::read() const {
   if (!fs::exists(path_)) return std::nullopt;
   if (!fs::is_regular_file(path_)) {
-    throw InputError(path_.string() + ": is in the place of a checkpoint; move it away");
+    throw InputError(path_.string() + ": " + kInTheWay);
   }
   const std::string advice = "; delete it, and `resume` starts that realisation again";
   std::string file = read_text_file(path_);
@@ -82,6 +84,9 @@ std::optional<std::string> CheckpointFile::read() const {
 }
 
 void CheckpointFile::write(const std::function<void(ByteWriter& to)>& save) const {
+  if (fs::exists(path_) && !is_checkpoint(path_)) {
+    throw InputError(path_.string() + ": " + kInTheWay);
+  }
   const fs::path written = unfinished(path_);
   std::ofstream file(written, std::ios::binary);
   file << kMagic << campaign_identity(header_);
@@ -113,7 +118,10 @@ void CheckpointFile::remove_all(const fs::path& target) {
   std::error_code code;  // what is left of them is harmless
   std::vector<fs::path> found;
   for (fs::directory_iterator it(folder, code), end; !code && it != end; it.increment(code)) {
-    if (is_checkpoint(it->path(), begin)) found.push_back(it->path());
+    const fs::path& path = it->path();
+    if (is_checkpoint_name(path.filename().string(), begin) && is_checkpoint(path)) {
+      found.push_back(path);
+    }
   }
   for (const fs::path& path : found) fs::remove(path, code);
 }

@@ -84,6 +84,10 @@ TEST(CheckpointFiles, OfAnotherRealisationAreRefused) {
   fs::create_directory(folder / "r.h5.part.2");
   const CheckpointFile second(folder / "r.h5", header, 1);
   EXPECT_TRUE(contains(refusal([&] { second.read(); }), "is in the place of a checkpoint"));
+  write_text_file(folder / "r.h5.part.4", "what another program has written");
+  const CheckpointFile fourth(folder / "r.h5", header, 3);
+  EXPECT_TRUE(contains(refusal([&] { write(fourth, "so far"); }),
+                       "r.h5.part.4: is in the place of a checkpoint; move it away"));
 }
 
 TEST(CheckpointFiles, ThatCannotBeWrittenAreReported) {
