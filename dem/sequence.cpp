@@ -4,26 +4,21 @@
 #include <cmath>
 #include <functional>
 #include <iterator>
-#include <limits>
 #include <map>
 #include <string>
 
 #include "core/byte_archive.hpp"
 #include "core/error.hpp"
 #include "core/number_text.hpp"
+#include "dem/detail/release_schedule.hpp"
+#include "dem/detail/watched_block.hpp"
 
 namespace clast {
 
-namespace {
+using dem_detail::ReleaseSchedule;
+using dem_detail::WatchedBlock;
 
-/// Length of the path of the centre, m.
-double way_of(const MotionStep& step) {
-  if (!step.flight) return (step.end.position - step.begin.position).norm();
-  // Of a parabola, by Simpson's rule over the speed.
-  const double middle = 0.5 * (step.begin.velocity + step.end.velocity).norm();
-  return (step.end_time - step.begin_time) / 6.0 *
-         (step.begin.velocity.norm() + 4.0 * middle + step.end.velocity.norm());
-}
+namespace {
 
 class Sequence {
  public:
@@ -35,6 +30,7 @@ class Sequence {
         blocks_(blocks),
         settings_(settings),
         observers_(observers),
+        schedule_(blocks, settings),
         world_({shapes.begin(), shapes.end()}, settings.world, terrain,
                {zones.begin(), zones.end()}) {}
 
@@ -49,26 +45,16 @@ class Sequence {
 
   std::vector<SequenceResult> run() {
     const std::size_t together = settings_.at_once ? blocks_.size() : 1;
-    while (phase_ != Phase::kFinished || results_.size() < blocks_.size()) {
-      if (phase_ == Phase::kFinished) add_blocks(results_.size(), results_.size() + together);
+    while (phase_ != Phase::kFinished || watched_.size() < blocks_.size()) {
+      if (phase_ == Phase::kFinished) add_blocks(watched_.size(), watched_.size() + together);
       finish_release();
     }
-    for (std::size_t block = 0; block < blocks_.size(); ++block) finish(block);
-    return std::move(results_);
+    std::vector<SequenceResult> results;
+    for (std::size_t block = 0; block < blocks_.size(); ++block) results.push_back(finished(block));
+    return results;
   }
 
  private:
-  /// What is known of a block while the sequence goes on.
-  struct Watched {
-    bool touching = false;
-    std::vector<std::size_t> hit;    ///< blocks it touched during its own release, ascending
-    Vec3 first_rest = Vec3::Zero();  ///< its place at the end of its own release
-
-    template <class Bytes>
-    void serialize(Bytes& bytes) {
-      bytes(touching, hit, first_rest);
-    }
-  };
   /// What the newest blocks do. Each phase can be entered again where a checkpoint was taken.
   enum class Phase : std::uint8_t {
     kSettling,  ///< behind forms
@@ -79,8 +65,8 @@ class Sequence {
 
   template <class Bytes>
   void serialize(Bytes& bytes) {
-    bytes(phase_, changes_done_, energy_before_, results_, watched_, forms_, released_at_, newest_,
-          begin_, energy_intervals_);
+    bytes(phase_, changes_done_, energy_before_, watched_, forms_, released_at_, newest_, begin_,
+          energy_intervals_);
   }
 
   const RigidBody& body_of(std::size_t block) const { return shapes_[blocks_[block].shape]; }
@@ -145,29 +131,14 @@ class Sequence {
     } while (clear_zones());
     take_energy();
     const EnergyLedger energy = of_release(energy_before_, world_.energy());
-    for (std::size_t block = newest_; block < results_.size(); ++block) {
-      SequenceResult& result = results_[block];
+    for (std::size_t block = newest_; block < watched_.size(); ++block) {
+      SequenceResult& result = watched_[block].result;
       result.release.duration = world_.time() - released_at_;
       result.release.energy = energy;
       result.blocks_hit = static_cast<std::uint32_t>(watched_[block].hit.size());
       watched_[block].first_rest = world_.state(block).position;
     }
     phase_ = Phase::kFinished;
-  }
-
-  /// Does a form hold the block?
-  bool settles(std::size_t block) const {
-    return std::any_of(settings_.forms.begin(), settings_.forms.end(),
-                       [&](const SequenceForm& f) { return block >= f.first && block < f.end; });
-  }
-
-  /// When a block is released, since the first is, s.
-  double release_time(std::size_t block) const {
-    double time = std::numeric_limits<double>::infinity();
-    for (const SequenceForm& form : settings_.forms) {
-      if (block >= form.first && block < form.end) time = std::min(time, form.removed_at);
-    }
-    return std::isfinite(time) ? time : blocks_[block].held;
   }
 
   /// Lets the blocks that forms hold come to rest.
@@ -183,7 +154,7 @@ class Sequence {
     });
     refuse_settled(false, [&](std::size_t block) { return !world_.resting(block); });
     for (std::size_t block = 0; block < blocks_.size(); ++block) {
-      if (settles(block)) results_[block].settled = world_.state(block);
+      if (schedule_.settles(block)) watched_[block].result.settled = world_.state(block);
     }
     energy_before_ = world_.energy();
     released_at_ = world_.time();
@@ -194,7 +165,7 @@ class Sequence {
   void refuse_settled(bool left, const std::function<bool(std::size_t)>& is_bad) const {
     std::size_t all = 0, bad = 0, first = 0;
     for (std::size_t block = 0; block < blocks_.size(); ++block) {
-      if (!settles(block)) continue;
+      if (!schedule_.settles(block)) continue;
       ++all;
       if (is_bad(block) && bad++ == 0) first = block;
     }
@@ -209,13 +180,6 @@ class Sequence {
                         first, bad, left);
   }
 
-  /// Is the block held where it starts?
-  bool is_held(std::size_t block) const {
-    // While others settle, nothing else moves.
-    return settings_.at_once && !settles(block) &&
-           (blocks_[block].held > 0.0 || !settings_.forms.empty());
-  }
-
   /// Lets go what is held and removes the forms, each at its time.
   /// @return  time from the first release to the last, s
   double release_held() {
@@ -223,8 +187,8 @@ class Sequence {
       std::vector<std::size_t> freed, removed;
     };
     std::map<double, Change> changes;  // by time since the first release
-    for (std::size_t block = newest_; block < results_.size(); ++block) {
-      if (is_held(block)) changes[blocks_[block].held].freed.push_back(block);
+    for (std::size_t block = newest_; block < watched_.size(); ++block) {
+      if (schedule_.is_held(block)) changes[blocks_[block].held].freed.push_back(block);
     }
     for (std::size_t form = 0; form < forms_.size(); ++form) {
       changes[settings_.forms[form].removed_at].removed.push_back(forms_[form]);
@@ -266,14 +230,14 @@ class Sequence {
   }
 
   bool is_released(std::size_t block) const {
-    return settling() ? settles(block) : !world_.fixed(block);
+    return settling() ? schedule_.settles(block) : !world_.fixed(block);
   }
 
   /// Counts the released blocks only when their number changes, since progress is reported after
   /// every step.
   void count_released() {
     released_ = 0;
-    for (std::size_t block = 0; block < results_.size(); ++block) {
+    for (std::size_t block = 0; block < watched_.size(); ++block) {
       if (is_released(block)) ++released_;
     }
   }
@@ -283,7 +247,7 @@ class Sequence {
   SequenceProgress progress() {
     const auto resting = [this] {
       std::size_t count = 0;
-      for (std::size_t block = 0; block < results_.size(); ++block) {
+      for (std::size_t block = 0; block < watched_.size(); ++block) {
         if (is_released(block) && (world_.gone(block) || world_.resting(block))) ++count;
       }
       return count;
@@ -296,26 +260,25 @@ class Sequence {
   }
 
   void add(std::size_t block) {
-    SequenceResult& result = results_.emplace_back();
-    watched_.emplace_back();
+    SequenceResult& result = watched_.emplace_back().result;
     RigidState start = blocks_[block].start;
     if (!settings_.at_once) {
       const double height = clear_height(body_of(block), start.position);
       result.raised = height - start.position.z();
       start.position.z() = height;
     }
-    result.released_at = settings_.at_once ? release_time(block) : released_at_;
-    world_.add_body(blocks_[block].shape, start, is_held(block));
+    result.released_at = settings_.at_once ? schedule_.release_time(block) : released_at_;
+    world_.add_body(blocks_[block].shape, start, schedule_.is_held(block));
   }
 
   /// Removes the blocks that rest where blocks are cleared away.
   /// @return  were there any?
   bool clear_zones() {
     bool any = false;
-    for (std::size_t block = 0; block < results_.size(); ++block) {
+    for (std::size_t block = 0; block < watched_.size(); ++block) {
       if (world_.gone(block) || !world_.resting(block) || !lies_in_cleared_zone(block)) continue;
-      results_[block].release.settled_penetration = world_.touch(block).overlap;
-      results_[block].removed_at = world_.time();
+      watched_[block].result.release.settled_penetration = world_.touch(block).overlap;
+      watched_[block].result.removed_at = world_.time();
       world_.remove_body(block);
       any = true;
     }
@@ -339,7 +302,7 @@ class Sequence {
     part.rolling = after.rolling - before.rolling;
     part.reassigned = after.reassigned - before.reassigned;
     double potential = 0.0;
-    for (std::size_t i = 0; i < results_.size(); ++i) {
+    for (std::size_t i = 0; i < watched_.size(); ++i) {
       potential += body_of(i).mass * settings_.world.gravity * world_.state(i).position.z();
     }
     part.close(after.final, part.initial - potential);
@@ -347,36 +310,23 @@ class Sequence {
   }
 
   void see(std::size_t block, const MotionStep& step) {
-    ReleaseResult& result = results_[block].release;
-    Watched& watched = watched_[block];
-    if (step.flight) ++result.flight_pieces;
-    result.path_length += way_of(step);
-    result.max_speed =
-        std::max({result.max_speed, step.begin.velocity.norm(), step.end.velocity.norm()});
-    result.max_penetration = std::max(result.max_penetration, step.touch.overlap);
-    const bool touching = step.touch.points > 0;
-    if (touching) ++result.contact_steps;
-    if (touching && !watched.touching) ++result.impacts;
-    watched.touching = touching;
-    if (block >= newest_ && touching) note_hits(block, watched.hit);
+    WatchedBlock& watched = watched_[block];
+    watched.see(step);
+    if (block >= newest_ && watched.touching) {
+      std::vector<std::size_t> touched = world_.touched_bodies(block);
+      std::erase_if(touched, [&](std::size_t other) { return other >= blocks_.size(); });  // forms
+      watched.note_hits(touched);
+    }
     if (!observers_.motion) return;
     MotionStep since_release = step;
-    const double release = settings_.at_once ? released_at_ : results_[block].released_at;
+    const double release = settings_.at_once ? released_at_ : watched.result.released_at;
     since_release.begin_time -= release;
     since_release.end_time -= release;
     observers_.motion(block, since_release);
   }
 
-  void note_hits(std::size_t block, std::vector<std::size_t>& hit) const {
-    for (const std::size_t other : world_.touched_bodies(block)) {
-      if (other >= blocks_.size()) continue;  // a form
-      const auto place = std::lower_bound(hit.begin(), hit.end(), other);
-      if (place == hit.end() || *place != other) hit.insert(place, other);
-    }
-  }
-
-  void finish(std::size_t block) {
-    SequenceResult& result = results_[block];
+  SequenceResult finished(std::size_t block) const {
+    SequenceResult result = watched_[block].result;
     ReleaseResult& release = result.release;
     release.final_state = world_.state(block);
     if (!result.removed_at) release.settled_penetration = world_.touch(block).overlap;
@@ -387,6 +337,7 @@ class Sequence {
     const std::optional<double> ground = terrain_.height(place.x(), place.y(), place.z());
     release.below_ground = ground && place.z() < *ground;
     result.moved_later = (place - watched_[block].first_rest).norm();
+    return result;
   }
 
   const TerrainSurface& terrain_;
@@ -394,9 +345,9 @@ class Sequence {
   std::span<const SequenceBlock> blocks_;
   const SequenceSettings& settings_;
   const SequenceObservers& observers_;
+  ReleaseSchedule schedule_;
   World world_;
-  std::vector<SequenceResult> results_;
-  std::vector<Watched> watched_;
+  std::vector<WatchedBlock> watched_;
   std::vector<std::size_t> forms_;  ///< their numbers as bodies
   double released_at_ = 0.0;        ///< when the newest blocks were, s
   std::size_t newest_ = 0;          ///< the first of them
