@@ -10,6 +10,7 @@
 #include <array>
 #include <cstdint>
 #include <cstring>
+#include <memory>
 #include <optional>
 #include <ostream>
 #include <sstream>
@@ -146,6 +147,14 @@ void serialize(Bytes& bytes, std::optional<T>& value) {
     value.reset();
     if (has) value.emplace();
   }
+  if (has) bytes(*value);
+}
+
+template <class Bytes, class T>
+void serialize(Bytes& bytes, std::unique_ptr<T>& value) {
+  bool has = value != nullptr;
+  bytes(has);
+  if constexpr (Bytes::kReads) value = has ? std::make_unique<T>() : nullptr;
   if (has) bytes(*value);
 }
 

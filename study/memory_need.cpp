@@ -11,7 +11,7 @@ namespace {
 /// Bytes of a block, with its contacts, and of each vertex: at least 1.5 times what was measured in
 /// piles of 500 rocks of 12 to 642 vertices (docs/benchmarks.md, Five hundred blocks falling into a
 /// pile).
-constexpr double kOfBlock = 30e3, kOfVertex = 0.22e3;
+constexpr double kOfBlock = 24e3, kOfVertex = 0.19e3;
 /// Of a stored state: a time, a place, an orientation, a velocity and a spin.
 constexpr double kOfState = 14.0 * sizeof(double);
 

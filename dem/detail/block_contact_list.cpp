@@ -29,7 +29,7 @@ constexpr int kTries = 6;
 /// Room for rounding where a feature lies on the very border of what is listed, m.
 constexpr double kRounding = 1e-9;
 
-/// Features of one part that pass between the planes: entries of the lists in `Scratch`.
+/// Features of one part that pass between the planes: entries of the lists in `ListScratch`.
 struct PartBetween {
   Vec3 centre;
   double radius;
@@ -39,7 +39,7 @@ struct PartBetween {
 
 /// What is needed only while a list is made, kept to spare the allocations: lists are made by many
 /// pairs in turn, and hold nothing of it.
-struct Scratch {
+struct ListScratch {
   std::vector<double> ground_heights, block_heights;  ///< of the vertices along the direction, m
   std::vector<PartBetween> ground_parts;
   std::vector<std::uint32_t> edges, corners;  ///< of the ground: sides and vertices
@@ -51,8 +51,8 @@ struct Scratch {
     return height;
   }
 };
-Scratch& scratch() {
-  thread_local Scratch of_thread;
+ListScratch& list_scratch() {
+  thread_local ListScratch of_thread;
   return of_thread;
 }
 
@@ -116,7 +116,7 @@ void BlockContacts::make_list() {
 }
 
 void BlockContacts::list_features() {
-  Scratch& s = scratch();
+  ListScratch& s = list_scratch();
   const Vec3 in_block = tests_.rotation().transpose() * direction_;
   const double offset = direction_.dot(tests_.position());
   s.ground_heights.clear();
@@ -143,7 +143,7 @@ void BlockContacts::list_features() {
 }
 
 void BlockContacts::list_ground() {
-  Scratch& s = scratch();
+  ListScratch& s = list_scratch();
   const double room = listed_within() + kRounding;
   s.ground_parts.clear();
   s.edges.clear();
@@ -174,7 +174,7 @@ void BlockContacts::list_vertices(const BlockPart& part) {
   const double listed = tests_.reach() + margin_ + kRounding;
   for (std::uint32_t v = part.first_vertex; v < part.end_vertex; ++v) {
     const std::uint32_t vertex = block_.parts.vertices[v];
-    if (scratch().block_heights[vertex] > high_ + listed) continue;
+    if (list_scratch().block_heights[vertex] > high_ + listed) continue;
     const Vec3 centre = tests_.placed(block_.features.vertices[vertex]);
     const Vec3 in_box = centre.cwiseMax(ground_.extent.low).cwiseMin(ground_.extent.high);
     if (within(centre - in_box, listed)) list_vertex(vertex, centre, listed);
@@ -188,7 +188,7 @@ void BlockContacts::list_vertex(std::uint32_t vertex, const Vec3& centre, double
   const double distance = nearest.distance;
   if (distance > listed) return;
   const double near = std::max(std::abs(distance), tests_.reach()) + 2.0 * margin_ + kRounding;
-  for (const LocalGround::Face& face : ground_.local_faces) {
+  for (const LocalFaces::Face& face : ground_.local_faces) {
     if (std::abs(face.normal.dot(centre) - face.offset) <= near &&
         within(centre - face.middle, near + face.radius)) {
       faces_.push_back(face.face);
@@ -199,7 +199,7 @@ void BlockContacts::list_vertex(std::uint32_t vertex, const Vec3& centre, double
 }
 
 void BlockContacts::list_sides(const BlockPart& part) {
-  Scratch& s = scratch();
+  ListScratch& s = list_scratch();
   place_sides(part);
   if (s.sides.empty()) return;
   const double room = listed_within() + kRounding;
@@ -222,7 +222,7 @@ void BlockContacts::list_sides(const BlockPart& part) {
 }
 
 void BlockContacts::place_sides(const BlockPart& part) {
-  Scratch& s = scratch();
+  ListScratch& s = list_scratch();
   s.sides.clear();
   for (std::uint32_t i = part.first_side; i < part.end_side; ++i) {
     const BlockSide& of_body = block_.parts.sides[i];
@@ -248,7 +248,7 @@ void BlockContacts::place_sides(const BlockPart& part) {
 }
 
 void BlockContacts::list_face(const PlacedSide& side, std::span<const std::uint32_t> corners) {
-  const Scratch& s = scratch();
+  const ListScratch& s = list_scratch();
   const double room = listed_within() + kRounding;
   for (const std::uint32_t corner : corners) {
     if (s.ground_heights[corner] < low_ - side.beyond ||
@@ -265,7 +265,7 @@ void BlockContacts::list_face(const PlacedSide& side, std::span<const std::uint3
 
 void BlockContacts::list_edge(const PlacedSide& side, std::span<const std::uint32_t> edges,
                               std::span<const std::uint32_t> corners) {
-  const Scratch& s = scratch();
+  const ListScratch& s = list_scratch();
   const std::uint32_t feature = block_.parts.sides[side.number].feature;
   const double room = listed_within() + kRounding;
   std::optional<ContactPoint> contact;

@@ -25,7 +25,8 @@ class BlockContacts {
   /// @param size    smallest side of the smaller one, m: lists look ahead a share of it
   BlockContacts(const BlockSurface& ground, const BlockSurface& block, double size);
 
-  /// The contacts, in a fixed order; the caller may change them.
+  /// The contacts, in a fixed order, until the next call of any search in this thread; the caller
+  /// may change them.
   /// @param travel  a bound of how far any point of the block has moved against the ground, m:
   /// grows from call to call by no less than the shift of its centre and the chord of its turn
   /// times its bounding radius together
@@ -122,18 +123,25 @@ class BlockContacts {
 
   /// A contact whose push would lead the vertex out through its own block.
   struct Backwards {
-    std::size_t contact;  ///< of `contacts_`
+    std::size_t contact;  ///< of those found so far
     std::uint32_t vertex;
     Vec3 centre;
     NearestPoint nearest;
   };
+  /// Of one call, shared by all searches of a thread.
+  struct Scratch {
+    std::vector<ContactPoint> contacts;
+    std::vector<Backwards> backwards;
+    std::vector<LocalFaces::Face> near_faces;
+  };
+  static Scratch& scratch();
 
   void find_at_vertices();
   /// Gives contacts that push backwards the nearest way out that does not, where that is not much
   /// deeper than the other contacts are.
   void turn_forwards();
   void find_at_vertex(ListedVertex& listed, std::span<const std::uint32_t> faces);
-  NearestPoint nearest_of_all(ListedVertex& listed, std::span<const LocalGround::Face> faces,
+  NearestPoint nearest_of_all(ListedVertex& listed, std::span<const LocalFaces::Face> faces,
                               const Vec3& centre);
   void find_at_sides();
 
@@ -158,8 +166,6 @@ class BlockContacts {
   double safe_until_ = 0.0;  ///< travel to which nothing that is listed can touch, m
   double deepest_ = 0.0;     ///< largest overlap at the last call, m
   AllowedDepth allowed_;
-  std::vector<Backwards> backwards_;  ///< of this call
-  std::vector<ContactPoint> contacts_;
 };
 
 }  // namespace clast::dem_detail

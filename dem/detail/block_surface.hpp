@@ -23,7 +23,7 @@ struct BlockSurface : IndexedSurface {
   BlockParts parts;
   BlockJoints joints;
   // All of them, by number.
-  std::vector<LocalGround::Face> local_faces;
+  std::vector<LocalFaces::Face> local_faces;
   std::vector<EdgeArc> arcs;        ///< of the edges
   std::vector<double> cone_slacks;  ///< of the vertices, sines
   double bounding_radius = 0.0;     ///< of the rounded block about its origin, m

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <type_traits>
 #include <utility>
 
 namespace clast::dem_detail {
@@ -37,7 +36,7 @@ BodyPair::BodyPair(const BlockSurface& reference, const BlockSurface& block, dou
 }
 
 BodyPair::Search BodyPair::new_search() const {
-  if (!reference_block_) return ContactSearch(reference_, block_, size_);
+  if (!reference_block_) return std::make_unique<ContactSearch>(reference_, block_, size_);
   if (reference_.features.faces.empty()) return RodContacts(reference_, block_);
   return BlockContacts(*reference_block_, block_, size_);
 }
@@ -85,15 +84,13 @@ const ContactLoad& BodyPair::update(const BodyMotion& reference, const BodyMotio
                                duration, ledger_);
   if (dents_) near_->forces.leave_dents_in(*dents_);
   if (near_->forces.empty()) {
-    near_->asleep_until = std::visit(
-        [&]<class Kind>(Kind& search) {
-          if constexpr (std::is_same_v<Kind, RodContacts>) {
-            return near_->travel + search.clearance();
-          } else {
-            return search.safe_travel();
-          }
-        },
-        near_->search);
+    near_->asleep_until = near_->with_search([&]<class Kind>(Kind& search) {
+      if constexpr (std::is_same_v<Kind, RodContacts>) {
+        return near_->travel + search.clearance();
+      } else {
+        return search.safe_travel();
+      }
+    });
   }
   return load_;
 }
@@ -114,15 +111,14 @@ void BodyPair::end_contacts(const BodyMotion& reference, const BodyMotion& block
 
 std::vector<ContactPoint>& BodyPair::find_points(const Pose& world_from_reference,
                                                  const Pose& reference_from_block) {
-  std::vector<ContactPoint>& points = std::visit(
-      [&]<class Kind>(Kind& search) -> std::vector<ContactPoint>& {
+  std::vector<ContactPoint>& points =
+      near_->with_search([&]<class Kind>(Kind& search) -> std::vector<ContactPoint>& {
         if constexpr (std::is_same_v<Kind, RodContacts>) {
           return search.contacts(reference_from_block);
         } else {
           return search.contacts(reference_from_block, near_->travel);
         }
-      },
-      near_->search);
+      });
   if (!reference_block_) return points;  // the terrain is in world axes
   const Mat3 rotation = world_from_reference.rotation.toRotationMatrix();
   for (ContactPoint& point : points) {

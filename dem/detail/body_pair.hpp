@@ -2,6 +2,7 @@
 /// The contacts of two bodies, or of a body and the terrain, while they are near each other.
 #include <memory>
 #include <optional>
+#include <type_traits>
 #include <variant>
 
 #include "dem/detail/block_contacts.hpp"
@@ -78,10 +79,23 @@ class BodyPair {
   }
 
  private:
-  using Search = std::variant<ContactSearch, BlockContacts, RodContacts>;
+  /// That on the terrain, of which a block has one, is large beside those of its other pairs.
+  using Search = std::variant<std::unique_ptr<ContactSearch>, BlockContacts, RodContacts>;
   /// What is known while the two are near.
   struct Near {
     Near(Search of_pair, const BlockSurface& block, double size, const ContactRules& rules);
+    template <class Use>
+    decltype(auto) with_search(const Use& use) {
+      return std::visit(
+          [&]<class Kind>(Kind& kind) -> decltype(auto) {
+            if constexpr (std::is_same_v<Kind, std::unique_ptr<ContactSearch>>) {
+              return use(*kind);
+            } else {
+              return use(kind);
+            }
+          },
+          search);
+    }
     Search search;
     ContactForces forces;
     Pose pose;                   ///< reference_from_block of the last step
@@ -90,7 +104,7 @@ class BodyPair {
 
     template <class Bytes>
     void serialize(Bytes& bytes) {
-      std::visit([&](auto& kind) { bytes(kind); }, search);
+      with_search([&](auto& kind) { bytes(kind); });
       bytes(forces, pose, travel, asleep_until);
     }
   };

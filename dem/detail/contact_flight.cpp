@@ -72,7 +72,7 @@ bool is_at_border(const SurfaceFeatures& surface, std::uint32_t face) {
 }  // namespace
 
 double ContactSearch::safe_travel() {
-  if (!contacts_.empty() || moved_ < search_at_) return travel_;
+  if (touches_ || moved_ < search_at_) return travel_;
   // Measuring what could touch first, and only that, gives how far the block can move; each stride
   // is made only when the one before was clear. At a speed of 1 the time is the distance.
   const FlightBounds creeping{.acceleration = 1e300, .top_speed = 1.0};
@@ -120,7 +120,7 @@ double ContactSearch::part_time(std::uint32_t p, const FlightBounds& flight, dou
   const double across = std::min(std::abs(velocity.dot(part.axis)), speed);
   const double along = std::sqrt(speed * speed - across * across);
   const Way ahead{way_in(wanted, across), way_in(wanted, along), whole};
-  update_vertices(p, ahead);
+  update_vertices(p, ahead, scratch().contacts);
   update_sides(p, ahead);
   part_due_[p] = next_visit(p);
   if (!part.due_vertices.empty()) return 0.0;
@@ -129,16 +129,16 @@ double ContactSearch::part_time(std::uint32_t p, const FlightBounds& flight, dou
   if (list_end(part) < then.whole) {
     time = time_for(list_end(part) - part.way.whole, 0.0, 1.0, speed);
   }
-  for (const Asleep& asleep : {part.other_vertices, part.all_features, part.all_pairs}) {
-    if (!asleep.due(then)) continue;
-    time = std::min(time, time_for(asleep.left(part.way), asleep.per_across, asleep.per_along,
-                                   asleep.per_across * across + asleep.per_along * along));
+  for (const Asleep* asleep : {&part.other_vertices, &part.all_features, &part.all_pairs}) {
+    if (!asleep->due(then)) continue;
+    time = std::min(time, time_for(asleep->left(part.way), asleep->per_across, asleep->per_along,
+                                   asleep->per_across * across + asleep->per_along * along));
   }
   return time;
 }
 
 double ContactSearch::safe_time(const FlightBounds& flight, double worthwhile) {
-  if (!contacts_.empty() || moved_ < search_at_) return 0.0;
+  if (touches_ || moved_ < search_at_) return 0.0;
   const double ball = clear_time(ground_.grid,
                                  {.centre = tests_.position(),
                                   .velocity = flight.velocity,
@@ -155,7 +155,8 @@ double ContactSearch::flight_time(const FlightBounds& flight, double horizon) {
   gather_ground(reach_ + kLastLook * margin_);
   const double known = ground_complete_ - (moved_ - ground_gathered_at_) - reach_;
   double time = std::min(horizon, time_over(known, flight.top_speed, flight.gravity));
-  doubtful_parts_.clear();
+  std::vector<std::uint32_t>& doubtful_parts = scratch().doubtful_parts;
+  doubtful_parts.clear();
   // First the face that ended the last flight: with little time left most others need no close
   // look.
   const auto look_at = [&](std::uint32_t entry) {
@@ -168,15 +169,15 @@ double ContactSearch::flight_time(const FlightBounds& flight, double horizon) {
   for (std::uint32_t i = 0; i < local_.faces.size(); ++i) {
     if (i != first) look_at(i);
   }
-  std::sort(doubtful_parts_.begin(), doubtful_parts_.end());
-  const auto end = std::unique(doubtful_parts_.begin(), doubtful_parts_.end());
-  for (auto p = doubtful_parts_.begin(); p != end; ++p) {
+  std::sort(doubtful_parts.begin(), doubtful_parts.end());
+  const auto end = std::unique(doubtful_parts.begin(), doubtful_parts.end());
+  for (auto p = doubtful_parts.begin(); p != end; ++p) {
     time = std::min(time, part_time(*p, flight, time));
   }
   return time;
 }
 
-double ContactSearch::flight_time_over(const LocalGround::Face& face, const FlightBounds& flight,
+double ContactSearch::flight_time_over(const LocalFaces::Face& face, const FlightBounds& flight,
                                        double horizon) {
   // The ball around the block, then those around its parts, and where they are too near the
   // vertices. A block whose vertices are all above a plane is above it.
@@ -188,16 +189,17 @@ double ContactSearch::flight_time_over(const LocalGround::Face& face, const Flig
   const FlyingPart whole{centre, bounding_radius_, 0.0};
   if (!at_border && time_beside(face, whole, flight, horizon) >= horizon) return horizon;
   const Approach above = over.in_body(tests_.rotation());
-  near_parts_.clear();
+  std::vector<std::uint32_t>& near_parts = scratch().near_parts;
+  near_parts.clear();
   for (std::uint32_t p = 0; p < parts_.parts.size(); ++p) {
     const BlockPart& part = parts_.parts[p];
     const double apart = height + above.normal.dot(part.centre) - part.radius;
     if (!above.clear(apart, part.centre, flight.turning * part.arm, horizon)) {
-      near_parts_.push_back(p);
+      near_parts.push_back(p);
     }
   }
   double time = horizon;
-  for (const std::uint32_t p : near_parts_) {
+  for (const std::uint32_t p : near_parts) {
     const BlockPart& part = parts_.parts[p];
     const double turning = flight.turning * (part.arm + part.radius);
     for (std::uint32_t v = part.first_vertex; v < part.end_vertex; ++v) {
@@ -212,23 +214,23 @@ double ContactSearch::flight_time_over(const LocalGround::Face& face, const Flig
   return time;
 }
 
-double ContactSearch::parts_time_beside(const LocalGround::Face& face, bool at_border,
+double ContactSearch::parts_time_beside(const LocalFaces::Face& face, bool at_border,
                                         const FlightBounds& flight, double horizon) {
   double time = horizon;
-  for (const std::uint32_t p : near_parts_) {
+  for (const std::uint32_t p : scratch().near_parts) {
     const BlockPart& part = parts_.parts[p];
     const FlyingPart ball{placed(part.centre), part.radius, flight.turning * part.arm};
     const double beside = at_border ? 0.0 : time_beside(face, ball, flight, time);
     if (beside > 0.0) {
       time = std::min(time, beside);
     } else {
-      doubtful_parts_.push_back(p);
+      scratch().doubtful_parts.push_back(p);
     }
   }
   return time;
 }
 
-double ContactSearch::time_beside(const LocalGround::Face& face, const FlyingPart& part,
+double ContactSearch::time_beside(const LocalFaces::Face& face, const FlyingPart& part,
                                   const FlightBounds& flight, double horizon) const {
   const Vec3 arm = part.centre - tests_.position();
   const double touching = part.radius + reach_;

@@ -12,8 +12,8 @@ namespace {
 /// A contact may continue another on other features when it is closer than this share of the
 /// block's smallest side.
 constexpr double kNearShare = 0.03;
-/// A list of contacts may have room for twice as many as it holds, or for this many.
-constexpr std::size_t kFewContacts = 4;
+/// A list of contacts may have room for half as many more as it holds, or for this many in all.
+constexpr std::size_t kFewContacts = 2;
 
 bool is_event(const NormalResponse& response) {
   return response.impulse != 0.0 || response.moment != 0.0;
@@ -22,7 +22,7 @@ bool is_event(const NormalResponse& response) {
 /// Adds what the law does inside the step beyond the scheme's own forces.
 void add_event(ContactLoad& load, const NormalResponse& response, const Contact& contact,
                const PairMotion& motion) {
-  if (!load.event) load.event.emplace();
+  if (!load.event) load.event = std::make_unique<EventLoad>();
   EventLoad& event = *load.event;
   const Vec3& normal = contact.point.normal;
   const Vec3 arm = contact.place - motion.block.world_from_body.translation;
@@ -67,8 +67,9 @@ ContactForces::ContactForces(const ContactRules& rules, const BlockSurface& bloc
     : rules_(rules),
       block_(block.features),
       near_(kNearShare * size),
-      patches_(block, rules.weights),
-      drag_(rules.drag_strength, block) {}
+      patches_(block, rules.weights) {
+  if (rules.drags) drag_ = std::make_unique<ScarDrag>(rules.drag_strength, block);
+}
 
 ContactForces::Scratch& ContactForces::scratch() {
   thread_local Scratch scratch;
@@ -111,7 +112,7 @@ ContactLoad ContactForces::apply(const std::vector<Law>& laws,
   }
   keep(now);
   if (rules_.slip_grows) add_slip();
-  if (rules_.drags) add_drag(motion, load, ledger);
+  if (drag_) add_drag(motion, load, ledger);
   if (load.event && motion.other.inverse_mass == 0.0) {
     shift_overlaps(laws, *load.event, motion.block, ledger);
   }
@@ -120,8 +121,8 @@ ContactLoad ContactForces::apply(const std::vector<Law>& laws,
 }
 
 void ContactForces::keep(std::vector<Contact>& now) {
-  const std::size_t room = std::max(kFewContacts, 2 * now.size());
-  if (now.capacity() <= std::max(room, 4 * now.size())) {
+  const std::size_t room = std::max(kFewContacts, now.size() + now.size() / 2);
+  if (now.capacity() <= room) {
     contacts_.swap(now);
   } else if (contacts_.capacity() <= room) {
     contacts_ = now;
@@ -135,6 +136,7 @@ void ContactForces::distribute(const std::vector<ContactPoint>& points, const Pa
   const std::span<const double> weights =
       patches_.share(points, motion.block.world_from_body.rotation);
   now.clear();
+  now.reserve(points.size());
   for (std::size_t i = 0; i < points.size(); ++i) {
     now.emplace_back(points[i], rules_.zone_of(points[i].ground_face), weights[i]);
   }
@@ -309,12 +311,12 @@ void ContactForces::add_slip() {
 
 void ContactForces::add_drag(const PairMotion& motion, ContactLoad& load, EnergyLedger& ledger) {
   double lost = 0.0;
-  const Vec3 force = drag_.update(contacts_, motion, lost);
+  const Vec3 force = drag_->update(contacts_, motion, lost);
   ledger.friction += lost;
   if (contacts_.empty()) return;
   load.force += force;
-  load.torque += (drag_.place() - motion.block.world_from_body.translation).cross(force);
-  load.torque_on_other -= (drag_.place() - motion.other.world_from_body.translation).cross(force);
+  load.torque += (drag_->place() - motion.block.world_from_body.translation).cross(force);
+  load.torque_on_other -= (drag_->place() - motion.other.world_from_body.translation).cross(force);
 }
 
 double ContactForces::mobility(std::span<const double> of_vertices) const {

@@ -2,6 +2,7 @@
 /// Forces of the contact points of one pair of bodies by Eqs. 2-8 of the paper: normal force,
 /// friction and rolling resistance of each, shared out within the contact patches.
 /// @cite garcia2022
+#include <memory>
 #include <optional>
 #include <span>
 #include <vector>
@@ -38,7 +39,7 @@ struct ContactLoad {
   /// per mass of the block, J/kg (docs/theory.md, Time step).
   double impact = 0.0;
   /// To be applied once, at the end of this step (`MovingBody::correct`).
-  std::optional<EventLoad> event;
+  std::unique_ptr<EventLoad> event;
 
   template <class Bytes>
   void serialize(Bytes& bytes) {
@@ -96,7 +97,8 @@ class ContactForces {
   /// All that the loads to come depend on.
   template <class Bytes>
   void serialize(Bytes& bytes) {
-    bytes(patches_, contacts_, deepest_, acted_, drag_, slip_, slipped_, apart_);
+    bytes(patches_, contacts_, deepest_, acted_, slip_, slipped_, apart_);
+    if (drag_) bytes(*drag_);
   }
 
  private:
@@ -176,8 +178,8 @@ class ContactForces {
   std::vector<Contact> contacts_;
   std::size_t deepest_ = 0;  ///< contact with the largest overlap, the first of such
   Action acted_;
-  ScarDrag drag_;
-  double slip_ = 0.0;     ///< how far the block has slid lately, m
+  std::unique_ptr<ScarDrag> drag_;  ///< where the ground has one
+  double slip_ = 0.0;               ///< how far the block has slid lately, m
   double slipped_ = 0.0;  ///< in this step, summed over the contacts with their weights, m
   double apart_ = 0.0;    ///< since its last contact, s
 };

@@ -119,6 +119,7 @@ bool ContactPatches::same_features(const std::vector<ContactPoint>& points) cons
 void ContactPatches::list_links(const std::vector<ContactPoint>& points) {
   features_.clear();
   links_.clear();
+  if (on_joint_.empty()) on_joint_.shrink_to_fit();  // not asked for since the last change
   on_joint_.clear();
   patch_.resize(points.size());
   LastOnJoint& last = scratch().last_on_joint;

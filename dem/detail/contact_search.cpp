@@ -36,9 +36,7 @@ ContactSearch::ContactSearch(const IndexedSurface& ground, const BlockSurface& b
       list_holds_(kPartMargins * margin_),
       tests_(ground, block, size),
       part_states_(parts_.parts.size()),
-      part_due_(parts_.parts.size(), -1.0),
-      due_parts_(parts_.parts.size()),
-      visits_(parts_.parts.size()) {
+      part_due_(parts_.parts.size(), -1.0) {
   for (const Vec3& vertex : block_.vertices) {
     bounding_radius_ = std::max(bounding_radius_, vertex.norm());
   }
@@ -47,28 +45,36 @@ ContactSearch::ContactSearch(const IndexedSurface& ground, const BlockSurface& b
   }
 }
 
+ContactSearch::Scratch& ContactSearch::scratch() {
+  thread_local Scratch of_thread;
+  return of_thread;
+}
+
 std::vector<ContactPoint>& ContactSearch::contacts(const Pose& ground_from_body, double travel) {
+  std::vector<ContactPoint>& contacts = scratch().contacts;
+  const NumberList& visits = scratch().visits;
   move_to(ground_from_body);
   travel_ = travel;
-  contacts_.clear();
+  contacts.clear();
   list_visits();
-  for (const std::uint32_t p : visits_) update_vertices(p, {});
-  for (const ContactPoint& contact : contacts_) deepest_ = std::max(deepest_, contact.overlap);
+  for (const std::uint32_t p : visits) update_vertices(p, {}, contacts);
+  for (const ContactPoint& contact : contacts) deepest_ = std::max(deepest_, contact.overlap);
   if (allowed_.update(deepest_, margin_)) visit_all_sides();
-  for (const std::uint32_t p : visits_) {
+  for (const std::uint32_t p : visits) {
     update_sides(p, {});
     part_due_[p] = next_visit(p);
   }
-  add_side_contacts();
-  remove_resolved(contacts_, ground_, surface_, ground_from_body, size_);
+  add_side_contacts(contacts);
+  remove_resolved(contacts, ground_, surface_, ground_from_body, size_);
   deepest_ = 0.0;
-  for (const ContactPoint& contact : contacts_) deepest_ = std::max(deepest_, contact.overlap);
-  if (contacts_.empty()) {
-    allowed_.reset();
-  } else {
+  for (const ContactPoint& contact : contacts) deepest_ = std::max(deepest_, contact.overlap);
+  touches_ = !contacts.empty();
+  if (touches_) {
     search_at_ = -1.0;
+  } else {
+    allowed_.reset();
   }
-  return contacts_;
+  return contacts;
 }
 
 void ContactSearch::move_to(const Pose& ground_from_body) {
@@ -87,24 +93,26 @@ void ContactSearch::move_to(const Pose& ground_from_body) {
 }
 
 void ContactSearch::list_visits() {
-  visits_.clear();
-  const double* const due = part_due_.data();
-  due_parts_.list(static_cast<std::uint32_t>(part_due_.size()),
-                  [due, now = moved_](std::uint32_t p) { return due[p] <= now; });
-  if (due_parts_.size() == 0 || sleep_whole()) return;
-  for (const std::uint32_t p : due_parts_) {
+  const auto parts = static_cast<std::uint32_t>(part_due_.size());
+  NumberList &due_parts = scratch().due_parts, &visits = scratch().visits;
+  visits.clear(parts);
+  due_parts.list(parts,
+                 [due = part_due_.data(), now = moved_](std::uint32_t p) { return due[p] <= now; });
+  if (due_parts.size() == 0 || sleep_whole()) return;
+  for (const std::uint32_t p : due_parts) {
     if (part_states_[p].near) {
       read_way(p);
       renew_ground(p, 0.0);
     } else {
       update_part(p, moved_);
     }
-    visits_.add_if(part_states_[p].near != nullptr, p);
+    visits.add_if(part_states_[p].near != nullptr, p);
   }
 }
 
 void ContactSearch::visit_all_sides() {
-  visits_.clear();
+  NumberList& visits = scratch().visits;
+  visits.clear(static_cast<std::uint32_t>(part_states_.size()));
   for (std::uint32_t p = 0; p < part_states_.size(); ++p) {
     if (!part_states_[p].near) continue;
     NearPart& part = *part_states_[p].near;
@@ -112,7 +120,7 @@ void ContactSearch::visit_all_sides() {
     for (GroundFeature& feature : part.features) feature.asleep = {};
     part.pairs.clear();
     part.all_features = {};
-    visits_.add_if(true, p);
+    visits.add_if(true, p);
   }
 }
 
@@ -180,7 +188,7 @@ double ContactSearch::measured_gap(std::uint32_t p) {
     const std::optional<NearestPoint> nearest = ground_.nearest(centre, far);
     distance = nearest ? nearest->distance : far;
   } else {
-    const LocalGround::Nearest found =
+    const LocalFaces::Nearest found =
         local_.nearest(ground_.features, centre, complete, 0.0, state.near_face);
     state.near_face = found.entry;
     if (std::abs(found.nearest.distance) < complete) distance = found.nearest.distance;
@@ -226,17 +234,18 @@ void ContactSearch::gather(std::uint32_t p, double deepest) {
   state.complete = std::max(reach_, deepest) + 2.0 * kPartMargins * margin_;
   state.gathered_at = state.way.whole;
   gather_ground(state.complete);
-  state.ground.gather(ground_.features, local_, state.centre, part.radius + state.complete);
+  const double reach = part.radius + state.complete;
+  state.ground.gather(ground_.features, local_, state.centre, reach);
   if (is_new || state.axis.dot(state.ground.plane.normal) < kSameAxis) turn_axis(p);
   state.tilts.clear();
-  for (const LocalGround::Face& face : state.ground.faces) {
+  for (const LocalFaces::Face& face : state.ground.faces) {
     const double across = std::min(std::abs(face.normal.dot(state.axis)), 1.0);
     const std::array<std::uint32_t, 3>& of_face = ground_.features.faces[face.face].edges;
     const bool at_border = std::any_of(of_face.begin(), of_face.end(), [&](std::uint32_t edge) {
       return ground_.features.edges[edge].kind == EdgeKind::kBorder;
     });
     const double along = std::sqrt(1.0 - across * across);
-    state.tilts.push_back({across, along, 2.0 / (across + along), at_border});
+    state.tilts.push_back({across, along, at_border ? 0.0 : 2.0 / (across + along)});
   }
   for (VertexState& vertex : state.vertices) {
     vertex.near_face = 0;
@@ -245,11 +254,16 @@ void ContactSearch::gather(std::uint32_t p, double deepest) {
   state.pairs.clear();
   state.features.clear();
   state.all_features = state.all_pairs = {};
-  for (std::uint32_t i = 0; i < state.ground.edges.size(); ++i) {
-    state.features.push_back({.is_corner = false, .entry = i, .asleep = {}});
+  const SurfaceFeatures& features = ground_.features;
+  const auto list_near = [&](bool is_corner, std::uint32_t number, const Vec3& nearest) {
+    if ((state.centre - nearest).squaredNorm() > reach * reach) return;
+    state.features.push_back({.is_corner = is_corner, .number = number, .asleep = {}});
+  };
+  for (const std::uint32_t edge : local_.edges) {
+    list_near(false, edge, features.segment(features.edges[edge]).nearest(state.centre));
   }
-  for (std::uint32_t i = 0; i < state.ground.corners.size(); ++i) {
-    state.features.push_back({.is_corner = true, .entry = i, .asleep = {}});
+  for (const std::uint32_t corner : local_.corners) {
+    list_near(true, corner, features.vertices[corner]);
   }
   trim(state.tilts, state.features, state.pairs);
 }

@@ -35,8 +35,8 @@ class ContactSearch {
   /// @param size   smallest side of the block, m: lists look ahead a share of it
   ContactSearch(const IndexedSurface& ground, const BlockSurface& block, double size);
 
-  /// Brings everything that is due up to date and lists the contacts, in a fixed order; the
-  /// caller may change them.
+  /// Brings everything that is due up to date and lists the contacts, in a fixed order, until the
+  /// next call of any search in this thread; the caller may change them.
   /// @param travel  a bound of how far any point of the block has moved since the start, never
   /// smaller than in the call before
   std::vector<ContactPoint>& contacts(const Pose& ground_from_body, double travel);
@@ -55,7 +55,7 @@ class ContactSearch {
   void serialize(Bytes& bytes) {
     bytes(tests_, started_, travel_, moved_, turned_, last_move_, local_, ground_complete_,
           ground_gathered_at_, part_states_, part_due_, search_at_, deepest_, allowed_,
-          lowest_face_);
+          lowest_face_, touches_);
     for (std::uint32_t p = 0; p < part_states_.size(); ++p) {
       bool near = part_states_[p].near != nullptr;
       bytes(near);
@@ -70,12 +70,12 @@ class ContactSearch {
   /// An edge or corner of the ground near a part.
   struct GroundFeature {
     bool is_corner = false;
-    std::uint32_t entry = 0;  ///< of the list in the part's `ground`
-    Asleep asleep;            ///< until a side that is not listed with it may touch
+    std::uint32_t number = 0;  ///< of the edge or vertex
+    Asleep asleep;             ///< until a side that is not listed with it may touch
 
     template <class Bytes>
     void serialize(Bytes& bytes) {
-      bytes(is_corner, entry, asleep);
+      bytes(is_corner, number, asleep);
     }
   };
   /// A side of the block with an edge or corner of the ground.
@@ -93,12 +93,14 @@ class ContactSearch {
   /// |n.axis| and |n x axis| of a face of the ground with normal n.
   struct FaceTilt {
     double across, along;
-    double way_per_height;  ///< as far as a height over its plane lets anything go that way
-    bool at_border;         ///< beyond which its plane goes on
+    /// As far as a height over its plane lets anything go that way; 0 at a border, beyond which its
+    /// plane goes on.
+    double way_per_height;
 
+    bool at_border() const { return way_per_height == 0.0; }
     template <class Bytes>
     void serialize(Bytes& bytes) {
-      bytes(across, along, way_per_height, at_border);
+      bytes(across, along, way_per_height);
     }
   };
   struct VertexState {
@@ -128,7 +130,7 @@ class ContactSearch {
           vertices(part.end_vertex - part.first_vertex),
           vertex_asleep(vertices.size()) {}
 
-    LocalGround ground;
+    LocalFaces ground;
     double complete = 0.0;     ///< from every point of the part so far the list was complete, m ...
     double gathered_at = 0.0;  ///< ... at this `way.whole`
     Vec3 axis = Vec3::UnitZ();
@@ -169,6 +171,16 @@ class ContactSearch {
     std::uint32_t side;
     ContactPoint point;
   };
+  /// Of one call, shared by all searches of a thread.
+  struct Scratch {
+    NumberList due_parts;  ///< parts to look at ...
+    NumberList visits;     ///< ... and those of them that are near the ground
+    std::vector<ContactPoint> contacts;
+    std::vector<SideContact> of_sides;
+    std::vector<std::uint32_t> near_parts;      ///< of `flight_time_over`, and those of them ...
+    std::vector<std::uint32_t> doubtful_parts;  ///< ... that no plane keeps apart from some face
+  };
+  static Scratch& scratch();
 
   void move_to(const Pose& ground_from_body);
   bool sleep_whole();
@@ -202,12 +214,11 @@ class ContactSearch {
   /// @param horizon  s: no longer time is wanted
   double flight_time(const FlightBounds& flight, double horizon);
   /// The same with one face of the ground.
-  double flight_time_over(const LocalGround::Face& face, const FlightBounds& flight,
-                          double horizon);
+  double flight_time_over(const LocalFaces::Face& face, const FlightBounds& flight, double horizon);
   /// The same where the block is not wholly above the plane of the face: from planes that touch it
-  /// nearest to the parts of the block in `near_parts_`; adds to `doubtful_parts_`.
-  double parts_time_beside(const LocalGround::Face& face, bool at_border,
-                           const FlightBounds& flight, double horizon);
+  /// nearest to the near parts of the block in `scratch`; adds to the doubtful ones.
+  double parts_time_beside(const LocalFaces::Face& face, bool at_border, const FlightBounds& flight,
+                           double horizon);
   /// A ball that flies with the block.
   struct FlyingPart {
     Vec3 centre;
@@ -215,7 +226,7 @@ class ContactSearch {
     double turning;  ///< bound of what turning changes the velocity of its centre by, m/s^2
   };
   /// For how long it does not touch a face, s; 0 where it may do so now.
-  double time_beside(const LocalGround::Face& face, const FlyingPart& part,
+  double time_beside(const LocalFaces::Face& face, const FlyingPart& part,
                      const FlightBounds& flight, double horizon) const;
   double completeness(const NearPart& part) const {
     return part.complete - (part.way.whole - part.gathered_at);
@@ -225,7 +236,7 @@ class ContactSearch {
   /// 0.
   Asleep asleep(const NearPart& part, const Vec3& away, double apart, double others) const;
 
-  // Vertices by their number within the part.
+  // Vertices by their number within the part; contacts of those that touch are added to `contacts`.
 
   /// The vertex of the block.
   std::uint32_t block_vertex(const NearPart& part, std::uint32_t vertex) const {
@@ -234,14 +245,17 @@ class ContactSearch {
 
   /// Every vertex of the part that is due.
   /// @param ahead  way for which it must be known whether they can touch
-  void update_vertices(std::uint32_t p, const Way& ahead);
-  void update_vertex(NearPart& part, std::uint32_t vertex, const Way& ahead);
+  void update_vertices(std::uint32_t p, const Way& ahead, std::vector<ContactPoint>& contacts);
+  void update_vertex(NearPart& part, std::uint32_t vertex, const Way& ahead,
+                     std::vector<ContactPoint>& contacts);
   /// Until a vertex that is outside the ground may touch any of it; due when it may touch now.
   Asleep clear_of_ground(NearPart& part, std::uint32_t vertex, const Vec3& centre);
   /// The same from its closest plane, where all else is known to be clear.
   Asleep clear_of_plane(const NearPart& part, std::uint32_t vertex, const Vec3& centre) const;
-  bool update_sure_face(NearPart& part, std::uint32_t vertex, const Vec3& centre);
-  void measure_vertex(NearPart& part, std::uint32_t vertex, const Vec3& centre);
+  bool update_sure_face(NearPart& part, std::uint32_t vertex, const Vec3& centre,
+                        std::vector<ContactPoint>& contacts);
+  void measure_vertex(NearPart& part, std::uint32_t vertex, const Vec3& centre,
+                      std::vector<ContactPoint>& contacts);
   /// Everything of the part's sides that is due.
   void update_sides(std::uint32_t p, const Way& ahead);
   /// Lists the sides of the part near a feature of the ground.
@@ -249,7 +263,7 @@ class ContactSearch {
   void update_pair(const NearPart& part, FeaturePair& pair);
   /// Sides closer than this to a feature of the ground may touch it, m.
   double touching_distance() const { return std::max(reach_, allowed_.depth()); }
-  void add_side_contacts();
+  void add_side_contacts(std::vector<ContactPoint>& contacts);
   Vec3 placed(const Vec3& in_body) const { return tests_.placed(in_body); }
 
   const IndexedSurface& ground_;
@@ -274,17 +288,12 @@ class ContactSearch {
   double ground_complete_ = -1.0;
   double ground_gathered_at_ = 0.0;
   std::vector<PartState> part_states_;
-  std::vector<double> part_due_;           ///< `moved_` at which to look at the part again
-  NumberList due_parts_;                   ///< parts to look at in this call ...
-  NumberList visits_;                      ///< ... and those of them that are near the ground
-  double search_at_ = -1.0;                ///< no longer flight is searched for before
-  double deepest_ = 0.0;                   ///< largest overlap at the last call, m
-  AllowedDepth allowed_;                   ///< of edges and faces: what sleeps has allowed for it
-  std::uint32_t lowest_face_ = 0;          ///< of `local_`: the one that ended the last flight
-  std::vector<std::uint32_t> near_parts_;  ///< scratch of `flight_time_over`, and those of them ...
-  std::vector<std::uint32_t> doubtful_parts_;  ///< ... that no plane keeps apart from some face
-  std::vector<SideContact> side_contacts_;     ///< of this call
-  std::vector<ContactPoint> contacts_;
+  std::vector<double> part_due_;   ///< `moved_` at which to look at the part again
+  double search_at_ = -1.0;        ///< no longer flight is searched for before
+  double deepest_ = 0.0;           ///< largest overlap at the last call, m
+  AllowedDepth allowed_;           ///< of edges and faces: what sleeps has allowed for it
+  std::uint32_t lowest_face_ = 0;  ///< of `local_`: the one that ended the last flight
+  bool touches_ = false;           ///< in the last call
 };
 
 }  // namespace clast::dem_detail

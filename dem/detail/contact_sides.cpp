@@ -4,6 +4,7 @@
 #include <tuple>
 
 #include "dem/detail/contact_search.hpp"
+#include "dem/detail/trim.hpp"
 
 namespace clast::dem_detail {
 namespace {
@@ -11,12 +12,6 @@ namespace {
 /// Pairs are listed when they are this many margins from touching, in groups by feature of the
 /// ground once that is so near to the part.
 constexpr double kPairMargins = 1.0;
-
-/// The point of a segment nearest to another point.
-Vec3 nearest_on(const LocalGround::Edge& edge, const Vec3& point) {
-  const double along = std::clamp(edge.direction.dot(point - edge.start), 0.0, edge.length);
-  return edge.start + along * edge.direction;
-}
 
 }  // namespace
 
@@ -30,6 +25,7 @@ void ContactSearch::update_sides(std::uint32_t p, const Way& ahead) {
     FirstDue first(part.way);
     for (const GroundFeature& feature : part.features) first.include(feature.asleep);
     part.all_features = first.asleep();
+    trim(part.pairs);
     part.all_pairs = {};
   }
   if (part.all_pairs.due(then)) {
@@ -50,16 +46,16 @@ void ContactSearch::update_sides(std::uint32_t p, const Way& ahead) {
 void ContactSearch::update_feature(std::uint32_t p, GroundFeature& feature) {
   NearPart& part = *part_states_[p].near;
   const BlockPart& of_block = parts_.parts[p];
-  const LocalGround& ground = part.ground;
-  const std::uint32_t number =
-      feature.is_corner ? ground.corners[feature.entry].vertex : ground.edges[feature.entry].edge;
+  const SurfaceFeatures& ground = ground_.features;
+  const std::uint32_t number = feature.number;
   std::erase_if(part.pairs, [&](const FeaturePair& pair) {
     return pair.ground_feature == number &&
            (pair.kind != ContactKind::kEdgeEdge) == feature.is_corner;
   });
+  const Segment on_ground = feature.is_corner ? Segment{ground.vertices[number], Vec3::Zero(), 0.0}
+                                              : ground.segment(ground.edges[number]);
   const auto away_from = [&](const Vec3& point) -> Vec3 {
-    return point - (feature.is_corner ? ground.corners[feature.entry].point
-                                      : nearest_on(ground.edges[feature.entry], point));
+    return point - on_ground.nearest(point);
   };
   const Vec3 away = away_from(part.centre);
   const double distance = away.norm();
@@ -92,21 +88,21 @@ void ContactSearch::update_pair(const NearPart& part, FeaturePair& pair) {
   const Vec3 between = tests_.side(pair.kind, of_block, pair.ground_feature, contact).between;
   if (contact) {
     pair.asleep = {};
-    side_contacts_.push_back({pair.side, *contact});
+    scratch().of_sides.push_back({pair.side, *contact});
     return;
   }
   const double distance = between.norm();
   pair.asleep = asleep(part, between / distance, distance - touching_distance(), 1e300);
 }
 
-void ContactSearch::add_side_contacts() {
-  std::sort(side_contacts_.begin(), side_contacts_.end(),
-            [](const SideContact& a, const SideContact& b) {
-              return std::tuple(a.side, a.point.kind, a.point.ground_feature) <
-                     std::tuple(b.side, b.point.kind, b.point.ground_feature);
-            });
-  for (const SideContact& contact : side_contacts_) add_once(contacts_, contact.point);
-  side_contacts_.clear();
+void ContactSearch::add_side_contacts(std::vector<ContactPoint>& contacts) {
+  std::vector<SideContact>& of_sides = scratch().of_sides;
+  std::sort(of_sides.begin(), of_sides.end(), [](const SideContact& a, const SideContact& b) {
+    return std::tuple(a.side, a.point.kind, a.point.ground_feature) <
+           std::tuple(b.side, b.point.kind, b.point.ground_feature);
+  });
+  for (const SideContact& contact : of_sides) add_once(contacts, contact.point);
+  of_sides.clear();
 }
 
 }  // namespace clast::dem_detail

@@ -15,7 +15,8 @@ constexpr double kDistinctMargins = 4.0;
 
 }  // namespace
 
-void ContactSearch::update_vertices(std::uint32_t p, const Way& ahead) {
+void ContactSearch::update_vertices(std::uint32_t p, const Way& ahead,
+                                    std::vector<ContactPoint>& contacts) {
   NearPart& part = *part_states_[p].near;
   const Way way = part.way, then = way + ahead;
   FirstDue first(way);
@@ -24,7 +25,7 @@ void ContactSearch::update_vertices(std::uint32_t p, const Way& ahead) {
     if (part.due_vertices.empty()) return;
     first.include(part.other_vertices);
     std::erase_if(part.due_vertices, [&](std::uint32_t v) {
-      update_vertex(part, v, ahead);
+      update_vertex(part, v, ahead, contacts);
       if (asleep[v].due(way)) return false;
       first.include(asleep[v]);
       return true;
@@ -33,7 +34,7 @@ void ContactSearch::update_vertices(std::uint32_t p, const Way& ahead) {
     part.due_vertices.clear();
     for (std::uint32_t v = 0; v < asleep.size(); ++v) {
       if (asleep[v].due(then)) {
-        update_vertex(part, v, ahead);
+        update_vertex(part, v, ahead, contacts);
         if (asleep[v].due(way)) {
           part.due_vertices.push_back(v);
           continue;
@@ -45,9 +46,10 @@ void ContactSearch::update_vertices(std::uint32_t p, const Way& ahead) {
   part.other_vertices = first.asleep();
 }
 
-void ContactSearch::update_vertex(NearPart& part, std::uint32_t v, const Way& ahead) {
+void ContactSearch::update_vertex(NearPart& part, std::uint32_t v, const Way& ahead,
+                                  std::vector<ContactPoint>& contacts) {
   const Vec3 centre = placed(block_.vertices[block_vertex(part, v)]);
-  if (update_sure_face(part, v, centre)) return;
+  if (update_sure_face(part, v, centre, contacts)) return;
   const Asleep by_closest = clear_of_plane(part, v, centre);
   if (!by_closest.due(part.way + ahead)) {
     part.vertex_asleep[v] = by_closest;
@@ -70,14 +72,14 @@ void ContactSearch::update_vertex(NearPart& part, std::uint32_t v, const Way& ah
       return;
     }
   }
-  measure_vertex(part, v, centre);
+  measure_vertex(part, v, centre, contacts);
 }
 
 Asleep ContactSearch::clear_of_plane(const NearPart& part, std::uint32_t v,
                                      const Vec3& centre) const {
   const VertexState& state = part.vertices[v];
   if (state.closest_plane == kNoFeature) return {};
-  const LocalGround::Face& face = part.ground.faces[state.closest_plane];
+  const LocalFaces::Face& face = part.ground.faces[state.closest_plane];
   const double height = face.normal.dot(centre) - face.offset - reach_;
   if (!(height > 0.0)) return {};
   const FaceTilt& tilt = part.tilts[state.closest_plane];
@@ -96,14 +98,14 @@ Asleep ContactSearch::clear_of_ground(NearPart& part, std::uint32_t v, const Vec
   Separation others, plane;
   std::uint32_t closest = kNoFeature;
   for (std::uint32_t i = 0; i < part.ground.faces.size(); ++i) {
-    const LocalGround::Face& face = part.ground.faces[i];
+    const LocalFaces::Face& face = part.ground.faces[i];
     const FaceTilt& tilt = part.tilts[i];
     // Either the plane of the face keeps them apart or one that touches the ball around it.
     const double height = face.normal.dot(centre) - face.offset - reach_;
     const double by_plane = height * tilt.way_per_height;
     const double ball = face.radius + reach_, near = ball + std::max(0.0, by_plane);
     const double squared = (centre - face.middle).squaredNorm();
-    if (!tilt.at_border && squared > near * near) {
+    if (!tilt.at_border() && squared > near * near) {
       const double farther = ball + apart_from_far;
       if (squared < farther * farther) apart_from_far = std::sqrt(squared) - ball;
     } else if (height > 0.0) {
@@ -113,7 +115,7 @@ Asleep ContactSearch::clear_of_ground(NearPart& part, std::uint32_t v, const Vec
         closest = i;
       }
       others.include(by_this);
-    } else if (tilt.at_border) {
+    } else if (tilt.at_border()) {
       return {};
     } else {
       const NearestPoint nearest = nearest_on_face(ground_.features, face.face, centre);
@@ -131,10 +133,11 @@ Asleep ContactSearch::clear_of_ground(NearPart& part, std::uint32_t v, const Vec
   return others.asleep(part.way);
 }
 
-void ContactSearch::measure_vertex(NearPart& part, std::uint32_t v, const Vec3& centre) {
+void ContactSearch::measure_vertex(NearPart& part, std::uint32_t v, const Vec3& centre,
+                                   std::vector<ContactPoint>& contacts) {
   VertexState& state = part.vertices[v];
   const double complete = completeness(part);
-  const LocalGround::Nearest found = part.ground.nearest(
+  const LocalFaces::Nearest found = part.ground.nearest(
       ground_.features, centre, complete, kDistinctMargins * margin_, state.near_face);
   const NearestPoint& nearest = found.nearest;
   state.near_face = found.entry;
@@ -163,14 +166,15 @@ void ContactSearch::measure_vertex(NearPart& part, std::uint32_t v, const Vec3& 
   }
   const std::uint32_t vertex = block_vertex(part, v);
   if (nearest.distance >= 0.0) {
-    return tests_.add_outside(vertex, centre, part.ground.faces, contacts_);
+    return tests_.add_outside(vertex, centre, part.ground.faces, contacts);
   }
-  contacts_.push_back(tests_.inside(
+  contacts.push_back(tests_.inside(
       vertex, centre,
       backwards ? tests_.nearest_forwards(vertex, centre, nearest, part.ground.faces) : nearest));
 }
 
-bool ContactSearch::update_sure_face(NearPart& part, std::uint32_t v, const Vec3& centre) {
+bool ContactSearch::update_sure_face(NearPart& part, std::uint32_t v, const Vec3& centre,
+                                     std::vector<ContactPoint>& contacts) {
   VertexState& state = part.vertices[v];
   if (state.sure_face == kNoFeature) return false;
   const double way = part.way.whole;
@@ -197,7 +201,7 @@ bool ContactSearch::update_sure_face(NearPart& part, std::uint32_t v, const Vec3
   contact.normal = face.normal;
   contact.overlap = reach_ - height;
   contact.foot = centre + (ground_.radius - height) * face.normal;
-  contacts_.push_back(contact);
+  contacts.push_back(contact);
   return true;
 }
 

@@ -71,8 +71,7 @@ FeaturesApart FeatureContacts::edge_edge(std::uint32_t block_edge, std::uint32_t
   const SurfaceEdge& other = ground_.features.edges[ground_edge];
   const Segment of_block{placed(block_.vertices[edge.vertices[0]]), rotation_ * edge.direction,
                          edge.length};
-  const Segment of_ground{ground_.features.vertices[other.vertices[0]], other.direction,
-                          other.length};
+  const Segment of_ground = ground_.features.segment(other);
   const ClosestOnSegments closest = closest_on_segments(of_block, of_ground);
   if (!closest.crossing) {
     return {closest.between,
@@ -165,10 +164,10 @@ bool FeatureContacts::pushes_backwards(std::uint32_t vertex, const Vec3& push) c
 
 NearestPoint FeatureContacts::nearest_forwards(std::uint32_t vertex, const Vec3& centre,
                                                const NearestPoint& nearest,
-                                               std::span<const LocalGround::Face> faces) const {
+                                               std::span<const LocalFaces::Face> faces) const {
   NearestPoint best = nearest;
   double distance = 1e300;
-  for (const LocalGround::Face& face : faces) {
+  for (const LocalFaces::Face& face : faces) {
     const double depth = face.offset - face.normal.dot(centre);
     if (depth < -kRounding || depth > distance + kRounding) continue;
     const NearestPoint candidate = nearest_on_face(ground_.features, face.face, centre);
@@ -194,7 +193,7 @@ ContactPoint FeatureContacts::inside(std::uint32_t vertex, const Vec3& centre,
 }
 
 void FeatureContacts::add_outside(std::uint32_t vertex, const Vec3& centre,
-                                  std::span<const LocalGround::Face> faces,
+                                  std::span<const LocalFaces::Face> faces,
                                   std::vector<ContactPoint>& contacts) const {
   const SurfaceFeatures& ground = ground_.features;
   ContactPoint contact;
@@ -207,7 +206,7 @@ void FeatureContacts::add_outside(std::uint32_t vertex, const Vec3& centre,
     contact.foot = on_ground + ground_.radius * normal;
     add_once(contacts, contact);
   };
-  for (const LocalGround::Face& local : faces) {
+  for (const LocalFaces::Face& local : faces) {
     const double near = reach_ + local.radius;
     if ((centre - local.middle).squaredNorm() > near * near) continue;
     const std::uint32_t f = local.face;

@@ -118,13 +118,13 @@ class FeatureContacts {
   /// none.
   NearestPoint nearest_forwards(std::uint32_t vertex, const Vec3& centre,
                                 const NearestPoint& nearest,
-                                std::span<const LocalGround::Face> faces) const;
+                                std::span<const LocalFaces::Face> faces) const;
   /// The contact of a vertex inside the ground.
   ContactPoint inside(std::uint32_t vertex, const Vec3& centre, const NearestPoint& nearest) const;
   /// Adds those of a vertex within reach outside it.
   /// @param faces  all that are within reach of it, in order of their numbers
   void add_outside(std::uint32_t vertex, const Vec3& centre,
-                   std::span<const LocalGround::Face> faces,
+                   std::span<const LocalFaces::Face> faces,
                    std::vector<ContactPoint>& contacts) const;
 
  private:

@@ -7,7 +7,7 @@
 
 namespace clast::dem_detail {
 
-LocalGround::Face local_face(const SurfaceFeatures& features, std::uint32_t number) {
+LocalFaces::Face local_face(const SurfaceFeatures& features, std::uint32_t number) {
   const SurfaceFace& face = features.faces[number];
   const Vec3& a = features.vertices[face.vertices[0]];
   const Vec3& b = features.vertices[face.vertices[1]];
@@ -25,56 +25,38 @@ void LocalGround::gather(const IndexedSurface& ground, const Vec3& centre, doubl
   corners.clear();
   Bounds box;
   box.include(centre);
-  std::vector<std::uint32_t> edges_met, corners_met;
   for (const std::uint32_t f : ground.faces_near(box, reach)) {
     const Face found = local_face(features, f);
     if ((centre - found.middle).norm() > reach + found.radius) continue;
     faces.push_back(found);
     const SurfaceFace& face = features.faces[f];
     for (int k = 0; k < 3; ++k) {
-      if (features.edges[face.edges[k]].convex()) edges_met.push_back(face.edges[k]);
-      if (features.pointed[face.vertices[k]]) corners_met.push_back(face.vertices[k]);
+      if (features.edges[face.edges[k]].convex()) edges.push_back(face.edges[k]);
+      if (features.pointed[face.vertices[k]]) corners.push_back(face.vertices[k]);
     }
   }
   const auto each_once = [](std::vector<std::uint32_t>& numbers) {
     std::sort(numbers.begin(), numbers.end());
     numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
   };
-  each_once(edges_met);
-  each_once(corners_met);
-  for (const std::uint32_t e : edges_met) {
-    const SurfaceEdge& edge = features.edges[e];
-    edges.push_back({features.vertices[edge.vertices[0]], edge.direction, edge.length, e});
-  }
-  for (const std::uint32_t v : corners_met) corners.push_back({features.vertices[v], v});
+  each_once(edges);
+  each_once(corners);
   trim(faces, edges, corners);
   fit_plane(features);
 }
 
-void LocalGround::gather(const SurfaceFeatures& features, const LocalGround& from,
-                         const Vec3& centre, double reach) {
+void LocalFaces::gather(const SurfaceFeatures& features, const LocalFaces& from, const Vec3& centre,
+                        double reach) {
   faces.clear();
-  edges.clear();
-  corners.clear();
-  const auto within = [](const Vec3& out, double distance) {
-    return out.squaredNorm() <= distance * distance;
-  };
   for (const Face& face : from.faces) {
-    if (within(centre - face.middle, reach + face.radius)) faces.push_back(face);
+    const double near = reach + face.radius;
+    if ((centre - face.middle).squaredNorm() <= near * near) faces.push_back(face);
   }
-  for (const Edge& edge : from.edges) {
-    const Vec3 out = centre - edge.start;
-    const double along = std::clamp(edge.direction.dot(out), 0.0, edge.length);
-    if (within(out - along * edge.direction, reach)) edges.push_back(edge);
-  }
-  for (const Corner& corner : from.corners) {
-    if (within(centre - corner.point, reach)) corners.push_back(corner);
-  }
-  trim(faces, edges, corners);
+  trim(faces);
   fit_plane(features);
 }
 
-void LocalGround::fit_plane(const SurfaceFeatures& features) {
+void LocalFaces::fit_plane(const SurfaceFeatures& features) {
   Vec3 sum = Vec3::Zero();
   for (const Face& face : faces) sum += face.normal;
   const double length = sum.norm();
@@ -87,19 +69,19 @@ void LocalGround::fit_plane(const SurfaceFeatures& features) {
   }
 }
 
-LocalGround::Nearest LocalGround::nearest(const SurfaceFeatures& features, const Vec3& query,
-                                          double limit, double beyond, std::uint32_t guess) const {
+LocalFaces::Nearest LocalFaces::nearest(const SurfaceFeatures& features, const Vec3& query,
+                                        double limit, double beyond, std::uint32_t guess) const {
   return nearest_of(faces, features, query, limit, beyond, guess);
 }
 
-LocalGround::Nearest nearest_of(std::span<const LocalGround::Face> faces,
-                                const SurfaceFeatures& features, const Vec3& query, double limit,
-                                double beyond, std::uint32_t guess) {
-  LocalGround::Nearest found;
+LocalFaces::Nearest nearest_of(std::span<const LocalFaces::Face> faces,
+                               const SurfaceFeatures& features, const Vec3& query, double limit,
+                               double beyond, std::uint32_t guess) {
+  LocalFaces::Nearest found;
   found.nearest.distance = 1e300;
   found.second = limit;
   const auto measure = [&](std::uint32_t i) {
-    const LocalGround::Face& face = faces[i];
+    const LocalFaces::Face& face = faces[i];
     const double best = std::abs(found.nearest.distance);
     const double distinguished = std::min(best, limit) + beyond;
     if (std::abs(face.normal.dot(query) - face.offset) > distinguished) return;

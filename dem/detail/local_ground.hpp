@@ -1,5 +1,5 @@
 #pragma once
-/// The ground near a part of a block, copied together so that many queries read little memory.
+/// The ground near a block, its faces copied together so that many queries read little memory.
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -20,7 +20,8 @@ struct GroundPlane {
     bytes(normal, top);
   }
 };
-struct LocalGround {
+/// Some faces of the ground.
+struct LocalFaces {
   struct Face {
     Vec3 normal;
     double offset;  ///< height of a point over the plane: normal . point - offset
@@ -33,39 +34,16 @@ struct LocalGround {
       bytes(normal, offset, middle, radius, face);
     }
   };
-  struct Edge {
-    Vec3 start, direction;
-    double length;
-    std::uint32_t edge;
-
-    template <class Bytes>
-    void serialize(Bytes& bytes) {
-      bytes(start, direction, length, edge);
-    }
-  };
-  struct Corner {
-    Vec3 point;
-    std::uint32_t vertex;
-
-    template <class Bytes>
-    void serialize(Bytes& bytes) {
-      bytes(point, vertex);
-    }
-  };
   std::vector<Face> faces;
-  std::vector<Edge> edges;      ///< convex ones
-  std::vector<Corner> corners;  ///< pointed ones
-  GroundPlane plane;            ///< over all of it
+  GroundPlane plane;  ///< over all of them
 
   template <class Bytes>
   void serialize(Bytes& bytes) {
-    bytes(faces, edges, corners, plane);
+    bytes(faces, plane);
   }
 
-  /// Gathers everything within `reach` of the point, from the whole ground or from what was
-  /// gathered before. Ordered by number.
-  void gather(const IndexedSurface& ground, const Vec3& centre, double reach);
-  void gather(const SurfaceFeatures& features, const LocalGround& from, const Vec3& centre,
+  /// Takes those of `from` within `reach` of the point, in their order.
+  void gather(const SurfaceFeatures& features, const LocalFaces& from, const Vec3& centre,
               double reach);
 
   struct Nearest {
@@ -77,19 +55,34 @@ struct LocalGround {
   Nearest nearest(const SurfaceFeatures& features, const Vec3& query, double limit, double beyond,
                   std::uint32_t guess) const;
 
- private:
+ protected:
   void fit_plane(const SurfaceFeatures& features);
 };
 
+/// All of the ground near a block, ordered by number.
+struct LocalGround : LocalFaces {
+  std::vector<std::uint32_t> edges;    ///< convex ones
+  std::vector<std::uint32_t> corners;  ///< pointed vertices
+
+  template <class Bytes>
+  void serialize(Bytes& bytes) {
+    LocalFaces::serialize(bytes);
+    bytes(edges, corners);
+  }
+
+  /// Gathers everything within `reach` of the point.
+  void gather(const IndexedSurface& ground, const Vec3& centre, double reach);
+};
+
 /// A face as lists of the ground hold it.
-LocalGround::Face local_face(const SurfaceFeatures& features, std::uint32_t face);
+LocalFaces::Face local_face(const SurfaceFeatures& features, std::uint32_t face);
 
 /// Nearest point of some faces of a surface to `query`.
 /// @param limit   m: what is farther does not matter
 /// @param beyond  m: how much farther than the nearest other faces are measured
 /// @param guess   entry of a face that may be near: the answer is the same, but sooner found
-LocalGround::Nearest nearest_of(std::span<const LocalGround::Face> faces,
-                                const SurfaceFeatures& features, const Vec3& query, double limit,
-                                double beyond, std::uint32_t guess);
+LocalFaces::Nearest nearest_of(std::span<const LocalFaces::Face> faces,
+                               const SurfaceFeatures& features, const Vec3& query, double limit,
+                               double beyond, std::uint32_t guess);
 
 }  // namespace clast::dem_detail

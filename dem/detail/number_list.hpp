@@ -8,10 +8,11 @@ namespace clast::dem_detail {
 
 class NumberList {
  public:
-  /// No more than this many numbers are ever offered between two calls of `clear`.
-  explicit NumberList(std::size_t most = 0) : numbers_(most + 1) {}
-
-  void clear() { count_ = 0; }
+  /// @param most  no more numbers are offered until the next call
+  void clear(std::uint32_t most) {
+    if (numbers_.size() <= most) numbers_.resize(most + 1);
+    count_ = 0;
+  }
   void add_if(bool wanted, std::uint32_t number) {
     numbers_[count_] = number;
     count_ += wanted ? 1 : 0;
@@ -20,6 +21,7 @@ class NumberList {
   /// Lists those before `end` that are wanted.
   template <class Wanted>
   void list(std::uint32_t end, const Wanted& wanted) {
+    clear(end);
     std::uint32_t* const to = numbers_.data();
     std::size_t count = 0;
     for (std::uint32_t number = 0; number < end; ++number) {

@@ -81,7 +81,7 @@ void RodContacts::find_at_edge(std::uint32_t e) {
   contact.kind = ContactKind::kEdgeEdge;
   for (std::uint32_t g = 0; g < ground.edges.size(); ++g) {
     const SurfaceEdge& other = ground.edges[g];
-    const Segment of_ground{ground.vertices[other.vertices[0]], other.direction, other.length};
+    const Segment of_ground = ground.segment(other);
     const ClosestOnSegments closest = closest_on_segments(of_block, of_ground);
     if (!closest.crossing) continue;  // of parallel rods the ends carry the contact
     contact.ground_feature = g;

@@ -1,5 +1,7 @@
 #pragma once
 /// Where two segments come closest.
+#include <algorithm>
+
 #include "core/types.hpp"
 
 namespace clast::dem_detail {
@@ -10,6 +12,9 @@ struct Segment {
   double length = 0.0;             ///< m
 
   Vec3 at(double along) const { return start + along * direction; }
+  Vec3 nearest(const Vec3& point) const {
+    return at(std::clamp(direction.dot(point - start), 0.0, length));
+  }
 };
 
 struct ClosestOnSegments {

@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "dem/detail/segment_distance.hpp"
 #include "mesh/triangle_mesh.hpp"
 
 namespace clast::dem_detail {
@@ -58,6 +59,9 @@ struct SurfaceFeatures {
   Vec3 ray(std::uint32_t edge, std::uint32_t vertex) const {
     const SurfaceEdge& e = edges[edge];
     return e.vertices[0] == vertex ? e.direction : Vec3(-e.direction);
+  }
+  Segment segment(const SurfaceEdge& edge) const {
+    return {vertices[edge.vertices[0]], edge.direction, edge.length};
   }
   /// Mean of the normals of the faces at an edge, unit; of a wire any.
   Vec3 edge_normal(const SurfaceEdge& edge) const;

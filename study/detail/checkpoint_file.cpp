@@ -18,7 +18,7 @@ namespace fs = std::filesystem;
 namespace {
 
 const std::string kFormat = "clast checkpoint ";
-const std::string kMagic = kFormat + "1\n";
+const std::string kMagic = kFormat + "2\n";
 constexpr std::size_t kDigestLength = 64;
 const std::string kInTheWay = "is in the place of a checkpoint; move it away";
 

@@ -175,7 +175,8 @@ TEST(LocalGround, AgreesWithTheWholeGround) {
   for (int i = 0; i < 50; ++i) {
     Vec3 centre(random.uniform(-4, 4), random.uniform(-4, 4), 0.0);
     centre.z() = *terrain.height(centre.x(), centre.y(), 0.0);
-    LocalGround around, local;
+    LocalGround around;
+    LocalFaces local;
     around.gather(whole, centre, 2.0);
     local.gather(whole.features, around, centre, 1.2);
     for (int k = 0; k < 20; ++k) {
@@ -183,7 +184,7 @@ TEST(LocalGround, AgreesWithTheWholeGround) {
       const std::optional<NearestPoint> expected = whole.nearest(query, 5.0);
       ASSERT_TRUE(expected);
       const auto guess = static_cast<std::uint32_t>(random.below(local.faces.size()));
-      const LocalGround::Nearest found = local.nearest(whole.features, query, 0.6, 0.3, guess);
+      const LocalFaces::Nearest found = local.nearest(whole.features, query, 0.6, 0.3, guess);
       EXPECT_EQ(found.nearest.distance, expected->distance);
       EXPECT_EQ(found.nearest.face, expected->face);
       double second = 1e300;

@@ -50,7 +50,7 @@ TEST_F(MassCampaign, DrawsAsManyBlocksAsHaveAVolume) {
 TEST_F(MassCampaign, IsRefusedWhereTheMachineHasTooLittleMemory) {
   const PreparedCampaign plan = prepared(text());
   const double each = realisation_memory(plan);
-  EXPECT_GT(each, 8 * 50e3);  // of eight small blocks, and a state of each every 0.1 s
+  EXPECT_GT(each, 8 * 40e3);  // of eight small blocks, and a state of each every 0.1 s
   EXPECT_LT(each, 8 * 100e3);
   EXPECT_NO_THROW(check_memory(plan, 2, 2.1 * each));
   EXPECT_NO_THROW(check_memory(plan, 2, std::nullopt));
