@@ -182,20 +182,40 @@ void BlockContacts::list_vertices(const BlockPart& part) {
 }
 
 void BlockContacts::list_vertex(std::uint32_t vertex, const Vec3& centre, double listed) {
-  const NearestPoint nearest =
-      nearest_of(ground_.local_faces, ground_.features, centre, 1e300, 0.0, near_face_).nearest;
-  near_face_ = nearest.face;
-  const double distance = nearest.distance;
-  if (distance > listed) return;
-  const double near = std::max(std::abs(distance), tests_.reach()) + 2.0 * margin_ + kRounding;
-  for (const LocalFaces::Face& face : ground_.local_faces) {
-    if (std::abs(face.normal.dot(centre) - face.offset) <= near &&
-        within(centre - face.middle, near + face.radius)) {
-      faces_.push_back(face.face);
-    }
-  }
+  // Inside the ground it is no deeper than it lies below the highest point of it.
+  const double deepest = high_ - list_scratch().block_heights[vertex] + kRounding;
+  const std::optional<NearestPoint> nearest =
+      ground_.nearest(centre, std::max(listed, deepest), near_face_);
+  if (!nearest) return;
+  near_face_ = nearest->face;
+  if (nearest->distance > listed) return;
+  list_faces(centre,
+             std::max(std::abs(nearest->distance), tests_.reach()) + 2.0 * margin_ + kRounding);
   vertices_.push_back(
       {.vertex = vertex, .near_face = 0, .end_face = static_cast<std::uint32_t>(faces_.size())});
+}
+
+void BlockContacts::list_faces(const Vec3& centre, double reach) {
+  const PlanGrid& grid = ground_.grid;
+  const PlanGrid::Range cells =
+      grid.range(centre.x() - reach, centre.x() + reach, centre.y() - reach, centre.y() + reach);
+  const auto first = static_cast<std::ptrdiff_t>(faces_.size());
+  for (int row = cells.first_row; row <= cells.last_row; ++row) {
+    for (int column = cells.first_column; column <= cells.last_column; ++column) {
+      const PlanGrid::Cell cell = grid.cell(column, row);
+      if (cell.low > centre.z() + reach || cell.high < centre.z() - reach) continue;
+      for (const std::uint32_t number : cell.faces) {
+        const LocalFaces::Face& face = ground_.local_faces[number];
+        if (std::abs(face.normal.dot(centre) - face.offset) <= reach &&
+            within(centre - face.middle, reach + face.radius)) {
+          faces_.push_back(number);
+        }
+      }
+    }
+  }
+  // A face is in several cells.
+  std::sort(faces_.begin() + first, faces_.end());
+  faces_.erase(std::unique(faces_.begin() + first, faces_.end()), faces_.end());
 }
 
 void BlockContacts::list_sides(const BlockPart& part) {

@@ -20,7 +20,7 @@ constexpr double kForwardsTimes = 2.0;
 constexpr double kForwardsShare = 0.25;
 /// How much farther than the nearest face others are looked for, in margins: for half that way the
 /// nearest is sure to be it.
-constexpr double kDistinctMargins = 1.0;
+constexpr double kDistinctMargins = 0.25;
 
 }  // namespace
 

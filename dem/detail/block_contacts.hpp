@@ -94,6 +94,8 @@ class BlockContacts {
   void list_ground();
   void list_vertices(const BlockPart& part);
   void list_vertex(std::uint32_t vertex, const Vec3& centre, double listed);
+  /// Lists the faces of the ground within reach of a vertex, in order.
+  void list_faces(const Vec3& centre, double reach);
   void list_sides(const BlockPart& part);
   void place_sides(const BlockPart& part);
   void list_face(const PlacedSide& side, std::span<const std::uint32_t> corners);
