@@ -1,5 +1,6 @@
 // The list of two blocks: which of their features may touch before they have moved by its margin.
 #include <algorithm>
+#include <cstddef>
 #include <optional>
 #include <span>
 #include <tuple>

@@ -41,6 +41,7 @@ std::vector<ContactPoint>& BlockContacts::contacts(const Pose& ground_from_block
   std::vector<ContactPoint>& contacts = scratch().contacts;
   tests_.move_to(ground_from_block.rotation.toRotationMatrix(), ground_from_block.translation);
   contacts.clear();
+  scratch().backwards.clear();
   travel_ = travel;
   // Without a past nothing is known of how deep the two may be.
   if (list_until_ < 0.0) allowed_.reset(size_);

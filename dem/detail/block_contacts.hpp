@@ -25,8 +25,8 @@ class BlockContacts {
   /// @param size    smallest side of the smaller one, m: lists look ahead a share of it
   BlockContacts(const BlockSurface& ground, const BlockSurface& block, double size);
 
-  /// The contacts, in a fixed order, until the next call of any search in this thread; the caller
-  /// may change them.
+  /// The contacts, in a fixed order, until the next call of it for any search in this thread; the
+  /// caller may change them.
   /// @param travel  a bound of how far any point of the block has moved against the ground, m:
   /// grows from call to call by no less than the shift of its centre and the chord of its turn
   /// times its bounding radius together
@@ -158,7 +158,7 @@ class BlockContacts {
   std::vector<ListedVertex> vertices_;
   std::vector<std::uint32_t> faces_;  ///< of the ground that may be nearest to a listed vertex
   std::vector<ListedPair> pairs_;
-  std::uint32_t near_face_ = 0;    ///< of the ground, nearest to the vertex listed last
+  std::uint32_t near_face_ = 0;    ///< of the ground, near the last vertex that was looked at
   double low_ = 0.0, high_ = 0.0;  ///< lowest point of the block, highest of the ground along the
                                    ///< direction, m
   double list_until_ = -1.0;       ///< travel to which the list holds ...

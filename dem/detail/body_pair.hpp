@@ -79,7 +79,7 @@ class BodyPair {
   }
 
  private:
-  /// That on the terrain, of which a block has one, is large beside those of its other pairs.
+  /// The search on the terrain, of which a block has one, is large beside those of its other pairs.
   using Search = std::variant<std::unique_ptr<ContactSearch>, BlockContacts, RodContacts>;
   /// What is known while the two are near.
   struct Near {
@@ -115,7 +115,7 @@ class BodyPair {
   double gap_of_bounds(const Vec3& block_centre) const;
   /// `travel` of what is near when the block is at `pose`.
   double travel_to(const Pose& pose) const;
-  /// The contact points in world axes, until the next call.
+  /// The contact points in world axes, until the next call of any pair in this thread.
   std::vector<ContactPoint>& find_points(const Pose& world_from_reference,
                                          const Pose& reference_from_block);
 

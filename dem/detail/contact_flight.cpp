@@ -120,8 +120,10 @@ double ContactSearch::part_time(std::uint32_t p, const FlightBounds& flight, dou
   const double across = std::min(std::abs(velocity.dot(part.axis)), speed);
   const double along = std::sqrt(speed * speed - across * across);
   const Way ahead{way_in(wanted, across), way_in(wanted, along), whole};
-  update_vertices(p, ahead, scratch().contacts);
-  update_sides(p, ahead);
+  Found& found = scratch().ahead;
+  found.clear();
+  update_vertices(p, ahead, found);
+  update_sides(p, ahead, found);
   part_due_[p] = next_visit(p);
   if (!part.due_vertices.empty()) return 0.0;
   const Way then = part.way + ahead;

@@ -51,20 +51,21 @@ ContactSearch::Scratch& ContactSearch::scratch() {
 }
 
 std::vector<ContactPoint>& ContactSearch::contacts(const Pose& ground_from_body, double travel) {
-  std::vector<ContactPoint>& contacts = scratch().contacts;
+  Found& found = scratch().found;
+  std::vector<ContactPoint>& contacts = found.contacts;
   const NumberList& visits = scratch().visits;
   move_to(ground_from_body);
   travel_ = travel;
-  contacts.clear();
+  found.clear();
   list_visits();
-  for (const std::uint32_t p : visits) update_vertices(p, {}, contacts);
+  for (const std::uint32_t p : visits) update_vertices(p, {}, found);
   for (const ContactPoint& contact : contacts) deepest_ = std::max(deepest_, contact.overlap);
   if (allowed_.update(deepest_, margin_)) visit_all_sides();
   for (const std::uint32_t p : visits) {
-    update_sides(p, {});
+    update_sides(p, {}, found);
     part_due_[p] = next_visit(p);
   }
-  add_side_contacts(contacts);
+  add_side_contacts(found);
   remove_resolved(contacts, ground_, surface_, ground_from_body, size_);
   deepest_ = 0.0;
   for (const ContactPoint& contact : contacts) deepest_ = std::max(deepest_, contact.overlap);

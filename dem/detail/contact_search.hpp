@@ -36,7 +36,7 @@ class ContactSearch {
   ContactSearch(const IndexedSurface& ground, const BlockSurface& block, double size);
 
   /// Brings everything that is due up to date and lists the contacts, in a fixed order, until the
-  /// next call of any search in this thread; the caller may change them.
+  /// next call of it for any search in this thread; the caller may change them.
   /// @param travel  a bound of how far any point of the block has moved since the start, never
   /// smaller than in the call before
   std::vector<ContactPoint>& contacts(const Pose& ground_from_body, double travel);
@@ -171,12 +171,22 @@ class ContactSearch {
     std::uint32_t side;
     ContactPoint point;
   };
-  /// Of one call, shared by all searches of a thread.
-  struct Scratch {
-    NumberList due_parts;  ///< parts to look at ...
-    NumberList visits;     ///< ... and those of them that are near the ground
+  /// What touches.
+  struct Found {
     std::vector<ContactPoint> contacts;
     std::vector<SideContact> of_sides;
+
+    void clear() {
+      contacts.clear();
+      of_sides.clear();
+    }
+  };
+  /// Of one call, shared by all searches of a thread.
+  struct Scratch {
+    NumberList due_parts;                       ///< parts to look at ...
+    NumberList visits;                          ///< ... and those of them that are near the ground
+    Found found;                                ///< by `contacts` ...
+    Found ahead;                                ///< ... and by looks ahead, which need none of it
     std::vector<std::uint32_t> near_parts;      ///< of `flight_time_over`, and those of them ...
     std::vector<std::uint32_t> doubtful_parts;  ///< ... that no plane keeps apart from some face
   };
@@ -236,7 +246,7 @@ class ContactSearch {
   /// 0.
   Asleep asleep(const NearPart& part, const Vec3& away, double apart, double others) const;
 
-  // Vertices by their number within the part; contacts of those that touch are added to `contacts`.
+  // Vertices by their number within the part; those that touch are added to `found`.
 
   /// The vertex of the block.
   std::uint32_t block_vertex(const NearPart& part, std::uint32_t vertex) const {
@@ -245,25 +255,22 @@ class ContactSearch {
 
   /// Every vertex of the part that is due.
   /// @param ahead  way for which it must be known whether they can touch
-  void update_vertices(std::uint32_t p, const Way& ahead, std::vector<ContactPoint>& contacts);
-  void update_vertex(NearPart& part, std::uint32_t vertex, const Way& ahead,
-                     std::vector<ContactPoint>& contacts);
+  void update_vertices(std::uint32_t p, const Way& ahead, Found& found);
+  void update_vertex(NearPart& part, std::uint32_t vertex, const Way& ahead, Found& found);
   /// Until a vertex that is outside the ground may touch any of it; due when it may touch now.
   Asleep clear_of_ground(NearPart& part, std::uint32_t vertex, const Vec3& centre);
   /// The same from its closest plane, where all else is known to be clear.
   Asleep clear_of_plane(const NearPart& part, std::uint32_t vertex, const Vec3& centre) const;
-  bool update_sure_face(NearPart& part, std::uint32_t vertex, const Vec3& centre,
-                        std::vector<ContactPoint>& contacts);
-  void measure_vertex(NearPart& part, std::uint32_t vertex, const Vec3& centre,
-                      std::vector<ContactPoint>& contacts);
+  bool update_sure_face(NearPart& part, std::uint32_t vertex, const Vec3& centre, Found& found);
+  void measure_vertex(NearPart& part, std::uint32_t vertex, const Vec3& centre, Found& found);
   /// Everything of the part's sides that is due.
-  void update_sides(std::uint32_t p, const Way& ahead);
+  void update_sides(std::uint32_t p, const Way& ahead, Found& found);
   /// Lists the sides of the part near a feature of the ground.
   void update_feature(std::uint32_t p, GroundFeature& feature);
-  void update_pair(const NearPart& part, FeaturePair& pair);
+  void update_pair(const NearPart& part, FeaturePair& pair, Found& found);
   /// Sides closer than this to a feature of the ground may touch it, m.
   double touching_distance() const { return std::max(reach_, allowed_.depth()); }
-  void add_side_contacts(std::vector<ContactPoint>& contacts);
+  void add_side_contacts(Found& found);
   Vec3 placed(const Vec3& in_body) const { return tests_.placed(in_body); }
 
   const IndexedSurface& ground_;

@@ -15,7 +15,7 @@ constexpr double kPairMargins = 1.0;
 
 }  // namespace
 
-void ContactSearch::update_sides(std::uint32_t p, const Way& ahead) {
+void ContactSearch::update_sides(std::uint32_t p, const Way& ahead, Found& found) {
   NearPart& part = *part_states_[p].near;
   const Way then = part.way + ahead;
   if (part.all_features.due(then)) {
@@ -32,7 +32,7 @@ void ContactSearch::update_sides(std::uint32_t p, const Way& ahead) {
     bool due = false;
     for (FeaturePair& pair : part.pairs) {
       if (!pair.asleep.due(then)) continue;
-      update_pair(part, pair);
+      update_pair(part, pair, found);
       due = due || pair.asleep.due(part.way);
     }
     FirstDue first(part.way);
@@ -52,7 +52,7 @@ void ContactSearch::update_feature(std::uint32_t p, GroundFeature& feature) {
     return pair.ground_feature == number &&
            (pair.kind != ContactKind::kEdgeEdge) == feature.is_corner;
   });
-  const Segment on_ground = feature.is_corner ? Segment{ground.vertices[number], Vec3::Zero(), 0.0}
+  const Segment on_ground = feature.is_corner ? Segment{ground.vertices[number], Vec3::UnitX(), 0.0}
                                               : ground.segment(ground.edges[number]);
   const auto away_from = [&](const Vec3& point) -> Vec3 {
     return point - on_ground.nearest(point);
@@ -82,27 +82,27 @@ void ContactSearch::update_feature(std::uint32_t p, GroundFeature& feature) {
   feature.asleep = asleep(part, part.axis, others, others);
 }
 
-void ContactSearch::update_pair(const NearPart& part, FeaturePair& pair) {
+void ContactSearch::update_pair(const NearPart& part, FeaturePair& pair, Found& found) {
   const std::uint32_t of_block = parts_.sides[pair.side].feature;
   std::optional<ContactPoint> contact;
   const Vec3 between = tests_.side(pair.kind, of_block, pair.ground_feature, contact).between;
   if (contact) {
     pair.asleep = {};
-    scratch().of_sides.push_back({pair.side, *contact});
+    found.of_sides.push_back({pair.side, *contact});
     return;
   }
   const double distance = between.norm();
   pair.asleep = asleep(part, between / distance, distance - touching_distance(), 1e300);
 }
 
-void ContactSearch::add_side_contacts(std::vector<ContactPoint>& contacts) {
-  std::vector<SideContact>& of_sides = scratch().of_sides;
-  std::sort(of_sides.begin(), of_sides.end(), [](const SideContact& a, const SideContact& b) {
-    return std::tuple(a.side, a.point.kind, a.point.ground_feature) <
-           std::tuple(b.side, b.point.kind, b.point.ground_feature);
-  });
-  for (const SideContact& contact : of_sides) add_once(contacts, contact.point);
-  of_sides.clear();
+void ContactSearch::add_side_contacts(Found& found) {
+  std::sort(found.of_sides.begin(), found.of_sides.end(),
+            [](const SideContact& a, const SideContact& b) {
+              return std::tuple(a.side, a.point.kind, a.point.ground_feature) <
+                     std::tuple(b.side, b.point.kind, b.point.ground_feature);
+            });
+  for (const SideContact& contact : found.of_sides) add_once(found.contacts, contact.point);
+  found.of_sides.clear();
 }
 
 }  // namespace clast::dem_detail

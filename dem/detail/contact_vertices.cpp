@@ -15,8 +15,7 @@ constexpr double kDistinctMargins = 4.0;
 
 }  // namespace
 
-void ContactSearch::update_vertices(std::uint32_t p, const Way& ahead,
-                                    std::vector<ContactPoint>& contacts) {
+void ContactSearch::update_vertices(std::uint32_t p, const Way& ahead, Found& found) {
   NearPart& part = *part_states_[p].near;
   const Way way = part.way, then = way + ahead;
   FirstDue first(way);
@@ -25,7 +24,7 @@ void ContactSearch::update_vertices(std::uint32_t p, const Way& ahead,
     if (part.due_vertices.empty()) return;
     first.include(part.other_vertices);
     std::erase_if(part.due_vertices, [&](std::uint32_t v) {
-      update_vertex(part, v, ahead, contacts);
+      update_vertex(part, v, ahead, found);
       if (asleep[v].due(way)) return false;
       first.include(asleep[v]);
       return true;
@@ -34,7 +33,7 @@ void ContactSearch::update_vertices(std::uint32_t p, const Way& ahead,
     part.due_vertices.clear();
     for (std::uint32_t v = 0; v < asleep.size(); ++v) {
       if (asleep[v].due(then)) {
-        update_vertex(part, v, ahead, contacts);
+        update_vertex(part, v, ahead, found);
         if (asleep[v].due(way)) {
           part.due_vertices.push_back(v);
           continue;
@@ -46,10 +45,9 @@ void ContactSearch::update_vertices(std::uint32_t p, const Way& ahead,
   part.other_vertices = first.asleep();
 }
 
-void ContactSearch::update_vertex(NearPart& part, std::uint32_t v, const Way& ahead,
-                                  std::vector<ContactPoint>& contacts) {
+void ContactSearch::update_vertex(NearPart& part, std::uint32_t v, const Way& ahead, Found& found) {
   const Vec3 centre = placed(block_.vertices[block_vertex(part, v)]);
-  if (update_sure_face(part, v, centre, contacts)) return;
+  if (update_sure_face(part, v, centre, found)) return;
   const Asleep by_closest = clear_of_plane(part, v, centre);
   if (!by_closest.due(part.way + ahead)) {
     part.vertex_asleep[v] = by_closest;
@@ -72,7 +70,7 @@ void ContactSearch::update_vertex(NearPart& part, std::uint32_t v, const Way& ah
       return;
     }
   }
-  measure_vertex(part, v, centre, contacts);
+  measure_vertex(part, v, centre, found);
 }
 
 Asleep ContactSearch::clear_of_plane(const NearPart& part, std::uint32_t v,
@@ -134,13 +132,13 @@ Asleep ContactSearch::clear_of_ground(NearPart& part, std::uint32_t v, const Vec
 }
 
 void ContactSearch::measure_vertex(NearPart& part, std::uint32_t v, const Vec3& centre,
-                                   std::vector<ContactPoint>& contacts) {
+                                   Found& found) {
   VertexState& state = part.vertices[v];
   const double complete = completeness(part);
-  const LocalFaces::Nearest found = part.ground.nearest(
+  const LocalFaces::Nearest of_faces = part.ground.nearest(
       ground_.features, centre, complete, kDistinctMargins * margin_, state.near_face);
-  const NearestPoint& nearest = found.nearest;
-  state.near_face = found.entry;
+  const NearestPoint& nearest = of_faces.nearest;
+  state.near_face = of_faces.entry;
   const double depth = std::abs(nearest.distance);
 
   state.sure_face = kNoFeature;
@@ -156,25 +154,25 @@ void ContactSearch::measure_vertex(NearPart& part, std::uint32_t v, const Vec3& 
   if (nearest.within_face && !backwards) {
     state.sure_face = nearest.face;
     state.sure_foot_until = part.way.whole;
-    state.sure_inside_until = part.way.whole + 0.5 * (found.second - depth);
-    state.sure_outside_until = part.way.whole + (found.second - reach_);
+    state.sure_inside_until = part.way.whole + 0.5 * (of_faces.second - depth);
+    state.sure_outside_until = part.way.whole + (of_faces.second - reach_);
   }
   if (nearest.distance >= reach_) {
     const Vec3 away = nearest.within_face ? nearest.normal : Vec3((centre - nearest.point) / depth);
-    part.vertex_asleep[v] = asleep(part, away, nearest.distance - reach_, found.second - reach_);
+    part.vertex_asleep[v] = asleep(part, away, nearest.distance - reach_, of_faces.second - reach_);
     return;
   }
   const std::uint32_t vertex = block_vertex(part, v);
   if (nearest.distance >= 0.0) {
-    return tests_.add_outside(vertex, centre, part.ground.faces, contacts);
+    return tests_.add_outside(vertex, centre, part.ground.faces, found.contacts);
   }
-  contacts.push_back(tests_.inside(
+  found.contacts.push_back(tests_.inside(
       vertex, centre,
       backwards ? tests_.nearest_forwards(vertex, centre, nearest, part.ground.faces) : nearest));
 }
 
 bool ContactSearch::update_sure_face(NearPart& part, std::uint32_t v, const Vec3& centre,
-                                     std::vector<ContactPoint>& contacts) {
+                                     Found& found) {
   VertexState& state = part.vertices[v];
   if (state.sure_face == kNoFeature) return false;
   const double way = part.way.whole;
@@ -201,7 +199,7 @@ bool ContactSearch::update_sure_face(NearPart& part, std::uint32_t v, const Vec3
   contact.normal = face.normal;
   contact.overlap = reach_ - height;
   contact.foot = centre + (ground_.radius - height) * face.normal;
-  contacts.push_back(contact);
+  found.contacts.push_back(contact);
   return true;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 /// Which of many numbers are wanted, listed without a branch for each: what is due next is as good
 /// as random to the processor, and a wrong guess costs more than a needless store.
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 

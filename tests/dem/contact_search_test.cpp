@@ -168,6 +168,41 @@ TEST(FlyingBall, TouchesNothingBeforeItsClearTime) {
   EXPECT_NEAR(clear_time(flat.impl().surface.grid, leaving, 9.0), 20.0 / 30.0, 1.0 / 30.0);
 }
 
+/// A ridge 1 m high and 4 cm wide at its foot, on level ground.
+TriangleMesh thin_ridge() {
+  TriangleMesh mesh;
+  const std::array<double, 5> across = {-20.0, -0.02, 0.0, 0.02, 20.0};
+  const std::array<double, 5> height = {0.0, 0.0, 1.0, 0.0, 0.0};
+  for (std::uint32_t row = 0; row < 5; ++row) {
+    for (std::uint32_t i = 0; i < 5; ++i) {
+      mesh.vertices.emplace_back(across[i], 10.0 * row - 20.0, height[i]);
+      if (row == 4 || i == 4) continue;
+      const std::uint32_t a = 5 * row + i;
+      mesh.triangles.push_back({a, a + 1, a + 6});
+      mesh.triangles.push_back({a, a + 6, a + 5});
+    }
+  }
+  return mesh;
+}
+
+TEST(ContactSearch, TakesNothingFromAnotherOfItsThread) {
+  const TerrainSurface terrain = ground(thin_ridge());
+  const RigidBody small = box(100.0, {0.4, 0.4, 0.4}), large = box(1e5, {3.0, 3.0, 3.0});
+  const BlockSurface small_surface(small.shape), large_surface(large.shape);
+  int passed = 0;
+  for (const double height : {0.85, 0.9, 0.95}) {
+    for (const double tilt : {0.1, 0.2, 0.4}) {
+      ContactSearch pierced(terrain.impl().surface, small_surface, small.size());
+      ContactSearch flying(terrain.impl().surface, large_surface, large.size());
+      const Pose on_ridge{{0.1, 0.3, height}, Quat(Eigen::AngleAxisd(-tilt, Vec3::UnitY()))};
+      // Where its edges have only passed through the ridge they do not touch, but are measured.
+      if (pierced.contacts(on_ridge, 0.0).empty() && pierced.safe_travel() == 0.0) ++passed;
+      EXPECT_TRUE(flying.contacts({{5.0, 0.0, 50.0}, Quat::Identity()}, 0.0).empty());
+    }
+  }
+  EXPECT_GE(passed, 5);
+}
+
 TEST(LocalGround, AgreesWithTheWholeGround) {
   Random random(6);
   const TerrainSurface terrain = ground(rough_slope(30, 0.35, 0.5, 0.10));
