@@ -25,7 +25,7 @@ class BlockContacts {
   /// @param size    smallest side of the smaller one, m: lists look ahead a share of it
   BlockContacts(const BlockSurface& ground, const BlockSurface& block, double size);
 
-  /// The contacts, in a fixed order, until the next call of it for any search in this thread; the
+  /// The contacts, in a fixed order, until this is called again for any search in this thread; the
   /// caller may change them.
   /// @param travel  a bound of how far any point of the block has moved against the ground, m:
   /// grows from call to call by no less than the shift of its centre and the chord of its turn

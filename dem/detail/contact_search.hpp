@@ -35,8 +35,8 @@ class ContactSearch {
   /// @param size   smallest side of the block, m: lists look ahead a share of it
   ContactSearch(const IndexedSurface& ground, const BlockSurface& block, double size);
 
-  /// Brings everything that is due up to date and lists the contacts, in a fixed order, until the
-  /// next call of it for any search in this thread; the caller may change them.
+  /// Brings everything that is due up to date and lists the contacts, in a fixed order, until this
+  /// is called again for any search in this thread; the caller may change them.
   /// @param travel  a bound of how far any point of the block has moved since the start, never
   /// smaller than in the call before
   std::vector<ContactPoint>& contacts(const Pose& ground_from_body, double travel);
