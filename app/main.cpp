@@ -22,7 +22,7 @@ clast::HelpSource help_of_reconstruct(const char* program) {
               }};
 }
 
-void add_commands(CLI::App& app, char** argv) {
+void add_main_commands(CLI::App& app, char** argv) {
   app.add_subcommand("reconstruct", clast::kReconstructSummary)->callback([argv] {
     clast::run_companion(argv);
   });
@@ -49,6 +49,6 @@ int main(int argc, char** argv) {
   return clast::run_program(argc, argv, [&](CLI::App& app) {
     // Before anything is parsed: the options are known to the companion alone.
     if (reconstruct) clast::run_companion(argv);
-    add_commands(app, argv);
+    add_main_commands(app, argv);
   });
 }

@@ -8,7 +8,7 @@
 
 namespace {
 
-void add_commands(CLI::App& app) {
+void add_reconstruct_commands(CLI::App& app) {
   clast::add_reconstruct(app);
   app.add_subcommand(clast::kDescribeCommand, "")->group("")->callback([&app] {
     std::cout << clast::to_json(clast::command_tree(app)).dump() << "\n";
@@ -17,4 +17,4 @@ void add_commands(CLI::App& app) {
 
 }  // namespace
 
-int main(int argc, char** argv) { return clast::run_program(argc, argv, add_commands); }
+int main(int argc, char** argv) { return clast::run_program(argc, argv, add_reconstruct_commands); }

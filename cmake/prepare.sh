@@ -71,7 +71,7 @@ if [ ! -f $build/CMakeCache.txt ]; then
   if command -v ninja >/dev/null; then options+=(-G Ninja); fi
   options+=(-DCLAST_TESTS=OFF)
 fi
-if [ "$1" = program ]; then targets=(clast help_files); else options+=(-DCLAST_TESTS=ON); fi
+if [ "$1" = program ]; then targets=(clast); else options+=(-DCLAST_TESTS=ON); fi
 
 mkdir -p build
 log=build/configure.log
@@ -81,4 +81,15 @@ cmake -S . -B $build "${options[@]}" --log-level=WARNING >"$log" 2>&1 ||
 
 jobs=${CLAST_JOBS:-$(default_jobs)}
 say "Building with $jobs at a time; the first build takes some minutes"
+# CPU seconds of what this shell has waited for, in `cpu`: of the build, for tests/run.sh.
+read_cpu() {
+  times >build/times.txt
+  cpu=$(awk 'NR == 2 { split($1, user, /[ms]/); split($2, system, /[ms]/)
+                       print 60 * (user[1] + system[1]) + user[2] + system[2] }' build/times.txt)
+}
+read_cpu
+before=$cpu
 cmake --build $build --target "${targets[@]}" -j "$jobs"
+read_cpu
+awk -v before="$before" -v after="$cpu" 'BEGIN { print after - before }' >build/cpu_seconds.txt
+rm build/times.txt

@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::size_t kAllOrders = 9;  ///< units, up to which every order is looked at
 
-void check_sample(const TrendSample& sample) {
+void check_trend_sample(const TrendSample& sample) {
   const std::size_t count = sample.values.size(), units = sample.property.size();
   if (sample.clusters.size() != count || sample.units.size() != count ||
       sample.strata.size() != units) {
@@ -92,7 +92,7 @@ std::vector<Stratum> strata_of(const TrendSample& sample) {
 
 std::optional<TestResult> clustered_trend(const TrendSample& sample, std::uint64_t seed,
                                           std::size_t draws) {
-  check_sample(sample);
+  check_trend_sample(sample);
   std::vector<Stratum> strata = strata_of(sample);
   std::size_t units = 0;
   double of_property = 0.0, of_outcome = 0.0;

@@ -15,7 +15,7 @@ namespace {
 
 constexpr double kLevel = 0.05;
 
-void check_sample(const CrossedSample& sample) {
+void check_crossed_sample(const CrossedSample& sample) {
   const std::size_t count = sample.values.size();
   if (sample.high.size() != count || sample.units.size() != count ||
       sample.points.size() != count || sample.strata.size() != count) {
@@ -93,7 +93,7 @@ std::pair<double, double> variance_of(const CrossedSample& sample,
 }  // namespace
 
 std::optional<CrossedDifference> crossed_difference(const CrossedSample& sample) {
-  check_sample(sample);
+  check_crossed_sample(sample);
   const std::size_t count = sample.values.size();
   const double unit_freedom = freedom_of_units(sample);
   if (!(unit_freedom >= 1.0)) return std::nullopt;

@@ -32,7 +32,7 @@ MatrixXd squared_distances(const MatrixXd& a, const MatrixXd& b, const VectorXd&
   return squares;
 }
 
-double correlation(Kernel kernel, double square) {
+double kernel_correlation(Kernel kernel, double square) {
   if (kernel == Kernel::kSquaredExponential) return std::exp(-0.5 * square);
   const double r = std::sqrt(5.0 * square);
   return (1.0 + r + r * r / 3.0) * std::exp(-r);
@@ -50,7 +50,7 @@ MatrixXd correlations(const MatrixXd& a, const MatrixXd& b, const GaussianProces
                       Kernel kernel) {
   MatrixXd matrix = squared_distances(a, b, shape.lengths);
   for (Index i = 0; i < matrix.size(); ++i) {
-    matrix.data()[i] = correlation(kernel, matrix.data()[i]);
+    matrix.data()[i] = kernel_correlation(kernel, matrix.data()[i]);
   }
   return matrix;
 }
@@ -67,7 +67,7 @@ Likelihood likelihood_of(const MatrixXd& places, const VectorXd& values,
   const MatrixXd squares = squared_distances(places, places, shape.lengths);
   MatrixXd matrix(count, count);
   for (Index i = 0; i < matrix.size(); ++i) {
-    matrix.data()[i] = correlation(kernel, squares.data()[i]);
+    matrix.data()[i] = kernel_correlation(kernel, squares.data()[i]);
   }
   matrix.diagonal().array() += shape.nugget;
   const Eigen::LLT<MatrixXd> factor(matrix);

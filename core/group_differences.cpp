@@ -29,12 +29,8 @@ std::vector<Sum> pieces_of(const ClusteredValues& group, std::size_t clusters) {
   return pieces;
 }
 
-double mean_of(std::span<const double> values) {
-  return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
-}
-
 double squares_of(std::span<const double> values) {
-  const double mean = mean_of(values);
+  const double mean = arithmetic_mean(values);
   double sum = 0.0;
   for (const double value : values) sum += (value - mean) * (value - mean);
   return sum;
@@ -79,7 +75,7 @@ std::optional<double> hedges_g(std::span<const double> a, std::span<const double
   const double freedom = static_cast<double>(a.size() + b.size() - 2);
   const double pooled = std::sqrt((squares_of(a) + squares_of(b)) / freedom);
   if (!(pooled > 0.0)) return std::nullopt;
-  return (1.0 - 3.0 / (4.0 * freedom - 1.0)) * (mean_of(a) - mean_of(b)) / pooled;
+  return (1.0 - 3.0 / (4.0 * freedom - 1.0)) * (arithmetic_mean(a) - arithmetic_mean(b)) / pooled;
 }
 
 std::optional<Interval> bootstrap_difference(const ClusteredValues& a, const ClusteredValues& b,
@@ -126,7 +122,7 @@ std::optional<Interval> bootstrap_mean(const ClusteredValues& values, std::size_
 Interval clustered_share_interval(const ClusteredValues& hits, std::size_t clusters) {
   const auto trials = static_cast<double>(hits.values.size());
   if (hits.values.empty()) return {};
-  const double share = mean_of(hits.values);
+  const double share = arithmetic_mean(hits.values);
   double squares = 0.0, filled = 0.0;
   if (clusters > 1) {
     for (const Sum& piece : pieces_of(hits, clusters)) {

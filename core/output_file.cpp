@@ -23,7 +23,7 @@ namespace fs = std::filesystem;
 namespace {
 
 /// Why the rules keep the file that is there; empty when it may be replaced.
-std::string why_kept(const fs::path& target, const OutputRules& rules) {
+std::string why_file_is_kept(const fs::path& target, const OutputRules& rules) {
   if (rules.kind.empty() && rules.replace) return "";
   const std::string there = kind_of_file(target);
   if (there.empty()) return "";
@@ -93,7 +93,7 @@ OutputFile::OutputFile(fs::path target, const OutputRules& rules)
                      ": is write-protected; allow writing to it or name another file");
   }
   absent_ = !fs::exists(target_, code);
-  if (const std::string why = why_kept(target_, rules_); !why.empty() && !rules_.checked) {
+  if (const std::string why = why_file_is_kept(target_, rules_); !why.empty() && !rules_.checked) {
     throw InputError(why);
   }
   const fs::path folder = target_.has_parent_path() ? target_.parent_path() : fs::path(".");
@@ -127,7 +127,7 @@ void OutputFile::commit() {
   if (!code && mode != fs::perms::unknown) fs::permissions(temporary_, mode, code);
   if (absent_ && !rules_.replace) {
     code = rename_to_free(temporary_, target_);
-  } else if (!why_kept(target_, rules_).empty()) {
+  } else if (!why_file_is_kept(target_, rules_).empty()) {
     code = std::make_error_code(std::errc::file_exists);
   } else {
     fs::rename(temporary_, target_, code);

@@ -44,7 +44,7 @@ bool is_marked(const fs::path& folder, const FolderKind& kind) {
 }
 
 /// Why what is there is kept; empty when the folder may be written.
-std::string why_kept(const fs::path& target, const FolderKind& kind, bool replace) {
+std::string why_folder_is_kept(const fs::path& target, const FolderKind& kind, bool replace) {
   std::error_code code;
   if (!fs::exists(target, code)) return "";
   if (!fs::is_directory(target, code)) {
@@ -123,7 +123,7 @@ OutputFolder::OutputFolder(const fs::path& target, FolderKind kind, bool replace
     : kind_(std::move(kind)), replace_(replace) {
   if (target.empty()) throw InputError("the name of the folder to write is empty; name one");
   target_ = resolved(target);
-  if (const std::string why = why_kept(target_, kind_, replace_); !why.empty()) {
+  if (const std::string why = why_folder_is_kept(target_, kind_, replace_); !why.empty()) {
     throw InputError(why);
   }
   const fs::path beside = target_.parent_path();
@@ -162,7 +162,7 @@ void OutputFolder::commit() {
   }
   if (code != std::errc::file_exists) refuse_exchange(target_, code);
   const auto check_taken = [&](const fs::path& there) {
-    if (why_kept(there, kind_, replace_).empty()) return;
+    if (why_folder_is_kept(there, kind_, replace_).empty()) return;
     if (there != target_) exchange_folders(temporary_, target_, former);
     const fs::path kept = keep_beside(temporary_, target_);
     committed_ = true;

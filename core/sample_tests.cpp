@@ -67,7 +67,7 @@ double chance_of_leaving(std::size_t m, std::size_t n, const Pooled& all) {
 }
 
 /// Pearson's correlation; none when one of the two does not vary.
-std::optional<double> correlation(std::span<const double> x, std::span<const double> y) {
+std::optional<double> pearson_correlation(std::span<const double> x, std::span<const double> y) {
   const double n = static_cast<double>(x.size());
   const double mean_x = std::accumulate(x.begin(), x.end(), 0.0) / n;
   const double mean_y = std::accumulate(y.begin(), y.end(), 0.0) / n;
@@ -91,7 +91,7 @@ double share_of_orders(std::span<const double> x, std::span<const double> y, dou
     for (std::size_t i = 0; i < order.size(); ++i) turned[i] = y[order[i]];
     ++orders;
     // Equal correlations differ by the rounding of their sums.
-    as_far += std::abs(*correlation(x, turned)) >= std::abs(found) - 1e-9;
+    as_far += std::abs(*pearson_correlation(x, turned)) >= std::abs(found) - 1e-9;
   } while (std::next_permutation(order.begin(), order.end()));
   return static_cast<double>(as_far) / static_cast<double>(orders);
 }
@@ -144,7 +144,7 @@ struct ClassTable {
   std::size_t size = 0;
 };
 
-double chi_squared(const ClassTable& table) {
+double chi_squared_statistic(const ClassTable& table) {
   const double size = static_cast<double>(table.size), size_a = static_cast<double>(table.size_a);
   double sum = 0.0;
   for (std::size_t k = 0; k < table.a.size(); ++k) {
@@ -201,7 +201,7 @@ std::optional<TestResult> spearman(std::span<const double> x, std::span<const do
   assert(x.size() == y.size());
   if (x.size() < 3) return std::nullopt;
   const std::vector<double> rank_x = ranks(x), rank_y = ranks(y);
-  const std::optional<double> found = correlation(rank_x, rank_y);
+  const std::optional<double> found = pearson_correlation(rank_x, rank_y);
   if (!found) return std::nullopt;
   TestResult result;
   result.statistic = *found;
@@ -230,7 +230,7 @@ std::optional<ClassTest> same_classes(std::span<const std::size_t> a,
   if (table.size_a == 0 || table.size_a == table.size || table.a.size() < 2) return std::nullopt;
 
   ClassTest test;
-  test.chi_squared = chi_squared(table);
+  test.chi_squared = chi_squared_statistic(table);
   test.freedom = table.a.size() - 1;
   test.smallest_expected =
       static_cast<double>(*std::min_element(table.total.begin(), table.total.end())) *
@@ -245,7 +245,7 @@ std::optional<ClassTest> same_classes(std::span<const std::size_t> a,
   std::size_t as_extreme = 0;
   for (std::size_t draw = 0; draw < draws; ++draw) {
     shuffle(table, random);
-    as_extreme += chi_squared(table) >= test.chi_squared * (1.0 - 1e-9);
+    as_extreme += chi_squared_statistic(table) >= test.chi_squared * (1.0 - 1e-9);
   }
   test.p_value = static_cast<double>(1 + as_extreme) / static_cast<double>(1 + draws);
   return test;

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
-#include <vector>
+#include <numeric>
 
 namespace clast {
 
@@ -46,6 +46,16 @@ int decimals_known(const Interval& interval, int most) {
     ++decimals;
   }
   return decimals;
+}
+
+double arithmetic_mean(std::span<const double> values) {
+  return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
+}
+
+double upper_median(std::vector<double> values) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
 }
 
 Interval wilson_interval(std::size_t hits, std::size_t trials) {

@@ -2,6 +2,7 @@
 /// Small statistics on samples.
 #include <cstddef>
 #include <span>
+#include <vector>
 
 namespace clast {
 
@@ -23,6 +24,12 @@ Summary summarise(std::span<const double> values);
 /// @param p       in [0, 1]
 /// @cite hyndman1996
 double quantile(std::span<const double> sorted, double p);
+
+/// The arithmetic mean, summed in the order of the values; not empty.
+double arithmetic_mean(std::span<const double> values);
+
+/// The median; the larger of the two middle values where their number is even. Not empty.
+double upper_median(std::vector<double> values);
 
 /// Bounds of a value; of a probability that nothing is known of, unless they are set.
 struct Interval {

@@ -15,11 +15,11 @@
 namespace clast {
 namespace {
 
-constexpr std::size_t kMostFactors = 6;
+constexpr std::size_t kMostGroupings = 6;
 constexpr std::uint32_t kMostGroups = 40;  ///< of levels that are left out together
 constexpr std::size_t kFewestTrimmed = 5;  ///< levels; with fewer nothing is left to trim
 constexpr double kOffset = 0.01;           ///< of shares, so that zero has odds
-constexpr double kHigh = 0.975;
+constexpr double kUpperQuantile = 0.975;
 
 /// Which values belong together.
 struct Grouping {
@@ -116,7 +116,7 @@ Eigen::MatrixXd expectations(const Kept& kept) {
 }
 
 /// Components of the variance of the values that are kept, none below zero.
-std::vector<double> components_of(
+std::vector<double> unbalanced_components(
     const Kept& kept, const Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd>& solver,
     const std::vector<double>& values) {
   double mean = 0.0;
@@ -139,8 +139,8 @@ std::vector<double> components_of(
 }
 
 /// Shares of the factors, then that of all interactions.
-std::vector<double> shares_of(const std::vector<Grouping>& groupings,
-                              const std::vector<double>& components, std::size_t factors) {
+std::vector<double> grouping_shares(const std::vector<Grouping>& groupings,
+                                    const std::vector<double>& components, std::size_t factors) {
   std::vector<double> shares(factors + 1, 0.0);
   const double total = std::accumulate(components.begin(), components.end(), 0.0);
   if (!(total > 0.0)) return shares;
@@ -164,8 +164,8 @@ std::vector<std::vector<double>> all_shares(const Kept& kept, std::size_t factor
   const Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> solver(expectations(kept));
   std::vector<std::vector<double>> shares;
   for (const std::vector<double>& values : outcomes) {
-    const std::vector<double> components = components_of(kept, solver, values);
-    shares.push_back(shares_of(kept.groupings, components, factors));
+    const std::vector<double> components = unbalanced_components(kept, solver, values);
+    shares.push_back(grouping_shares(kept.groupings, components, factors));
     if (variances) {
       variances->push_back(std::accumulate(components.begin(), components.end(), 0.0));
     }
@@ -185,10 +185,6 @@ std::vector<double> level_means(const Grouping& factor, const std::vector<double
   return sums;
 }
 
-double mean_of(std::span<const double> values) {
-  return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
-}
-
 /// By how much the jackknife's variance is too small where the effects of a factor are skewed: the
 /// variance of a variance goes with the kurtosis less (k - 3)/k, and the kurtosis of few levels is
 /// too small about their mean and nearly right about their trimmed mean. @cite bonett2006
@@ -196,8 +192,8 @@ double skew_factor(const std::vector<double>& means) {
   if (means.size() <= kFewestTrimmed) return 1.0;
   const auto count = static_cast<double>(means.size());
   const auto cut = static_cast<std::size_t>(count / (2.0 * std::sqrt(count - 4.0)));
-  const double mean = mean_of(means);
-  const double trimmed = mean_of(std::span(means).subspan(cut, means.size() - 2 * cut));
+  const double mean = arithmetic_mean(means);
+  const double trimmed = arithmetic_mean(std::span(means).subspan(cut, means.size() - 2 * cut));
   double squares = 0.0, about_mean = 0.0, about_trimmed = 0.0;
   for (const double value : means) {
     squares += std::pow(value - mean, 2);
@@ -228,7 +224,7 @@ struct Scatter {
   Interval around(double share) const {
     if (!(variance > 0.0)) return {share, share};
     const double freedom = std::max(1.0, variance * variance / over_freedom);
-    const double half = student_quantile(kHigh, freedom) * std::sqrt(variance);
+    const double half = student_quantile(kUpperQuantile, freedom) * std::sqrt(variance);
     const double middle = log_odds(share);
     return {std::min(share, share_of_log_odds(middle - half)),
             std::max(share, share_of_log_odds(middle + half))};
@@ -237,7 +233,7 @@ struct Scatter {
 
 void check_lists(std::span<const std::vector<double>> outcomes,
                  std::span<const std::vector<std::uint32_t>> factors) {
-  if (factors.empty() || factors.size() > kMostFactors) {
+  if (factors.empty() || factors.size() > kMostGroupings) {
     throw InputError(std::to_string(factors.size()) + " factors; give one to six");
   }
   const std::size_t count = factors.front().size();

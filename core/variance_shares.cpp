@@ -11,7 +11,7 @@
 namespace clast {
 namespace {
 
-constexpr std::size_t kMostFactors = 6;
+constexpr std::size_t kMostCrossedFactors = 6;
 constexpr std::size_t kDraws = 2000;
 constexpr double kLow = 0.025, kHigh = 0.975;
 
@@ -73,8 +73,8 @@ Analysis analysis_of(std::span<const double> values, std::span<const std::size_t
 }
 
 /// Variance components out of mean squares, none below zero.
-std::vector<double> components_of(const Analysis& analysis,
-                                  const std::vector<double>& mean_squares) {
+std::vector<double> balanced_components(const Analysis& analysis,
+                                        const std::vector<double>& mean_squares) {
   const Subset all = mean_squares.size() - 1;
   std::vector<double> components(mean_squares.size(), 0.0);
   for (Subset set = 1; set <= all; ++set) {
@@ -88,7 +88,7 @@ std::vector<double> components_of(const Analysis& analysis,
 }
 
 /// Shares of the factors, then that of the interactions.
-std::vector<double> shares_of(const std::vector<double>& parts, std::size_t factors) {
+std::vector<double> component_shares(const std::vector<double>& parts, std::size_t factors) {
   std::vector<double> shares(factors + 1, 0.0);
   double total = 0.0;
   for (Subset set = 1; set < parts.size(); ++set) {
@@ -104,7 +104,7 @@ std::vector<double> shares_of(const std::vector<double>& parts, std::size_t fact
 
 /// A chi-squared number: twice a gamma number of half the freedom.
 /// @cite marsaglia2000
-double chi_squared(double freedom, Random& random) {
+double draw_chi_squared(double freedom, Random& random) {
   const double shape = 0.5 * freedom;
   // Below one: a gamma number of one more, times a power of a uniform one.
   const double raised = shape < 1.0 ? shape + 1.0 : shape;
@@ -125,7 +125,7 @@ void check_design(std::span<const double> values, std::span<const std::size_t> l
     if (number < 2) throw InputError("a factor of one level has no share of the variance");
     count *= number;
   }
-  if (levels.empty() || levels.size() > kMostFactors || count != values.size()) {
+  if (levels.empty() || levels.size() > kMostCrossedFactors || count != values.size()) {
     throw InputError(std::to_string(values.size()) + " values are no full design of " +
                      std::to_string(levels.size()) + " factors with " + std::to_string(count) +
                      " combinations");
@@ -148,18 +148,19 @@ VarianceShares variance_shares(std::span<const double> values, std::span<const s
   for (Subset set = 1; set < mean_squares.size(); ++set) {
     mean_squares[set] = analysis.squares[set] / analysis.freedom[set];
   }
-  const std::vector<double> components = components_of(analysis, mean_squares);
-  const std::vector<double> design = shares_of(analysis.squares, factors);
-  const std::vector<double> estimate = shares_of(components, factors);
+  const std::vector<double> components = balanced_components(analysis, mean_squares);
+  const std::vector<double> design = component_shares(analysis.squares, factors);
+  const std::vector<double> estimate = component_shares(components, factors);
 
   Random random(seed);
   std::vector<std::vector<double>> drawn(factors + 1);
   for (std::size_t i = 0; i < kDraws; ++i) {
     std::vector<double> tried(mean_squares.size(), 0.0);
     for (Subset set = 1; set < tried.size(); ++set) {
-      tried[set] = analysis.squares[set] / chi_squared(analysis.freedom[set], random);
+      tried[set] = analysis.squares[set] / draw_chi_squared(analysis.freedom[set], random);
     }
-    const std::vector<double> shares = shares_of(components_of(analysis, tried), factors);
+    const std::vector<double> shares =
+        component_shares(balanced_components(analysis, tried), factors);
     for (std::size_t f = 0; f <= factors; ++f) drawn[f].push_back(shares[f]);
   }
   VarianceShares result;

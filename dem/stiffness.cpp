@@ -18,7 +18,7 @@ constexpr double kImpactDepthShare = 0.25;
 /// stable below 2 (docs/theory.md, Time step).
 constexpr double kImpactStep = 0.2, kMassImpactStep = 0.4;
 constexpr double kLongestStep = 0.4;
-constexpr double kUnstable = 2.0;
+constexpr double kUnstableProduct = 2.0;
 /// Share of the smallest S that a block may travel in one step.
 constexpr double kTravelShare = 0.25;
 /// Arm of the rolling spring, share of S: k_r = k_t (S/2)^2 winds up over the same slip as k_t.
@@ -184,7 +184,7 @@ StiffnessChoice choose_stiffness(std::span<const ContactBody> bodies, const Cont
   chosen.time_step = options.time_step.value_or(resolved);
   // Half of what may be travelled: contacts that are hard to move allow twice this step.
   if (!options.time_step) chosen.longest_step = std::min(kLongestStep / frequency, 0.5 * travel);
-  const double most = std::min(kUnstable / frequency, travel);
+  const double most = std::min(kUnstableProduct / frequency, travel);
   if (chosen.time_step > most) {
     throw SimulationError(
         "time step " + with_digits(chosen.time_step, 3) + " s is too long: beyond " +

@@ -18,7 +18,7 @@ namespace clast {
 
 namespace {
 
-constexpr int kUsualSegments = 4, kMostSegments = 64;
+constexpr int kUsualSegments = 4, kMostExportSegments = 64;
 
 /// A mesh of a block, and what its file has after the id.
 struct NamedMesh {
@@ -144,9 +144,9 @@ void BlockExportOptions::check() const {
     throw InputError("`format`: \"" + format +
                      "\" is not known; expected shp, obj, stl, ply, glb or vtp");
   }
-  if (segments && (*segments < 1 || *segments > kMostSegments)) {
+  if (segments && (*segments < 1 || *segments > kMostExportSegments)) {
     throw InputError("`segments` = " + std::to_string(*segments) + ": must be from 1 to " +
-                     std::to_string(kMostSegments));
+                     std::to_string(kMostExportSegments));
   }
   up_axis(up, {});
   if (frame == ExportFrame::kPrincipal && up == "y") {

@@ -21,8 +21,8 @@ bool contains_advice(const std::string& reason) {
   return reason.find("export it") != std::string::npos;
 }
 
-TriangleMesh read_by_format(const std::filesystem::path& path, const std::string& extension,
-                            const std::string& content) {
+TriangleMesh read_mesh_by_format(const std::filesystem::path& path, const std::string& extension,
+                                 const std::string& content) {
   try {
     std::optional<TriangleMesh> mesh;
     if (extension == ".stl") mesh = mesh_detail::read_stl(content);
@@ -133,7 +133,7 @@ TriangleMesh read_any(const std::filesystem::path& path, bool points_will_do) {
     throw InputError(path.string() + ": the file is empty; copy or export it again");
   }
   try {
-    TriangleMesh mesh = read_by_format(path, extension, content);
+    TriangleMesh mesh = read_mesh_by_format(path, extension, content);
     // Cameras write a point that has no place as one that is not finite.
     if (points_will_do && mesh.triangles.empty()) {
       std::erase_if(mesh.vertices, [](const Vec3& v) { return !v.allFinite(); });

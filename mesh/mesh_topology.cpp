@@ -15,7 +15,6 @@ namespace {
 
 /// Height over longest side below which a triangle has no area: rounding of its coordinates.
 constexpr double kFlatTriangle = 1e-12;
-constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
 
 void check_indices(const TriangleMesh& mesh) {
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
@@ -61,7 +60,7 @@ std::vector<std::vector<std::uint32_t>> loops_of(std::span<const HalfEdge> sorte
   };
 
   std::vector<std::vector<std::uint32_t>> loops;
-  std::vector<std::uint32_t> place(sides.empty() ? 0 : sides.back()[0] + 1, kNone);
+  std::vector<std::uint32_t> place(sides.empty() ? 0 : sides.back()[0] + 1, kNoIndex);
   for (std::size_t start = 0; start < sides.size(); ++start) {
     if (used[start]) continue;
     std::vector<std::uint32_t> path = {sides[start][0]};
@@ -69,21 +68,21 @@ std::vector<std::vector<std::uint32_t>> loops_of(std::span<const HalfEdge> sorte
     while (!path.empty()) {
       const std::size_t side = next_from(path.back());
       if (side == sides.size()) {  // a dead end: neighbours disagree in orientation here
-        place[path.back()] = kNone;
+        place[path.back()] = kNoIndex;
         path.pop_back();
         continue;
       }
       used[side] = true;
       const std::uint32_t vertex = sides[side][1];
       if (vertex >= place.size()) continue;  // nothing open starts there
-      if (place[vertex] == kNone) {
+      if (place[vertex] == kNoIndex) {
         place[vertex] = static_cast<std::uint32_t>(path.size());
         path.push_back(vertex);
         continue;
       }
       const auto first = path.begin() + place[vertex];
       loops.emplace_back(first, path.end());
-      for (auto v = first + 1; v != path.end(); ++v) place[*v] = kNone;
+      for (auto v = first + 1; v != path.end(); ++v) place[*v] = kNoIndex;
       path.erase(first + 1, path.end());
     }
   }
@@ -164,12 +163,12 @@ std::vector<std::uint32_t> triangle_components(const TriangleMesh& mesh) {
   for_each_edge(sorted, [&](std::span<const HalfEdge> sides) {
     for (std::size_t i = 1; i < sides.size(); ++i) sets.join(sides[0].triangle, sides[i].triangle);
   });
-  std::vector<std::uint32_t> number(mesh.triangles.size(), kNone), result;
+  std::vector<std::uint32_t> number(mesh.triangles.size(), kNoIndex), result;
   result.reserve(mesh.triangles.size());
   std::uint32_t count = 0;
   for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
     std::uint32_t& component = number[sets.find(t)];
-    if (component == kNone) component = count++;
+    if (component == kNoIndex) component = count++;
     result.push_back(component);
   }
   return result;

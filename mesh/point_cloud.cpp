@@ -60,8 +60,8 @@ bool is_text_cloud(const std::string& extension) {
          extension == ".asc";
 }
 
-CloudSummary read_by_format(const std::filesystem::path& path, const std::string& extension,
-                            mesh_detail::PointSink& sink) {
+CloudSummary read_cloud_by_format(const std::filesystem::path& path, const std::string& extension,
+                                  mesh_detail::PointSink& sink) {
   if (extension == ".pcd") return mesh_detail::read_pcd(read_text_file(path), sink);
   if (is_text_cloud(extension) || extension == ".las" || extension == ".laz") {
     check_input_file(path);
@@ -101,7 +101,7 @@ CloudSummary stream_cloud(const std::filesystem::path& path,
     if (std::filesystem::is_regular_file(path, code) && std::filesystem::is_empty(path, code)) {
       throw InputError("holds no points: the file is empty; copy or export it again");
     }
-    summary = read_by_format(path, extension_of(path), sink);
+    summary = read_cloud_by_format(path, extension_of(path), sink);
   } catch (const InputError& error) {
     const std::string message = error.what();
     const std::string name = path.string() + ": ";

@@ -6,11 +6,7 @@
 
 namespace clast {
 
-namespace {
-
-constexpr std::uint32_t kNone = 0xffffffffu;
-
-}  // namespace
+namespace {}  // namespace
 
 TriangleMesh compacted(const TriangleMesh& source,
                        const std::vector<TriangleMesh::Triangle>& triangles) {
@@ -28,13 +24,13 @@ TriangleMesh with_triangles(const TriangleMesh& mesh, const std::vector<bool>& k
 }
 
 void drop_unused_vertices(TriangleMesh& mesh) {
-  std::vector<std::uint32_t> number(mesh.vertices.size(), kNone);
+  std::vector<std::uint32_t> number(mesh.vertices.size(), kNoIndex);
   for (const TriangleMesh::Triangle& t : mesh.triangles) {
     for (const std::uint32_t corner : t) number[corner] = 0;
   }
   std::uint32_t count = 0;
   for (std::size_t v = 0; v < number.size(); ++v) {
-    if (number[v] == kNone) continue;
+    if (number[v] == kNoIndex) continue;
     mesh.vertices[count] = mesh.vertices[v];
     number[v] = count++;
   }

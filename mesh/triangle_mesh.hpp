@@ -9,6 +9,9 @@
 
 namespace clast {
 
+/// Stands for "no vertex", "no triangle" or "no component" where an index is expected.
+inline constexpr std::uint32_t kNoIndex = 0xffffffffu;
+
 /// Vertices in metres and triangles as vertex indices, counter-clockwise seen from outside.
 /// Plain data: nothing cached, nothing guaranteed; `inspect` tells what it is worth.
 struct TriangleMesh {

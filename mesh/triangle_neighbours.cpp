@@ -26,7 +26,7 @@ TriangleNeighbours triangle_neighbours(const TriangleMesh& mesh) {
 
 TriangleNeighbours triangle_neighbours(const TriangleMesh& mesh, std::span<const HalfEdge> sorted) {
   TriangleNeighbours result;
-  result.across.assign(mesh.triangles.size(), {kNoTriangle, kNoTriangle, kNoTriangle});
+  result.across.assign(mesh.triangles.size(), {kNoIndex, kNoIndex, kNoIndex});
   for_each_edge(sorted, [&](std::span<const HalfEdge> sides) {
     if (sides.size() == 1) {
       ++result.border_edges;
@@ -48,18 +48,18 @@ std::size_t side_between(const Triangle& triangle, std::uint32_t a, std::uint32_
 }
 
 std::vector<std::uint32_t> manifold_components(const TriangleNeighbours& neighbours) {
-  std::vector<std::uint32_t> component(neighbours.across.size(), kNoTriangle);
+  std::vector<std::uint32_t> component(neighbours.across.size(), kNoIndex);
   std::vector<std::uint32_t> open;
   std::uint32_t count = 0;
   for (std::uint32_t seed = 0; seed < component.size(); ++seed) {
-    if (component[seed] != kNoTriangle) continue;
+    if (component[seed] != kNoIndex) continue;
     component[seed] = count;
     open.assign(1, seed);
     while (!open.empty()) {
       const std::uint32_t t = open.back();
       open.pop_back();
       for (const std::uint32_t other : neighbours.across[t]) {
-        if (other == kNoTriangle || component[other] != kNoTriangle) continue;
+        if (other == kNoIndex || component[other] != kNoIndex) continue;
         component[other] = count;
         open.push_back(other);
       }
@@ -82,7 +82,7 @@ RelativeFacing relative_facing(const TriangleMesh& mesh, const TriangleNeighbour
       const Triangle& corners = mesh.triangles[here];
       for (const std::size_t k : sides_by_edge(corners)) {
         const std::uint32_t other = neighbours.across[here][k];
-        if (other == kNoTriangle) continue;
+        if (other == kNoIndex) continue;
         const std::uint32_t from = corners[k], to = corners[(k + 1) % 3];
         const Triangle& beside = mesh.triangles[other];
         const bool same_way = beside[side_between(beside, from, to)] == from;

@@ -13,18 +13,16 @@
 
 namespace clast {
 
-inline constexpr std::uint32_t kNoTriangle = 0xffffffffu;
-
 /// Side k runs from corner k to corner k + 1.
 struct TriangleNeighbours {
-  /// kNoTriangle: a border, or an edge of more than two triangles.
+  /// kNoIndex: a border, or an edge of more than two triangles.
   std::vector<std::array<std::uint32_t, 3>> across;
   std::size_t border_edges = 0;
   std::size_t non_manifold_edges = 0;  ///< of more than two triangles
   EdgeKey first_non_manifold = {};     ///< meaningless where there is none
 
   bool on_border(std::uint32_t triangle, std::size_t side) const {
-    return across[triangle][side] == kNoTriangle;
+    return across[triangle][side] == kNoIndex;
   }
 };
 

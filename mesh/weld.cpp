@@ -18,8 +18,6 @@ namespace {
 
 using Triangle = TriangleMesh::Triangle;
 
-constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
-
 /// For every vertex the first one with exactly its coordinates.
 std::vector<std::uint32_t> first_of_equals(std::span<const Vec3> vertices) {
   std::vector<std::uint32_t> order(vertices.size()), first(vertices.size());
@@ -46,18 +44,18 @@ class NearbyVertices {
       : vertices_(vertices),
         origin_(origin),
         tolerance_(tolerance),
-        heads_(std::bit_ceil(2 * vertices.size() + 1), kNone),
-        next_(vertices.size(), kNone) {}
+        heads_(std::bit_ceil(2 * vertices.size() + 1), kNoIndex),
+        next_(vertices.size(), kNoIndex) {}
 
-  /// The first vertex that stays within the tolerance, or kNone.
+  /// The first vertex that stays within the tolerance, or kNoIndex.
   std::uint32_t find(const Vec3& point) const {
     const Cube low = cube(point - Vec3::Constant(tolerance_));
     const Cube high = cube(point + Vec3::Constant(tolerance_));
-    std::uint32_t found = kNone;
+    std::uint32_t found = kNoIndex;
     for (std::int64_t i = low[0]; i <= high[0]; ++i) {
       for (std::int64_t j = low[1]; j <= high[1]; ++j) {
         for (std::int64_t k = low[2]; k <= high[2]; ++k) {
-          for (std::uint32_t v = heads_[slot({i, j, k})]; v != kNone; v = next_[v]) {
+          for (std::uint32_t v = heads_[slot({i, j, k})]; v != kNoIndex; v = next_[v]) {
             if (v < found && (vertices_[v] - point).norm() <= tolerance_) found = v;
           }
         }
@@ -128,8 +126,8 @@ std::vector<std::uint32_t> weld_targets(std::span<const Vec3> vertices, double t
   std::vector<std::uint32_t> target(vertices.size());
   for (std::uint32_t v = 0; v < target.size(); ++v) {
     const std::uint32_t near = staying.find(vertices[v]);
-    target[v] = near == kNone ? v : near;
-    if (near == kNone) staying.add(v);
+    target[v] = near == kNoIndex ? v : near;
+    if (near == kNoIndex) staying.add(v);
   }
   return target;
 }

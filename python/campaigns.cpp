@@ -57,7 +57,7 @@ py::object object_of_node(const TomlNode& node) {
 }
 
 /// (text, what is in it)
-py::tuple read(const fs::path& file) {
+py::tuple read_campaign_text(const fs::path& file) {
   std::string text;
   const TomlNode root = unlocked([&] {
     text = read_text_file(file);

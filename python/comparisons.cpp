@@ -31,7 +31,7 @@ namespace {
 
 using SharedResults = std::shared_ptr<CampaignResults>;
 
-SharedResults read(const fs::path& path) {
+SharedResults read_results(const fs::path& path) {
   return unlocked([&] { return std::make_shared<CampaignResults>(read_results(path)); });
 }
 

@@ -26,18 +26,18 @@ namespace {
 /// Blocks that Python shares.
 using Blocks = std::vector<std::shared_ptr<Block>>;
 
-Blocks shared(const BlockLibrary& library) {
+Blocks shared_blocks(const BlockLibrary& library) {
   Blocks blocks;
   for (const Block& block : library.blocks()) blocks.push_back(std::make_shared<Block>(block));
   return blocks;
 }
 
-Blocks read(const fs::path& path) {
-  return unlocked([&] { return shared(BlockLibrary::read(path)); });
+Blocks read_blocks(const fs::path& path) {
+  return unlocked([&] { return shared_blocks(BlockLibrary::read(path)); });
 }
 
 Blocks change(const fs::path& path, bool make, const std::function<void(BlockLibrary&)>& how) {
-  return unlocked([&] { return shared(update_library(path, {.make = make}, how)); });
+  return unlocked([&] { return shared_blocks(update_library(path, {.make = make}, how)); });
 }
 
 Blocks add(const fs::path& path, const Blocks& added, bool replace) {

@@ -25,7 +25,7 @@ namespace py = pybind11;
 
 namespace {
 
-PopulationRequest request_from(Keywords& given) {
+PopulationRequest population_request(Keywords& given) {
   PopulationRequest request;
   request.first.inputs = given.texts("inputs");
   request.against.inputs = given.texts("against");
@@ -60,7 +60,7 @@ PopulationRequest request_from(Keywords& given) {
 
 std::shared_ptr<PopulationReport> classify(const py::dict& keywords) {
   Keywords given(keywords);
-  const PopulationRequest request = request_from(given);
+  const PopulationRequest request = population_request(given);
   return unlocked([&] {
     request.check();
     return std::make_shared<PopulationReport>(read_populations(request));

@@ -127,7 +127,7 @@ ScanToBlockOptions options_from(Keywords& given) {
   return options;
 }
 
-py::list shared(std::vector<Block> blocks) {
+py::list shared_list(std::vector<Block> blocks) {
   py::list list;
   for (Block& block : blocks) list.append(std::make_shared<Block>(std::move(block)));
   return list;
@@ -138,7 +138,7 @@ py::list of_scan(const std::string& scan, const std::optional<std::string>& id,
                  const py::dict& keywords, const py::object& progress) {
   Keywords given(keywords);
   const ScanToBlockOptions options = options_from(given);
-  return shared(watched(progress, [&](const Progress& step) {
+  return shared_list(watched(progress, [&](const Progress& step) {
     const std::vector<ScanFile> scans = list_scans({scan});
     if (scans.size() != 1) {
       throw InputError(scan + ": holds " + counted(scans.size(), "scan") +
@@ -164,7 +164,7 @@ py::list of_mesh(const py::object& vertices, const py::object& triangles, const 
   }
   Keywords given(keywords);
   const ScanToBlockOptions options = options_from(given);
-  return shared(watched(progress, [&](const Progress& step) {
+  return shared_list(watched(progress, [&](const Progress& step) {
     return reconstruct_mesh_blocks(mesh, id, options, {.progress = step});
   }));
 }

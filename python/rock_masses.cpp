@@ -29,7 +29,7 @@ struct CutRequest {
   bool replace = false;
 };
 
-CutRequest request_from(Keywords& given) {
+CutRequest cut_request(Keywords& given) {
   CutRequest request;
   for (const std::string& joints : given.texts("joints")) {
     request.options.joints.push_back(read_joint_set(joints));
@@ -88,7 +88,7 @@ MassBlocks blocks_between(const CutRequest& request) {
 /// (blocks, volume of the mass, volume of the blocks, why pieces became no block)
 py::tuple cut(const py::dict& keywords, const py::object& progress) {
   Keywords given(keywords);
-  CutRequest request = request_from(given);
+  CutRequest request = cut_request(given);
   const MassBlocks made = watched(progress, [&](const Progress& step) {
     if (request.output) check_library_place(*request.output);
     request.options.progress = step;

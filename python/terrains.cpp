@@ -27,7 +27,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-std::shared_ptr<Terrain> read(const py::dict& keywords) {
+std::shared_ptr<Terrain> read_terrain_files(const py::dict& keywords) {
   Keywords given(keywords);
   TerrainOptions options;
   for (const std::string& input : given.texts("inputs")) options.surface.emplace_back(input);

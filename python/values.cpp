@@ -12,13 +12,13 @@ namespace py = pybind11;
 
 namespace {
 
-py::array array_from(std::vector<double> numbers) { return owned(std::move(numbers)); }
+py::array array_of_numbers(std::vector<double> numbers) { return owned(std::move(numbers)); }
 
-py::array array_from(const std::vector<std::uint64_t>& counts) {
+py::array array_of_numbers(const std::vector<std::uint64_t>& counts) {
   return owned(std::vector<std::int64_t>(counts.begin(), counts.end()));
 }
 
-py::array array_from(const std::vector<std::string>& texts) {
+py::array array_of_numbers(const std::vector<std::string>& texts) {
   py::list list;
   for (const std::string& text : texts) list.append(text);
   return py::module_::import("numpy").attr("array")(list, py::arg("dtype") = "str");
@@ -31,7 +31,7 @@ py::tuple table_of(TableValues table) {
   for (ColumnValues& column : table) {
     const py::str name(column.name);
     values[name] =
-        std::visit([](auto& held) { return array_from(std::move(held)); }, column.values);
+        std::visit([](auto& held) { return array_of_numbers(std::move(held)); }, column.values);
     units[name] = column.unit;
     meanings[name] = column.meaning;
   }

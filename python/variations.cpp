@@ -48,7 +48,7 @@ SeriesSteps steps_from(Keywords& given) {
   return steps;
 }
 
-SeriesRequest request_from(Keywords& given) {
+SeriesRequest series_request(Keywords& given) {
   SeriesRequest request;
   std::string keep = "mass";
   given.take("library", request.library);
@@ -73,7 +73,7 @@ SeriesRequest request_from(Keywords& given) {
 /// (blocks, why bodies could not be made, what `series_json` says)
 py::tuple vary(const py::dict& keywords, const py::object& progress) {
   Keywords given(keywords);
-  SeriesRequest request = request_from(given);
+  SeriesRequest request = series_request(given);
   RequestedSeries made = watched(progress, [&](const Progress& step) {
     request.options.progress = step;
     return make_series(request);

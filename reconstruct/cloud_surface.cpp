@@ -46,10 +46,10 @@ constexpr double kGood = 5e-4;
 /// A point is missed where the surface is so many spacings away; where missed points stand for more
 /// than this share of the area, the surface found is not that of the block.
 constexpr double kMissed = 1.5, kMostMissed = 0.01;
-constexpr int kRounds = 3;         ///< of surface and normals
-constexpr double kSpacings = 2.0;  ///< a cell holds about four points at least
+constexpr int kSurfaceRounds = 3;      ///< of surface and normals
+constexpr double kCellSpacings = 2.0;  ///< a cell holds about four points at least
 /// Points that lie closer about a plane than this share of their diagonal bound no body.
-constexpr double kFlat = 1e-3;
+constexpr double kFlatCloud = 1e-3;
 
 /// The volume is uncertain by so many times what halves of the points lack, by so many times what
 /// the halves differ by, and by this share of the noise on all of the area.
@@ -73,10 +73,10 @@ std::array<double, 2> thicknesses(std::span<const Vec3> points) {
 /// The solver for the surface fails on points without volume.
 void refuse_flat(std::span<const Vec3> points, double diagonal) {
   const auto [plane, line] = thicknesses(points);
-  if (plane > kFlat * diagonal) return;
-  const char* const what = !(diagonal > 0.0)         ? "at one place"
-                           : line > kFlat * diagonal ? "in a plane"
-                                                     : "on a line";
+  if (plane > kFlatCloud * diagonal) return;
+  const char* const what = !(diagonal > 0.0)              ? "at one place"
+                           : line > kFlatCloud * diagonal ? "in a plane"
+                                                          : "on a line";
   throw GeometryError("all " + std::to_string(points.size()) + " points lie " + what +
                       " and bound no block; scan the block from all sides, and check which columns "
                       "of the file are x, y and z");
@@ -103,7 +103,7 @@ struct Body {
 /// improve the surface.
 /// @param spacings  of points without noise, to take in thin parts; else empty
 void find_surface(Body& body, std::span<const double> spacings = {}) {
-  for (int round = 0; round < kRounds; ++round) {
+  for (int round = 0; round < kSurfaceRounds; ++round) {
     body.indicator = std::make_unique<reconstruct_detail::Indicator>(body.points, body.normals);
     if (!body.indicator->found()) refuse_no_surface(body.points.size());
     body.surface = reconstruct_detail::surface_between(body.points, *body.indicator, spacings);
@@ -273,7 +273,7 @@ CloudSurface cloud_surface(std::span<const Vec3> points, const CloudSurfaceOptio
   for (const Vec3& p : points) box.include(p);
   refuse_flat(points, box.diagonal());
   const double cell = options.cell * box.diagonal();
-  const bool dense = cell > kSpacings * reconstruct_detail::spacing(points);
+  const bool dense = cell > kCellSpacings * reconstruct_detail::spacing(points);
   const Body body = body_through(
       dense ? reconstruct_detail::decimated(points, cell)
             : std::vector<Vec3>(points.begin(), points.end()),

@@ -10,6 +10,7 @@
 #include "core/error.hpp"
 #include "core/number_text.hpp"
 #include "core/random.hpp"
+#include "core/statistics.hpp"
 #include "reconstruct/detail/cloud.hpp"
 #include "reconstruct/detail/height_grid.hpp"
 
@@ -19,7 +20,7 @@ namespace {
 
 /// Planes are tried on one point for each cube of this side, so that points count by the area they
 /// stand for. Of the diagonal.
-constexpr double kDecimationCell = 1.0 / 150.0;
+constexpr double kGroundDecimationCell = 1.0 / 150.0;
 /// A ground has at least this share of the decimated points,
 constexpr double kLeastShare = 0.1;
 /// no more than this share lies below it,
@@ -32,18 +33,12 @@ constexpr double kLeastBeside = 0.3;
 constexpr int kFewestSides = 3;
 constexpr int kGridNodes = 32;      ///< of the local surface, along its longer side
 constexpr double kStiffness = 1.0;  ///< of the local surface: it averages over about two cells
-constexpr int kFits = 8;            ///< of the local surface, each to a narrower band
+constexpr int kGroundFits = 8;      ///< of the local surface, each to a narrower band
 constexpr double kNarrowing = 0.7;
 constexpr double kBand = 3.0;  ///< of the roughness; beyond it a point is not on the ground
 constexpr double kDeviationOfMad = 1.4826;
 /// Of the tolerance: a ground made by a program is no rougher than that.
 constexpr double kSmooth = 1e-6;
-
-double median(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
 
 Plane plane_through(std::span<const Vec3> points) {
   Vec3 centre = Vec3::Zero();
@@ -109,16 +104,16 @@ Plane consensus_plane(std::span<const Vec3> points, double tolerance,
   return turned_up(best, points, tolerance);
 }
 
-using Cell = std::pair<long, long>;
+using PlanCell = std::pair<long, long>;
 
 /// The largest set of cells that touch each other, corners included.
-std::vector<Cell> largest_patch(std::set<Cell> cells) {
-  std::vector<Cell> largest;
+std::vector<PlanCell> largest_patch(std::set<PlanCell> cells) {
+  std::vector<PlanCell> largest;
   while (!cells.empty()) {
-    std::vector<Cell> patch = {*cells.begin()};
+    std::vector<PlanCell> patch = {*cells.begin()};
     cells.erase(cells.begin());
     for (std::size_t next = 0; next < patch.size(); ++next) {
-      const Cell at = patch[next];
+      const PlanCell at = patch[next];
       for (long dx = -1; dx <= 1; ++dx) {
         for (long dy = -1; dy <= 1; ++dy) {
           const auto found = cells.find({at.first + dx, at.second + dy});
@@ -134,24 +129,24 @@ std::vector<Cell> largest_patch(std::set<Cell> cells) {
 }
 
 /// In how many of the eight directions from the middle of `patch` lies some of `on` beyond it?
-int sides_with_more(const std::vector<Cell>& patch, const std::set<Cell>& on) {
+int sides_with_more(const std::vector<PlanCell>& patch, const std::set<PlanCell>& on) {
   Vec2 middle = Vec2::Zero();
-  for (const Cell& at : patch) {
+  for (const PlanCell& at : patch) {
     middle += Vec2(static_cast<double>(at.first), static_cast<double>(at.second)) /
               static_cast<double>(patch.size());
   }
-  const auto polar = [&](const Cell& at) {
+  const auto polar = [&](const PlanCell& at) {
     const Vec2 from = Vec2(static_cast<double>(at.first), static_cast<double>(at.second)) - middle;
     const double turns = (std::atan2(from.y(), from.x()) + kPi) / (2.0 * kPi);
     return std::pair(std::min<std::size_t>(static_cast<std::size_t>(8.0 * turns), 7), from.norm());
   };
   std::array<double, 8> reach{};
-  for (const Cell& at : patch) {
+  for (const PlanCell& at : patch) {
     const auto [side, distance] = polar(at);
     reach[side] = std::max(reach[side], distance);
   }
   std::array<bool, 8> more{};
-  for (const Cell& at : on) {
+  for (const PlanCell& at : on) {
     const auto [side, distance] = polar(at);
     more[side] |= distance > reach[side] + 1.0;
   }
@@ -162,17 +157,17 @@ int sides_with_more(const std::vector<Cell>& patch, const std::set<Cell>& on) {
 bool goes_on_around(std::span<const Vec3> points, const Plane& plane, double tolerance,
                     double cell) {
   const Quat turn = Quat::FromTwoVectors(plane.normal, Vec3::UnitZ());
-  std::set<Cell> on, above;
+  std::set<PlanCell> on, above;
   for (const Vec3& p : points) {
     const Vec3 flat = turn * p;
-    const Cell at(std::lround(flat.x() / cell), std::lround(flat.y() / cell));
+    const PlanCell at(std::lround(flat.x() / cell), std::lround(flat.y() / cell));
     const double height = plane.height(p);
     if (height > 3.0 * tolerance) above.insert(at);
     if (std::abs(height) < tolerance) on.insert(at);
   }
   if (above.empty()) return true;
   const auto beside =
-      std::count_if(on.begin(), on.end(), [&](const Cell& at) { return !above.contains(at); });
+      std::count_if(on.begin(), on.end(), [&](const PlanCell& at) { return !above.contains(at); });
   return static_cast<double>(beside) > kLeastBeside * static_cast<double>(above.size()) &&
          sides_with_more(largest_patch(above), on) >= kFewestSides;
 }
@@ -239,7 +234,7 @@ double roughness_of(std::span<const Vec3> points, const Ground::Surface& surface
       if (height < band) within.push_back(height);
     }
     if (within.empty()) break;
-    roughness = kDeviationOfMad * median(std::move(within));
+    roughness = kDeviationOfMad * upper_median(std::move(within));
     if (kBand * roughness > kNarrowing * band) break;
     band *= kNarrowing;
   }
@@ -254,7 +249,7 @@ std::optional<Ground> find_ground(std::span<const Vec3> points, const GroundOpti
   for (const Vec3& p : points) box.include(p);
   const double diagonal = points.empty() ? 0.0 : box.diagonal();
   const std::vector<Vec3> sparse =
-      reconstruct_detail::decimated(points, kDecimationCell * diagonal);
+      reconstruct_detail::decimated(points, kGroundDecimationCell * diagonal);
   if (sparse.size() < 50) return std::nullopt;
   const double tolerance = options.tolerance * diagonal;
   const Plane plane = consensus_plane(sparse, tolerance, options);
@@ -263,7 +258,7 @@ std::optional<Ground> find_ground(std::span<const Vec3> points, const GroundOpti
     return static_cast<double>(count) / static_cast<double>(sparse.size());
   };
   if (share(sides.on) < kLeastShare || share(sides.below) > kMostBelow) return std::nullopt;
-  if (!goes_on_around(sparse, plane, tolerance, 3.0 * kDecimationCell * diagonal)) {
+  if (!goes_on_around(sparse, plane, tolerance, 3.0 * kGroundDecimationCell * diagonal)) {
     return std::nullopt;
   }
 
@@ -281,7 +276,7 @@ std::optional<Ground> find_ground(std::span<const Vec3> points, const GroundOpti
   std::vector<Vec3> held;
   std::optional<reconstruct_detail::HeightGrid> grid;
   double band = 2.0 * tolerance, roughness = 0.0;
-  for (int fit = 0; fit < kFits; ++fit) {
+  for (int fit = 0; fit < kGroundFits; ++fit) {
     held.clear();
     for (const Vec3& p : flat) {
       if (std::abs(p.z() - (grid ? grid->at(p.head<2>()) : 0.0)) < band) held.push_back(p);
@@ -290,7 +285,7 @@ std::optional<Ground> find_ground(std::span<const Vec3> points, const GroundOpti
     grid.emplace(held, extent, kGridNodes, kStiffness);
     std::vector<double> off;
     for (const Vec3& p : held) off.push_back(std::abs(p.z() - grid->at(p.head<2>())));
-    roughness = kDeviationOfMad * median(std::move(off));
+    roughness = kDeviationOfMad * upper_median(std::move(off));
     band = std::max(kBand * roughness, kNarrowing * band);
   }
   auto surface = std::make_unique<const Ground::Surface>(Ground::Surface{turn, origin, *grid});

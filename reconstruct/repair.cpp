@@ -169,7 +169,7 @@ void repair_block(TriangleMesh& mesh, const TriangleMesh& welded_mesh, const Vec
   if (options.invent) replace_crossings(mesh, origin, log);
 }
 
-void turn_outward(TriangleMesh& mesh, RepairLog& log) {
+void turn_solid_outward(TriangleMesh& mesh, RepairLog& log) {
   if (signed_volume(mesh) > 0.0) return;
   turn_over(mesh);
   log.swap_sides();
@@ -210,7 +210,7 @@ RepairedMesh repair_mesh(const TriangleMesh& dirty, const RepairOptions& options
   mesh = std::move(components.front().mesh);
   reconstruct_detail::check_extent(mesh);
   repair_block(mesh, welded_mesh, origin, options, log);
-  turn_outward(mesh, log);
+  turn_solid_outward(mesh, log);
   reconstruct_detail::sort_out_components(mesh, components, options, log);
   note_tunnels(mesh, log);
   log.finish();

@@ -13,8 +13,8 @@ namespace {
 constexpr double kClear = 3.0;       ///< times the roughness: certainly above the ground
 constexpr double kSmoothest = 3e-4;  ///< of the diagonal; a ground made by a program has none
 constexpr double kThinCell =
-    1.0 / 200.0;                ///< of the diagonal: components are separated on fewer points
-constexpr double kReach = 2.5;  ///< cells from one point of a component to the next
+    1.0 / 200.0;  ///< of the diagonal: components are separated on fewer points
+constexpr double kComponentReach = 2.5;   ///< cells from one point of a component to the next
 constexpr double kLeastOfLargest = 0.05;  ///< of the points of the largest component
 constexpr double kSlenderest = 0.1;  ///< height over plan diagonal; a step in the ground has less
 /// Below that the wall is followed down in steps of this many times the roughness, by a plane
@@ -54,7 +54,7 @@ Wall wall_near(const Vec3& point, const Vec3& block_centre, std::span<const Vec3
 }
 
 /// Components of decimated points above the ground, as they are seen from it.
-struct Component {
+struct RisingComponent {
   std::vector<Vec3> points;
   double height = 0.0, plan_diagonal = 0.0;
   Vec3 centre = Vec3::Zero();
@@ -94,13 +94,13 @@ class Standing {
     if (above.empty()) return;
     const std::vector<Vec3> sparse = reconstruct_detail::decimated(above, cell_);
     for (const std::vector<std::uint32_t>& set :
-         reconstruct_detail::clusters(sparse, kReach * cell_, 10)) {
+         reconstruct_detail::clusters(sparse, kComponentReach * cell_, 10)) {
       if (!components_.empty() &&
           static_cast<double>(set.size()) <
               kLeastOfLargest * static_cast<double>(components_.front().points.size())) {
         break;
       }
-      Component component;
+      RisingComponent component;
       Bounds box, plan;
       for (const std::uint32_t i : set) {
         component.points.push_back(sparse[i]);
@@ -117,7 +117,7 @@ class Standing {
       if (rises) components_.push_back(std::move(component));
     }
     std::stable_sort(components_.begin(), components_.end(),
-                     [](const Component& a, const Component& b) {
+                     [](const RisingComponent& a, const RisingComponent& b) {
                        return a.centre.x() != b.centre.x() ? a.centre.x() < b.centre.x()
                                                            : a.centre.y() < b.centre.y();
                      });
@@ -128,7 +128,7 @@ class Standing {
     std::vector<Vec3> all;
     std::vector<std::uint32_t> component_of;
     for (std::uint32_t k = 0; k < components_.size(); ++k) {
-      const Component& component = components_[k];
+      const RisingComponent& component = components_[k];
       all.insert(all.end(), component.points.begin(), component.points.end());
       component_of.insert(component_of.end(), component.points.size(), k);
       result.blocks.push_back({{}, component.centre, component.height});
@@ -140,8 +140,8 @@ class Standing {
       if (heights_[i] < -clear_) continue;
       const auto near = tree.nearest(points_[i], 1).front();
       if (heights_[i] <= clear_) {
-        if (near.distance < 2.0 * clear_ + kReach * cell_) strip.push_back(i);
-      } else if (near.distance < kReach * cell_) {
+        if (near.distance < 2.0 * clear_ + kComponentReach * cell_) strip.push_back(i);
+      } else if (near.distance < kComponentReach * cell_) {
         owner[i] = component_of[near.point];
       }
     }
@@ -218,7 +218,7 @@ class Standing {
   double cell_ = 0.0, roughness_ = 0.0, clear_ = 0.0;
   Quat turn_;
   std::vector<double> heights_;
-  std::vector<Component> components_;
+  std::vector<RisingComponent> components_;
 };
 
 }  // namespace

@@ -15,7 +15,7 @@ namespace {
 /// A gap of rounding: the body has these ratios already.
 constexpr double kSameRatios = 1e-9;
 constexpr double kGoodEnough = 1e-4;  ///< a fiftieth of what is promised
-constexpr int kRounds = 400;
+constexpr int kStretchRounds = 400;
 /// From this round on, three of four steps go eight times as far: where several boxes are nearly
 /// the smallest, the ratios stand nearly still for hundreds of steps. A step of any length keeps
 /// the volume of the box, so that the smallest box still never grows.
@@ -23,7 +23,7 @@ constexpr int kFirstLongStep = 8;
 constexpr double kLongStep = 8.0;
 constexpr double kLargestFactor = 1.1;  ///< of one side, to the power of a long step
 /// Of L: what is thinner has no S.
-constexpr double kFlat = 1e-9;
+constexpr double kNoThickness = 1e-9;
 
 /// Sides of the target box with a core of radius `share` S inside, S = s_l.
 Vec3 core_sides(const BoxRatios& target, double share) {
@@ -83,7 +83,7 @@ StretchedBody stretched_to(const SpheroPolyhedron& body, const BoxRatios& target
   const OrientedBox before = smallest_box(body);
   const double gap = ratio_gap(box_ratios(before), target);
   if (gap <= kSameRatios) return {body, Vec3::Ones(), gap};
-  if (before.lengths[2] - 2.0 * body.radius <= kFlat * before.lengths[0]) {
+  if (before.lengths[2] - 2.0 * body.radius <= kNoThickness * before.lengths[0]) {
     throw GeometryError("the core is flat, so that no stretch gives it another S");
   }
   const double share = body.radius / before.lengths[2];
@@ -94,7 +94,7 @@ StretchedBody stretched_to(const SpheroPolyhedron& body, const BoxRatios& target
   Mat3 map = Mat3::Identity(), best_map = map;
   MappedBox found{before, body.radius};
   StretchedBody result{body, Vec3::Ones(), gap};
-  for (int round = 0; round < kRounds && result.gap > kGoodEnough; ++round) {
+  for (int round = 0; round < kStretchRounds && result.gap > kGoodEnough; ++round) {
     const Vec3 sides = found.box.lengths - Vec3::Constant(2.0 * found.radius);
     Vec3 factors = wanted.cwiseQuotient(sides);
     factors /= std::cbrt(factors.prod());

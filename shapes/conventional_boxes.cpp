@@ -13,7 +13,7 @@ namespace clast {
 namespace {
 
 // Distances closer than this share are equally long.
-constexpr double kTie = 1e-11;
+constexpr double kDistanceTie = 1e-11;
 // Moments closer than this share of the largest leave the axes between them free, as in
 // `principal_frame`.
 constexpr double kEqualMoments = 1e-6;
@@ -33,7 +33,7 @@ std::vector<std::array<std::size_t, 2>> longest_pairs(const std::vector<Point>& 
   for (std::size_t i = 0; i < points.size(); ++i) {
     for (std::size_t j = i + 1; j < points.size(); ++j) {
       // Twice the share: these are squares.
-      if ((points[i] - points[j]).squaredNorm() >= (1.0 - 2.0 * kTie) * longest) {
+      if ((points[i] - points[j]).squaredNorm() >= (1.0 - 2.0 * kDistanceTie) * longest) {
         pairs.push_back({i, j});
       }
     }

@@ -13,12 +13,12 @@ namespace clast {
 namespace {
 
 /// Of the diagonal: points nearer to a plane lie on it.
-constexpr double kSlack = 1e-9;
+constexpr double kCellSlack = 1e-9;
 /// Vertices of a cell nearer than this share of its size are one.
 constexpr double kSameVertex = 1e-4;
 
 /// Twice the area of a face along its normal.
-Vec3 area_of(const std::vector<Vec3>& vertices, const std::vector<std::uint32_t>& face) {
+Vec3 face_area_vector(const std::vector<Vec3>& vertices, const std::vector<std::uint32_t>& face) {
   Vec3 sum = Vec3::Zero();
   const Vec3& first = vertices[face[0]];
   for (std::size_t i = 1; i + 1 < face.size(); ++i) {
@@ -105,7 +105,7 @@ std::optional<ConvexCell> ConvexCell::below(const Plane& plane, double slack) co
 std::vector<Plane> ConvexCell::planes() const {
   std::vector<Plane> planes;
   for (const std::vector<std::uint32_t>& face : faces_) {
-    const Vec3 normal = area_of(vertices_, face).normalized();
+    const Vec3 normal = face_area_vector(vertices_, face).normalized();
     if (normal.allFinite() && !normal.isZero()) {
       planes.push_back({normal, normal.dot(vertices_[face[0]])});
     }
@@ -129,7 +129,7 @@ double ConvexCell::volume() const {
   const Vec3 inside = centre();
   double sum = 0.0;
   for (const std::vector<std::uint32_t>& face : faces_) {
-    sum += area_of(vertices_, face).dot(vertices_[face[0]] - inside);
+    sum += face_area_vector(vertices_, face).dot(vertices_[face[0]] - inside);
   }
   return sum / 6.0;
 }
@@ -165,7 +165,7 @@ std::optional<SpheroPolyhedron> rounded_inside(const TriangleMesh& polyhedron, d
   Bounds local;
   local.include(box.low - origin);
   local.include(box.high - origin);
-  const double slack = kSlack * box.diagonal();
+  const double slack = kCellSlack * box.diagonal();
   std::optional<ConvexCell> core = ConvexCell(local);
   for (const TriangleMesh::Triangle& triangle : polyhedron.triangles) {
     const Vec3 normal = unit_normal(polyhedron, triangle);

@@ -20,9 +20,9 @@ using HullMesh = CGAL::Surface_mesh<Kernel::Point_3>;
 
 // Points thinner than this share of their extent are a plane, a line or a place: thinner than the
 // rounding of map coordinates.
-constexpr double kFlat = 1e-12;
+constexpr double kFlatHull = 1e-12;
 
-bool before(const Vec3& a, const Vec3& b) {
+bool is_before(const Vec3& a, const Vec3& b) {
   return std::lexicographical_compare(a.data(), a.data() + 3, b.data(), b.data() + 3);
 }
 
@@ -128,7 +128,7 @@ std::vector<Vec3> sorted_points(std::span<const Vec3> points) {
   std::vector<Vec3> sorted(points.begin(), points.end());
   // A zero of either sign is the same place.
   for (Vec3& p : sorted) p += Vec3::Zero();
-  std::sort(sorted.begin(), sorted.end(), before);
+  std::sort(sorted.begin(), sorted.end(), is_before);
   sorted.erase(std::unique(sorted.begin(), sorted.end()), sorted.end());
   return sorted;
 }
@@ -136,7 +136,7 @@ std::vector<Vec3> sorted_points(std::span<const Vec3> points) {
 AffineSpan affine_span(std::span<const Vec3> points) {
   AffineSpan span;
   if (points.empty()) return span;
-  const Vec3 origin = *std::min_element(points.begin(), points.end(), before);
+  const Vec3 origin = *std::min_element(points.begin(), points.end(), is_before);
   const Vec3 far = farthest(points, [&](const Vec3& p) { return (p - origin).norm(); });
   const double extent = (far - origin).norm();
   if (!(extent > 0.0)) return span;
@@ -150,14 +150,14 @@ AffineSpan affine_span(std::span<const Vec3> points) {
     return Vec3(p - origin - (p - origin).dot(along) * along);
   };
   const Vec3 offset = beside(farthest(points, [&](const Vec3& p) { return beside(p).norm(); }));
-  if (!(offset.norm() > kFlat * extent)) return span;
+  if (!(offset.norm() > kFlatHull * extent)) return span;
   span.dimension = 2;
   span.axes.col(1) = (offset - offset.dot(along) * along).normalized();
   const Vec3 normal = along.cross(span.axes.col(1));
   span.axes.col(2) = normal;
 
   const auto height = [&](const Vec3& p) { return std::abs((p - origin).dot(normal)); };
-  if (height(farthest(points, height)) > kFlat * extent) span.dimension = 3;
+  if (height(farthest(points, height)) > kFlatHull * extent) span.dimension = 3;
   return span;
 }
 
@@ -203,7 +203,7 @@ TriangleMesh convex_hull(std::span<const Vec3> points) {
     std::vector<std::uint32_t> corners;
     for (const auto v : face) {
       const auto found =
-          std::lower_bound(mesh.vertices.begin(), mesh.vertices.end(), place(v), before);
+          std::lower_bound(mesh.vertices.begin(), mesh.vertices.end(), place(v), is_before);
       corners.push_back(static_cast<std::uint32_t>(found - mesh.vertices.begin()));
     }
     std::rotate(corners.begin(), std::min_element(corners.begin(), corners.end()), corners.end());

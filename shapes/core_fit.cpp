@@ -25,7 +25,7 @@ using Mat9 = Eigen::Matrix<double, 9, 9>;
 using Vec9 = Eigen::Matrix<double, 9, 1>;
 
 /// Points on either surface: so many for each core vertex, within limits.
-constexpr std::size_t kPointsPerVertex = 60, kFewestPoints = 3000, kMostPoints = 12000;
+constexpr std::size_t kPointsPerVertex = 60, kFewestFitPoints = 3000, kMostFitPoints = 12000;
 constexpr int kSkinSegments = 4;  ///< pieces per quarter turn of the skin that is sampled
 /// Tips stick out farthest, and spread points miss them: this many scan vertices are looked at too.
 constexpr std::size_t kScanVertices = 25000;
@@ -38,7 +38,8 @@ constexpr double kDamping = 1e-3, kSmoothing = 0.3;
 /// A core this many times worse than the best is given up, and the step from the best cut.
 constexpr double kWorse = 1.1;
 constexpr double kLongestStep = 2.0;  ///< in largest distances
-constexpr double kOnSkin = 1e-6;      ///< share of the radius by which a skin point may lie inside
+constexpr double kOnFittedSkin =
+    1e-6;  ///< share of the radius by which a skin point may lie inside
 /// Least cosine between a core triangle's normals before and after a step.
 constexpr double kTurn = 0.3;
 /// Tries with shorter steps of the vertices in the way, before their edges are collapsed, and
@@ -76,7 +77,8 @@ class Fit {
         radius_(start.radius),
         size_(bounds(scan.mesh()).diagonal()),
         options_(options),
-        count_(std::clamp(kPointsPerVertex * start.vertices.size(), kFewestPoints, kMostPoints)),
+        count_(
+            std::clamp(kPointsPerVertex * start.vertices.size(), kFewestFitPoints, kMostFitPoints)),
         points_(spread_points(scan.mesh(), count_)),
         core_(core_mesh(start)) {
     const std::vector<Vec3>& vertices = scan.mesh().vertices;
@@ -141,7 +143,7 @@ class Fit {
       const TriangleTree::Signed foot = tree.signed_closest(near_skin, hint);
       hint = foot.triangle;
       const Vec3 point = foot.foot + radius_ * foot.outward;
-      if (tree.signed_distance(point, hint) < (1.0 - kOnSkin) * radius_) continue;
+      if (tree.signed_distance(point, hint) < (1.0 - kOnFittedSkin) * radius_) continue;
       const TriangleTree::Signed on_scan = scan_.tree().signed_closest(point, scan_hint);
       scan_hint = on_scan.triangle;
       pulls.add(foot, on_scan.outward, -on_scan.distance);

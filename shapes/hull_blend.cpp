@@ -18,7 +18,7 @@ namespace {
 /// Of the hull's volume: less is gained by rounding alone.
 constexpr double kLeastGain = 1e-12;
 /// Of the product of the lengths: directions in one plane.
-constexpr double kInPlane = 1e-12;
+constexpr double kCoplanarDirections = 1e-12;
 
 /// The corner of the triangle that is not on the edge.
 std::uint32_t across(const TriangleMesh::Triangle& t, const EdgeKey& edge) {
@@ -88,7 +88,7 @@ bool HullBlend::turn_edge(TriangleMesh& mesh, std::uint32_t first, std::uint32_t
   // Both new triangles have to be seen from the centre, or directions would be covered twice.
   const auto seen = [&](std::uint32_t p, std::uint32_t q, std::uint32_t r) {
     const Vec3 u = arm(p), v = arm(q), w = arm(r);
-    return u.cross(v).dot(w) > kInPlane * u.norm() * v.norm() * w.norm();
+    return u.cross(v).dot(w) > kCoplanarDirections * u.norm() * v.norm() * w.norm();
   };
   if (!seen(c, a, d) || !seen(d, b, c)) return false;
   turns_.push_back({first, second, {c, a, d}, {d, b, c}});

@@ -18,7 +18,7 @@ namespace clast {
 namespace {
 
 /// Of the diagonal of the mass: points nearer to a plane lie on it.
-constexpr double kSlack = 1e-9;
+constexpr double kMassSlack = 1e-9;
 /// Pieces of the surface whose normals are this near to that of the largest are cut off together,
 /// degrees. Small angles suit smooth surfaces, large ones rough ones: all are tried.
 constexpr std::array<double, 4> kSameDirections = {2.0, 10.0, 25.0, 45.0};
@@ -57,7 +57,7 @@ struct Piece {
   double area = 0.0;
 };
 
-double area_of(const std::vector<Vec3>& polygon) {
+double polygon_area(const std::vector<Vec3>& polygon) {
   Vec3 sum = Vec3::Zero();
   for (std::size_t i = 1; i + 1 < polygon.size(); ++i) {
     sum += (polygon[i] - polygon[0]).cross(polygon[i + 1] - polygon[0]);
@@ -69,7 +69,7 @@ double area_of(const std::vector<Vec3>& polygon) {
 class Cutting {
  public:
   Cutting(const TriangleMesh& mass, const CuttingOptions& options)
-      : mass_(mass), options_(options), tree_(mass), slack_(kSlack * bounds(mass).diagonal()) {
+      : mass_(mass), options_(options), tree_(mass), slack_(kMassSlack * bounds(mass).diagonal()) {
     for (const TriangleMesh::Triangle& triangle : mass.triangles) {
       Bounds box;
       for (const std::uint32_t vertex : triangle) box.include(mass.vertices[vertex]);
@@ -173,7 +173,7 @@ class Cutting {
         piece.corners = below(piece.corners, {plane.normal, plane.distance - 10.0 * slack_});
       }
       if (piece.corners.size() < 3) continue;
-      piece.area = area_of(piece.corners);
+      piece.area = polygon_area(piece.corners);
       if (piece.area > kNoArea * size * size) pieces.push_back(std::move(piece));
     }
     return pieces;

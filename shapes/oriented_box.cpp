@@ -23,11 +23,11 @@ constexpr std::size_t kRefined = 48;
 // A direction is dropped unseen only if its lower bound is this much above the best box.
 constexpr double kMargin = 1.02;
 // Volumes closer than this are equal; area and length decide.
-constexpr double kTie = 1e-11;
+constexpr double kVolumeTie = 1e-11;
 // An extent below this share of the largest is rounding.
-constexpr double kFlat = 1e-12;
+constexpr double kFlatBox = 1e-12;
 constexpr int kFirstGoldenSteps = 12, kGoldenSteps = 28;
-constexpr int kFirstRounds = 3, kRounds = 60;
+constexpr int kFirstRounds = 3, kBoxRounds = 60;
 // After the first steps a candidate this much above the lowest can't become the lowest any more:
 // they leave it a hundredth of a step from its minimum.
 constexpr double kRunningMargin = 1.001;
@@ -187,9 +187,10 @@ OrientedBox flat_box(std::span<const Vec3> points, const AffineSpan& span, doubl
 }  // namespace
 
 bool is_smaller(const OrientedBox& a, const OrientedBox& b) {
-  if (std::abs(a.volume() - b.volume()) > kTie * b.volume()) return a.volume() < b.volume();
-  if (std::abs(box_area(a) - box_area(b)) > kTie * box_area(b)) return box_area(a) < box_area(b);
-  return a.lengths[0] < b.lengths[0] * (1.0 - kTie);
+  if (std::abs(a.volume() - b.volume()) > kVolumeTie * b.volume()) return a.volume() < b.volume();
+  if (std::abs(box_area(a) - box_area(b)) > kVolumeTie * box_area(b))
+    return box_area(a) < box_area(b);
+  return a.lengths[0] < b.lengths[0] * (1.0 - kVolumeTie);
 }
 
 OrientedBox box_along(std::span<const Vec3> points, const Mat3& axes, double radius) {
@@ -203,7 +204,7 @@ OrientedBox box_along(std::span<const Vec3> points, const Mat3& axes, double rad
     high = high.cwiseMax(local);
   }
   Vec3 extents = high - low;
-  for (double& extent : extents) extent = extent > kFlat * extents.maxCoeff() ? extent : 0.0;
+  for (double& extent : extents) extent = extent > kFlatBox * extents.maxCoeff() ? extent : 0.0;
   std::array<int, 3> order = {0, 1, 2};
   std::stable_sort(order.begin(), order.end(),
                    [&](int a, int b) { return extents[a] > extents[b]; });
@@ -243,7 +244,7 @@ OrientedBox smallest_box(std::span<const Vec3> points, double radius) {
   for (const Refined& start : running) {
     if (start.posture.volume > kRunningMargin * lowest) continue;
     const Refined end = refined(hull, start.candidate, kGoldenSteps);
-    const Posture posture = settled(hull, end.posture, kRounds);
+    const Posture posture = settled(hull, end.posture, kBoxRounds);
     const Mat3& axes = posture.volume < start.posture.volume ? posture.axes : start.posture.axes;
     const OrientedBox box = box_along(mesh.vertices, axes, radius);
     if (first || is_smaller(box, best)) best = box;

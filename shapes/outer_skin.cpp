@@ -1,10 +1,8 @@
 #include "shapes/outer_skin.hpp"
 
-#include <CGAL/alpha_wrap_3.h>
-
 #include <algorithm>
 
-#include "mesh/detail/cgal_mesh.hpp"
+#include "mesh/alpha_wrap.hpp"
 #include "mesh/triangle_tree.hpp"
 #include "shapes/edge_bend.hpp"
 
@@ -43,9 +41,7 @@ TriangleMesh outer_skin(const SpheroPolyhedron& shape, int segments) {
   const std::optional<double> length = wrap_length(shape, segments);
   if (!length) return crossing;
   const TriangleMesh core = core_mesh(shape);
-  mesh_detail::CgalMesh wrap;
-  CGAL::alpha_wrap_3(mesh_detail::to_cgal(core), *length, shape.radius, wrap);
-  TriangleMesh skin = mesh_detail::from_cgal(wrap);
+  TriangleMesh skin = alpha_wrap(core, *length, shape.radius);
   // The wrap finds the offset surface to a share of its distance only.
   const TriangleTree tree(core);
   for (Vec3& vertex : skin.vertices) {

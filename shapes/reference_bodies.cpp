@@ -15,8 +15,8 @@
 namespace clast {
 namespace {
 
-constexpr int kAround = 32;   ///< corners of a cylinder's end
-constexpr int kHalvings = 2;  ///< of the edges of an icosahedron: 162 corners
+constexpr int kAround = 32;         ///< corners of a cylinder's end
+constexpr int kSphereHalvings = 2;  ///< of the edges of an icosahedron: 162 corners
 constexpr double kLargestShare = 0.4;
 
 const std::array<std::pair<ReferenceForm, const char*>, 7> kForms = {
@@ -40,7 +40,7 @@ std::vector<Vec3> sphere_points() {
       points.emplace_back(Vec3(b, 0.0, a).normalized());
     }
   }
-  for (int i = 0; i < kHalvings; ++i) {
+  for (int i = 0; i < kSphereHalvings; ++i) {
     const TriangleMesh hull = convex_hull(points);
     points = hull.vertices;
     for_each_edge(sorted_half_edges(hull), [&](std::span<const HalfEdge> sides) {

@@ -20,7 +20,7 @@ namespace {
 /// Share of the scan's volume that collapsing edges may lose before the radius counts as too large.
 constexpr double kVolumeKept = 0.97;
 /// Halvings and bisections in search of the largest radius that works, for the message.
-constexpr int kHalvings = 12, kBisections = 6;
+constexpr int kRadiusHalvings = 12, kBisections = 6;
 
 /// Every vertex moved so that the planes around it come in by `depth`. Weights by corner angle
 /// don't depend on how a flat face is cut into triangles.
@@ -77,7 +77,7 @@ std::optional<TriangleMesh> core_of(const TriangleMesh& scan, double radius) {
 
 double largest_radius(const TriangleMesh& scan, double too_large) {
   double high = too_large, low = 0.0;
-  for (int i = 0; i < kHalvings && low == 0.0; ++i) {
+  for (int i = 0; i < kRadiusHalvings && low == 0.0; ++i) {
     const double middle = 0.5 * high;
     (core_of(scan, middle) ? low : high) = middle;
   }

@@ -9,7 +9,7 @@ namespace clast {
 namespace {
 
 /// Of the diagonal: vertices of the kernel nearer to a plane than this lie on it.
-constexpr double kSlack = 1e-9;
+constexpr double kKernelSlack = 1e-9;
 /// Of the diagonal: a point less far below a plane sees its triangle edge on.
 constexpr double kLeastDepth = 1e-5;
 
@@ -28,7 +28,7 @@ std::optional<Vec3> star_centre(const TriangleMesh& mesh) {
     const Vec3 normal = unit_normal(mesh, triangle);
     if (normal.isZero()) continue;
     planes.push_back({normal, normal.dot(mesh.vertices[triangle[0]] - origin)});
-    kernel = kernel->below(planes.back(), kSlack * diagonal);
+    kernel = kernel->below(planes.back(), kKernelSlack * diagonal);
     if (!kernel) return std::nullopt;
   }
   const Vec3 centre = kernel->centre();

@@ -23,11 +23,11 @@ namespace {
 /// by more than this share of the scan's diagonal.
 constexpr double kGap = 2e-4;
 /// Height above a core face, as a share of the diagonal, that still lies in its plane.
-constexpr double kInPlane = 1e-9;
+constexpr double kInFacePlane = 1e-9;
 /// Patches looked at before the search ends with the bound it has.
 constexpr std::size_t kMostPatches = 1'000'000;
 /// Share of the radius by which a point may lie inside the body and still count as on its skin.
-constexpr double kOnSkin = 1e-9, kNearSkin = 1e-6;
+constexpr double kOnCoreSkin = 1e-9, kNearCoreSkin = 1e-6;
 
 /// A triangle of a surface on which the distance to another is to be bounded: corners on a core,
 /// each carried `radius` along its unit direction. A flat triangle has radius 0.
@@ -222,8 +222,8 @@ double skin_to_scan(const ScanSurface& scan, const TriangleMesh& core, const Tri
     most = std::min(most, patch.farthest_from(scan.tree(), patch.near, radius));
     if (most <= known || radius == 0.0) return Bounded{distance, most};
     const double from_core = tree.signed_distance(centre);
-    if (from_core + reach < (1.0 - kOnSkin) * radius) return none;
-    return Bounded{distance, most, from_core >= (1.0 - kNearSkin) * radius};
+    if (from_core + reach < (1.0 - kOnCoreSkin) * radius) return none;
+    return Bounded{distance, most, from_core >= (1.0 - kNearCoreSkin) * radius};
   });
 }
 
@@ -239,7 +239,7 @@ Deviation surface_deviation(const ScanSurface& scan, const SpheroPolyhedron& bod
   Bounds both = bounds(scan.mesh());
   const double gap = kGap * both.diagonal();
   for (const Vec3& vertex : core.vertices) both.include(vertex);
-  const double in_plane = kInPlane * both.diagonal();
+  const double in_plane = kInFacePlane * both.diagonal();
   const shapes_detail::SkinDistance skin(tree, body.radius, both.diagonal() + body.radius);
 
   Deviation result;

@@ -8,9 +8,9 @@
 namespace clast {
 namespace {
 
-constexpr std::uint64_t kSeed = 20220310;       // any is good; a fixed one repeats the interval
-constexpr std::size_t kMostDrawn = 20'000'000;  // numbers for one interval
-constexpr double kSamePlace = 1e-6;             // m
+constexpr std::uint64_t kAnswerSeed = 20220310;  // any is good; a fixed one repeats the interval
+constexpr std::size_t kMostAnswerDrawn = 20'000'000;  // numbers for one interval
+constexpr double kSameStop = 1e-6;                    // m
 constexpr std::size_t kFewestClustersToDraw = 2;
 
 using File = std::optional<std::uint32_t>;
@@ -41,7 +41,7 @@ bool are_classes_apart(const Comparison& comparison) {
 bool share_points(const CampaignResults& a, const CampaignResults& b) {
   return std::equal(a.release_points.begin(), a.release_points.end(), b.release_points.begin(),
                     b.release_points.end(), [](const Vec3& x, const Vec3& y) {
-                      return (x - y).head<2>().norm() < kSamePlace;
+                      return (x - y).head<2>().norm() < kSameStop;
                     });
 }
 
@@ -78,8 +78,8 @@ RunoutAnswer runout_of(const Comparison& comparison, std::size_t group) {
   }
   if (values.values.size() < 2) return found;
   const std::size_t drawn = clusters.count() > 1 ? clusters.count() : values.values.size();
-  found.interval = bootstrap_mean(values, clusters.count(), kSeed,
-                                  std::clamp<std::size_t>(kMostDrawn / drawn, 200, 2000));
+  found.interval = bootstrap_mean(values, clusters.count(), kAnswerSeed,
+                                  std::clamp<std::size_t>(kMostAnswerDrawn / drawn, 200, 2000));
   return found;
 }
 

@@ -18,15 +18,15 @@ constexpr double kTimeTolerance = 1e-9;
 bool is_left(double distance) { return distance > 0.0; }
 
 /// A step's way through the plane over a segment's whole line.
-struct Passage {
+struct SegmentPassage {
   double time = 0.0;  ///< s
   RigidState state;
   bool from_left = false;
 };
 
 /// One at most, also where the plane is passed beside the segment.
-std::optional<Passage> passage(const Vec2& from, const Vec2& to, const RigidBody& body,
-                               const MotionStep& step, double gravity) {
+std::optional<SegmentPassage> passage(const Vec2& from, const Vec2& to, const RigidBody& body,
+                                      const MotionStep& step, double gravity) {
   const Vec2 span = to - from;
   const Vec2 along = span / span.norm();
   const Vec2 left(-along.y(), along.x());
@@ -37,7 +37,7 @@ std::optional<Passage> passage(const Vec2& from, const Vec2& to, const RigidBody
   const double end = distance_left(step.end);
   if (is_left(begin) == is_left(end)) return std::nullopt;
 
-  Passage found;
+  SegmentPassage found;
   found.from_left = is_left(begin);
   const double duration = step.end_time - step.begin_time;
   if (step.flight) {
@@ -92,7 +92,7 @@ std::vector<Crossing> crossings_of_line(const Barrier& barrier, const RigidBody&
   std::vector<Crossing> found;
   for (std::size_t i = 0; i + 1 < barrier.through.size(); ++i) {
     const Vec2 &from = barrier.through[i], &to = barrier.through[i + 1];
-    const std::optional<Passage> passed = passage(from, to, body, step, gravity);
+    const std::optional<SegmentPassage> passed = passage(from, to, body, step, gravity);
     if (!passed) continue;
     const double length = (to - from).norm();
     const double reach = ((to - from) / length).dot(passed->state.position.head<2>() - from);
@@ -116,12 +116,13 @@ std::vector<Crossing> crossings_of_ring(const Barrier& barrier, const RigidBody&
                                         double gravity) {
   std::vector<Crossing> found;
   const std::vector<Vec2>& ring = barrier.through;
-  std::vector<Passage> passed;
+  std::vector<SegmentPassage> passed;
   for (std::size_t i = 0; i + 1 < ring.size(); ++i) {
     if (auto one = passage(ring[i], ring[i + 1], body, step, gravity)) passed.push_back(*one);
   }
-  std::stable_sort(passed.begin(), passed.end(),
-                   [](const Passage& a, const Passage& b) { return a.time < b.time; });
+  std::stable_sort(
+      passed.begin(), passed.end(),
+      [](const SegmentPassage& a, const SegmentPassage& b) { return a.time < b.time; });
   // A begin on the line itself can belong to the other side.
   if (passed.empty()) passed.push_back({step.begin_time, step.begin, false});
   bool inside = is_inside(ring, step.begin.position.head<2>());

@@ -18,8 +18,6 @@ namespace {
 // anyone surveys.
 constexpr double kTouch = 1e-6;
 
-double cross(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
-
 struct Segment {
   Vec2 from, to;
 

@@ -8,7 +8,7 @@
 namespace clast {
 namespace {
 
-constexpr std::size_t kCurvePoints = 241;
+constexpr std::size_t kPassageCurvePoints = 241;
 
 double mass_of(const BlockPassage& passage) { return passage.mass; }
 double energy_of(const BlockPassage& passage) { return passage.energy; }
@@ -103,11 +103,12 @@ RealisationCurve passage_curve(const std::vector<const RealisationPassages*>& re
   if (!std::isfinite(last)) return curve;
   std::vector<double> sums(realisations.size(), 0.0);
   std::vector<std::size_t> next(realisations.size(), 0);
-  for (std::size_t i = 0; i < kCurvePoints; ++i) {
+  for (std::size_t i = 0; i < kPassageCurvePoints; ++i) {
     // The last point is the last passage itself, whatever the steps add up to.
-    const double time = i + 1 == kCurvePoints
-                            ? last
-                            : last * static_cast<double>(i) / static_cast<double>(kCurvePoints - 1);
+    const double time =
+        i + 1 == kPassageCurvePoints
+            ? last
+            : last * static_cast<double>(i) / static_cast<double>(kPassageCurvePoints - 1);
     for (std::size_t k = 0; k < realisations.size(); ++k) {
       const std::vector<BlockPassage>& passages = realisations[k]->passages;
       for (; next[k] < passages.size() && passages[next[k]].time <= time; ++next[k]) {

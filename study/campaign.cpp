@@ -137,7 +137,7 @@ std::vector<Vec2> read_barrier_line(const TomlTable& table) {
   return points;
 }
 
-std::vector<Barrier> read_barriers(const TomlTable& top) {
+std::vector<Barrier> read_campaign_barriers(const TomlTable& top) {
   std::vector<Barrier> barriers;
   const TomlNode* all = top.find("barrier");
   if (!all) return barriers;
@@ -189,7 +189,7 @@ void read_run(const TomlTable& top, Campaign& campaign) {
 }
 
 /// Those at the top of the file.
-std::vector<std::string> table_names() {
+std::vector<std::string> campaign_table_names() {
   std::vector<std::string> names;
   for (const KeyTable& table : campaign_tables()) {
     if (table.name.find('.') == std::string::npos) names.push_back(table.name);
@@ -212,8 +212,8 @@ Campaign read_by_parts(const fs::path& file, const std::optional<std::string>& t
     root = parse_toml(campaign.text, file.string());
   });
   if (!is_toml) return campaign;
-  read([&] { TomlTable(root, file.string(), "", table_names()); });
-  std::vector<std::string> tables = table_names();
+  read([&] { TomlTable(root, file.string(), "", campaign_table_names()); });
+  std::vector<std::string> tables = campaign_table_names();
   for (const auto& [name, table] : root.table) tables.push_back(name);
   const TomlTable top(root, file.string(), "", tables);
 
@@ -236,7 +236,7 @@ Campaign read_by_parts(const fs::path& file, const std::optional<std::string>& t
     if (stay && ensemble) read([&] { check_posterior_starts(top, campaign); });
   }
   read([&] { read_contact(top, campaign); });
-  read([&] { campaign.barriers = read_barriers(top); });
+  read([&] { campaign.barriers = read_campaign_barriers(top); });
   read([&] { read_run(top, campaign); });
   return campaign;
 }

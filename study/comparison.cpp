@@ -194,8 +194,8 @@ std::string group_name(GroupKind kind, const std::string& key) {
   return "all";
 }
 
-void append_groups(const std::vector<RunRow>& rows, std::optional<std::uint32_t> file,
-                   std::vector<Group>& groups) {
+void append_file_groups(const std::vector<RunRow>& rows, std::optional<std::uint32_t> file,
+                        std::vector<Group>& groups) {
   for (const GroupKind kind :
        {GroupKind::kAll, GroupKind::kBlock, GroupKind::kGarcia, GroupKind::kSneedFolk}) {
     const std::vector<std::string> keys = keys_in_order(rows, kind);
@@ -322,11 +322,11 @@ Comparison compare(std::vector<CampaignResults> results, const CompareOptions& o
         {"Downslope is undefined, so runout is along +x of the map.", {undefined}});
   }
 
-  append_groups(comparison.rows, std::nullopt, comparison.groups);
+  append_file_groups(comparison.rows, std::nullopt, comparison.groups);
   for (const std::string& column : options.by) append_column_groups(comparison, column);
   if (comparison.results.size() > 1) {
     for (std::uint32_t file = 0; file < comparison.results.size(); ++file) {
-      append_groups(comparison.rows, file, comparison.groups);
+      append_file_groups(comparison.rows, file, comparison.groups);
     }
   }
   for (const Group& group : comparison.groups) {

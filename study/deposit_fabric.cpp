@@ -14,33 +14,35 @@ namespace clast {
 namespace {
 
 /// Any seed is good; a fixed one gives the same p every time.
-constexpr std::uint64_t kSeed = 20220310;
-constexpr std::size_t kMostDrawn = 20'000'000;  ///< numbers for one test
-constexpr std::size_t kMostDraws = 9999, kFewestDraws = 200;
+constexpr std::uint64_t kFabricSeed = 20220310;
+constexpr std::size_t kMostFabricDrawn = 20'000'000;  ///< numbers for one test
+constexpr std::size_t kMostDraws = 9999, kFewestFabricDraws = 200;
 
-using Blocks = std::vector<const LyingBlock*>;
+using FabricBlocks = std::vector<const LyingBlock*>;
 using BlockValue = std::function<double(const LyingBlock&)>;
 
 std::size_t draws_of(std::size_t numbers) {
-  return std::clamp(kMostDrawn / std::max<std::size_t>(numbers, 1), kFewestDraws, kMostDraws);
+  return std::clamp(kMostFabricDrawn / std::max<std::size_t>(numbers, 1), kFewestFabricDraws,
+                    kMostDraws);
 }
 
 /// The blocks of each realisation.
-std::map<std::uint32_t, Blocks> by_realisation(const Blocks& blocks) {
-  std::map<std::uint32_t, Blocks> found;
+std::map<std::uint32_t, FabricBlocks> by_realisation(const FabricBlocks& blocks) {
+  std::map<std::uint32_t, FabricBlocks> found;
   for (const LyingBlock* block : blocks) found[block->realisation].push_back(block);
   return found;
 }
 
-RealisationMean mean_of(const std::vector<double>& of_realisations, const Interval& possible) {
+RealisationMean fabric_mean(const std::vector<double>& of_realisations, const Interval& possible) {
   RealisationMean mean;
   mean.summary = summarise(of_realisations);
   mean.interval = mean_interval(mean.summary, possible);
   return mean;
 }
 
-RealisationMean mean_of(const std::map<std::uint32_t, Blocks>& realisations,
-                        const BlockValue& value, const Interval& possible = {-INFINITY, INFINITY}) {
+RealisationMean fabric_mean(const std::map<std::uint32_t, FabricBlocks>& realisations,
+                            const BlockValue& value,
+                            const Interval& possible = {-INFINITY, INFINITY}) {
   std::vector<double> means;
   for (const auto& [number, blocks] : realisations) {
     std::vector<double> values;
@@ -49,22 +51,22 @@ RealisationMean mean_of(const std::map<std::uint32_t, Blocks>& realisations,
     }
     if (!values.empty()) means.push_back(summarise(values).mean);
   }
-  return mean_of(means, possible);
+  return fabric_mean(means, possible);
 }
 
-FabricGroup fabric_of(std::uint32_t file, const std::string& name, const Blocks& blocks) {
+FabricGroup fabric_of(std::uint32_t file, const std::string& name, const FabricBlocks& blocks) {
   FabricGroup group;
   group.file = file;
   group.name = name;
   group.blocks = blocks.size();
-  const std::map<std::uint32_t, Blocks> realisations = by_realisation(blocks);
+  const std::map<std::uint32_t, FabricBlocks> realisations = by_realisation(blocks);
   group.realisations = realisations.size();
-  group.along = mean_of(realisations, [](const LyingBlock& block) { return block.along; });
-  group.ahead = mean_of(realisations, [](const LyingBlock& block) { return block.ahead; });
-  group.aside = mean_of(realisations, [](const LyingBlock& block) { return std::abs(block.aside); },
-                        {0.0, INFINITY});
-  group.height = mean_of(realisations, [](const LyingBlock& block) { return block.height; });
-  group.relative_height = mean_of(
+  group.along = fabric_mean(realisations, [](const LyingBlock& block) { return block.along; });
+  group.ahead = fabric_mean(realisations, [](const LyingBlock& block) { return block.ahead; });
+  group.aside = fabric_mean(
+      realisations, [](const LyingBlock& block) { return std::abs(block.aside); }, {0.0, INFINITY});
+  group.height = fabric_mean(realisations, [](const LyingBlock& block) { return block.height; });
+  group.relative_height = fabric_mean(
       realisations, [](const LyingBlock& block) { return block.relative_height; }, {0.0, 1.0});
   ClusteredValues trends;
   std::vector<double> plunges;
@@ -82,7 +84,7 @@ FabricGroup fabric_of(std::uint32_t file, const std::string& name, const Blocks&
   group.trend = axial_mean(trends.values);
   group.rayleigh = rayleigh_p(group.trend);
   group.rayleigh_realisations =
-      rayleigh_p_of_clusters(trends, cluster, kSeed, draws_of(realisations.size()));
+      rayleigh_p_of_clusters(trends, cluster, kFabricSeed, draws_of(realisations.size()));
   group.plunge = summarise(plunges).mean;
   const Mat3 mean = sum / static_cast<double>(blocks.size());
   const Vec3 ascending = Eigen::SelfAdjointEigenSolver<Mat3>(mean).eigenvalues();
@@ -92,14 +94,14 @@ FabricGroup fabric_of(std::uint32_t file, const std::string& name, const Blocks&
 }
 
 /// All blocks of a file, each class of both schemes, and thirds by size.
-void append_groups(const Comparison& comparison, std::uint32_t file, const Blocks& blocks,
-                   std::vector<FabricGroup>& groups) {
+void append_fabric_groups(const Comparison& comparison, std::uint32_t file,
+                          const FabricBlocks& blocks, std::vector<FabricGroup>& groups) {
   const bool several = comparison.results.size() > 1;
   for (const Group& group : comparison.groups) {
     if (group.file.has_value() != several || (group.file && group.file != file)) continue;
     const bool classes = group.kind == GroupKind::kGarcia || group.kind == GroupKind::kSneedFolk;
     if (group.kind != GroupKind::kAll && !classes) continue;
-    Blocks members;
+    FabricBlocks members;
     for (const LyingBlock* block : blocks) {
       if (std::binary_search(group.rows.begin(), group.rows.end(), block->row)) {
         members.push_back(block);
@@ -117,7 +119,7 @@ void append_groups(const Comparison& comparison, std::uint32_t file, const Block
   std::sort(volumes.begin(), volumes.end());
   const double low = quantile(volumes, 1.0 / 3.0), high = quantile(volumes, 2.0 / 3.0);
   if (!(low < high)) return;  // too few sizes for thirds
-  Blocks thirds[3];
+  FabricBlocks thirds[3];
   for (const LyingBlock* block : blocks) {
     const double volume = comparison.rows[block->row].block->volume;
     thirds[volume <= low ? 0 : volume <= high ? 1 : 2].push_back(block);
@@ -130,7 +132,7 @@ void append_groups(const Comparison& comparison, std::uint32_t file, const Block
 
 /// The classes of blocks and of their nearest neighbours; none where one class occurs.
 std::optional<NeighbourTest> neighbours_of(const Comparison& comparison, std::uint32_t file,
-                                           const std::string& scheme, const Blocks& blocks) {
+                                           const std::string& scheme, const FabricBlocks& blocks) {
   PairedClasses pairs;
   std::map<std::string, std::uint32_t> numbers;
   for (const auto& [realisation, of_realisation] : by_realisation(blocks)) {
@@ -148,26 +150,26 @@ std::optional<NeighbourTest> neighbours_of(const Comparison& comparison, std::ui
     for (const std::size_t other : nearest_others(places)) pairs.partners.push_back(first + other);
   }
   if (numbers.size() < 2) return std::nullopt;
-  NeighbourTest test = same_class_test(pairs, kSeed);
+  NeighbourTest test = same_class_test(pairs, kFabricSeed);
   test.file = file;
   test.scheme = scheme;
   return test;
 }
 
-struct Property {
+struct FabricProperty {
   const char* name;
   double (*value)(const BlockSummary&);
 };
-const Property kProperties[] = {
+const FabricProperty kProperties[] = {
     {"volume", [](const BlockSummary& block) { return block.volume; }},
     {"I/L", [](const BlockSummary& block) { return block.axes.I / block.axes.L; }},
     {"S/L", [](const BlockSummary& block) { return block.axes.S / block.axes.L; }}};
 
-struct Place {
+struct FabricPlace {
   const char* name;
   double (*value)(const LyingBlock&, const RunRow&);
 };
-const Place kPlaces[] = {
+const FabricPlace kFabricPlaces[] = {
     {"runout", [](const LyingBlock&, const RunRow& row) { return row.runout; }},
     {"ahead", [](const LyingBlock& block, const RunRow&) { return block.ahead; }},
     {"aside", [](const LyingBlock& block, const RunRow&) { return std::abs(block.aside); }},
@@ -175,8 +177,8 @@ const Place kPlaces[] = {
      [](const LyingBlock& block, const RunRow&) { return block.relative_height; }}};
 
 /// The rank correlation in each realisation that has one.
-std::vector<double> correlations_of(const Comparison& comparison, const Property& property,
-                                    const Place& place, const Blocks& blocks) {
+std::vector<double> correlations_of(const Comparison& comparison, const FabricProperty& property,
+                                    const FabricPlace& place, const FabricBlocks& blocks) {
   std::vector<double> found;
   for (const auto& [realisation, of_realisation] : by_realisation(blocks)) {
     std::vector<double> properties, places;
@@ -193,13 +195,13 @@ std::vector<double> correlations_of(const Comparison& comparison, const Property
   return found;
 }
 
-void append_sorting(const Comparison& comparison, std::uint32_t file, const Blocks& blocks,
+void append_sorting(const Comparison& comparison, std::uint32_t file, const FabricBlocks& blocks,
                     std::vector<SortingTrend>& sorting) {
-  for (const Property& property : kProperties) {
-    for (const Place& place : kPlaces) {
+  for (const FabricProperty& property : kProperties) {
+    for (const FabricPlace& place : kFabricPlaces) {
       const std::vector<double> found = correlations_of(comparison, property, place, blocks);
       if (found.empty()) continue;
-      SortingTrend trend{file, property.name, place.name, mean_of(found, {-1.0, 1.0}),
+      SortingTrend trend{file, property.name, place.name, fabric_mean(found, {-1.0, 1.0}),
                          std::nullopt};
       const Summary& summary = trend.rank_correlation.summary;
       if (trend.rank_correlation.interval) {
@@ -261,10 +263,10 @@ NeighbourTest same_class_test(const PairedClasses& pairs, std::uint64_t seed) {
 DepositFabric deposit_fabric(const Comparison& comparison) {
   DepositFabric fabric;
   const std::vector<LyingBlock> all = lying_blocks(comparison);
-  std::map<std::uint32_t, Blocks> files;
+  std::map<std::uint32_t, FabricBlocks> files;
   for (const LyingBlock& block : all) files[block.file].push_back(&block);
   for (const auto& [file, blocks] : files) {
-    append_groups(comparison, file, blocks, fabric.groups);
+    append_fabric_groups(comparison, file, blocks, fabric.groups);
     for (const char* scheme : {"garcia", "sneed-folk"}) {
       if (std::optional<NeighbourTest> test = neighbours_of(comparison, file, scheme, blocks)) {
         fabric.neighbours.push_back(std::move(*test));

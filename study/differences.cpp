@@ -16,26 +16,27 @@ namespace {
 constexpr std::size_t kFewest = 3;  ///< values of a group
 constexpr int kMostDecimals = 4;
 /// Any seed is good; a fixed one gives the same interval every time.
-constexpr std::uint64_t kSeed = 20220310;
+constexpr std::uint64_t kDifferenceSeed = 20220310;
 
-constexpr std::size_t kMostDrawn = 20'000'000;  ///< numbers for one interval or test
+constexpr std::size_t kMostDifferenceDrawn = 20'000'000;  ///< numbers for one interval or test
 
-struct Quantity {
+struct ComparedQuantity {
   std::string name;
   std::function<std::optional<double>(std::size_t row)> value;
 };
 
-std::vector<Quantity> quantities(const Comparison& comparison) {
+std::vector<ComparedQuantity> quantities(const Comparison& comparison) {
   const auto of_row = [&](std::string name, StopReason only, double (*value)(const RunRow&)) {
-    return Quantity{std::move(name), [&comparison, only, value](std::size_t index) {
-                      const RunRow& row = comparison.rows[index];
-                      const StopReason reason = row.record->result.stop_reason;
-                      const bool counts =
-                          only == StopReason::kRest ? reason == only : reason != StopReason::kError;
-                      return counts ? std::optional<double>(value(row)) : std::nullopt;
-                    }};
+    return ComparedQuantity{std::move(name), [&comparison, only, value](std::size_t index) {
+                              const RunRow& row = comparison.rows[index];
+                              const StopReason reason = row.record->result.stop_reason;
+                              const bool counts = only == StopReason::kRest
+                                                      ? reason == only
+                                                      : reason != StopReason::kError;
+                              return counts ? std::optional<double>(value(row)) : std::nullopt;
+                            }};
   };
-  std::vector<Quantity> all = {
+  std::vector<ComparedQuantity> all = {
       of_row("runout_m", StopReason::kRest, [](const RunRow& row) { return row.runout; }),
       of_row("lateral_deg", StopReason::kRest,
              [](const RunRow& row) { return row.lateral * kDegreesPerRadian; }),
@@ -64,7 +65,7 @@ std::vector<Quantity> quantities(const Comparison& comparison) {
 }
 
 ClusteredValues values_of(const Comparison& comparison, const Group& group,
-                          const Quantity& quantity, RunClusters& clusters) {
+                          const ComparedQuantity& quantity, RunClusters& clusters) {
   ClusteredValues values;
   for (const std::size_t row : group.rows) {
     const std::optional<double> value = quantity.value(row);
@@ -85,8 +86,8 @@ bool are_points_alone(const ClusteredValues& a, const ClusteredValues& b) {
   return all_of_first(a.clusters) && all_of_first(b.clusters);
 }
 
-std::optional<Difference> difference_of(const Comparison& comparison, std::size_t first,
-                                        std::size_t second, const Quantity& quantity) {
+std::optional<Difference> difference_between(const Comparison& comparison, std::size_t first,
+                                             std::size_t second, const ComparedQuantity& quantity) {
   RunClusters clusters(comparison.results);
   const ClusteredValues a = values_of(comparison, comparison.groups[first], quantity, clusters);
   const ClusteredValues b = values_of(comparison, comparison.groups[second], quantity, clusters);
@@ -105,13 +106,13 @@ std::optional<Difference> difference_of(const Comparison& comparison, std::size_
   const std::size_t drawn_from = found.by_runs ? 1 : clusters.count();
   // Large samples are drawn less often.
   const auto draws = [&](std::size_t numbers, std::size_t most) {
-    return std::clamp<std::size_t>(kMostDrawn / numbers, 200, most);
+    return std::clamp<std::size_t>(kMostDifferenceDrawn / numbers, 200, most);
   };
-  found.interval = bootstrap_difference(a, b, drawn_from, kSeed,
+  found.interval = bootstrap_difference(a, b, drawn_from, kDifferenceSeed,
                                         draws(found.by_runs ? runs : clusters.count(), 2000));
   found.cliffs_delta = *cliffs_delta(a.values, b.values);
   found.hedges_g = hedges_g(a.values, b.values);
-  const TestResult test = *clustered_ks(a, b, drawn_from, kSeed, draws(runs, 9999));
+  const TestResult test = *clustered_ks(a, b, drawn_from, kDifferenceSeed, draws(runs, 9999));
   found.ks_distance = test.statistic;
   found.p_value = test.p_value;
   return found;
@@ -132,16 +133,16 @@ std::map<std::pair<GroupKind, std::string>, std::vector<std::size_t>> families(
 }  // namespace
 
 std::vector<Difference> differences(const Comparison& comparison) {
-  const std::vector<Quantity> all = quantities(comparison);
+  const std::vector<ComparedQuantity> all = quantities(comparison);
   std::vector<Difference> found;
   for (const auto& [kind, groups] : families(comparison)) {
     if (groups.size() > kMostGroups) continue;
     std::vector<Difference> family;
     for (std::size_t i = 0; i < groups.size(); ++i) {
       for (std::size_t k = i + 1; k < groups.size(); ++k) {
-        for (const Quantity& quantity : all) {
+        for (const ComparedQuantity& quantity : all) {
           if (std::optional<Difference> one =
-                  difference_of(comparison, groups[i], groups[k], quantity)) {
+                  difference_between(comparison, groups[i], groups[k], quantity)) {
             family.push_back(std::move(*one));
           }
         }
@@ -162,7 +163,7 @@ std::vector<Difference> differences(const Comparison& comparison) {
 std::optional<Difference> runout_difference(const Comparison& comparison, std::size_t first,
                                             std::size_t second) {
   std::optional<Difference> found =
-      difference_of(comparison, first, second, quantities(comparison).front());
+      difference_between(comparison, first, second, quantities(comparison).front());
   if (found) {
     found->p_holm = found->p_value;
     found->tests = 1;

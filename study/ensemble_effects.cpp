@@ -82,7 +82,7 @@ std::vector<Outcome> outcomes_of(const Comparison& comparison, std::uint32_t fil
   return outcomes;
 }
 
-std::vector<double> sorted(std::vector<double> values) {
+std::vector<double> ascending(std::vector<double> values) {
   std::sort(values.begin(), values.end());
   return values;
 }
@@ -96,14 +96,14 @@ void add_effects(const Comparison& comparison, std::uint32_t file, const std::st
   }
   for (const Outcome& outcome :
        outcomes_of(comparison, file, runs_by_member(comparison, file, group))) {
-    const std::vector<double> ordered = sorted(outcome.values);
+    const std::vector<double> ordered = ascending(outcome.values);
     for (std::size_t zone = 0; zone < results.zone_names.size(); ++zone) {
       for (const GroundField& field : ground_fields()) {
         std::vector<double> drawn;
         for (const std::uint32_t member : outcome.members) {
           drawn.push_back(set_of[member]->zones[zone].*field.value);
         }
-        const std::vector<double> values = sorted(drawn);
+        const std::vector<double> values = ascending(drawn);
         if (values.front() == values.back()) continue;
         effects.push_back({file, group, results.zone_names[zone], field.name, drawn.size(),
                            values.front(), quantile(values, 0.5), values.back(), outcome.name,

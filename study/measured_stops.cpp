@@ -112,8 +112,9 @@ struct BootstrapIntervals {
 
 /// Measured stops are drawn one by one, simulated ones by whole clusters (`cluster_of`); by runs
 /// where there is one cluster only.
-BootstrapIntervals bootstrapped(const std::vector<double>& seen,
-                                const std::map<std::uint32_t, std::vector<double>>& by_cluster) {
+BootstrapIntervals bootstrap_intervals(
+    const std::vector<double>& seen,
+    const std::map<std::uint32_t, std::vector<double>>& by_cluster) {
   constexpr std::uint64_t kSeed = 20220310;  // any is good; a fixed one gives the same interval
   constexpr std::size_t kDraws = 1000, kMostDrawn = 20'000'000;
   std::vector<std::vector<double>> clusters;
@@ -149,14 +150,14 @@ BootstrapIntervals bootstrapped(const std::vector<double>& seen,
   return {interval(medians), interval(distances)};
 }
 
-constexpr std::size_t kMostPoints = 100;  // of a curve
+constexpr std::size_t kMostCurvePoints = 100;  // of a curve
 
 /// At every value of the sample, or at so many.
 StopCurve curve_of(const ClusteredValues& stops, std::size_t clusters) {
   std::vector<double> sorted = stops.values;
   std::sort(sorted.begin(), sorted.end());
   StopCurve curve;
-  const std::size_t points = std::min(kMostPoints, sorted.size());
+  const std::size_t points = std::min(kMostCurvePoints, sorted.size());
   for (std::size_t i = 0; i < points; ++i) {
     const double at = sorted[points == 1 ? 0 : i * (sorted.size() - 1) / (points - 1)];
     if (!curve.runout.empty() && curve.runout.back() == at) continue;
@@ -235,7 +236,7 @@ void compare_stops(const Comparison& comparison, MeasuredStops& measured) {
     }
     if (seen.empty() || simulated.empty()) continue;
     const TestResult test = *two_sample_ks(seen, simulated);
-    const BootstrapIntervals intervals = bootstrapped(seen, by_cluster);
+    const BootstrapIntervals intervals = bootstrap_intervals(seen, by_cluster);
     measured.groups.push_back(
         {g, seen.size(), simulated.size(), summarise(seen), summarise(lateral), quartiles_of(seen),
          summarise(simulated).mean, quartiles_of(simulated), intervals.median_difference,

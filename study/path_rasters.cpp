@@ -13,9 +13,9 @@ namespace clast {
 namespace {
 
 constexpr double kCells = 400.0;
-constexpr double kNarrowest = 0.5;  ///< m
+constexpr double kNarrowestCell = 0.5;  ///< m
 
-struct Largest {
+struct LargestInCell {
   double energy = 0.0;
   double speed = 0.0;
   double height = -INFINITY;
@@ -26,14 +26,14 @@ struct Passed {
 };
 
 /// A cell suits where the runs began and ended; how far they strayed is not known before.
-double cell_size(const Comparison& comparison) {
+double path_cell_size(const Comparison& comparison) {
   Bounds box;
   for (const RunRow& row : comparison.rows) {
     if (row.start.allFinite()) box.include(row.start);
     if (row.stop.allFinite()) box.include(row.stop);
   }
   const double longer = (box.high - box.low).head<2>().maxCoeff();
-  return std::max(kNarrowest, longer > 0.0 ? round_up_to_nice(longer / kCells) : 0.0);
+  return std::max(kNarrowestCell, longer > 0.0 ? round_up_to_nice(longer / kCells) : 0.0);
 }
 
 /// Shares of the straight way between two places at which it enters another cell, ascending.
@@ -68,7 +68,7 @@ class CellsOfRun {
     cross(sample, sample);
     before_ = sample;
   }
-  const std::map<MapCell, Largest>& cells() const { return cells_; }
+  const std::map<MapCell, LargestInCell>& cells() const { return cells_; }
 
  private:
   Vec2 place(const PathSample& sample) const { return sample.position.head<2>() + origin_; }
@@ -80,7 +80,7 @@ class CellsOfRun {
   /// The way between two places of one cell.
   void cross(const PathSample& from, const PathSample& to) {
     const Vec2 middle = 0.5 * (place(from) + place(to)) / size_;
-    Largest& here =
+    LargestInCell& here =
         cells_[{std::llround(std::floor(middle.y())), std::llround(std::floor(middle.x()))}];
     for (const PathSample* end : {&from, &to}) {
       here.energy = std::max(here.energy, end->energy);
@@ -92,10 +92,10 @@ class CellsOfRun {
   Vec2 origin_;
   double size_;
   std::optional<PathSample> before_;
-  std::map<MapCell, Largest> cells_;
+  std::map<MapCell, LargestInCell> cells_;
 };
 
-std::map<MapCell, Passed> passages(const Comparison& comparison, double size) {
+std::map<MapCell, Passed> cell_passages(const Comparison& comparison, double size) {
   std::map<MapCell, Passed> cells;
   for_each_trajectory(comparison, [&](std::size_t index, const Trajectory& trajectory,
                                       const TerrainSurface& ground) {
@@ -117,8 +117,8 @@ std::map<MapCell, Passed> passages(const Comparison& comparison, double size) {
 
 MapRasters path_rasters(const Comparison& comparison) {
   MapRasters rasters;
-  rasters.cell = cell_size(comparison);
-  const std::map<MapCell, Passed> cells = passages(comparison, rasters.cell);
+  rasters.cell = path_cell_size(comparison);
+  const std::map<MapCell, Passed> cells = cell_passages(comparison, rasters.cell);
   if (cells.empty()) return rasters;
   std::vector<MapCell> covered;
   for (const auto& [cell, passed] : cells) covered.push_back(cell);

@@ -12,8 +12,6 @@ namespace {
 /// Sine of an angle that counts as none.
 constexpr double kStraight = 1e-9;
 
-double cross(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
-
 double signed_double_area(std::span<const Vec2> polygon) {
   double twice_area = 0.0;
   for (std::size_t i = 0; i < polygon.size(); ++i) {

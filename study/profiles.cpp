@@ -11,35 +11,35 @@ namespace clast {
 namespace {
 
 constexpr double kBins = 50.0;
-constexpr double kNarrowest = 0.5;  ///< m
+constexpr double kNarrowestBin = 0.5;  ///< m
 
-struct Largest {
+struct LargestInBin {
   double energy = 0.0;
   double speed = 0.0;
   double height = -INFINITY;
   Vec2 places = Vec2::Zero();  ///< sum, local
   double samples = 0.0;
 };
-using Passage = std::map<int, Largest>;  ///< by number of the bin
+using BinPassage = std::map<int, LargestInBin>;  ///< by number of the bin
 
 double bin_width(const Comparison& comparison) {
   double longest = 0.0;
   for (const RunRow& row : comparison.rows) {
     if (std::isfinite(row.runout)) longest = std::max(longest, std::abs(row.runout));
   }
-  return std::max(kNarrowest, longest > 0.0 ? round_up_to_nice(longest / kBins) : 0.0);
+  return std::max(kNarrowestBin, longest > 0.0 ? round_up_to_nice(longest / kBins) : 0.0);
 }
 
 /// The passage of every row; empty where a run has no trajectory.
-std::vector<Passage> passages(const Comparison& comparison, double width) {
-  std::vector<Passage> all(comparison.rows.size());
+std::vector<BinPassage> bin_passages(const Comparison& comparison, double width) {
+  std::vector<BinPassage> all(comparison.rows.size());
   for_each_trajectory(comparison, [&](std::size_t index, const Trajectory& trajectory,
                                       const TerrainSurface& ground) {
     const RunRow& row = comparison.rows[index];
     const Vec2 start = row.record->start.position.head<2>();
     walk(trajectory, *row.block, ground, 0.5 * width, [&](const PathSample& sample) {
       const double along = (sample.position.head<2>() - start).dot(comparison.downslope);
-      Largest& here = all[index][static_cast<int>(std::floor(along / width))];
+      LargestInBin& here = all[index][static_cast<int>(std::floor(along / width))];
       here.energy = std::max(here.energy, sample.energy);
       here.speed = std::max(here.speed, sample.speed);
       if (std::isfinite(sample.height)) here.height = std::max(here.height, sample.height);
@@ -54,7 +54,7 @@ std::vector<Passage> passages(const Comparison& comparison, double width) {
 
 std::vector<ProfileBin> profiles(const Comparison& comparison) {
   const double width = bin_width(comparison);
-  const std::vector<Passage> all = passages(comparison, width);
+  const std::vector<BinPassage> all = bin_passages(comparison, width);
   std::vector<ProfileBin> bins;
   for (std::size_t g = 0; g < comparison.groups.size(); ++g) {
     struct Values {

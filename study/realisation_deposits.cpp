@@ -11,19 +11,19 @@
 namespace clast {
 namespace {
 
-constexpr double kCellShare = 1.0 / 3.0;  ///< of the mean S
-constexpr double kMostCells = 2000.0;     ///< along the longer side of all stops
+constexpr double kDepositCellShare = 1.0 / 3.0;  ///< of the mean S
+constexpr double kMostDepositCells = 2000.0;     ///< along the longer side of all stops
 
-double cell_size(const std::vector<const RunRow*>& lying) {
+double deposit_cell_size(const std::vector<const RunRow*>& lying) {
   Bounds box;
   double sum = 0.0;
   for (const RunRow* row : lying) {
     box.include(row->stop);
     sum += row->block->axes.S;
   }
-  const double wanted = kCellShare * sum / static_cast<double>(lying.size());
+  const double wanted = kDepositCellShare * sum / static_cast<double>(lying.size());
   const double longer = (box.high - box.low).head<2>().maxCoeff();
-  return std::max(round_down_to_nice(wanted), round_up_to_nice(longer / kMostCells));
+  return std::max(round_down_to_nice(wanted), round_up_to_nice(longer / kMostDepositCells));
 }
 
 /// The highest surface over the middle of each cell.
@@ -196,7 +196,7 @@ RealisationDeposits realisation_deposits(const Comparison& comparison) {
     if (lies_there(comparison, row)) all_lying.push_back(&row);
   }
   if (rows.empty()) return deposits;
-  const double width = all_lying.empty() ? 1.0 : cell_size(all_lying);
+  const double width = all_lying.empty() ? 1.0 : deposit_cell_size(all_lying);
   Layers layers;
   std::optional<TerrainSurface> ground;
   std::optional<std::uint32_t> file_of_ground;

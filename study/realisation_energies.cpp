@@ -6,7 +6,7 @@
 namespace clast {
 namespace {
 
-constexpr std::size_t kCurvePoints = 300;
+constexpr std::size_t kEnergyCurvePoints = 300;
 
 /// Goes along the samples of one realisation.
 class Along {
@@ -61,8 +61,8 @@ RealisationCurve energy_curve(const std::vector<const RealisationEnergies*>& rea
   }
   if (!(last > 0.0)) return curve;
   std::vector<double> values(realisations.size());
-  for (std::size_t i = 0; i < kCurvePoints; ++i) {
-    const double time = last * static_cast<double>(i) / static_cast<double>(kCurvePoints - 1);
+  for (std::size_t i = 0; i < kEnergyCurvePoints; ++i) {
+    const double time = last * static_cast<double>(i) / static_cast<double>(kEnergyCurvePoints - 1);
     for (std::size_t k = 0; k < along.size(); ++k) values[k] = along[k].at(time);
     curve.time.push_back(time);
     curve.mean.push_back(summarise(values).mean);

@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kLevel = 0.05;  ///< of tests
 constexpr Interval kPositive{0.0, INFINITY};
-constexpr Interval kShare{0.0, 1.0};
+constexpr Interval kPossibleShare{0.0, 1.0};
 
 double plan_distance(const Vec3& from, const Vec3& to) { return (to - from).head<2>().norm(); }
 
@@ -80,7 +80,7 @@ const std::vector<RealisationFigure>& realisation_figures() {
        [](const Row& row) {
          return static_cast<double>(row.lying) / static_cast<double>(row.blocks);
        },
-       kShare},
+       kPossibleShare},
       {"left_terrain", "", "blocks that left the terrain", 1,
        [](const Row& row) { return static_cast<double>(row.left_terrain); }, kPositive},
       {"volume_m3", "m\xC2\xB3", "volume of the blocks", 2, &Row::volume, kPositive},
@@ -115,14 +115,15 @@ const std::vector<RealisationFigure>& realisation_figures() {
        of_energy([](const EnergyShares& energy) {
          return energy.on_ground.friction + energy.between_blocks.friction;
        }),
-       kShare},
+       kPossibleShare},
       {"dissipated_by_rolling", "", "share dissipated by rolling resistance", 3,
        of_energy([](const EnergyShares& energy) {
          return energy.on_ground.rolling + energy.between_blocks.rolling;
        }),
-       kShare},
+       kPossibleShare},
       {"dissipated_between_blocks", "", "share dissipated between blocks", 3,
-       of_energy([](const EnergyShares& energy) { return energy.between_blocks.sum(); }), kShare}};
+       of_energy([](const EnergyShares& energy) { return energy.between_blocks.sum(); }),
+       kPossibleShare}};
   return kFigures;
 }
 

@@ -17,7 +17,7 @@ struct Part {
 };
 
 /// A run, and the part that holds it.
-struct Place {
+struct RunPlace {
   std::uint32_t run = 0;
   std::size_t part = 0;
   std::size_t row = 0;             ///< into the part's runs
@@ -27,7 +27,7 @@ struct Place {
   std::size_t first_energy = 0;    ///< into the part's energies
 };
 
-void check_same_campaign(const CampaignResults& first, const CampaignResults& other) {
+void check_parts_of_one_campaign(const CampaignResults& first, const CampaignResults& other) {
   std::string difference;
   if (other.campaign_sha256 != first.campaign_sha256) {
     difference = "is of another campaign than ";
@@ -76,8 +76,8 @@ std::span<const Event> events_of(const std::vector<Event>& events, std::uint32_t
   return {events.data() + first, end - first};
 }
 
-std::vector<Place> places_of(const std::vector<Part>& parts) {
-  std::vector<Place> places;
+std::vector<RunPlace> places_of(const std::vector<Part>& parts) {
+  std::vector<RunPlace> places;
   for (std::size_t part = 0; part < parts.size(); ++part) {
     const CampaignResults& results = parts[part].results;
     std::size_t crossing = 0, impact = 0, stay = 0, energy = 0;
@@ -91,11 +91,11 @@ std::vector<Place> places_of(const std::vector<Part>& parts) {
     }
   }
   std::sort(places.begin(), places.end(),
-            [](const Place& a, const Place& b) { return a.run < b.run; });
+            [](const RunPlace& a, const RunPlace& b) { return a.run < b.run; });
   return places;
 }
 
-void check_complete(const std::vector<Part>& parts, const std::vector<Place>& places) {
+void check_complete(const std::vector<Part>& parts, const std::vector<RunPlace>& places) {
   const CampaignResults& first = parts.front().results;
   for (std::size_t i = 1; i < places.size(); ++i) {
     if (places[i].run != places[i - 1].run) continue;
@@ -120,13 +120,13 @@ void merge_results(const std::vector<fs::path>& files, const fs::path& target) {
   std::vector<Part> parts;
   for (const fs::path& file : files) {
     parts.push_back({read_results(file), TrajectoryFile(file)});
-    check_same_campaign(parts.front().results, parts.back().results);
+    check_parts_of_one_campaign(parts.front().results, parts.back().results);
   }
   parts.front().results.physics_digest = common_physics(parts);
-  const std::vector<Place> places = places_of(parts);
+  const std::vector<RunPlace> places = places_of(parts);
   check_complete(parts, places);
   write_results_file(target, parts.front().results, places.size(), [&](std::size_t i) {
-    const Place& place = places[i];
+    const RunPlace& place = places[i];
     const Part& part = parts[place.part];
     StoredRun run;
     run.record = part.results.runs[place.row];

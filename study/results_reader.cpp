@@ -121,7 +121,7 @@ void read_blocks(const CheckedGroup& reader, CampaignResults& results) {
   check_blocks(reader, results);
 }
 
-void read_barriers(const CheckedGroup& reader, CampaignResults& results) {
+void read_stored_barriers(const CheckedGroup& reader, CampaignResults& results) {
   const std::vector<std::string> names = reader.group.read<std::string>("name");
   if (reader.group.has("points_m")) {
     const auto counts = reader.column<std::uint32_t>("point_count", names.size());
@@ -328,7 +328,7 @@ CampaignResults read_results(const fs::path& path) {
   root.check_below("set_of_point", results.set_of_point, results.release_sets.size());
   read_shapes(root.into("shapes"), results);
   read_blocks(root.into("blocks"), results);
-  read_barriers(root.into("barriers"), results);
+  read_stored_barriers(root.into("barriers"), results);
   read_ground(root.into("ground"), results);
   read_ground_sets(root.into("ground_sets"), results);
 

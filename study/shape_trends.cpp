@@ -20,10 +20,10 @@ namespace {
 
 constexpr std::size_t kFewestBlocks = 4;
 constexpr double kSameProperty = 0.01;  ///< absolute of ratios, relative of masses
-constexpr std::uint64_t kSeed = 20;
+constexpr std::uint64_t kTrendSeed = 20;
 
 /// A property of blocks; not a number where a block has none.
-struct Property {
+struct ShapeProperty {
   std::string name;
   std::function<double(const BlockSummary&)> of;
   double least_range = kSameProperty;
@@ -35,8 +35,8 @@ double convexity_of(const CampaignResults& results, const BlockSummary& block) {
   return convexity(shape, block.volume / std::pow(block.scale, 3.0));
 }
 
-std::vector<Property> properties_of(const CampaignResults& results) {
-  std::vector<Property> properties = {
+std::vector<ShapeProperty> properties_of(const CampaignResults& results) {
+  std::vector<ShapeProperty> properties = {
       {"I/L", [](const BlockSummary& block) { return block.axes.I / block.axes.L; }},
       {"S/L", [](const BlockSummary& block) { return block.axes.S / block.axes.L; }}};
   const bool shapes =
@@ -97,7 +97,7 @@ double limit_of(std::vector<double> values) {
   return up ? *above : values[half];
 }
 
-Grouping grouping_by(const Property& property, const std::vector<const RunRow*>& rows,
+Grouping grouping_by(const ShapeProperty& property, const std::vector<const RunRow*>& rows,
                      bool crossed_masses) {
   const bool of_mass = property.name == "mass";
   const bool of_blocks = of_mass || !crossed_masses;
@@ -129,18 +129,18 @@ Grouping grouping_by(const Property& property, const std::vector<const RunRow*>&
 }
 
 /// Does the property differ between blocks by more than measuring does?
-bool differs(const Property& property, const TrendSample& sample) {
+bool differs(const ShapeProperty& property, const TrendSample& sample) {
   const auto [least, most] = std::minmax_element(sample.property.begin(), sample.property.end());
   const double range =
       property.least_range > 0.0 ? property.least_range : kSameProperty * std::abs(*most);
   return *most - *least >= range;
 }
 
-std::optional<ShapeTrend> trend_of(const RunOutcome& outcome, const Property& property,
+std::optional<ShapeTrend> trend_of(const RunOutcome& outcome, const ShapeProperty& property,
                                    Grouping& grouping, const std::optional<double>& margin) {
   grouping.trend.values = outcome.values;
   grouping.halves.values = outcome.values;
-  const std::optional<TestResult> trend = clustered_trend(grouping.trend, kSeed);
+  const std::optional<TestResult> trend = clustered_trend(grouping.trend, kTrendSeed);
   const std::optional<CrossedDifference> halves = crossed_difference(grouping.halves);
   if (!trend || !halves) return std::nullopt;
   ShapeTrend found;
@@ -170,8 +170,8 @@ ShapeTrends trends_of(const Comparison& comparison, std::uint32_t file) {
   for (const RunRow* row : rows) blocks.insert(row->record->block);
   if (results.stay || blocks.size() < kFewestBlocks) return result;
   const bool crossed_masses = has_crossed_masses(rows);
-  std::vector<std::pair<Property, Grouping>> groupings;
-  for (const Property& property : properties_of(results)) {
+  std::vector<std::pair<ShapeProperty, Grouping>> groupings;
+  for (const ShapeProperty& property : properties_of(results)) {
     Grouping grouping = grouping_by(property, rows, crossed_masses);
     if (differs(property, grouping.trend)) groupings.emplace_back(property, std::move(grouping));
   }

@@ -170,8 +170,8 @@ bool stands_inside(const TriangleMesh& mesh, const TriangleMesh::Triangle& trian
   return cover.holds(middle + beside) && cover.holds(middle - beside);
 }
 
-void check_heights(const TriangleMesh& mesh, const char* name, const Cover& cover,
-                   const MapFrame& frame) {
+void check_mass_heights(const TriangleMesh& mesh, const char* name, const Cover& cover,
+                        const MapFrame& frame) {
   std::size_t count = 0;
   Vec3 first = Vec3::Zero();
   for (const TriangleMesh::Triangle& triangle : mesh.triangles) {
@@ -274,8 +274,8 @@ ReleasedMass find_released_mass(const Terrain& before, const Terrain& after,
     if (numbers.empty() || numbers.contains(i + 1)) chosen.push_back(order[i].second);
   }
   const Cover cover(chosen);
-  check_heights(surfaces.before, "`before`", cover, frame);
-  check_heights(surfaces.after, "`after`", cover, frame);
+  check_mass_heights(surfaces.before, "`before`", cover, frame);
+  check_mass_heights(surfaces.after, "`after`", cover, frame);
   for (std::size_t i = 0; i < order.size(); ++i) {
     const PairBody& pair = *order[i].second;
     MassBody body = body_of(pair, frame);

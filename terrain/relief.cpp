@@ -9,7 +9,7 @@
 namespace clast {
 namespace {
 
-constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+constexpr double kNoHeight = std::numeric_limits<double>::quiet_NaN();
 constexpr int kShades = 30;        // grey levels per tint
 constexpr double kDarkest = 0.62;  // of the tint, in full shade; marks must stay readable on it
 constexpr Rgb kContour = {122, 98, 69};
@@ -82,7 +82,7 @@ std::vector<double> shades(const Relief& relief) {
   std::vector<double> shade(relief.height.size(), -1.0);
   for (long row = 0; row < static_cast<long>(relief.rows); ++row) {
     for (long column = 0; column < static_cast<long>(relief.columns); ++column) {
-      const double z = at(row, column, kNone);
+      const double z = at(row, column, kNoHeight);
       if (std::isnan(z)) continue;
       double dx = 0.0, dy = 0.0;
       for (const int step : {-1, 0, 1}) {
@@ -123,7 +123,7 @@ Relief sampled(const Terrain& terrain, const Window& window, std::uint32_t colum
   relief.cell = window.size().x() / columns;
   relief.rows =
       static_cast<std::uint32_t>(std::max(1.0, std::round(window.size().y() / relief.cell)));
-  relief.height.assign(std::size_t{relief.columns} * relief.rows, kNone);
+  relief.height.assign(std::size_t{relief.columns} * relief.rows, kNoHeight);
   relief.zone.assign(relief.height.size(), 0);
   const TriangleMesh& mesh = terrain.surface;
   for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {

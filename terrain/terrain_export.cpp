@@ -14,7 +14,7 @@
 namespace clast {
 namespace {
 
-constexpr double kMostCells = 1e9;
+constexpr double kMostRasterCells = 1e9;
 
 /// Highest surface over the centres of square cells whose borders lie on multiples of `cell`.
 terrain_detail::HeightGrid sampled(const Terrain& terrain, double cell,
@@ -24,7 +24,7 @@ terrain_detail::HeightGrid sampled(const Terrain& terrain, double cell,
   const Vec3 low = terrain.frame.map(box.low), high = terrain.frame.map(box.high);
   const Vec2 first = (low.head<2>() / cell).array().floor();
   const Vec2 count = (high.head<2>() / cell).array().ceil() - first.array();
-  if (!(count.prod() < kMostCells)) {
+  if (!(count.prod() < kMostRasterCells)) {
     throw InputError(path.string() + ": cells of " + with_digits(cell, 6) +
                      " m are too many for this ground; use larger ones");
   }

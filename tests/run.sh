@@ -13,15 +13,55 @@ cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
 labels="unit physics cli validation-quick"
 ci=${CI:-false}
+slow=false
 for option in "$@"; do
   case "$option" in
     --ci) labels+=" long validation"; ci=true ;;
-    --all) labels+=" long validation slow" ;;
+    --all) labels+=" long validation slow"; slow=true ;;
     *) sed -n '2,/^set/s/^# \{0,1\}//p' tests/run.sh >&2; exit 2 ;;
   esac
 done
 
+# With --ci the build may take so many compilations of tests/build/reference.cpp, a fifth more than
+# it does.
+most_compilations=80
+
+# CPU seconds of the reference, two at a time.
+reference_seconds() {
+  local flags="-std=c++20 -O3 -I/usr/include/eigen3"
+  for half in 1 2; do
+    ( TIMEFORMAT="%U %S"; { time ${CXX:-g++} $flags -c tests/build/reference.cpp -o /dev/null; } 2>&1 | tail -1 ) &
+  done | awk '{ sum += $1 + $2 } END { print sum / 2 }'
+  wait
+}
+
+# Share of the compilations that the compiler's cache answered, in percent.
+cache_hits() {
+  [ -s build/ccache.log ] || { echo 0; return; }
+  awk '/^(direct|preprocessed)_cache_hit$/ { hits++ } /^cache_miss$/ { misses++ }
+       END { print hits + misses ? 100 * hits / (hits + misses) : 0 }' build/ccache.log
+}
+
+if [ "$ci" = true ]; then
+  mkdir -p build
+  rm -f build/ccache.log
+  export CCACHE_STATSLOG=$PWD/build/ccache.log
+fi
 cmake/prepare.sh tests
+if [ "$ci" = true ]; then
+  tests/build/check_changed.sh
+  reference=$(reference_seconds)
+  hits=$(cache_hits)
+  awk -v build="$(cat build/cpu_seconds.txt)" -v reference="$reference" -v hits="$hits" -v most=$most_compilations '
+    BEGIN {
+      printf "== The build took %.0f CPU s, %.1f times the reference (%.1f s); the cache answered %.0f %% of it\n",
+             build, build / reference, reference, hits
+      if (hits < 5 && build > most * reference) {
+        printf "error: it may take %.0f times the reference\n", most >"/dev/stderr"
+        exit 1
+      }
+    }'
+fi
 
 data=${CLAST_DATA:-../shared/data}
 if [ -d "$data" ]; then
@@ -34,9 +74,12 @@ elif [ "$ci" != true ]; then
   printf '== %s\n' "$left_out"
 fi
 
+if [ $slow = true ]; then cmake --build build/release --target slow_tests -j 2; fi
+
 printf '== Running the tests labelled %s\n' "${labels// /, }"
 status=0
 ctest --test-dir build/release -j2 --output-on-failure --no-tests=error \
   -L "^(${labels// /|})\$" || status=$?
 if [ -n "${left_out-}" ]; then printf '== %s\n' "$left_out"; fi
+if [ -s build/release/left_out.txt ]; then sed 's/^/== Left out: /' build/release/left_out.txt; fi
 exit $status

@@ -103,7 +103,7 @@ std::string made_text(const PreparedCampaign& prepared) {
 }
 
 /// More blocks than this are not printed one by one.
-constexpr std::size_t kMostPrinted = 20;
+constexpr std::size_t kMostPrintedStarts = 20;
 
 /// Stiffness and time step of the runs of each block, and over all blocks where there are many.
 TextTable stiffness_table(const PreparedCampaign& prepared) {
@@ -117,8 +117,8 @@ TextTable stiffness_table(const PreparedCampaign& prepared) {
     row.insert(row.begin(), block.block);
     table.rows.push_back(row);
   };
-  for (std::size_t i = 0; i < std::min(blocks.size(), kMostPrinted); ++i) add(blocks[i]);
-  if (blocks.size() > kMostPrinted) add(over_all(blocks));
+  for (std::size_t i = 0; i < std::min(blocks.size(), kMostPrintedStarts); ++i) add(blocks[i]);
+  if (blocks.size() > kMostPrintedStarts) add(over_all(blocks));
   return table;
 }
 

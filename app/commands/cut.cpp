@@ -51,7 +51,7 @@ struct CutArgs {
 /// Blocks that hold less of the mass are warned of.
 constexpr double kUsualShare = 0.9;
 /// Failed blocks that are named.
-constexpr std::size_t kMostNamed = 5;
+constexpr std::size_t kMostNamedBlocks = 5;
 
 /// Bodies that are listed.
 constexpr std::size_t kMostBodies = 10;
@@ -159,12 +159,12 @@ void check_sources(const CutArgs& args) {
   }
 }
 
-void print_blocks(const CutArgs& args, const MassBlocks& made, const BlockLibrary& library) {
-  for (std::size_t i = 0; i < std::min(kMostNamed, made.failed.size()); ++i) {
+void print_cut_blocks(const CutArgs& args, const MassBlocks& made, const BlockLibrary& library) {
+  for (std::size_t i = 0; i < std::min(kMostNamedBlocks, made.failed.size()); ++i) {
     std::cerr << "clast: warning: " << shown(made.failed[i]) << "\n";
   }
-  if (made.failed.size() > kMostNamed) {
-    std::cerr << "clast: warning: " << made.failed.size() - kMostNamed
+  if (made.failed.size() > kMostNamedBlocks) {
+    std::cerr << "clast: warning: " << made.failed.size() - kMostNamedBlocks
               << " more pieces could not be made into blocks\n";
   }
   const double share = made.block_volume / made.volume;
@@ -214,7 +214,7 @@ void cut(CutArgs args) {
       update_library(args.output, {.make = true}, [&](BlockLibrary& changed) {
         for (const Block& block : made.blocks) changed.add(block, args.replace);
       });
-  print_blocks(args, made, library);
+  print_cut_blocks(args, made, library);
 }
 
 /// The mass as the difference of two terrains.

@@ -38,7 +38,7 @@ void print_details(const Block& block) {
   }
 }
 
-void print_blocks(const ShowArgs& args, std::span<const Block* const> blocks) {
+void print_shown_blocks(const ShowArgs& args, std::span<const Block* const> blocks) {
   if (args.json) {
     nlohmann::ordered_json all = nlohmann::ordered_json::array();
     for (const Block* block : blocks) all.push_back(block_json(*block));
@@ -62,7 +62,7 @@ void show(const ShowArgs& args) {
     write_gallery(blocks, "Blocks of " + printable(name.string()), folder->temporary());
     folder->commit();
   }
-  print_blocks(args, blocks);
+  print_shown_blocks(args, blocks);
   if (folder && !args.json) {
     std::cout << "\nReport: " << printable((fs::path(args.report) / "gallery.html").string())
               << "\n";

@@ -39,8 +39,8 @@ struct VaryArgs {
 };
 
 constexpr NumberRange kGridSteps{1.0, kMostGridSteps};
-constexpr std::size_t kMostListed = 40;  ///< rows of the table on the terminal
-constexpr std::size_t kMostNamed = 5;    ///< failed bodies that are named
+constexpr std::size_t kMostListed = 40;      ///< rows of the table on the terminal
+constexpr std::size_t kMostNamedBodies = 5;  ///< failed bodies that are named
 
 /// "0.8,0.5".
 BoxRatios read_ratios(const std::string& text) {
@@ -116,7 +116,7 @@ void vary(const VaryArgs& args) {
   for (const std::string& note : made.notes) std::cerr << "clast: note: " << shown(note) << "\n";
   print_series(args, made);
   const std::vector<std::string>& failed = made.series.failed;
-  for (std::size_t i = 0; i < std::min(kMostNamed, failed.size()); ++i) {
+  for (std::size_t i = 0; i < std::min(kMostNamedBodies, failed.size()); ++i) {
     std::cerr << "clast: warning: " << shown(failed[i]) << "\n";
   }
   if (!failed.empty()) {

@@ -28,7 +28,7 @@ namespace {
 /// Directions that are tried when a list is made.
 constexpr int kTries = 6;
 /// Room for rounding where a feature lies on the very border of what is listed, m.
-constexpr double kRounding = 1e-9;
+constexpr double kListRounding = 1e-9;
 
 /// Features of one part that pass between the planes: entries of the lists in `ListScratch`.
 struct PartBetween {
@@ -131,7 +131,7 @@ void BlockContacts::list_features() {
   low_ = *std::min_element(s.block_heights.begin(), s.block_heights.end());
   high_ = *std::max_element(s.ground_heights.begin(), s.ground_heights.end());
   list_ground();
-  const double room = listed_within() + kRounding;
+  const double room = listed_within() + kListRounding;
   for (const BlockPart& part : block_.parts.parts) {
     if (in_block.dot(part.centre) + offset - part.radius > high_ + room) continue;
     list_vertices(part);
@@ -145,7 +145,7 @@ void BlockContacts::list_features() {
 
 void BlockContacts::list_ground() {
   ListScratch& s = list_scratch();
-  const double room = listed_within() + kRounding;
+  const double room = listed_within() + kListRounding;
   s.ground_parts.clear();
   s.edges.clear();
   s.corners.clear();
@@ -172,7 +172,7 @@ void BlockContacts::list_ground() {
 }
 
 void BlockContacts::list_vertices(const BlockPart& part) {
-  const double listed = tests_.reach() + margin_ + kRounding;
+  const double listed = tests_.reach() + margin_ + kListRounding;
   for (std::uint32_t v = part.first_vertex; v < part.end_vertex; ++v) {
     const std::uint32_t vertex = block_.parts.vertices[v];
     if (list_scratch().block_heights[vertex] > high_ + listed) continue;
@@ -184,14 +184,14 @@ void BlockContacts::list_vertices(const BlockPart& part) {
 
 void BlockContacts::list_vertex(std::uint32_t vertex, const Vec3& centre, double listed) {
   // Inside the ground it is no deeper than it lies below the highest point of it.
-  const double deepest = high_ - list_scratch().block_heights[vertex] + kRounding;
+  const double deepest = high_ - list_scratch().block_heights[vertex] + kListRounding;
   const std::optional<NearestPoint> nearest =
       ground_.nearest(centre, std::max(listed, deepest), near_face_);
   if (!nearest) return;
   near_face_ = nearest->face;
   if (nearest->distance > listed) return;
   list_faces(centre,
-             std::max(std::abs(nearest->distance), tests_.reach()) + 2.0 * margin_ + kRounding);
+             std::max(std::abs(nearest->distance), tests_.reach()) + 2.0 * margin_ + kListRounding);
   vertices_.push_back(
       {.vertex = vertex, .near_face = 0, .end_face = static_cast<std::uint32_t>(faces_.size())});
 }
@@ -223,7 +223,7 @@ void BlockContacts::list_sides(const BlockPart& part) {
   ListScratch& s = list_scratch();
   place_sides(part);
   if (s.sides.empty()) return;
-  const double room = listed_within() + kRounding;
+  const double room = listed_within() + kListRounding;
   const Vec3 centre = tests_.placed(part.centre);
   for (const PartBetween& other : s.ground_parts) {
     if (!within(centre - other.centre, part.radius + other.radius + room)) continue;
@@ -251,7 +251,7 @@ void BlockContacts::place_sides(const BlockPart& part) {
     const double lowest = of_body.is_face
                               ? s.lowest_of_block(block_.features.faces[feature].vertices)
                               : s.lowest_of_block(block_.features.edges[feature].vertices);
-    if (lowest > high_ + listed_within() + kRounding) continue;
+    if (lowest > high_ + listed_within() + kListRounding) continue;
     PlacedSide side{i,  of_body.is_face, tests_.placed(of_body.middle), of_body.radius, lowest, 0.0,
                     {}, Vec3::Zero()};
     if (side.is_face) {
@@ -270,7 +270,7 @@ void BlockContacts::place_sides(const BlockPart& part) {
 
 void BlockContacts::list_face(const PlacedSide& side, std::span<const std::uint32_t> corners) {
   const ListScratch& s = list_scratch();
-  const double room = listed_within() + kRounding;
+  const double room = listed_within() + kListRounding;
   for (const std::uint32_t corner : corners) {
     if (s.ground_heights[corner] < low_ - side.beyond ||
         !within(side.middle - ground_.features.vertices[corner], side.radius + room) ||
@@ -288,7 +288,7 @@ void BlockContacts::list_edge(const PlacedSide& side, std::span<const std::uint3
                               std::span<const std::uint32_t> corners) {
   const ListScratch& s = list_scratch();
   const std::uint32_t feature = block_.parts.sides[side.number].feature;
-  const double room = listed_within() + kRounding;
+  const double room = listed_within() + kListRounding;
   std::optional<ContactPoint> contact;
   for (const std::uint32_t i : edges) {
     const BlockSide& other = ground_.parts.sides[i];
@@ -301,7 +301,7 @@ void BlockContacts::list_edge(const PlacedSide& side, std::span<const std::uint3
     const FeaturesApart apart = tests_.edge_edge(feature, other.feature, contact);
     list(ContactKind::kEdgeEdge, side.number, other.feature, apart, contact.has_value());
   }
-  const double within_reach = tests_.reach() + margin_ + kRounding;
+  const double within_reach = tests_.reach() + margin_ + kListRounding;
   if (!(tests_.reach() > 0.0) || side.lowest > high_ + within_reach) return;
   for (const std::uint32_t corner : corners) {
     if (s.ground_heights[corner] < low_ - within_reach ||
@@ -317,22 +317,22 @@ void BlockContacts::list_edge(const PlacedSide& side, std::span<const std::uint3
 
 void BlockContacts::list(ContactKind kind, std::uint32_t side, std::uint32_t of_ground,
                          const FeaturesApart& apart, bool touches) {
-  if (!within(apart.between, listed_within() + kRounding)) return;
+  if (!within(apart.between, listed_within() + kListRounding)) return;
   pairs_.push_back({kind, side, of_ground, clear_until(apart, touches)});
 }
 
 double BlockContacts::depth_beyond(double along, double slack) const {
-  const double farthest = listed_within() + kRounding;
+  const double farthest = listed_within() + kListRounding;
   if (along < 0.0) return farthest;
   // A feature of the block that has gone into the ground along such a normal lies lower than what
   // it touches there.
-  return std::min(farthest, tests_.reach() + margin_ + kRounding + slack * list_touching_);
+  return std::min(farthest, tests_.reach() + margin_ + kListRounding + slack * list_touching_);
 }
 
 bool BlockContacts::may_face(const EdgeArc& of_ground, const Vec3& ground_direction,
                              const EdgeArc& arc, const Vec3& direction) const {
   if (of_ground.any || arc.any) return true;
-  const double room = of_ground.slack + arc.slack + kRounding;
+  const double room = of_ground.slack + arc.slack + kListRounding;
   // The common normal is perpendicular to either edge: an arc that lies on one side of the plane
   // perpendicular to the other's edge does not hold it.
   const auto crosses = [&](const EdgeArc& one, const Vec3& pole) {
@@ -344,7 +344,7 @@ bool BlockContacts::may_face(const EdgeArc& of_ground, const Vec3& ground_direct
 
 bool BlockContacts::corner_may_face(std::uint32_t corner, const EdgeArc& arc) const {
   if (arc.any) return true;
-  const double room = ground_.cone_slacks[corner] + arc.slack + kRounding;
+  const double room = ground_.cone_slacks[corner] + arc.slack + kListRounding;
   const std::span<const std::uint32_t> edges = ground_.features.edges_at(corner);
   // A ray along which both ends of the arc rise rises along all between them.
   return std::none_of(edges.begin(), edges.end(), [&](std::uint32_t edge) {

@@ -10,7 +10,7 @@ namespace clast::dem_detail {
 namespace {
 
 /// Margin of the list, as a share of the smallest side: short lists that are made anew rarely.
-constexpr double kMarginShare = 0.04;
+constexpr double kBlockMarginShare = 0.04;
 /// A list for contacts this many times as deep as may come is made anew.
 constexpr double kListedTooDeep = 2.0;
 /// A way out of the ground that does not lead through the block itself is taken up to this many
@@ -20,7 +20,7 @@ constexpr double kForwardsTimes = 2.0;
 constexpr double kForwardsShare = 0.25;
 /// How much farther than the nearest face others are looked for, in margins: for half that way the
 /// nearest is sure to be it.
-constexpr double kDistinctMargins = 0.25;
+constexpr double kDistinctBlockMargins = 0.25;
 
 }  // namespace
 
@@ -28,7 +28,7 @@ BlockContacts::BlockContacts(const BlockSurface& ground, const BlockSurface& blo
     : ground_(ground),
       block_(block),
       size_(size),
-      margin_(kMarginShare * size),
+      margin_(kBlockMarginShare * size),
       turn_(margin_ / block.bounding_radius),
       tests_(ground, block, size) {}
 
@@ -128,7 +128,7 @@ void BlockContacts::find_at_vertex(ListedVertex& listed, std::span<const std::ui
 NearestPoint BlockContacts::nearest_of_all(ListedVertex& listed,
                                            std::span<const LocalFaces::Face> faces,
                                            const Vec3& centre) {
-  const double beyond = kDistinctMargins * margin_;
+  const double beyond = kDistinctBlockMargins * margin_;
   const LocalFaces::Nearest found =
       nearest_of(faces, ground_.features, centre, 1e300, beyond, listed.near_face);
   // Faces that are not listed are at least this far by now.

@@ -18,7 +18,7 @@ constexpr double kLongestFlight = 60.0;  ///< s
 /// strides.
 constexpr double kFirstLook = 0.125, kLastLook = 8.0, kStride = 4.0;
 /// Vertices this far below a plane, m, are on it.
-constexpr double kRounding = 1e-9;
+constexpr double kPlaneRounding = 1e-9;
 
 double distance_in(double time, double speed, double acceleration) {
   return time * (speed + 0.5 * acceleration * time);
@@ -207,7 +207,7 @@ double ContactSearch::flight_time_over(const LocalFaces::Face& face, const Fligh
     for (std::uint32_t v = part.first_vertex; v < part.end_vertex; ++v) {
       const Vec3& arm = block_.vertices[parts_.vertices[v]];
       const double apart = height + above.normal.dot(arm);
-      if (apart < -kRounding) return parts_time_beside(face, at_border, flight, horizon);
+      if (apart < -kPlaneRounding) return parts_time_beside(face, at_border, flight, horizon);
       if (!above.clear(std::max(apart, 0.0), arm, turning, time)) {
         time = above.time(std::max(apart, 0.0), arm, turning);
       }

@@ -20,8 +20,8 @@ bool is_event(const NormalResponse& response) {
 }
 
 /// Adds what the law does inside the step beyond the scheme's own forces.
-void add_event(ContactLoad& load, const NormalResponse& response, const Contact& contact,
-               const PairMotion& motion) {
+void add_law_event(ContactLoad& load, const NormalResponse& response, const Contact& contact,
+                   const PairMotion& motion) {
   if (!load.event) load.event = std::make_unique<EventLoad>();
   EventLoad& event = *load.event;
   const Vec3& normal = contact.point.normal;
@@ -225,7 +225,7 @@ void ContactForces::load_contact(Contact& contact, const Contact* previous, cons
   const Vec3 force = w * (contact.normal * contact.point.normal + contact.tangential);
   load.force += force;
   load.torque += slip.arm.cross(force) + w * contact.rolling;
-  if (past.continuous && is_event(response)) add_event(load, response, contact, motion);
+  if (past.continuous && is_event(response)) add_law_event(load, response, contact, motion);
 
   // With the mean weight of the step. What the forces took beyond these losses and what is stored,
   // because weights, zones, normals or the contacts changed, is booked apart.
@@ -258,7 +258,7 @@ void ContactForces::end_contact(const Contact& contact, const Law& law, const Pa
   if (path.after <= 0.0) {  // parted; else it slid off and its law never came to an end
     const NormalResponse response =
         law.along(path, {contact.normal, contact.dent}, contact.effective_mass);
-    if (is_event(response)) add_event(load, response, contact, motion);
+    if (is_event(response)) add_law_event(load, response, contact, motion);
     const double by_normal = w * (response.work + law.stored(overlap, contact.dent));
     const double by_friction =
         end_of_spring(w, rules_.tangential_give, contact.tangential, velocity, duration);

@@ -13,7 +13,7 @@ namespace {
 
 /// Margin, as a share of the block's smallest side: lists of what is near look ahead some of them,
 /// far enough to be made anew rarely, and near enough to stay short.
-constexpr double kMarginShare = 0.05;
+constexpr double kGroundMarginShare = 0.05;
 /// The ground near a part is gathered for this many margins of movement.
 constexpr double kPartMargins = 4.0;
 /// The ground near the whole block is gathered for this many margins of movement more.
@@ -32,7 +32,7 @@ ContactSearch::ContactSearch(const IndexedSurface& ground, const BlockSurface& b
       parts_(block.parts),
       reach_(block.radius + ground.radius),
       size_(size),
-      margin_(kMarginShare * size),
+      margin_(kGroundMarginShare * size),
       list_holds_(kPartMargins * margin_),
       tests_(ground, block, size),
       part_states_(parts_.parts.size()),

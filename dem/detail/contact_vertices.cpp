@@ -11,7 +11,7 @@ namespace {
 /// The plane over the ground near a part settles it for a vertex this many margins above it.
 constexpr double kEnough = 0.25;
 /// Faces up to this many margins behind the nearest are distinguished from it.
-constexpr double kDistinctMargins = 4.0;
+constexpr double kDistinctGroundMargins = 4.0;
 
 }  // namespace
 
@@ -136,7 +136,7 @@ void ContactSearch::measure_vertex(NearPart& part, std::uint32_t v, const Vec3& 
   VertexState& state = part.vertices[v];
   const double complete = completeness(part);
   const LocalFaces::Nearest of_faces = part.ground.nearest(
-      ground_.features, centre, complete, kDistinctMargins * margin_, state.near_face);
+      ground_.features, centre, complete, kDistinctGroundMargins * margin_, state.near_face);
   const NearestPoint& nearest = of_faces.nearest;
   state.near_face = of_faces.entry;
   const double depth = std::abs(nearest.distance);

@@ -12,7 +12,7 @@ namespace {
 /// middle of the block the opposite side would be nearer.
 constexpr double kDepthShare = 0.5;
 /// Depths that differ by less are compared exactly, m.
-constexpr double kRounding = 1e-9;
+constexpr double kDepthRounding = 1e-9;
 /// A turn can make edges and faces touch that are deeper than anything that touches already: by
 /// this share of that depth, and this many margins.
 constexpr double kDeeperShare = 0.5, kDeeperMargins = 0.25;
@@ -169,7 +169,7 @@ NearestPoint FeatureContacts::nearest_forwards(std::uint32_t vertex, const Vec3&
   double distance = 1e300;
   for (const LocalFaces::Face& face : faces) {
     const double depth = face.offset - face.normal.dot(centre);
-    if (depth < -kRounding || depth > distance + kRounding) continue;
+    if (depth < -kDepthRounding || depth > distance + kDepthRounding) continue;
     const NearestPoint candidate = nearest_on_face(ground_.features, face.face, centre);
     if (candidate.within_face && candidate.distance < 0.0 && -candidate.distance < distance &&
         !is_backwards(vertex, centre, candidate)) {

@@ -16,7 +16,7 @@ constexpr double kSameMoments = 1e-14;
 constexpr double kSmallestComplement = 1e-30;
 /// Both of the momentum's shares off the middle axis below this: near the unstable rest point of
 /// its orbit the amplitude is too inaccurate, and the turn is stepped.
-constexpr double kUnstable = 1e-5;
+constexpr double kUnstableAmplitude = 1e-5;
 constexpr int kLandenSteps = 40;
 
 /// Arithmetic-geometric means of 1 and k': the ladder of Landen's transformation.
@@ -155,8 +155,8 @@ FreeRotation::FreeRotation(const Vec3& moments, const Quat& orientation, const V
     steady_rate_ = size * mobility[axes[0]];
     return;
   }
-  if (std::max(std::abs(in_body[axes[0]]), std::abs(in_body[axes[2]])) < kUnstable && upper > 0.0 &&
-      lower > 0.0) {
+  if (std::max(std::abs(in_body[axes[0]]), std::abs(in_body[axes[2]])) < kUnstableAmplitude &&
+      upper > 0.0 && lower > 0.0) {
     stepped_ = true;
     return;
   }

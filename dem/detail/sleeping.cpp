@@ -7,11 +7,9 @@ namespace clast::dem_detail {
 
 namespace {
 
-constexpr std::uint32_t kTerrain = ContactPair::kTerrain;
-
 /// Two bodies that touch; a body that touches the terrain is none.
 bool bodies_touch(const ContactPair& pair) {
-  return pair.loads && pair.reference != kTerrain && pair.contacts->touching();
+  return pair.loads && pair.reference != ContactPair::kTerrain && pair.contacts->touching();
 }
 
 std::uint32_t other_of(const ContactPair& pair, std::uint32_t body) {

@@ -8,8 +8,6 @@
 namespace clast::dem_detail {
 namespace {
 
-constexpr std::uint32_t kTerrain = ContactPair::kTerrain;
-
 /// Is more than a small share of the body's energy in an impact?
 /// @param energy  that passes through the contact, J
 bool in_impact(const WorldBody& body, double energy, double rest_energy) {
@@ -29,7 +27,7 @@ double mobility_of(std::uint32_t number, std::span<const WorldBody> bodies,
     if (!pair.contacts->touching()) continue;
     const bool is_block = pair.block == number;
     const std::uint32_t other = is_block ? pair.reference : pair.block;
-    const double ends = other == kTerrain || bodies[other].idle() ? 1.0 : 2.0;
+    const double ends = other == ContactPair::kTerrain || bodies[other].idle() ? 1.0 : 2.0;
     sum += ends * (is_block ? pair.contacts->mobility(shape.mobilities)
                             : pair.contacts->weight() * shape.largest_mobility);
   }
@@ -44,7 +42,7 @@ double time_apart(const ContactPair& pair, std::span<const WorldBody> bodies,
   if (!(clear > 0.0)) return 0.0;
   Vec3 velocity = block.idle() ? Vec3::Zero() : block.moving.state().velocity;
   double turning = block.idle() ? 0.0 : block.moving.top_spin() * block.shape->radius;
-  if (pair.reference != kTerrain && !bodies[pair.reference].idle()) {
+  if (pair.reference != ContactPair::kTerrain && !bodies[pair.reference].idle()) {
     const MovingBody& reference = bodies[pair.reference].moving;
     velocity -= reference.state().velocity;
     // Seen from a body that turns, all around it turns.
@@ -69,7 +67,7 @@ StepChoice choose_step(std::span<const WorldBody> bodies, std::span<const std::u
     const WorldBody& block = bodies[pair.block];
     const double energy = pair.contacts->load().impact * block.shape->body.mass;
     if (in_impact(block, energy, settings.rest_energy) ||
-        (pair.reference != kTerrain &&
+        (pair.reference != ContactPair::kTerrain &&
          in_impact(bodies[pair.reference], energy, settings.rest_energy))) {
       return shortest;
     }

@@ -13,10 +13,9 @@ namespace {
 
 /// Bodies that a thread takes at a time.
 constexpr std::size_t kBodiesAtATime = 16;
-constexpr std::uint32_t kTerrain = ContactPair::kTerrain;
 
 /// Adds the events of one pair to those of one of its bodies.
-void add_event(std::optional<EventLoad>& sum, const EventLoad& event, bool is_block) {
+void add_body_event(std::optional<EventLoad>& sum, const EventLoad& event, bool is_block) {
   if (!sum) sum.emplace();
   sum->impulse += is_block ? event.impulse : Vec3(-event.impulse);
   sum->angular_impulse += is_block ? event.angular_impulse : event.angular_impulse_on_other;
@@ -147,7 +146,8 @@ void WorldMotion::free(std::span<const std::size_t> bodies) {
   }
   pairs_.list_anew();
   begin_pairs([&](const ContactPair& pair) {
-    return was_still[pair.block] && (pair.reference == kTerrain || was_still[pair.reference]);
+    return was_still[pair.block] &&
+           (pair.reference == ContactPair::kTerrain || was_still[pair.reference]);
   });
 }
 
@@ -172,13 +172,13 @@ void WorldMotion::refuse_deep_starts(const IsNew& is_new) const {
     if (!is_new(pair)) continue;
     const Shape& block = *bodies_[pair.block].shape;
     double size = block.body.size();
-    if (pair.reference != kTerrain) {
+    if (pair.reference != ContactPair::kTerrain) {
       size = std::min(size, bodies_[pair.reference].shape->body.size());
     }
     const double overlap = pair.contacts->max_overlap();
     if (overlap <= settings_.start_overlap * size) continue;
     const std::string other =
-        pair.reference == kTerrain ? "the ground" : name_of_body(pair.reference);
+        pair.reference == ContactPair::kTerrain ? "the ground" : name_of_body(pair.reference);
     throw SimulationError(name_of_body(pair.block) + " starts inside " + other + ", " +
                           with_digits(overlap, 6) + " m deep; place it farther away");
   }
@@ -233,7 +233,7 @@ void WorldMotion::end_moves(double dt, bool flight) {
       const bool is_block = pair.block == i;
       body.force += is_block ? load.force : Vec3(-load.force);
       body.torque += is_block ? load.torque : load.torque_on_other;
-      if (load.event) add_event(events, *load.event, is_block);
+      if (load.event) add_body_event(events, *load.event, is_block);
       if (!pair.contacts->touching()) continue;
       ++touching;
       if (is_block) ++as_block;
@@ -303,7 +303,7 @@ Touch WorldMotion::touch(std::size_t body) const {
     const std::optional<ContactForces::Deepest> deepest = pair.contacts->deepest();
     if (!deepest) continue;
     sum.points += deepest->points;
-    if (pair.reference == kTerrain) {
+    if (pair.reference == ContactPair::kTerrain) {
       on_ground = true;
       sum.zone = deepest->zone;
     }

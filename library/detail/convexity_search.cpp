@@ -15,7 +15,7 @@ namespace {
 
 /// What is nearer to a target than this is on it.
 constexpr double kSameConvexity = 1e-6;
-constexpr double kGoodEnough = 2e-4;
+constexpr double kConvexityTolerance = 2e-4;
 constexpr double kVolumeAccuracy = 1e-4;
 constexpr int kSteps = 30;
 
@@ -85,7 +85,7 @@ SpheroPolyhedron body_of_convexity(const SpheroPolyhedron& body, double own, dou
   for (int step = 0; step < kSteps; ++step) {
     part = above > below ? low - below * (high - low) / (above - below) : 0.5 * (low + high);
     const double gap = convexity.at(part, turns) - target;
-    if (std::abs(gap) <= kGoodEnough * target) break;
+    if (std::abs(gap) <= kConvexityTolerance * target) break;
     if (gap > 0.0) {
       high = part;
       above = gap;

@@ -13,7 +13,7 @@
 namespace clast::library_detail {
 namespace {
 
-constexpr double kGoodEnough = 3e-3;  ///< relative
+constexpr double kRoundnessTolerance = 3e-3;  ///< relative
 constexpr int kRounds = 10;
 /// Shares of S that are tried to get below a target, after the largest.
 constexpr std::array<double, 4> kFallingShares = {0.2, 0.1, 0.05, 0.0};
@@ -33,7 +33,7 @@ RoundedBody between(const std::function<RoundedBody(double)>& at, RoundedBody lo
   double below = low.roundness - target, above = high.roundness - target;
   bool moved_low = false, moved_high = false;
   RoundedBody best = -below < above ? low : high;
-  for (int round = 0; round < kRounds && !good(best, target, kGoodEnough); ++round) {
+  for (int round = 0; round < kRounds && !good(best, target, kRoundnessTolerance); ++round) {
     RoundedBody next = at((low.radius_share * above - high.radius_share * below) / (above - below));
     const double gap = next.roundness - target;
     if (std::abs(gap) < std::abs(best.roundness - target)) best = next;
@@ -62,7 +62,7 @@ RoundedBody body_of_roundness(const std::function<SpheroPolyhedron(double)>& rou
     return one;
   };
   RoundedBody high = at(kVariedRadiusShare.high);
-  if (good(high, target, kGoodEnough)) return high;
+  if (good(high, target, kRoundnessTolerance)) return high;
   if (high.roundness < target) {
     refuse_target(
         target, "the largest radius, " + with_digits(kVariedRadiusShare.high, 2) + " of S, gives ",
@@ -70,7 +70,7 @@ RoundedBody body_of_roundness(const std::function<SpheroPolyhedron(double)>& rou
   }
   for (const double share : kFallingShares) {
     RoundedBody low = at(share);
-    if (good(low, target, kGoodEnough)) return low;
+    if (good(low, target, kRoundnessTolerance)) return low;
     if (low.roundness > target) {
       high = std::move(low);
       continue;

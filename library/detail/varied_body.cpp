@@ -18,7 +18,7 @@
 namespace clast::library_detail {
 namespace {
 
-constexpr double kLargestRadiusShare = kVariedRadiusShare.high;
+constexpr double kLargestVariedRadiusShare = kVariedRadiusShare.high;
 constexpr double kSameShare = 1e-9;
 constexpr int kRadiusRounds = 20;
 constexpr int kMomentRounds = 40;
@@ -83,10 +83,10 @@ VariedBody varied_body(const Block& parent, const ConvexityOf& wanted) {
 
 VariedBody varied_body(const Block& parent, const RoundingOf& wanted) {
   refuse_round_bodies(parent);
-  if (!(wanted.radius_share >= 0.0 && wanted.radius_share <= kLargestRadiusShare)) {
+  if (!(wanted.radius_share >= 0.0 && wanted.radius_share <= kLargestVariedRadiusShare)) {
     throw InputError("a radius of " + with_digits(wanted.radius_share, 4) +
                      " of S can't be reached: must be from 0 to " +
-                     with_digits(kLargestRadiusShare, 2));
+                     with_digits(kLargestVariedRadiusShare, 2));
   }
   const double own = radius_share(parent.body);
   const std::string figures = "parent_radius_share=" + with_digits(own, 4);
@@ -132,8 +132,8 @@ VariedBody varied_body(const Block& parent, const DetailTimes& wanted) {
 }
 
 VariedBody varied_body(const Block& parent, const ReferenceTo& wanted) {
-  const double share =
-      std::min(parent.body.faces.empty() ? 0.0 : radius_share(parent.body), kLargestRadiusShare);
+  const double share = std::min(parent.body.faces.empty() ? 0.0 : radius_share(parent.body),
+                                kLargestVariedRadiusShare);
   return {
       reference_body(
           wanted.form,
@@ -145,7 +145,7 @@ VariedBody varied_body(const Block& parent, const ReferenceTo& wanted) {
 VariedBody varied_body(const Block& parent, const InertiaTwin& wanted) {
   const Vec3 target = spread(parent.mass);
   const double side = parent.body.faces.empty() ? 0.0 : radius_share(parent.body);
-  const double share = std::min(side, kLargestRadiusShare);
+  const double share = std::min(side, kLargestVariedRadiusShare);
   // Half-axes a of an ellipsoid have a^2/5, half-sides of a box a^2/3; the order is that of z, y,
   // x.
   const double part = wanted.form == ReferenceForm::kEllipsoid ? 5.0 : 3.0;

@@ -35,7 +35,7 @@ std::string read_bytes(std::istream& stream, std::size_t count) {
   return bytes;
 }
 
-struct Header {
+struct LasHeader {
   std::uint64_t count = 0;
   std::uint64_t data_offset = 0;
   std::uint16_t header_size = 0;
@@ -47,7 +47,7 @@ struct Header {
 };
 
 /// @throws InputError  points that can't be read, or can't be where the header says
-void check_points(const Header& header, std::uint64_t file_size) {
+void check_points(const LasHeader& header, std::uint64_t file_size) {
   if (header.format >= kRecordSizes.size()) {
     throw InputError("has LAS point format " + std::to_string(header.format) +
                      "; 0 to 10 can be read, export it as one of these");
@@ -72,7 +72,7 @@ void check_points(const Header& header, std::uint64_t file_size) {
   }
 }
 
-Header read_header(std::istream& stream, std::uint64_t file_size) {
+LasHeader read_las_header(std::istream& stream, std::uint64_t file_size) {
   const std::string bytes = read_bytes(stream, kHeader14);
   if (!bytes.starts_with("LASF")) {
     throw InputError("is not a LAS file: it does not start with LASF; export it as LAS or as text");
@@ -80,7 +80,7 @@ Header read_header(std::istream& stream, std::uint64_t file_size) {
   if (bytes.size() < kSmallestHeader) {
     throw InputError("ends within the LAS header; copy or export it again");
   }
-  Header header;
+  LasHeader header;
   const int minor = number_at<std::uint8_t>(bytes, 25);
   header.header_size = number_at<std::uint16_t>(bytes, 94);
   header.data_offset = number_at<std::uint32_t>(bytes, 96);
@@ -122,7 +122,7 @@ int epsg_in(std::string_view keys) {
 }
 
 /// The coordinate system named in the variable-length records.
-std::string read_crs(std::istream& stream, const Header& header) {
+std::string read_crs(std::istream& stream, const LasHeader& header) {
   constexpr std::uint16_t kWkt = 2112, kGeoKeys = 34735;
   std::string wkt;
   int epsg = 0;
@@ -161,7 +161,7 @@ CloudSummary read_las(std::istream& stream, PointSink& sink) {
   stream.seekg(0, std::ios::end);
   const auto file_size = static_cast<std::uint64_t>(stream.tellg());
   stream.seekg(0);
-  const Header header = read_header(stream, file_size);
+  const LasHeader header = read_las_header(stream, file_size);
   CloudSummary summary;
   summary.crs = read_crs(stream, header);
   stream.clear();

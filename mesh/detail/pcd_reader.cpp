@@ -19,7 +19,7 @@ struct Field {
   std::size_t count = 1;
 };
 
-struct Header {
+struct PcdHeader {
   std::vector<Field> fields;
   std::size_t points = 0;
   std::string data;  ///< ascii, binary or binary_compressed
@@ -39,9 +39,9 @@ std::size_t whole(TextScanner& text, std::int64_t most) {
   return static_cast<std::size_t>(value);
 }
 
-Header read_header(TextScanner& text) {
+PcdHeader read_pcd_header(TextScanner& text) {
   constexpr std::int64_t kMostPoints = 1'000'000'000'000, kMostCount = 100'000;
-  Header header;
+  PcdHeader header;
   std::size_t width = 0, height = 1;
   bool has_points = false;
   while (text.next_line()) {
@@ -79,7 +79,7 @@ Header read_header(TextScanner& text) {
 }
 
 /// Numbers of the columns x, y and z.
-std::array<std::size_t, 3> axes_of(const Header& header) {
+std::array<std::size_t, 3> axes_of(const PcdHeader& header) {
   std::array<std::size_t, 3> axes{};
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const auto found =
@@ -93,7 +93,7 @@ std::array<std::size_t, 3> axes_of(const Header& header) {
   return axes;
 }
 
-double number_at(const char* bytes, const Field& field) {
+double pcd_number_at(const char* bytes, const Field& field) {
   const auto as = [&]<class T>(T value) {
     std::memcpy(&value, bytes, sizeof(T));
     return static_cast<double>(value);
@@ -146,7 +146,7 @@ std::string unpacked(std::string_view packed, std::size_t size) {
   return out;
 }
 
-void read_ascii(TextScanner& text, const Header& header, PointSink& sink) {
+void read_pcd_ascii(TextScanner& text, const PcdHeader& header, PointSink& sink) {
   const std::array<std::size_t, 3> axes = axes_of(header);
   std::size_t left = header.points;
   while (left > 0 && text.next_line()) {
@@ -177,7 +177,8 @@ void read_ascii(TextScanner& text, const Header& header, PointSink& sink) {
 }
 
 /// @param by_field  all values of a field lie together (compressed files), else those of a point
-void read_binary(std::string_view bytes, const Header& header, bool by_field, PointSink& sink) {
+void read_pcd_binary(std::string_view bytes, const PcdHeader& header, bool by_field,
+                     PointSink& sink) {
   const std::size_t record = header.record();
   if (record == 0 || bytes.size() / record < header.points) {
     throw InputError("its header says " + std::to_string(header.points) + " points, the file has " +
@@ -199,7 +200,7 @@ void read_binary(std::string_view bytes, const Header& header, bool by_field, Po
     Vec3 point;
     for (std::size_t axis = 0; axis < 3; ++axis) {
       point[static_cast<Eigen::Index>(axis)] =
-          number_at(bytes.data() + start[axis] + i * stride[axis], header.fields[axes[axis]]);
+          pcd_number_at(bytes.data() + start[axis] + i * stride[axis], header.fields[axes[axis]]);
     }
     sink.add(point);
   }
@@ -209,11 +210,11 @@ void read_binary(std::string_view bytes, const Header& header, bool by_field, Po
 
 CloudSummary read_pcd(std::string_view content, PointSink& sink) {
   TextScanner text(content);
-  const Header header = read_header(text);
+  const PcdHeader header = read_pcd_header(text);
   if (header.data == "ascii") {
-    read_ascii(text, header, sink);
+    read_pcd_ascii(text, header, sink);
   } else if (header.data == "binary") {
-    read_binary(text.after_line(), header, false, sink);
+    read_pcd_binary(text.after_line(), header, false, sink);
   } else if (header.data == "binary_compressed") {
     const std::string_view rest = text.after_line();
     std::array<std::uint32_t, 2> sizes{};
@@ -221,7 +222,7 @@ CloudSummary read_pcd(std::string_view content, PointSink& sink) {
     std::memcpy(sizes.data(), rest.data(), sizeof sizes);
     const std::string_view packed = rest.substr(sizeof sizes);
     if (packed.size() < sizes[0]) throw InputError("ends before its points; it was cut short");
-    read_binary(unpacked(packed.substr(0, sizes[0]), sizes[1]), header, true, sink);
+    read_pcd_binary(unpacked(packed.substr(0, sizes[0]), sizes[1]), header, true, sink);
   } else {
     throw InputError("has DATA \"" + header.data.substr(0, 40) +
                      "\"; ascii, binary and binary_compressed can be read");

@@ -36,7 +36,7 @@ struct Element {
   std::vector<Property> properties;
 };
 
-struct Header {
+struct PlyHeader {
   Format format = Format::kAscii;
   std::vector<Element> elements;
 };
@@ -54,11 +54,11 @@ Type parse_type(const TextScanner& text, std::string_view name) {
   return found->second;
 }
 
-Header read_header(TextScanner& text) {
+PlyHeader read_ply_header(TextScanner& text) {
   if (!text.next_line() || text.word() != "ply") {
     throw InputError("is not a PLY file: it does not start with \"ply\"");
   }
-  Header header;
+  PlyHeader header;
   bool has_format = false;
   while (text.next_line()) {
     const std::string_view keyword = text.word();
@@ -251,7 +251,7 @@ void split_strips(std::vector<std::vector<std::int64_t>>& faces, std::size_t fir
 
 std::optional<TriangleMesh> read_ply(std::string_view content) {
   TextScanner text(content);
-  const Header header = read_header(text);
+  const PlyHeader header = read_ply_header(text);
   Body body(text.after_line(), header.format);
   TriangleMesh mesh;
   std::vector<std::vector<std::int64_t>> faces;

@@ -31,7 +31,7 @@ T little_endian(const char* bytes) {
   return std::bit_cast<T>(copy);
 }
 
-TriangleMesh read_binary(std::string_view content, std::size_t count) {
+TriangleMesh read_binary_stl(std::string_view content, std::size_t count) {
   TriangleMesh mesh;
   mesh.vertices.reserve(3 * count);
   mesh.triangles.reserve(count);
@@ -48,7 +48,7 @@ TriangleMesh read_binary(std::string_view content, std::size_t count) {
   return mesh;
 }
 
-TriangleMesh read_ascii(std::string_view content) {
+TriangleMesh read_ascii_stl(std::string_view content) {
   TriangleMesh mesh;
   TextScanner text(content);
   bool in_facet = false;
@@ -89,7 +89,7 @@ std::optional<TriangleMesh> read_stl(std::string_view content) {
     const std::uint64_t needed = kHeader + count * kTriangle;
     // Some programs start binary files with "solid" too: the size decides.
     if (content.size() == needed || (!starts_as_text && content.size() > needed && count > 0)) {
-      return read_binary(content, count);
+      return read_binary_stl(content, count);
     }
     if (!starts_as_text) {
       throw InputError("its header says " + std::to_string(count) + " triangles, which takes " +
@@ -100,7 +100,7 @@ std::optional<TriangleMesh> read_stl(std::string_view content) {
   if (!starts_as_text) {
     throw InputError("is not an STL file: neither \"solid\" text nor a binary header");
   }
-  return read_ascii(content);
+  return read_ascii_stl(content);
 }
 
 }  // namespace clast::mesh_detail

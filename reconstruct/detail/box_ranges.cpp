@@ -21,12 +21,12 @@ constexpr int kDirections = 24;       ///< a minimum is looked around by turns a
 constexpr int kAngles = 8;            ///< ... by so many angles
 constexpr double kLargestAngle = 0.25, kShrink = 0.62;  // rad; each angle against the last
 /// Hulls with more corners are simplified; what is lost of an extent is below 1e-3 of it.
-constexpr std::size_t kMostCorners = 1500;
+constexpr std::size_t kMostHullCorners = 1500;
 constexpr int kLooks = 3000;
 /// Boxes larger than the largest by this share count: axes that are looked at are a hair off those
 /// of the least boxes, and a body a hair outside of what is possible. No more than so many times
 /// what the unseen part adds: without one there is nothing but the least box.
-constexpr double kLeeway = 0.003, kLeewayOfAdded = 3.0;
+constexpr double kBoxLeeway = 0.003, kLeewayOfAdded = 3.0;
 /// What lies between the axes that are looked at: a share of the width of the bounds.
 constexpr double kGaps = 0.05;
 
@@ -48,7 +48,7 @@ Vec3 spread_direction(int i, int count) {
 /// Corners of the hull; of very many those that are outermost along directions spread over all.
 std::vector<Vec3> outermost(std::span<const Vec3> points) {
   const std::vector<Vec3> corners = extreme_points(points);
-  if (corners.size() <= kMostCorners) return corners;
+  if (corners.size() <= kMostHullCorners) return corners;
   std::vector<bool> kept(corners.size(), false);
   const Eigen::Matrix3Xd places = columns(corners);
   for (int i = 0; i < kLooks; ++i) {
@@ -130,7 +130,7 @@ SideBounds box_ranges(std::span<const Vec3> seen, std::span<const Vec3> possible
   const OrientedBox least = smallest_box(inner), most = smallest_box(outer);
   const Eigen::Matrix3Xd of_inner = columns(inner), of_outer = columns(outer);
   const double added = std::max(0.0, most.volume() / least.volume() - 1.0);
-  const double largest = (1.0 + std::min(kLeeway, kLeewayOfAdded * added)) * most.volume();
+  const double largest = (1.0 + std::min(kBoxLeeway, kLeewayOfAdded * added)) * most.volume();
   SideBounds bounds{least.lengths, least.lengths};
   const auto look = [&](const Mat3& axes) -> Turn {
     Vec3 low = extents(of_inner, axes);

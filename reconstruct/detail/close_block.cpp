@@ -70,7 +70,7 @@ bool was_changed(const RepairReport& report) {
 
 /// By the volume that the surface would have with its largest hole filled flat.
 /// @returns whether it faced inwards
-bool turn_outward(TriangleMesh& open) {
+bool turn_open_mesh_outward(TriangleMesh& open) {
   const std::vector<std::vector<std::uint32_t>> loops = boundary_loops(open);
   if (loops.empty()) return false;
   const auto& largest = *std::max_element(
@@ -171,7 +171,7 @@ Underside moved(Underside side, double unit, const Move& move) {
 
 FieldBlock close_block(OpenBlock open, const std::string& name, const FieldScanOptions& field) {
   const ScanOptions& options = field.scan;
-  if (turn_outward(open.surface)) swap_sides(open.repaired);
+  if (turn_open_mesh_outward(open.surface)) swap_sides(open.repaired);
   const std::vector<FilledHole> filled = close_small_holes(open, name);
   open.repaired =
       with_fillings(std::move(open.repaired), filled, surface_area(open.surface), options.unit);

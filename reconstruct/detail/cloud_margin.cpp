@@ -11,14 +11,14 @@ namespace clast::reconstruct_detail {
 
 namespace {
 
-constexpr int kNeighbours = 40;  ///< whose planes bound a point's surroundings
+constexpr int kMarginNeighbours = 40;  ///< whose planes bound a point's surroundings
 /// A tip is no longer than this, in spacings: of a slender one few points would lie on that length.
-constexpr double kFarthest = 8.0;
-constexpr double kMostOut = 3.0;    ///< spacings by which noise makes a point stand out at most
-constexpr double kAlong = 0.05;     ///< a plane bounds directions that rise this steeply to it
-constexpr double kLeeway = 3.0;     ///< scatters by which a plane lies farther out than fitted
-constexpr double kStandsOut = 1.0;  ///< ... and by which a point may stand out of its neighbours
-constexpr double kNoise = 1.0;      ///< standard deviations of the noise by which places are off
+constexpr double kFarthestTip = 8.0;
+constexpr double kMostOut = 3.0;      ///< spacings by which noise makes a point stand out at most
+constexpr double kAlong = 0.05;       ///< a plane bounds directions that rise this steeply to it
+constexpr double kPlaneLeeway = 3.0;  ///< scatters by which a plane lies farther out than fitted
+constexpr double kStandsOut = 1.0;    ///< ... and by which a point may stand out of its neighbours
+constexpr double kNoise = 1.0;        ///< standard deviations of the noise by which places are off
 
 class Margin {
  public:
@@ -45,7 +45,7 @@ class Margin {
   /// Points around a vertex.
   const std::vector<std::uint32_t>& near(std::uint32_t v) {
     if (near_[v].empty()) {
-      for (const NearestPoints::Near& n : tree_.nearest(surface_.vertices[v], kNeighbours)) {
+      for (const NearestPoints::Near& n : tree_.nearest(surface_.vertices[v], kMarginNeighbours)) {
         near_[v].push_back(n.point);
       }
     }
@@ -56,13 +56,13 @@ class Margin {
   /// place is beyond already bounds nothing: its normal comes from points of two sides.
   /// @param v  the vertex whose surroundings these are
   double reach(const Vec3& from, const Vec3& direction, std::uint32_t v) {
-    double reach = kFarthest * known_.spacings[v];
+    double reach = kFarthestTip * known_.spacings[v];
     for (const std::uint32_t n : near(v)) {
       const Vec3& normal = known_.normals[n];
       const double along = normal.dot(direction);
       if (along < kAlong) continue;
       const double room =
-          kLeeway * standings_[n].deviation - normal.dot(from - surface_.vertices[n]);
+          kPlaneLeeway * standings_[n].deviation - normal.dot(from - surface_.vertices[n]);
       if (room >= 0.0) reach = std::min(reach, room / along);
     }
     return reach;

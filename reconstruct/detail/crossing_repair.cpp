@@ -20,7 +20,7 @@ namespace {
 /// Share of the diagonal by which vertices that lie on one another are moved apart.
 constexpr double kPartedBy = 1e-6;
 /// Rings of triangles around crossings that are cut out at most.
-constexpr int kRings = 5;
+constexpr int kCutRings = 5;
 /// Relative change of the volume by a wrap, whose own bias is a few per cent, that is scaled back.
 constexpr double kWrapVolume = 0.08;
 /// And by a coarse wrap, tried first: around a tangle the fine one costs seconds and is refused.
@@ -74,7 +74,7 @@ class CrossingRepair {
   /// Cuts the crossing triangles out with more and more rings around them, and fills anew.
   std::optional<TriangleMesh> by_cutting() const {
     TriangleMesh trial = mesh_;
-    for (int rings = 0; rings < kRings; ++rings) {
+    for (int rings = 0; rings < kCutRings; ++rings) {
       std::vector<bool> near(trial.vertices.size(), false);
       for (const auto& pair : crossing_triangles(trial)) {
         for (const std::uint32_t t : pair) {

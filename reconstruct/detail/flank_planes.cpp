@@ -68,7 +68,7 @@ class Cells {
 };
 
 /// Triangles about a place, as a plane.
-struct Patch {
+struct FlankPatch {
   Vec3 normal = Vec3::Zero();  ///< unit; zero where the triangles face apart
   double area = 0.0;           ///< m^2
   double distance = -1e300;    ///< of the outermost of its vertices along the normal, m
@@ -81,14 +81,14 @@ double support(std::span<const Vec3> points, const Vec3& normal) {
 }
 
 /// Patches that cover the seen surface; neighbours overlap.
-std::vector<Patch> patches_of(const TriangleMesh& mesh, std::span<const Vec3> middles,
-                              std::span<const Vec3> areas, double radius) {
+std::vector<FlankPatch> patches_of(const TriangleMesh& mesh, std::span<const Vec3> middles,
+                                   std::span<const Vec3> areas, double radius) {
   const Cells cells(middles, radius);
   std::vector<std::uint8_t> covered(middles.size(), 0);
-  std::vector<Patch> patches;
+  std::vector<FlankPatch> patches;
   for (std::size_t t = 0; t < middles.size(); ++t) {
     if (covered[t] != 0) continue;
-    Patch patch;
+    FlankPatch patch;
     std::vector<std::uint32_t> members;
     cells.near(middles[t], [&](std::uint32_t other) {
       covered[other] = 1;
@@ -129,7 +129,7 @@ FlankPlanes flank_planes(const TriangleMesh& closed, std::size_t seen,
 
   FlankPlanes found;
   double standing_out = 0.0, weights = 0.0;
-  for (const Patch& patch : patches_of(closed, middles, areas, kPatchRadius * size)) {
+  for (const FlankPatch& patch : patches_of(closed, middles, areas, kPatchRadius * size)) {
     const double distance = std::max(support(hull, patch.normal), patch.distance);
     const double over = distance - patch.distance;
     standing_out += patch.area * over;

@@ -16,7 +16,6 @@ namespace {
 
 using Triangle = TriangleMesh::Triangle;
 
-constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
 /// Fans of one sheet may overlap by this much around a vertex of a rough surface, rad.
 constexpr double kOverlap = 0.35;
 
@@ -42,7 +41,7 @@ std::vector<BorderSide> border_sides(std::span<const HalfEdge> sorted,
 /// border sides, the first of which leaves the vertex and the second comes to it.
 struct OpenFan {
   std::uint32_t fan = 0;
-  std::uint32_t starts = kNone, ends = kNone;
+  std::uint32_t starts = kNoIndex, ends = kNoIndex;
   Vec3 normal = Vec3::Zero();  ///< doubled area of its triangles
   double from = 0.0, extent = 0.0;
 };
@@ -102,7 +101,7 @@ std::size_t end_of_vertex(const std::vector<SideEnd>& ends, std::size_t begin) {
 class TrianglesOfFans {
  public:
   TrianglesOfFans(const std::vector<SideEnd>& ends, const std::vector<std::uint32_t>& fans)
-      : number_(fans.size(), kNone) {
+      : number_(fans.size(), kNoIndex) {
     for (std::size_t begin = 0, end; begin < ends.size(); begin = end) {
       end = end_of_vertex(ends, begin);
       if (end - begin <= 2) continue;
@@ -110,12 +109,12 @@ class TrianglesOfFans {
     }
     std::uint32_t count = 0;
     for (std::uint32_t& n : number_) {
-      if (n != kNone) n = count++;
+      if (n != kNoIndex) n = count++;
     }
     triangles_.resize(count);
     for (std::uint32_t corner = 0; corner < fans.size(); ++corner) {
       const std::uint32_t n = number_[fans[corner]];
-      if (n != kNone) triangles_[n].push_back(corner / 3);
+      if (n != kNoIndex) triangles_[n].push_back(corner / 3);
     }
   }
 
@@ -130,7 +129,7 @@ class TrianglesOfFans {
 /// at the end of the fan before it, seen around the vertex.
 std::vector<std::uint32_t> followers(const TriangleMesh& mesh, const std::vector<BorderSide>& sides,
                                      const std::vector<std::uint32_t>& fans) {
-  std::vector<std::uint32_t> follower(sides.size(), kNone);
+  std::vector<std::uint32_t> follower(sides.size(), kNoIndex);
   std::vector<SideEnd> ends;
   const auto count = static_cast<std::uint32_t>(sides.size());
   for (std::uint32_t s = 0; s < count; ++s) {
@@ -147,7 +146,8 @@ std::vector<std::uint32_t> followers(const TriangleMesh& mesh, const std::vector
       const std::uint32_t side = ends[i][2];
       (side < count ? here.back().starts : here.back().ends) = side < count ? side : side - count;
     }
-    std::erase_if(here, [](const OpenFan& f) { return f.starts == kNone || f.ends == kNone; });
+    std::erase_if(here,
+                  [](const OpenFan& f) { return f.starts == kNoIndex || f.ends == kNoIndex; });
     for (const OpenFan& fan : here) follower[fan.starts] = fan.ends;
     if (here.size() < 2) continue;
     std::vector<std::vector<std::uint32_t>> triangles;
@@ -230,7 +230,7 @@ std::vector<std::vector<std::uint32_t>> hole_loops(const TriangleMesh& mesh) {
   for (std::uint32_t first = 0; first < sides.size(); ++first) {
     if (used[first]) continue;
     loops.emplace_back();
-    for (std::uint32_t side = first; side != kNone && !used[side]; side = follower[side]) {
+    for (std::uint32_t side = first; side != kNoIndex && !used[side]; side = follower[side]) {
       used[side] = true;
       loops.back().push_back(sides[side].to);  // against the triangle, from `to` to `from`
     }

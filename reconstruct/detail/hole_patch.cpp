@@ -15,7 +15,7 @@ namespace clast::reconstruct_detail {
 namespace {
 
 /// A patch with fewer new vertices than this, or than half the rim has, can't bulge smoothly.
-constexpr std::size_t kFewest = 30;
+constexpr std::size_t kFewestNewVertices = 30;
 constexpr int kRefinements = 6;
 /// Smallest weight of an edge against the largest at its vertex: long obtuse triangles have
 /// negative ones, with which a membrane may leave the hull of its rim.
@@ -124,7 +124,7 @@ HolePatch fill_hole(const TriangleMesh& mesh, const std::vector<std::uint32_t>& 
   for (int i = 0; i < kRefinements; ++i, density *= 1.5) {
     patch = triangulate(mesh, loop, density);
     if (patch.triangles.empty()) return star(mesh, loop);
-    if (patch.vertices.size() >= std::max(kFewest, loop.size() / 2)) break;
+    if (patch.vertices.size() >= std::max(kFewestNewVertices, loop.size() / 2)) break;
   }
   if (!patch.vertices.empty()) relax(patch, mesh);
   return patch;

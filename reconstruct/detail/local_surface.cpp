@@ -13,9 +13,9 @@ namespace {
 /// Cosine to the normal of the place below which a point is of another side: of a plate's other
 /// face, or round a sharp edge.
 constexpr double kSameSide = 0.4;
-constexpr std::size_t kFewest = 9;    ///< points for the six coefficients of a quadric
-constexpr double kFarthest = 3.0;     ///< noises that a point is moved at most
-constexpr int kNoiseNeighbours = 24;  ///< for the noise
+constexpr std::size_t kFewestForQuadric = 9;  ///< points for the six coefficients of a quadric
+constexpr double kFarthestMove = 3.0;         ///< noises that a point is moved at most
+constexpr int kNoiseNeighbours = 24;          ///< for the noise
 constexpr std::size_t kNoiseSamples = 2000;
 /// Numbers of neighbours a point is smoothed over: the most that one quadric, or plane, fits as
 /// well as the noise lets it.
@@ -26,17 +26,17 @@ constexpr double kOffSpacings = 0.4, kOffDeviations = 3.0;
 constexpr double kApart = 1.15;
 /// Over neighbours that all face one way (the mean of their normals is no shorter), a point is off
 /// by less already, however near it is to the next: on a face, noise or roughness would show.
-constexpr double kOneWay = 0.95, kOffFaceSpacings = 0.1, kOffFaceDeviations = 6.0;
+constexpr double kTangentOneWay = 0.95, kOffFaceSpacings = 0.1, kOffFaceDeviations = 6.0;
 /// Two of them beside one another are off by so many deviations of the others.
 constexpr double kPairDeviations = 10.0;
-constexpr double kFits = 1.15;  ///< residuals over the noise
+constexpr double kFitsQuadric = 1.15;  ///< residuals over the noise
 /// A plane does where its residuals are no larger than the quadric's by more than this.
 constexpr double kFlatEnough = 1.03;
 
 using Row = Eigen::Matrix<double, 6, 1>;
 
 /// Points about a place as heights over its tangent plane.
-struct Patch {
+struct QuadricPatch {
   std::vector<Row> rows;        ///< 1, a, b, a^2, a b, b^2 in reaches
   std::vector<double> heights;  ///< m
   std::vector<double> weights;
@@ -52,7 +52,7 @@ using Coefficients = Eigen::Matrix<double, Terms, 1>;
 
 /// Least squares with the first `Terms` of a row: 3, a plane; 6, a quadric.
 template <int Terms>
-Coefficients<Terms> coefficients_of(const Patch& patch) {
+Coefficients<Terms> coefficients_of(const QuadricPatch& patch) {
   Eigen::Matrix<double, Terms, Terms> matrix = Eigen::Matrix<double, Terms, Terms>::Zero();
   Coefficients<Terms> right = Coefficients<Terms>::Zero();
   for (std::size_t i = 0; i < patch.rows.size(); ++i) {
@@ -65,7 +65,7 @@ Coefficients<Terms> coefficients_of(const Patch& patch) {
 }
 
 template <int Terms>
-Fit fit_of(const Patch& patch) {
+Fit fit_of(const QuadricPatch& patch) {
   const Coefficients<Terms> found = coefficients_of<Terms>(patch);
   double squares = 0.0, weight = 0.0;
   for (std::size_t i = 0; i < patch.rows.size(); ++i) {
@@ -79,7 +79,7 @@ Fit fit_of(const Patch& patch) {
 
 /// Is the place of the patch so far off the plane of its points, and one of these beside it as
 /// well? Of two outliers beside one another, each makes the other's neighbours look rough.
-bool is_one_of_two_outliers(Patch patch, double least) {
+bool is_one_of_two_outliers(QuadricPatch patch, double least) {
   const auto off = [](const Coefficients<3>& plane, double height, const Row& row) {
     return height - plane.dot(row.head<3>());
   };
@@ -104,11 +104,12 @@ bool is_one_of_two_outliers(Patch patch, double least) {
 }
 
 /// The nearest points that face the way of `normal`.
-Patch patch_at(const Vec3& place, const Vec3& normal, std::span<const NearestPoints::Near> near,
-               std::span<const Vec3> points, std::span<const Vec3> normals) {
+QuadricPatch patch_at(const Vec3& place, const Vec3& normal,
+                      std::span<const NearestPoints::Near> near, std::span<const Vec3> points,
+                      std::span<const Vec3> normals) {
   const double reach = near.back().distance;
   const Vec3 u = normal.unitOrthogonal(), v = normal.cross(u);
-  Patch patch;
+  QuadricPatch patch;
   for (const NearestPoints::Near& n : near) {
     if (normals[n.point].dot(normal) < kSameSide) continue;
     const Vec3 from = points[n.point] - place;
@@ -133,8 +134,8 @@ double LocalSurface::noise() const {
   const std::size_t step = std::max<std::size_t>(1, points_.size() / kNoiseSamples);
   for (std::size_t i = 0; i < points_.size(); i += step) {
     const auto near = tree_.nearest(points_[i], kNoiseNeighbours);
-    const Patch patch = patch_at(points_[i], normals_[i], near, points_, normals_);
-    if (patch.rows.size() >= kFewest) deviations.push_back(fit_of<6>(patch).deviation);
+    const QuadricPatch patch = patch_at(points_[i], normals_[i], near, points_, normals_);
+    if (patch.rows.size() >= kFewestForQuadric) deviations.push_back(fit_of<6>(patch).deviation);
   }
   if (deviations.empty()) return 0.0;
   const auto middle = deviations.begin() + static_cast<std::ptrdiff_t>(deviations.size() / 2);
@@ -153,10 +154,10 @@ std::vector<bool> LocalSurface::off_surface(std::span<const double> spacings) co
       spacing += spacings[n.point] / static_cast<double>(near.size());
       facing += normals_[n.point] / static_cast<double>(near.size());
     }
-    const bool apart = spacings[i] >= kApart * spacing, on_face = facing.norm() > kOneWay;
+    const bool apart = spacings[i] >= kApart * spacing, on_face = facing.norm() > kTangentOneWay;
     if (!(apart || on_face) || facing.norm() < kSameSide) continue;
-    const Patch patch = patch_at(points_[i], facing.normalized(), near, points_, normals_);
-    if (patch.rows.size() < kFewest) continue;
+    const QuadricPatch patch = patch_at(points_[i], facing.normalized(), near, points_, normals_);
+    if (patch.rows.size() < kFewestForQuadric) continue;
     const Fit fit = fit_of<3>(patch);
     const auto is_beyond = [&](double gaps, double deviations) {
       return std::abs(fit.height) > gaps * spacing + deviations * fit.deviation;
@@ -173,8 +174,8 @@ std::vector<LocalSurface::Standing> LocalSurface::standings() const {
   for (std::size_t i = 0; i < points_.size(); ++i) {
     std::vector<NearestPoints::Near> near = tree_.nearest(points_[i], kNoiseNeighbours);
     std::erase_if(near, [&](const NearestPoints::Near& n) { return n.point == i; });
-    const Patch patch = patch_at(points_[i], normals_[i], near, points_, normals_);
-    if (patch.rows.size() < kFewest) {  // nothing is known of a plane
+    const QuadricPatch patch = patch_at(points_[i], normals_[i], near, points_, normals_);
+    if (patch.rows.size() < kFewestForQuadric) {  // nothing is known of a plane
       result[i].deviation = near.back().distance;
       continue;
     }
@@ -191,16 +192,17 @@ std::vector<Vec3> LocalSurface::smoothed(double noise) const {
     std::optional<double> off;
     for (const int count : kScales) {
       if (static_cast<std::size_t>(count) > near.size()) break;
-      const Patch patch =
+      const QuadricPatch patch =
           patch_at(points_[i], normals_[i], std::span(near).first(static_cast<std::size_t>(count)),
                    points_, normals_);
-      if (patch.rows.size() < kFewest) continue;
+      if (patch.rows.size() < kFewestForQuadric) continue;
       const Fit plane = fit_of<3>(patch), quadric = fit_of<6>(patch);
       const Fit& fit = plane.deviation < kFlatEnough * quadric.deviation ? plane : quadric;
-      if (off && fit.deviation > kFits * noise) break;
+      if (off && fit.deviation > kFitsQuadric * noise) break;
       off = fit.height;
     }
-    if (off) result[i] += std::clamp(*off, -kFarthest * noise, kFarthest * noise) * normals_[i];
+    if (off)
+      result[i] += std::clamp(*off, -kFarthestMove * noise, kFarthestMove * noise) * normals_[i];
   }
   return result;
 }

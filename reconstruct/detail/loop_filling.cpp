@@ -12,10 +12,10 @@ namespace {
 
 constexpr double kNever = std::numeric_limits<double>::infinity();
 /// Height over longest side below which a triangle has no normal.
-constexpr double kFlat = 1e-6;
+constexpr double kFlatTriangle = 1e-6;
 /// A triangle of the lowest or highest filling is no longer than this, times the longest side of
 /// the loop, and faces as the loop does.
-constexpr double kLongest = 3.0;
+constexpr double kLongestFilling = 3.0;
 
 /// The triangulations of one polygon, by dynamic programming over its chords.
 class Triangulations {
@@ -51,7 +51,7 @@ class Triangulations {
     return best(
         [&](std::size_t i, std::size_t m, std::size_t k) {
           const Vec3 area = area_of(i, m, k);
-          if (!(area.dot(area_) > 0.0) || longest(i, m, k) > kLongest * longest_side_) {
+          if (!(area.dot(area_) > 0.0) || longest(i, m, k) > kLongestFilling * longest_side_) {
             return kNever;
           }
           return sign * sixfold(i, m, k);
@@ -92,7 +92,7 @@ class Triangulations {
   double bends(std::size_t i, std::size_t m, std::size_t k) const {
     const Vec3 area = area_of(i, m, k);
     const double side = longest(i, m, k);
-    if (!(area.norm() > kFlat * side * side)) return kNever;
+    if (!(area.norm() > kFlatTriangle * side * side)) return kNever;
     const Vec3 normal = area.normalized();
     const auto bend = [&](std::size_t from, std::size_t to, const Vec3& beyond) {
       return (point(to) - point(from)).norm() *

@@ -6,6 +6,7 @@
 #include <numeric>
 #include <utility>
 
+#include "core/statistics.hpp"
 #include "reconstruct/detail/cloud.hpp"
 
 namespace clast::reconstruct_detail {
@@ -16,7 +17,7 @@ namespace {
 constexpr int kSixth = 6;
 constexpr double kSpacingOfSixth = 0.7236;  // sqrt(pi / 6)
 /// Points near a place that its plane goes through.
-constexpr std::size_t kNeighbours = 12;
+constexpr std::size_t kPlaneNeighbours = 12;
 /// Around an outlier the surface shows as points that lie closer together: among so many nearest
 /// ones, those whose spacing is so many times smaller than its own.
 constexpr int kAround = 40;
@@ -27,12 +28,12 @@ constexpr int kWitnesses = 3;
 /// by so many of their spacings and standard deviations more, with no point as near as so many of
 /// their spacings.
 constexpr double kAlone = 1.2;
-constexpr double kOffSpacings = 1.5, kOffDeviations = 3.0;
+constexpr double kOutlierSpacings = 1.5, kOutlierDeviations = 3.0;
 /// Scattered through space, they lie so many times farther apart than most points, and off the
 /// plane through them by this share of their spread in it.
 constexpr double kScattered = 8.0, kThick = 0.4;
 /// Outliers that lie together hide each other; the next round finds what the one before bared.
-constexpr int kRounds = 10;
+constexpr int kOutlierRounds = 10;
 
 /// The plane through points, and how they lie about it: standard deviations across and along, m.
 struct PlaneOf {
@@ -123,7 +124,7 @@ class Isolation {
   bool is_scattered(std::uint32_t point, double spacing,
                     std::span<const NearestPoints::Near> around) const {
     if (spacing < kScattered * usual_) return false;
-    const PlaneOf plane = plane_without(point, around.first(kNeighbours));
+    const PlaneOf plane = plane_without(point, around.first(kPlaneNeighbours));
     return plane.across > kThick * plane.along;
   }
 
@@ -132,9 +133,11 @@ class Isolation {
     for (const NearestPoints::Near& near : around) {
       const double spacing = spacings_[near.point];
       if (near.point == point || !(own > kIsolated * spacing)) continue;
-      const PlaneOf plane = plane_without(point, tree_.nearest(points_[near.point], kNeighbours));
+      const PlaneOf plane =
+          plane_without(point, tree_.nearest(points_[near.point], kPlaneNeighbours));
       off += around[1].distance > kAlone * spacing &&
-             plane.off(points_[point]) > kOffSpacings * spacing + kOffDeviations * plane.across;
+             plane.off(points_[point]) >
+                 kOutlierSpacings * spacing + kOutlierDeviations * plane.across;
       if (++witnesses == kWitnesses) break;
     }
     return off == kWitnesses;
@@ -146,22 +149,16 @@ class Isolation {
   double usual_;  ///< spacing, m
 };
 
-double median(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
-
 }  // namespace
 
 std::vector<std::uint32_t> without_isolated(std::span<const Vec3> points) {
   std::vector<std::uint32_t> kept(points.size());
   std::iota(kept.begin(), kept.end(), 0u);
-  if (points.size() <= kNeighbours) return kept;
+  if (points.size() <= kPlaneNeighbours) return kept;
   const std::vector<double> spacings = local_spacings(points);
-  const double usual = median(spacings);
+  const double usual = upper_median(spacings);
   std::vector<bool> suspect(points.size(), true);
-  for (int round = 0; round < kRounds && kept.size() > kNeighbours; ++round) {
+  for (int round = 0; round < kOutlierRounds && kept.size() > kPlaneNeighbours; ++round) {
     std::vector<Vec3> left;
     std::vector<double> left_spacings;
     for (const std::uint32_t i : kept) {

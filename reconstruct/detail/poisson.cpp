@@ -25,8 +25,8 @@
 template <>
 struct std::less<CGAL::Poisson_reconstruction_function<
     clast::mesh_detail::CgalKernel>::Triangulation::Cell_handle> {
-  template <class Cell>
-  bool operator()(const Cell& a, const Cell& b) const {
+  template <class DelaunayCell>
+  bool operator()(const DelaunayCell& a, const DelaunayCell& b) const {
     if (a == b) return false;
     for (int k = 0; k < 4; ++k) {
       const auto &p = a->vertex(k)->point(), &q = b->vertex(k)->point();
@@ -48,19 +48,19 @@ using CellBase = CGAL::Triangulation_cell_base_with_info_3<Side, mesh_detail::Cg
 using Delaunay =
     CGAL::Delaunay_triangulation_3<mesh_detail::CgalKernel,
                                    CGAL::Triangulation_data_structure_3<VertexBase, CellBase>>;
-using Cell = Delaunay::Cell_handle;
+using DelaunayCell = Delaunay::Cell_handle;
 using Oriented = std::pair<mesh_detail::CgalPoint, mesh_detail::CgalKernel::Vector_3>;
 using Function = CGAL::Poisson_reconstruction_function<mesh_detail::CgalKernel>;
 
 /// Flat to rounding: its circumcentre is nowhere, and CGAL must not be asked for it.
-bool is_flat(const Cell& cell) {
+bool is_flat(const DelaunayCell& cell) {
   const auto edge = [&](int k) { return cell->vertex(k)->point() - cell->vertex(0)->point(); };
   const auto p = edge(1), q = edge(2), r = edge(3);
   return CGAL::determinant(p.x(), p.y(), p.z(), q.x(), q.y(), q.z(), r.x(), r.y(), r.z()) == 0.0;
 }
 
 /// Where a cell is asked for its side: its circumcentre, or, of a flat one, its middle.
-mesh_detail::CgalPoint asked_at(const Cell& cell) {
+mesh_detail::CgalPoint asked_at(const DelaunayCell& cell) {
   const mesh_detail::CgalPoint &a = cell->vertex(0)->point(), &b = cell->vertex(1)->point(),
                                &c = cell->vertex(2)->point(), &d = cell->vertex(3)->point();
   if (is_flat(cell)) return CGAL::centroid(a, b, c, d);
@@ -69,12 +69,12 @@ mesh_detail::CgalPoint asked_at(const Cell& cell) {
 }
 
 /// All cells of one side that are connected with `first`; they are `kReached` after.
-std::vector<Cell> hanging_together(const Cell& first, Side side) {
-  std::vector<Cell> cells = {first};
+std::vector<DelaunayCell> hanging_together(const DelaunayCell& first, Side side) {
+  std::vector<DelaunayCell> cells = {first};
   first->info() = Side::kReached;
   for (std::size_t next = 0; next < cells.size(); ++next) {
     for (int i = 0; i < 4; ++i) {
-      const Cell beside = cells[next]->neighbor(i);
+      const DelaunayCell beside = cells[next]->neighbor(i);
       if (beside->info() != side) continue;
       beside->info() = Side::kReached;
       cells.push_back(beside);
@@ -83,37 +83,37 @@ std::vector<Cell> hanging_together(const Cell& first, Side side) {
   return cells;
 }
 
-void set(const std::vector<Cell>& cells, Side side) {
-  for (const Cell& cell : cells) cell->info() = side;
+void set(const std::vector<DelaunayCell>& cells, Side side) {
+  for (const DelaunayCell& cell : cells) cell->info() = side;
 }
 
 /// Keeps the largest component inside, by volume, and fills what is enclosed.
 void keep_one_solid(Delaunay& delaunay) {
-  const std::vector<Cell> around =
+  const std::vector<DelaunayCell> around =
       hanging_together(delaunay.infinite_vertex()->cell(), Side::kOutside);
-  for (const Cell cell : delaunay.finite_cell_handles()) {
+  for (const DelaunayCell cell : delaunay.finite_cell_handles()) {
     if (cell->info() == Side::kOutside) cell->info() = Side::kInside;
   }
   set(around, Side::kOutside);
   double largest = 0.0;
-  std::vector<Cell> kept;
-  for (const Cell cell : delaunay.finite_cell_handles()) {
+  std::vector<DelaunayCell> kept;
+  for (const DelaunayCell cell : delaunay.finite_cell_handles()) {
     if (cell->info() != Side::kInside) continue;
-    std::vector<Cell> component = hanging_together(cell, Side::kInside);
+    std::vector<DelaunayCell> component = hanging_together(cell, Side::kInside);
     double volume = 0.0;
-    for (const Cell& part : component) volume += delaunay.tetrahedron(part).volume();
+    for (const DelaunayCell& part : component) volume += delaunay.tetrahedron(part).volume();
     if (volume <= largest) continue;
     largest = volume;
     kept = std::move(component);
   }
-  for (const Cell cell : delaunay.all_cell_handles()) cell->info() = Side::kOutside;
+  for (const DelaunayCell cell : delaunay.all_cell_handles()) cell->info() = Side::kOutside;
   set(kept, Side::kInside);
 }
 
 /// Facets with a cell inside and one outside, facing outward; vertices are numbers of points.
 std::vector<TriangleMesh::Triangle> border(const Delaunay& delaunay) {
   std::vector<TriangleMesh::Triangle> triangles;
-  for (const Cell cell : delaunay.finite_cell_handles()) {
+  for (const DelaunayCell cell : delaunay.finite_cell_handles()) {
     if (cell->info() != Side::kInside) continue;
     for (int i = 0; i < 4; ++i) {
       if (cell->neighbor(i)->info() == Side::kInside) continue;
@@ -139,13 +139,13 @@ constexpr double kThin = 1.5;
 /// leaves their points outside: from the body on, takes in the small cells at these points.
 void take_in_thin_parts(Delaunay& delaunay, std::span<const double> spacings) {
   std::vector<bool> held(spacings.size(), false);
-  std::vector<Cell> front;
-  for (const Cell cell : delaunay.finite_cell_handles()) {
+  std::vector<DelaunayCell> front;
+  for (const DelaunayCell cell : delaunay.finite_cell_handles()) {
     if (cell->info() != Side::kInside) continue;
     front.push_back(cell);
     for (int k = 0; k < 4; ++k) held[cell->vertex(k)->info()] = true;
   }
-  const auto is_thin_part = [&](const Cell& cell) {
+  const auto is_thin_part = [&](const DelaunayCell& cell) {
     double spacing = 0.0;
     for (int k = 0; k < 4; ++k) {
       const std::uint32_t v = cell->vertex(k)->info();
@@ -157,9 +157,9 @@ void take_in_thin_parts(Delaunay& delaunay, std::span<const double> spacings) {
                                 cell->vertex(3)->point()) <= kThin * kThin * spacing * spacing;
   };
   for (std::size_t next = 0; next < front.size(); ++next) {
-    const Cell cell = front[next];  // a copy: the list grows
+    const DelaunayCell cell = front[next];  // a copy: the list grows
     for (int i = 0; i < 4; ++i) {
-      const Cell beside = cell->neighbor(i);
+      const DelaunayCell beside = cell->neighbor(i);
       if (delaunay.is_infinite(beside) || beside->info() == Side::kInside) continue;
       if (!is_thin_part(beside)) continue;
       beside->info() = Side::kInside;
@@ -235,11 +235,11 @@ TriangleMesh surface_between(std::span<const Vec3> points, const Indicator& indi
     numbered.emplace_back(mesh_detail::CgalPoint(p.x(), p.y(), p.z()), i);
   }
   Delaunay delaunay(numbered.begin(), numbered.end());
-  const auto is_inside = [&](const Cell& cell) {
+  const auto is_inside = [&](const DelaunayCell& cell) {
     const mesh_detail::CgalPoint p = asked_at(cell);
     return indicator.at(origin + Vec3(p.x(), p.y(), p.z())) < 0.0;
   };
-  for (const Cell cell : delaunay.all_cell_handles()) {
+  for (const DelaunayCell cell : delaunay.all_cell_handles()) {
     const bool inside = !delaunay.is_infinite(cell) && is_inside(cell);
     cell->info() = inside ? Side::kInside : Side::kOutside;
   }

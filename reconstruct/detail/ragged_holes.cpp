@@ -16,7 +16,7 @@ namespace clast::reconstruct_detail {
 namespace {
 
 /// The search of a filling is cubic in the corners.
-constexpr std::size_t kMostCorners = 150;
+constexpr std::size_t kMostHoleCorners = 150;
 /// Components with less of the area that touch the rest nowhere are not closed here.
 constexpr double kLooseComponent = 0.05;
 
@@ -57,7 +57,7 @@ std::vector<FilledHole> close_ragged_holes(TriangleMesh& mesh) {
     beyond[{sides[0].low, sides[0].high}] = area_vector(mesh, t).normalized();
   });
   for (const std::vector<std::uint32_t>& loop : loops) {
-    if (loop.size() < 3 || loop.size() > kMostCorners || !large[loop[0]]) continue;
+    if (loop.size() < 3 || loop.size() > kMostHoleCorners || !large[loop[0]]) continue;
     std::vector<Vec3> border, normals;
     for (std::size_t i = 0; i < loop.size(); ++i) {
       border.push_back(mesh.vertices[loop[i]]);

@@ -13,8 +13,6 @@ Vec2 crossing(const Vec3& a, const Vec3& b) {
   return a.head<2>() + share * (b.head<2>() - a.head<2>());
 }
 
-double cross(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
-
 /// Signed volume of the prism between a triangle and the plane z = 0 below it.
 double prism(const Vec3& a, const Vec3& b, const Vec3& c) {
   const Vec2 u = b.head<2>() - a.head<2>(), v = c.head<2>() - a.head<2>();

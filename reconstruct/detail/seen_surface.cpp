@@ -20,8 +20,8 @@ constexpr double kLargestBall = 2.5;
 constexpr double kLongPatch = 12.0, kLargestInLong = 1.75;
 /// The sparsest points around a patch, in so many rings: this quantile of their spacings. A stray
 /// point or two in the middle of a hole do not make it a sparse area.
-constexpr int kRings = 2;
-constexpr double kThinnest = 0.85;
+constexpr int kSparseRings = 2;
+constexpr double kThinnestSeen = 0.85;
 /// Holes with less than this share of the area are gaps between points and count as seen.
 constexpr double kGapShare = 0.005;
 
@@ -40,7 +40,7 @@ double spacing_at(std::span<const double> spacings, const TriangleMesh::Triangle
 }
 
 /// Connected triangles with large balls.
-struct Patch {
+struct SparsePatch {
   double area = 0.0;
   double largest = 0.0;        ///< ball, m
   double largest_share = 0.0;  ///< ball over spacing
@@ -53,7 +53,7 @@ struct Patch {
 void add_rings(std::vector<std::uint32_t>& points, const TriangleMesh& mesh) {
   std::vector<bool> in(mesh.vertices.size(), false);
   for (const std::uint32_t point : points) in[point] = true;
-  for (int ring = 0; ring < kRings; ++ring) {
+  for (int ring = 0; ring < kSparseRings; ++ring) {
     std::vector<bool> wider = in;
     for (const TriangleMesh::Triangle& t : mesh.triangles) {
       if (!in[t[0]] && !in[t[1]] && !in[t[2]]) continue;
@@ -68,7 +68,7 @@ void add_rings(std::vector<std::uint32_t>& points, const TriangleMesh& mesh) {
 }
 
 /// @returns in spacings, the radius of the ball that makes a patch a hole
-double ball_of_hole(const Patch& patch, const TriangleMesh& mesh,
+double ball_of_hole(const SparsePatch& patch, const TriangleMesh& mesh,
                     std::span<const double> spacings) {
   Bounds box;
   for (const std::uint32_t point : patch.points) box.include(mesh.vertices[point]);
@@ -80,11 +80,11 @@ double ball_of_hole(const Patch& patch, const TriangleMesh& mesh,
 
 /// @param patch  with the points of the rings around it
 /// @param ball   in spacings, that makes it a hole
-bool is_hole(const Patch& patch, double ball, std::span<const double> spacings) {
+bool is_hole(const SparsePatch& patch, double ball, std::span<const double> spacings) {
   std::vector<double> around;
   for (const std::uint32_t point : patch.points) around.push_back(spacings[point]);
-  const auto thin = around.begin() +
-                    static_cast<std::ptrdiff_t>(kThinnest * static_cast<double>(around.size() - 1));
+  const auto thin = around.begin() + static_cast<std::ptrdiff_t>(
+                                         kThinnestSeen * static_cast<double>(around.size() - 1));
   std::nth_element(around.begin(), thin, around.end());
   return patch.largest > ball * *thin;
 }
@@ -99,10 +99,10 @@ SeenSurface seen_surface(const TriangleMesh& closed, std::span<const double> spa
     if (wide.back()) numbers.push_back(wide.size() - 1);
   }
   const std::vector<std::uint32_t> patch_of = triangle_components(with_triangles(closed, wide));
-  std::vector<Patch> patches;
+  std::vector<SparsePatch> patches;
   for (std::size_t i = 0; i < numbers.size(); ++i) {
     if (patch_of[i] >= patches.size()) patches.resize(patch_of[i] + 1);
-    Patch& patch = patches[patch_of[i]];
+    SparsePatch& patch = patches[patch_of[i]];
     const TriangleMesh::Triangle& t = closed.triangles[numbers[i]];
     const double ball = ball_over(closed, t), share = ball / spacing_at(spacings, t);
     patch.area += triangle_area(closed, t);
@@ -117,7 +117,7 @@ SeenSurface seen_surface(const TriangleMesh& closed, std::span<const double> spa
   double largest = 0.0;
   std::vector<bool> unseen(patches.size());
   for (std::size_t k = 0; k < patches.size(); ++k) {
-    Patch& patch = patches[k];
+    SparsePatch& patch = patches[k];
     if (patch.largest_share <= kLargestInLong) continue;
     const double ball = ball_of_hole(patch, closed, spacings);
     if (patch.largest_share <= ball) continue;

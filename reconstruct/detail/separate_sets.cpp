@@ -12,10 +12,10 @@ namespace clast::reconstruct_detail {
 namespace {
 
 /// Of the diagonal: sets are separated on fewer points.
-constexpr double kDecimationCell = 1.0 / 150.0;
-constexpr double kReach = 3.0;  ///< cells from one point of a set to the next,
+constexpr double kSetDecimationCell = 1.0 / 150.0;
+constexpr double kSetReach = 3.0;  ///< cells from one point of a set to the next,
 /// or so many spacings of the sparsest points: this quantile of all.
-constexpr double kSpacings = 4.0, kThinnest = 0.98;
+constexpr double kSetSpacings = 4.0, kThinnestSet = 0.98;
 constexpr double kNear = 0.25;  ///< of the largest set's diagonal
 
 bool meet(const Bounds& a, const Bounds& b) {
@@ -29,15 +29,15 @@ NearAndFar near_and_far(std::span<const Vec3> points) {
   result.near.assign(points.begin(), points.end());
   Bounds box;
   for (const Vec3& p : points) box.include(p);
-  const double cell = kDecimationCell * box.diagonal();
+  const double cell = kSetDecimationCell * box.diagonal();
   if (points.empty() || !(cell > 0.0)) return result;
   const std::vector<Vec3> sparse = decimated(points, cell);
   if (sparse.size() < 8) return result;
   std::vector<double> spacings = local_spacings(sparse);
   const auto sparsest = spacings.begin() + static_cast<std::ptrdiff_t>(
-                                               kThinnest * static_cast<double>(spacings.size()));
+                                               kThinnestSet * static_cast<double>(spacings.size()));
   std::nth_element(spacings.begin(), sparsest, spacings.end());
-  const double reach = std::max(kReach * cell, kSpacings * *sparsest);
+  const double reach = std::max(kSetReach * cell, kSetSpacings * *sparsest);
   const std::vector<std::vector<std::uint32_t>> sets = clusters(sparse, reach, 1);
   if (sets.size() < 2) return result;
 

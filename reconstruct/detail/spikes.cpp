@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/statistics.hpp"
 #include "core/types.hpp"
 #include "mesh/half_edges.hpp"
 #include "mesh/vertex_corners.hpp"
@@ -20,7 +21,6 @@ namespace {
 
 using Triangle = TriangleMesh::Triangle;
 
-constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
 /// How clear it must be that a vertex is a spike, by how tall that is.
 struct Evidence {
   double edges;     ///< height over a typical edge of the mesh, at least
@@ -45,12 +45,6 @@ double angle_between(const Vec3& a, const Vec3& b) {
   return std::atan2(a.cross(b).norm(), a.dot(b));
 }
 
-double median(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
-
 /// The median of the lengths, each as often as the square of it: holes are filled with triangles
 /// that are many and small.
 double typical(std::vector<double> lengths) {
@@ -65,7 +59,7 @@ double typical(std::vector<double> lengths) {
 }
 
 /// Where a vertex would lie without its spike, and how far that is.
-struct Foot {
+struct SpikeFoot {
   Vec3 place = Vec3::Zero();
   double height = 0.0;
   double radii = 0.0;  ///< height over the mean distance of the neighbours from their centroid
@@ -76,7 +70,7 @@ class Surroundings {
  public:
   explicit Surroundings(const TriangleMesh& mesh)
       : mesh_(mesh),
-        across_(3 * mesh.triangles.size(), kNone),
+        across_(3 * mesh.triangles.size(), kNoIndex),
         at_border_(mesh.vertices.size(), false),
         corners_(mesh) {
     std::vector<double> lengths;
@@ -105,8 +99,8 @@ class Surroundings {
   }
 
   /// None for a vertex that doesn't stand out.
-  std::optional<Foot> foot_of(std::uint32_t v) const {
-    const std::optional<Foot> foot = at_border_[v] ? foot_at_border(v) : foot_inside(v);
+  std::optional<SpikeFoot> foot_of(std::uint32_t v) const {
+    const std::optional<SpikeFoot> foot = at_border_[v] ? foot_at_border(v) : foot_inside(v);
     if (!foot || foot->height <= kLowest * edge_) return std::nullopt;
     const std::optional<double> own = bend(v, mesh_.vertices[v]);
     if (!own) return std::nullopt;
@@ -139,22 +133,22 @@ class Surroundings {
   }
 
   /// The centroid of the neighbours.
-  std::optional<Foot> foot_inside(std::uint32_t v) const {
+  std::optional<SpikeFoot> foot_inside(std::uint32_t v) const {
     if (degree(v) < 3) return std::nullopt;
     const Vec3 middle = centroid(v);
     double radius = 0.0;
     for_each_corner(v, [&](std::uint32_t c) { radius += (place(next(c)) - middle).norm(); });
     radius /= static_cast<double>(degree(v));
     const double height = (mesh_.vertices[v] - middle).norm();
-    return Foot{middle, height, height / radius};
+    return SpikeFoot{middle, height, height / radius};
   }
 
   /// The projection to the plane of the surface beyond the triangles at the vertex.
-  std::optional<Foot> foot_at_border(std::uint32_t v) const {
+  std::optional<SpikeFoot> foot_at_border(std::uint32_t v) const {
     Vec3 normal = Vec3::Zero(), middle = Vec3::Zero();
     std::vector<Vec3> near;
     for_each_corner(v, [&](std::uint32_t c) {
-      if (across_[c] == kNone) return;
+      if (across_[c] == kNoIndex) return;
       normal += beyond(c);
       for (const std::uint32_t end : {next(c), next(next(c))}) {
         near.push_back(place(end));
@@ -167,7 +161,8 @@ class Surroundings {
     double radius = 0.0;
     for (const Vec3& p : near) radius += (p - middle).norm() / static_cast<double>(near.size());
     const double height = (mesh_.vertices[v] - middle).dot(normal);
-    return Foot{mesh_.vertices[v] - height * normal, std::abs(height), std::abs(height) / radius};
+    return SpikeFoot{mesh_.vertices[v] - height * normal, std::abs(height),
+                     std::abs(height) / radius};
   }
 
   /// The median angle by which the surface beyond the triangles at `v` bends towards them, if that
@@ -175,12 +170,12 @@ class Surroundings {
   std::optional<double> bend(std::uint32_t v, const Vec3& at) const {
     std::vector<double> angles;
     for_each_corner(v, [&](std::uint32_t c) {
-      if (across_[c] == kNone) return;
+      if (across_[c] == kNoIndex) return;
       angles.push_back(
           angle_between(doubled_area(at, place(next(c)), place(next(next(c)))), beyond(c)));
     });
     if (angles.empty()) return std::nullopt;
-    return median(std::move(angles));
+    return upper_median(std::move(angles));
   }
 
   const TriangleMesh& mesh_;
@@ -206,7 +201,7 @@ Spikes flatten_spikes(TriangleMesh& mesh) {
     if (found.empty()) break;
     std::sort(found.begin(), found.end());  // the tallest first
     for (const auto& [depth, v] : found) {
-      const std::optional<Foot> foot = around.foot_of(v);
+      const std::optional<SpikeFoot> foot = around.foot_of(v);
       if (!foot) continue;
       if (foot->height > result.highest) {
         result.highest = foot->height;

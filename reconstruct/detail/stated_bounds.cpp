@@ -18,7 +18,7 @@ constexpr double kOnSurface = 1e-3;
 /// the narrow end that a cloud has no points of may be closed by a few triangles hardly larger.
 constexpr double kGap = 1.5;
 /// A volume has no lower bound below this share of the best one.
-constexpr double kLeastLeft = 0.01;
+constexpr double kLeastVolumeLeft = 0.01;
 /// Bounds closer to the volume, and to all sides, than these shares are not stated.
 constexpr double kWorthStating = 0.005, kSidesWorthStating = 0.0075;
 /// A cone on a whole side is three times as high as a slab of the same volume.
@@ -29,7 +29,7 @@ void widen_for_copies(BlockBounds& bounds, const RepairReport& report) {
   if (!bounds.sides || report.doubled.empty()) return;
   const double below = report.volume_below / bounds.best_volume,
                above = report.volume_above / bounds.best_volume;
-  bounds.sides->lower *= std::max(kLeastLeft, 1.0 - kPointed * below);
+  bounds.sides->lower *= std::max(kLeastVolumeLeft, 1.0 - kPointed * below);
   bounds.sides->upper *= 1.0 + kPointed * above;
 }
 
@@ -42,7 +42,7 @@ bool worth_stating(const BlockBounds& bounds, const Vec3& sides) {
          ((bounds.sides->upper - sides).array() > kSidesWorthStating * sides.array()).any();
 }
 
-std::vector<bool> closures_of(const ClosedScan& scan) {
+std::vector<bool> mark_closures(const ClosedScan& scan) {
   std::vector<bool> closure(scan.surface.triangles.size(), false);
   if (scan.scanned == nullptr) return closure;
   for (std::size_t t = 0; t < closure.size(); ++t) {
@@ -78,7 +78,7 @@ bool ScannedSurface::holds(const Vec3& place) const {
 }
 
 std::optional<BlockBounds> closed_bounds(const ClosedScan& scan, const RepairReport& report) {
-  const std::vector<bool> closure = closures_of(scan);
+  const std::vector<bool> closure = mark_closures(scan);
   const bool exact = std::find(closure.begin(), closure.end(), true) == closure.end();
   if (exact && scan.margin == nullptr && report.doubled.empty()) return std::nullopt;
   const UnseenBounds found = unseen_bounds(scan.surface, {closure, {}, scan.margin});
@@ -87,7 +87,7 @@ std::optional<BlockBounds> closed_bounds(const ClosedScan& scan, const RepairRep
   bounds.best_volume = cubed * found.best_volume;
   bounds.lower_volume =
       std::max(std::min(cubed * found.lower_volume, bounds.best_volume - report.volume_below),
-               kLeastLeft * bounds.best_volume);
+               kLeastVolumeLeft * bounds.best_volume);
   if (found.upper_volume) {
     bounds.upper_volume =
         std::max(cubed * *found.upper_volume, bounds.best_volume + report.volume_above);
@@ -106,7 +106,7 @@ BlockBounds underside_bounds(const Underside& side, const RepairReport& report) 
   BlockBounds bounds;
   bounds.best_volume = side.best_volume;
   bounds.lower_volume =
-      std::max(side.lower_volume - report.volume_below, kLeastLeft * side.best_volume);
+      std::max(side.lower_volume - report.volume_below, kLeastVolumeLeft * side.best_volume);
   bounds.upper_volume = side.upper_volume;
   if (bounds.upper_volume) *bounds.upper_volume += report.volume_above;
   bounds.sides = side.sides;

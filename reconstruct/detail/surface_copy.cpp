@@ -16,12 +16,12 @@ constexpr std::size_t kSamples = 800;  ///< vertices of the component that are c
 constexpr int kSteps = 30;
 /// Shares of the diagonal: a copy is no farther off, and one that fits within the second is as good
 /// as on it.
-constexpr double kFarthest = 0.08, kFits = 0.003;
+constexpr double kFarthestCopy = 0.08, kFitsCopy = 0.003;
 /// Left of the distance once a copy is fitted, at most.
 constexpr double kLeft = 0.35;
 /// Of the samples: those that must face one way, and those that count for a fit; the rest may have
 /// no counterpart.
-constexpr double kOneWay = 0.9, kCounted = 0.9;
+constexpr double kCopyOneWay = 0.9, kCounted = 0.9;
 constexpr double kSameWay = 0.3;  ///< cosine between the normals of copy and surface
 /// A copy with this share of the area is one of the whole block; of two such the one with so many
 /// times the triangles is finer.
@@ -55,14 +55,14 @@ std::vector<Sample> samples_of(const TriangleMesh& component) {
 }
 
 /// The foot of a sample on the surface.
-struct Foot {
+struct SurfaceFoot {
   Vec3 normal = Vec3::Zero();
   double height = 0.0;    ///< of the sample over the plane there
   double distance = 0.0;  ///< to the surface
 };
 
-std::vector<Foot> feet_of(const std::vector<Sample>& samples, const TriangleTree& tree) {
-  std::vector<Foot> feet;
+std::vector<SurfaceFoot> feet_of(const std::vector<Sample>& samples, const TriangleTree& tree) {
+  std::vector<SurfaceFoot> feet;
   std::uint32_t hint = 0;
   for (const Sample& sample : samples) {
     const TriangleTree::Closest found = tree.closest(sample.place, hint);
@@ -75,20 +75,20 @@ std::vector<Foot> feet_of(const std::vector<Sample>& samples, const TriangleTree
 }
 
 /// Distance within which the counted share of the samples is.
-double counted_distance(const std::vector<Foot>& feet) {
+double counted_distance(const std::vector<SurfaceFoot>& feet) {
   std::vector<double> distances;
-  for (const Foot& foot : feet) distances.push_back(foot.distance);
+  for (const SurfaceFoot& foot : feet) distances.push_back(foot.distance);
   const auto last = distances.begin() +
                     static_cast<std::ptrdiff_t>(kCounted * static_cast<double>(feet.size() - 1));
   std::nth_element(distances.begin(), last, distances.end());
   return *last;
 }
 
-double root_mean_square(const std::vector<Foot>& feet) {
+double root_mean_square(const std::vector<SurfaceFoot>& feet) {
   const double limit = counted_distance(feet);
   double sum = 0.0;
   std::size_t count = 0;
-  for (const Foot& foot : feet) {
+  for (const SurfaceFoot& foot : feet) {
     if (foot.distance > limit) continue;
     sum += foot.distance * foot.distance;
     ++count;
@@ -97,7 +97,7 @@ double root_mean_square(const std::vector<Foot>& feet) {
 }
 
 /// Does the component face as the surface does there, or the other way, nearly throughout?
-bool faces_one_way(const std::vector<Sample>& samples, const std::vector<Foot>& feet) {
+bool faces_one_way(const std::vector<Sample>& samples, const std::vector<SurfaceFoot>& feet) {
   std::size_t same = 0, other = 0;
   for (std::size_t i = 0; i < samples.size(); ++i) {
     const double cosine = samples[i].normal.dot(feet[i].normal);
@@ -105,11 +105,11 @@ bool faces_one_way(const std::vector<Sample>& samples, const std::vector<Foot>& 
     other += cosine < -kSameWay;
   }
   return static_cast<double>(std::max(same, other)) >=
-         kOneWay * static_cast<double>(samples.size());
+         kCopyOneWay * static_cast<double>(samples.size());
 }
 
 /// One step towards the surface; adds what it turns (rad) and scales by.
-void approach(std::vector<Sample>& samples, const std::vector<Foot>& feet, double diagonal,
+void approach(std::vector<Sample>& samples, const std::vector<SurfaceFoot>& feet, double diagonal,
               Vec3& turned, double& scale) {
   Vec3 middle = Vec3::Zero();
   for (const Sample& s : samples) middle += s.place / static_cast<double>(samples.size());
@@ -144,13 +144,13 @@ std::optional<SurfaceCopy> copy_of_surface(const TriangleMesh& component, const 
                                            double diagonal) {
   std::vector<Sample> samples = samples_of(component);
   if (samples.size() < 10) return std::nullopt;
-  std::vector<Foot> feet = feet_of(samples, tree);
-  if (counted_distance(feet) > kFarthest * diagonal || !faces_one_way(samples, feet)) {
+  std::vector<SurfaceFoot> feet = feet_of(samples, tree);
+  if (counted_distance(feet) > kFarthestCopy * diagonal || !faces_one_way(samples, feet)) {
     return std::nullopt;
   }
   SurfaceCopy copy;
   const double before = root_mean_square(feet);
-  for (const Foot& foot : feet) {
+  for (const SurfaceFoot& foot : feet) {
     copy.offset += foot.height / static_cast<double>(feet.size());
     copy.distance += foot.distance * foot.distance / static_cast<double>(feet.size());
   }
@@ -164,7 +164,7 @@ std::optional<SurfaceCopy> copy_of_surface(const TriangleMesh& component, const 
   copy.scale = 1.0 / scale;
   if (std::abs(copy.scale - 1.0) > kMostScale || turned.norm() > kMostTurn) return std::nullopt;
   const double left = root_mean_square(feet);
-  if (left > std::max(kLeft * before, kFits * diagonal)) return std::nullopt;
+  if (left > std::max(kLeft * before, kFitsCopy * diagonal)) return std::nullopt;
   return copy;
 }
 

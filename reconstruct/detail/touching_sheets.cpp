@@ -17,8 +17,8 @@ namespace {
 
 using Triangle = TriangleMesh::Triangle;
 
-constexpr int kRounds = 8;  ///< a triangle is cut once in each, for at most three edges of its own
-constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
+constexpr int kCutRounds =
+    8;  ///< a triangle is cut once in each, for at most three edges of its own
 
 /// The next pair of sides that part an edge's triangles: around the edge, each pair has rock
 /// between its two.
@@ -72,15 +72,15 @@ void drop_touching(TriangleMesh& mesh, TouchingEdges& touching) {
 /// Gives each group of corners at a vertex a vertex of its own; the group of the first corner keeps
 /// the old one. Returns which vertices were split.
 std::vector<bool> split_by_groups(TriangleMesh& mesh, const std::vector<std::uint32_t>& group) {
-  std::vector<std::uint32_t> owner(mesh.vertices.size(), kNone);
-  std::vector<std::uint32_t> vertex_of_group(group.size(), kNone);
+  std::vector<std::uint32_t> owner(mesh.vertices.size(), kNoIndex);
+  std::vector<std::uint32_t> vertex_of_group(group.size(), kNoIndex);
   std::vector<bool> split(mesh.vertices.size(), false);
   for (std::uint32_t corner = 0; corner < group.size(); ++corner) {
     std::uint32_t& vertex = mesh.triangles[corner / 3][corner % 3];
     const std::uint32_t here = group[corner];
-    if (owner[vertex] == kNone) owner[vertex] = here;
+    if (owner[vertex] == kNoIndex) owner[vertex] = here;
     if (owner[vertex] == here) continue;
-    if (vertex_of_group[here] == kNone) {
+    if (vertex_of_group[here] == kNoIndex) {
       split[vertex] = true;
       vertex_of_group[here] = static_cast<std::uint32_t>(mesh.vertices.size());
       const Vec3 copy = mesh.vertices[vertex];
@@ -168,7 +168,7 @@ TouchingEdges cut_touching_edges(TriangleMesh& mesh) {
   std::vector<std::uint32_t> group(3 * mesh.triangles.size());
   for (std::uint32_t c = 0; c < group.size(); ++c) group[c] = corners.find(c);
   split_by_groups(mesh, group);
-  for (int round = 0; round < kRounds; ++round) {
+  for (int round = 0; round < kCutRounds; ++round) {
     if (!halve_touching_edges(mesh, result.source)) return result;
   }
   drop_touching(mesh, result);

@@ -18,16 +18,16 @@ namespace {
 /// meet so far from what was seen that a small error of theirs moves the bound by tenths of the
 /// volume, and a part that no flank announces becomes likely.
 constexpr double kMostByFlanks = 4.0 / 3.0, kMostOnFloor = 2.0;
-constexpr double kLeastLeft = 0.5;  ///< of the volume, by a closure that is dented
+constexpr double kLeastLeftByDent = 0.5;  ///< of the volume, by a closure that is dented
 /// The planes are moved out by so many slacks where sides are bounded: a corner that stands out is
 /// seen in them and hardly in the volume.
 constexpr double kSideSlacks = 1.5;
 /// The slack holds for closures that are as wide as this share of the root of the body's area.
 constexpr double kSlackWidth = 0.1;
 /// What a small closure hides is no longer than so many of its widths, also where no flank ends it.
-constexpr double kLongest = 3.0;
+constexpr double kLongestHidden = 3.0;
 /// Distance of what is behind a closure, against that of the closure, from the middle.
-constexpr double kFarthest = 10.0;
+constexpr double kFarthestBehind = 10.0;
 constexpr double kSmallClosure = 0.2;  ///< width against the root of the body's area
 constexpr double kBefore = 1.0;        ///< a closure is looked through from so many of its widths
 
@@ -88,7 +88,7 @@ struct Closure {
   bool faces() const { return vector_area.norm() > 0.0; }  ///< has a way that it faces
 };
 
-std::vector<Closure> closures_of(const Parted& parts) {
+std::vector<Closure> collect_closures(const Parted& parts) {
   TriangleMesh all{parts.closed.vertices, {}};
   all.triangles.assign(parts.closed.triangles.begin() + static_cast<std::ptrdiff_t>(parts.first),
                        parts.closed.triangles.end());
@@ -133,7 +133,7 @@ class Behind {
       const Closure& closure = closures_[i];
       if (!(closure.area > 0.0)) continue;
       const std::vector<Plane> planes = planes_behind(closure, slacks);
-      const double farthest = kFarthest * (closure.centre - middle_.place).norm();
+      const double farthest = kFarthestBehind * (closure.centre - middle_.place).norm();
       auto space =
           enclosed_space(closure.triangles, place_before(closure, planes), planes, farthest);
       if (!space) return std::nullopt;
@@ -149,7 +149,7 @@ class Behind {
     if (floor_) planes.push_back({-floor_->normal, -floor_->distance});
     if (closure.width() < kSmallClosure * size_ && closure.faces()) {
       const Vec3 out = closure.vector_area.normalized();
-      planes.push_back({out, out.dot(closure.centre) + kLongest * closure.width()});
+      planes.push_back({out, out.dot(closure.centre) + kLongestHidden * closure.width()});
     }
     return planes;
   }
@@ -213,7 +213,7 @@ UnseenBounds unseen_bounds(const TriangleMesh& closed, const UnseenParts& parts)
   std::vector<Vec3> beyond;
   if (surface.first < closed.triangles.size()) {
     const FlankPlanes flanks = flank_planes(surface.closed, surface.first, surface.rims);
-    const std::vector<Closure> closures = closures_of(surface);
+    const std::vector<Closure> closures = collect_closures(surface);
     const double size = std::sqrt(surface_area(closed));
     const Behind behind(closures, flanks, parts.floor, middle, size);
     for (const Closure& closure : closures) {
@@ -237,7 +237,7 @@ UnseenBounds unseen_bounds(const TriangleMesh& closed, const UnseenParts& parts)
     bounds.lower_volume -= parts.margin->volume_below;
     if (bounds.upper_volume) *bounds.upper_volume += parts.margin->volume_above;
   }
-  bounds.lower_volume = std::max(bounds.lower_volume, kLeastLeft * middle.volume);
+  bounds.lower_volume = std::max(bounds.lower_volume, kLeastLeftByDent * middle.volume);
   if (!bounds.upper_volume) return bounds;
   const std::vector<Vec3> seen =
       parts.margin != nullptr ? parts.margin->inner : seen_points(surface);

@@ -23,7 +23,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr std::size_t kFewestPhotos = 3;
+constexpr std::size_t kFewestMatchedPhotos = 3;
 constexpr std::size_t kToldLines = 3;
 /// A second group of this many photos is reported: it is a ring or a side of its own.
 constexpr std::size_t kFewestOfGroup = 3;
@@ -274,7 +274,7 @@ PhotoModel colmap_cameras(const fs::path& folder, const ColmapOptions& options,
                           const std::function<void(const std::string&)>& stage) {
   options.check();
   const std::vector<fs::path> files = photos_beside_masks(folder, options.masks);
-  if (files.size() < kFewestPhotos) {
+  if (files.size() < kFewestMatchedPhotos) {
     throw InputError(folder.string() + ": " + std::to_string(files.size()) +
                      " photos are too few for a block; take 30 to 60 all round it, " +
                      "one every 10-15 degrees");

@@ -27,7 +27,7 @@ using View = photos_detail::PairView;
 constexpr double kSameSide = 0.5;  ///< cosine
 /// A pair that has seen something this many pixels behind a point has looked through it.
 constexpr double kSeenThrough = 3.0;  ///< times the tolerance
-constexpr std::size_t kFewestPoints = 2000;
+constexpr std::size_t kFewestDensePoints = 2000;
 constexpr std::size_t kAtATime = 8;  ///< pairs that are fused before their points are added
 
 struct Fused {
@@ -206,7 +206,7 @@ DenseCloud dense_cloud(const PhotoModel& model, const DenseOptions& options,
   cells.hand_over(cloud);
   cloud.through = photos_detail::looked_through(views, agreed, cloud.region, options.tolerance,
                                                 options.threads);
-  if (cloud.points.size() < kFewestPoints) {
+  if (cloud.points.size() < kFewestDensePoints) {
     throw InputError("the photos agree on " + std::to_string(cloud.points.size()) +
                      " points only, from " + std::to_string(count) +
                      " pairs: too few for a surface. They are blurred, without texture, or too "

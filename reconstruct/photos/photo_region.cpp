@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "core/error.hpp"
+#include "core/statistics.hpp"
 #include "reconstruct/detail/cloud.hpp"
 #include "reconstruct/ground.hpp"
 #include "reconstruct/standing_blocks.hpp"
@@ -14,13 +15,14 @@ namespace clast {
 
 namespace {
 
-constexpr std::size_t kFewestPoints = 300;  ///< sparse points, for a ground and a block among them
-constexpr std::size_t kFewestPhotos = 3;    ///< that a sparse point was seen in
-constexpr int kNeighbours = 12;             ///< of the test for outliers
+constexpr std::size_t kFewestSparsePoints =
+    300;  ///< sparse points, for a ground and a block among them
+constexpr std::size_t kFewestRegionViews = 3;  ///< that a sparse point was seen in
+constexpr int kNeighbours = 12;                ///< of the test for outliers
 constexpr double kDeviations = 1.5;
 /// Distance of the block's farthest points from its middle times this: sparse points end a little
 /// short of the rock, and the ground is wanted on all sides.
-constexpr double kMargin = 1.15;
+constexpr double kRegionMargin = 1.15;
 constexpr double kFarthestShare = 0.995;  ///< of the block's points; the rest may be strays
 /// Of what a photo holds: a block that fills it, with the ground about it.
 constexpr double kFilled = 0.8;
@@ -31,12 +33,6 @@ constexpr std::array<double, 3> kForegrounds = {0.8, 3.0, 10.0};
 constexpr double kHeldShare = 0.9;
 /// and has at most this share of the cameras' distance.
 constexpr double kLargest = 0.6;
-
-double median(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
 
 /// The place nearest to the lines that the cameras look along.
 Vec3 looked_at(const PhotoModel& model) {
@@ -69,10 +65,10 @@ std::optional<PhotoRegion> standing_region(const PhotoModel& model, const Vec3& 
                                            double reach, double most_aside) {
   std::vector<Vec3> near;
   for (const SparsePoint& point : model.points) {
-    const bool known = point.photos.size() >= kFewestPhotos;
+    const bool known = point.photos.size() >= kFewestRegionViews;
     if (known && (point.place - middle).norm() < reach) near.push_back(point.place);
   }
-  if (near.size() < kFewestPoints) return std::nullopt;
+  if (near.size() < kFewestSparsePoints) return std::nullopt;
   std::vector<Vec3> points;
   for (const std::uint32_t i :
        reconstruct_detail::without_outliers(near, kNeighbours, kDeviations)) {
@@ -89,8 +85,9 @@ std::optional<PhotoRegion> standing_region(const PhotoModel& model, const Vec3& 
   std::vector<double> distances;
   for (const std::uint32_t i : block.points) distances.push_back((points[i] - centre).norm());
   std::sort(distances.begin(), distances.end());
-  const double radius = kMargin * distances[static_cast<std::size_t>(
-                                      kFarthestShare * static_cast<double>(distances.size() - 1))];
+  const double radius =
+      kRegionMargin * distances[static_cast<std::size_t>(
+                          kFarthestShare * static_cast<double>(distances.size() - 1))];
   if ((centre - middle).norm() > radius + most_aside) return std::nullopt;
   return PhotoRegion{centre, radius, true};
 }
@@ -111,23 +108,23 @@ PhotoRegion region_of(const PhotoModel& model) {
     const double half = 0.5 * std::min(lens.width / lens.fx, lens.height / lens.fy);
     reaches.push_back(distance * std::sin(std::atan(half)));
   }
-  const double away = median(distances);
-  PhotoRegion region{middle, kFilled * median(reaches), false};
+  const double away = upper_median(distances);
+  PhotoRegion region{middle, kFilled * upper_median(reaches), false};
   for (const double share : kForegrounds) {
     if (const auto found = standing_region(model, middle, share * away, 0.2 * away)) return *found;
   }
   std::vector<double> known;
   for (const SparsePoint& point : model.points) {
     const double distance = (point.place - middle).norm();
-    if (point.photos.size() >= kFewestPhotos && distance < kForegrounds[0] * away) {
+    if (point.photos.size() >= kFewestRegionViews && distance < kForegrounds[0] * away) {
       known.push_back(distance);
     }
   }
-  if (known.size() < kFewestPoints) return region;
+  if (known.size() < kFewestSparsePoints) return region;
   std::sort(known.begin(), known.end());
   const double held =
       known[static_cast<std::size_t>(kHeldShare * static_cast<double>(known.size()))];
-  return {middle, std::min(kMargin * held, kLargest * away), false};
+  return {middle, std::min(kRegionMargin * held, kLargest * away), false};
 }
 
 double angle_between(const PhotoModel& model, const PhotoRegion& region, std::size_t first,

@@ -58,9 +58,9 @@ std::string scale_words(const PhotoScale& scale, const std::string& source) {
   return text;
 }
 
-PhotoModel cameras_of(const fs::path& folder, const fs::path& photos,
-                      const PhotoScanOptions& options,
-                      const std::function<void(const std::string&)>& stage) {
+PhotoModel find_cameras(const fs::path& folder, const fs::path& photos,
+                        const PhotoScanOptions& options,
+                        const std::function<void(const std::string&)>& stage) {
   for (const fs::path& place : {options.model, folder}) {
     if (place.empty() || (place == folder && !holds_photo_model(folder))) continue;
     PhotoModel model = read_photo_model(place, photos);
@@ -142,7 +142,7 @@ PhotoScan photo_scan(const fs::path& folder, const PhotoScanOptions& options,
     if (stage) stage(what);
   };
   PhotoScan scan;
-  scan.model = cameras_of(folder, folder_of_photos(folder), options, stage);
+  scan.model = find_cameras(folder, folder_of_photos(folder), options, stage);
   scan.without_camera = names_without_camera(scan.model, folder_of_photos(folder));
   const std::size_t all = scan.model.photos.size() + scan.model.unplaced;
   scan.notes.push_back("cameras of " + std::to_string(scan.model.photos.size()) + " of " +

@@ -28,7 +28,7 @@ namespace {
 
 constexpr const char* kPage = "gallery.html";
 constexpr const char* kMark = "class=\"gallery\"";
-constexpr std::uint32_t kWidth = 200, kHeight = 150;  ///< of a picture, px
+constexpr std::uint32_t kGalleryWidth = 200, kGalleryHeight = 150;  ///< of a picture, px
 /// Triangles of the scans of all blocks together, and of one.
 constexpr std::size_t kAllTriangles = 600'000, kFewest = 1'500, kMost = 12'000;
 constexpr double kDeviationCells = 24.0;
@@ -120,7 +120,7 @@ std::string card(const Block& block, const std::string& source) {
   }
   return "<article class=\"card\"" + attributes +
          "><button type=\"button\" class=\"open\" title=\"turn it\">" +
-         thumbnail(block.surface, block.id, kWidth, kHeight) + "</button>\n<h3>" +
+         thumbnail(block.surface, block.id, kGalleryWidth, kGalleryHeight) + "</button>\n<h3>" +
          escaped(block.id) + "</h3>\n<div class=\"file\">" + escaped(block.source.file) +
          "</div>\n<dl>" + term("class", classes) +
          term("mass", metric ? rounded(block.mass.mass) + " kg" : "none: unscaled") +

@@ -16,10 +16,10 @@
 namespace clast::report_detail {
 namespace {
 
-constexpr std::uint32_t kWidth = 76, kHeight = 60;  ///< of a picture, px
+constexpr std::uint32_t kMatrixWidth = 76, kMatrixHeight = 60;  ///< of a picture, px
 
 constexpr double kVisibleShare = 0.04;  ///< of S: a smaller radius is not seen
-constexpr int kSkinSegments = 3;
+constexpr int kMatrixSkinSegments = 3;
 
 /// Of a number that stands for a row or column: targets agree to this.
 double rounded_ratio(double value) { return 1e-4 * std::round(1e4 * value); }
@@ -33,14 +33,16 @@ struct Member {
 /// What is seen of a block: the surface of a core has none of a large rounding.
 TriangleMesh seen_surface(const Block& block) {
   const bool round = block.body.radius > kVisibleShare * block.box.lengths[2];
-  return round && !block.body.faces.empty() ? skin_mesh(block.body, kSkinSegments) : block.surface;
+  return round && !block.body.faces.empty() ? skin_mesh(block.body, kMatrixSkinSegments)
+                                            : block.surface;
 }
 
 std::string picture(const Member& member) {
   const std::string source = "block-" + std::to_string(member.number);
   return "<button type=\"button\" class=\"cell\" data-source=\"" + source + "\" title=\"" +
          escaped(member.block->id) + "\">" +
-         thumbnail(seen_surface(*member.block), member.block->id, kWidth, kHeight) + "</button>";
+         thumbnail(seen_surface(*member.block), member.block->id, kMatrixWidth, kMatrixHeight) +
+         "</button>";
 }
 
 /// A table of pictures with heads above and beside.

@@ -26,7 +26,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 /// Corners that look as round as finer ones.
-constexpr int kSkinSegments = 2;
+constexpr int kTurntableSkinSegments = 2;
 constexpr double kMostPieces = 200.0;  // of a side, in a byte
 constexpr double kSteps = 32767.0, kShareSteps = 127.0;
 
@@ -40,7 +40,7 @@ TriangleMesh coarser(const TriangleMesh& mesh, std::size_t most) {
   return joined;
 }
 
-Json mesh_json(const TriangleMesh& mesh, const Vec3& centre, double size) {
+Json turntable_mesh_json(const TriangleMesh& mesh, const Vec3& centre, double size) {
   std::vector<std::int16_t> vertices;
   for (const Vec3& vertex : mesh.vertices) {
     for (int axis = 0; axis < 3; ++axis) {
@@ -87,7 +87,7 @@ Json deviation_json(const TriangleMesh& skin, const TriangleMesh& scan, double r
           {"shares", packed<std::int8_t>(shares)}};
 }
 
-Json vector_json(const Vec3& v) { return {v.x(), v.y(), v.z()}; }
+Json turntable_vector_json(const Vec3& v) { return {v.x(), v.y(), v.z()}; }
 
 }  // namespace
 
@@ -103,7 +103,7 @@ void TurntableLimits::check() const {
 
 std::string turntable_json(const Block& block, const TurntableLimits& limits) {
   limits.check();
-  const TriangleMesh skin = skin_mesh(block.body, kSkinSegments);
+  const TriangleMesh skin = skin_mesh(block.body, kTurntableSkinSegments);
   TriangleMesh scan;
   if (!block.from_core) scan = coarser(block.surface, limits.scan_triangles);
   const Vec3 centre = block.box.centre;
@@ -112,17 +112,18 @@ std::string turntable_json(const Block& block, const TurntableLimits& limits) {
     for (const Vec3& vertex : mesh->vertices) size = std::max(size, (vertex - centre).norm());
   }
   Json axes = Json::array();
-  for (int axis = 0; axis < 3; ++axis) axes.push_back(vector_json(block.box.axes.col(axis)));
+  for (int axis = 0; axis < 3; ++axis)
+    axes.push_back(turntable_vector_json(block.box.axes.col(axis)));
   Json json = {{"name", block.id},
                {"unit", is_unscaled(block) ? "units" : "m"},
                {"size", size},
-               {"centre", vector_json(centre)},
-               {"block", mesh_json(skin, centre, size)},
+               {"centre", turntable_vector_json(centre)},
+               {"block", turntable_mesh_json(skin, centre, size)},
                {"box",
-                {{"centre", vector_json(block.box.centre)},
+                {{"centre", turntable_vector_json(block.box.centre)},
                  {"axes", axes},
-                 {"lengths", vector_json(block.box.lengths)}}}};
-  if (!scan.triangles.empty()) json["scan"] = mesh_json(scan, centre, size);
+                 {"lengths", turntable_vector_json(block.box.lengths)}}}};
+  if (!scan.triangles.empty()) json["scan"] = turntable_mesh_json(scan, centre, size);
   if (!scan.triangles.empty() && block.deviation.hausdorff > 0.0) {
     json["deviation"] = deviation_json(skin, block.surface, block.deviation.hausdorff,
                                        block.box.lengths[0] / limits.deviation_cells);

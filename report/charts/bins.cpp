@@ -11,7 +11,7 @@ namespace {
 // A value is a hair beside the edge of a bin by rounding alone: 1.3/1.0 - 1 is above 0.3.
 constexpr double kOnEdge = 1e-9;  // widths of a bin
 
-bool is_whole(double number) { return std::abs(number - std::round(number)) < kOnEdge; }
+bool is_whole_number(double number) { return std::abs(number - std::round(number)) < kOnEdge; }
 
 }  // namespace
 
@@ -39,7 +39,7 @@ Bins bins_of(const Span& values, const std::vector<double>& limits) {
   bins.width = round_up_to_nice((values.high - values.low) / kUsual);
   const auto fit = [&](double width) {
     return std::all_of(limits.begin(), limits.end(),
-                       [&](double limit) { return is_whole(limit / width); });
+                       [&](double limit) { return is_whole_number(limit / width); });
   };
   for (double width = bins.width; (values.high - values.low) / width <= kMost;
        width = round_up_to_nice(0.4 * width)) {

@@ -97,7 +97,7 @@ std::string closed_path(std::span<const Vec2> places) {
   return path + "Z";
 }
 
-bool is_whole(const std::array<Corner, 3>& triangle, double level) {
+bool is_on_level(const std::array<Corner, 3>& triangle, double level) {
   return std::all_of(triangle.begin(), triangle.end(),
                      [&](const Corner& corner) { return corner.value >= level; });
 }
@@ -219,7 +219,7 @@ std::string band_path(const ThinPlate& surface, std::span<const Vec2> hull, doub
   visit_lattice(surface, hull, side, [&](const std::array<Corner, 3>& triangle) {
     const std::vector<Vec2> part = above(triangle, level);
     if (part.size() < 3) return;
-    if (is_whole(triangle, level)) {
+    if (is_on_level(triangle, level)) {
       path += whole.add(triangle);
     } else {
       path += closed_path(part);

@@ -12,9 +12,9 @@
 namespace clast::report_detail {
 namespace {
 
-constexpr double kWidth = 520.0;
-constexpr const char* kSmall = "font-size=\"12\" fill=\"#33404d\"";
-constexpr const char* kHalo =
+constexpr double kDiagramWidth = 520.0;
+constexpr const char* kDiagramText = "font-size=\"12\" fill=\"#33404d\"";
+constexpr const char* kDiagramHalo =
     " fill=\"#1d2733\" text-anchor=\"middle\" stroke=\"#fff\" stroke-width=\"3.5\" "
     "stroke-opacity=\".9\" paint-order=\"stroke\" pointer-events=\"none\"";
 
@@ -56,10 +56,10 @@ std::string labels_svg(const std::vector<Field>& fields, const std::vector<Class
   for (const Field& field : fields) {
     const ClassShare& share = share_of(shares, field.name);
     svg += svg_text(field.label.x(), field.label.y() - 2, field.name,
-                    std::string("font-size=\"13\" font-weight=\"700\"") + kHalo);
+                    std::string("font-size=\"13\" font-weight=\"700\"") + kDiagramHalo);
     svg += svg_text(field.label.x(), field.label.y() + 12,
                     share.count > 0 ? percent(share.share) : std::string("0"),
-                    std::string("font-size=\"11\"") + kHalo);
+                    std::string("font-size=\"11\"") + kDiagramHalo);
   }
   return svg;
 }
@@ -87,7 +87,7 @@ std::string mark_key(const Population& population, double y) {
   if (population.blocks.size() > kMostSingleBlocks) {
     std::string svg;
     double x = 108.0;
-    svg += svg_text(x - 8, y + 4, "few", std::string(kSmall) + " text-anchor=\"end\"");
+    svg += svg_text(x - 8, y + 4, "few", std::string(kDiagramText) + " text-anchor=\"end\"");
     for (const char* colour : kDensityColours) {
       svg += "<rect x=\"" + fixed(x, 1) + "\" y=\"" + fixed(y - 6, 1) +
              "\" width=\"18\" height=\"12\" fill=\"" + colour + "\"/>";
@@ -96,16 +96,16 @@ std::string mark_key(const Population& population, double y) {
     return svg + svg_text(x + 8, y + 4,
                           "many of " + std::to_string(population.blocks.size()) +
                               " blocks per square (7 px)",
-                          kSmall);
+                          kDiagramText);
   }
   return shape_mark(110, y, "compact", true, "", "") +
-         svg_text(120, y + 4, "compact, s_c \xE2\x89\xA4 0.3", kSmall) +
+         svg_text(120, y + 4, "compact, s_c \xE2\x89\xA4 0.3", kDiagramText) +
          shape_mark(280, y, "elongated", true, "", "") +
-         svg_text(290, y + 4, "elongated, s_c > 0.3", kSmall);
+         svg_text(290, y + 4, "elongated, s_c > 0.3", kDiagramText);
 }
 
 std::string opened(const std::string& title, double height) {
-  return svg_open(kWidth, height, title) +
+  return svg_open(kDiagramWidth, height, title) +
          svg_text(16, 18, title, "font-size=\"14\" font-weight=\"600\" fill=\"#1d2733\"");
 }
 
@@ -116,11 +116,12 @@ std::string title_with_count(const std::string& what, const Population& populati
 }
 
 /// Geometry of the triangle.
-constexpr double kSide = 400.0, kLeft = 60.0, kApex = 44.0;
-const double kHeight = kSide * std::sqrt(3.0) / 2.0;
+constexpr double kDiagramSide = 400.0, kDiagramLeft = 60.0, kApex = 44.0;
+const double kDiagramHeight = kDiagramSide * std::sqrt(3.0) / 2.0;
 
 Vec2 on_triangle(double q, double d) {
-  return {kLeft + kSide * ((1.0 - q) * d + 0.5 * q), kApex + kHeight * (1.0 - q)};
+  return {kDiagramLeft + kDiagramSide * ((1.0 - q) * d + 0.5 * q),
+          kApex + kDiagramHeight * (1.0 - q)};
 }
 
 // Limits of the classes, as drawn by Sneed and Folk.
@@ -176,30 +177,32 @@ std::string sneed_folk_diagram(const Population& population, std::size_t number,
       class_shares(proportions(population), "sneed-folk", options.limits);
   const std::array<double, 4> limits = limits_d(options.limits);
   const std::vector<Field> fields = triangle_fields(limits);
-  const double base = kApex + kHeight;
+  const double base = kApex + kDiagramHeight;
   std::string svg = opened(title_with_count("Sneed and Folk (1958)", population), base + 78) +
                     fields_svg(fields, shares);
   for (const double q : {0.3, 0.5, 0.7}) {
     const Vec2 at = on_triangle(q, 0.0);
-    svg +=
-        svg_text(at.x() - 8, at.y() + 4, fixed(q, 1), std::string(kSmall) + " text-anchor=\"end\"");
+    svg += svg_text(at.x() - 8, at.y() + 4, fixed(q, 1),
+                    std::string(kDiagramText) + " text-anchor=\"end\"");
   }
   for (const double d : {limits[1], limits[2]}) {
     svg += svg_text(on_triangle(0.0, d).x(), base + 16, fixed(d, 2),
-                    std::string(kSmall) + " text-anchor=\"middle\"");
+                    std::string(kDiagramText) + " text-anchor=\"middle\"");
   }
   const Vec2 side = on_triangle(0.6, 0.0);
   svg += "<text x=\"0\" y=\"0\" transform=\"translate(" + fixed(side.x() - 42, 1) + " " +
-         fixed(side.y(), 1) + ") rotate(-60)\" text-anchor=\"middle\" " + kSmall + ">S/L</text>";
-  svg += svg_text(kLeft + 0.5 * kSide, base + 34, "(L \xE2\x88\x92 I)/(L \xE2\x88\x92 S)",
-                  std::string(kSmall) + " text-anchor=\"middle\"");
-  svg += svg_text(kLeft + 0.5 * kSide, kApex - 8, "compact",
-                  std::string(kSmall) + " font-weight=\"600\" text-anchor=\"middle\"");
-  svg += svg_text(kLeft - 6, base + 22, "platy",
-                  std::string(kSmall) + " font-weight=\"600\" text-anchor=\"middle\"");
-  svg += svg_text(kLeft + kSide + 6, base + 22, "elongated",
-                  std::string(kSmall) + " font-weight=\"600\" text-anchor=\"middle\"");
-  svg += blocks_svg(population, number, options, {kLeft, kApex}, [](const Axes& axes) {
+         fixed(side.y(), 1) + ") rotate(-60)\" text-anchor=\"middle\" " + kDiagramText +
+         ">S/L</text>";
+  svg += svg_text(kDiagramLeft + 0.5 * kDiagramSide, base + 34,
+                  "(L \xE2\x88\x92 I)/(L \xE2\x88\x92 S)",
+                  std::string(kDiagramText) + " text-anchor=\"middle\"");
+  svg += svg_text(kDiagramLeft + 0.5 * kDiagramSide, kApex - 8, "compact",
+                  std::string(kDiagramText) + " font-weight=\"600\" text-anchor=\"middle\"");
+  svg += svg_text(kDiagramLeft - 6, base + 22, "platy",
+                  std::string(kDiagramText) + " font-weight=\"600\" text-anchor=\"middle\"");
+  svg += svg_text(kDiagramLeft + kDiagramSide + 6, base + 22, "elongated",
+                  std::string(kDiagramText) + " font-weight=\"600\" text-anchor=\"middle\"");
+  svg += blocks_svg(population, number, options, {kDiagramLeft, kApex}, [](const Axes& axes) {
     return on_triangle(axes.S / axes.L, disc_rod_index(axes).value_or(0.0));
   });
   return svg + labels_svg(fields, shares) + mark_key(population, base + 62) + "</svg>\n";
@@ -228,17 +231,17 @@ std::string zingg_diagram(const Population& population, std::size_t number,
   for (int k = 0; k <= 5; ++k) {
     const double value = 0.2 * k;
     const Vec2 x = on_square(value, 0.0), y = on_square(0.0, value);
-    svg +=
-        svg_line(x.x(), bottom, x.x(), bottom + 5, "stroke=\"#5b6775\"") +
-        svg_line(kX - 5, y.y(), kX, y.y(), "stroke=\"#5b6775\"") +
-        svg_text(x.x(), bottom + 18, fixed(value, 1),
-                 std::string(kSmall) + " text-anchor=\"middle\"") +
-        svg_text(kX - 9, y.y() + 4, fixed(value, 1), std::string(kSmall) + " text-anchor=\"end\"");
+    svg += svg_line(x.x(), bottom, x.x(), bottom + 5, "stroke=\"#5b6775\"") +
+           svg_line(kX - 5, y.y(), kX, y.y(), "stroke=\"#5b6775\"") +
+           svg_text(x.x(), bottom + 18, fixed(value, 1),
+                    std::string(kDiagramText) + " text-anchor=\"middle\"") +
+           svg_text(kX - 9, y.y() + 4, fixed(value, 1),
+                    std::string(kDiagramText) + " text-anchor=\"end\"");
   }
   svg += svg_text(kX + 0.5 * kSize, bottom + 36, "S/I (limit 2/3)",
-                  std::string(kSmall) + " text-anchor=\"middle\"");
+                  std::string(kDiagramText) + " text-anchor=\"middle\"");
   svg += "<text x=\"0\" y=\"0\" transform=\"translate(" + fixed(kX - 42, 1) + " " +
-         fixed(kTop + 0.5 * kSize, 1) + ") rotate(-90)\" text-anchor=\"middle\" " + kSmall +
+         fixed(kTop + 0.5 * kSize, 1) + ") rotate(-90)\" text-anchor=\"middle\" " + kDiagramText +
          ">I/L (limit 2/3)</text>";
   svg += blocks_svg(population, number, options, {kX, kTop},
                     [&](const Axes& axes) { return on_square(axes.S / axes.I, axes.I / axes.L); });

@@ -15,9 +15,9 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr int kHeight = 400;                 // px
-constexpr std::size_t kMostSteps = 1500;     // of a curve; more can't be distinguished
-constexpr std::size_t kMostCharacters = 40;  // of a name in the legend
+constexpr int kPlotHeight = 400;                   // px
+constexpr std::size_t kMostCurveSteps = 1500;      // of a curve; more can't be distinguished
+constexpr std::size_t kMostLegendCharacters = 40;  // of a name in the legend
 
 /// Five digits are more than a chart shows.
 double short_number(double value) {
@@ -38,7 +38,7 @@ Json numbers(const std::vector<double>& values) {
 std::string plain(std::string_view text) { return escaped(text); }
 
 Json trace_json(const Trace& trace, const ChartAxes& axes) {
-  Json json = {{"name", plain(shortened(trace.name, kMostCharacters))},
+  Json json = {{"name", plain(shortened(trace.name, kMostLegendCharacters))},
                {"x", numbers(trace.x)},
                {"y", numbers(trace.y)}};
   const std::string y = axes.y_in_percent ? "%{y:.1%}" : "%{y:.4~g}";
@@ -104,7 +104,7 @@ void add_places(const std::vector<ChartPlace>& places, Json& layout) {
                      {"xanchor", "left"},
                      {"yanchor", "top"},
                      {"bgcolor", "rgba(255,255,255,.7)"},
-                     {"text", plain(shortened(place.name, kMostCharacters))},
+                     {"text", plain(shortened(place.name, kMostLegendCharacters))},
                      {"showarrow", false},
                      {"font", {{"size", 11}}}});
   }
@@ -116,7 +116,7 @@ Json layout_json(const ChartAxes& axes, const std::vector<Trace>& traces) {
   const bool bars = std::any_of(traces.begin(), traces.end(), [](const Trace& trace) {
     return trace.kind == Trace::Kind::kBars;
   });
-  Json layout = {{"height", kHeight},
+  Json layout = {{"height", kPlotHeight},
                  {"margin", {{"l", 62}, {"r", 14}, {"t", 30}, {"b", 46}}},
                  {"font",
                   {{"family", "system-ui,Segoe UI,Roboto,Helvetica Neue,Arial,sans-serif"},
@@ -177,7 +177,7 @@ std::string interval_chart(const std::string& title, const std::string& label,
          below = Json::array(), notes = Json::array();
     for (const IntervalMark& mark : marks) {
       if (mark.clear != clear) continue;
-      names.push_back(plain(shortened(mark.name, kMostCharacters)));
+      names.push_back(plain(shortened(mark.name, kMostLegendCharacters)));
       values.push_back(short_number(mark.value));
       above.push_back(short_number(mark.high - mark.value));
       below.push_back(short_number(mark.value - mark.low));
@@ -207,7 +207,7 @@ std::string interval_chart(const std::string& title, const std::string& label,
   }
   Json order = Json::array();
   for (auto mark = marks.rbegin(); mark != marks.rend(); ++mark) {
-    order.push_back(plain(shortened(mark->name, kMostCharacters)));
+    order.push_back(plain(shortened(mark->name, kMostLegendCharacters)));
   }
   const Json layout = {{"height", kAround + kRow * static_cast<int>(marks.size())},
                        {"margin", {{"l", 10}, {"r", 14}, {"t", 30}, {"b", 46}}},
@@ -278,7 +278,7 @@ std::vector<Trace> cumulative_traces(const std::vector<Series>& samples, bool ex
       continue;
     }
     add(sorted.front(), 0.0);
-    const std::size_t stride = 1 + sorted.size() / kMostSteps;
+    const std::size_t stride = 1 + sorted.size() / kMostCurveSteps;
     for (std::size_t i = stride - 1; i + 1 < sorted.size(); i += stride) {
       add(sorted[i], static_cast<double>(i + 1) / total);
     }

@@ -16,7 +16,8 @@
 namespace clast::report_detail {
 namespace {
 
-constexpr double kWidth = 700.0, kHeight = 560.0, kLeft = 50.0, kTop = 40.0, kSide = 520.0;  // px
+constexpr double kResponseWidth = 700.0, kResponseHeight = 560.0, kResponseLeft = 50.0,
+                 kResponseTop = 40.0, kResponseSide = 520.0;  // px
 constexpr double kDisc = 3.5, kMarkedDisc = 6.0;
 constexpr double kLattice = 7.0;  ///< side of the triangles of the surface
 constexpr int kFewestBands = 6;
@@ -26,7 +27,7 @@ constexpr std::size_t kMostForms = 500;  ///< of a surface: its equations are th
 constexpr std::array<Rgb, 5> kColours = {
     {{255, 255, 204}, {161, 218, 180}, {65, 182, 196}, {44, 127, 184}, {37, 52, 148}}};
 
-Rgb colour_of(double share) {
+Rgb response_colour(double share) {
   const double place = std::clamp(share, 0.0, 1.0) * (kColours.size() - 1);
   const auto below = std::min(static_cast<std::size_t>(place), kColours.size() - 2);
   Rgb colour{};
@@ -38,13 +39,15 @@ Rgb colour_of(double share) {
 }
 
 /// Of a part of the triangle.
-Vec2 place_of(double compact, double elongate) {
-  const double height = kSide * std::sqrt(0.75);
-  return {kLeft + kSide * (elongate + 0.5 * compact), kTop + height * (1.0 - compact)};
+Vec2 triangle_point(double compact, double elongate) {
+  const double height = kResponseSide * std::sqrt(0.75);
+  return {kResponseLeft + kResponseSide * (elongate + 0.5 * compact),
+          kResponseTop + height * (1.0 - compact)};
 }
 
-std::string frame() {
-  const Vec2 top = place_of(1.0, 0.0), platy = place_of(0.0, 0.0), elongate = place_of(0.0, 1.0);
+std::string triangle_frame() {
+  const Vec2 top = triangle_point(1.0, 0.0), platy = triangle_point(0.0, 0.0),
+             elongate = triangle_point(0.0, 1.0);
   const std::string style = "stroke=\"#8a94a0\"";
   std::string svg = svg_line(top.x(), top.y(), platy.x(), platy.y(), style) +
                     svg_line(platy.x(), platy.y(), elongate.x(), elongate.y(), style) +
@@ -52,11 +55,11 @@ std::string frame() {
   // Limits of the classes: S/L = 0.3, 0.5, 0.7, and (L - I)/(L - S) = 0.33, 0.67 below 0.7.
   const std::string limit = "stroke=\"#d3d9df\"";
   for (const double q : {0.3, 0.5, 0.7}) {
-    const Vec2 a = place_of(q, 0.0), b = place_of(q, 1.0 - q);
+    const Vec2 a = triangle_point(q, 0.0), b = triangle_point(q, 1.0 - q);
     svg += svg_line(a.x(), a.y(), b.x(), b.y(), limit);
   }
   for (const double d : {0.33, 0.67}) {
-    const Vec2 a = place_of(0.0, d), b = place_of(0.7, 0.3 * d);
+    const Vec2 a = triangle_point(0.0, d), b = triangle_point(0.7, 0.3 * d);
     svg += svg_line(a.x(), a.y(), b.x(), b.y(), limit);
   }
   return svg + svg_text(top.x(), top.y() - 26.0, "compact", "text-anchor=\"middle\"") +
@@ -65,7 +68,7 @@ std::string frame() {
 }
 
 /// Values and colours of the picture.
-struct Range {
+struct ResponseRange {
   double least = 1e300, most = -1e300;
   double step = 1.0;  ///< between contour lines
 
@@ -81,12 +84,12 @@ struct Range {
   }
   /// Of the band from this level to the next.
   std::string colour(double level) const {
-    return colour_text(colour_of(share(std::min(most, level + 0.5 * step))));
+    return colour_text(response_colour(share(std::min(most, level + 0.5 * step))));
   }
 };
 
-Range range_of(std::span<const FormResponse> forms) {
-  Range range;
+ResponseRange response_range(std::span<const FormResponse> forms) {
+  ResponseRange range;
   for (const FormResponse& form : forms) {
     range.least = std::min(range.least, form.value);
     range.most = std::max(range.most, form.value);
@@ -144,7 +147,7 @@ std::string line_of(const ThinPlate& surface, std::span<const Vec2> hull, double
 
 /// Bands, each over those below it, and lines, within the forms.
 std::string surface_of(std::span<const FormResponse> forms, std::span<const Vec2> places,
-                       const Range& range, const std::string& clip) {
+                       const ResponseRange& range, const std::string& clip) {
   const std::vector<Vec2> hull = hull_of(places);
   if (hull.size() < 3 || forms.size() > kMostForms || !(range.most > range.least)) return "";
   std::vector<double> values;
@@ -168,7 +171,7 @@ std::string surface_of(std::span<const FormResponse> forms, std::span<const Vec2
 }
 
 /// What is shown, and below it the colours of the bands with the values between them.
-std::string legend(const Range& range, const std::string& label) {
+std::string legend(const ResponseRange& range, const std::string& label) {
   const std::vector<double> levels = range.levels();
   constexpr double kX = 590.0, kBottom = 270.0, kBox = 18.0;
   double y = kBottom;
@@ -187,11 +190,11 @@ std::string legend(const Range& range, const std::string& label) {
   return svg;
 }
 
-std::string disc_of(const FormResponse& form, const Vec2& place, const Range& range,
+std::string disc_of(const FormResponse& form, const Vec2& place, const ResponseRange& range,
                     const std::string& label) {
   std::string svg = "<circle cx=\"" + fixed(place.x(), 1) + "\" cy=\"" + fixed(place.y(), 1) +
                     "\" r=\"" + fixed(form.marked ? kMarkedDisc : kDisc, 1) + "\" fill=\"" +
-                    colour_text(colour_of(range.share(form.value))) + "\" stroke=\"" +
+                    colour_text(response_colour(range.share(form.value))) + "\" stroke=\"" +
                     (form.marked ? "#d55e00\" stroke-width=\"2" : "#5b6670") + "\"><title>" +
                     escaped(form.name + ": " + significant(form.value) + ", " + label) +
                     "</title></circle>";
@@ -209,14 +212,15 @@ std::string response_triangle(std::span<const FormResponse> forms, const std::st
   std::vector<Vec2> places;
   for (const FormResponse& form : forms) {
     const TernaryPlace place = ternary_place(form.axes);
-    places.push_back(place_of(place.compact, place.elongate));
+    places.push_back(triangle_point(place.compact, place.elongate));
   }
-  const Range range = range_of(forms);
+  const ResponseRange range = response_range(forms);
   // Several pictures of a page must not share a clip.
   std::string clip = "clip";
   for (const char c : label) clip += std::isalnum(static_cast<unsigned char>(c)) ? c : '-';
-  std::string svg = svg_open(kWidth, kHeight, label + " over the triangle of Sneed and Folk");
-  svg += surface_of(forms, places, range, clip) + frame() + legend(range, label);
+  std::string svg =
+      svg_open(kResponseWidth, kResponseHeight, label + " over the triangle of Sneed and Folk");
+  svg += surface_of(forms, places, range, clip) + triangle_frame() + legend(range, label);
   for (const bool marked : {false, true}) {
     for (std::size_t i = 0; i < forms.size(); ++i) {
       if (forms[i].marked == marked) svg += disc_of(forms[i], places[i], range, label);

@@ -9,13 +9,13 @@
 namespace clast::report_detail {
 namespace {
 
-constexpr std::size_t kSectors = 12;                                ///< over half a turn
-constexpr double kWidth = 300.0, kHeight = 330.0, kRadius = 115.0;  // px
+constexpr std::size_t kSectors = 12;                                        ///< over half a turn
+constexpr double kRoseWidth = 300.0, kRoseHeight = 330.0, kRadius = 115.0;  // px
 const Vec2 kCentre(150.0, 180.0);
-constexpr const char* kSmall = "font-size=\"12\" fill=\"#33404d\" text-anchor=\"middle\"";
+constexpr const char* kRoseText = "font-size=\"12\" fill=\"#33404d\" text-anchor=\"middle\"";
 
 /// @param angle  from up, to the right
-Vec2 place_of(double angle, double radius) {
+Vec2 rose_point(double angle, double radius) {
   return kCentre + radius * Vec2(std::sin(angle), -std::cos(angle));
 }
 
@@ -28,14 +28,14 @@ std::string circle(double radius, const std::string& style) {
 
 std::string sector(double from, double to, double radius, const std::string& colour,
                    const std::string& note) {
-  return "<path d=\"M" + point(kCentre) + " L" + point(place_of(from, radius)) + " A" +
-         fixed(radius, 1) + "," + fixed(radius, 1) + " 0 0 1 " + point(place_of(to, radius)) +
+  return "<path d=\"M" + point(kCentre) + " L" + point(rose_point(from, radius)) + " A" +
+         fixed(radius, 1) + "," + fixed(radius, 1) + " 0 0 1 " + point(rose_point(to, radius)) +
          " Z\" fill=\"" + colour + "\" fill-opacity=\".55\" stroke=\"" + colour + "\"><title>" +
          escaped(note) + "</title></path>\n";
 }
 
 /// Axes of each sector of half a turn, from -90 degrees on.
-std::vector<std::size_t> counts_of(const std::vector<double>& trends) {
+std::vector<std::size_t> sector_counts(const std::vector<double>& trends) {
   std::vector<std::size_t> counts(kSectors, 0);
   const double width = kPi / static_cast<double>(kSectors);
   for (const double trend : trends) {
@@ -50,13 +50,13 @@ std::vector<std::size_t> counts_of(const std::vector<double>& trends) {
 
 std::string rose_diagram(const std::string& name, const std::string& colour,
                          const std::vector<double>& trends, const AxialMean& mean) {
-  const std::vector<std::size_t> counts = counts_of(trends);
+  const std::vector<std::size_t> counts = sector_counts(trends);
   const std::size_t most =
       std::max<std::size_t>(1, *std::max_element(counts.begin(), counts.end()));
   const auto radius_of = [&](double count) {
     return kRadius * std::sqrt(count / static_cast<double>(most));
   };
-  std::string svg = svg_open(kWidth, kHeight, "Directions of long axes: " + name);
+  std::string svg = svg_open(kRoseWidth, kRoseHeight, "Directions of long axes: " + name);
   svg += svg_text(kCentre.x(), 18.0, shortened(name, 40),
                   "font-size=\"13\" font-weight=\"700\" fill=\"#1d2733\" text-anchor=\"middle\"");
   svg += circle(kRadius, "stroke=\"#8a94a0\"");
@@ -78,12 +78,12 @@ std::string rose_diagram(const std::string& name, const std::string& colour,
     }
   }
   if (std::isfinite(mean.direction)) {
-    const Vec2 a = place_of(mean.direction, kRadius * mean.resultant);
-    const Vec2 b = place_of(mean.direction + kPi, kRadius * mean.resultant);
+    const Vec2 a = rose_point(mean.direction, kRadius * mean.resultant);
+    const Vec2 b = rose_point(mean.direction + kPi, kRadius * mean.resultant);
     svg += svg_line(a.x(), a.y(), b.x(), b.y(), "stroke=\"#1d2733\" stroke-width=\"3\"");
   }
-  svg += svg_text(kCentre.x(), kCentre.y() - kRadius - 8.0, "downslope", kSmall);
-  svg += svg_text(kCentre.x(), kCentre.y() + kRadius + 16.0, "upslope", kSmall);
+  svg += svg_text(kCentre.x(), kCentre.y() - kRadius - 8.0, "downslope", kRoseText);
+  svg += svg_text(kCentre.x(), kCentre.y() + kRadius + 16.0, "upslope", kRoseText);
   return svg + "</svg>\n";
 }
 

@@ -8,23 +8,23 @@
 namespace clast::report_detail {
 namespace {
 
-constexpr double kWidth = 520.0, kRight = 64.0, kTop = 34.0, kBar = 11.0, kGap = 9.0;
+constexpr double kBarsWidth = 520.0, kBarsRight = 64.0, kBarsTop = 34.0, kBar = 11.0, kGap = 9.0;
 constexpr double kCharacter = 6.6;  // px, of a name at the font size below
-constexpr const char* kSmall = "font-size=\"12\" fill=\"#33404d\"";
+constexpr const char* kBarText = "font-size=\"12\" fill=\"#33404d\"";
 
-struct Legend {
+struct BarLegend {
   std::string svg;
   double bottom = 0.0;
 };
 
 /// What the colours and the whiskers are, in as many rows as it takes from `top` on.
-Legend legend_from(const std::vector<ShareSeries>& series, double top) {
+BarLegend legend_from(const std::vector<ShareSeries>& series, double top) {
   constexpr std::size_t kMostCharacters = 64;
   constexpr double kRow = 20.0;
   std::string svg;
   double x = 8.0;
   const auto place = [&](double width) {
-    if (x > 8.0 && x + width > kWidth - 8.0) {
+    if (x > 8.0 && x + width > kBarsWidth - 8.0) {
       x = 8.0;
       top += kRow;
     }
@@ -35,12 +35,12 @@ Legend legend_from(const std::vector<ShareSeries>& series, double top) {
     place(width);
     svg += "<rect x=\"" + fixed(x, 1) + "\" y=\"" + fixed(top, 1) +
            "\" width=\"12\" height=\"12\" fill=\"" + one.colour + "\" fill-opacity=\".75\"/>" +
-           svg_text(x + 18, top + 10, name, kSmall);
+           svg_text(x + 18, top + 10, name, kBarText);
     x += width + 16.0;
   }
   const std::string whiskers = "whiskers: 95 % interval";
   place(kCharacter * static_cast<double>(whiskers.size()));
-  svg += svg_text(x, top + 10, whiskers, kSmall);
+  svg += svg_text(x, top + 10, whiskers, kBarText);
   return {svg, top + kRow};
 }
 
@@ -56,23 +56,25 @@ std::string share_chart(const std::string& title, const std::vector<std::string>
     for (const Share& share : one.shares) highest = std::max(highest, share.high);
   }
   const Ticks marks = ticks(0.0, 100.0 * std::max(highest, 0.01), 5);
-  const double scale = (kWidth - left - kRight) / (100.0 * std::max(highest, 0.01));  // px per %
+  const double scale =
+      (kBarsWidth - left - kBarsRight) / (100.0 * std::max(highest, 0.01));  // px per %
   const double row = kBar * static_cast<double>(series.size()) + kGap;
-  const double bottom = kTop + row * static_cast<double>(classes.size());
-  const Legend legend = legend_from(series, bottom + 40);
+  const double bottom = kBarsTop + row * static_cast<double>(classes.size());
+  const BarLegend legend = legend_from(series, bottom + 40);
 
-  std::string svg = svg_open(kWidth, legend.bottom + 4, title) +
+  std::string svg = svg_open(kBarsWidth, legend.bottom + 4, title) +
                     svg_text(8, 18, title, "font-size=\"14\" font-weight=\"600\" fill=\"#1d2733\"");
   for (const double value : marks.values) {
     const double x = left + scale * value;
-    svg += svg_line(x, kTop, x, bottom, value == 0.0 ? "stroke=\"#5b6775\"" : "stroke=\"#e2e6ea\"");
+    svg += svg_line(x, kBarsTop, x, bottom,
+                    value == 0.0 ? "stroke=\"#5b6775\"" : "stroke=\"#e2e6ea\"");
     svg += svg_text(x, bottom + 16, fixed(value, marks.decimals) + " %",
-                    std::string(kSmall) + " text-anchor=\"middle\"");
+                    std::string(kBarText) + " text-anchor=\"middle\"");
   }
   for (std::size_t k = 0; k < classes.size(); ++k) {
-    const double top = kTop + row * static_cast<double>(k) + 0.5 * kGap;
+    const double top = kBarsTop + row * static_cast<double>(k) + 0.5 * kGap;
     svg += svg_text(left - 8, top + 0.5 * (row - kGap) + 4, classes[k],
-                    std::string(kSmall) + " text-anchor=\"end\"");
+                    std::string(kBarText) + " text-anchor=\"end\"");
     for (std::size_t i = 0; i < series.size(); ++i) {
       const Share& share = series[i].shares[k];
       const double y = top + kBar * static_cast<double>(i), middle = y + 0.5 * kBar;

@@ -10,23 +10,23 @@
 namespace clast::report_detail {
 namespace {
 
-constexpr double kWidth = 520.0, kLeft = 56.0, kRight = 12.0, kTop = 34.0;
-constexpr double kPlotWidth = kWidth - kLeft - kRight;
+constexpr double kChartWidth = 520.0, kChartLeft = 56.0, kChartRight = 12.0, kChartTop = 34.0;
+constexpr double kPlotWidth = kChartWidth - kChartLeft - kChartRight;
 constexpr const char* kGrid = "stroke=\"#e2e6ea\"";
 constexpr const char* kAxis = "stroke=\"#5b6775\"";
-constexpr const char* kSmall = "font-size=\"12\" fill=\"#33404d\"";
-constexpr const char* kHalo = " stroke=\"#fff\" stroke-width=\"3\" paint-order=\"stroke\"";
+constexpr const char* kChartText = "font-size=\"12\" fill=\"#33404d\"";
+constexpr const char* kChartHalo = " stroke=\"#fff\" stroke-width=\"3\" paint-order=\"stroke\"";
 constexpr double kLegendRow = 18.0;
-constexpr std::size_t kMostSteps = 1500;  // of a curve; more can't be distinguished on paper
+constexpr std::size_t kMostPrintedSteps = 1500;  // of a curve; more can't be distinguished on paper
 
-struct Range {
+struct AxisRange {
   double low = 0.0;
   double high = 1.0;
   bool logarithmic = false;
 };
 
-Range range_of(const std::vector<Series>& series, bool logarithmic = false) {
-  Range range{INFINITY, -INFINITY};
+AxisRange axis_range(const std::vector<Series>& series, bool logarithmic = false) {
+  AxisRange range{INFINITY, -INFINITY};
   for (const Series& one : series) {
     for (const double value : one.values) {
       range.low = std::min(range.low, value);
@@ -42,15 +42,15 @@ Range range_of(const std::vector<Series>& series, bool logarithmic = false) {
   return {span.low, span.high};
 }
 
-double x_at(const Range& range, double value) {
+double x_at(const AxisRange& range, double value) {
   const double share = range.logarithmic
                            ? std::log(value / range.low) / std::log(range.high / range.low)
                            : (value - range.low) / (range.high - range.low);
-  return kLeft + kPlotWidth * share;
+  return kChartLeft + kPlotWidth * share;
 }
 
 /// Ticks of the axis as numbers and their text.
-std::vector<std::pair<double, std::string>> x_ticks(const Range& range) {
+std::vector<std::pair<double, std::string>> x_ticks(const AxisRange& range) {
   std::vector<std::pair<double, std::string>> marks;
   if (range.logarithmic) {
     for (const double value : log_ticks(range.low, range.high, 9)) {
@@ -64,28 +64,29 @@ std::vector<std::pair<double, std::string>> x_ticks(const Range& range) {
   return marks;
 }
 
-std::string title_of(const ChartText& text) {
-  return svg_text(kLeft, 18, text.title, "font-size=\"14\" font-weight=\"600\" fill=\"#1d2733\"");
+std::string chart_title(const ChartText& text) {
+  return svg_text(kChartLeft, 18, text.title,
+                  "font-size=\"14\" font-weight=\"600\" fill=\"#1d2733\"");
 }
 
 /// Vertical grid lines over [top, bottom] and numbers with the axis label below.
-std::string x_axis(const Range& range, double top, double bottom, const std::string& label) {
+std::string x_axis(const AxisRange& range, double top, double bottom, const std::string& label) {
   std::string svg;
   for (const auto& [value, text] : x_ticks(range)) {
     const double x = x_at(range, value);
     svg += svg_line(x, top, x, bottom, kGrid);
-    svg += svg_text(x, bottom + 16, text, std::string(kSmall) + " text-anchor=\"middle\"");
+    svg += svg_text(x, bottom + 16, text, std::string(kChartText) + " text-anchor=\"middle\"");
   }
-  return svg + svg_text(kLeft + kPlotWidth / 2, bottom + 34, label,
-                        std::string(kSmall) + " text-anchor=\"middle\"");
+  return svg + svg_text(kChartLeft + kPlotWidth / 2, bottom + 34, label,
+                        std::string(kChartText) + " text-anchor=\"middle\"");
 }
 
 // In half of the chart's width.
-constexpr std::size_t kMostCharacters = 24;
+constexpr std::size_t kMostTitleCharacters = 24;
 
 std::string name_with_count(const Series& series) {
-  return shortened(series.name, kMostCharacters) + " (" + std::to_string(series.values.size()) +
-         ")";
+  return shortened(series.name, kMostTitleCharacters) + " (" +
+         std::to_string(series.values.size()) + ")";
 }
 
 std::string dash_style(const std::string& dash) {
@@ -93,15 +94,15 @@ std::string dash_style(const std::string& dash) {
 }
 
 /// Limits that lie in the range, dashed, with their words at the top.
-std::string limit_lines(const ChartText& text, const Range& range, double top, double bottom) {
+std::string limit_lines(const ChartText& text, const AxisRange& range, double top, double bottom) {
   std::string svg;
   for (const Limit& limit : text.limits) {
     if (limit.value < range.low || limit.value > range.high) continue;
     const double x = x_at(range, limit.value);
-    const bool right = x > kLeft + 0.6 * kPlotWidth;  // no room on that side for words
+    const bool right = x > kChartLeft + 0.6 * kPlotWidth;  // no room on that side for words
     svg += svg_line(x, top, x, bottom, "stroke=\"#1d2733\" stroke-dasharray=\"5 4\"");
     svg += svg_text(x + (right ? -5 : 5), top + 11, limit.text,
-                    std::string(kSmall) + (right ? " text-anchor=\"end\"" : "") + kHalo);
+                    std::string(kChartText) + (right ? " text-anchor=\"end\"" : "") + kChartHalo);
   }
   return svg;
 }
@@ -131,20 +132,20 @@ std::vector<Step> steps_of(const Series& series) {
 }
 
 /// The curve of a sample, in px.
-std::string step_path(const std::vector<Step>& steps, const Range& range, double top,
+std::string step_path(const std::vector<Step>& steps, const AxisRange& range, double top,
                       double height) {
-  const std::size_t stride = 1 + steps.size() / kMostSteps;
+  const std::size_t stride = 1 + steps.size() / kMostPrintedSteps;
   const auto y_at = [&](double share) { return top + height * (1.0 - share); };
-  std::string path = "M" + fixed(kLeft, 1) + " " + fixed(y_at(0.0), 1);
+  std::string path = "M" + fixed(kChartLeft, 1) + " " + fixed(y_at(0.0), 1);
   for (std::size_t i = 0; i < steps.size(); i += stride) {
     const Step& last = steps[std::min(i + stride, steps.size()) - 1];
     path += "H" + fixed(x_at(range, last.value), 1) + "V" + fixed(y_at(last.share), 1);
   }
-  return path + "H" + fixed(kLeft + kPlotWidth, 1);
+  return path + "H" + fixed(kChartLeft + kPlotWidth, 1);
 }
 
-std::string named_marks(const Series& series, const std::vector<Step>& steps, const Range& range,
-                        double top, double height) {
+std::string named_marks(const Series& series, const std::vector<Step>& steps,
+                        const AxisRange& range, double top, double height) {
   if (series.names.empty() || series.names.size() > kMostNamedMarks) return {};
   std::string svg;
   for (const Step& step : steps) {
@@ -160,7 +161,7 @@ std::string named_marks(const Series& series, const std::vector<Step>& steps, co
   return svg;
 }
 
-std::string smooth_path(const Curve& curve, const Range& range, double top, double height) {
+std::string smooth_path(const Curve& curve, const AxisRange& range, double top, double height) {
   std::string path;
   for (const auto& [x, share] : curve.points) {
     if (x < range.low || x > range.high) continue;
@@ -179,10 +180,10 @@ struct LegendEntry {
 std::string legend_below(const std::vector<LegendEntry>& entries, double top) {
   std::string svg;
   for (std::size_t i = 0; i < entries.size(); ++i) {
-    const double x = kLeft + kPlotWidth / 2 * static_cast<double>(i % 2);
+    const double x = kChartLeft + kPlotWidth / 2 * static_cast<double>(i % 2);
     const double y = top + kLegendRow * static_cast<double>(i / 2);
     svg += svg_line(x, y - 4, x + 24, y - 4, entries[i].pen);
-    svg += svg_text(x + 30, y, entries[i].name, kSmall);
+    svg += svg_text(x + 30, y, entries[i].name, kChartText);
   }
   return svg;
 }
@@ -215,43 +216,44 @@ std::string cumulative_chart(const ChartText& text, const std::vector<Series>& s
                                        dash_style(curve.dash)});
   }
   const double legend_rows = std::ceil(static_cast<double>(entries.size()) / 2.0);
-  const double bottom = kTop + kHeight;
-  std::string svg = svg_open(kWidth, bottom + 46 + kLegendRow * legend_rows, text.title);
-  svg += title_of(text);
-  const Range range = range_of(series, text.logarithmic);
-  svg += x_axis(range, kTop, bottom, text.x_label);
+  const double bottom = kChartTop + kHeight;
+  std::string svg = svg_open(kChartWidth, bottom + 46 + kLegendRow * legend_rows, text.title);
+  svg += chart_title(text);
+  const AxisRange range = axis_range(series, text.logarithmic);
+  svg += x_axis(range, kChartTop, bottom, text.x_label);
   for (int k = 0; k <= 4; ++k) {
     const double y = bottom - kHeight * k / 4.0;
-    svg += svg_line(kLeft, y, kWidth - kRight, y, kGrid);
-    svg += svg_text(kLeft - 6, y + 4, std::to_string(25 * k) + " %",
-                    std::string(kSmall) + " text-anchor=\"end\"");
+    svg += svg_line(kChartLeft, y, kChartWidth - kChartRight, y, kGrid);
+    svg += svg_text(kChartLeft - 6, y + 4, std::to_string(25 * k) + " %",
+                    std::string(kChartText) + " text-anchor=\"end\"");
   }
-  svg += svg_line(kLeft, bottom, kWidth - kRight, bottom, kAxis);
+  svg += svg_line(kChartLeft, bottom, kChartWidth - kChartRight, bottom, kAxis);
   for (std::size_t i = 0; i < curves.size(); ++i) {
     svg += "<path fill=\"none\" " + entries[samples + i].pen + " d=\"" +
-           smooth_path(curves[i], range, kTop, kHeight) + "\"><title>" + escaped(curves[i].name) +
-           "</title></path>";
+           smooth_path(curves[i], range, kChartTop, kHeight) + "\"><title>" +
+           escaped(curves[i].name) + "</title></path>";
   }
   std::size_t entry = 0;
   for (const Series& one : series) {
     if (one.values.empty()) continue;
     const std::vector<Step> steps = steps_of(one);
     svg += "<path fill=\"none\" " + entries[entry].pen + " d=\"" +
-           step_path(steps, range, kTop, kHeight) + "\"><title>" + escaped(entries[entry].name) +
-           "</title></path>" + named_marks(one, steps, range, kTop, kHeight);
+           step_path(steps, range, kChartTop, kHeight) + "\"><title>" +
+           escaped(entries[entry].name) + "</title></path>" +
+           named_marks(one, steps, range, kChartTop, kHeight);
     ++entry;
   }
-  svg += limit_lines(text, range, kTop, bottom);
+  svg += limit_lines(text, range, kChartTop, bottom);
   return svg + legend_below(entries, bottom + 54) + "</svg>\n";
 }
 
 std::string histogram_chart(const ChartText& text, const std::vector<Series>& series) {
   constexpr double kRow = 92.0, kGap = 24.0;
-  const Range data = range_of(series);
+  const AxisRange data = axis_range(series);
   std::vector<double> limits;
   for (const Limit& limit : text.limits) limits.push_back(limit.value);
   const Bins bins = bins_of({data.low, data.high}, limits);
-  const Range range{bins.low, bins.low + bins.width * static_cast<double>(bins.count)};
+  const AxisRange range{bins.low, bins.low + bins.width * static_cast<double>(bins.count)};
 
   std::vector<std::vector<double>> shares;
   std::vector<std::vector<std::vector<std::string>>> names;  // by series and bin
@@ -269,17 +271,17 @@ std::string histogram_chart(const ChartText& text, const std::vector<Series>& se
   }
   if (highest == 0.0) highest = 1.0;
 
-  const double bottom = kTop + static_cast<double>(series.size()) * (kRow + kGap);
-  std::string svg = svg_open(kWidth, bottom + 46, text.title) + title_of(text);
-  svg += x_axis(range, kTop, bottom, text.x_label);
+  const double bottom = kChartTop + static_cast<double>(series.size()) * (kRow + kGap);
+  std::string svg = svg_open(kChartWidth, bottom + 46, text.title) + chart_title(text);
+  svg += x_axis(range, kChartTop, bottom, text.x_label);
   const Ticks levels = ticks(0.0, 100.0 * highest, 3);
   for (std::size_t i = 0; i < series.size(); ++i) {
-    const double base = kTop + static_cast<double>(i + 1) * (kRow + kGap);
+    const double base = kChartTop + static_cast<double>(i + 1) * (kRow + kGap);
     for (const double level : levels.values) {
       const double y = base - kRow * level / (100.0 * highest);
-      if (level > 0.0) svg += svg_line(kLeft, y, kWidth - kRight, y, kGrid);
-      svg += svg_text(kLeft - 6, y + 4, fixed(level, levels.decimals) + " %",
-                      std::string(kSmall) + " text-anchor=\"end\"");
+      if (level > 0.0) svg += svg_line(kChartLeft, y, kChartWidth - kChartRight, y, kGrid);
+      svg += svg_text(kChartLeft - 6, y + 4, fixed(level, levels.decimals) + " %",
+                      std::string(kChartText) + " text-anchor=\"end\"");
     }
     for (std::size_t k = 0; k < bins.count; ++k) {
       if (shares[i][k] == 0.0) continue;
@@ -293,11 +295,12 @@ std::string histogram_chart(const ChartText& text, const std::vector<Series>& se
                      percent(shares[i][k]) + names_in_bin(names[i][k])) +
              "</title></rect>";
     }
-    svg += svg_line(kLeft, base, kWidth - kRight, base, kAxis);
-    svg += svg_text(kWidth - kRight, base - kRow + 2, name_with_count(series[i]),
-                    std::string(kSmall) + " font-weight=\"600\" text-anchor=\"end\"" + kHalo);
+    svg += svg_line(kChartLeft, base, kChartWidth - kChartRight, base, kAxis);
+    svg +=
+        svg_text(kChartWidth - kChartRight, base - kRow + 2, name_with_count(series[i]),
+                 std::string(kChartText) + " font-weight=\"600\" text-anchor=\"end\"" + kChartHalo);
   }
-  return svg + limit_lines(text, range, kTop, bottom) + "</svg>\n";
+  return svg + limit_lines(text, range, kChartTop, bottom) + "</svg>\n";
 }
 
 }  // namespace clast::report_detail

@@ -7,7 +7,7 @@
 namespace clast::report_detail {
 namespace {
 
-constexpr int kLevel = 6;  // a third of the time of 9, 1 % larger
+constexpr int kDeflateLevel = 6;  // a third of the time of 9, 1 % larger
 
 }  // namespace
 
@@ -28,7 +28,7 @@ std::string json_element(const std::string& attributes, std::string json) {
 }
 
 std::string packed_element(const std::string& id, std::string_view text) {
-  return "<script type=\"text/plain\" id=\"" + id + "\">" + base64(deflated(text, kLevel)) +
+  return "<script type=\"text/plain\" id=\"" + id + "\">" + base64(deflated(text, kDeflateLevel)) +
          "</script>\n";
 }
 

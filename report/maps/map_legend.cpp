@@ -6,12 +6,12 @@
 namespace clast::report_detail {
 namespace {
 
-constexpr std::size_t kMostCharacters = 24;  // of a name, beside the map
+constexpr std::size_t kMostMapCharacters = 24;  // of a name, beside the map
 
 /// Rows of marks and words beside the map.
-class Legend {
+class LegendRows {
  public:
-  explicit Legend(double x) : x_(x) {}
+  explicit LegendRows(double x) : x_(x) {}
 
   void head(const std::string& text) {
     y_ += y_ > kMapTop + 14.0 ? 10.0 : 0.0;
@@ -41,7 +41,7 @@ class Legend {
 }  // namespace
 
 MapLegend map_legend(const Comparison& comparison, const Sheet& sheet, double contour_interval) {
-  Legend legend(kMapLeft + sheet.width() + 22.0);
+  LegendRows legend(kMapLeft + sheet.width() + 22.0);
   legend.head("Site");
   legend.row(release_mark(legend.mark_x(), legend.mark_y(), ""), "release point");
   if (!comparison.lines.empty()) {
@@ -56,7 +56,7 @@ MapLegend map_legend(const Comparison& comparison, const Sheet& sheet, double co
   if (!zones.empty()) legend.head("Ground zones");
   for (std::size_t zone = 0; zone < zones.size(); ++zone) {
     legend.swatch(colour_text(zone_tint(zones[zone], zone)),
-                  shortened(zones[zone], kMostCharacters));
+                  shortened(zones[zone], kMostMapCharacters));
   }
   return {legend.svg(), legend.bottom()};
 }

@@ -17,7 +17,7 @@ namespace {
 constexpr double kBelow = 44.0;
 constexpr double kLongest = 790.0, kTallest = 640.0;  // of the map itself, px
 constexpr double kLegendWidth = 196.0;
-constexpr const char* kHalo =
+constexpr const char* kMapHalo =
     "font-size=\"12.5\" font-weight=\"600\" fill=\"#111\" stroke=\"#fff\" stroke-width=\"3\" "
     "paint-order=\"stroke\"";
 
@@ -84,7 +84,7 @@ std::string barriers(const Comparison& comparison, const Sheet& sheet) {
     }
     // Named at that end, inside the frame.
     svg += svg_text(end.x(), exits ? end.y() + 17.0 : std::max(end.y() - 7.0, kMapTop + 13.0),
-                    line.name, std::string(kHalo) + " text-anchor=\"middle\"");
+                    line.name, std::string(kMapHalo) + " text-anchor=\"middle\"");
   }
   return svg;
 }

@@ -30,7 +30,7 @@ std::vector<const BarrierGroup*> shown_groups(const Comparison& comparison, std:
 }
 
 /// mean, p95 and max of a summary.
-void append(std::vector<std::string>& cells, const Summary& summary, int decimals) {
+void append_summary(std::vector<std::string>& cells, const Summary& summary, int decimals) {
   for (const double value : {summary.mean, summary.p95, summary.max}) {
     cells.push_back(measured(value, summary, decimals));
   }
@@ -47,11 +47,11 @@ std::string crossing_table(const Comparison& comparison, std::size_t line) {
         short_name(comparison.groups[group->group_index]), std::to_string(group->started),
         std::to_string(group->crossed), percent(group->probability),
         fixed(100.0 * interval.low, 1) + kDash + fixed(100.0 * interval.high, 1) + " %"};
-    append(cells, group->height, 2);
+    append_summary(cells, group->height, 2);
     for (const double top : {group->top.p95, group->top.max}) {
       cells.push_back(measured(top, group->top, 2));
     }
-    append(cells, group->clearance, 2);
+    append_summary(cells, group->clearance, 2);
     table.row(std::move(cells));
   }
   return table.html();
@@ -68,7 +68,7 @@ std::string impact_table(const Comparison& comparison, std::size_t line) {
     if (group->crossed == 0) continue;
     any = true;
     std::vector<std::string> cells = {short_name(comparison.groups[group->group_index])};
-    append(cells, group->speed, 1);
+    append_summary(cells, group->speed, 1);
     for (const double energy : {group->total.mean, group->total.p95, group->total.max}) {
       cells.push_back(significant(energy / 1000.0));
     }
@@ -108,7 +108,7 @@ std::string directions_of(const Comparison& comparison, std::size_t line) {
 }
 
 /// "from (16.25, 50) to (16.25, 110) m"
-std::string place_of(const BarrierLine& barrier) {
+std::string barrier_ends(const BarrierLine& barrier) {
   std::string points;
   for (const Vec2& point : barrier.through) {
     points += (points.empty() ? "From (" : " to (") + fixed(point.x(), 2) + ", " +
@@ -172,7 +172,7 @@ std::string barrier_section(const Comparison& comparison) {
       figures += paragraph("No run crossed " + barrier.name + ".");
     figures +=
         folded("Figures at " + barrier.name,
-               "<p class=\"note\">" + escaped(place_of(barrier)) + "; " +
+               "<p class=\"note\">" + escaped(barrier_ends(barrier)) + "; " +
                    directions_of(comparison, line) + ".</p>\n" + crossing_table(comparison, line) +
                    impact_table(comparison, line) + passage_table(comparison, passages, line),
                OnPaper::kOpen);

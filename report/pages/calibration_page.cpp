@@ -27,7 +27,7 @@ std::string label_of(const Unknown& unknown) {
   return unknown_in_words(unknown.parameter) + (unit.empty() ? "" : ", " + unit);
 }
 
-std::string head(const Calibration& calibration) {
+std::string calibration_head(const Calibration& calibration) {
   const CalibrationDesign& design = calibration.study.design;
   std::string html = "<header id=\"answer\">\n<h1>Ground found from what was observed</h1>\n";
   html += "<p class=\"lead\">" +
@@ -276,7 +276,7 @@ std::string provenance_section(const Calibration& calibration) {
 }  // namespace
 
 std::string calibration_page(const Calibration& calibration) {
-  const std::string sections = head(calibration) + unknowns_section(calibration) +
+  const std::string sections = calibration_head(calibration) + unknowns_section(calibration) +
                                prediction_section(calibration) + ridges_section(calibration) +
                                influence_section(calibration) + provenance_section(calibration);
   return report_page(

@@ -19,7 +19,7 @@ std::string with_unit(const RealisationFigure& figure) {
   return figure.words + (figure.unit.empty() ? "" : ", " + figure.unit);
 }
 
-std::string range_of(const std::optional<Interval>& interval, int decimals) {
+std::string interval_text(const std::optional<Interval>& interval, int decimals) {
   return interval ? fixed(interval->low, decimals) + " to " + fixed(interval->high, decimals) : "-";
 }
 
@@ -47,7 +47,7 @@ std::string figures_table(const Comparison& comparison, const FiguresOfFiles& fi
         if (one.file == file && one.figure == i) found = one;
       }
       cells.push_back(mean_and_std(found.summary, figure.decimals));
-      cells.push_back(range_of(found.interval, figure.decimals));
+      cells.push_back(interval_text(found.interval, figure.decimals));
       cells.push_back(measured(found.least, found.summary, figure.decimals));
       cells.push_back(measured(found.summary.max, found.summary, figure.decimals));
     }
@@ -118,7 +118,7 @@ std::string differences_table(const Comparison& comparison, const FiguresOfFiles
                fixed(one.first.summary.mean, figure.decimals),
                fixed(one.second.summary.mean, figure.decimals),
                fixed(one.difference(), figure.decimals),
-               one.welch ? range_of(one.welch->interval, figure.decimals) : "-",
+               one.welch ? interval_text(one.welch->interval, figure.decimals) : "-",
                one.welch ? with_digits(one.welch->p_value, 2) : "-",
                one.welch ? with_digits(one.p_holm, 2) : "-",
                distinction == Distinction::kUnknown         ? "-"
@@ -181,7 +181,7 @@ std::string mobility_of(const Comparison& comparison) {
                std::to_string(one.together_runout.count), std::to_string(one.runs),
                fixed(one.together_runout.mean, 2), fixed(one.alone_runout.mean, 2),
                fixed(one.together_runout.mean - one.alone_runout.mean, 2),
-               one.difference ? range_of(one.difference->interval, 2) : "-",
+               one.difference ? interval_text(one.difference->interval, 2) : "-",
                one.difference ? with_digits(one.difference->p_value, 2) : "-",
                fixed(one.together_toe.mean, 2), fixed(one.alone_toe, 2)});
   }

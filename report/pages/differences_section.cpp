@@ -59,7 +59,7 @@ std::string row_name(const Comparison& comparison, const Difference& one) {
                                           : first.key + " against " + second.key;
 }
 
-std::string chart_of(const Comparison& comparison, const Picture& picture) {
+std::string difference_chart(const Comparison& comparison, const Picture& picture) {
   std::vector<IntervalMark> marks;
   for (const Difference* one : picture.rows) {
     // An angle to either side has no size to be a share of.
@@ -156,7 +156,7 @@ std::string differences_section(const Comparison& comparison) {
   const std::vector<Picture> pictures = pictures_of(comparison);
   std::string html = too_many_groups(comparison);
   for (const Picture& picture : pictures) {
-    html += words_for(comparison, picture) + chart_of(comparison, picture);
+    html += words_for(comparison, picture) + difference_chart(comparison, picture);
   }
   if (!pictures.empty()) {
     html += folded("Tests and corrections", method_of(comparison) + table_of(comparison));

@@ -14,9 +14,7 @@
 namespace clast::report_detail {
 namespace {
 
-using Realisations = std::vector<const RealisationEnergies*>;
-
-constexpr double kKilo = 1e-3;  ///< J to kJ
+using EnergyRealisations = std::vector<const RealisationEnergies*>;
 
 /// What energy becomes, in the order that charts stack it.
 struct Use {
@@ -51,8 +49,8 @@ const std::vector<Use>& uses() {
 
 double kinetic(const EnergySample& sample) { return sample.translational + sample.rotational; }
 
-std::vector<Realisations> by_file(const std::vector<RealisationEnergies>& all) {
-  std::vector<Realisations> files;
+std::vector<EnergyRealisations> energies_by_file(const std::vector<RealisationEnergies>& all) {
+  std::vector<EnergyRealisations> files;
   for (const RealisationEnergies& one : all) {
     if (files.empty() || files.back().front()->file != one.file) files.emplace_back();
     files.back().push_back(&one);
@@ -66,13 +64,14 @@ std::string of_file(const Comparison& comparison, std::uint32_t file) {
 
 /// What the energy of a mass has become until a time, each use on top of the one before, the
 /// kinetic energy on top of all.
-std::string uses_chart(const Comparison& comparison, const Realisations& realisations) {
+std::string uses_chart(const Comparison& comparison, const EnergyRealisations& realisations) {
   std::vector<Trace> traces;
   std::vector<double> below;
   const auto add = [&](const std::string& words, const std::string& colour,
                        const EnergyValue& value) {
-    const RealisationCurve curve = energy_curve(
-        realisations, [&](const EnergySample& sample) { return kKilo * value(sample); });
+    const RealisationCurve curve = energy_curve(realisations, [&](const EnergySample& sample) {
+      return kKilojoulesPerJoule * value(sample);
+    });
     if (below.empty()) {
       below.assign(curve.time.size(), 0.0);
       Trace zero{words, colour, "", Trace::Kind::kLine, curve.time, below};
@@ -96,25 +95,29 @@ std::string uses_chart(const Comparison& comparison, const Realisations& realisa
       traces);
 }
 
-std::string kinetic_chart(const Comparison& comparison, const std::vector<Realisations>& masses) {
+std::string kinetic_chart(const Comparison& comparison,
+                          const std::vector<EnergyRealisations>& masses) {
   std::vector<Trace> traces;
   for (std::size_t i = 0; i < masses.size(); ++i) {
     const std::string name =
         (several_files(comparison) ? file_name(comparison, masses[i].front()->file) : "mean") +
         " of " + counted(masses[i].size(), "realisation");
-    add_realisation_curve(
-        traces, name, data_colour(i), Trace::Kind::kLine,
-        energy_curve(masses[i], [](const EnergySample& sample) { return kKilo * kinetic(sample); }),
-        masses[i].size());
+    add_realisation_curve(traces, name, data_colour(i), Trace::Kind::kLine,
+                          energy_curve(masses[i],
+                                       [](const EnergySample& sample) {
+                                         return kKilojoulesPerJoule * kinetic(sample);
+                                       }),
+                          masses[i].size());
   }
   return plotly_chart({"Kinetic energy of all blocks together", "time since the first release, s",
                        "kinetic energy, kJ"},
                       traces);
 }
 
-std::string shares_table(const Comparison& comparison, const std::vector<Realisations>& files) {
+std::string shares_table(const Comparison& comparison,
+                         const std::vector<EnergyRealisations>& files) {
   std::vector<std::string> heads = {"dissipated by"};
-  for (const Realisations& realisations : files) {
+  for (const EnergyRealisations& realisations : files) {
     const std::string file = several_files(comparison)
                                  ? "file " + std::to_string(realisations.front()->file + 1) + ": "
                                  : "";
@@ -126,10 +129,10 @@ std::string shares_table(const Comparison& comparison, const std::vector<Realisa
   const auto row = [&](const std::string& words, const EnergyValue& energy,
                        const std::function<double(const EnergyShares&)>& share) {
     std::vector<std::string> cells = {words};
-    for (const Realisations& realisations : files) {
+    for (const EnergyRealisations& realisations : files) {
       std::vector<double> energies, shares;
       for (const RealisationEnergies* one : realisations) {
-        energies.push_back(kKilo * energy(one->samples.back()));
+        energies.push_back(kKilojoulesPerJoule * energy(one->samples.back()));
         shares.push_back(share(energy_shares(one->samples)));
       }
       const Summary summary = summarise(shares);
@@ -152,7 +155,8 @@ std::string shares_table(const Comparison& comparison, const std::vector<Realisa
 }
 
 /// "53 % of what was dissipated was friction, 31 % ...": means over the realisations of a file.
-std::string in_words(const Comparison& comparison, const Realisations& realisations) {
+std::string dissipation_in_words(const Comparison& comparison,
+                                 const EnergyRealisations& realisations) {
   const auto mean = [&](const std::function<double(const EnergyShares&)>& share) {
     std::vector<double> shares;
     for (const RealisationEnergies* one : realisations) {
@@ -181,18 +185,19 @@ std::string in_words(const Comparison& comparison, const Realisations& realisati
 
 std::string energy_section(const Comparison& comparison) {
   const std::vector<RealisationEnergies> all = realisation_energies(comparison);
-  const std::vector<Realisations> files = by_file(all);
+  const std::vector<EnergyRealisations> files = energies_by_file(all);
   if (files.empty()) return "";
-  std::vector<Realisations> masses;
+  std::vector<EnergyRealisations> masses;
   std::string body;
-  for (const Realisations& realisations : files) {
-    body += in_words(comparison, realisations);
+  for (const EnergyRealisations& realisations : files) {
+    body += dissipation_in_words(comparison, realisations);
     if (comparison.results[realisations.front()->file].stay->at_once) {
       masses.push_back(realisations);
     }
   }
   if (!masses.empty()) body += kinetic_chart(comparison, masses);
-  for (const Realisations& realisations : masses) body += uses_chart(comparison, realisations);
+  for (const EnergyRealisations& realisations : masses)
+    body += uses_chart(comparison, realisations);
   return section(
       "Where the energy goes",
       body +

@@ -16,7 +16,7 @@ constexpr double kSignificant = 0.05;
 
 bool is_share(const ParameterEffect& effect) { return effect.outcome != "mean runout"; }
 
-std::string number(const ParameterEffect& effect, double value) {
+std::string effect_number(const ParameterEffect& effect, double value) {
   return is_share(effect) ? fixed(100.0 * value, 1) : significant(value);
 }
 
@@ -27,7 +27,7 @@ std::string runs_of(const Comparison& comparison, const ParameterEffect& effect)
   return text;
 }
 
-std::string in_words(const std::string& parameter) {
+std::string parameter_in_words(const std::string& parameter) {
   for (const GroundField& field : ground_fields()) {
     if (parameter == field.name) return field.words;
   }
@@ -35,14 +35,16 @@ std::string in_words(const std::string& parameter) {
 }
 
 /// A sentence for one outcome of the runs of one group: its band, and what moves it most.
-std::string sentence(const Comparison& comparison, const std::vector<ParameterEffect>& effects) {
+std::string effect_sentence(const Comparison& comparison,
+                            const std::vector<ParameterEffect>& effects) {
   const ParameterEffect& any = effects.front();
   const std::string unit = is_share(any) ? " %" : " m";
   std::string text = runs_of(comparison, any) + "over " + std::to_string(any.members) +
                      " draws of the ground the " +
                      (is_share(any) ? "share of runs " + any.outcome : any.outcome) + " is " +
-                     number(any, any.outcome_median) + unit + " (" + number(any, any.outcome_p5) +
-                     " to " + number(any, any.outcome_p95) + unit + " in nine draws of ten)";
+                     effect_number(any, any.outcome_median) + unit + " (" +
+                     effect_number(any, any.outcome_p5) + " to " +
+                     effect_number(any, any.outcome_p95) + unit + " in nine draws of ten)";
   const auto size = [](const ParameterEffect& effect) {
     return effect.correlation ? std::abs(effect.correlation->statistic) : 0.0;
   };
@@ -55,7 +57,7 @@ std::string sentence(const Comparison& comparison, const std::vector<ParameterEf
     text += "; no single parameter is seen to move it";
   } else {
     text += std::string("; it ") + (most->correlation->statistic > 0.0 ? "grows" : "falls") +
-            " most clearly with the " + in_words(most->parameter) + " of " + most->zone +
+            " most clearly with the " + parameter_in_words(most->parameter) + " of " + most->zone +
             " (rank correlation " + fixed(most->correlation->statistic, 2) + ")";
   }
   return capital(text) + ".";
@@ -81,12 +83,12 @@ std::string ensemble_section(const Comparison& comparison) {
       same.push_back(effect);
       const std::optional<TestResult>& correlation = effect.correlation;
       table.row({runs_of(comparison, effect) + effect.outcome, effect.zone,
-                 in_words(effect.parameter), significant(effect.low), significant(effect.high),
-                 correlation ? fixed(correlation->statistic, 2) : "-",
+                 parameter_in_words(effect.parameter), significant(effect.low),
+                 significant(effect.high), correlation ? fixed(correlation->statistic, 2) : "-",
                  correlation ? significant(correlation->p_value, 2) : "-",
                  effect.first_order ? percent(*effect.first_order) : "-"});
     }
-    sentences += paragraph(sentence(comparison, same));
+    sentences += paragraph(effect_sentence(comparison, same));
   }
   return section(
       "Uncertain ground",

@@ -13,12 +13,12 @@
 namespace clast::report_detail {
 namespace {
 
-constexpr double kLevel = 0.05;            ///< of tests
-constexpr double kAlong = 30.0;            ///< deg from downslope: up to this is along it
-constexpr double kAcross = 60.0;           ///< ... and from this on across it
-constexpr std::size_t kFewestBlocks = 10;  ///< of a rose, and of a statement
+constexpr double kFabricLevel = 0.05;    ///< of tests
+constexpr double kAlong = 30.0;          ///< deg from downslope: up to this is along it
+constexpr double kAcross = 60.0;         ///< ... and from this on across it
+constexpr std::size_t kFewestAxes = 10;  ///< of a rose, and of a statement
 
-std::string colour_of(const FabricGroup& group) {
+std::string group_colour(const FabricGroup& group) {
   const std::string prefix = "class ";
   return group.name.starts_with(prefix) ? class_colour(group.name.substr(prefix.size()))
                                         : class_colour("");
@@ -26,7 +26,7 @@ std::string colour_of(const FabricGroup& group) {
 
 /// @param all  of the file: a class that has all blocks has no rose of its own
 bool has_rose(const FabricGroup& group, const FabricGroup& all) {
-  if (group.blocks < kFewestBlocks) return false;
+  if (group.blocks < kFewestAxes) return false;
   return group.name == "all" || (group.name.starts_with("class ") && group.blocks < all.blocks);
 }
 
@@ -43,7 +43,7 @@ std::string orientation_in_words(const FabricGroup& all) {
       (degrees < 0.0 ? "left" : "right") + " of downslope, resultant " +
       fixed(all.trend.resultant, 2) + ", p " + with_digits(p, 2) +
       (all.rayleigh_realisations ? "" : " with blocks taken as independent");
-  if (!(p < kLevel)) return "have no direction beyond chance (" + figures + ")";
+  if (!(p < kFabricLevel)) return "have no direction beyond chance (" + figures + ")";
   return (std::abs(degrees) <= kAlong    ? "lie along the slope ("
           : std::abs(degrees) >= kAcross ? "lie across the slope ("
                                          : "lie obliquely to the slope (") +
@@ -54,7 +54,7 @@ std::string neighbours_in_words(const NeighbourTest& test) {
   const std::string figures = percent(test.share, 0) + " of nearest neighbours against " +
                               percent(test.expected, 0) + " by chance, p " +
                               with_digits(test.p_value, 2);
-  if (!(test.p_value < kLevel)) {
+  if (!(test.p_value < kFabricLevel)) {
     return "Blocks of a class lie neither together nor apart beyond chance (" + figures + ").";
   }
   return std::string("Blocks of a class lie ") +
@@ -70,7 +70,7 @@ std::string sorting_in_words(const SortingTrend& size) {
            : std::string()) +
       ", " + counted(mean.summary.count, "realisation");
   if (!size.p_value) return "Size and runout: " + figures + "; an interval takes two that differ.";
-  if (!(*size.p_value < kLevel))
+  if (!(*size.p_value < kFabricLevel))
     return "Runout does not go with size beyond chance (" + figures + ").";
   return std::string(mean.summary.mean > 0.0 ? "Larger" : "Smaller") + " blocks go farther (" +
          figures + ").";
@@ -81,7 +81,7 @@ std::string words_of(const Comparison& comparison, const DepositFabric& fabric) 
   for (const FabricGroup& group : fabric.groups) {
     if (group.name != "all") continue;
     std::string words =
-        group.blocks < kFewestBlocks ? "" : "Long axes " + orientation_in_words(group) + ". ";
+        group.blocks < kFewestAxes ? "" : "Long axes " + orientation_in_words(group) + ". ";
     for (const NeighbourTest& test : fabric.neighbours) {
       if (test.file == group.file && test.scheme == "garcia") {
         words += neighbours_in_words(test) + " ";
@@ -106,7 +106,7 @@ std::string roses_of(const Comparison& comparison, const DepositFabric& fabric) 
     const std::string of_file =
         several_files(comparison) ? "file " + std::to_string(group.file + 1) + ": " : "";
     roses += figure(rose_diagram(of_file + group.name + " (" + std::to_string(group.blocks) + ")",
-                                 colour_of(group), group.trends, group.trend));
+                                 group_colour(group), group.trends, group.trend));
   }
   if (roses.empty()) return "";
   return "<div class=\"charts by-three roses\">\n" + roses + "</div>\n" +

@@ -24,7 +24,7 @@ void add_curve(const StopCurve& curve, const std::string& name, const std::strin
   traces.push_back({name, colour, dash, Trace::Kind::kSteps, curve.runout, curve.share});
 }
 
-std::string title_of(const Group& group) {
+std::string group_title(const Group& group) {
   return group.kind == GroupKind::kAll      ? "All blocks"
          : group.kind == GroupKind::kGarcia ? group.key + " blocks"
                                             : "Block " + group.key;
@@ -69,7 +69,7 @@ std::string measured_section(const Comparison& comparison) {
               kSimulatedColour, "", traces);
     add_curve(group.curve, "measured (" + std::to_string(group.measured) + ")", kFieldColour, "6 3",
               traces);
-    html += plotly_chart({title_of(comparison.groups[group.group]) + ": share that stops before",
+    html += plotly_chart({group_title(comparison.groups[group.group]) + ": share that stops before",
                           "runout, m", "share of stops", true},
                          traces);
   }

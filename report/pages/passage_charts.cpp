@@ -14,13 +14,12 @@
 namespace clast::report_detail {
 namespace {
 
-using Realisations = std::vector<const RealisationPassages*>;
-
-constexpr double kKilo = 1e-3;  ///< J to kJ
+using PassageRealisations = std::vector<const RealisationPassages*>;
 
 /// The realisations of a barrier by file.
-std::vector<Realisations> by_file(const std::vector<RealisationPassages>& all, std::size_t line) {
-  std::vector<Realisations> files;
+std::vector<PassageRealisations> passages_by_file(const std::vector<RealisationPassages>& all,
+                                                  std::size_t line) {
+  std::vector<PassageRealisations> files;
   for (const RealisationPassages& one : all) {
     if (one.line != line) continue;
     if (files.empty() || files.back().front()->file != one.file) files.emplace_back();
@@ -40,8 +39,9 @@ RealisationCurve with_end(RealisationCurve curve) {
   return curve;
 }
 
-std::string chart_of(const Comparison& comparison, const std::vector<Realisations>& files,
-                     const ChartAxes& axes, const PassageValue& value) {
+std::string passage_chart(const Comparison& comparison,
+                          const std::vector<PassageRealisations>& files, const ChartAxes& axes,
+                          const PassageValue& value) {
   std::vector<Trace> traces;
   for (std::size_t i = 0; i < files.size(); ++i) {
     const RealisationCurve curve = with_end(passage_curve(files[i], value));
@@ -70,15 +70,16 @@ const std::vector<PassageFigure>& figures() {
        [](const Row& row) { return row.sum([](const BlockPassage& one) { return one.mass; }); }},
       {"volume, m\xC2\xB3", 1.0,
        [](const Row& row) { return row.sum([](const BlockPassage& one) { return one.volume; }); }},
-      {"energy, kJ", kKilo,
+      {"energy, kJ", kKilojoulesPerJoule,
        [](const Row& row) { return row.sum([](const BlockPassage& one) { return one.energy; }); }},
       {"first passage, s", 1.0, &Row::first},
       {"from the first to the last, s", 1.0,
        [](const Row& row) { return row.last() - row.first(); }},
       {"most blocks in 1 s", 1.0, [](const Row& row) { return row.most_blocks.value; }},
       {"most mass in 1 s, kg", 1.0, [](const Row& row) { return row.most_mass.value; }},
-      {"most energy in 1 s, kJ", kKilo, [](const Row& row) { return row.most_energy.value; }},
-      {"largest energy of a block, kJ", kKilo, &Row::largest_energy}};
+      {"most energy in 1 s, kJ", kKilojoulesPerJoule,
+       [](const Row& row) { return row.most_energy.value; }},
+      {"largest energy of a block, kJ", kKilojoulesPerJoule, &Row::largest_energy}};
   static_assert(kPassageWindow == 1.0, "the heads say so");
   return kFigures;
 }
@@ -87,21 +88,22 @@ const std::vector<PassageFigure>& figures() {
 
 std::string passage_charts(const Comparison& comparison,
                            const std::vector<RealisationPassages>& all, std::size_t line) {
-  const std::vector<Realisations> files = by_file(all, line);
+  const std::vector<PassageRealisations> files = passages_by_file(all, line);
   const std::string at = comparison.lines[line].name + ": ";
   const char* time = "time since the first release, s";
-  return chart_of(comparison, files, {at + "blocks that have passed", time, "blocks"},
-                  [](const BlockPassage&) { return 1.0; }) +
-         chart_of(comparison, files, {at + "mass that has passed", time, "mass, kg"},
-                  [](const BlockPassage& passage) { return passage.mass; }) +
-         chart_of(comparison, files, {at + "energy that has passed", time, "kinetic energy, kJ"},
-                  [](const BlockPassage& passage) { return kKilo * passage.energy; });
+  return passage_chart(comparison, files, {at + "blocks that have passed", time, "blocks"},
+                       [](const BlockPassage&) { return 1.0; }) +
+         passage_chart(comparison, files, {at + "mass that has passed", time, "mass, kg"},
+                       [](const BlockPassage& passage) { return passage.mass; }) +
+         passage_chart(
+             comparison, files, {at + "energy that has passed", time, "kinetic energy, kJ"},
+             [](const BlockPassage& passage) { return kKilojoulesPerJoule * passage.energy; });
 }
 
 std::string passage_words(const Comparison& comparison, const std::vector<RealisationPassages>& all,
                           std::size_t line) {
   std::string html;
-  for (const Realisations& realisations : by_file(all, line)) {
+  for (const PassageRealisations& realisations : passages_by_file(all, line)) {
     double blocks = 0.0, mass = 0.0, energy = 0.0, single = 0.0;
     for (const RealisationPassages* one : realisations) {
       blocks = std::max(blocks, one->most_blocks.value);
@@ -126,10 +128,10 @@ std::string passage_words(const Comparison& comparison, const std::vector<Realis
 
 std::string passage_table(const Comparison& comparison, const std::vector<RealisationPassages>& all,
                           std::size_t line) {
-  const std::vector<Realisations> files = by_file(all, line);
+  const std::vector<PassageRealisations> files = passages_by_file(all, line);
   if (files.empty()) return "";
   std::vector<std::string> heads = {"together"};
-  for (const Realisations& realisations : files) {
+  for (const PassageRealisations& realisations : files) {
     const std::string of_file =
         several_files(comparison) ? "file " + std::to_string(realisations.front()->file + 1) + ": "
                                   : "";
@@ -138,7 +140,7 @@ std::string passage_table(const Comparison& comparison, const std::vector<Realis
   HtmlTable table(heads, 1);
   for (const PassageFigure& figure : figures()) {
     std::vector<std::string> cells = {figure.words};
-    for (const Realisations& realisations : files) {
+    for (const PassageRealisations& realisations : files) {
       std::vector<double> values;
       for (const RealisationPassages* one : realisations) {
         const double value = figure.unit * figure.value(*one);

@@ -22,7 +22,7 @@ std::string range_text(double low, double high) {
   return fixed(100.0 * low, 1) + "\xE2\x80\x93" + percent(high);
 }
 
-std::string head(const PopulationReport& report) {
+std::string population_head(const PopulationReport& report) {
   std::string title, facts;
   std::vector<std::string> notes;
   for (const ReportedPopulation& reported : report.populations) {
@@ -216,10 +216,11 @@ std::string population_page(const PopulationReport& report, const Diagrams& diag
   for (const ReportedPopulation& reported : report.populations) {
     title += (&reported == &report.populations.front() ? ": " : ", ") + reported.population.name;
   }
-  return report_page(title,
-                     head(report) + comparison_section(report) + classes_section(report, diagrams) +
-                         diagrams_section(report, diagrams) + size_section(report, diagrams) +
-                         blocks_section(report) + boxes_section(report) + sources_section(report));
+  return report_page(title, population_head(report) + comparison_section(report) +
+                                classes_section(report, diagrams) +
+                                diagrams_section(report, diagrams) +
+                                size_section(report, diagrams) + blocks_section(report) +
+                                boxes_section(report) + sources_section(report));
 }
 
 }  // namespace clast::report_detail

@@ -8,6 +8,8 @@
 
 namespace clast::report_detail {
 
+inline constexpr double kKilojoulesPerJoule = 1e-3;
+
 /// Adds the mean, and below it the band from least to most where there are several realisations.
 void add_realisation_curve(std::vector<Trace>& traces, const std::string& name,
                            const std::string& colour, Trace::Kind kind,

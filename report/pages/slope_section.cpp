@@ -20,7 +20,7 @@ Bins bins_of_group(const std::vector<ProfileBin>& bins, std::size_t group) {
   return found;
 }
 
-std::vector<std::string> counts_of(const Bins& bins) {
+std::vector<std::string> bin_counts(const Bins& bins) {
   std::vector<std::string> notes;
   for (const ProfileBin* bin : bins) notes.push_back(std::to_string(bin->runs) + " runs");
   return notes;
@@ -58,7 +58,7 @@ std::string share_against_distance(const Comparison& comparison,
       trace.x.push_back(bin->from);
       trace.y.push_back(static_cast<double>(bin->runs) / static_cast<double>(group.rows.size()));
     }
-    trace.notes = counts_of(along);
+    trace.notes = bin_counts(along);
     traces.push_back(std::move(trace));
   }
   return plotly_chart(axes, traces);
@@ -111,7 +111,7 @@ std::string against_distance(const Comparison& comparison, const std::vector<Pro
         trace.x.push_back(0.5 * (bin->from + bin->to));
         trace.y.push_back(summary.count > 0 ? summary.*value * unit : NAN);
       }
-      trace.notes = counts_of(along);
+      trace.notes = bin_counts(along);
       trace.shown = shown;
       traces.push_back(std::move(trace));
     };
@@ -143,7 +143,7 @@ std::string cut_along_the_mean_path(const Comparison& comparison,
     all.y.push_back(bin->height.count > 0 ? z + bin->height.max : NAN);
   }
   most.filled = true;
-  most.notes = all.notes = counts_of(along);
+  most.notes = all.notes = bin_counts(along);
   ChartAxes axes{title, "distance along downslope, m", "elevation, m"};
   axes.equal_scales = true;
   return plotly_chart(axes, {ground, most, all});

@@ -15,7 +15,7 @@ using namespace report_detail;
 
 namespace {
 
-constexpr double kWidth = 620.0, kHeight = 520.0;  ///< of the plan, px
+constexpr double kPhotoPlanWidth = 620.0, kPhotoPlanHeight = 520.0;  ///< of the plan, px
 constexpr double kMargin = 46.0;
 constexpr int kOutline = 72;  ///< directions in which the block's outline is looked for
 
@@ -40,7 +40,7 @@ std::string degrees(double angle) { return fixed(angle * kDegreesPerRadian, 0) +
 struct Plan {
   double pixel = 1.0;  ///< px per m
   Vec2 operator()(double x, double y) const {
-    return {0.5 * kWidth + pixel * x, 0.5 * kHeight - pixel * y};
+    return {0.5 * kPhotoPlanWidth + pixel * x, 0.5 * kPhotoPlanHeight - pixel * y};
   }
   Vec2 around(double azimuth, double distance) const {
     return (*this)(distance * std::cos(azimuth), distance * std::sin(azimuth));
@@ -102,15 +102,15 @@ std::string ring_plan(const PhotoEvidence& evidence, const TriangleMesh& surface
   const auto flat = [](const CameraSeat& seat) { return seat.distance * std::cos(seat.elevation); };
   for (const CameraSeat& seat : evidence.ring.seats) reach = std::max(reach, flat(seat));
   if (reach <= 0.0) return "";
-  const Plan plan{(0.5 * std::min(kWidth, kHeight) - kMargin) / reach};
-  std::string svg = svg_open(kWidth, kHeight, "cameras from above");
+  const Plan plan{(0.5 * std::min(kPhotoPlanWidth, kPhotoPlanHeight) - kMargin) / reach};
+  std::string svg = svg_open(kPhotoPlanWidth, kPhotoPlanHeight, "cameras from above");
   for (const RingGap& gap : evidence.ring.gaps) svg += wedge(plan, gap, reach);
   svg += outline(plan, surface, middle);
   for (const CameraSeat& seat : evidence.ring.seats) {
     svg += mark(plan.around(seat.azimuth, flat(seat)), seat);
   }
   const char* const axis = "stroke=\"#1d2733\" stroke-width=\"1.4\"";
-  const double x = 22.0, y = kHeight - 22.0;
+  const double x = 22.0, y = kPhotoPlanHeight - 22.0;
   svg += svg_line(x, y, x + 34, y, axis) + svg_line(x, y, x, y - 34, axis) +
          svg_text(x + 38, y + 5, "x", "font-size=\"13\"") +
          svg_text(x - 3, y - 39, "y", "font-size=\"13\"");

@@ -19,7 +19,7 @@ namespace clast::report_detail {
 
 namespace {
 
-constexpr std::uint32_t kWidth = 480, kHeight = 400;  ///< of one view, px
+constexpr std::uint32_t kViewWidth = 480, kViewHeight = 400;  ///< of one view, px
 /// A block in a scan that is this many times larger is shown by itself too.
 constexpr double kMuchLarger = 1.4;
 /// Surface farther than this from the scan, as a share of the block's diagonal, is new.
@@ -48,7 +48,7 @@ using Cameras = std::array<Camera, 3>;
 Cameras cameras_on(std::span<const Vec3> points) {
   Cameras cameras = {camera_toward(sides()[0].toward), camera_toward(sides()[1].toward),
                      camera_toward(sides()[2].toward)};
-  frame(cameras, points, kWidth, kHeight);
+  frame(cameras, points, kViewWidth, kViewHeight);
   return cameras;
 }
 

@@ -21,15 +21,15 @@ using Json = nlohmann::ordered_json;
 constexpr double kSeenRadius = 0.03;
 
 /// To 2^-14, which is 0.06 mm: bits that nobody sees would be most of what a page can't deflate.
-double seen(double value) { return std::round(value * 16384.0) / 16384.0; }
+double visible_digits(double value) { return std::round(value * 16384.0) / 16384.0; }
 
-void append(std::vector<float>& flat, const Vec3& v) {
+void append_vector(std::vector<float>& flat, const Vec3& v) {
   for (int axis = 0; axis < 3; ++axis) flat.push_back(static_cast<float>(v[axis]));
 }
 
-Json mesh_json(const TriangleMesh& mesh, const Vec3& shift) {
+Json scene_mesh_json(const TriangleMesh& mesh, const Vec3& shift) {
   std::vector<float> vertices;
-  for (const Vec3& vertex : mesh.vertices) append(vertices, vertex + shift);
+  for (const Vec3& vertex : mesh.vertices) append_vector(vertices, vertex + shift);
   std::vector<std::uint32_t> corners;
   for (const TriangleMesh::Triangle& t : mesh.triangles) {
     corners.insert(corners.end(), t.begin(), t.end());
@@ -84,7 +84,7 @@ Json terrain_json(const Terrain& terrain, const Vec3& shift, const SceneLimits& 
   if (terrain.surface.triangles.size() > limits.triangles) {
     return terrain_json(resampled(terrain, limits.grid), shift, {.triangles = SIZE_MAX});
   }
-  Json json = mesh_json(terrain.surface, shift);
+  Json json = scene_mesh_json(terrain.surface, shift);
   json["zones"] = packed<std::uint16_t>(terrain.zone);
   return json;
 }
@@ -108,7 +108,7 @@ Bodies bodies_of(const Comparison& comparison) {
     for (const BlockSummary& block : results.blocks) {
       Json json = {
           {"name", block.id}, {"group", block.garcia}, {"colour", class_colour(block.garcia)}};
-      json.update(mesh_json(drawn_body(results, block), Vec3::Zero()));
+      json.update(scene_mesh_json(drawn_body(results, block), Vec3::Zero()));
       bodies.json.push_back(std::move(json));
     }
   }
@@ -144,10 +144,11 @@ SceneRuns scene_runs(const Comparison& comparison, const StoredRuns& all, const 
       const RigidState& state = trajectory.states[k];
       scene.frames.push_back(static_cast<float>(trajectory.time[k]));
       const Vec3 place = results.frame.map(state.position) - origin;
-      append(scene.frames, Vec3(seen(place.x()), seen(place.y()), seen(place.z())));
+      append_vector(scene.frames, Vec3(visible_digits(place.x()), visible_digits(place.y()),
+                                       visible_digits(place.z())));
       for (const double q : {state.orientation.w(), state.orientation.x(), state.orientation.y(),
                              state.orientation.z()}) {
-        scene.frames.push_back(static_cast<float>(seen(q)));
+        scene.frames.push_back(static_cast<float>(visible_digits(q)));
       }
     }
     scene.duration = std::max(scene.duration, trajectory.time.back());

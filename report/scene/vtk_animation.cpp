@@ -68,7 +68,7 @@ class Appended {
   std::string bytes_;
 };
 
-std::string frame(const std::vector<MovingBlock>& blocks, double time) {
+std::string vtk_frame(const std::vector<MovingBlock>& blocks, double time) {
   std::vector<double> points, speed;
   std::vector<std::int32_t> corners, ends, file, run;
   for (const MovingBlock& block : blocks) {
@@ -127,7 +127,7 @@ std::vector<MovingBlock> moving_blocks(const Comparison& comparison, std::size_t
   return blocks;
 }
 
-std::string number(std::size_t value) {
+std::string frame_number(std::size_t value) {
   char text[24];
   std::snprintf(text, sizeof text, "%04zu", value);
   return text;
@@ -152,8 +152,8 @@ std::filesystem::path write_animation(const std::filesystem::path& folder,
   }
   std::size_t index = 0;
   for (const double time : times) {
-    const std::string name = "frame_" + number(index++) + ".vtp";
-    write_text_file(folder / name, frame(blocks, time));
+    const std::string name = "frame_" + frame_number(index++) + ".vtp";
+    write_text_file(folder / name, vtk_frame(blocks, time));
     list +=
         "<DataSet timestep=\"" + with_digits(time, 9) + "\" part=\"0\" file=\"" + name + "\"/>\n";
   }

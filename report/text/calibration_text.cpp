@@ -16,7 +16,7 @@ namespace {
 
 constexpr double kRidge = 0.6;  ///< rank correlation from which two parameters are a ridge
 
-std::string value_text(double value) { return rounded(value, 3); }
+std::string calibrated_value(double value) { return rounded(value, 3); }
 
 std::string unit_of(const std::string& parameter) {
   const std::string unit = parameter_range(parameter).unit;
@@ -139,9 +139,9 @@ std::string calibration_answer(const Calibration& calibration) {
       undetermined.push_back(name);
       continue;
     }
-    determined.push_back(name + " " + value_text(marginal.median) + unit_of(unknowns[i].parameter) +
-                         " (" + value_text(marginal.low) + " to " + value_text(marginal.high) +
-                         ")");
+    determined.push_back(name + " " + calibrated_value(marginal.median) +
+                         unit_of(unknowns[i].parameter) + " (" + calibrated_value(marginal.low) +
+                         " to " + calibrated_value(marginal.high) + ")");
   }
   std::string text;
   if (determined.empty()) {
@@ -186,13 +186,14 @@ std::vector<std::string> calibration_findings(const Calibration& calibration) {
 std::string study_text(const CalibrationStudy& study) {
   TextTable unknowns{{"parameter", "from", "to"}, {}};
   for (const Unknown& unknown : study.unknowns) {
-    unknowns.rows.push_back({unknown.parameter, value_text(unknown.low), value_text(unknown.high)});
+    unknowns.rows.push_back(
+        {unknown.parameter, calibrated_value(unknown.low), calibrated_value(unknown.high)});
   }
   TextTable figures{{"observation", "use", "figure", "observed"}, {}};
   for (const Observation& observation : study.observations) {
     for (const Figure& figure : observation.figures) {
       figures.rows.push_back({observation.name, observation.fitted ? "fit" : "keep", figure.name,
-                              value_text(figure.observed)});
+                              calibrated_value(figure.observed)});
     }
   }
   return std::to_string(study.runs()) + " runs: " + counted(study.design.members, "member") +
@@ -206,9 +207,10 @@ std::string unknowns_text(const Calibration& calibration) {
   for (std::size_t i = 0; i < calibration.study.unknowns.size(); ++i) {
     const Unknown& unknown = calibration.study.unknowns[i];
     const Marginal& marginal = calibration.posterior.marginals[i];
-    table.rows.push_back({unknown.parameter, value_text(unknown.low), value_text(unknown.high),
-                          value_text(marginal.median), value_text(marginal.low),
-                          value_text(marginal.high), percent(std::min(1.0, marginal.width), 0)});
+    table.rows.push_back({unknown.parameter, calibrated_value(unknown.low),
+                          calibrated_value(unknown.high), calibrated_value(marginal.median),
+                          calibrated_value(marginal.low), calibrated_value(marginal.high),
+                          percent(std::min(1.0, marginal.width), 0)});
   }
   return table.text();
 }
@@ -222,7 +224,7 @@ std::string figures_text(const Calibration& calibration) {
     for (std::size_t i = 0; i < observations[o].figures.size(); ++i, ++at) {
       const Figure& figure = observations[o].figures[i];
       std::vector<std::string> row = {observations[o].name, observations[o].fitted ? "fit" : "keep",
-                                      figure.name, value_text(figure.observed)};
+                                      figure.name, calibrated_value(figure.observed)};
       const std::vector<PredictedFigure>& predicted = calibration.posterior.predicted;
       const auto found = std::find_if(
           predicted.begin(), predicted.end(),
@@ -232,7 +234,7 @@ std::string figures_text(const Calibration& calibration) {
       } else {
         for (const double value :
              {found->median, found->low, found->high, found->prior.low, found->prior.high}) {
-          row.push_back(value_text(value));
+          row.push_back(calibrated_value(value));
         }
         row.push_back(percent(std::max(0.0, calibration.posterior.surrogates[at]->explained), 0));
       }

@@ -26,7 +26,7 @@ std::string name_in_text(const std::string& factor) {
   return factor == "release point" || factor == "ground" ? "the " + factor : factor;
 }
 
-std::string sentence(const DesignEffects& effects, const OutcomeEffects& outcome) {
+std::string outcome_sentence(const DesignEffects& effects, const OutcomeEffects& outcome) {
   const std::string variance = outcome.unit.empty()
                                    ? "the variance of " + outcome.outcome  // "passing NAME"
                                    : "the " + outcome.outcome + "'s variance";
@@ -58,7 +58,7 @@ std::vector<std::string> effects_sentences(const std::vector<DesignEffects>& eff
           file.estimated + "."));
     }
     for (const OutcomeEffects& outcome : file.outcomes) {
-      sentences.push_back(capital(where + sentence(file, outcome)));
+      sentences.push_back(capital(where + outcome_sentence(file, outcome)));
     }
   }
   return sentences;

@@ -12,13 +12,13 @@ namespace {
 
 using namespace report_detail;
 
-constexpr double kLevel = 0.05;
+constexpr double kTrendLevel = 0.05;
 
 std::string p_text(double p) {
   return p < 1e-3 ? "p < 0.001" : "p = " + with_digits(p, p < 0.1 ? 1 : 2);
 }
 
-std::string value_text(double value, const std::string& unit) {
+std::string trend_value(double value, const std::string& unit) {
   return with_digits(value, 2) + (unit.empty() ? "" : " " + unit);
 }
 
@@ -32,7 +32,7 @@ std::string about(double runs) {
 std::string trend_sentence(const std::vector<const ShapeTrend*>& outcome) {
   std::vector<std::string> found, none;
   for (const ShapeTrend* trend : outcome) {
-    if (trend->corrected_p >= kLevel) {
+    if (trend->corrected_p >= kTrendLevel) {
       none.push_back(trend->property);
       continue;
     }
@@ -50,21 +50,22 @@ std::string trend_sentence(const std::vector<const ShapeTrend*>& outcome) {
 std::string halves_sentence(const ShapeTrend& trend, const std::optional<double>& margin) {
   const CrossedDifference& halves = trend.halves;
   std::string text = "between the halves of the blocks by " + trend.property + " the " +
-                     trend.outcome + " differs by " + value_text(halves.difference, trend.unit) +
+                     trend.outcome + " differs by " + trend_value(halves.difference, trend.unit) +
                      " (" + with_digits(halves.interval.low, 2) + " to " +
                      with_digits(halves.interval.high, 2) + ")";
   if (trend.equivalence) {
-    const std::string limit = value_text(*margin, trend.unit);
+    const std::string limit = trend_value(*margin, trend.unit);
     const bool beyond = std::max(halves.interval.low, -halves.interval.high) > *margin;
     const std::string p = " (" + p_text(*trend.equivalence) + ")";
-    text += *trend.equivalence < kLevel ? ", within +-" + limit + ": no effect that matters" + p
-            : beyond                    ? ", more than +-" + limit
-                                        : ", which is not shown to be within +-" + limit + p;
+    text += *trend.equivalence < kTrendLevel
+                ? ", within +-" + limit + ": no effect that matters" + p
+            : beyond ? ", more than +-" + limit
+                     : ", which is not shown to be within +-" + limit + p;
   }
-  text += "; a campaign like this finds " + value_text(trend.smallest, trend.unit) +
+  text += "; a campaign like this finds " + trend_value(trend.smallest, trend.unit) +
           " in 80 % of cases";
   if (trend.runs_needed) {
-    text += ", and " + value_text(*margin, trend.unit) + " with " + about(*trend.runs_needed) +
+    text += ", and " + trend_value(*margin, trend.unit) + " with " + about(*trend.runs_needed) +
             " runs of blocks and points in proportion";
   }
   return text + ".";
@@ -96,16 +97,16 @@ std::vector<std::string> trend_sentences(const std::vector<ShapeTrends>& trends,
 
 std::string planned_power_sentence(const PlannedPower& plan) {
   if (!plan.known()) return "";
-  std::string text = "a difference in runout of " + value_text(plan.smallest(), "m") +
+  std::string text = "a difference in runout of " + trend_value(plan.smallest(), "m") +
                      " between two halves of the blocks is found in 80 % of such campaigns, if "
                      "the runout scatters by " +
-                     value_text(plan.scatter, "m") + " as in " +
+                     trend_value(plan.scatter, "m") + " as in " +
                      counted(plan.trial_runs, "trial run") + " and " +
                      with_digits(100.0 * kAssumedBlockShare, 2) +
                      " % of its variance goes with the block (design effect " +
                      with_digits(plan.design_effect(), 2) + ")";
   if (plan.margin) {
-    text += "; " + value_text(*plan.margin, "m") + " takes " + about(plan.runs_needed()) +
+    text += "; " + trend_value(*plan.margin, "m") + " takes " + about(plan.runs_needed()) +
             " runs, with blocks in proportion";
   }
   return text;

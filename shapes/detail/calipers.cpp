@@ -29,14 +29,14 @@ Rectangle rectangle_along(std::span<const Vec2> points, const Vec2& direction, d
   return rectangle;
 }
 
-bool before(const Vec2& a, const Vec2& b) {
+bool is_before_in_plane(const Vec2& a, const Vec2& b) {
   return a.x() < b.x() || (a.x() == b.x() && a.y() < b.y());
 }
 
 }  // namespace
 
 std::vector<Vec2> convex_outline(std::vector<Vec2> points) {
-  std::sort(points.begin(), points.end(), before);
+  std::sort(points.begin(), points.end(), is_before_in_plane);
   points.erase(std::unique(points.begin(), points.end()), points.end());
   if (points.size() < 3) return points;
   // Monotone chain: the lower outline forward, the upper one back.
@@ -58,7 +58,8 @@ std::vector<Vec2> convex_outline(std::vector<Vec2> points) {
 std::vector<Vec2> convex_loop(std::vector<Vec2> loop) {
   if (loop.size() < 3) return convex_outline(std::move(loop));
   // From a point that is certainly a corner, so that none before it has to be undone.
-  std::rotate(loop.begin(), std::min_element(loop.begin(), loop.end(), before), loop.end());
+  std::rotate(loop.begin(), std::min_element(loop.begin(), loop.end(), is_before_in_plane),
+              loop.end());
   const Vec2 start = loop.front();
   std::size_t size = 1;
   const auto drop_behind = [&](const Vec2& p) {

@@ -131,7 +131,7 @@ std::vector<Unknown> read_unknowns(const TomlTable& top,
   return unknowns;
 }
 
-std::vector<std::string> table_names() {
+std::vector<std::string> study_table_names() {
   std::vector<std::string> names;
   for (const KeyTable& table : calibration_tables()) names.push_back(table.name);
   return names;
@@ -158,7 +158,7 @@ void check_certain(const CalibrationStudy& study) {
 }
 
 /// Shares that are unknown leave some to other classes, wherever in their ranges they are.
-void check_shares(const CalibrationStudy& study) {
+void check_unknown_shares(const CalibrationStudy& study) {
   for (const CalibrationSite& site : study.sites) {
     std::set<std::string> classes;
     double most = 0.0;
@@ -219,8 +219,8 @@ CalibrationStudy read_study_by_parts(const std::filesystem::path& file, const Pa
     root = parse_toml(study.text, file.string());
   });
   if (!is_toml) return study;
-  read([&] { TomlTable(root, file.string(), "", table_names()); });
-  std::vector<std::string> tables = table_names();
+  read([&] { TomlTable(root, file.string(), "", study_table_names()); });
+  std::vector<std::string> tables = study_table_names();
   for (const auto& [name, table] : root.table) tables.push_back(name);
   const TomlTable top(root, file.string(), "", tables);
 
@@ -228,7 +228,7 @@ CalibrationStudy read_study_by_parts(const std::filesystem::path& file, const Pa
   if (!read([&] { study.sites = read_sites(top); })) return study;
   if (read([&] { study.unknowns = read_unknowns(top, study.sites); })) {
     read([&] { check_certain(study); });
-    read([&] { check_shares(study); });
+    read([&] { check_unknown_shares(study); });
   }
   read([&] { study.observations = read_observations(top, study.sites); });
   return study;

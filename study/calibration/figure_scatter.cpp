@@ -17,12 +17,13 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 using Sample = std::vector<std::size_t>;  ///< places in the rows that an observation sees
 
-constexpr std::size_t kDraws = 200;
-constexpr std::size_t kFewestDraws = 10;  ///< with a value, that a mean or covariance is taken of
+constexpr std::size_t kScatterDraws = 200;
+constexpr std::size_t kFewestScatterDraws =
+    10;  ///< with a value, that a mean or covariance is taken of
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
 /// The releases of a member that some observations have in common.
-struct Blocks {
+struct SharedReleases {
   std::size_t rows = 0;
   std::map<std::uint32_t, Sample> by_point;
   std::size_t most = 0;               ///< field releases, of any of the observations
@@ -31,7 +32,7 @@ struct Blocks {
 
 /// All blocks of a site that are observed, and which of them each observation is of.
 struct SiteBlocks {
-  std::vector<Blocks> blocks;
+  std::vector<SharedReleases> blocks;
   std::vector<std::size_t> of_observation;
   std::vector<std::uint32_t> points;
 };
@@ -53,7 +54,7 @@ SiteBlocks blocks_of(const std::vector<const Observation*>& observations,
         points.insert(seen[o][i].point);
       }
     }
-    Blocks& blocks = site.blocks[number->second];
+    SharedReleases& blocks = site.blocks[number->second];
     blocks.most = std::max(blocks.most, own.releases);
     if (blocks.clusters.empty()) blocks.clusters = own.clusters;
   }
@@ -96,7 +97,7 @@ Moments moments_of(const std::vector<VectorXd>& draws) {
       sum += one;
       ++finite;
     }
-    return finite < kFewestDraws ? kNone : sum / static_cast<double>(finite);
+    return finite < kFewestScatterDraws ? kNone : sum / static_cast<double>(finite);
   };
   for (Index i = 0; i < count; ++i) {
     moments.mean[i] = mean_over([&](const VectorXd& draw) { return draw[i]; });
@@ -113,24 +114,24 @@ Moments moments_of(const std::vector<VectorXd>& draws) {
 
 using DrawSamples = std::function<std::vector<Sample>()>;
 
-Moments bootstrapped(const std::vector<const Observation*>& observations,
-                     const std::vector<std::vector<Seen>>& seen, const SiteBlocks& site, bool whole,
-                     const DrawSamples& draw) {
+Moments bootstrap_moments(const std::vector<const Observation*>& observations,
+                          const std::vector<std::vector<Seen>>& seen, const SiteBlocks& site,
+                          bool whole, const DrawSamples& draw) {
   std::vector<VectorXd> draws;
-  for (std::size_t i = 0; i < kDraws; ++i) {
+  for (std::size_t i = 0; i < kScatterDraws; ++i) {
     draws.push_back(figures_of(observations, seen, site, draw(), whole));
   }
   return moments_of(draws);
 }
 
-Sample one_by_one(const Blocks& blocks, std::size_t count, Random& random) {
+Sample one_by_one(const SharedReleases& blocks, std::size_t count, Random& random) {
   Sample sample;
   if (blocks.rows == 0) return sample;
   for (std::size_t i = 0; i < count; ++i) sample.push_back(random.below(blocks.rows));
   return sample;
 }
 
-Sample as_in_field(const Blocks& blocks, Random& random) {
+Sample as_in_field(const SharedReleases& blocks, Random& random) {
   if (blocks.clusters.empty() || blocks.rows == 0) return one_by_one(blocks, blocks.most, random);
   Sample sample;
   for (const std::size_t count : blocks.clusters) {
@@ -225,25 +226,26 @@ FigureScatter figure_scatter(const std::vector<const Observation*>& observations
                              const std::vector<std::vector<Seen>>& seen, std::uint64_t seed) {
   const SiteBlocks site = blocks_of(observations, seen);
   std::vector<Sample> all;
-  for (const Blocks& blocks : site.blocks) {
+  for (const SharedReleases& blocks : site.blocks) {
     all.emplace_back(blocks.rows);
     std::iota(all.back().begin(), all.back().end(), std::size_t{0});
   }
   const VectorXd whole = figures_of(observations, seen, site, all, true);
   Random random(seed);
-  const auto of_each = [&](const std::function<Sample(const Blocks&)>& draw) {
+  const auto of_each = [&](const std::function<Sample(const SharedReleases&)>& draw) {
     std::vector<Sample> samples;
-    for (const Blocks& blocks : site.blocks) samples.push_back(draw(blocks));
+    for (const SharedReleases& blocks : site.blocks) samples.push_back(draw(blocks));
     return samples;
   };
-  Moments field = bootstrapped(observations, seen, site, false, [&] {
-    return of_each([&](const Blocks& blocks) { return as_in_field(blocks, random); });
+  Moments field = bootstrap_moments(observations, seen, site, false, [&] {
+    return of_each([&](const SharedReleases& blocks) { return as_in_field(blocks, random); });
   });
-  Moments within = bootstrapped(observations, seen, site, true, [&] {
-    return of_each([&](const Blocks& blocks) { return one_by_one(blocks, blocks.rows, random); });
+  Moments within = bootstrap_moments(observations, seen, site, true, [&] {
+    return of_each(
+        [&](const SharedReleases& blocks) { return one_by_one(blocks, blocks.rows, random); });
   });
   std::vector<std::size_t> rows, field_draws;
-  for (const Blocks& blocks : site.blocks) {
+  for (const SharedReleases& blocks : site.blocks) {
     rows.push_back(blocks.rows);
     const bool by_point = !blocks.clusters.empty() && blocks.by_point.size() > 1;
     field_draws.push_back(by_point ? blocks.by_point.size() : blocks.rows);
@@ -254,7 +256,7 @@ FigureScatter figure_scatter(const std::vector<const Observation*>& observations
                         MatrixXd::Zero(whole.size(), whole.size())};
   if (site.points.size() > 1) {
     const Moments points =
-        bootstrapped(observations, seen, site, true, [&] { return by_points(site, random); });
+        bootstrap_moments(observations, seen, site, true, [&] { return by_points(site, random); });
     scatter.points = few_points_factor(site.points.size()) * points.covariance;
   }
   put_stated(observations, whole, scatter);

@@ -13,7 +13,7 @@
 namespace clast {
 namespace {
 
-constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+constexpr double kNoFigure = std::numeric_limits<double>::quiet_NaN();
 
 void check_known(const Observation& observation, const SiteFacts& site, const std::string& what,
                  const std::string& wanted, const std::vector<std::string>& known) {
@@ -37,15 +37,15 @@ std::size_t place_of_moment(const Observation& observation, const SiteFacts& sit
   return static_cast<std::size_t>(moment - site.moments.begin());
 }
 
-double mean_of(const std::vector<double>& values) {
-  if (values.empty()) return kNone;
+double mean_of_values(const std::vector<double>& values) {
+  if (values.empty()) return kNoFigure;
   return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
 }
 
 /// With n - 1.
 double deviation_of(const std::vector<double>& values) {
-  if (values.size() < 2) return kNone;
-  const double mean = mean_of(values);
+  if (values.size() < 2) return kNoFigure;
+  const double mean = mean_of_values(values);
   double sum = 0.0;
   for (const double value : values) sum += (value - mean) * (value - mean);
   return std::sqrt(sum / static_cast<double>(values.size() - 1));
@@ -53,10 +53,10 @@ double deviation_of(const std::vector<double>& values) {
 
 double figure_of_places(const Figure& figure, std::vector<double> along,
                         const std::vector<double>& aside) {
-  if (along.empty()) return kNone;
+  if (along.empty()) return kNoFigure;
   switch (figure.kind) {
     case Figure::Kind::kMeanPlace:
-      return mean_of(along);
+      return mean_of_values(along);
     case Figure::Kind::kStdPlace:
       return deviation_of(along);
     case Figure::Kind::kPlace:
@@ -68,14 +68,14 @@ double figure_of_places(const Figure& figure, std::vector<double> along,
       return static_cast<double>(beyond) / static_cast<double>(along.size());
     }
     case Figure::Kind::kMeanAside:
-      return mean_of(aside);
+      return mean_of_values(aside);
     default:
-      return kNone;
+      return kNoFigure;
   }
 }
 
 /// What is measured at barriers and moments; null for other figures.
-double OutcomeAt::*measured(Figure::Kind kind) {
+double OutcomeAt::*measured_member(Figure::Kind kind) {
   switch (kind) {
     case Figure::Kind::kMeanSpeed:
       return &OutcomeAt::speed;
@@ -153,13 +153,13 @@ double figure_of(const Figure& figure, std::span<const Seen> seen,
   std::vector<double> values, aside;
   if (figure.kind == Figure::Kind::kPassed) {
     for (const std::size_t i : sample) values.push_back(seen[i].at.passed() ? 1.0 : 0.0);
-    return mean_of(values);
+    return mean_of_values(values);
   }
-  if (double OutcomeAt::*const quantity = measured(figure.kind)) {
+  if (double OutcomeAt::*const quantity = measured_member(figure.kind)) {
     for (const std::size_t i : sample) {
       if (seen[i].at.passed()) values.push_back(seen[i].at.*quantity);
     }
-    return mean_of(values);
+    return mean_of_values(values);
   }
   for (const std::size_t i : sample) {
     values.push_back(seen[i].along);

@@ -18,15 +18,15 @@ namespace {
 constexpr std::size_t kFewestStops = 3;
 
 /// A figure of a barrier or an impact that is given as [value, standard error].
-struct Quantity {
+struct MeasuredQuantity {
   const char* key;
   Figure::Kind kind;
 };
-constexpr Quantity kQuantities[] = {{"speed_m_s", Figure::Kind::kMeanSpeed},
-                                    {"spin_rad_s", Figure::Kind::kMeanSpin},
-                                    {"height_m", Figure::Kind::kMeanHeight},
-                                    {"energy_j", Figure::Kind::kMeanEnergy},
-                                    {"depth_m", Figure::Kind::kMeanDepth}};
+constexpr MeasuredQuantity kQuantities[] = {{"speed_m_s", Figure::Kind::kMeanSpeed},
+                                            {"spin_rad_s", Figure::Kind::kMeanSpin},
+                                            {"height_m", Figure::Kind::kMeanHeight},
+                                            {"energy_j", Figure::Kind::kMeanEnergy},
+                                            {"depth_m", Figure::Kind::kMeanDepth}};
 
 /// "mean", "std", "aside", or "p10" for a percentile.
 Figure figure_named(const TomlTable& table, const TomlNode& node, const std::string& name) {
@@ -118,7 +118,7 @@ void read_stops(const StudyTable& table, const SiteFacts& site, Observation& obs
 /// Quantities that are given as [value, standard error].
 std::vector<Figure> stated_figures(const StudyTable& table) {
   std::vector<Figure> figures;
-  for (const Quantity& quantity : kQuantities) {
+  for (const MeasuredQuantity& quantity : kQuantities) {
     const TomlNode* node = table.find(quantity.key);
     if (!node) continue;
     const std::vector<double> given =

@@ -27,7 +27,7 @@ using Eigen::VectorXd;
 
 constexpr double kUniformVariance = 1.0 / 12.0;
 
-std::vector<double> sorted(std::vector<double> values) {
+std::vector<double> sorted_values(std::vector<double> values) {
   std::sort(values.begin(), values.end());
   return values;
 }
@@ -111,7 +111,7 @@ double possible(const Figure& figure, double value) {
 
 /// From the draws of a figure, one row of `draws`.
 PredictedInterval interval_of(const Figure& figure, const MatrixXd& draws, Index row) {
-  const std::vector<double> values = sorted(row_of(draws, row));
+  const std::vector<double> values = sorted_values(row_of(draws, row));
   return {possible(figure, quantile(values, 0.5)), possible(figure, quantile(values, 0.025)),
           possible(figure, quantile(values, 0.975))};
 }
@@ -228,7 +228,7 @@ NearestMembers nearest_members(const CalibrationStudy& study, const MemberFigure
     for (const auto& [distance, m] : distances) {
       shares.push_back(figures.places(static_cast<Index>(i), static_cast<Index>(m)));
     }
-    shares = sorted(shares);
+    shares = sorted_values(shares);
     Marginal marginal = marginal_of(study.unknowns[i], shares);
     marginal.low = study.unknowns[i].value(shares.front());
     marginal.high = study.unknowns[i].value(shares.back());
@@ -260,7 +260,7 @@ CalibrationPosterior infer_posterior(const CalibrationStudy& study, const Calibr
   for (std::size_t i = 0; i < study.unknowns.size(); ++i) {
     const auto row = static_cast<Index>(i);
     posterior.marginals.push_back(
-        marginal_of(study.unknowns[i], sorted(row_of(posterior.shares, row))));
+        marginal_of(study.unknowns[i], sorted_values(row_of(posterior.shares, row))));
     for (double& value : posterior.draws.row(row)) value = study.unknowns[i].value(value);
   }
   posterior.correlation = rank_correlations(posterior.shares);

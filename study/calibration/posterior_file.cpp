@@ -15,7 +15,7 @@ namespace {
 
 using Eigen::Index;
 
-constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+constexpr double kNotStored = std::numeric_limits<double>::quiet_NaN();
 
 /// Row by row.
 void write_matrix(Hdf5Group& group, const std::string& name, const Eigen::MatrixXd& matrix) {
@@ -58,8 +58,8 @@ void write_figures(Hdf5Group group, const CalibrationStudy& study,
       use.emplace_back(one.fitted ? "fit" : "keep");
       name.push_back(figure.name);
       observed.push_back(figure.observed);
-      error.push_back(
-          figure.error.value_or(figure.measuring_error > 0.0 ? figure.measuring_error : kNone));
+      error.push_back(figure.error.value_or(figure.measuring_error > 0.0 ? figure.measuring_error
+                                                                         : kNotStored));
     }
   }
   group.write<std::string>("observation", observation);
@@ -71,10 +71,10 @@ void write_figures(Hdf5Group group, const CalibrationStudy& study,
   write_matrix(group, "members", posterior.member_figures);
   std::vector<double> cross, explained, inflation, roughness;
   for (const std::optional<SurrogateQuality>& quality : posterior.surrogates) {
-    cross.push_back(quality ? quality->error : kNone);
-    explained.push_back(quality ? quality->explained : kNone);
-    inflation.push_back(quality ? quality->inflation : kNone);
-    roughness.push_back(quality ? quality->roughness : kNone);
+    cross.push_back(quality ? quality->error : kNotStored);
+    explained.push_back(quality ? quality->explained : kNotStored);
+    inflation.push_back(quality ? quality->inflation : kNotStored);
+    roughness.push_back(quality ? quality->roughness : kNotStored);
   }
   group.write<double>("surrogate_error", cross);
   group.write<double>("surrogate_explained", explained);
@@ -86,7 +86,7 @@ void write_figures(Hdf5Group group, const CalibrationStudy& study,
     first.push_back(count);
     count += one.figures.size();
   }
-  std::vector<double> median(count, kNone), low(count, kNone), high(count, kNone);
+  std::vector<double> median(count, kNotStored), low(count, kNotStored), high(count, kNotStored);
   std::vector<double> prior_median = median, prior_low = median, prior_high = median;
   for (const PredictedFigure& figure : posterior.predicted) {
     const std::size_t at = first[figure.observation] + figure.figure;
@@ -106,8 +106,8 @@ void write_figures(Hdf5Group group, const CalibrationStudy& study,
   std::vector<double> first_order, total;
   for (const std::vector<SobolIndices>& shares : posterior.sensitivities) {
     for (std::size_t i = 0; i < study.unknowns.size(); ++i) {
-      first_order.push_back(shares.empty() ? kNone : shares[i].first_order);
-      total.push_back(shares.empty() ? kNone : shares[i].total);
+      first_order.push_back(shares.empty() ? kNotStored : shares[i].first_order);
+      total.push_back(shares.empty() ? kNotStored : shares[i].total);
     }
   }
   group.write<double>("first_order", first_order, {count, study.unknowns.size()});
@@ -119,7 +119,7 @@ void write_check(Hdf5Group& group, const std::string& name, const PredictiveChec
   group.set_attribute<std::int64_t>(name + "_covered", static_cast<std::int64_t>(check.covered));
   group.set_attribute<double>(name + "_squared_distance", check.squared);
   group.set_attribute<double>(name + "_freedom", check.freedom);
-  group.set_attribute<double>(name + "_p", check.p_value.value_or(kNone));
+  group.set_attribute<double>(name + "_p", check.p_value.value_or(kNotStored));
 }
 
 void write_found(Hdf5Group group, const CalibrationPosterior& posterior) {

@@ -84,7 +84,7 @@ KeyTable unknown_table() {
 }
 
 /// A mean or a value with its standard error.
-ValueForm measured(const NumberRange& range) { return list(number(range), 2, 2); }
+ValueForm measured_form(const NumberRange& range) { return list(number(range), 2, 2); }
 
 KeyTable observation_table() {
   const ValueForm figure = fitting("^(mean|std|aside|speed|spin|p[0-9.+].*)$");
@@ -127,25 +127,25 @@ KeyTable observation_table() {
        {"speed_m_s",
         "m/s",
         "[value, standard error]",
-        {measured({0.0, kMostSpeed, "m/s"})},
+        {measured_form({0.0, kMostSpeed, "m/s"})},
         false,
         moving},
        {"spin_rad_s",
         "rad/s",
         "[value, standard error]",
-        {measured({0.0, kMostSpin, "rad/s"})},
+        {measured_form({0.0, kMostSpin, "rad/s"})},
         false,
         moving},
        {"height_m",
         "m",
         "of the centre above the ground, [value, standard error]",
-        {measured({-1e4, 1e4, "m"})},
+        {measured_form({-1e4, 1e4, "m"})},
         false,
         {"barrier"}},
        {"energy_j",
         "J",
         "translational and rotational, [value, standard error]",
-        {measured({0.0, 1e15, "J"})},
+        {measured_form({0.0, 1e15, "J"})},
         false,
         moving},
        {"release", "", "name of the only [[release]] that it is of", {text()}},
@@ -153,7 +153,7 @@ KeyTable observation_table() {
        {"depth_m",
         "m",
         "of the scar, [value, standard error]",
-        {measured({0.0, 1e3, "m"})},
+        {measured_form({0.0, 1e3, "m"})},
         false,
         {"impact"}},
        {"trajectories", "", "a table of trajectories", {text()}},

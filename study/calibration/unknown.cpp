@@ -18,7 +18,7 @@ using namespace study_detail;
 namespace {
 
 constexpr const char* kGround = "ground.";
-constexpr const char* kShare = "blocks.share.";
+constexpr const char* kSharePrefix = "blocks.share.";
 
 /// A parameter that is not of a zone or class.
 struct Settable {
@@ -142,7 +142,7 @@ std::vector<std::pair<std::string, ParameterRange>> calibrated_parameters() {
   for (const GroundField& field : ground_fields()) {
     all.push_back({kGround + std::string("ZONE.") + field.name, {field.unit, field.range}});
   }
-  all.push_back({kShare + std::string("CLASS"), {"", kClassShare}});
+  all.push_back({kSharePrefix + std::string("CLASS"), {"", kClassShare}});
   for (const Settable& one : settables()) all.push_back({one.name, {one.unit, one.range}});
   return all;
 }
@@ -152,7 +152,7 @@ ParameterRange parameter_range(const std::string& parameter) {
   if (const GroundField* field = zone_field(parameter).field) return {field->unit, field->range};
   if (!share_class(parameter).empty()) return {"", kClassShare};
   std::vector<std::string> names;
-  if (parameter.starts_with(kShare)) {
+  if (parameter.starts_with(kSharePrefix)) {
     for (const std::string& scheme : kSelectingSchemes) {
       const std::vector<std::string>& of_scheme = class_names(scheme);
       names.insert(names.end(), of_scheme.begin(), of_scheme.end());
@@ -210,8 +210,8 @@ bool is_of_blocks(const std::string& parameter) {
 }
 
 std::string share_class(const std::string& parameter) {
-  if (!parameter.starts_with(kShare)) return "";
-  const std::string name = parameter.substr(std::string(kShare).size());
+  if (!parameter.starts_with(kSharePrefix)) return "";
+  const std::string name = parameter.substr(std::string(kSharePrefix).size());
   for (const std::string& scheme : kSelectingSchemes) {
     const std::vector<std::string>& classes = class_names(scheme);
     if (std::find(classes.begin(), classes.end(), name) != classes.end()) return name;

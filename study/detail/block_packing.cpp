@@ -12,7 +12,7 @@ namespace clast::study_detail {
 namespace {
 
 /// Places where the block fits that are compared, and draws that are made to find them.
-constexpr int kPlaces = 60, kDraws = 1000;
+constexpr int kComparedPlaces = 60, kPlaceDraws = 1000;
 /// A start may overlap the ground by this share of S, half of what the dynamics accepts.
 constexpr double kStartOverlap = 0.5e-3;
 /// Highest ground is looked for at so many points across a cell.
@@ -107,7 +107,7 @@ std::optional<RigidState> BlockPacking::place(const RigidBody& body, const Groun
     double above = std::numeric_limits<double>::infinity();
   } best;
   int found = 0;
-  for (int draw = 0; draw < kDraws && found < kPlaces; ++draw) {
+  for (int draw = 0; draw < kPlaceDraws && found < kComparedPlaces; ++draw) {
     const auto at = static_cast<std::int64_t>(inside_[random.below(inside_.size())]);
     const std::int64_t i = first_i_ + at % columns_, j = first_j_ + at / columns_;
     const std::optional<double> height = rest_height(covered, i, j, thickness);

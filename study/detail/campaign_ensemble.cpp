@@ -36,7 +36,7 @@ std::string table_of(const std::string& parameter) {
   return parameter.substr(0, parameter.find('.'));
 }
 
-std::vector<std::string> quoted(const std::set<std::string>& names) {
+std::vector<std::string> quoted_names(const std::set<std::string>& names) {
   std::vector<std::string> all;
   for (const std::string& name : names) all.push_back("\"" + name + "\"");
   return all;
@@ -64,7 +64,7 @@ std::set<std::string> taken_tables(const TomlTable& table, const PosteriorDraws&
       table.refuse("posterior", *table.find("posterior"),
                    "was calibrated with " + parameter +
                        " too; say which tables members have from it: take = [" +
-                       listed(quoted(there)) +
+                       listed(quoted_names(there)) +
                        "], or fewer, and the others are as the campaign has them");
     }
     return there;

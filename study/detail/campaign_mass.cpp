@@ -14,7 +14,7 @@ namespace clast::study_detail {
 namespace {
 
 /// Shares that add up to 1 may be written with few digits.
-constexpr double kShareSlack = 1e-6;
+constexpr double kMassShareSlack = 1e-6;
 
 /// All of them, with their keys known.
 std::vector<TomlTable> mass_tables(const TomlTable& top) {
@@ -132,7 +132,7 @@ void read_heap(const TomlTable& table, MassPlan& mass) {
 }
 
 /// Do the shares leave something to every mass, and nothing to none?
-void check_shares(const std::vector<TomlTable>& tables, const std::vector<MassPlan>& masses) {
+void check_mass_shares(const std::vector<TomlTable>& tables, const std::vector<MassPlan>& masses) {
   double sum = 0.0;
   bool all = true, any = false;
   const TomlTable* last = nullptr;
@@ -143,7 +143,7 @@ void check_shares(const std::vector<TomlTable>& tables, const std::vector<MassPl
     sum += *masses[i].share;
     last = &tables[i];
   }
-  if (!any || (all ? std::abs(sum - 1.0) <= kShareSlack : sum < 1.0)) return;
+  if (!any || (all ? std::abs(sum - 1.0) <= kMassShareSlack : sum < 1.0)) return;
   last->refuse("share", *last->find("share"),
                "makes the shares of all masses add up to " + with_digits(sum, 6) +
                    (all ? "; they must add up to 1, or leave share out of one mass"
@@ -213,7 +213,7 @@ std::optional<StayPlan> read_masses(const TomlTable& top, const Campaign& campai
           "packed; make a campaign for each kind");
     }
   }
-  check_shares(tables, plan.masses);
+  check_mass_shares(tables, plan.masses);
   const auto at_first = [](const MassPlan& mass) { return mass.release_time == 0.0; };
   if (std::none_of(plan.masses.begin(), plan.masses.end(), at_first)) {
     first.refuse("release_time_s", *first.find("release_time_s"),

@@ -18,8 +18,8 @@ namespace fs = std::filesystem;
 namespace {
 
 const std::string kFormat = "clast checkpoint ";
-const std::string kMagic = kFormat + "2\n";
-constexpr std::size_t kDigestLength = 64;
+const std::string kCheckpointMagic = kFormat + "2\n";
+constexpr std::size_t kCheckpointDigestLength = 64;
 const std::string kInTheWay = "is in the place of a checkpoint; move it away";
 
 /// Of the files of all realisations, before the number.
@@ -62,13 +62,13 @@ std::optional<std::string> CheckpointFile::read() const {
   }
   const std::string advice = "; delete it, and `resume` starts that realisation again";
   std::string file = read_text_file(path_);
-  const std::size_t whole = file.size() - std::min(file.size(), kDigestLength);
+  const std::size_t whole = file.size() - std::min(file.size(), kCheckpointDigestLength);
   const std::string digest = file.substr(whole);
   file.resize(whole);
   if (sha256(file) != digest) throw InputError(path_.string() + ": is damaged" + advice);
   std::string difference = "another version of clast";
-  if (file.starts_with(kMagic)) {
-    ByteReader reader(std::string_view(file).substr(kMagic.size()));
+  if (file.starts_with(kCheckpointMagic)) {
+    ByteReader reader(std::string_view(file).substr(kCheckpointMagic.size()));
     difference = campaign_difference(reader, header_);
     std::uint32_t of = 0;
     reader(of);
@@ -89,7 +89,7 @@ void CheckpointFile::write(const std::function<void(ByteWriter& to)>& save) cons
   }
   const fs::path written = unfinished(path_);
   std::ofstream file(written, std::ios::binary);
-  file << kMagic << campaign_identity(header_);
+  file << kCheckpointMagic << campaign_identity(header_);
   ByteWriter writer(file);
   std::uint32_t of = realisation_;
   writer(of);

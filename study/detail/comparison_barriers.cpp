@@ -126,8 +126,8 @@ std::vector<double> farthest_skin_points(const std::vector<CampaignResults>& res
 }
 
 /// @param farthest  skin point of each crossing's block, m from its centre
-BarrierGroup measured(const std::vector<const Crossing*>& crossings,
-                      const std::vector<double>& farthest) {
+BarrierGroup measure_crossings(const std::vector<const Crossing*>& crossings,
+                               const std::vector<double>& farthest) {
   BarrierGroup group;
   std::vector<double> tops;
   for (std::size_t i = 0; i < crossings.size(); ++i) {
@@ -191,7 +191,7 @@ BarrierComparison compare_barriers(const std::vector<CampaignResults>& results,
         backward += !ring && any[row] != nullptr && !any[row]->forward;
       }
       if (started == 0) continue;
-      BarrierGroup group = measured(crossings, of_crossings);
+      BarrierGroup group = measure_crossings(crossings, of_crossings);
       group.barrier = compared.lines[line].name;
       group.group = groups[g].name;
       group.counted = compared.lines[line].counted_direction();

@@ -11,9 +11,9 @@
 namespace clast::study_detail {
 namespace {
 
-constexpr double kSnapshot = 0.1;       ///< s between pictures, where no trajectory is wanted
-constexpr double kCellsPerBlock = 2.0;  ///< cell size over the longest diagonal of a block
-constexpr double kLeastRadius = 1e-3;   ///< m, of the ground: it wants one
+constexpr double kExademSnapshot = 0.1;  ///< s between pictures, where no trajectory is wanted
+constexpr double kCellsPerBlock = 2.0;   ///< cell size over the longest diagonal of a block
+constexpr double kLeastRadius = 1e-3;    ///< m, of the ground: it wants one
 
 /// The share of critical damping that returns e_n^2 of the energy of a linear spring with dashpot.
 double damping_rate(double energy_restitution) {
@@ -23,8 +23,8 @@ double damping_rate(double energy_restitution) {
 
 /// "name: [a, b]"
 template <typename Value>
-std::string list(const std::string& name, const std::vector<SceneContact>& contacts,
-                 const Value& value) {
+std::string contact_list(const std::string& name, const std::vector<SceneContact>& contacts,
+                         const Value& value) {
   std::string text;
   for (const SceneContact& contact : contacts) text += (text.empty() ? "" : ", ") + value(contact);
   return "     " + name + ": [" + text + "]\n";
@@ -32,12 +32,13 @@ std::string list(const std::string& name, const std::vector<SceneContact>& conta
 
 std::string stiffness_lists(const std::vector<SceneContact>& contacts) {
   using Contact = const SceneContact&;
-  return list("kn", contacts, [](Contact c) { return exact(c.normal); }) +
-         list("kt", contacts, [](Contact c) { return exact(c.tangential); }) +
-         list("kr", contacts, [](Contact c) { return exact(c.rolling); }) +
-         list("mu", contacts, [](Contact c) { return exact(c.parameters.friction); }) +
-         list("damprate", contacts,
-              [](Contact c) { return exact(damping_rate(c.parameters.energy_restitution)); });
+  return contact_list("kn", contacts, [](Contact c) { return exact(c.normal); }) +
+         contact_list("kt", contacts, [](Contact c) { return exact(c.tangential); }) +
+         contact_list("kr", contacts, [](Contact c) { return exact(c.rolling); }) +
+         contact_list("mu", contacts, [](Contact c) { return exact(c.parameters.friction); }) +
+         contact_list("damprate", contacts, [](Contact c) {
+           return exact(damping_rate(c.parameters.energy_restitution));
+         });
 }
 
 /// Zones that have ground, as drivers by number.
@@ -72,10 +73,10 @@ std::string contacts_text(const SceneSet& set, const Scene& scene) {
   using Contact = const SceneContact&;
   const auto first = [](Contact c) { return std::to_string(c.first); };
   const auto second = [](Contact c) { return std::to_string(c.second); };
-  return "  - multimat_contact_params:\n" + list("group1", between, first) +
-         list("group2", between, second) + stiffness_lists(between) +
-         "  - drivers_contact_params:\n" + list("group", ground, second) +
-         list("driver_id", ground, first) + stiffness_lists(ground);
+  return "  - multimat_contact_params:\n" + contact_list("group1", between, first) +
+         contact_list("group2", between, second) + stiffness_lists(between) +
+         "  - drivers_contact_params:\n" + contact_list("group", ground, second) +
+         contact_list("driver_id", ground, first) + stiffness_lists(ground);
 }
 
 std::string bounds_text(const Bounds& box) {
@@ -107,7 +108,8 @@ std::string drivers_text(const PreparedCampaign& prepared, const SceneSet& set) 
   return text;
 }
 
-std::string input_text(const PreparedCampaign& prepared, const SceneSet& set, const Scene& scene) {
+std::string exadem_input(const PreparedCampaign& prepared, const SceneSet& set,
+                         const Scene& scene) {
   const Campaign& campaign = prepared.campaign;
   double size = 0.0;
   for (const SceneBody& body : scene.bodies) {
@@ -119,7 +121,7 @@ std::string input_text(const PreparedCampaign& prepared, const SceneSet& set, co
     return std::to_string(static_cast<long long>(std::ceil(time / scene.time_step)));
   };
   const double interval =
-      campaign.trajectory_interval > 0.0 ? campaign.trajectory_interval : kSnapshot;
+      campaign.trajectory_interval > 0.0 ? campaign.trajectory_interval : kExademSnapshot;
   const Vec3 cells = ((box.high - box.low) / cell).array().round();
   return "# written by clast; see ../SCENE.txt\ngrid_flavor: grid_flavor_dem\n\nincludes:\n  - "
          "config_polyhedra.msp\n\nio_tree:\n  - io_config:\n     dir_name: \"output\"\n\n"
@@ -158,7 +160,7 @@ std::string conf_text(const SceneSet& set, const Scene& scene) {
 void write_exadem_scene(const PreparedCampaign& prepared, const SceneSet& set, const Scene& scene,
                         const std::filesystem::path& folder) {
   std::filesystem::create_directories(folder / scene.name);
-  write_output(folder / scene.name / "input.msp", input_text(prepared, set, scene), {});
+  write_output(folder / scene.name / "input.msp", exadem_input(prepared, set, scene), {});
   write_output(folder / scene.name / "bodies.conf", conf_text(set, scene), {});
   for (const std::size_t zone : drivers_of(set)) {
     const std::filesystem::path file = folder / (set.zones[zone].shape.name + ".stl");

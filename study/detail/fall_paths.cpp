@@ -8,10 +8,10 @@
 namespace clast::study_detail {
 namespace {
 
-constexpr double kLeastCells = 12.0;   ///< across the narrower side
-constexpr double kMostCells = 2000.0;  ///< along the longer one
-constexpr double kStartHead = 1.0;     ///< m of fall that the point has at its start
-constexpr double kLargestHead = 20.0;  ///< m: blocks on slopes are seldom faster than 20 m/s
+constexpr double kLeastCells = 12.0;       ///< across the narrower side
+constexpr double kMostPathCells = 2000.0;  ///< along the longer one
+constexpr double kStartHead = 1.0;         ///< m of fall that the point has at its start
+constexpr double kLargestHead = 20.0;      ///< m: blocks on slopes are seldom faster than 20 m/s
 
 }  // namespace
 
@@ -19,7 +19,7 @@ GroundGrid::GroundGrid(const Terrain& terrain, double cell) {
   const Bounds box = bounds(terrain.surface);
   const Window window{box.low.head<2>(), box.high.head<2>()};
   cell = std::max(std::min(cell, window.size().minCoeff() / kLeastCells),
-                  window.size().maxCoeff() / kMostCells);
+                  window.size().maxCoeff() / kMostPathCells);
   const Relief relief =
       sampled(terrain, window, static_cast<std::uint32_t>(std::ceil(window.size().x() / cell)));
   cell_ = relief.cell;

@@ -12,7 +12,7 @@ namespace clast::study_detail {
 namespace {
 
 /// Of the blocks of a realisation: shares that add up to 1 may be written with few digits.
-constexpr double kShareSlack = 1e-6;
+constexpr double kMemberShareSlack = 1e-6;
 
 /// The mass in place that a block belongs to.
 /// @param centre  of the block, on the map
@@ -58,7 +58,7 @@ std::vector<std::size_t> heap_counts(const Campaign& campaign, std::size_t block
     }
   }
   const double rest = all - counted_blocks - shared;
-  if (by_area.empty() ? std::abs(rest) > kShareSlack * all : !(rest > 0.0)) {
+  if (by_area.empty() ? std::abs(rest) > kMemberShareSlack * all : !(rest > 0.0)) {
     throw InputError(
         campaign.file.string() + ": count and share of [mass] make " +
         with_digits(counted_blocks + shared, 6) + " of " + counted(blocks, "block") +

@@ -9,7 +9,7 @@ namespace clast {
 namespace {
 
 /// A TOML string in double quotes.
-std::string quoted(const std::string& text) {
+std::string toml_string(const std::string& text) {
   std::string result = "\"";
   for (const char character : text) {
     const auto byte = static_cast<unsigned char>(character);
@@ -31,7 +31,7 @@ std::string key(const std::string& name) {
       !name.empty() && name.find_first_not_of(
                            "abcdefghijklmnopqrstuvwxyz"
                            "ABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-") == std::string::npos;
-  return bare ? name : quoted(name);
+  return bare ? name : toml_string(name);
 }
 
 /// Words on lines of comment, each at most `width` characters.
@@ -60,9 +60,10 @@ std::string entry(const std::string& name, const std::string& value, const std::
   return line + "\n";
 }
 
-std::string list(const std::vector<std::string>& texts) {
+std::string toml_list(const std::vector<std::string>& texts) {
   std::string result = "[";
-  for (const std::string& text : texts) result += (result.size() > 1 ? ", " : "") + quoted(text);
+  for (const std::string& text : texts)
+    result += (result.size() > 1 ? ", " : "") + toml_string(text);
   return result + "]";
 }
 
@@ -73,14 +74,14 @@ std::string plan(const MapPoint& point) {
 std::string degrees(double angle) { return with_decimals(angle * kDegreesPerRadian, 0); }
 
 std::string blocks_text(const ProposedBlocks& blocks, const std::string& library) {
-  std::string text = "[blocks]\n" + entry("library", quoted(library), "");
+  std::string text = "[blocks]\n" + entry("library", toml_string(library), "");
   if (!blocks.selected.empty()) {
     text += comment("Left out: " + blocks.left_out.front() +
                     (blocks.left_out.size() > 1
                          ? ", and " + std::to_string(blocks.left_out.size() - 1) + " more"
                          : "") +
                     ".");
-    text += entry("select", list(blocks.selected), "");
+    text += entry("select", toml_list(blocks.selected), "");
   }
   if (blocks.mass) {
     text += comment(
@@ -154,7 +155,7 @@ std::string barrier_text(const ProposedPlaces& places) {
              with_decimals(places.descent, 0) + " m below the releases and " +
              with_decimals(places.distance, 0) +
              " m away. Move it to what is to be protected, and add others.") +
-         "[[barrier]]\n" + entry("name", quoted(places.barrier_name), "") +
+         "[[barrier]]\n" + entry("name", toml_string(places.barrier_name), "") +
          entry("from", plan(places.barrier_from), "") + entry("to", plan(places.barrier_to), "");
 }
 
@@ -174,8 +175,9 @@ std::string campaign_text(const CampaignProposal& proposal, const std::string& l
       "#   clast compare results.h5 -o report\n";
   for (const std::string& doubt : proposal.doubts) text += "#\n" + comment("NOTE: " + doubt);
   text += "\n" + blocks_text(proposal.blocks, library);
-  text += "\n[terrain]\n" +
-          entry("surface", surface.size() == 1 ? quoted(surface.front()) : list(surface), "");
+  text +=
+      "\n[terrain]\n" +
+      entry("surface", surface.size() == 1 ? toml_string(surface.front()) : toml_list(surface), "");
   text += entry("border_distance_m", with_digits(places.margin, 2),
                 "releases nearer to the border are warned of");
   text += "\n" + ground_text(proposal.ground);

@@ -18,8 +18,8 @@ namespace {
 /// Slopes that are tried, steepest first: blocks start by themselves on the first two, on the first
 /// also where mu is 0.7 and more, and below the last they come to rest where they land.
 constexpr std::array<double, 7> kSlopes = {38.0, 35.0, 30.0, 25.0, 20.0, 15.0, 10.0};  // degrees
-constexpr double kUpperShare = 0.7;    ///< of the longest descent, from ground as steep as that
-constexpr double kMarginShare = 0.04;  ///< of the terrain, that releases keep from its border
+constexpr double kUpperShare = 0.7;  ///< of the longest descent, from ground as steep as that
+constexpr double kBorderMarginShare = 0.04;  ///< of the terrain, that releases keep from its border
 /// Apparent, of the whole way down, highest first: what blocks that hardly roll overcome goes for
 /// all.
 constexpr std::array<double, 5> kFrictions = {0.75, 0.65, 0.5, 0.35, 0.15};
@@ -27,7 +27,7 @@ constexpr double kFootFriction = 0.65;     ///< at most, for a way that goes on 
 constexpr double kReliefShare = 0.4;       ///< of the terrain's relief, that a way down should have
 constexpr std::size_t kMostStarts = 4000;  ///< tried
 constexpr double kNearlyBest = 0.9;        ///< of the longest descent is as good
-constexpr std::size_t kMostPoints = 5;
+constexpr std::size_t kMostReleasePoints = 5;
 constexpr double kFootShare = 0.7;      ///< of the descent lies above the foot of a slope at least
 constexpr double kLateFoot = 0.85;      ///< of the way, where a slope has no foot
 constexpr double kBarrierShare = 0.35;  ///< of the way, half the length of the barrier
@@ -153,7 +153,7 @@ void propose_releases(const Terrain& terrain, const GroundGrid& grid, const Star
   places.release_from = on_map(terrain, grid, start.place - left * across);
   places.release_to = on_map(terrain, grid, start.place + right * across);
   places.release_points =
-      std::min(kMostPoints, 1 + static_cast<std::size_t>((left + right) / apart));
+      std::min(kMostReleasePoints, 1 + static_cast<std::size_t>((left + right) / apart));
   if (places.release_points > 1) return;
   places.release_from = places.release_to = on_map(terrain, grid, start.place);
 }
@@ -193,7 +193,7 @@ ProposedPlaces propose_places(const Terrain& terrain, double block_length) {
   const GroundGrid grid = grid_of(terrain, block_length);
   ProposedPlaces places;
   places.block_length = block_length;
-  places.margin = std::max(2.0 * block_length, kMarginShare * extent);
+  places.margin = std::max(2.0 * block_length, kBorderMarginShare * extent);
   std::vector<Start> starts = starts_with(grid, places.margin);
   while (starts.empty() && places.margin > block_length) {
     places.margin = std::max(block_length, places.margin / 2.0);

@@ -20,8 +20,8 @@ namespace {
 
 static_assert(std::endian::native == std::endian::little, "the journal is little-endian");
 
-constexpr std::size_t kDigestLength = 64;
-const std::string kMagic = "clast results journal 5\n";
+constexpr std::size_t kJournalDigestLength = 64;
+const std::string kJournalMagic = "clast results journal 5\n";
 
 template <class Bytes, class Row>
 void serialize_row(Bytes& bytes, Row& row) {
@@ -77,21 +77,21 @@ std::string record_of(const std::string& content) {
 std::optional<std::string> read_record(std::fstream& file, std::uint64_t begin,
                                        std::uint64_t file_size) {
   std::uint64_t length = 0;
-  constexpr std::uint64_t kOverhead = sizeof length + kDigestLength;
+  constexpr std::uint64_t kOverhead = sizeof length + kJournalDigestLength;
   if (begin + kOverhead > file_size) return std::nullopt;
   file.clear();
   file.seekg(static_cast<std::streamoff>(begin));
   file.read(reinterpret_cast<char*>(&length), sizeof length);
   if (!file || length > file_size - begin - kOverhead) return std::nullopt;
-  std::string digest(kDigestLength, '\0'), bytes(length, '\0');
-  file.read(digest.data(), kDigestLength);
+  std::string digest(kJournalDigestLength, '\0'), bytes(length, '\0');
+  file.read(digest.data(), kJournalDigestLength);
   file.read(bytes.data(), static_cast<std::streamsize>(length));
   if (!file || sha256(bytes) != digest) return std::nullopt;
   return bytes;
 }
 
 std::uint64_t record_size(const std::string& content) {
-  return sizeof(std::uint64_t) + kDigestLength + content.size();
+  return sizeof(std::uint64_t) + kJournalDigestLength + content.size();
 }
 
 std::multiset<std::string> digests(const std::vector<std::string>& inputs) {
@@ -101,7 +101,7 @@ std::multiset<std::string> digests(const std::vector<std::string>& inputs) {
 }
 
 /// Empty: none.
-std::string difference_of(const Identity& stored, const Identity& now) {
+std::string identity_difference(const Identity& stored, const Identity& now) {
   std::string difference;
   if (stored.campaign != now.campaign) {
     difference = "another campaign file";
@@ -125,8 +125,8 @@ std::string difference_of(const Identity& stored, const Identity& now) {
   return difference;
 }
 
-void check_same_campaign(const fs::path& path, const Identity& stored, const Identity& now) {
-  const std::string difference = difference_of(stored, now);
+void check_journal_campaign(const fs::path& path, const Identity& stored, const Identity& now) {
+  const std::string difference = identity_difference(stored, now);
   if (difference.empty()) return;
   throw InputError(path.string() + ": was begun with " + difference +
                    "; delete it and start without `resume`");
@@ -153,13 +153,13 @@ std::string campaign_identity(const CampaignResults& header) {
 }
 
 std::string campaign_difference(const CampaignResults& stored, const CampaignResults& now) {
-  return difference_of(identity_of(stored), identity_of(now));
+  return identity_difference(identity_of(stored), identity_of(now));
 }
 
 std::string campaign_difference(ByteReader& stored, const CampaignResults& now) {
   Identity identity;
   stored(identity);
-  return difference_of(identity, identity_of(now));
+  return identity_difference(identity, identity_of(now));
 }
 
 StoredRun unpacked(const std::string& bytes) {
@@ -170,7 +170,7 @@ StoredRun unpacked(const std::string& bytes) {
 }
 
 ResultsJournal ResultsJournal::create(const fs::path& path, const CampaignResults& header) {
-  const std::string begin = kMagic + record_of(campaign_identity(header));
+  const std::string begin = kJournalMagic + record_of(campaign_identity(header));
   write_text_file(path, begin);
   ResultsJournal journal(path, opened(path));
   journal.physics_ = header.physics_digest;
@@ -187,10 +187,10 @@ ResultsJournal ResultsJournal::resume(const fs::path& path, const CampaignResult
   }
   ResultsJournal journal(path, opened(path));
   const std::uint64_t size = fs::file_size(path);
-  std::string magic(kMagic.size(), '\0');
+  std::string magic(kJournalMagic.size(), '\0');
   journal.file_.read(magic.data(), static_cast<std::streamsize>(magic.size()));
-  std::optional<std::string> content = read_record(journal.file_, kMagic.size(), size);
-  if (magic != kMagic || !content) {
+  std::optional<std::string> content = read_record(journal.file_, kJournalMagic.size(), size);
+  if (magic != kJournalMagic || !content) {
     throw InputError(path.string() +
                      ": is not the journal of an interrupted campaign; delete it and start "
                      "without `resume`");
@@ -198,9 +198,9 @@ ResultsJournal ResultsJournal::resume(const fs::path& path, const CampaignResult
   Identity stored;
   ByteReader reader(*content);
   reader(stored);
-  check_same_campaign(path, stored, identity_of(header));
+  check_journal_campaign(path, stored, identity_of(header));
   journal.physics_ = stored.physics;
-  journal.end_ = kMagic.size() + record_size(*content);
+  journal.end_ = kJournalMagic.size() + record_size(*content);
   while ((content = read_record(journal.file_, journal.end_, size))) {
     journal.runs_.push_back(unpacked(*content).record.run);
     journal.begins_.push_back(journal.end_);

@@ -9,8 +9,8 @@
 namespace clast::study_detail {
 namespace {
 
-constexpr double kSnapshot = 0.1;      ///< s between conf files, where no trajectory is wanted
-constexpr double kTrackedSpin = 0.05;  ///< rad/s, below which a slow block is at rest
+constexpr double kRockableSnapshot = 0.1;  ///< s between conf files, where no trajectory is wanted
+constexpr double kTrackedSpin = 0.05;      ///< rad/s, below which a slow block is at rest
 
 std::string contact_lines(const SceneContact& contact) {
   const std::string pair =
@@ -50,10 +50,11 @@ std::string weights_of(ContactWeights weights) {
   return "None";
 }
 
-std::string input_text(const PreparedCampaign& prepared, const SceneSet& set, const Scene& scene) {
+std::string rockable_input(const PreparedCampaign& prepared, const SceneSet& set,
+                           const Scene& scene) {
   const Campaign& campaign = prepared.campaign;
   const double interval =
-      campaign.trajectory_interval > 0.0 ? campaign.trajectory_interval : kSnapshot;
+      campaign.trajectory_interval > 0.0 ? campaign.trajectory_interval : kRockableSnapshot;
   std::string text = "Rockable 29-11-2018\n# written by clast; see ../SCENE.txt\n\nt 0\ntmax " +
                      exact(campaign.max_time) + "\ndt " + exact(scene.time_step) +
                      "\ninterVerlet " + exact(scene.search_interval) + "\ninterConf " +
@@ -77,7 +78,7 @@ std::string input_text(const PreparedCampaign& prepared, const SceneSet& set, co
 void write_rockable_scene(const PreparedCampaign& prepared, const SceneSet& set, const Scene& scene,
                           const std::filesystem::path& folder) {
   std::filesystem::create_directories(folder / scene.name);
-  write_output(folder / scene.name / "input.txt", input_text(prepared, set, scene), {});
+  write_output(folder / scene.name / "input.txt", rockable_input(prepared, set, scene), {});
   if (scene.bodies.size() != 1) return;
   std::size_t block = 0;
   for (const SceneZone& zone : set.zones) block += zone.surface.triangles.empty() ? 0 : 1;

@@ -10,7 +10,7 @@ namespace {
 constexpr double kNotKnown = std::numeric_limits<double>::quiet_NaN();
 /// A flight leads from one state to the next within these, m and m/s: far above the rounding of
 /// other engines' steps, far below what a contact does.
-constexpr double kSamePlace = 1e-5, kSameVelocity = 1e-5;
+constexpr double kSameState = 1e-5, kSameVelocity = 1e-5;
 /// The same of the turn, rad: engines that integrate rotations to first order are farther off than
 /// in place.
 constexpr double kFlightTurn = 1e-2;
@@ -18,7 +18,7 @@ constexpr int kPathPieces = 8;  ///< of the path between two states
 
 bool is_flight(const RigidBody& body, const MotionStep& step, double gravity) {
   const RigidState end = free_flight(body, step.begin, step.end_time - step.begin_time, gravity);
-  return (end.position - step.end.position).norm() < kSamePlace &&
+  return (end.position - step.end.position).norm() < kSameState &&
          (end.velocity - step.end.velocity).norm() < kSameVelocity &&
          end.orientation.angularDistance(step.end.orientation) < kFlightTurn;
 }

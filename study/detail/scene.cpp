@@ -14,8 +14,8 @@ namespace {
 constexpr std::size_t kLongestName = 15;  ///< that ExaDEM keeps of a shape
 /// Of half the period of the lightest block on its contact spring.
 constexpr double kStepsPerContact = 350.0;
-constexpr double kMarginShare = 0.05;  ///< of S of the smallest block
-constexpr double kLeastMargin = 0.01;  ///< m
+constexpr double kSceneMarginShare = 0.05;  ///< of S of the smallest block
+constexpr double kLeastMargin = 0.01;       ///< m
 
 /// "00042"
 std::string padded(std::uint32_t number, std::size_t width) {
@@ -138,7 +138,7 @@ Scene scene_of(const PreparedCampaign& prepared, const SceneSet& set, std::uint3
     step = std::min(step, kPi * std::sqrt(body.mass / run.stiffness.normal) / kStepsPerContact);
   }
   scene.time_step = step;
-  scene.search_margin = std::max(kLeastMargin, kMarginShare * smallest);
+  scene.search_margin = std::max(kLeastMargin, kSceneMarginShare * smallest);
   scene.search_interval = std::max(step, 0.5 * scene.search_margin / std::max(speed, 1.0));
   add_contacts(prepared, set, first, together, scene);
   return scene;

@@ -11,9 +11,9 @@
 namespace clast::terrain_detail {
 namespace {
 
-constexpr double kSnap = 0.25;        // cells
-constexpr double kOnLine = 2e-6;      // m: what cutting leaves between a vertex and the line
-constexpr double kSameHeight = 1e-3;  // m: of two lines where they meet
+constexpr double kSnap = 0.25;    // cells
+constexpr double kOnLine = 2e-6;  // m: what cutting leaves between a vertex and the line
+constexpr double kSameCrossingHeight = 1e-3;  // m: of two lines where they meet
 
 struct Segment {
   Vec3 from, to;
@@ -56,7 +56,8 @@ class Segments {
   void check_one_height(const Vec2& at, const Foot& foot) const {
     for (const std::uint32_t s : index_.near(PlanBox{at, at}.grown(kOnLine))) {
       const Foot other = foot_on(segments_[s], at);
-      if (other.distance <= kOnLine && std::abs(other.point.z() - foot.point.z()) > kSameHeight) {
+      if (other.distance <= kOnLine &&
+          std::abs(other.point.z() - foot.point.z()) > kSameCrossingHeight) {
         throw InputError(lines_[segments_[s].line].name + ": breaklines meet at " +
                          place_on_map(foot.point) + " and at z " + with_digits(other.point.z(), 9) +
                          "; give them one height there, or move one of them");

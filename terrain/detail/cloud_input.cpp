@@ -16,7 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr double kMostCells = 2e9;
+constexpr double kMostCloudCells = 2e9;
 constexpr std::uint32_t kMostHeights = 64;  // kept per cell
 constexpr double kPinholes = 3.0;           // cells: holes up to this are filled by default
 constexpr long kOutlierReach = 2;           // cells on every side whose medians are compared
@@ -31,7 +31,7 @@ struct Cells {
   Cells(const Vec2& low, const Vec2& high, double cell, const fs::path& path)
       : size(cell), first((low / cell).array().floor()) {
     const Vec2 count = (high / cell).array().floor() - first.array() + 1.0;
-    if (!(count.prod() < kMostCells)) {
+    if (!(count.prod() < kMostCloudCells)) {
       throw InputError(path.string() + ": cells of " + with_digits(cell, 6) + " m over " +
                        with_digits((high - low).x(), 6) + " x " + with_digits((high - low).y(), 6) +
                        " m are too many; use a larger `resolution`");

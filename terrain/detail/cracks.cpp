@@ -19,7 +19,7 @@ using Triangle = TriangleMesh::Triangle;
 
 // T-junctions on both sides of a triangle are divided one after the other; a tile border with
 // vertices in a row on every triangle needs two rounds.
-constexpr int kRounds = 6;
+constexpr int kCrackRounds = 6;
 
 struct BorderSide {
   std::uint32_t triangle;
@@ -283,7 +283,7 @@ void close_cracks(RawSurface& surface, double width, TerrainReport& report) {
   if (!(width > 0.0)) return;
   Closed closed;
   join_vertices(surface.mesh, width, closed);
-  for (int round = 0; round < kRounds && divide_sides(surface, width, closed); ++round) {
+  for (int round = 0; round < kCrackRounds && divide_sides(surface, width, closed); ++round) {
   }
   report.closed_cracks = closed.joined + closed.divided;
   if (report.closed_cracks == 0) return;

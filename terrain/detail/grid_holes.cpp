@@ -9,8 +9,6 @@
 namespace clast::terrain_detail {
 namespace {
 
-constexpr std::uint32_t kNone = 0xffffffffu;
-
 struct Hole {
   std::vector<std::size_t> cells;
   std::size_t low_column, high_column, low_row, high_row;
@@ -45,7 +43,7 @@ Hole hole_at(const HeightGrid& grid, std::size_t seed, std::vector<bool>& seen) 
   return hole;
 }
 
-/// `number` is kNone everywhere, before and after.
+/// `number` is kNoIndex everywhere, before and after.
 void fill(HeightGrid& grid, const Hole& hole, std::vector<std::uint32_t>& number) {
   const auto count = static_cast<Eigen::Index>(hole.cells.size());
   for (std::size_t k = 0; k < hole.cells.size(); ++k) {
@@ -65,7 +63,7 @@ void fill(HeightGrid& grid, const Hole& hole, std::vector<std::uint32_t>& number
                                                                    {cell - grid.columns, along_y},
                                                                    {cell + grid.columns, along_y}}};
     for (const auto& [next, weight] : around) {
-      if (number[next] != kNone) {
+      if (number[next] != kNoIndex) {
         entries.emplace_back(row, number[next], -weight);
         continue;
       }
@@ -80,7 +78,7 @@ void fill(HeightGrid& grid, const Hole& hole, std::vector<std::uint32_t>& number
   const Eigen::VectorXd heights = solver.solve(rim);
   for (Eigen::Index row = 0; row < count; ++row) {
     const std::size_t cell = hole.cells[static_cast<std::size_t>(row)];
-    number[cell] = kNone;
+    number[cell] = kNoIndex;
     grid.heights[cell] = datum + heights[row];
   }
 }
@@ -90,7 +88,7 @@ void fill(HeightGrid& grid, const Hole& hole, std::vector<std::uint32_t>& number
 HolesFilled fill_holes(HeightGrid& grid, double widest) {
   HolesFilled result;
   std::vector<bool> seen(grid.heights.size(), false);
-  std::vector<std::uint32_t> number(grid.heights.size(), kNone);
+  std::vector<std::uint32_t> number(grid.heights.size(), kNoIndex);
   for (std::size_t cell = 0; cell < grid.heights.size(); ++cell) {
     if (seen[cell] || std::isfinite(grid.heights[cell])) continue;
     const Hole hole = hole_at(grid, cell, seen);

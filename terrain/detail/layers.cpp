@@ -23,7 +23,7 @@ constexpr double kFoldedShare = 1e-3;     // of all plan area, under which folds
 std::vector<std::uint32_t> doubles_of(const TriangleMesh& mesh, double width) {
   const std::vector<PlanBox> boxes = plan_boxes(mesh);
   const PlanIndex index(boxes);
-  std::vector<std::uint32_t> twin(mesh.triangles.size(), kNoTriangle);
+  std::vector<std::uint32_t> twin(mesh.triangles.size(), kNoIndex);
   struct Hit {
     double z;
     std::uint32_t triangle;
@@ -74,7 +74,7 @@ Components components_over_others(const TriangleMesh& mesh,
     const std::uint32_t here = result.of[t];
     const double plan = std::max(0.0, area_vector(mesh, mesh.triangles[t]).z() / 2.0);
     result.area[here] += plan;
-    if (twin[t] != kNoTriangle && result.of[twin[t]] != here) doubled[here] += plan;
+    if (twin[t] != kNoIndex && result.of[twin[t]] != here) doubled[here] += plan;
   }
   const double largest = *std::max_element(result.area.begin(), result.area.end());
   for (std::size_t p = 0; p < count; ++p) {
@@ -114,7 +114,7 @@ void check_folded(const PlanArea& folded, double whole, TerrainReport& report) {
 void drop_double_ground(RawSurface& surface, double width, TerrainReport& report) {
   const TriangleMesh& mesh = surface.mesh;
   const std::vector<std::uint32_t> twin = doubles_of(mesh, std::max(width, kNoRoom));
-  if (std::all_of(twin.begin(), twin.end(), [](std::uint32_t t) { return t == kNoTriangle; })) {
+  if (std::all_of(twin.begin(), twin.end(), [](std::uint32_t t) { return t == kNoIndex; })) {
     return;
   }
   const Components component = components_over_others(mesh, twin);
@@ -128,7 +128,7 @@ void drop_double_ground(RawSurface& surface, double width, TerrainReport& report
     keep[t] = !is_dropped(t);
     if (!keep[t]) {
       dropped.add(plan, centroid(mesh, mesh.triangles[t]));
-    } else if (twin[t] != kNoTriangle && !is_dropped(twin[t])) {
+    } else if (twin[t] != kNoIndex && !is_dropped(twin[t])) {
       // Two that face up are each seen from the other.
       const bool seen_twice = area_vector(mesh, mesh.triangles[twin[t]]).z() > 0.0;
       folded.add(seen_twice ? plan / 2.0 : plan, centroid(mesh, mesh.triangles[t]));

@@ -1,11 +1,7 @@
 #include "terrain/detail/plan_clip.hpp"
 
 namespace clast::terrain_detail {
-namespace {
-
-double cross(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
-
-}  // namespace
+namespace {}  // namespace
 
 double signed_area(std::span<const Vec2> ring) {
   if (ring.size() < 3) return 0.0;

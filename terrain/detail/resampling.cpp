@@ -68,7 +68,7 @@ HeightGrid heights_of(const TriangleMesh& mesh, double cell, const std::filesyst
   return grid;
 }
 
-PlanTriangle plan_of(const TriangleMesh& mesh, std::uint32_t triangle) {
+PlanTriangle sampled_plan_triangle(const TriangleMesh& mesh, std::uint32_t triangle) {
   const auto& [a, b, c] = mesh.triangles[triangle];
   return {mesh.vertices[a].head<2>(), mesh.vertices[b].head<2>(), mesh.vertices[c].head<2>()};
 }
@@ -90,10 +90,11 @@ std::vector<std::uint16_t> sources_for(const TriangleMesh& grid, const RawSurfac
   const PlanIndex index(plan_boxes(surface.mesh));
   const std::vector<PlanBox> boxes = plan_boxes(grid);
   for (std::uint32_t t = 0; t < sources.size(); ++t) {
-    const PlanTriangle corners = plan_of(grid, t);
+    const PlanTriangle corners = sampled_plan_triangle(grid, t);
     std::map<std::uint16_t, double> covered;
     for (const std::uint32_t old : index.near(boxes[t])) {
-      covered[surface.source[old]] += area_within(plan_of(surface.mesh, old), corners);
+      covered[surface.source[old]] +=
+          area_within(sampled_plan_triangle(surface.mesh, old), corners);
     }
     double most = -1.0;
     for (const auto& [source, area] : covered) {

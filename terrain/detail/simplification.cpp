@@ -275,7 +275,7 @@ FreeSurface free_surface(const RawSurface& surface, const std::vector<bool>& kep
       const std::uint32_t a = mesh.triangles[t][k], b = mesh.triangles[t][(k + 1) % 3];
       in_free[a] = true;
       const std::uint32_t other = links.across[t][k];
-      if (other == kNoTriangle || kept[other] || surface.source[other] != surface.source[t]) {
+      if (other == kNoIndex || kept[other] || surface.source[other] != surface.source[t]) {
         fixed[a] = fixed[b] = true;
         free.constraints.push_back(edge_key(a, b));
       } else if (t < other) {

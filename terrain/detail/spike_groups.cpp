@@ -17,8 +17,8 @@ namespace {
 
 // More vertices than that are a tower, a tree or a rock.
 constexpr std::size_t kLargestGroup = 8;
-constexpr double kSuspect = 0.5;     // of the steepness, in a second look
-constexpr double kAlone = 3.0;       // times the farthest of the ground around, as for single ones
+constexpr double kSuspectGroup = 0.5;  // of the steepness, in a second look
+constexpr double kGroupAlone = 3.0;  // times the farthest of the ground around, as for single ones
 constexpr double kSamePlace = 1e-6;  // m, in plan, of vertices that nothing joins
 constexpr std::size_t kFewAround = 4;  // from which one ring is enough to know the ground
 
@@ -209,7 +209,7 @@ bool stands_out(const TriangleMesh& mesh, const std::vector<std::uint32_t>& grou
       const double apart = (mesh.vertices[other] - mesh.vertices[v]).head<2>().norm();
       distance = std::min(distance, apart);
     }
-    return off(v) > steepness * distance && off(v) > kAlone * roughness;
+    return off(v) > steepness * distance && off(v) > kGroupAlone * roughness;
   });
 }
 
@@ -236,7 +236,7 @@ void level_group(TriangleMesh& mesh, const std::vector<std::uint32_t>& group,
   std::vector<std::uint32_t> moved;
   for (const std::uint32_t v : group) {
     const double by = off(v);
-    if (by <= kAlone * roughness) continue;
+    if (by <= kGroupAlone * roughness) continue;
     moved.push_back(v);
     ++levelled.count;
     if (by > levelled.farthest) {
@@ -255,7 +255,7 @@ void level_group(TriangleMesh& mesh, const std::vector<std::uint32_t>& group,
     if (!surroundings.on_border(v) || !surroundings.copies(v).empty()) continue;
     double& height = mesh.vertices[v].z();
     const double other = surroundings.border_height(v).value_or(height);
-    if (std::abs(other - height) <= kAlone * roughness) height = other;
+    if (std::abs(other - height) <= kGroupAlone * roughness) height = other;
   }
 }
 
@@ -265,7 +265,7 @@ void level_spike_groups(TriangleMesh& mesh, double steepness, double width, Terr
   if (!(steepness > 0.0)) return;
   Levelled levelled;
   // A vertex that was put between a spike and the ground stands on a gentler edge than the spike.
-  for (const double share : {1.0, kSuspect}) {
+  for (const double share : {1.0, kSuspectGroup}) {
     const std::vector<bool> loose = loose_vertices(mesh, share * steepness);
     const std::vector<bool> few = few_together(mesh, loose);
     if (std::find(few.begin(), few.end(), true) == few.end()) continue;

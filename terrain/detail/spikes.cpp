@@ -17,7 +17,7 @@ constexpr double kSuspect = 0.5;  // of the steepness, from which a vertex is lo
 // Times the farthest of the vertices around from the same plane: a crest is no row of spikes.
 constexpr double kAlone = 3.0;
 constexpr double kSliverHeight = 1e-3;  // m
-constexpr int kRounds = 3;
+constexpr int kSpikeRounds = 3;
 constexpr double kSmoothing = 0.5;  // share of the way in one round
 
 /// Ends of the edges at every vertex.
@@ -43,10 +43,10 @@ Rings rings_of(const TriangleMesh& mesh) {
     for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
       for (std::size_t k = 0; k < 3; ++k) {
         const std::uint32_t other = links.across[t][k];
-        if (other != kNoTriangle && other < t) continue;
+        if (other != kNoIndex && other < t) continue;
         const std::uint32_t a = mesh.triangles[t][k], b = mesh.triangles[t][(k + 1) % 3];
-        visit(a, b, other == kNoTriangle);
-        visit(b, a, other == kNoTriangle);
+        visit(a, b, other == kNoIndex);
+        visit(b, a, other == kNoIndex);
       }
     }
   };
@@ -158,7 +158,7 @@ void level_spikes(RawSurface& surface, double steepness, TerrainReport& report) 
   const Rings rings = rings_of(mesh);
   Spikes spikes;
   // What was level with a spike stands out when that is gone.
-  for (int round = 0; round < kRounds; ++round) {
+  for (int round = 0; round < kSpikeRounds; ++round) {
     const std::size_t before = spikes.levelled;
     spikes.left = 0;
     level_once(mesh, rings, steepness, spikes);

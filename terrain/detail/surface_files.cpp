@@ -72,7 +72,7 @@ RawSurface surface_of(const HeightGrid& grid, const fs::path& path) {
 std::string cells_of(double size) { return "cells of " + with_digits(size, 6) + " m"; }
 
 /// Numbers that stand for "no height" in a file that does not say so make pits without a bottom.
-void check_heights(const HeightGrid& grid, const fs::path& path) {
+void check_declared_heights(const HeightGrid& grid, const fs::path& path) {
   for (std::size_t i = 0; i < grid.heights.size(); ++i) {
     const double height = grid.heights[i];
     if (!std::isfinite(height) || (std::abs(height) <= kHighest && height != kUsualNoData)) {
@@ -90,7 +90,7 @@ void check_heights(const HeightGrid& grid, const fs::path& path) {
 RawSurface read_one_raster(const TerrainOptions& options) {
   const fs::path& path = options.surface.front();
   Raster raster = read_raster(path);
-  check_heights(raster.grid, path);
+  check_declared_heights(raster.grid, path);
   std::vector<std::string> notes;
   if (options.resolution) {
     const HeightGrid& grid = raster.grid;

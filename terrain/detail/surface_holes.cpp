@@ -39,7 +39,7 @@ std::optional<Side> next_side(const TriangleMesh& mesh, const TriangleNeighbours
   // Around a vertex there are no more triangles than in all.
   for (std::size_t steps = 0; steps <= mesh.triangles.size(); ++steps) {
     const std::uint32_t other = links.across[next.triangle][next.side];
-    if (other == kNoTriangle) return next;
+    if (other == kNoIndex) return next;
     const Triangle& corners = mesh.triangles[other];
     const std::size_t k =
         static_cast<std::size_t>(std::find(corners.begin(), corners.end(), end) - corners.begin());
@@ -57,7 +57,7 @@ Loop cut_off(Loop& path, std::size_t begin, std::vector<std::uint32_t>& place_on
   loop.triangles.assign(path.triangles.begin() + first, path.triangles.end());
   path.vertices.resize(begin);
   path.triangles.resize(begin);
-  for (const std::uint32_t vertex : loop.vertices) place_on_path[vertex] = kNoTriangle;
+  for (const std::uint32_t vertex : loop.vertices) place_on_path[vertex] = kNoIndex;
   return loop;
 }
 
@@ -77,7 +77,7 @@ void measure(const TriangleMesh& mesh, Loop& loop) {
 std::vector<Loop> border_loops(const TriangleMesh& mesh, const TriangleNeighbours& links) {
   std::vector<Loop> loops;
   std::vector<std::uint8_t> seen(mesh.triangles.size(), 0);  // a bit per side
-  std::vector<std::uint32_t> place_on_path(mesh.vertices.size(), kNoTriangle);
+  std::vector<std::uint32_t> place_on_path(mesh.vertices.size(), kNoIndex);
   for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
     for (std::size_t k = 0; k < 3; ++k) {
       if (!links.on_border(t, k) || (seen[t] >> k & 1)) continue;
@@ -87,7 +87,7 @@ std::vector<Loop> border_loops(const TriangleMesh& mesh, const TriangleNeighbour
       while (at && !(seen[at->triangle] >> at->side & 1)) {
         seen[at->triangle] |= static_cast<std::uint8_t>(1u << at->side);
         const std::uint32_t vertex = mesh.triangles[at->triangle][at->side];
-        if (place_on_path[vertex] != kNoTriangle) {
+        if (place_on_path[vertex] != kNoIndex) {
           loops.push_back(cut_off(path, place_on_path[vertex], place_on_path));
         }
         place_on_path[vertex] = static_cast<std::uint32_t>(path.vertices.size());

@@ -27,7 +27,7 @@ double plane_height(const TriangleMesh& mesh, const Triangle& triangle, const Ve
   return corner.z() - normal.head<2>().dot(at - corner.head<2>()) / normal.z();
 }
 
-PlanTriangle plan_of(const TriangleMesh& mesh, const Triangle& triangle) {
+PlanTriangle paired_plan_triangle(const TriangleMesh& mesh, const Triangle& triangle) {
   return {mesh.vertices[triangle[0]].head<2>(), mesh.vertices[triangle[1]].head<2>(),
           mesh.vertices[triangle[2]].head<2>()};
 }
@@ -70,14 +70,14 @@ void each_common_corner(
                                            base_spans = height_spans(base);
   const PlanIndex index(base_boxes);
   for (std::uint32_t t = 0; t < top.triangles.size(); ++t) {
-    const PlanTriangle ring = plan_of(top, top.triangles[t]);
+    const PlanTriangle ring = paired_plan_triangle(top, top.triangles[t]);
     for (const std::uint32_t b : index.near(boxes[t])) {
       if (top_spans[t][1] - base_spans[b][0] <= thickness) continue;
       if ((base_boxes[b].low.array() > boxes[t].high.array()).any() ||
           (boxes[t].low.array() > base_boxes[b].high.array()).any()) {
         continue;
       }
-      for (const Vec2& corner : part_within(ring, plan_of(base, base.triangles[b]))) {
+      for (const Vec2& corner : part_within(ring, paired_plan_triangle(base, base.triangles[b]))) {
         visit(t, b, corner,
               plane_height(top, top.triangles[t], corner) -
                   plane_height(base, base.triangles[b], corner));

@@ -15,8 +15,6 @@ constexpr double kNear = 1e-6;  // m
 
 using Triangle = TriangleMesh::Triangle;
 
-double cross(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
-
 /// Signed distance of a point from the line through two others.
 double offset(const Vec2& from, const Vec2& to, const Vec2& point) {
   const double length = (to - from).norm();
@@ -151,7 +149,7 @@ class CutMesh {
     const Vec3 point = mesh_.vertices[a] + share * (mesh_.vertices[b] - mesh_.vertices[a]);
     mesh_.vertices.push_back(point);
     const std::uint32_t far = bisect(t, k, middle);
-    if (other == kNoTriangle) return;
+    if (other == kNoIndex) return;
     const std::size_t side = side_between(mesh_.triangles[other], a, b);
     const std::uint32_t other_far = bisect(other, side, middle);
     // `t` keeps a, `far` has b; on the other side the first corner of the side stays.
@@ -170,9 +168,9 @@ class CutMesh {
     const std::uint32_t beyond = across_[t][(k + 1) % 3];
     const std::uint32_t part = add({middle, b, apex}, t);
     mesh_.triangles[t][(k + 1) % 3] = middle;
-    across_[part] = {kNoTriangle, beyond, t};
+    across_[part] = {kNoIndex, beyond, t};
     across_[t][(k + 1) % 3] = part;
-    across_[t][k] = kNoTriangle;
+    across_[t][k] = kNoIndex;
     relink(beyond, t, part);
     return part;
   }
@@ -180,14 +178,14 @@ class CutMesh {
   std::uint32_t add(const Triangle& corners, std::uint32_t from) {
     const auto number = static_cast<std::uint32_t>(mesh_.triangles.size());
     mesh_.triangles.push_back(corners);
-    across_.push_back({kNoTriangle, kNoTriangle, kNoTriangle});
+    across_.push_back({kNoIndex, kNoIndex, kNoIndex});
     first_.push_back(first_[from]);
     parts_[first_[from]].push_back(number);
     return number;
   }
 
   void relink(std::uint32_t t, std::uint32_t from, std::uint32_t to) {
-    if (t == kNoTriangle) return;
+    if (t == kNoIndex) return;
     for (std::uint32_t& side : across_[t]) {
       if (side == from) {
         side = to;

@@ -17,7 +17,6 @@
 namespace clast::terrain_detail {
 namespace {
 
-constexpr std::uint32_t kNone = 0xffffffffu;
 constexpr std::size_t kMostZones = 65535;
 constexpr double kUpright = 1e-6;  // of plan area in area, under which the centroid decides
 
@@ -46,7 +45,7 @@ std::uint32_t label_of_name(std::vector<std::string>& labels, const std::string&
 struct ZoneMap {
   std::vector<std::string> labels;
   PlanBox extent;                                   ///< on the map
-  std::function<std::uint32_t(const Vec2&)> at;     ///< kNone where nothing is
+  std::function<std::uint32_t(const Vec2&)> at;     ///< kNoIndex where nothing is
   std::function<Shares(const PlanTriangle&)> over;  ///< of a triangle on the map
   std::vector<std::array<Vec2, 2>> borders;         ///< of polygons
 };
@@ -101,7 +100,7 @@ class LabelGrid {
     for (long j = std::max(low_j, 0L); j <= std::min(high_j, rows_ - 1); ++j) {
       for (long i = std::max(low_i, 0L); i <= std::min(high_i, columns_ - 1); ++i) {
         const std::uint32_t here = label(i, j);
-        if (here == kNone) continue;
+        if (here == kNoIndex) continue;
         const Vec2 low =
             corner_ + step_.cwiseProduct(Vec2(static_cast<double>(i), static_cast<double>(j)));
         const Vec2 high = low + step_;
@@ -117,7 +116,7 @@ class LabelGrid {
  private:
   std::uint32_t label(long i, long j) const {
     return i < 0 || j < 0 || i >= columns_ || j >= rows_
-               ? kNone
+               ? kNoIndex
                : cells_[static_cast<std::size_t>(j * columns_ + i)];
   }
   std::pair<long, long> column_and_row(const Vec2& point) const {
@@ -140,7 +139,7 @@ ZoneMap raster_zones(const ZoneFile& source, const std::string& crs) {
   const HeightGrid& grid = raster.grid;
   ZoneMap map;
   const std::map<long, std::uint32_t> label_of = classes_of(grid, source, map);
-  std::vector<std::uint32_t> cells(grid.heights.size(), kNone);
+  std::vector<std::uint32_t> cells(grid.heights.size(), kNoIndex);
   for (std::size_t i = 0; i < cells.size(); ++i) {
     if (!std::isnan(grid.heights[i])) cells[i] = label_of.at(static_cast<long>(grid.heights[i]));
   }
@@ -175,7 +174,7 @@ ZoneMap polygon_zones(const ZoneFile& source, const std::string& crs) {
     for (std::size_t i = 0; i < polygons.size(); ++i) {
       if (polygons[i].contains(point)) return label_of[i];
     }
-    return kNone;
+    return kNoIndex;
   };
   map.over = [polygons, label_of, at = map.at,
               index = PlanIndex(sides)](const PlanTriangle& triangle) {
@@ -184,7 +183,7 @@ ZoneMap polygon_zones(const ZoneFile& source, const std::string& crs) {
     Shares shares;
     if (index.near(box).empty()) {
       const std::uint32_t label = at((triangle[0] + triangle[1] + triangle[2]) / 3.0);
-      if (label != kNone) shares.emplace_back(label, signed_area(triangle));
+      if (label != kNoIndex) shares.emplace_back(label, signed_area(triangle));
       return shares;
     }
     for (std::size_t i = 0; i < polygons.size(); ++i) {
@@ -280,7 +279,7 @@ void assign_zones(Terrain& terrain, const ZoneFile& source, bool cut) {
   check_extent(map, terrain, source);
   if (cut) cut_borders(terrain, map);
   const TriangleMesh& mesh = terrain.surface;
-  std::vector<std::uint32_t> label(mesh.triangles.size(), kNone);
+  std::vector<std::uint32_t> label(mesh.triangles.size(), kNoIndex);
   Bare bare;
   for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
     const Vec3 area = area_vector(mesh, mesh.triangles[t]);
@@ -303,9 +302,9 @@ void assign_zones(Terrain& terrain, const ZoneFile& source, bool cut) {
           label[t] = zone;
         }
       }
-      if (covered < 0.5 * plan) label[t] = kNone;
+      if (covered < 0.5 * plan) label[t] = kNoIndex;
     }
-    if (label[t] == kNone) {
+    if (label[t] == kNoIndex) {
       if (bare.triangles++ == 0) bare.at = middle;
       bare.area += std::max(0.0, plan - covered);
     } else {
@@ -328,16 +327,16 @@ void assign_zones(Terrain& terrain, const std::vector<std::string>& texts) {
     label_of.push_back(label_of_name(labels, rule.zone));
   }
   const TriangleMesh& mesh = terrain.surface;
-  std::vector<std::uint32_t> label(mesh.triangles.size(), kNone);
+  std::vector<std::uint32_t> label(mesh.triangles.size(), kNoIndex);
   Bare bare;
   for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
     const Vec3 area = area_vector(mesh, mesh.triangles[t]);
     const Vec3 middle = terrain.frame.map(centroid(mesh, mesh.triangles[t]));
     const double slope = std::atan2(area.head<2>().norm(), area.z());
-    for (std::size_t r = 0; r < rules.size() && label[t] == kNone; ++r) {
+    for (std::size_t r = 0; r < rules.size() && label[t] == kNoIndex; ++r) {
       if (rules[r].holds(slope, middle.z())) label[t] = label_of[r];
     }
-    if (label[t] != kNone) continue;
+    if (label[t] != kNoIndex) continue;
     if (bare.triangles++ == 0) bare.at = middle;
     bare.area += std::abs(area.z()) / 2.0;
   }

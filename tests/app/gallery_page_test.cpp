@@ -1,12 +1,11 @@
 // Blocks in 3-D, in a real browser: the gallery of a library, and the pages of scans.
 #include "tests/app/browser.hpp"
+#include "tests/support/samples_folder.hpp"
 
 namespace clast {
 namespace {
 
 using Json = nlohmann::json;
-
-const fs::path kSamples = fs::path(CLAST_SOURCE_DIR) / "samples";
 
 /// Functions that both probes use: what a turntable shows, and a drag over it.
 constexpr const char* kTurning = R"(<script>

@@ -8,7 +8,7 @@ namespace {
 using Json = nlohmann::json;
 
 /// Every layer as a reader chooses it, and what is then to be seen.
-constexpr const char* kProbe = R"(<script>
+constexpr const char* kMapProbe = R"(<script>
 (async()=>{
 const probe={layers:{}};
 const root=document.querySelector('.layered-map'),box=root.querySelector('.chart');
@@ -65,7 +65,7 @@ class MapPage : public SlopeCampaign {
     ASSERT_EQ(run_clast({"compare", "r.h5", "-o", "report"}, folder.path()).exit_code, 0);
   }
   Json seen(int width = 0) {
-    return probed(folder / "report" / "report.html", kProbe, folder, width);
+    return probed(folder / "report" / "report.html", kMapProbe, folder, width);
   }
 };
 

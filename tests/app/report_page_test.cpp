@@ -1,15 +1,14 @@
 // The report of a small campaign in a real browser.
 #include "tests/app/browser.hpp"
+#include "tests/support/samples_folder.hpp"
 
 namespace clast {
 namespace {
 
 using Json = nlohmann::json;
 
-const fs::path kSamples = fs::path(CLAST_SOURCE_DIR) / "samples";
-
 /// What the page looks like after a reader has used it, as JSON in an element that the test reads.
-constexpr const char* kProbe = R"(<script>
+constexpr const char* kReportProbe = R"(<script>
 var probe={};
 function use(){
 var box=document.getElementById('scene'),slider=box.querySelector('[data-scene=time]');
@@ -125,7 +124,7 @@ class ReportPage : public testing::Test {
   Json looked_at(const std::string& window, const std::string& style = {}) {
     return probed(folder / "report" / "report.html", style + kLook, folder, 0, window);
   }
-  Json used() { return probed(folder / "report" / "report.html", kProbe, folder); }
+  Json used() { return probed(folder / "report" / "report.html", kReportProbe, folder); }
   ScratchFolder folder;
   std::string terminal;  ///< what `compare` printed
 };

@@ -1,13 +1,12 @@
 // The pages of clast reconstruct --report in a real browser: what a reader sees of them.
 #include "tests/app/browser.hpp"
 #include "tests/app/scan_page_probe.hpp"
+#include "tests/support/samples_folder.hpp"
 
 namespace clast {
 namespace {
 
 using Json = nlohmann::json;
-
-const fs::path kSamples = fs::path(CLAST_SOURCE_DIR) / "samples";
 
 class ScanPage : public testing::Test {
  protected:

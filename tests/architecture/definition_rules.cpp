@@ -5,6 +5,7 @@
 #include <cstring>
 #include <map>
 #include <regex>
+#include <set>
 
 namespace clast::architecture {
 namespace {
@@ -70,7 +71,126 @@ Opening opening(const std::string& before) {
   return {};
 }
 
+/// The names that a statement at the level of a namespace defines, from its text up to the brace or
+/// semicolon.
+std::vector<UnnamedScopeName> defined_names(const std::string& statement, std::size_t line) {
+  static const std::regex kTemplate(R"(^\s*template\s*<[^(){}]*>\s*(?=[A-Za-z_]))");
+  static const std::regex kType(
+      R"(^\s*(?:struct|class|enum|union)(?:\s+(?:class|struct))?\s+(\w+))");
+  static const std::regex kAlias(R"(^\s*(?:using|namespace)\s+(\w+)\s*=\s*([^]*)$)");
+  static const std::regex kNoDefinition(R"(^\s*(?:using|static_assert|friend|namespace)\b)");
+  static const std::regex kFunction(R"(([\w:~]+)\s*\()");
+  static const std::regex kVariable(R"((?:^|[^:\w])(\w+)\s*(?:\[[^\]]*\]\s*)*$)");
+  const std::string text = std::regex_replace(statement, kTemplate, "");
+  std::smatch match;
+  if (std::regex_search(text, match, kType)) return {{match[1], "", line}};
+  if (std::regex_search(text, match, kAlias)) return {{match[1], match[2], line}};
+  if (std::regex_search(text, kNoDefinition) || text.find("operator") != std::string::npos)
+    return {};
+  // Template arguments may be signatures: std::function<double(int)>.
+  static const std::regex kArguments(R"(<[^<>]*>)");
+  std::string before_value = text.substr(0, text.find('='));
+  while (std::regex_search(before_value, kArguments)) {
+    before_value = std::regex_replace(before_value, kArguments, "");
+  }
+  if (std::regex_search(before_value, match, kFunction)) {
+    const std::string name = match[1];
+    if (name.find(':') != std::string::npos) return {};
+    return {{name, "", line}};
+  }
+  if (!std::regex_search(before_value, match, kVariable)) return {};
+  std::vector<UnnamedScopeName> names = {{match[1], "", line}};
+  static const std::regex kNext(R"(,\s*(k[A-Z]\w*)\s*=)");
+  for (std::sregex_iterator next(text.begin(), text.end(), kNext), end; next != end; ++next) {
+    names.push_back({(*next)[1], "", line});
+  }
+  return names;
+}
+
+/// The library, or the folder of tests, whose files are compiled together with this one.
+std::string library_of(const SourceFile& file) {
+  if (file.folder() == "tests") {
+    const std::size_t folder = file.path.find('/') + 1;
+    return file.path.substr(0, file.path.find('/', folder));
+  }
+  for (const std::string inner : {"reconstruct/photos/", "report/scans/"}) {
+    if (file.path.starts_with(inner)) return inner;
+  }
+  return file.folder();
+}
+
 }  // namespace
+
+std::vector<UnnamedScopeName> unnamed_scope_names(const SourceFile& file) {
+  std::vector<UnnamedScopeName> found;
+  std::vector<Opening> scopes;
+  std::string statement;
+  std::size_t line = 1, begin = 1;
+  const auto in_unnamed = [&] {
+    return std::all_of(scopes.begin(), scopes.end(),
+                       [](const Opening& s) { return s.is_namespace; }) &&
+           std::any_of(scopes.begin(), scopes.end(),
+                       [](const Opening& s) { return s.name.empty(); });
+  };
+  const auto end_statement = [&] {
+    if (in_unnamed()) {
+      for (auto& name : defined_names(statement, begin)) found.push_back(std::move(name));
+    }
+    statement.clear();
+  };
+  const Code code(file);
+  bool directive = false;
+  for (const char c : code.text()) {
+    if (c == '\n') {
+      ++line;
+      directive = false;
+    }
+    directive = directive || c == '#';
+    if (directive) continue;
+    if (c == '{') {
+      const Opening next = opening(statement);
+      if (!next.is_namespace) end_statement();
+      statement.clear();
+      scopes.push_back(next);
+    } else if (c == '}') {
+      if (!scopes.empty()) scopes.pop_back();
+      statement.clear();
+    } else if (c == ';') {
+      end_statement();
+    } else if (!statement.empty() || !std::isspace(static_cast<unsigned char>(c))) {
+      if (statement.empty()) begin = line;
+      statement += c;
+    }
+  }
+  return found;
+}
+
+Findings repeated_unnamed_findings(const std::vector<SourceFile>& files) {
+  struct First {
+    std::string path, alias;
+  };
+  // Macros of GoogleTest, and the overloads by which it prints values of a test's own types.
+  static const std::set<std::string> kOfEveryTest = {"TEST", "TEST_F", "TEST_P", "PrintTo",
+                                                     "INSTANTIATE_TEST_SUITE_P"};
+  std::map<std::string, First> first;
+  Findings findings;
+  for (const SourceFile& file : files) {
+    if (!file.path.ends_with(".cpp") || file.folder() == "benchmarks" ||
+        file.folder() == "samples" || file.folder() == "docs") {
+      continue;
+    }
+    for (const UnnamedScopeName& name : unnamed_scope_names(file)) {
+      const auto [entry, is_new] =
+          first.emplace(library_of(file) + " " + name.name, First{file.path, name.alias});
+      const First& before = entry->second;
+      if (is_new || before.path == file.path || kOfEveryTest.contains(name.name)) continue;
+      if (!name.alias.empty() && name.alias == before.alias) continue;
+      findings.push_back(
+          finding(file, name.line, name.name + " is defined in " + before.path + " too"));
+    }
+  }
+  return findings;
+}
 
 std::vector<TypeDefinition> type_definitions(const SourceFile& file) {
   std::vector<TypeDefinition> found;

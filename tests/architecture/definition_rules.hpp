@@ -16,6 +16,19 @@ std::vector<TypeDefinition> type_definitions(const SourceFile& file);
 /// Types that are defined in more than one file; the first file is where they may be.
 Findings repeated_type_findings(const std::vector<SourceFile>& files);
 
+/// A name that an unnamed namespace of a file defines outside of types and functions.
+struct UnnamedScopeName {
+  std::string name;
+  std::string alias;  ///< what it stands for, where it is an alias; else empty
+  std::size_t line = 0;
+};
+
+std::vector<UnnamedScopeName> unnamed_scope_names(const SourceFile& file);
+
+/// Names that unnamed namespaces of two files of one library define: the build compiles several
+/// files of a library as one. An alias may be repeated if it stands for the same.
+Findings repeated_unnamed_findings(const std::vector<SourceFile>& files);
+
 /// Functions named `name` that are defined in more than one file, in any namespace: what each part
 /// of the program needs is written once. The first file is where it may be.
 Findings repeated_function_findings(const std::vector<SourceFile>& files, const std::string& name);

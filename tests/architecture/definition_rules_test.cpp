@@ -21,11 +21,51 @@ TEST(DefinitionRules, NoTypeOfTheProjectIsDefinedTwice) {
   EXPECT_TRUE(findings.empty()) << lines(findings);
 }
 
+TEST(DefinitionRules, NoTwoFilesOfALibraryDefineOneNameInUnnamedNamespaces) {
+  const Findings findings = repeated_unnamed_findings(project());
+  EXPECT_TRUE(findings.empty()) << lines(findings);
+}
+
+TEST(DefinitionRules, NamesOfUnnamedNamespacesAreFound) {
+  const SourceFile file = source_file(
+      "dem/a.cpp",
+      "namespace clast {\nconstexpr int kOutside = 1;\nnamespace {\n\n/// A comment; { here.\n"
+      "constexpr double kLow = 0.1, kHigh = 0.9;\nconst int kTable[] = {1, 2};\n"
+      "using Triangle = TriangleMesh::Triangle;\nnamespace fs = std::filesystem;\n"
+      "template <class T, class U>\nT larger(const T& a, const U& b) {\n  int local = 1;\n"
+      "  return f(a);\n}\nstruct Cell {\n  int member = 0;\n};\n"
+      "bool Cell::inside() const { return true; }\nvoid declared(int x = g(1));\n"
+      "std::optional<Vec3> found;\nusing std::swap;\n}  // namespace\nint outside() {}\n}\n");
+  std::vector<std::string> names;
+  for (const UnnamedScopeName& name : unnamed_scope_names(file)) names.push_back(name.name);
+  EXPECT_EQ(names, (std::vector<std::string>{"kLow", "kHigh", "kTable", "Triangle", "fs", "larger",
+                                             "Cell", "declared", "found"}));
+}
+
+TEST(DefinitionRules, AnUnnamedNameInTwoFilesOfALibraryIsFound) {
+  const auto file = [](const std::string& path, const std::string& text) {
+    return source_file(path, "namespace {\n" + text + "\n}\n");
+  };
+  EXPECT_EQ(
+      repeated_unnamed_findings({file("dem/a.cpp", "int f(int x) { return x; }"),
+                                 file("dem/detail/b.cpp", "\ndouble f(double y) { return y; }")}),
+      Findings{"dem/detail/b.cpp:3: f is defined in dem/a.cpp too"});
+  EXPECT_EQ(repeated_unnamed_findings(
+                {file("dem/a.cpp", "using A = int;"), file("dem/b.cpp", "using A = long;")}),
+            Findings{"dem/b.cpp:2: A is defined in dem/a.cpp too"});
+  EXPECT_TRUE(repeated_unnamed_findings({file("dem/a.cpp", "using A = int;"),
+                                         file("dem/b.cpp", "using A = int;"),
+                                         file("reconstruct/photos/c.cpp", "int f();"),
+                                         file("reconstruct/d.cpp", "int f();")})
+                  .empty());
+}
+
 TEST(DefinitionRules, WhatManyPartsNeedIsWrittenOnce) {
   for (const std::string name :
        {"signed_volume", "surface_area", "triangle_area", "counted", "with_digits",
         "sorted_half_edges", "triangle_neighbours", "triangle_components", "manifold_components",
-        "corner_fans", "boundary_loops", "weld_targets", "area_vector", "turn_over", "sha256"}) {
+        "corner_fans", "boundary_loops", "weld_targets", "area_vector", "turn_over", "sha256",
+        "cross", "upper_median"}) {
     const Findings findings = repeated_function_findings(project(), name);
     EXPECT_TRUE(findings.empty()) << lines(findings);
   }

@@ -12,11 +12,11 @@
 namespace clast {
 namespace {
 
-const Pose kMotion{Vec3(3, -2, 5), Quat(0.5, -0.3, 0.7, 0.2).normalized()};
+const Pose kSomeMotion{Vec3(3, -2, 5), Quat(0.5, -0.3, 0.7, 0.2).normalized()};
 
 /// Equilibria of the hull of points, about its own centre of mass, at another place.
 Equilibria equilibria(const std::vector<Vec3>& points, double radius = 0.1) {
-  const TriangleMesh hull = transformed(convex_hull(points), kMotion);
+  const TriangleMesh hull = transformed(convex_hull(points), kSomeMotion);
   return static_equilibria(sphero_polyhedron(hull, radius),
                            solid_mass_properties(hull, 1.0).centre);
 }

@@ -46,7 +46,7 @@ TEST(FormGrid, CoversZinggsDiagramAndRefusesNoGrid) {
 }
 
 /// Flatter the longer they are, all else by chance.
-std::vector<DrawnBlock> population(std::size_t count) {
+std::vector<DrawnBlock> drawn_population(std::size_t count) {
   Random random(5);
   std::vector<DrawnBlock> blocks;
   for (std::size_t i = 0; i < count; ++i) {
@@ -59,7 +59,7 @@ std::vector<DrawnBlock> population(std::size_t count) {
 }
 
 TEST(FormCopula, DrawsBlocksLikeThePopulation) {
-  const std::vector<DrawnBlock> from = population(200);
+  const std::vector<DrawnBlock> from = drawn_population(200);
   const FormCopula copula(from);
   Random random(1);
   std::vector<DrawnBlock> drawn;

@@ -16,7 +16,7 @@ namespace {
 
 const Pose kMotion{Vec3(3, -2, 5), Quat(0.5, -0.3, 0.7, 0.2).normalized()};
 
-SpheroPolyhedron cuboid(const Vec3& sides, double radius, int cells = 1) {
+SpheroPolyhedron gridded_cuboid(const Vec3& sides, double radius, int cells = 1) {
   return transformed(sphero_polyhedron(box_mesh(sides, cells), radius), kMotion);
 }
 
@@ -71,7 +71,7 @@ TEST(Convexity, OfAnLBlock) {
 }
 
 TEST(Convexity, OfAConvexBodyIsOne) {
-  const SpheroPolyhedron body = cuboid(Vec3(3, 2, 1), 0.2);
+  const SpheroPolyhedron body = gridded_cuboid(Vec3(3, 2, 1), 0.2);
   EXPECT_NEAR(convexity(body, convex_sphero_mass_properties(body, 1.0).volume), 1.0, 1e-12);
 }
 
@@ -111,7 +111,7 @@ TEST(SurfaceOrientation, OfABallIsTheSameAllAround) {
 // Faces of a x b x c: n n^T weighs b c, a c and a b.
 TEST(SurfaceOrientation, OfACuboidWeighsItsFaces) {
   for (const int cells : {1, 3}) {
-    const SurfaceOrientation o = surface_orientation(cuboid(Vec3(3, 2, 1), 0.0, cells));
+    const SurfaceOrientation o = surface_orientation(gridded_cuboid(Vec3(3, 2, 1), 0.0, cells));
     EXPECT_TRUE(o.eigenvalues.isApprox(Vec3(6, 3, 2) / 11.0, 1e-12));
     EXPECT_NEAR(o.compactness(), 1.0 / 3.0, 1e-12);
     EXPECT_NEAR(o.flakiness(), 0.5, 1e-12);
@@ -127,7 +127,7 @@ TEST(SurfaceOrientation, OfARoundedCuboidInClosedForm) {
   const double x = 2 * b * c + kPi * r * (b + c) + sphere;
   const double y = 2 * a * c + kPi * r * (a + c) + sphere;
   const double z = 2 * a * b + kPi * r * (a + b) + sphere;
-  const Vec3 f = surface_orientation(cuboid(Vec3(a, b, c), r)).eigenvalues;
+  const Vec3 f = surface_orientation(gridded_cuboid(Vec3(a, b, c), r)).eigenvalues;
   EXPECT_TRUE(f.isApprox(Vec3(z, y, x) / (x + y + z), 1e-12));
 }
 

@@ -12,7 +12,7 @@ namespace clast {
 namespace {
 
 /// What the values of a study are made of.
-struct Study {
+struct TrendStudy {
   std::uint32_t units = 12, points = 5, each = 3;
   double slope = 0.0;    ///< over the range of the property
   double of_unit = 1.0;  ///< standard deviations
@@ -21,7 +21,7 @@ struct Study {
   std::uint32_t strata = 1;
 };
 
-TrendSample sample_of(const Study& study, Random& random) {
+TrendSample trend_sample(const TrendStudy& study, Random& random) {
   TrendSample sample;
   std::vector<double> of_unit, of_point;
   for (std::uint32_t u = 0; u < study.units; ++u) {
@@ -46,11 +46,11 @@ TrendSample sample_of(const Study& study, Random& random) {
 }
 
 /// Share of 400 studies in which a trend is found at 5 %.
-double found_share(const Study& study) {
+double found_share(const TrendStudy& study) {
   Random random(5);
   int found = 0;
   for (std::uint64_t i = 0; i < 400; ++i) {
-    const auto result = clustered_trend(sample_of(study, random), i, 399);
+    const auto result = clustered_trend(trend_sample(study, random), i, 399);
     found += result && result->p_value < 0.05 ? 1 : 0;
   }
   return found / 400.0;

@@ -12,7 +12,7 @@ namespace clast {
 namespace {
 
 /// Blocks of two halves, all from all points, several runs each.
-struct Study {
+struct CrossedStudy {
   std::uint32_t units = 12, points = 6, each = 4;
   double difference = 0.0;
   double of_unit = 1.0;   ///< standard deviations
@@ -29,7 +29,7 @@ struct Study {
   }
 };
 
-CrossedSample sample_of(const Study& study, Random& random) {
+CrossedSample crossed_sample(const CrossedStudy& study, Random& random) {
   CrossedSample sample;
   std::vector<double> of_point, of_half;
   for (std::uint32_t p = 0; p < study.points; ++p) {
@@ -61,12 +61,12 @@ struct Shares {
   double held = 0.0;        ///< intervals that hold the true difference
 };
 
-Shares shares_of(const Study& study, double margin) {
+Shares shares_of(const CrossedStudy& study, double margin) {
   constexpr int kStudies = 2000;
   Random random(3);
   Shares shares;
   for (int i = 0; i < kStudies; ++i) {
-    const auto found = crossed_difference(sample_of(study, random));
+    const auto found = crossed_difference(crossed_sample(study, random));
     if (!found) continue;
     shares.found += found->p_value < 0.05 ? 1.0 / kStudies : 0.0;
     shares.equivalent += equivalence_p(*found, margin) < 0.05 ? 1.0 / kStudies : 0.0;
@@ -97,31 +97,32 @@ TEST(CrossedDifference, IsTheDifferenceOfTheMeans) {
 // The level of 5 %, over 2,000 studies without a difference (known to 0.5 %), and that of the
 // equivalence test where the true difference is the margin. Few points make both careful.
 TEST(CrossedDifference, TestsHoldTheirLevels) {
-  const Study null;
+  const CrossedStudy null;
   EXPECT_NEAR(shares_of(null, 1.0).found, 0.05, 0.015);
   EXPECT_GE(shares_of(null, 1.0).held, 0.93);
-  Study unbalanced;
+  CrossedStudy unbalanced;
   unbalanced.unbalanced = true;
   EXPECT_NEAR(shares_of(unbalanced, 1.0).found, 0.05, 0.02);
-  Study at_margin;
+  CrossedStudy at_margin;
   at_margin.units = 40;
   at_margin.difference = 2.0;
   EXPECT_NEAR(shares_of(at_margin, 2.0).equivalent, 0.05, 0.02);
-  Study nothing = at_margin;
+  CrossedStudy nothing = at_margin;
   nothing.difference = 0.0;
   EXPECT_GT(shares_of(nothing, 2.0).equivalent, 0.8) << "no difference is called none";
 }
 
 TEST(CrossedDifference, PowerIsAsPredicted) {
   for (const double difference : {1.0, 1.5, 2.5}) {
-    Study study;
+    CrossedStudy study;
     study.units = 24;
     study.points = 12;
     study.difference = difference;
     // Degrees of freedom as a study of the kind has them.
     Random random(9);
     double freedom = 0.0;
-    for (int i = 0; i < 50; ++i) freedom += crossed_difference(sample_of(study, random))->freedom;
+    for (int i = 0; i < 50; ++i)
+      freedom += crossed_difference(crossed_sample(study, random))->freedom;
     const double predicted = chance_to_find(difference, study.standard_error(), freedom / 50.0);
     EXPECT_NEAR(shares_of(study, 1.0).found, predicted, 0.03) << difference;
   }
@@ -132,7 +133,7 @@ TEST(CrossedDifference, ValuesNeededFindTheDifferenceInFourOfFiveStudies) {
   const double difference = 1.0, scatter = 2.0;
   const double needed = values_needed(difference, scatter, 1.0);
   EXPECT_NEAR(needed, 4.0 * 4.0 * std::pow(1.959964 + 0.841621, 2.0), 1e-3);
-  Study study;
+  CrossedStudy study;
   study.units = static_cast<std::uint32_t>(needed) / 2 * 2;
   study.points = 1;
   study.each = 1;

@@ -12,10 +12,10 @@
 namespace clast {
 namespace {
 
-const std::string kFormat = "clast test file";
+const std::string kChecksumFormat = "clast test file";
 
 void write_sample(const std::filesystem::path& path) {
-  Hdf5File file = Hdf5File::create(path, kFormat, 1);
+  Hdf5File file = Hdf5File::create(path, kChecksumFormat, 1);
   Hdf5Group group = file.root().create_group("g");
   Random random(3);
   std::vector<double> many(20000), few(5);
@@ -34,7 +34,7 @@ void write_sample(const std::filesystem::path& path) {
 
 /// All that a reader can ask for.
 std::string content(const std::filesystem::path& path) {
-  const Hdf5File file = Hdf5File::open(path, kFormat, 1);
+  const Hdf5File file = Hdf5File::open(path, kChecksumFormat, 1);
   const Hdf5Group group = file.root().group("g");
   std::string all;
   const auto add = [&](const auto& values) {
@@ -88,8 +88,10 @@ TEST(Hdf5Checksum, AFileWithoutAnyIsReadAndWithOnlySomeIsNot) {
   remove_checksums(folder / "a.h5");
   EXPECT_EQ(content(folder / "a.h5"), expected);
   // Adding to it adds none.
-  { Hdf5File::open(folder / "a.h5", kFormat, 1, true).root().create_group("more"); }
-  EXPECT_EQ(refusal([&] { Hdf5File::open(folder / "a.h5", kFormat, 1).root().group("more"); }), "");
+  { Hdf5File::open(folder / "a.h5", kChecksumFormat, 1, true).root().create_group("more"); }
+  EXPECT_EQ(
+      refusal([&] { Hdf5File::open(folder / "a.h5", kChecksumFormat, 1).root().group("more"); }),
+      "");
   write_sample(folder / "b.h5");
   ASSERT_NO_FATAL_FAILURE(remove_checksum(folder / "b.h5", "g/few"));
   EXPECT_TRUE(
@@ -102,7 +104,7 @@ TEST(Hdf5Checksum, FollowsEveryChange) {
   const ScratchFolder folder;
   write_sample(folder / "a.h5");
   {
-    Hdf5File file = Hdf5File::open(folder / "a.h5", kFormat, 1, true);
+    Hdf5File file = Hdf5File::open(folder / "a.h5", kChecksumFormat, 1, true);
     Hdf5Group group = file.root().group("g");
     group.set_attribute<double>("a3", 7.0);
     group.set_attribute<std::string>("long", "short");
@@ -111,7 +113,7 @@ TEST(Hdf5Checksum, FollowsEveryChange) {
     group.write<double>("many", std::vector<double>{1.0});
     file.flush();
   }
-  const Hdf5File file = Hdf5File::open(folder / "a.h5", kFormat, 1);
+  const Hdf5File file = Hdf5File::open(folder / "a.h5", kChecksumFormat, 1);
   const Hdf5Group group = file.root().group("g");
   EXPECT_EQ(group.attribute<double>("a3"), 7.0);
   EXPECT_EQ(group.attribute<std::string>("long"), "short");

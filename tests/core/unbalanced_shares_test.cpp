@@ -16,7 +16,7 @@ namespace {
 using Levels = std::vector<std::uint32_t>;
 
 /// A study of form, orientation and release point, of which some runs are missing.
-struct Study {
+struct UnbalancedStudy {
   std::vector<double> deviations;  ///< of the three, the interaction of the first two, the rest
   std::function<double(Random&)> draw;  ///< mean 0, deviation 1
   double missing = 0.3;
@@ -37,7 +37,8 @@ struct Drawn {
   std::vector<Levels> factors;
 };
 
-Drawn drawn_from(const Study& study, const std::vector<std::uint32_t>& levels, Random& random) {
+Drawn drawn_from(const UnbalancedStudy& study, const std::vector<std::uint32_t>& levels,
+                 Random& random) {
   std::vector<std::vector<double>> alone(3);
   for (std::size_t f = 0; f < 3; ++f) {
     for (std::uint32_t i = 0; i < levels[f]; ++i) {
@@ -66,7 +67,8 @@ Drawn drawn_from(const Study& study, const std::vector<std::uint32_t>& levels, R
 }
 
 /// Of so many studies, the smallest share over the factors of intervals that hold the truth.
-double coverage(const Study& study, const std::vector<std::uint32_t>& levels, int studies) {
+double unbalanced_coverage(const UnbalancedStudy& study, const std::vector<std::uint32_t>& levels,
+                           int studies) {
   Random random(11);
   std::vector<int> held(study.truth().size(), 0);
   for (int i = 0; i < studies; ++i) {
@@ -102,7 +104,7 @@ TEST(UnbalancedShares, OfAFullDesignAreThoseOfTheDesign) {
 
 TEST(UnbalancedShares, OfALargeStudyAreTheTruth) {
   Random random(5);
-  const Study study{{1.0, 0.5, 1.0, 0.7, 1.0}, normal};
+  const UnbalancedStudy study{{1.0, 0.5, 1.0, 0.7, 1.0}, normal};
   const Drawn drawn = drawn_from(study, {40, 40, 30}, random);
   const std::vector<std::vector<double>> outcomes = {drawn.values};
   const VarianceShares found = unbalanced_shares(outcomes, drawn.factors).front();
@@ -113,9 +115,10 @@ TEST(UnbalancedShares, OfALargeStudyAreTheTruth) {
 
 // Of intervals of 95 %; 60 studies know that share to 0.03. Figures of 200 are in docs/theory.md.
 TEST(UnbalancedShares, IntervalsCover) {
-  EXPECT_GE(coverage({{1.0, 1.0, 1.0, 0.7, 1.0}, normal}, {12, 12, 6}, 60), 0.88);
-  EXPECT_GE(coverage({{1.0, 1.0, 1.0, 0.7, 1.0}, normal, 0.2, true}, {12, 8, 6}, 60), 0.88);
-  EXPECT_GE(coverage({{1.0, 1.0, 0.7, 0.7, 1.0}, skewed}, {12, 12, 6}, 60), 0.86);
+  EXPECT_GE(unbalanced_coverage({{1.0, 1.0, 1.0, 0.7, 1.0}, normal}, {12, 12, 6}, 60), 0.88);
+  EXPECT_GE(unbalanced_coverage({{1.0, 1.0, 1.0, 0.7, 1.0}, normal, 0.2, true}, {12, 8, 6}, 60),
+            0.88);
+  EXPECT_GE(unbalanced_coverage({{1.0, 1.0, 0.7, 0.7, 1.0}, skewed}, {12, 12, 6}, 60), 0.86);
 }
 
 TEST(UnbalancedShares, RefuseWhatHasNoShares) {

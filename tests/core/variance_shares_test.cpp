@@ -74,7 +74,7 @@ TEST(VarianceShares, OfIshigamisFunctionAreTheKnownIndices) {
 
 /// A study whose levels are drawn: form, orientation and release point, an interaction of the first
 /// two, and what all three together do.
-struct Study {
+struct BalancedStudy {
   std::vector<double> deviations;       ///< of the three, the interaction, the rest
   std::function<double(Random&)> draw;  ///< mean 0, deviation 1
 
@@ -105,7 +105,7 @@ struct Study {
 };
 
 /// Of 200 studies, the smallest share over the factors of intervals that hold the truth.
-double coverage(const Study& study, const std::vector<std::size_t>& levels) {
+double balanced_coverage(const BalancedStudy& study, const std::vector<std::size_t>& levels) {
   Random random(11);
   std::vector<int> held(3, 0);
   for (int i = 0; i < 200; ++i) {
@@ -124,13 +124,13 @@ double coverage(const Study& study, const std::vector<std::size_t>& levels) {
 // are a stated limit: four in five.
 TEST(VarianceShares, IntervalsCoverInTwoHundredStudies) {
   const auto normal = [](Random& random) { return random.normal(); };
-  EXPECT_GE(coverage({{1.0, 1.0, 1.0, 0.7, 1.0}, normal}, {12, 12, 6}), 0.93);
-  EXPECT_GE(coverage({{0.5, 1.5, 0.3, 0.5, 1.5}, normal}, {12, 16, 5}), 0.93);
+  EXPECT_GE(balanced_coverage({{1.0, 1.0, 1.0, 0.7, 1.0}, normal}, {12, 12, 6}), 0.93);
+  EXPECT_GE(balanced_coverage({{0.5, 1.5, 0.3, 0.5, 1.5}, normal}, {12, 16, 5}), 0.93);
   // Uniform levels, as of a grid, and skewed ones, as of distances.
   const auto uniform = [](Random& random) { return std::sqrt(12.0) * (random.uniform() - 0.5); };
-  EXPECT_GE(coverage({{1.0, 1.0, 0.7, 0.7, 1.0}, uniform}, {12, 12, 6}), 0.93);
+  EXPECT_GE(balanced_coverage({{1.0, 1.0, 0.7, 0.7, 1.0}, uniform}, {12, 12, 6}), 0.93);
   const auto skewed = [](Random& random) { return -std::log(1.0 - random.uniform()) - 1.0; };
-  EXPECT_GE(coverage({{1.0, 1.0, 0.7, 0.7, 1.0}, skewed}, {12, 12, 6}), 0.75);
+  EXPECT_GE(balanced_coverage({{1.0, 1.0, 0.7, 0.7, 1.0}, skewed}, {12, 12, 6}), 0.75);
 }
 
 TEST(VarianceShares, AreZeroWhereNothingDiffersAndRefuseWhatIsNoDesign) {

@@ -63,8 +63,9 @@ TEST(BroadPhase, AreMadeAnewWhenABodyComes) {
   EXPECT_FALSE(near.refresh(spheres, 0.1));
 }
 
-std::vector<ContactPoint> from_scratch(const IndexedSurface& ground, const BlockSurface& block,
-                                       double size, const Pose& ground_from_block) {
+std::vector<ContactPoint> search_pair_from_scratch(const IndexedSurface& ground,
+                                                   const BlockSurface& block, double size,
+                                                   const Pose& ground_from_block) {
   ContactSearch search(ground, block, size);
   search.contacts(ground_from_block, 0.0);
   return search.contacts(ground_from_block, 100.0);  // every list expired, depths known
@@ -119,7 +120,7 @@ TEST_P(Walk, NothingTouchesUnseen) {
     if (step % 5 != 0 || been_deep || pair.max_overlap() > 0.08 * size) continue;
     ++compared;
     const Pose pose = a.world_from_body.inverse() * b.world_from_body;
-    const std::vector<ContactPoint> expected = from_scratch(ground, block, size, pose);
+    const std::vector<ContactPoint> expected = search_pair_from_scratch(ground, block, size, pose);
     ASSERT_EQ(pair.contact_count(), expected.size()) << "step " << step;
     double deepest = 0.0;
     for (const ContactPoint& contact : expected) deepest = std::max(deepest, contact.overlap);
@@ -142,8 +143,9 @@ TEST_P(Roles, FindTheSameContacts) {
   int compared = 0;
   for (int trial = 0; trial < 3000 && compared < 150; ++trial) {
     const Pose a_from_b{0.6 * random.direction(), random.rotation()};
-    const std::vector<ContactPoint> as_block = from_scratch(a, b, 0.35, a_from_b);
-    const std::vector<ContactPoint> as_ground = from_scratch(b, a, 0.35, a_from_b.inverse());
+    const std::vector<ContactPoint> as_block = search_pair_from_scratch(a, b, 0.35, a_from_b);
+    const std::vector<ContactPoint> as_ground =
+        search_pair_from_scratch(b, a, 0.35, a_from_b.inverse());
     const auto deepest = [](const std::vector<ContactPoint>& contacts) {
       return std::max_element(
           contacts.begin(), contacts.end(),
@@ -189,7 +191,7 @@ TEST(Contacts, OfWallsBehindEachOtherAreNone) {
   const BlockSurface cube(box(1.0, Vec3::Ones()).shape);
   for (const double tilt : {0.0, 0.01, -0.01}) {
     const Pose pose{{0.92, 0.46, 0.98}, Quat(Eigen::AngleAxisd(tilt, Vec3(0.3, 1, 0.1)))};
-    const std::vector<ContactPoint> contacts = from_scratch(cube, cube, 1.0, pose);
+    const std::vector<ContactPoint> contacts = search_pair_from_scratch(cube, cube, 1.0, pose);
     EXPECT_FALSE(contacts.empty());
     for (const ContactPoint& contact : contacts) {
       EXPECT_GT(contact.normal.z(), 0.99);
@@ -203,7 +205,7 @@ TEST(Contacts, OfFlushCubesPushThemApartUpwards) {
   for (const double shift : {0.0, 1e-4, -2e-3}) {
     for (const double tilt : {0.0, 5e-4}) {
       const Pose pose{{shift, 0.5 * shift, 0.99}, Quat(Eigen::AngleAxisd(tilt, Vec3::UnitX()))};
-      const std::vector<ContactPoint> contacts = from_scratch(cube, cube, 1.0, pose);
+      const std::vector<ContactPoint> contacts = search_pair_from_scratch(cube, cube, 1.0, pose);
       EXPECT_GE(contacts.size(), 3u);
       for (const ContactPoint& contact : contacts) EXPECT_GT(contact.normal.z(), 0.99);
     }

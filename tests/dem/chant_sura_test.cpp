@@ -14,12 +14,12 @@
 #include "massprops/principal_frame.hpp"
 #include "massprops/solid.hpp"
 #include "tests/support/chant_sura.hpp"
+#include "tests/support/gravity.hpp"
 #include "tests/support/test_bodies.hpp"
 
 namespace clast {
 namespace {
 
-constexpr double kG = 9.81;
 constexpr int kThrows = 24;
 constexpr double kShortestFlight = 0.01;  ///< s, that ends an impact
 
@@ -114,7 +114,8 @@ Throw thrown(const TerrainSurface& terrain, const RigidBody& body, RigidState st
   settings.law = on.law;
   settings.max_time = 0.3;
   const double fastest = std::hypot(start.velocity.norm(), 3.0);
-  settings.stiffness = choose_stiffness(std::span(&body, 1), zones, fastest, kG, options).stiffness;
+  settings.stiffness =
+      choose_stiffness(std::span(&body, 1), zones, fastest, kTestGravity, options).stiffness;
 
   const GroundOverlap overlap(terrain, body);
   double low = *terrain.height(start.position.x(), start.position.y(), 0.0), high = low + 2.0;

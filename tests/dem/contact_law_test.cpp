@@ -10,7 +10,7 @@
 namespace clast {
 namespace {
 
-constexpr double kStiffness = 1e6;
+constexpr double kLawStiffness = 1e6;
 
 TEST(ContactLaw, NamesGoBothWaysAndOthersAreRefused) {
   for (const std::string& name : contact_law_names()) EXPECT_EQ(name_of(contact_law(name)), name);
@@ -48,7 +48,7 @@ NormalResponse summed(const OverlapPath& path, const Force& force) {
 void expect_corrects(const NormalResponse& response, const OverlapPath& path, double first_force,
                      const NormalResponse& exact, double last_force) {
   const double t = path.duration;
-  const double scale = kStiffness * (std::abs(path.before) + std::abs(path.rate) * t);
+  const double scale = kLawStiffness * (std::abs(path.before) + std::abs(path.rate) * t);
   EXPECT_NEAR(response.force, last_force, 1e-9 * scale);
   EXPECT_NEAR(response.impulse + 0.5 * t * (first_force + response.force), exact.impulse,
               1e-5 * scale * t);
@@ -57,59 +57,60 @@ void expect_corrects(const NormalResponse& response, const OverlapPath& path, do
 }
 
 TEST(EnergyRestitution, ReversalInsideTheStepIsIntegratedExactly) {
-  const EnergyRestitutionLaw law = EnergyRestitutionLaw::of(kStiffness, {0.04, 0.0, 0.0});
+  const EnergyRestitutionLaw law = EnergyRestitutionLaw::of(kLawStiffness, {0.04, 0.0, 0.0});
   const OverlapPath turning = path(1e-3, 5e-3, 0.3, -500.0);  // deepest at 0.3 ms
   const double first = 4000.0;
   const NormalResponse exact = summed(turning, [&](double t) {
-    return t < 3e-4 ? first + kStiffness * (turning.at(t) - 5e-3)
-                    : 0.04 * kStiffness * turning.at(t);
+    return t < 3e-4 ? first + kLawStiffness * (turning.at(t) - 5e-3)
+                    : 0.04 * kLawStiffness * turning.at(t);
   });
   expect_corrects(law.along(turning, {first}, 0.0), turning, first, exact,
-                  0.04 * kStiffness * turning.after);
+                  0.04 * kLawStiffness * turning.after);
 }
 
 TEST(EnergyRestitution, StartAndEndInsideTheStepAreIntegratedExactly) {
-  const EnergyRestitutionLaw law = EnergyRestitutionLaw::of(kStiffness, {0.25, 0.0, 0.0});
+  const EnergyRestitutionLaw law = EnergyRestitutionLaw::of(kLawStiffness, {0.25, 0.0, 0.0});
   const OverlapPath starting = path(1e-3, -4e-4, 1.0, 50.0);
   expect_corrects(
       law.along(starting, {0.0}, 0.0), starting, 0.0,
-      summed(starting, [&](double t) { return kStiffness * std::max(0.0, starting.at(t)); }),
-      kStiffness * starting.after);
+      summed(starting, [&](double t) { return kLawStiffness * std::max(0.0, starting.at(t)); }),
+      kLawStiffness * starting.after);
   const OverlapPath ending = path(1e-3, 4e-4, -1.0, -50.0);
-  const double first = 0.25 * kStiffness * 4e-4;
+  const double first = 0.25 * kLawStiffness * 4e-4;
   expect_corrects(
       law.along(ending, {first}, 0.0), ending, first,
-      summed(ending, [&](double t) { return 0.25 * kStiffness * std::max(0.0, ending.at(t)); }),
+      summed(ending, [&](double t) { return 0.25 * kLawStiffness * std::max(0.0, ending.at(t)); }),
       0.0);
 }
 
 TEST(EnergyRestitution, ReloadingInsideTheStepStartsFromTheUnloadingLine) {
-  const EnergyRestitutionLaw law = EnergyRestitutionLaw::of(kStiffness, {0.25, 0.0, 0.0});
+  const EnergyRestitutionLaw law = EnergyRestitutionLaw::of(kLawStiffness, {0.25, 0.0, 0.0});
   const OverlapPath turning = path(1e-3, 2e-3, -0.4, 500.0);  // shallowest at 0.4 ms
   const double shallowest = turning.at(4e-4);
   const auto force = [&](double t) {
-    return t < 4e-4 ? 0.25 * kStiffness * turning.at(t)
-                    : 0.25 * kStiffness * shallowest + kStiffness * (turning.at(t) - shallowest);
+    return t < 4e-4
+               ? 0.25 * kLawStiffness * turning.at(t)
+               : 0.25 * kLawStiffness * shallowest + kLawStiffness * (turning.at(t) - shallowest);
   };
-  const double first = 0.25 * kStiffness * 2e-3;
+  const double first = 0.25 * kLawStiffness * 2e-3;
   expect_corrects(law.along(turning, {first}, 0.0), turning, first, summed(turning, force),
                   force(1e-3));
 }
 
 TEST(EnergyRestitution, SmoothStepsAreLeftToTheScheme) {
-  const EnergyRestitutionLaw law = EnergyRestitutionLaw::of(kStiffness, {0.25, 0.0, 0.0});
+  const EnergyRestitutionLaw law = EnergyRestitutionLaw::of(kLawStiffness, {0.25, 0.0, 0.0});
   const NormalResponse loading = law.along(path(1e-3, 2e-3, 0.4, 10.0), {1500.0}, 0.0);
   EXPECT_EQ(loading.impulse, 0.0);
   EXPECT_EQ(loading.moment, 0.0);
-  EXPECT_NEAR(loading.force, 1500.0 + kStiffness * 4.1e-4, 1e-6);
+  EXPECT_NEAR(loading.force, 1500.0 + kLawStiffness * 4.1e-4, 1e-6);
 }
 
 TEST(SpringDashpot, EndOfThePushInsideTheStepIsIntegratedExactly) {
-  const SpringDashpotLaw law = SpringDashpotLaw::of(kStiffness, {0.25, 0.0, 0.0});
+  const SpringDashpotLaw law = SpringDashpotLaw::of(kLawStiffness, {0.25, 0.0, 0.0});
   const double c = law.damping(2.0);
   const OverlapPath ending = path(1e-3, 8e-4, -0.2, -600.0);
   const auto force = [&](double t) {
-    return std::max(0.0, kStiffness * ending.at(t) + c * ending.rate_at(t));
+    return std::max(0.0, kLawStiffness * ending.at(t) + c * ending.rate_at(t));
   };
   ASSERT_GT(force(0.0), 0.0);
   ASSERT_EQ(force(1e-3), 0.0);
@@ -138,17 +139,17 @@ TEST_P(DashpotRestitution, IsThatOfTheOscillatorThatNeverPulls) {
 INSTANTIATE_TEST_SUITE_P(Restitutions, DashpotRestitution,
                          testing::Values(0.81, 0.25, 0.0183156388887, 0.01, 1e-4));
 
-constexpr double kE = 0.25;                           ///< e_n^2 of what yields
-constexpr double kUnloading = kStiffness / kE;        ///< k_2
-constexpr double kReloading = 2.0 * kStiffness / kE;  ///< k_3
-ElastoplasticLaw yielding() { return ElastoplasticLaw::of(kStiffness, {kE, 0.0, 0.0}); }
+constexpr double kE = 0.25;                              ///< e_n^2 of what yields
+constexpr double kUnloading = kLawStiffness / kE;        ///< k_2
+constexpr double kReloading = 2.0 * kLawStiffness / kE;  ///< k_3
+ElastoplasticLaw yielding() { return ElastoplasticLaw::of(kLawStiffness, {kE, 0.0, 0.0}); }
 
 TEST(Elastoplastic, FirstLoadingThatTurnsInsideTheStepIsIntegratedExactly) {
   const OverlapPath turning = path(1e-3, 5e-3, 0.3, -500.0);  // deepest at 0.3 ms
   const double deepest = turning.at(3e-4), dent = deepest * (1.0 - kE);
-  const double first = kStiffness * 5e-3;
+  const double first = kLawStiffness * 5e-3;
   const auto force = [&](double t) {
-    return t < 3e-4 ? kStiffness * turning.at(t) : kUnloading * (turning.at(t) - dent);
+    return t < 3e-4 ? kLawStiffness * turning.at(t) : kUnloading * (turning.at(t) - dent);
   };
   const NormalResponse response = yielding().along(turning, {first, 5e-3 * (1.0 - kE)}, 0.0);
   expect_corrects(response, turning, first, summed(turning, force), force(1e-3));
@@ -174,11 +175,11 @@ TEST(Elastoplastic, LetsGoAtTheDentAndIsLooseAboveIt) {
 TEST(Elastoplastic, LoadsAgainFromTheDentUpToTheLineOfFirstLoading) {
   const double dent = 3e-3;  // and so the deepest was at 4 mm
   const OverlapPath falling = path(1e-3, 2.8e-3, 2.0, -50.0);
-  const double meet = kReloading * dent / (kReloading - kStiffness);
+  const double meet = kReloading * dent / (kReloading - kLawStiffness);
   ASSERT_LT(meet, falling.after);
   const auto force = [&](double t) {
     const double h = falling.at(t);
-    return h > meet ? kStiffness * h : kReloading * std::max(0.0, h - dent);
+    return h > meet ? kLawStiffness * h : kReloading * std::max(0.0, h - dent);
   };
   const NormalResponse response = yielding().along(falling, {0.0, dent}, 0.0);
   expect_corrects(response, falling, 0.0, summed(falling, force), force(1e-3));
@@ -223,11 +224,11 @@ TEST(Elastoplastic, LosesTheAreaBetweenItsLines) {
 }
 
 TEST(Elastoplastic, WithoutLossIsALinearSpring) {
-  const ElastoplasticLaw law = ElastoplasticLaw::of(kStiffness, {1.0, 0.0, 0.0});
+  const ElastoplasticLaw law = ElastoplasticLaw::of(kLawStiffness, {1.0, 0.0, 0.0});
   for (const double rate : {-2.0, 2.0}) {
     const NormalResponse response =
-        law.along(path(1e-3, 3e-3, rate, 10.0), {kStiffness * 3e-3}, 0.0);
-    EXPECT_NEAR(response.force, kStiffness * (3e-3 + 1e-3 * rate + 1e-5), 1e-6);
+        law.along(path(1e-3, 3e-3, rate, 10.0), {kLawStiffness * 3e-3}, 0.0);
+    EXPECT_NEAR(response.force, kLawStiffness * (3e-3 + 1e-3 * rate + 1e-5), 1e-6);
     EXPECT_NEAR(response.impulse, 0.0, 1e-9);
   }
   EXPECT_EQ(law.stepping_rate(1.0), 1.0);

@@ -6,17 +6,16 @@
 #include <vector>
 
 #include "dem/stiffness.hpp"
+#include "tests/support/gravity.hpp"
 #include "tests/support/refusal.hpp"
 #include "tests/support/test_worlds.hpp"
 
 namespace clast {
 namespace {
 
-constexpr double kG = 9.81;
-
 /// @param per_radian  steps per radian of the loading; unloading is 1/e_n as fast
-ReleaseSettings yielding(const RigidBody& body, double stiffness, double energy_restitution,
-                         double per_radian = 20.0) {
+ReleaseSettings yielding_settings(const RigidBody& body, double stiffness,
+                                  double energy_restitution, double per_radian = 20.0) {
   ReleaseSettings settings =
       stiff_settings(body, stiffness, per_radian / std::sqrt(energy_restitution));
   settings.law = ElastoplasticLaw();
@@ -40,7 +39,7 @@ TEST_P(FlatDrop, ReturnsTheAskedRestitutionOnAnySubdivision) {
   const auto& [cells, cuts, e] = GetParam();
   const TerrainSurface terrain = ground(plane_mesh(2.0, cells));
   const RigidBody body = box(1000.0, {1.0, 0.8, 0.6}, 0.0, cuts);
-  ReleaseSettings settings = yielding(body, 1e7, e);
+  ReleaseSettings settings = yielding_settings(body, 1e7, e);
   settings.gravity = 0.0;
   settings.max_time = 0.5;
   RigidState start;
@@ -63,7 +62,7 @@ INSTANTIATE_TEST_SUITE_P(Subdivisions, FlatDrop,
 double rest_height(double energy_restitution, double drop, ReleaseResult& result) {
   const TerrainSurface terrain = ground(plane_mesh(5.0, 6));
   const RigidBody body = ball(1000.0, 0.5);
-  ReleaseSettings settings = yielding(body, 1e7, energy_restitution);
+  ReleaseSettings settings = yielding_settings(body, 1e7, energy_restitution);
   settings.start_overlap = 1.0;
   settings.max_time = 30.0;
   RigidState start;
@@ -75,7 +74,7 @@ double rest_height(double energy_restitution, double drop, ReleaseResult& result
 
 // Put down without speed, the weight overshoots to twice its static depth and stays in that dent.
 TEST(YieldingGround, CarriesABlockBetweenItsDentAndItsStaticDepth) {
-  const double weight = 1000.0 * kG, deepest = 2.0 * weight / 1e7;
+  const double weight = 1000.0 * kTestGravity, deepest = 2.0 * weight / 1e7;
   for (const double e : {0.01, 0.1}) {
     ReleaseResult result;
     const double height = rest_height(e, 0.0, result);
@@ -94,7 +93,7 @@ TEST(YieldingGround, CarriesABlockBetweenItsDentAndItsStaticDepth) {
 TEST(YieldingGround, KeepsTheDentOfAFall) {
   ReleaseResult result;
   const double height = rest_height(0.01, 0.2, result);
-  const double weight = 1000.0 * kG;
+  const double weight = 1000.0 * kTestGravity;
   const double deepest = (weight + std::sqrt(weight * weight + 2.0 * 1e7 * weight * 0.2)) / 1e7;
   EXPECT_EQ(result.stop_reason, StopReason::kRest);
   EXPECT_NEAR(result.max_penetration, deepest, 1e-4 * deepest);
@@ -108,7 +107,7 @@ TEST(YieldingGround, HoldsBelowTheFrictionAngleAndDoesNotCreep) {
     const double slope = std::atan(0.7) + degrees * kPi / 180.0;
     const TerrainSurface terrain = ground(plane_mesh(40.0, 20, slope));
     const RigidBody body = box(1000.0, {1.0, 1.0, 0.2});
-    ReleaseSettings settings = yielding(body, 1e7, 0.04, 5.0);
+    ReleaseSettings settings = yielding_settings(body, 1e7, 0.04, 5.0);
     settings.rest_energy = 1e-300;
     settings.max_time = degrees < 0.0 ? 62.0 : 12.0;
     const Vec3 normal(std::sin(slope), 0.0, std::cos(slope));
@@ -146,7 +145,7 @@ TEST(YieldingGround, KeepsTheLoadFromZoneToZone) {
   for (const bool onto_stiffer : {true, false}) {
     const std::vector<GroundParameters> ground = {{onto_stiffer ? 0.25 : 0.01, 0.3, 0.0},
                                                   {onto_stiffer ? 0.01 : 0.25, 0.3, 0.0}};
-    ReleaseSettings settings = yielding(body, 1e7, 0.01, 10.0);
+    ReleaseSettings settings = yielding_settings(body, 1e7, 0.01, 10.0);
     settings.stiffness.tangential = 1e9;
     settings.max_time = 5.0;
     RigidState start;
@@ -161,7 +160,7 @@ TEST(YieldingGround, KeepsTheLoadFromZoneToZone) {
         });
     EXPECT_EQ(result.stop_reason, StopReason::kRest);
     EXPECT_GT(result.final_state.position.x(), 0.6);
-    EXPECT_LT(most - least, 0.1 * 1000.0 * kG / 1e7);
+    EXPECT_LT(most - least, 0.1 * 1000.0 * kTestGravity / 1e7);
     EXPECT_GT(result.energy.reassigned, -1e-3 * result.energy.friction);
     EXPECT_LT(result.energy.error, 1e-3);
   }
@@ -177,7 +176,8 @@ TEST(YieldingGround, TakesRocksToRest) {
     settings.law = ElastoplasticLaw();
     StiffnessOptions options;
     options.law = settings.law;
-    settings.stiffness = choose_stiffness(std::span(&body, 1), zones, 12.0, kG, options).stiffness;
+    settings.stiffness =
+        choose_stiffness(std::span(&body, 1), zones, 12.0, kTestGravity, options).stiffness;
     RigidState start;
     start.orientation = Random(seed).rotation();
     start.position = {-5.0, 0.0, 5.0 * std::tan(0.35) + 2.0};
@@ -212,7 +212,8 @@ TEST(YieldingGround, GetsItsStiffnessFromImpactsAndItsStepsFromUnloading) {
   StiffnessOptions options;
   options.law = ElastoplasticLaw();
   options.rolling = 1.0;
-  const StiffnessChoice choice = choose_stiffness(std::span(&body, 1), zones, 20.0, kG, options);
+  const StiffnessChoice choice =
+      choose_stiffness(std::span(&body, 1), zones, 20.0, kTestGravity, options);
   const double k = choice.stiffness.normal;
   EXPECT_NEAR(k, 1000.0 * 400.0 / (0.25 * 0.25), 1.0);
   EXPECT_NEAR(choice.stiffness.tangential, k / 0.04, 1.0);
@@ -221,7 +222,8 @@ TEST(YieldingGround, GetsItsStiffnessFromImpactsAndItsStepsFromUnloading) {
   EXPECT_NEAR(choice.stiffness.time_step, 0.2 / fastest, 1e-12);
   EXPECT_TRUE(choice.warnings.empty());
   const std::vector<GroundParameters> dear = {{1e-6, 0.7, 0.0}};
-  const auto warnings = choose_stiffness(std::span(&body, 1), dear, 20.0, kG, options).warnings;
+  const auto warnings =
+      choose_stiffness(std::span(&body, 1), dear, 20.0, kTestGravity, options).warnings;
   ASSERT_EQ(warnings.size(), 1u);
   EXPECT_TRUE(contains(warnings[0], "energy_restitution = 1e-06")) << warnings[0];
   EXPECT_TRUE(contains(warnings[0], "100 times the work")) << warnings[0];

@@ -5,12 +5,11 @@
 #include <cmath>
 #include <vector>
 
+#include "tests/support/gravity.hpp"
 #include "tests/support/test_rock.hpp"
 
 namespace clast {
 namespace {
-
-constexpr double kG = 9.81;
 
 struct Landing {
   double time = -1.0;
@@ -41,7 +40,7 @@ TEST(FreeFall, TwoMetres) {
   RigidState start;
   start.position = {0.3, -0.2, 2.25};
   const Landing landing = first_landing(terrain, ball(10.0, 0.25), start, 0.64);
-  EXPECT_NEAR(landing.time, std::sqrt(2.0 * 2.0 / kG), 1e-9);
+  EXPECT_NEAR(landing.time, std::sqrt(2.0 * 2.0 / kTestGravity), 1e-9);
   EXPECT_NEAR(landing.time, 0.63855, 1e-5);
   EXPECT_NEAR(landing.state.velocity.norm(), 6.26418, 1e-5);
 }
@@ -59,7 +58,7 @@ TEST(Landing, TumblingBlocksTouchAtTheRootOfTheExactFlight) {
     start.velocity = random.uniform(0.0, 8.0) * random.direction();
     start.angular_velocity = random.uniform(0.0, 12.0) * random.direction();
     const auto height = [&](double t) {
-      return lowest_point(body, free_flight(body, start, t, kG));
+      return lowest_point(body, free_flight(body, start, t, kTestGravity));
     };
     double clear = 0.0, touching = 0.0;
     while (height(touching) > 0.0) clear = std::exchange(touching, touching + 1e-4);
@@ -183,7 +182,7 @@ TEST(FreeRotation, SymmetricBodiesTurnSteadilyAcrossTheirAxis) {
       for (int other = 1; other < 3; ++other) {
         RigidState start;
         start.angular_velocity = 5.0 * Vec3::Unit((axis + other) % 3);
-        const RigidState end = free_flight(body, start, 2.0, kG);
+        const RigidState end = free_flight(body, start, 2.0, kTestGravity);
         const Quat expected(Eigen::AngleAxisd(10.0, Vec3::Unit((axis + other) % 3)));
         EXPECT_LT(end.orientation.angularDistance(expected), 1e-12) << axis << " " << odd;
         EXPECT_LT((end.angular_velocity - start.angular_velocity).norm(), 1e-12);
@@ -198,8 +197,8 @@ TEST(FreeRotation, OneLongFlightEqualsManyShortOnes) {
   state.velocity = {3.0, 1.0, 5.0};
   state.angular_velocity = {2.0, 7.0, -1.0};
   RigidState stepped = state;
-  for (int i = 0; i < 100; ++i) stepped = free_flight(body, stepped, 0.01, kG);
-  const RigidState whole = free_flight(body, state, 1.0, kG);
+  for (int i = 0; i < 100; ++i) stepped = free_flight(body, stepped, 0.01, kTestGravity);
+  const RigidState whole = free_flight(body, state, 1.0, kTestGravity);
   EXPECT_LT((stepped.position - whole.position).norm(), 1e-12);
   EXPECT_LT(stepped.orientation.angularDistance(whole.orientation), 1e-12);
 }

@@ -7,13 +7,13 @@
 #include "core/random.hpp"
 #include "dem/sequence.hpp"
 #include "dem/spring_dashpot_law.hpp"
+#include "tests/support/gravity.hpp"
 #include "tests/support/refusal.hpp"
 #include "tests/support/test_worlds.hpp"
 
 namespace clast {
 namespace {
 
-constexpr double kGravity = 9.81;
 constexpr double kAngle = 0.4;  ///< of the incline, which falls along x
 const GroundParameters kSmooth{.energy_restitution = 0.05, .friction = 0.0};
 const GroundParameters kRough{.energy_restitution = 0.05, .friction = 0.6, .rolling_friction = 0.1};
@@ -87,7 +87,7 @@ TEST(Form, CarriesTheSlopingWeightOfACube) {
   const std::size_t form = world.add_form(1, face.place, 0, 1);
   ASSERT_EQ(world.run_until(30.0), StopReason::kRest);
   const Vec3 force = world.contact_force(form);
-  const double expected = mass * kGravity * std::tan(kAngle);
+  const double expected = mass * kTestGravity * std::tan(kAngle);
   EXPECT_NEAR(force.x(), expected, 1e-3 * expected);
   EXPECT_NEAR(force.y(), 0.0, 1e-3 * expected);
   EXPECT_NEAR(force.z(), 0.0, 1e-9 * expected);
@@ -104,7 +104,7 @@ TEST(Form, CarriesTheSlopingWeightOfAHeap) {
     for (const RigidState& start : starts) world.add_body(0, start);
     const auto forms = add_forms(world, square_form(1, 1.0, starts.size()));
     ASSERT_EQ(world.run_until(60.0), StopReason::kRest) << angle;
-    const double weight = mass * kGravity * static_cast<double>(starts.size());
+    const double weight = mass * kTestGravity * static_cast<double>(starts.size());
     std::vector<Vec3> forces;
     for (const std::size_t form : forms) forces.push_back(world.contact_force(form));
     const Vec3 sum = forces[0] + forces[1] + forces[2] + forces[3];
@@ -151,7 +151,7 @@ TEST(Form, LetsWhatRestsOnItGoWhenItIsRemoved) {
   world.run_to(time + 1.0);
   // Free of friction it slides g sin t^2/2 along the incline.
   EXPECT_NEAR((world.state(0).position.x() - before) / std::cos(kAngle),
-              0.5 * kGravity * std::sin(kAngle), 0.03);
+              0.5 * kTestGravity * std::sin(kAngle), 0.03);
   EXPECT_LT(world.energy().error, 1e-3);
 }
 
@@ -205,8 +205,8 @@ TEST_F(SettledSequence, BeginsWhenTheBlocksRest) {
     EXPECT_LT(found[i].release.energy.error, 1e-3);
     EXPECT_LT(found[i].blocks_hit, found.size());
     moved += (found[i].release.final_state.position - found[i].settled->position).norm();
-    potential += 60.0 * kGravity * found[i].settled->position.z();
-    loose += 60.0 * kGravity * blocks_[i].start.position.z();
+    potential += 60.0 * kTestGravity * found[i].settled->position.z();
+    loose += 60.0 * kTestGravity * blocks_[i].start.position.z();
   }
   EXPECT_GT(moved, 0.2);
   // The balance counts from then on, with what the springs of the contacts hold.

@@ -41,7 +41,7 @@ Slope slope_of(HeapScene scene, const char* name) {
   return slope;
 }
 
-void expect_same(const Slope& a, const Slope& b) {
+void expect_same_slope(const Slope& a, const Slope& b) {
   EXPECT_NEAR(a.mean, b.mean, 3.0 * std::hypot(a.error, b.error));
 }
 void expect_steeper(const Slope& a, const Slope& b) {
@@ -61,9 +61,9 @@ TEST(GranularHeap, IsSteeperWithFrictionAndTheSameForOtherStepsAndStiffness) {
   EXPECT_GT(compact.mean, compact_30.mean);
   EXPECT_GT(compact_70.mean, compact_30.mean);
   std::printf("half the step: ");
-  expect_same(slope_of({HeapShape::kCompact, 0.5, 1, 0.5, 1.0}, "compact"), compact);
+  expect_same_slope(slope_of({HeapShape::kCompact, 0.5, 1, 0.5, 1.0}, "compact"), compact);
   std::printf("twice the stiffness: ");
-  expect_same(slope_of({HeapShape::kCompact, 0.5, 1, 1.0, 2.0}, "compact"), compact);
+  expect_same_slope(slope_of({HeapShape::kCompact, 0.5, 1, 1.0, 2.0}, "compact"), compact);
 }
 
 // On discs of 8 d: what elongation adds is less than the scatter of smaller heaps.

@@ -42,15 +42,15 @@ Rebound first_rebound(const TerrainSurface& terrain, const GroundParameters& zon
   return watch.rebound;
 }
 
-struct Impact {
+struct CentralImpact {
   double energy_restitution;
   ContactLaw law;
 };
-void PrintTo(const Impact& impact, std::ostream* out) {
+void PrintTo(const CentralImpact& impact, std::ostream* out) {
   *out << name_of(impact.law) << ", restitution " << impact.energy_restitution;
 }
 
-class NormalImpact : public testing::TestWithParam<Impact> {};
+class NormalImpact : public testing::TestWithParam<CentralImpact> {};
 
 // Without gravity: depth v sqrt(m/k), loading for a quarter period, unloading 1/e_n times that.
 TEST_P(NormalImpact, ReturnsTheAskedRestitution) {
@@ -90,8 +90,8 @@ TEST_P(NormalImpact, ReturnsTheAskedRestitution) {
   const double duration = 0.5 * kPi * 1e-3 * (1.0 + 1.0 / restitution);
   EXPECT_NEAR(rebound.contact_time, duration, 0.001 * duration + settings.stiffness.time_step);
 }
-std::vector<Impact> impacts() {
-  std::vector<Impact> all;
+std::vector<CentralImpact> impacts() {
+  std::vector<CentralImpact> all;
   for (const double e : {1.0, 0.64, 0.36, 0.25, 0.16, 0.04, 0.01}) {
     all.push_back({e, EnergyRestitutionLaw()});
     all.push_back({e, SpringDashpotLaw()});

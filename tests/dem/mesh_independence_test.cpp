@@ -8,12 +8,11 @@
 #include <vector>
 
 #include "dem/stiffness.hpp"
+#include "tests/support/gravity.hpp"
 #include "tests/support/test_rock.hpp"
 
 namespace clast {
 namespace {
-
-constexpr double kG = 9.81;
 
 /// The surface with every triangle cut into four, `times` times.
 TriangleMesh subdivided(TriangleMesh mesh, int times) {
@@ -120,7 +119,7 @@ TEST(GhostEdges, ConcaveBlockSlidesOnTheSamePathUntilItStops) {
   const GroundParameters zone{0.01, 0.5, 0.0};
   ReleaseSettings settings;
   settings.stiffness =
-      choose_stiffness(std::span(&body, 1), std::span(&zone, 1), 5.0, kG).stiffness;
+      choose_stiffness(std::span(&body, 1), std::span(&zone, 1), 5.0, kTestGravity).stiffness;
   RigidState start;
   start.position = {-5.0, 0.3, 0.0};
   start.position.z() = 0.01 - lowest_point(body, start);
@@ -150,7 +149,7 @@ TEST_P(Plane, IsOnePlaneHoweverItIsMade) {
   const GroundParameters zone{0.09, 0.6, 0.1};
   ReleaseSettings settings;
   settings.stiffness =
-      choose_stiffness(std::span(&body, 1), std::span(&zone, 1), 10.0, kG).stiffness;
+      choose_stiffness(std::span(&body, 1), std::span(&zone, 1), 10.0, kTestGravity).stiffness;
   settings.max_time = 5.0;
   for (const double slope : {0.0, 0.35}) {
     for (std::uint64_t seed = 1; seed <= 3; ++seed) {

@@ -6,7 +6,7 @@
 namespace clast {
 namespace {
 
-constexpr double kHalfWidth = 1.0, kHeight = 10.0, kRadius = 0.5, kSpeed = 5.0;
+constexpr double kHalfWidth = 1.0, kHeight = 10.0, kRidgeRadius = 0.5, kSpeed = 5.0;
 
 /// A ridge along y whose flanks fall by 84 degrees, or the same turned into a lone peak.
 TriangleMesh knife(bool peak) {
@@ -41,17 +41,17 @@ class SharpRidge : public testing::TestWithParam<Hit> {};
 TEST_P(SharpRidge, ReflectsABall) {
   const auto [name, peak, offset] = GetParam();
   const TerrainSurface terrain = ground(knife(peak));
-  const RigidBody body = ball(1000.0, kRadius);
+  const RigidBody body = ball(1000.0, kRidgeRadius);
   ReleaseSettings settings = stiff_settings(body, 4e9, 100.0);
   settings.gravity = 0.0;
   settings.max_time = 0.1;
   RigidState start;
-  const double up = std::sqrt(kRadius * kRadius - offset * offset);
+  const double up = std::sqrt(kRidgeRadius * kRidgeRadius - offset * offset);
   start.position = {offset, 0.0, up + 0.05};
   start.velocity = {0.0, 0.0, -kSpeed};
   const ReleaseResult result = simulate_release(
       terrain, std::vector<GroundParameters>{{1.0, 0.0, 0.0}}, body, start, settings);
-  const Vec3 normal = Vec3(offset, 0.0, up) / kRadius;
+  const Vec3 normal = Vec3(offset, 0.0, up) / kRidgeRadius;
   const Vec3 expected = start.velocity - 2.0 * start.velocity.dot(normal) * normal;
   EXPECT_LT((result.final_state.velocity - expected).norm(), 0.01 * kSpeed)
       << result.final_state.velocity.transpose();

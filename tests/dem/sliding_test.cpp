@@ -7,18 +7,18 @@
 #include <vector>
 
 #include "core/angle.hpp"
+#include "tests/support/gravity.hpp"
 #include "tests/support/test_bodies.hpp"
 
 namespace clast {
 namespace {
 
-constexpr double kG = 9.81;
-
 /// A start in contact at the depth at which the unloaded spring carries the body on a slope.
 RigidState resting_start(const RigidBody& body, const ReleaseSettings& settings, double restitution,
                          double slope, double height_of_centre) {
   const Vec3 normal(std::sin(slope), 0.0, std::cos(slope));
-  const double depth = body.mass * kG * std::cos(slope) / (settings.stiffness.normal * restitution);
+  const double depth =
+      body.mass * kTestGravity * std::cos(slope) / (settings.stiffness.normal * restitution);
   RigidState start;
   start.position = (height_of_centre - depth) * normal;
   start.orientation = Quat(Eigen::AngleAxisd(slope, Vec3::UnitY()));

@@ -7,6 +7,7 @@
 
 #include "core/error.hpp"
 #include "dem/detail/scar_drag.hpp"
+#include "tests/support/gravity.hpp"
 #include "tests/support/refusal.hpp"
 #include "tests/support/test_worlds.hpp"
 
@@ -15,8 +16,6 @@ namespace {
 
 using dem_detail::embedded_front;
 using dem_detail::EmbeddedFront;
-
-constexpr double kG = 9.81;
 
 GroundParameters growing(double friction_min, double friction, double growth, double memory = 0.0) {
   GroundParameters ground{0.5, friction, 0.0};
@@ -37,7 +36,8 @@ GroundParameters dragging(double drag, double density) {
 RigidState sliding_start(const RigidBody& body, const ReleaseSettings& settings,
                          double energy_restitution, double height, double speed) {
   RigidState start;
-  start.position.z() = height - body.mass * kG / (settings.stiffness.normal * energy_restitution);
+  start.position.z() =
+      height - body.mass * kTestGravity / (settings.stiffness.normal * energy_restitution);
   start.velocity.x() = speed;
   return start;
 }
@@ -63,14 +63,14 @@ TEST(GrowingFriction, SlowsASlidingBlockAsItsIntegralSays) {
         const double v = step.end.velocity.x();
         if (v < 0.5) return;
         const double s = step.end.position.x();
-        const double expected = 12.5 - kG * friction_over(soil, s);
+        const double expected = 12.5 - kTestGravity * friction_over(soil, s);
         worst = std::max(worst, std::abs(0.5 * v * v - expected));
       });
   EXPECT_LT(worst, 0.05);
   double low = 0.0, high = 20.0;
   while (high - low > 1e-9) {
     const double middle = 0.5 * (low + high);
-    (kG * friction_over(soil, middle) < 12.5 ? low : high) = middle;
+    (kTestGravity * friction_over(soil, middle) < 12.5 ? low : high) = middle;
   }
   EXPECT_EQ(result.stop_reason, StopReason::kRest);
   EXPECT_NEAR(result.final_state.position.x(), low, 0.005 * low);
@@ -84,7 +84,8 @@ double speed_after_two_bounces(const GroundParameters& soil) {
   ReleaseSettings settings = stiff_settings(body, 1e8);
   settings.max_time = 0.2;
   RigidState start;
-  start.position.z() = 0.2 + 0.5 * kG * 0.05 * 0.05;  // 0.05 s down, then 0.1 s up and down
+  start.position.z() =
+      0.2 + 0.5 * kTestGravity * 0.05 * 0.05;  // 0.05 s down, then 0.1 s up and down
   start.velocity.x() = 10.0;
   GroundParameters elastic = soil;
   elastic.energy_restitution = 1.0;
@@ -97,7 +98,7 @@ double speed_after_two_bounces(const GroundParameters& soil) {
 // Each bounce takes 2 mu v_n from the speed of a ball that slides. Almost all of the growth comes
 // in the first: what is left of its slip 0.1 s later decides about the next.
 TEST(GrowingFriction, ForgetsSlipAfterTheContact) {
-  const double normal = kG * 0.05;
+  const double normal = kTestGravity * 0.05;
   const auto lost = [&](const GroundParameters& soil) {
     return (10.0 - speed_after_two_bounces(soil)) / (2.0 * normal);
   };
@@ -171,7 +172,7 @@ TEST(ScarDrag, SlowsASlidingBlockExponentiallyOverTheWay) {
   settings.start_overlap = 1.0;
   settings.max_time = 3.0;
   const GroundParameters soil = dragging(1.5, 2000.0);
-  const double depth = 1000.0 * kG / 2e5;
+  const double depth = 1000.0 * kTestGravity / 2e5;
   const RigidState start = sliding_start(body, settings, 1.0, 0.1, 5.0);
   const ReleaseResult result =
       simulate_release(terrain, std::span(&soil, 1), body, start, settings);
@@ -192,7 +193,7 @@ TEST(ScarDrag, TurnsABallUntilItsFrontStandsStill) {
   settings.start_overlap = 1.0;
   settings.max_time = 6.0;
   const GroundParameters soil = dragging(1.5, 2000.0);
-  const double depth = 100.0 * kG / 2e4;
+  const double depth = 100.0 * kTestGravity / 2e4;
   const RigidState start = sliding_start(body, settings, 1.0, 0.3, 5.0);
   const ReleaseResult result =
       simulate_release(terrain, std::span(&soil, 1), body, start, settings);

@@ -13,7 +13,7 @@
 namespace clast {
 namespace {
 
-constexpr double kRestitution = 0.25, kMass = 1000.0, kRadius = 0.5, kStiffness = 4e7;
+constexpr double kRestitution = 0.25, kSoilMass = 1000.0, kSoilRadius = 0.5, kSoilStiffness = 4e7;
 
 GroundParameters remembering(double width) {
   GroundParameters ground{kRestitution, 0.0, 0.0};
@@ -29,7 +29,8 @@ class Range {
 
   /// @return the share of its energy that the ball leaves with; then it is taken away
   double drop(double x, double speed) {
-    const std::size_t number = world_.add_body(0, at({x, 0.01, kRadius + 1e-4}, {0, 0, -speed}));
+    const std::size_t number =
+        world_.add_body(0, at({x, 0.01, kSoilRadius + 1e-4}, {0, 0, -speed}));
     while (world_.state(number).velocity.z() <= 0.0 || world_.touch(number).points > 0) {
       world_.step();
     }
@@ -39,7 +40,7 @@ class Range {
   }
 
   static WorldSettings settings(const RigidBody& body, unsigned threads) {
-    WorldSettings settings = stiff_world(body, kStiffness, 100.0);
+    WorldSettings settings = stiff_world(body, kSoilStiffness, 100.0);
     settings.law = ElastoplasticLaw();
     settings.threads = threads;
     return settings;
@@ -47,7 +48,7 @@ class Range {
 
  private:
   TerrainSurface terrain_ = ground(plane_mesh(5.0, 6));
-  RigidBody body_ = ball(kMass, kRadius);
+  RigidBody body_ = ball(kSoilMass, kSoilRadius);
   World world_;
 };
 
@@ -138,12 +139,12 @@ TEST(SoilMemory, IsTheSameOnAnyNumberOfThreads) {
 
 TEST(SoilMemory, LawsWithoutDentsAndSingleReleasesAreRefused) {
   const TerrainSurface terrain = ground(plane_mesh(5.0, 6));
-  const RigidBody body = ball(kMass, kRadius);
+  const RigidBody body = ball(kSoilMass, kSoilRadius);
   WorldSettings settings = Range::settings(body, 1);
   settings.law = {};
   EXPECT_EQ(refusal<InputError>([&] { World({body}, settings, terrain, {remembering(0.2)}); }),
             "soil_memory of a ground zone needs the law elastoplastic, which leaves dents");
-  ReleaseSettings release = stiff_settings(body, kStiffness);
+  ReleaseSettings release = stiff_settings(body, kSoilStiffness);
   release.law = ElastoplasticLaw();
   EXPECT_EQ(
       refusal<InputError>([&] {

@@ -10,7 +10,7 @@ using namespace dem_detail;
 
 namespace {
 
-constexpr double kStep = 1e-4, kStiffness = 1e6, kDepth = 1e-3, kSlip = 4e-5;
+constexpr double kStep = 1e-4, kSpringStiffness = 1e6, kDepth = 1e-3, kSlip = 4e-5;
 
 /// A cube on level ground whose lower corners are loaded as asked.
 class SpringTransfer : public testing::TestWithParam<ContactWeights> {
@@ -42,7 +42,8 @@ class SpringTransfer : public testing::TestWithParam<ContactWeights> {
   RigidBody cube_ = box(1000.0, Vec3::Ones());
   BlockSurface surface_{cube_.shape};
   std::vector<GroundParameters> zones_ = {{1.0, 1e3, 0.0}};
-  ContactRules rules_{zones_, {}, {kStiffness, kStiffness, kStiffness, kStep}, GetParam(), {}};
+  ContactRules rules_{
+      zones_, {}, {kSpringStiffness, kSpringStiffness, kSpringStiffness, kStep}, GetParam(), {}};
   ContactForces forces_{rules_, surface_, 1.0};
   BodyMotion motion_;
   EnergyLedger ledger_;
@@ -53,14 +54,14 @@ class SpringTransfer : public testing::TestWithParam<ContactWeights> {
 TEST_P(SpringTransfer, ForceAndEnergyStayWhenPointsJoin) {
   load({kDepth}, Vec3::Zero());
   const double force = -load({kDepth}, Vec3(kSlip / kStep, 0.0, 0.0)).force.x();
-  EXPECT_NEAR(force, kStiffness * kSlip, 1e-9 * force);
+  EXPECT_NEAR(force, kSpringStiffness * kSlip, 1e-9 * force);
   for (const std::vector<double>& corners : {std::vector<double>{kDepth, kDepth},
                                              {kDepth, kDepth, 0.0, 0.5 * kDepth},
                                              {0.2 * kDepth, kDepth, 0.3 * kDepth, 0.5 * kDepth}}) {
     EXPECT_NEAR(-load(corners, Vec3::Zero()).force.x(), force, 1e-9 * force) << corners.size();
   }
   load({kDepth, kDepth, kDepth, kDepth}, Vec3::Zero());
-  const double stored = 0.5 * kStiffness * (kDepth * kDepth + kSlip * kSlip);
+  const double stored = 0.5 * kSpringStiffness * (kDepth * kDepth + kSlip * kSlip);
   EXPECT_NEAR(forces_.stored_energy(), stored, 1e-9 * stored);
 }
 INSTANTIATE_TEST_SUITE_P(Weights, SpringTransfer,

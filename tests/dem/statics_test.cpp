@@ -7,15 +7,15 @@
 #include <span>
 
 #include "shapes/convex_hull.hpp"
+#include "tests/support/gravity.hpp"
 #include "tests/support/test_worlds.hpp"
 
 namespace clast {
 namespace {
 
-constexpr double kGravity = 9.81;    // m/s^2
-constexpr double kDensity = 2600.0;  // kg/m^3
-constexpr double kRadius = 0.01;     // of all edges, m
-constexpr double kStiffness = 1e9;   // N/m
+constexpr double kDensity = 2600.0;     // kg/m^3
+constexpr double kEdgeRadius = 0.01;    // of all edges, m
+constexpr double kRestStiffness = 1e9;  // N/m
 constexpr double kStepsPerRadian = 5.0;
 
 /// A block where it stands.
@@ -27,7 +27,7 @@ struct Placed {
 
 /// The hull of some corners, rounded outwards.
 Placed block_of(std::span<const Vec3> corners, bool fixed = false) {
-  const SpheroPolyhedron shape = sphero_polyhedron(convex_hull(corners), kRadius);
+  const SpheroPolyhedron shape = sphero_polyhedron(convex_hull(corners), kEdgeRadius);
   const MassProperties mass = sphero_mass_properties(shape, kDensity, 1e-3);
   const PrincipalFrame frame = principal_frame(mass);
   Placed placed;
@@ -46,8 +46,8 @@ Placed box_between(const Vec3& low, const Vec3& high, bool fixed = false) {
   std::vector<Vec3> corners;
   for (int corner = 0; corner < 8; ++corner) {
     const Vec3 side((corner & 1) ? 1.0 : 0.0, (corner & 2) ? 1.0 : 0.0, (corner & 4) ? 1.0 : 0.0);
-    const Vec3 inner = high - low - Vec3::Constant(2.0 * kRadius);
-    corners.push_back(low + Vec3::Constant(kRadius) + side.cwiseProduct(inner));
+    const Vec3 inner = high - low - Vec3::Constant(2.0 * kEdgeRadius);
+    corners.push_back(low + Vec3::Constant(kEdgeRadius) + side.cwiseProduct(inner));
   }
   return block_of(corners, fixed);
 }
@@ -65,8 +65,8 @@ World world_of(const std::vector<Placed>& blocks, double friction, double tilt =
     return std::pair(a.fixed, a.body.mass) < std::pair(b.fixed, b.body.mass);
   };
   const Placed& lightest = *std::min_element(blocks.begin(), blocks.end(), lighter);
-  WorldSettings settings = stiff_world(lightest.body, kStiffness, kStepsPerRadian);
-  settings.gravity = kGravity;
+  WorldSettings settings = stiff_world(lightest.body, kRestStiffness, kStepsPerRadian);
+  settings.gravity = kTestGravity;
   settings.between_bodies = {0.1, friction, 0.0};
   World world(shapes, settings);
   const Quat turn(Eigen::AngleAxisd(tilt, Vec3::UnitX()));
@@ -135,7 +135,7 @@ TEST_P(Overhang, OfBricksStandsWhileTheCentreOfAllAboveIsSupported) {
   std::vector<Placed> blocks = {floor_slab(1.0)};
   double edge = 1.0;  // of what is below, m
   for (int i = kBricks; i >= 1; --i) {
-    const double shift = GetParam() * (0.5 * kLength - kRadius) / i;
+    const double shift = GetParam() * (0.5 * kLength - kEdgeRadius) / i;
     const double bottom = kHeight * (kBricks - i), end = edge + shift;
     blocks.push_back(box_between({end - kLength, -0.2, bottom}, {end, 0.2, bottom + kHeight}));
     edge = end;
@@ -165,7 +165,7 @@ TEST_P(Wall, OfBricksStandsUntilItsWeightPassesItsFoot) {
                       {ends[i + 1] - 0.75 - kJoint, 0.5 * kDepth, kHeight * (course + 1)}));
     }
   }
-  const double topples = std::atan((kDepth - 2.0 * kRadius) / (kCourses * kHeight));
+  const double topples = std::atan((kDepth - 2.0 * kEdgeRadius) / (kCourses * kHeight));
   World world = world_of(blocks, 0.6, GetParam() * topples);
   EXPECT_EQ(stands(world), GetParam() < 1.0);
 }
@@ -184,7 +184,7 @@ struct Arch {
         const Vec3 inward = (side == 0 ? 1.0 : -1.0) * Vec3(along.z(), 0.0, -along.x());
         for (const double radius : {inner(), outer()}) {
           for (const double y : {-0.3, 0.3}) {
-            corners.push_back(radius * along + kRadius * inward + Vec3(0.0, y, 0.0));
+            corners.push_back(radius * along + kEdgeRadius * inward + Vec3(0.0, y, 0.0));
           }
         }
       }
@@ -213,7 +213,7 @@ bool line_of_thrust_fits(const Arch& arch) {
   for (int i = Arch::kBlocks / 2; i < Arch::kBlocks; ++i) {
     const Placed& block = arch.blocks[static_cast<std::size_t>(i)];
     const bool crown = i == Arch::kBlocks / 2;
-    const double part = (crown ? 0.5 : 1.0) * block.body.mass * kGravity;
+    const double part = (crown ? 0.5 : 1.0) * block.body.mass * kTestGravity;
     weight += part;
     if (!crown) moment += part * block.state.position.x();
     const double angle = std::numbers::pi * ((i + 1) / double(Arch::kBlocks) - 0.5);

@@ -7,27 +7,27 @@
 #include <Eigen/Eigenvalues>
 
 #include "dem/stiffness.hpp"
+#include "tests/support/gravity.hpp"
 #include "tests/support/test_bodies.hpp"
 
 namespace clast {
 namespace {
-
-constexpr double kG = 9.81;
 
 /// What `auto` takes.
 ReleaseSettings automatic(const RigidBody& body, const GroundParameters& zone,
                           const StiffnessOptions& options = {}) {
   ReleaseSettings settings;
   settings.stiffness =
-      choose_stiffness(std::span(&body, 1), std::span(&zone, 1), 5.0, kG, options).stiffness;
+      choose_stiffness(std::span(&body, 1), std::span(&zone, 1), 5.0, kTestGravity, options)
+          .stiffness;
   return settings;
 }
 
-RigidBody rock() { return box(1.0, {0.3, 0.2, 0.15}); }
+RigidBody phase_rock() { return box(1.0, {0.3, 0.2, 0.15}); }
 
 // By the closed form, and as a matrix.
 TEST(Mobility, IsTheLargestEigenvalueAtEachVertex) {
-  RigidBody body = rock();
+  RigidBody body = phase_rock();
   body.shape.radius = 0.02;
   const std::vector<double> mobilities = vertex_mobilities(body);
   ASSERT_EQ(mobilities.size(), body.shape.vertices.size());
@@ -47,18 +47,18 @@ TEST(Mobility, OfABallIsSevenHalvesOfItsInverseMass) {
   EXPECT_NEAR(vertex_mobilities(ball(4.0, 0.3))[0], 3.5 / 4.0, 1e-7);
 }
 
-struct Impact {
+struct PhaseImpact {
   const char* name;
   bool corner;  ///< of a box, else a ball
   double angle;
   double energy_restitution;
 };
-void PrintTo(const Impact& impact, std::ostream* out) { *out << impact.name; }
+void PrintTo(const PhaseImpact& impact, std::ostream* out) { *out << impact.name; }
 
 /// Velocity of the centre after an oblique impact at 1 m/s with friction and rolling resistance.
-Vec3 after_impact(const Impact& impact, double gap, double step, double longest) {
+Vec3 after_impact(const PhaseImpact& impact, double gap, double step, double longest) {
   static const TerrainSurface terrain = ground(plane_mesh(3.0, 5));
-  const RigidBody body = impact.corner ? rock() : ball(1.0, 0.1);
+  const RigidBody body = impact.corner ? phase_rock() : ball(1.0, 0.1);
   const double k = 1e6, arm = 0.5 * body.smallest_side;
   const double frequency = std::sqrt(k * contact_body(body).mobility);
   ReleaseSettings settings;
@@ -80,7 +80,7 @@ Vec3 after_impact(const Impact& impact, double gap, double step, double longest)
   return simulate_release(terrain, std::span(&zone, 1), body, start, settings).final_state.velocity;
 }
 
-class StepPhases : public testing::TestWithParam<Impact> {};
+class StepPhases : public testing::TestWithParam<PhaseImpact> {};
 
 // The velocity that the impact leaves is as exact as with the short step throughout.
 TEST_P(StepPhases, CostAnImpactNothing) {
@@ -98,16 +98,16 @@ TEST_P(StepPhases, CostAnImpactNothing) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Impacts, StepPhases,
-                         testing::Values(Impact{"ball_grazing", false, 0.1, 0.01},
-                                         Impact{"ball_oblique", false, 0.8, 0.01},
-                                         Impact{"ball_oblique_bouncing", false, 0.8, 0.5},
-                                         Impact{"ball_steep_bouncing", false, 1.5, 0.5},
-                                         Impact{"corner_grazing", true, 0.1, 0.01},
-                                         Impact{"corner_flat", true, 0.3, 0.01},
-                                         Impact{"corner_oblique", true, 0.8, 0.01},
-                                         Impact{"corner_oblique_bouncing", true, 0.8, 0.5},
-                                         Impact{"corner_steep", true, 1.5, 0.01},
-                                         Impact{"corner_steep_bouncing", true, 1.5, 0.5}),
+                         testing::Values(PhaseImpact{"ball_grazing", false, 0.1, 0.01},
+                                         PhaseImpact{"ball_oblique", false, 0.8, 0.01},
+                                         PhaseImpact{"ball_oblique_bouncing", false, 0.8, 0.5},
+                                         PhaseImpact{"ball_steep_bouncing", false, 1.5, 0.5},
+                                         PhaseImpact{"corner_grazing", true, 0.1, 0.01},
+                                         PhaseImpact{"corner_flat", true, 0.3, 0.01},
+                                         PhaseImpact{"corner_oblique", true, 0.8, 0.01},
+                                         PhaseImpact{"corner_oblique_bouncing", true, 0.8, 0.5},
+                                         PhaseImpact{"corner_steep", true, 1.5, 0.01},
+                                         PhaseImpact{"corner_steep_bouncing", true, 1.5, 0.5}),
                          [](const auto& test) { return std::string(test.param.name); });
 
 /// A body that rests on a slope of 30 degrees is let go.
@@ -122,8 +122,8 @@ Descent descent(const RigidBody& body, double half_height, const GroundParameter
   settings.start_overlap = 1.0;
   settings.max_time = 1.0;
   const Vec3 normal(std::sin(slope), 0.0, std::cos(slope));
-  const double depth =
-      body.mass * kG * std::cos(slope) / (settings.stiffness.normal * zone.energy_restitution);
+  const double depth = body.mass * kTestGravity * std::cos(slope) /
+                       (settings.stiffness.normal * zone.energy_restitution);
   RigidState start;
   start.position = (half_height - depth) * normal;
   start.orientation = Quat(Eigen::AngleAxisd(slope, Vec3::UnitY()));
@@ -134,7 +134,7 @@ Descent descent(const RigidBody& body, double half_height, const GroundParameter
 
 // g (sin a - mu cos a).
 TEST(StepPhases, SlidingKeepsItsAcceleration) {
-  const double expected = kG * (0.5 - 0.3 * std::sqrt(0.75));
+  const double expected = kTestGravity * (0.5 - 0.3 * std::sqrt(0.75));
   const Descent slide = descent(box(1000.0, {1.0, 1.0, 0.3}), 0.15, {0.01, 0.3, 0.0});
   EXPECT_NEAR(slide.speed, expected, 2e-3 * expected);
 }
@@ -143,7 +143,7 @@ TEST(StepPhases, SlidingKeepsItsAcceleration) {
 TEST(StepPhases, RollingKeepsItsAcceleration) {
   const Descent roll = descent(ball(100.0, 0.3), 0.3, {0.01, 0.7, 0.0});
   const double ratio = 0.3 / (0.3 - 0.5 * roll.depth);
-  const double expected = 0.5 * kG / (1.0 + 0.4 * ratio * ratio);
+  const double expected = 0.5 * kTestGravity / (1.0 + 0.4 * ratio * ratio);
   EXPECT_NEAR(roll.speed, expected, 2e-3 * expected);
 }
 

@@ -5,13 +5,12 @@
 
 #include "core/error.hpp"
 #include "dem/stiffness.hpp"
+#include "tests/support/gravity.hpp"
 #include "tests/support/refusal.hpp"
 #include "tests/support/test_rock.hpp"
 
 namespace clast {
 namespace {
-
-constexpr double kG = 9.81;
 
 /// A bridge of 1000 kg on two feet, 1.2 m of air between them.
 RigidBody bridge() {
@@ -58,7 +57,7 @@ TEST_P(RestDepth, IsThatOfTheLawsThatCarryTheBlock) {
   settings.start_overlap = 1.0;
   settings.max_time = 0.3;
   settings.rest_energy = 1e-300;
-  const double depth = 1000.0 * kG / (laws * 1e8 * 0.04);
+  const double depth = 1000.0 * kTestGravity / (laws * 1e8 * 0.04);
   RigidState start;
   start.position = {0.1, 0.2, 0.35 - depth};
   const ReleaseResult result = simulate_release(
@@ -80,7 +79,7 @@ TEST(Settling, IsNeverTakenForSinking) {
     const RigidBody body = rock(3, {0.25, 0.20, 0.15}, 0.006, 2650.0, seed);
     const std::vector<GroundParameters> zones = {{0.01, 0.9, 0.6}};
     ReleaseSettings settings;
-    settings.stiffness = choose_stiffness(std::span(&body, 1), zones, 3.0, kG).stiffness;
+    settings.stiffness = choose_stiffness(std::span(&body, 1), zones, 3.0, kTestGravity).stiffness;
     RigidState start;
     start.orientation = Random(seed).rotation();
     start.position.z() = 0.2 - lowest_point(body, start);
@@ -99,7 +98,7 @@ TEST_P(AnyWeights, RocksComeToRestWithTheirEnergyAccountedFor) {
     const std::vector<GroundParameters> zones = {{0.01, 0.7, 0.3}};
     ReleaseSettings settings;
     settings.weights = GetParam();
-    settings.stiffness = choose_stiffness(std::span(&body, 1), zones, 15.0, kG).stiffness;
+    settings.stiffness = choose_stiffness(std::span(&body, 1), zones, 15.0, kTestGravity).stiffness;
     RigidState start;
     start.orientation = Random(seed).rotation();
     start.position = {-5.0, 0.0, 5.0 * std::tan(0.45) + 2.0};
@@ -124,9 +123,9 @@ TEST(Weights, NamesGoBothWays) {
 TEST(AutoStiffness, RestsWithinTwoPercentOfTheShortestSide) {
   const std::vector<RigidBody> bodies = {box(1000.0, {1.0, 0.8, 0.5}), box(400.0, {3.0, 2.0, 1.5})};
   const std::vector<GroundParameters> zones = {{0.25, 0.7, 0.0}, {0.01, 0.7, 0.0}};
-  const StiffnessChoice choice = choose_stiffness(bodies, zones, 1.0, kG);
+  const StiffnessChoice choice = choose_stiffness(bodies, zones, 1.0, kTestGravity);
   // The first body governs: 2 % of 0.5 m; the second may sink 2 cm.
-  EXPECT_NEAR(choice.stiffness.normal, 1000.0 * kG / (0.01 * 0.01), 1.0);
+  EXPECT_NEAR(choice.stiffness.normal, 1000.0 * kTestGravity / (0.01 * 0.01), 1.0);
   EXPECT_NEAR(choice.settled_depth, 0.01, 1e-12);
   EXPECT_TRUE(choice.warnings.empty());
 }
@@ -138,8 +137,9 @@ TEST(AutoStiffness, SpringDashpotRestsOnItsSpring) {
   StiffnessOptions options;
   options.law = SpringDashpotLaw();
   options.rolling = 1.0;
-  const StiffnessChoice choice = choose_stiffness(std::span(&body, 1), zones, 1.0, kG, options);
-  EXPECT_NEAR(choice.stiffness.normal, 1000.0 * kG / 0.02, 1.0);
+  const StiffnessChoice choice =
+      choose_stiffness(std::span(&body, 1), zones, 1.0, kTestGravity, options);
+  EXPECT_NEAR(choice.stiffness.normal, 1000.0 * kTestGravity / 0.02, 1.0);
   const double ratio = damping_ratio(0.01);
   const double rate = (ratio + std::sqrt(ratio * ratio - 1.0)) *
                       std::sqrt(choice.stiffness.normal / 1000.0 * (1.0 + 2.5));
@@ -161,9 +161,9 @@ TEST(AutoStiffness, SpringDashpotRestsOnItsSpring) {
 TEST(AutoStiffness, FastImpactsStayWithinAQuarterOfTheShortestSide) {
   const RigidBody body = box(1000.0, Vec3::Ones());
   const std::vector<GroundParameters> zones = {{1.0, 0.7, 0.0}};
-  const StiffnessChoice choice = choose_stiffness(std::span(&body, 1), zones, 40.0, kG);
+  const StiffnessChoice choice = choose_stiffness(std::span(&body, 1), zones, 40.0, kTestGravity);
   // A quarter of S, and the little that the weight adds: m v^2/2 + m g h = k h^2/2.
-  const double k = choice.stiffness.normal, weight = 1000.0 * kG;
+  const double k = choice.stiffness.normal, weight = 1000.0 * kTestGravity;
   EXPECT_NEAR(choice.impact_depth,
               (weight + std::sqrt(weight * weight + k * 1000.0 * 40.0 * 40.0)) / k, 1e-12);
   EXPECT_NEAR(choice.impact_depth, 0.25, 1e-3);
@@ -178,7 +178,7 @@ TEST(AutoStiffness, AStepThatMakesEnergyOrPassesTheGroundIsRefused) {
     options.normal = normal;
     options.time_step = step;
     return refusal<SimulationError>(
-        [&] { choose_stiffness(std::span(&body, 1), zones, 10.0, kG, options); });
+        [&] { choose_stiffness(std::span(&body, 1), zones, 10.0, kTestGravity, options); });
   };
   // Stable below 2 / sqrt(k (1/m)(1 + 3/4 * 6)) = 6.0e-3 s.
   EXPECT_TRUE(contains(refused(2e7, 0.05), "time step 0.05 s is too long: beyond 0.00603 s"));
@@ -187,15 +187,16 @@ TEST(AutoStiffness, AStepThatMakesEnergyOrPassesTheGroundIsRefused) {
   EXPECT_TRUE(contains(refused(10.0, 0.1), "beyond 0.025 s"));
   StiffnessOptions soft;
   soft.normal = 10.0;
-  EXPECT_EQ(choose_stiffness(std::span(&body, 1), zones, 10.0, kG, soft).stiffness.time_step,
-            0.025);
+  EXPECT_EQ(
+      choose_stiffness(std::span(&body, 1), zones, 10.0, kTestGravity, soft).stiffness.time_step,
+      0.025);
 }
 
 TEST(AutoStiffness, HardlyAnyRestitutionIsDearAndSaysSo) {
   const RigidBody body = box(1000.0, Vec3::Ones());
   const auto warnings = [&](double energy_restitution) {
     const std::vector<GroundParameters> zones = {{energy_restitution, 0.7, 0.0}};
-    return choose_stiffness(std::span(&body, 1), zones, 1.0, kG).warnings;
+    return choose_stiffness(std::span(&body, 1), zones, 1.0, kTestGravity).warnings;
   };
   EXPECT_TRUE(warnings(0.01).empty());
   ASSERT_EQ(warnings(1e-6).size(), 1u);
@@ -209,7 +210,8 @@ TEST(AutoStiffness, ASofterValueIsObeyedWithAWarning) {
   const std::vector<GroundParameters> zones = {{0.01, 0.7, 0.0}};
   StiffnessOptions options;
   options.normal = 2e6;
-  const StiffnessChoice choice = choose_stiffness(std::span(&body, 1), zones, 10.0, kG, options);
+  const StiffnessChoice choice =
+      choose_stiffness(std::span(&body, 1), zones, 10.0, kTestGravity, options);
   EXPECT_EQ(choice.stiffness.normal, 2e6);
   ASSERT_EQ(choice.warnings.size(), 1u);
   EXPECT_NE(choice.warnings[0].find("0.49 m deep"), std::string::npos) << choice.warnings[0];
@@ -223,13 +225,14 @@ TEST(AutoStiffness, TimeStepFollowsTheLightestPoint) {
   StiffnessOptions options;
   options.normal = 1e8;
   options.rolling = 1.0;
-  const StiffnessChoice choice = choose_stiffness(std::span(&body, 1), zones, 10.0, kG, options);
+  const StiffnessChoice choice =
+      choose_stiffness(std::span(&body, 1), zones, 10.0, kTestGravity, options);
   const double point_mass = 1000.0 / (1.0 + 0.75 * 6.0);
   EXPECT_NEAR(choice.stiffness.time_step, 0.2 * std::sqrt(point_mass / 1e8), 1e-11);
   EXPECT_NEAR(choice.stiffness.longest_step, 0.4 * std::sqrt(point_mass / 1e8), 1e-11);
   options.mass = true;
   const ContactStiffness of_mass =
-      choose_stiffness(std::span(&body, 1), zones, 10.0, kG, options).stiffness;
+      choose_stiffness(std::span(&body, 1), zones, 10.0, kTestGravity, options).stiffness;
   EXPECT_EQ(of_mass.time_step, choice.stiffness.longest_step);
   EXPECT_EQ(of_mass.longest_step, choice.stiffness.longest_step);
 }

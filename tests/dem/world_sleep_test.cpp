@@ -11,16 +11,16 @@
 namespace clast {
 namespace {
 
-const std::vector<GroundParameters> kGround = {{0.05, 0.7, 0.3}};
+const std::vector<GroundParameters> kSleepGround = {{0.05, 0.7, 0.3}};
 
 /// A heap of six rocks and boxes with nothing moving.
 World sleeping_heap(const TerrainSurface& terrain, unsigned threads = 1, bool sleeps = true) {
   const std::vector<RigidBody> shapes = {rock(3, {0.5, 0.42, 0.3}, 0.02, 2650.0, 4),
                                          box(250.0, {0.5, 0.45, 0.35}, 0.02), ball(40.0, 0.15)};
-  WorldSettings settings = automatic_world(shapes, kGround[0], 8.0);
+  WorldSettings settings = automatic_world(shapes, kSleepGround[0], 8.0);
   settings.threads = threads;
   if (!sleeps) settings.sleep_drift = 0.0;
-  World world(shapes, settings, terrain, kGround);
+  World world(shapes, settings, terrain, kSleepGround);
   Random random(11);
   for (std::size_t i = 0; i < 6; ++i) {
     RigidState state = at({0.25 * random.uniform(-1.0, 1.0), 0.25 * random.uniform(-1.0, 1.0),
@@ -102,10 +102,10 @@ TEST(Sleep, ChangesNoBlow) {
   const TerrainSurface terrain = ground(plane_mesh(10.0, 20));
   const std::vector<RigidBody> shapes = {box(250.0, {0.5, 0.45, 0.35}, 0.02), ball(40.0, 0.15)};
   const auto thrown = [&](bool sleeps) {
-    WorldSettings settings = automatic_world(shapes, kGround[0], 8.0);
+    WorldSettings settings = automatic_world(shapes, kSleepGround[0], 8.0);
     settings.stiffness.longest_step = 0.0;
     if (!sleeps) settings.sleep_drift = 0.0;
-    World world(shapes, settings, terrain, kGround);
+    World world(shapes, settings, terrain, kSleepGround);
     world.add_body(0, at({0.0, 0.0, 0.25}));
     while (world.time() < 4.0) world.step();
     EXPECT_EQ(world.asleep(0), sleeps);
@@ -145,7 +145,7 @@ TEST(Sleep, HasTheSameBitsOnAnyNumberOfThreads) {
 // Slow enough to count as resting, but not in one place.
 TEST(Sleep, DoesNotComeToWhatSlides) {
   const RigidBody body = box(100.0, {0.5, 0.5, 0.2}, 0.02);
-  WorldSettings settings = automatic_world({body}, kGround[0], 3.0);
+  WorldSettings settings = automatic_world({body}, kSleepGround[0], 3.0);
   settings.rest_energy = 1e3;  // slow enough always
   settings.rest_duration = 1e3;
   const double slope = std::atan(0.5);
@@ -169,7 +169,7 @@ TEST(Sleep, EndsForWhatARemovedBodyHeld) {
   const TerrainSurface terrain = ground(plane_mesh(4.0, 8));
   const std::vector<RigidBody> shapes = {box(60.0, {0.4, 0.4, 0.3})};
   for (const bool held : {false, true}) {  // by the ground, or a fixed body in the air
-    World world(shapes, automatic_world(shapes, kGround[0], 6.0), terrain, kGround);
+    World world(shapes, automatic_world(shapes, kSleepGround[0], 6.0), terrain, kSleepGround);
     world.add_body(0, at({0.1, 0.1, held ? 2.0 : 0.16}), held);
     world.add_body(0, at({0.1, 0.1, held ? 2.31 : 0.47}));
     world.add_body(0, at({-1.5, 0.1, 0.16}));

@@ -11,7 +11,7 @@
 namespace clast {
 namespace {
 
-const std::vector<GroundParameters> kGround = {{0.05, 0.7, 0.3}};
+const std::vector<GroundParameters> kStepsGround = {{0.05, 0.7, 0.3}};
 
 /// Every step has the length of an impact's, divided by `shortening`.
 WorldSettings in_given_steps(WorldSettings settings, double shortening = 1.0) {
@@ -25,10 +25,10 @@ RigidBody tumbling() { return rock(3, {0.5, 0.42, 0.3}, 0.02, 2650.0, 4); }
 TEST(WorldSteps, FlyAsFarAsNothingCanTouch) {
   const TerrainSurface terrain = ground(plane_mesh(20.0, 20));
   const RigidBody body = tumbling();
-  const WorldSettings settings = automatic_world({body}, kGround[0], 10.0);
+  const WorldSettings settings = automatic_world({body}, kStepsGround[0], 10.0);
   RigidState start = at({-3.0, 0.0, 4.0}, {6.0, 1.0, 2.0});
   start.angular_velocity = {3.0, -5.0, 1.0};
-  World world({body}, settings, terrain, kGround);
+  World world({body}, settings, terrain, kStepsGround);
   std::vector<MotionStep> steps;
   world.observe([&](std::size_t, const MotionStep& step) { steps.push_back(step); });
   world.add_body(0, start);
@@ -54,7 +54,7 @@ TEST(WorldSteps, FlyAsFarAsNothingCanTouch) {
 TEST(WorldSteps, ABodyFliesWhileOthersTouch) {
   const TerrainSurface terrain = ground(plane_mesh(20.0, 20));
   const RigidBody body = ball(10.0, 0.2);
-  World world({body}, automatic_world({body}, kGround[0], 10.0), terrain, kGround);
+  World world({body}, automatic_world({body}, kStepsGround[0], 10.0), terrain, kStepsGround);
   std::array<double, 2> flown{};
   world.observe([&](std::size_t i, const MotionStep& step) {
     if (step.flight) flown[i] += step.end_time - step.begin_time;
@@ -69,8 +69,9 @@ TEST(WorldSteps, ABodyFliesWhileOthersTouch) {
 
 TEST(WorldSteps, OfAGivenLengthAreKept) {
   const TerrainSurface terrain = ground(plane_mesh(20.0, 20));
-  const WorldSettings settings = in_given_steps(automatic_world({tumbling()}, kGround[0], 10.0));
-  World world({tumbling()}, settings, terrain, kGround);
+  const WorldSettings settings =
+      in_given_steps(automatic_world({tumbling()}, kStepsGround[0], 10.0));
+  World world({tumbling()}, settings, terrain, kStepsGround);
   std::size_t points = 0;
   world.observe([&](std::size_t, const MotionStep& step) {
     EXPECT_EQ(step.flight, points == 0);
@@ -103,7 +104,7 @@ std::vector<Vec3> after_meeting(const WorldSettings& settings, const RigidState&
 TEST(WorldSteps, MissNoMeetingInFlight) {
   Random random(3);
   WorldSettings settings =
-      automatic_world({tumbling(), box(150.0, {0.5, 0.4, 0.45}, 0.02)}, kGround[0], 10.0);
+      automatic_world({tumbling(), box(150.0, {0.5, 0.4, 0.45}, 0.02)}, kStepsGround[0], 10.0);
   settings.gravity = 0.0;
   double steps_apart = 0.0, given_apart = 0.0;
   for (int trial = 0; trial < 30; ++trial) {
@@ -131,7 +132,7 @@ TEST(WorldSteps, OfABlockOnASlopeSaveWorkAndKeepTheBalance) {
   const TerrainSurface terrain = ground(rough_slope(60, 0.5, 0.5, 0.10));
   const RigidBody body = tumbling();
   const auto run = [&](const WorldSettings& settings) {
-    World world({body}, settings, terrain, kGround);
+    World world({body}, settings, terrain, kStepsGround);
     RigidState start = at({-8.0, 0.0, *terrain.height(-8.0, 0.0, 0.0) + 2.0});
     start.orientation = Random(8).rotation();
     world.add_body(0, start);
@@ -140,7 +141,7 @@ TEST(WorldSteps, OfABlockOnASlopeSaveWorkAndKeepTheBalance) {
     EXPECT_LT(std::abs(world.energy().reassigned), 0.05 * world.energy().dissipated());
     return static_cast<double>(world.statistics().steps) / world.time();
   };
-  const WorldSettings settings = automatic_world({body}, kGround[0], 10.0);
+  const WorldSettings settings = automatic_world({body}, kStepsGround[0], 10.0);
   const double by_phase = run(settings), given = run(in_given_steps(settings));
   EXPECT_LT(by_phase, 0.7 * given);
 }

@@ -19,13 +19,13 @@ MassBlockOptions joints(std::initializer_list<const char*> sets) {
   return options;
 }
 
-const BlockSource kSource{"scar.ply", std::string(64, '0'), "units=m", ""};
+const BlockSource kScarSource{"scar.ply", std::string(64, '0'), "units=m", ""};
 
 TEST(MassBlocks, RoundedPiecesStayInsideTheirPlaces) {
   const TriangleMesh mass = rock_mesh(10, {3.0, 2.5, 2.0}, 5);
   MassBlockOptions options = joints({"70/095/1.3/0.3", "60/200/1.1/0.3", "20/310/0.9"});
   options.cutting.least_volume = 0.05;
-  const MassBlocks made = blocks_of_mass(mass, kSource, options);
+  const MassBlocks made = blocks_of_mass(mass, kScarSource, options);
   const CutMass cut = cut_by_joints(mass, options.joints, options.cutting);
   ASSERT_EQ(made.blocks.size() + made.failed.size(), cut.blocks.size());
   EXPECT_LT(made.failed.size(), 3u);
@@ -48,8 +48,8 @@ TEST(MassBlocks, RoundedPiecesStayInsideTheirPlaces) {
 }
 
 TEST(MassBlocks, OfABoxAreBoxesWithTheirClasses) {
-  const MassBlocks made =
-      blocks_of_mass(box_mesh({4.0, 3.0, 3.0}), kSource, joints({"90/90/4", "90/0/1", "0/0/1"}));
+  const MassBlocks made = blocks_of_mass(box_mesh({4.0, 3.0, 3.0}), kScarSource,
+                                         joints({"90/90/4", "90/0/1", "0/0/1"}));
   for (const Block& block : made.blocks) {
     EXPECT_EQ(block.body.vertices.size(), 8u);
     EXPECT_EQ(block.body.faces.size(), 6u);
@@ -64,9 +64,9 @@ TEST(MassBlocks, OfSeveralMassesAreNumberedInARow) {
   TriangleMesh far = box_mesh({2.0, 2.0, 2.0});
   for (Vec3& vertex : far.vertices) vertex.x() += 50.0;
   const TriangleMesh near = box_mesh({3.0, 3.0, 3.0}), tiny = box_mesh({0.05, 0.05, 0.05});
-  const MassBlocks one = blocks_of_mass(near, kSource, options);
-  const MassBlocks two = blocks_of_mass(far, kSource, options);
-  const MassBlocks all = blocks_of_masses(std::vector{near, tiny, far}, kSource, options);
+  const MassBlocks one = blocks_of_mass(near, kScarSource, options);
+  const MassBlocks two = blocks_of_mass(far, kScarSource, options);
+  const MassBlocks all = blocks_of_masses(std::vector{near, tiny, far}, kScarSource, options);
   ASSERT_EQ(all.blocks.size(), one.blocks.size() + two.blocks.size());
   for (std::size_t i = 0; i < all.blocks.size(); ++i) {
     const bool first = i < one.blocks.size();
@@ -78,17 +78,17 @@ TEST(MassBlocks, OfSeveralMassesAreNumberedInARow) {
   EXPECT_NEAR(all.volume, 27.0 + 8.0 + 0.05 * 0.05 * 0.05, 1e-9);
   ASSERT_EQ(all.failed.size(), 1u);
   EXPECT_TRUE(all.failed[0].starts_with("mass 2: ")) << all.failed[0];
-  EXPECT_THROW(blocks_of_masses(std::vector{tiny, tiny}, kSource, options), InputError);
+  EXPECT_THROW(blocks_of_masses(std::vector{tiny, tiny}, kScarSource, options), InputError);
 }
 
 // Far from the origin the same comes out, but for which of two vertices that nearly coincide stays.
 TEST(MassBlocks, KeepTheirDigitsOnTheMap) {
   TriangleMesh mass = rock_mesh(6, {2.0, 1.5, 1.2}, 5);
   const MassBlockOptions options = joints({"70/095/1.3", "60/200/1.1"});
-  const MassBlocks here = blocks_of_mass(mass, kSource, options);
+  const MassBlocks here = blocks_of_mass(mass, kScarSource, options);
   const Vec3 far(652000.0, 5203000.0, 1800.0);
   for (Vec3& vertex : mass.vertices) vertex += far;
-  const MassBlocks there = blocks_of_mass(mass, kSource, options);
+  const MassBlocks there = blocks_of_mass(mass, kScarSource, options);
   ASSERT_EQ(here.blocks.size(), there.blocks.size());
   for (std::size_t i = 0; i < here.blocks.size(); ++i) {
     const Block &a = here.blocks[i], &b = there.blocks[i];
@@ -104,14 +104,14 @@ TEST(MassBlocks, AreTheSameOnAnyNumberOfThreads) {
   const TriangleMesh mass = rock_mesh(6, {2.0, 1.5, 1.2}, 5);
   MassBlockOptions options = joints({"70/095/1.0/0.2", "60/200/0.8"});
   options.threads = 1;
-  const MassBlocks one = blocks_of_mass(mass, kSource, options);
+  const MassBlocks one = blocks_of_mass(mass, kScarSource, options);
   options.threads = 2;
   std::size_t reported = 0;
   options.progress = [&](const ProgressStep& step) {
     EXPECT_EQ(step.done, ++reported);
     EXPECT_EQ(step.total, one.blocks.size() + one.failed.size());
   };
-  const MassBlocks two = blocks_of_mass(mass, kSource, options);
+  const MassBlocks two = blocks_of_mass(mass, kScarSource, options);
   ASSERT_EQ(one.blocks.size(), two.blocks.size());
   for (std::size_t i = 0; i < one.blocks.size(); ++i) {
     EXPECT_EQ(one.blocks[i].body.vertices, two.blocks[i].body.vertices);

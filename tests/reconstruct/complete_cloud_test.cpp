@@ -198,14 +198,13 @@ void check_all(const std::vector<Body>& all, const std::vector<std::size_t>& cou
   EXPECT_EQ(unseen, 0u);
 }
 
-#ifdef CLAST_ALL_CLOUDS
 // 300 clouds. Beyond the bars lie the plank and the needle with noise as large as a thirtieth of
 // their thickness, outliers as close to a sharp edge as the next point, and ridges and tips
 // narrower than the points are apart: docs/benchmarks.md, Ground and clouds.
 TEST(CompleteCloud, OfEveryBodyComesOutClosedWithItsSizeAndClass) {
   check_all(bodies(), {2000, 8000, 30000}, 36);
 }
-#else
+
 TEST(CompleteCloud, OfStonesComesOutClosedWithItsSizeAndClass) {
   std::vector<Body> some;
   for (Body& body : bodies()) {
@@ -218,7 +217,6 @@ TEST(CompleteCloud, OfStonesComesOutClosedWithItsSizeAndClass) {
   // five clouds), and of stone 18 where the density falls to a third at its tip (1.9 %).
   check_all(some, {8000}, 4);
 }
-#endif
 
 }  // namespace
 }  // namespace clast

@@ -8,15 +8,14 @@
 #include "tests/support/cut_blocks.hpp"
 #include "tests/support/refusal.hpp"
 #include "tests/support/rock_mesh.hpp"
+#include "tests/support/solid_volume.hpp"
 
 namespace clast {
 namespace {
 
 using Triangle = TriangleMesh::Triangle;
 
-double volume(const TriangleMesh& mesh) { return solid_mass_properties(mesh, 1.0).volume; }
-
-const TriangleMesh& rock() {
+const TriangleMesh& doubled_rock() {
   static const TriangleMesh mesh = rock_mesh(10, {0.5, 0.4, 0.3}, 5);
   return mesh;
 }
@@ -26,7 +25,7 @@ TriangleMesh turned_over(TriangleMesh mesh) {
   return mesh;
 }
 
-std::string all_notes(const FieldBlock& block) {
+std::string block_notes(const FieldBlock& block) {
   std::string text;
   for (const std::string& note : block.scan.notes) text += note + "\n";
   return text;
@@ -36,23 +35,23 @@ TEST(DoubledSurface, ACompleteCopyInsideOrOutsideIsNoBubble) {
   for (const double scale : {0.95, 0.97, 0.99, 1.01, 1.03, 1.05}) {
     for (const bool inward : {false, true}) {
       SCOPED_TRACE(std::to_string(scale) + (inward ? " inward" : ""));
-      const TriangleMesh copy = scaled(rock(), scale);
+      const TriangleMesh copy = scaled(doubled_rock(), scale);
       const FieldBlock block =
-          field_blocks(merged(rock(), inward ? turned_over(copy) : copy), "doubled")[0];
+          field_blocks(merged(doubled_rock(), inward ? turned_over(copy) : copy), "doubled")[0];
       const RepairReport& report = block.scan.report;
       ASSERT_EQ(report.doubled.size(), 1u);
       EXPECT_EQ(report.inner_shells, 0u);
       EXPECT_TRUE(report.doubled[0].closed);
       EXPECT_EQ(report.doubled[0].kept_for, KeptFor::kSize);
-      const double larger = volume(rock()) * std::max(1.0, scale * scale * scale);
-      const double smaller = volume(rock()) * std::min(1.0, scale * scale * scale);
-      EXPECT_NEAR(volume(block.scan.mesh) / larger, 1.0, 1e-9);
+      const double larger = solid_volume(doubled_rock()) * std::max(1.0, scale * scale * scale);
+      const double smaller = solid_volume(doubled_rock()) * std::min(1.0, scale * scale * scale);
+      EXPECT_NEAR(solid_volume(block.scan.mesh) / larger, 1.0, 1e-9);
       EXPECT_NEAR(report.volume_below / (larger - smaller), 1.0, 1e-6);
       EXPECT_NEAR(report.doubled[0].scale, scale < 1.0 ? scale : 1.0 / scale, 0.003);
       EXPECT_LT(report.doubled[0].offset, 0.0);
-      EXPECT_TRUE(contains(all_notes(block), "a second copy of the block's whole surface"));
-      EXPECT_TRUE(contains(all_notes(block), "not a bubble"));
-      EXPECT_TRUE(contains(all_notes(block), "with the other one it would be"));
+      EXPECT_TRUE(contains(block_notes(block), "a second copy of the block's whole surface"));
+      EXPECT_TRUE(contains(block_notes(block), "not a bubble"));
+      EXPECT_TRUE(contains(block_notes(block), "with the other one it would be"));
     }
   }
 }
@@ -60,24 +59,25 @@ TEST(DoubledSurface, ACompleteCopyInsideOrOutsideIsNoBubble) {
 TEST(DoubledSurface, AShiftedCopyIsDropped) {
   Random random(2);
   for (const double share : {0.01, 0.03, 0.05}) {
-    TriangleMesh copy = rock();
-    const Vec3 shift = share * bounds(rock()).diagonal() * random.direction();
+    TriangleMesh copy = doubled_rock();
+    const Vec3 shift = share * bounds(doubled_rock()).diagonal() * random.direction();
     for (Vec3& v : copy.vertices) v += shift;
-    const FieldBlock block = field_blocks(merged(rock(), copy), "shifted")[0];
+    const FieldBlock block = field_blocks(merged(doubled_rock(), copy), "shifted")[0];
     ASSERT_EQ(block.scan.report.doubled.size(), 1u);
     EXPECT_NEAR(block.scan.report.doubled[0].scale, 1.0, 0.003);
-    EXPECT_NEAR(volume(block.scan.mesh) / volume(rock()), 1.0, 1e-9);
+    EXPECT_NEAR(solid_volume(block.scan.mesh) / solid_volume(doubled_rock()), 1.0, 1e-9);
   }
 }
 
 TEST(DoubledSurface, TheFinerOfTwoIsKeptAndThatIsSaid) {
   const TriangleMesh fine = rock_mesh(14, {0.5, 0.4, 0.3}, 5);
   for (const double scale : {0.97, 1.03}) {
-    const FieldBlock block = field_blocks(merged(scaled(rock(), scale), fine), "two scans")[0];
-    EXPECT_NEAR(volume(block.scan.mesh) / volume(fine), 1.0, 1e-9);
+    const FieldBlock block =
+        field_blocks(merged(scaled(doubled_rock(), scale), fine), "two scans")[0];
+    EXPECT_NEAR(solid_volume(block.scan.mesh) / solid_volume(fine), 1.0, 1e-9);
     ASSERT_EQ(block.scan.report.doubled.size(), 1u);
     EXPECT_EQ(block.scan.report.doubled[0].kept_for, KeptFor::kFiner);
-    EXPECT_TRUE(contains(all_notes(block), "The kept copy has more triangles"));
+    EXPECT_TRUE(contains(block_notes(block), "The kept copy has more triangles"));
   }
 }
 
@@ -85,12 +85,12 @@ TEST(DoubledSurface, ACopyOfAPartIsDroppedAndWhatItWouldChangeIsSaid) {
   for (const double scale : {0.95, 0.98, 1.02, 1.05}) {
     for (const bool inward : {false, true}) {
       SCOPED_TRACE(std::to_string(scale) + (inward ? " inward" : ""));
-      TriangleMesh part = scaled(rock(), scale);
+      TriangleMesh part = scaled(doubled_rock(), scale);
       std::erase_if(part.triangles,
                     [&](const Triangle& t) { return part.vertices[t[0]].z() < 0.05; });
       const FieldBlock block =
-          field_blocks(merged(rock(), inward ? turned_over(part) : part), "part")[0];
-      EXPECT_NEAR(volume(block.scan.mesh) / volume(rock()), 1.0, 1e-9);
+          field_blocks(merged(doubled_rock(), inward ? turned_over(part) : part), "part")[0];
+      EXPECT_NEAR(solid_volume(block.scan.mesh) / solid_volume(doubled_rock()), 1.0, 1e-9);
       EXPECT_FALSE(block.underside);
       const RepairReport& report = block.scan.report;
       ASSERT_EQ(report.doubled.size(), 1u);
@@ -101,8 +101,8 @@ TEST(DoubledSurface, ACopyOfAPartIsDroppedAndWhatItWouldChangeIsSaid) {
       // the mean distance times the area is that to the second order.
       EXPECT_GT(std::abs(report.doubled[0].volume_change), 0.0);
       EXPECT_LT(std::abs(report.doubled[0].volume_change),
-                std::abs(scale * scale * scale - 1.0) * volume(rock()));
-      EXPECT_TRUE(contains(all_notes(block), "a second copy of "));
+                std::abs(scale * scale * scale - 1.0) * solid_volume(doubled_rock()));
+      EXPECT_TRUE(contains(block_notes(block), "a second copy of "));
     }
   }
 }

@@ -15,11 +15,10 @@
 #include "tests/support/refusal.hpp"
 #include "tests/support/rock_mesh.hpp"
 #include "tests/support/scratch_folder.hpp"
+#include "tests/support/solid_volume.hpp"
 
 namespace clast {
 namespace {
-
-double volume(const TriangleMesh& mesh) { return solid_mass_properties(mesh, 1.0).volume; }
 
 TriangleMesh turned_rock(int frequency, const Vec3& half_axes, std::uint64_t seed) {
   Random random(seed);
@@ -58,7 +57,7 @@ TEST(FieldScan, AnOpenMeshIsClosedAsTheBestOfItsBracket) {
   const FieldBlock block = field_blocks(cut.open, "cut")[0];
   ASSERT_TRUE(block.underside.has_value());
   EXPECT_TRUE(inspect(block.scan.mesh).closed());
-  EXPECT_NEAR(volume(block.scan.mesh), block.underside->best_volume, 1e-9);
+  EXPECT_NEAR(solid_volume(block.scan.mesh), block.underside->best_volume, 1e-9);
   EXPECT_LT(block.underside->lower_volume, cut.volume);
   EXPECT_GT(block.underside->upper_volume.value(), cut.volume);
 }
@@ -79,7 +78,8 @@ TEST(FieldScan, UnitsAndAxisHoldForTheBracketToo) {
   EXPECT_LT((from_file.underside->sides->upper - sides).norm(), 0.02 * sides.norm());
   EXPECT_NEAR(from_file.underside->rim_length, metres.underside->rim_length, 1e-6);
   EXPECT_LT((from_file.underside->down + Vec3::UnitZ()).norm(), 1e-3);
-  EXPECT_NEAR(volume(from_file.underside->lower), volume(metres.underside->lower), 1e-9);
+  EXPECT_NEAR(solid_volume(from_file.underside->lower), solid_volume(metres.underside->lower),
+              1e-9);
   EXPECT_NEAR(from_file.underside->lower_volume, metres.underside->lower_volume, 1e-6);
 }
 
@@ -96,9 +96,9 @@ TEST(FieldScan, GroundIsTakenAwayFromAMesh) {
   TriangleMesh scene = merged(rock, ground_mesh(slope, 1.2, 60));
   const FieldBlock block = field_blocks(scene, "scene")[0];
   ASSERT_TRUE(block.underside.has_value());
-  EXPECT_NEAR(block.underside->best_volume, volume(rock), 0.05 * volume(rock));
-  EXPECT_LT(block.underside->lower_volume, volume(rock));
-  EXPECT_GT(block.underside->upper_volume.value(), volume(rock));
+  EXPECT_NEAR(block.underside->best_volume, solid_volume(rock), 0.05 * solid_volume(rock));
+  EXPECT_LT(block.underside->lower_volume, solid_volume(rock));
+  EXPECT_GT(block.underside->upper_volume.value(), solid_volume(rock));
   EXPECT_LT((block.underside->down + Vec3::UnitZ()).norm(), 0.03);  // turned up from the slope
   FieldScanOptions kept;
   kept.up_given = true;
@@ -170,7 +170,8 @@ TEST(FieldScan, PointsFarFromTheBlockAreLeftOutAndCounted) {
   for (int i = 0; i < 300; ++i)
     with_scrap.push_back(Vec3(3.0, 0.0, 5.0) + 0.02 * random.direction());
   const FieldBlock block = field_blocks(with_scrap, "rock.xyz")[0];
-  EXPECT_NEAR(volume(block.scan.mesh), volume(alone.scan.mesh), 0.01 * volume(alone.scan.mesh));
+  EXPECT_NEAR(solid_volume(block.scan.mesh), solid_volume(alone.scan.mesh),
+              0.01 * solid_volume(alone.scan.mesh));
   EXPECT_TRUE(
       std::any_of(block.scan.notes.begin(), block.scan.notes.end(), [](const std::string& note) {
         return contains(note, "points far from the block were left out");
@@ -209,7 +210,7 @@ TEST(FieldScan, ThreeBlocksAreSplitInOrder) {
   ASSERT_EQ(all.size(), 3u);
   const int order[3] = {1, 2, 0};
   for (int k = 0; k < 3; ++k) {
-    const double whole = volume(rocks[static_cast<std::size_t>(order[k])]);
+    const double whole = solid_volume(rocks[static_cast<std::size_t>(order[k])]);
     EXPECT_NEAR(all[static_cast<std::size_t>(k)].underside->best_volume, whole, 0.08 * whole) << k;
   }
   EXPECT_NEAR(one[0].underside->best_volume, all[1].underside->best_volume, 1e-12);

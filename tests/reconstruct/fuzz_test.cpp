@@ -35,7 +35,7 @@ TEST_P(MutatedFiles, GiveASoundBlockOrAnErrorThatNamesThem) {
   ASSERT_TRUE(inspect(read_scan(folder / file.name).mesh).closed()) << file.name;
   std::size_t blocks = 0, refusals = 0;
   double longest = 0.0;
-  FuzzNumbers numbers(file.name, CLAST_FUZZ_FILES);
+  FuzzNumbers numbers(file.name, 30);
   while (const std::optional<std::uint64_t> number = numbers.next()) {
     SCOPED_TRACE(file.name + " number " + std::to_string(*number));
     write_text_file(folder / file.name, mutated_file(file.name, file.bytes, *number));

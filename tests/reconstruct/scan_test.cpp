@@ -14,7 +14,7 @@
 namespace clast {
 namespace {
 
-TriangleMesh at(TriangleMesh mesh, const Vec3& place) {
+TriangleMesh moved_to(TriangleMesh mesh, const Vec3& place) {
   return transformed(std::move(mesh), Pose{place, Quat::Identity()});
 }
 
@@ -129,13 +129,13 @@ TEST(Scan, ACoreWithLargerHolesIsRefusedWithTheirCountSizeAndPlace) {
 
 TEST(Scan, ACoreWithNonManifoldEdgesIsRefusedWithCountAndPlace) {
   // Two cubes that share one edge, welded: four triangles on it.
-  const TriangleMesh two = merged(box_mesh({1, 1, 1}), at(box_mesh({1, 1, 1}), {1, 1, 0}));
+  const TriangleMesh two = merged(box_mesh({1, 1, 1}), moved_to(box_mesh({1, 1, 1}), {1, 1, 0}));
   EXPECT_HAS(refusal(two, {.repair = {.invent = false}}),
              "1 edge shared by more than two triangles, near (1, 1, ");
 }
 
 TEST(Scan, PlacesInMessagesAreInTheFilesOwnCoordinates) {
-  TriangleMesh open = at(box_mesh({1000, 1000, 1000}, 2), {888600000, 0, 0});
+  TriangleMesh open = moved_to(box_mesh({1000, 1000, 1000}, 2), {888600000, 0, 0});
   open.triangles.resize(open.triangles.size() - 8);
   EXPECT_HAS(refusal(open, {.unit = 0.001, .up = "y", .repair = {.invent = false}}),
              "8 edges and 4 m round near (88860");
@@ -157,8 +157,8 @@ TEST(Scan, InnerShellsAreDroppedAndTheirVolumeTold) {
 
 TEST(Scan, InnerShellsAreKeptAsCavitiesOnRequest) {
   const TriangleMesh rock = random_rock(4);
-  const TriangleMesh first = at(scaled(random_rock(5), 0.2), {0.25, 0, 0});
-  const TriangleMesh second = at(scaled(random_rock(7), 0.15), {-0.25, 0, 0});
+  const TriangleMesh first = moved_to(scaled(random_rock(5), 0.2), {0.25, 0, 0});
+  const TriangleMesh second = moved_to(scaled(random_rock(7), 0.15), {-0.25, 0, 0});
   const double bubbles = enclosed_volume(first) + enclosed_volume(second);
   // Whatever way the shells face, and the rock too.
   for (int faces = 0; faces < 8; ++faces) {
@@ -195,8 +195,8 @@ TEST(Scan, LooseScrapsAreDroppedWithANote) {
   TriangleMesh scrap = scaled(tetrahedron(), 0.03);
   scrap.triangles.pop_back();
   const TriangleMesh rock = random_rock(6);
-  const TriangleMesh dirty =
-      merged(merged(at(scrap, {2, 0, 0}), rock), at(scaled(tetrahedron(), 0.05), {0, 3, 0}));
+  const TriangleMesh dirty = merged(merged(moved_to(scrap, {2, 0, 0}), rock),
+                                    moved_to(scaled(tetrahedron(), 0.05), {0, 3, 0}));
   const Scan scan = clean_scan(dirty, "B017");
   EXPECT_TRUE(sound(scan.mesh));
   EXPECT_NEAR(enclosed_volume(scan.mesh), enclosed_volume(rock), 1e-14);
@@ -204,14 +204,14 @@ TEST(Scan, LooseScrapsAreDroppedWithANote) {
 }
 
 TEST(Scan, TwoBlocksInOneFileAreRefused) {
-  const TriangleMesh two = merged(random_rock(6), at(scaled(random_rock(7), 0.5), {5, 0, 0}));
+  const TriangleMesh two = merged(random_rock(6), moved_to(scaled(random_rock(7), 0.5), {5, 0, 0}));
   EXPECT_HAS(refusal(two), "2 separate components");
 }
 
 TEST(Scan, OverlappingBlocksAreNotTakenForABubble) {
   // The first vertex of the second box lies inside the first box, others lie outside.
   const TriangleMesh box = box_mesh({1, 1, 1});
-  const TriangleMesh two = merged(box, at(box, {0.5, 0.3, 0.2}));
+  const TriangleMesh two = merged(box, moved_to(box, {0.5, 0.3, 0.2}));
   EXPECT_HAS(refusal(two), "2 separate components");
   EXPECT_HAS(refusal(inverted(two)), "2 separate components");
 }
@@ -326,7 +326,7 @@ TEST(Scan, DigitsLostInTheFileAreToldOfOrRefused) {
   const TriangleMesh rock = random_rock(3, 3, 0.05);
   // At 6.67e6 m a float is kept in steps of half a metre, at 8.9e4 m of 1/128 m, at 600 m of
   // 1/16384.
-  write_as_floats(folder / "far.stl", at(rock, {0, 6671300, 0}));
+  write_as_floats(folder / "far.stl", moved_to(rock, {0, 6671300, 0}));
   try {
     read_scan(folder / "far.stl");
     FAIL();
@@ -339,14 +339,14 @@ TEST(Scan, DigitsLostInTheFileAreToldOfOrRefused) {
                ", so that its shape is lost; export it again with a local origin "
                "(CloudCompare: accept the global shift when loading) or as PLY with doubles");
   }
-  write_as_floats(folder / "some.stl", at(rock, {0, 88860, 0}));
+  write_as_floats(folder / "some.stl", moved_to(rock, {0, 88860, 0}));
   const Scan some = read_scan(folder / "some.stl");
   EXPECT_HAS(all_notes(some), "are kept in steps of 0.00781 m, 0.");
   EXPECT_EQ(all_notes(some).find("shape is lost"), std::string::npos);
-  write_as_floats(folder / "near.stl", at(rock, {0, 600, 0}));
+  write_as_floats(folder / "near.stl", moved_to(rock, {0, 600, 0}));
   EXPECT_EQ(all_notes(read_scan(folder / "near.stl")).find("precision"), std::string::npos);
   // Doubles keep the shape at any place.
-  write_mesh(folder / "far.ply", at(rock, {0, 6671300, 0}));
+  write_mesh(folder / "far.ply", moved_to(rock, {0, 6671300, 0}));
   const Scan far = read_scan(folder / "far.ply");
   EXPECT_TRUE(far.notes.empty()) << all_notes(far);
   EXPECT_NEAR(enclosed_volume(far.mesh) / enclosed_volume(rock), 1.0, 1e-8);

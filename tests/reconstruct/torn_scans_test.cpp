@@ -18,11 +18,11 @@ namespace clast {
 namespace {
 
 constexpr std::array<double, 5> kShares = {0.01, 0.05, 0.1, 0.2, 0.3};
-constexpr std::size_t kSeeds = 60;
+constexpr std::size_t kTornSeeds = 60;
 /// A mesh of more triangles costs a second a seed: it has fewer.
 constexpr std::size_t kFine = 10000, kSeedsOfFine = 5;
 /// Below this a triangle is a visible share of the block: what is missing is bracketed.
-constexpr std::size_t kCoarse = 400;
+constexpr std::size_t kCoarseTriangles = 400;
 
 struct Torn {
   double volume_error = 0.0, box_error = 0.0;
@@ -54,8 +54,8 @@ TEST_P(TornScans, KeepTheirVolumeAndTheirBox) {
   const TriangleMesh rock = read_scan(data_file(GetParam())).mesh;
   const double volume = solid_mass_properties(rock, 1.0).volume;
   const Vec3 sides = smallest_box(rock.vertices).lengths;
-  const std::size_t seeds = rock.triangles.size() > kFine ? kSeedsOfFine : kSeeds;
-  const bool coarse = rock.triangles.size() < kCoarse;
+  const std::size_t seeds = rock.triangles.size() > kFine ? kSeedsOfFine : kTornSeeds;
+  const bool coarse = rock.triangles.size() < kCoarseTriangles;
   std::vector<Torn> torn(seeds);
   parallel_for(seeds, 0, [&](std::size_t i) {
     torn[i] = tear(rock, volume, sides, kShares[i % kShares.size()], i);

@@ -17,6 +17,7 @@
 #include "tests/shapes/shape_samples.hpp"
 #include "tests/support/cut_blocks.hpp"
 #include "tests/support/rock_mesh.hpp"
+#include "tests/support/solid_volume.hpp"
 #include "tests/support/torn_mesh.hpp"
 
 namespace clast {
@@ -24,9 +25,7 @@ namespace {
 
 using Triangle = TriangleMesh::Triangle;
 
-double volume(const TriangleMesh& mesh) { return solid_mass_properties(mesh, 1.0).volume; }
-
-void expect_sound(const TriangleMesh& mesh) {
+void expect_closed_and_sound(const TriangleMesh& mesh) {
   const MeshReport report = inspect(mesh);
   EXPECT_TRUE(report.closed() && report.oriented()) << report.summary();
   EXPECT_EQ(report.pinched_vertices, 0u);
@@ -79,8 +78,8 @@ TEST(HoleLoops, TrianglesMissingAroundAVertexAreHolesOfTheirOwn) {
   ASSERT_EQ(loops.size(), 3u);
   for (const auto& loop : loops) EXPECT_EQ(loop.size(), 3u);
   EXPECT_EQ(reconstruct_detail::close_ragged_holes(torn).size(), 3u);
-  expect_sound(torn);
-  EXPECT_NEAR(volume(torn), volume(sphere), 1e-12);
+  expect_closed_and_sound(torn);
+  EXPECT_NEAR(solid_volume(torn), solid_volume(sphere), 1e-12);
 }
 
 /// A fragment attached in a hole at one corner, whichever way it faces, is part of the surface.
@@ -108,8 +107,8 @@ TEST(HoleLoops, AScrapThatHangsAtACornerIsKeptAndTurned) {
   EXPECT_EQ(std::count(loops[0].begin(), loops[0].end(), kept), 2);
   const std::vector<FilledHole> filled = reconstruct_detail::close_ragged_holes(torn);
   EXPECT_EQ(filled.size(), 1u);
-  expect_sound(torn);
-  EXPECT_NEAR(volume(torn) / volume(sphere), 1.0, 5e-3);
+  expect_closed_and_sound(torn);
+  EXPECT_NEAR(solid_volume(torn) / solid_volume(sphere), 1.0, 5e-3);
 }
 
 TEST(LoopFilling, ASquareIsBetweenItsTwoTriangulations) {
@@ -181,14 +180,14 @@ TEST_P(TornRocks, ComeBackToTheLastVertexAndWithTheirVolume) {
     SCOPED_TRACE(seed);
     const TriangleMesh rock = rough_rock_mesh(12, {0.5, 0.4, 0.3}, seed, 0.1);
     const FieldBlock block = field_blocks(without_triangles(rock, GetParam(), seed), "torn")[0];
-    expect_sound(block.scan.mesh);
+    expect_closed_and_sound(block.scan.mesh);
     EXPECT_FALSE(block.underside);
     EXPECT_LT(box_error(block.scan.mesh, rock), 1e-3);
-    EXPECT_NEAR(volume(block.scan.mesh) / volume(rock), 1.0, 2e-3);
+    EXPECT_NEAR(solid_volume(block.scan.mesh) / solid_volume(rock), 1.0, 2e-3);
     const RepairReport& report = block.scan.report;
     EXPECT_NEAR(report.invented_share, GetParam(), 0.03);
-    EXPECT_LE(volume(rock), volume(block.scan.mesh) + report.volume_above + 1e-12);
-    EXPECT_GE(volume(rock), volume(block.scan.mesh) - report.volume_below - 1e-12);
+    EXPECT_LE(solid_volume(rock), solid_volume(block.scan.mesh) + report.volume_above + 1e-12);
+    EXPECT_GE(solid_volume(rock), solid_volume(block.scan.mesh) - report.volume_below - 1e-12);
   }
 }
 
@@ -203,8 +202,8 @@ TEST(TornSurface, CoarseRocksAreBracketed) {
       const FieldBlock block = field_blocks(without_triangles(rock, 0.15, seed), "coarse")[0];
       ASSERT_FALSE(block.underside);
       const RepairReport& report = block.scan.report;
-      EXPECT_LE(volume(rock), volume(block.scan.mesh) + report.volume_above + 1e-12);
-      EXPECT_GE(volume(rock), volume(block.scan.mesh) - report.volume_below - 1e-12);
+      EXPECT_LE(solid_volume(rock), solid_volume(block.scan.mesh) + report.volume_above + 1e-12);
+      EXPECT_GE(solid_volume(rock), solid_volume(block.scan.mesh) - report.volume_below - 1e-12);
       EXPECT_LT(box_error(block.scan.mesh, rock), 1e-9);
     }
   }
@@ -214,10 +213,10 @@ TEST(TornSurface, MissingVerticesAreFilledAsTheirSurroundingsSay) {
   for (const double share : {0.02, 0.06}) {
     const TriangleMesh rock = rock_mesh(16, {0.5, 0.4, 0.3}, 4);
     const FieldBlock block = field_blocks(without_vertices(rock, share, 9), "torn")[0];
-    expect_sound(block.scan.mesh);
+    expect_closed_and_sound(block.scan.mesh);
     EXPECT_FALSE(block.underside);
     EXPECT_LT(box_error(block.scan.mesh, rock), 0.005);
-    EXPECT_NEAR(volume(block.scan.mesh) / volume(rock), 1.0, 2e-3);
+    EXPECT_NEAR(solid_volume(block.scan.mesh) / solid_volume(rock), 1.0, 2e-3);
   }
 }
 

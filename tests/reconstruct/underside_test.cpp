@@ -14,11 +14,10 @@
 #include "tests/support/cut_blocks.hpp"
 #include "tests/support/refusal.hpp"
 #include "tests/support/rock_mesh.hpp"
+#include "tests/support/solid_volume.hpp"
 
 namespace clast {
 namespace {
-
-double volume(const TriangleMesh& mesh) { return solid_mass_properties(mesh, 1.0).volume; }
 
 /// A square frustum from z = 0 up to `height`, with sides `bottom` and `top`, open below, on a mesh
 /// with `cuts` steps along every edge so that its rim has vertices.
@@ -127,7 +126,7 @@ TEST(Underside, ABlockThatLeansIsBuriedFromTheGroundOn) {
 // pi (1 - c)^2 (2 + c)/3.
 TEST(Underside, HoldsTheCapOfABall) {
   const TriangleMesh ball = unit_sphere(24);
-  const double whole = volume(ball);
+  const double whole = solid_volume(ball);
   for (const double c : {0.93, 0.81, 0.63}) {
     const Underside side = *close_underside(above_level(ball, -c + 1e-4));
     const double cap = kPi * (1 - c) * (1 - c) * (2 + c) / 3.0;
@@ -156,8 +155,8 @@ TEST(Underside, BothShapesAreClosedAndKeepWhatWasSeen) {
                              mesh->triangles.begin()));
     }
     EXPECT_EQ(side.first_invented, block.open.triangles.size());
-    EXPECT_GE(volume(side.lower), side.lower_volume);
-    EXPECT_NEAR(volume(side.best), side.best_volume, 1e-9);
+    EXPECT_GE(solid_volume(side.lower), side.lower_volume);
+    EXPECT_NEAR(solid_volume(side.best), side.best_volume, 1e-9);
     EXPECT_TRUE(crossing_triangles(side.best).empty());
     // The smallest box of the seen part, found anew after closing.
     const std::vector<Vec3> seen(
@@ -231,7 +230,7 @@ TEST(Underside, UndercutBlocksAreInsideTheBracket) {
     for (int pose = 0; pose < 10; ++pose) {
       const TriangleMesh body = transformed(rock, Pose{Vec3::Zero(), random.rotation()});
       const TriangleMesh seen = without_overhangs(body, random.uniform(0.3, 0.7));
-      const double truth = volume(body);
+      const double truth = solid_volume(body);
       const Plane ground{Vec3::UnitZ(), bounds(body).low.z()};
       const Underside side = *close_underside(seen, {.ground = ground});
       if (!side.upper_volume) continue;

@@ -13,6 +13,7 @@
 #include "massprops/solid.hpp"
 #include "mesh/mesh_topology.hpp"
 #include "shapes/oriented_box.hpp"
+#include "tests/support/setting.hpp"
 #include "tests/support/unseen_cases.hpp"
 
 namespace clast {
@@ -185,9 +186,12 @@ void study(const std::vector<NamedBody>& bodies, std::size_t count, std::uint64_
   EXPECT_LT(all.width[0], 0.25 * all.bracketed);
 }
 
-TEST(UnseenStudy, MadeRocks) { study(made_bodies(200, 20261), CLAST_UNSEEN_CASES / 2, 1); }
+/// Cases of each test; CLAST_UNSEEN_CASES in the environment asks for more of both together.
+int unseen_cases() { return static_cast<int>(setting("CLAST_UNSEEN_CASES").value_or(200) / 2); }
 
-TEST(UnseenStudy, RealStones) { study(real_bodies(1500), CLAST_UNSEEN_CASES / 2, 2); }
+TEST(UnseenStudy, MadeRocks) { study(made_bodies(200, 20261), unseen_cases(), 1); }
+
+TEST(UnseenStudy, RealStones) { study(real_bodies(1500), unseen_cases(), 2); }
 
 }  // namespace
 }  // namespace clast

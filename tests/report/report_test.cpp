@@ -28,19 +28,19 @@ namespace {
 
 using namespace report_detail;
 
-std::string report_of(const Comparison& comparison) {
+std::string comparison_report(const Comparison& comparison) {
   return comparison_page(comparison, profiles(comparison), path_rasters(comparison),
                          realisation_deposits(comparison), deposit_fabric(comparison));
 }
 
 TEST(HtmlReport, TagsAreBalanced) {
-  EXPECT_EQ(unbalanced(report_of(compared(hand_made_results()))), "");
+  EXPECT_EQ(unbalanced(comparison_report(compared(hand_made_results()))), "");
   EXPECT_NE(unbalanced("<p><b>x</p></b>"), "");
   EXPECT_NE(unbalanced("<p>"), "");
 }
 
 TEST(HtmlReport, NamesEveryBlockWithItsCharactersEscaped) {
-  const std::string html = report_of(compared(hand_made_results()));
+  const std::string html = comparison_report(compared(hand_made_results()));
   EXPECT_TRUE(contains(html, "round&lt;1&gt;"));
   EXPECT_TRUE(contains(html, "long, &quot;2&quot;"));
   EXPECT_TRUE(contains(html, "B&lt;1&gt;"));
@@ -60,7 +60,7 @@ TEST(HtmlReport, ListsTheStiffnessOfEveryBlock) {
 }
 
 TEST(HtmlReport, SaysWhatWasRun) {
-  const std::string html = report_of(compared(hand_made_results()));
+  const std::string html = comparison_report(compared(hand_made_results()));
   for (const std::string& part : {std::string(64, 'a'), std::string(64, 'b'), std::string(64, 'c'),
                                   std::string("hand-made.h5"), std::string("clast 0.1.0")}) {
     EXPECT_TRUE(contains(html, part)) << part;
@@ -78,7 +78,7 @@ TEST(HtmlReport, AnEnsembleIsNeitherMoreOrientationsNorFixedParameters) {
     results.runs[member + 3].ground_set = member;
   }
   const Comparison comparison = compared(std::move(results));
-  const std::string html = report_of(comparison);
+  const std::string html = comparison_report(comparison);
   EXPECT_TRUE(contains(html, "1 orientation \xC3\x97 3 draws of the ground"));
   EXPECT_TRUE(contains(html, "0.500 to 0.700"));
   EXPECT_TRUE(
@@ -92,7 +92,7 @@ TEST(HtmlReport, RefersToNothingOutsideItself) {
   const ScratchFolder folder;
   write_text_file(folder / "plotly.js", "var Plotly={};");
   ASSERT_EQ(::setenv("CLAST_PLOTLY", folder.path().c_str(), 1), 0);
-  std::string html = report_of(compared(hand_made_results()));
+  std::string html = comparison_report(compared(hand_made_results()));
   ::unsetenv("CLAST_PLOTLY");
   EXPECT_TRUE(contains(html, packed_element("plotly-code", "var Plotly={};")));
   // The relief is data, too.
@@ -106,7 +106,7 @@ TEST(HtmlReport, ShowsWarningsAndLostRunsWithTheirReason) {
   results.runs[2].result.stop_reason = StopReason::kError;
   results.runs[2].result.message = "turned to <nan> in step 7";
   results.runs[2].result.final_state.position = Vec3::Constant(NAN);
-  const std::string html = report_of(compared(std::move(results)));
+  const std::string html = comparison_report(compared(std::move(results)));
   EXPECT_EQ(unbalanced(html), "");
   EXPECT_TRUE(contains(html, "mass differs between classes"));
   EXPECT_TRUE(contains(html, "1 of 6 runs ended with an error."));
@@ -121,7 +121,7 @@ TEST(HtmlReport, StandsRunsThatAllFailed) {
     run.result = ReleaseResult();
     run.result.final_state.position = Vec3::Constant(NAN);
   }
-  EXPECT_EQ(unbalanced(report_of(compared(std::move(results)))), "");
+  EXPECT_EQ(unbalanced(comparison_report(compared(std::move(results)))), "");
 }
 
 TEST(HtmlReport, StandsOneRunWithoutBarriersOrTerrain) {
@@ -131,7 +131,7 @@ TEST(HtmlReport, StandsOneRunWithoutBarriersOrTerrain) {
   results.barriers.clear();
   results.terrain = Terrain();
   results.terrain.frame = results.frame;
-  EXPECT_EQ(unbalanced(report_of(compared(std::move(results)))), "");
+  EXPECT_EQ(unbalanced(comparison_report(compared(std::move(results)))), "");
 }
 
 using Json = nlohmann::json;
@@ -191,7 +191,7 @@ TEST(ReportMap, MarksEveryStopUntilThereAreTooMany) {
 }
 
 TEST(ReportCharts, HoldTheSharesOfEveryClass) {
-  const auto figures = figures_of(report_of(compared(hand_made_results())));
+  const auto figures = figures_of(comparison_report(compared(hand_made_results())));
   // Compact blocks stop at 10, 20, 30 and 40 m, elongated ones at 10 and 20 m.
   const Json& stops =
       trace_named(figures.at("Share of runs that stop before, by class"), "compact (4)");
@@ -211,7 +211,7 @@ TEST(ReportCharts, HoldTheSharesOfEveryClass) {
 
 // Two blocks say nothing of what share goes with the block: the numbers are folded away.
 TEST(HtmlReport, SharesOfFewBlocksAreFolded) {
-  const std::string page = report_of(compared(made_up_results()));
+  const std::string page = comparison_report(compared(made_up_results()));
   const std::size_t said = page.find("There are too few blocks to say");
   ASSERT_NE(said, page.npos);
   EXPECT_LT(said, page.find("<summary>Shares of the variance</summary>"));
@@ -234,7 +234,7 @@ TEST(ReportCharts, LargeSamplesAreThinnedToTheirEnds) {
 TEST(ReportCharts, SayWhatIsMissingWhereTheLibraryIs) {
   const ScratchFolder folder;
   ASSERT_EQ(::setenv("CLAST_PLOTLY", folder.path().c_str(), 1), 0);
-  const std::string html = report_of(compared(hand_made_results()));
+  const std::string html = comparison_report(compared(hand_made_results()));
   ::unsetenv("CLAST_PLOTLY");
   EXPECT_TRUE(contains(html, "apt install python3-plotly"));
   EXPECT_TRUE(contains(html, (folder / "plotly.js").string()));

@@ -13,10 +13,10 @@
 namespace clast {
 namespace {
 
-const Pose kMotion{Vec3(20.0, -4.0, 7.0), Quat(0.5, -0.3, 0.7, 0.2).normalized()};
+const Pose kBoxMotion{Vec3(20.0, -4.0, 7.0), Quat(0.5, -0.3, 0.7, 0.2).normalized()};
 
-std::vector<Vec3> moved(std::vector<Vec3> points) {
-  for (Vec3& p : points) p = kMotion * p;
+std::vector<Vec3> moved_points(std::vector<Vec3> points) {
+  for (Vec3& p : points) p = kBoxMotion * p;
   return points;
 }
 
@@ -35,7 +35,7 @@ std::vector<Vec3> ellipsoid(const Vec3& half_axes) {
   return points;
 }
 
-std::vector<Vec3> random_points(std::uint64_t seed, int count = 60) {
+std::vector<Vec3> random_box_points(std::uint64_t seed, int count = 60) {
   Random random(seed);
   const Vec3 axes(1.0, random.uniform(0.3, 1.0), random.uniform(0.2, 1.0));
   std::vector<Vec3> points;
@@ -51,7 +51,7 @@ const std::vector<Rule> kRules = {smallest_box, feret_box, pca_box};
 TEST(FeretBox, OfACubeStandsOnADiagonal) {
   for (const double a : {1.0, 0.3}) {
     for (const double radius : {0.0, 0.1}) {
-      const auto points = moved(box_mesh(Vec3::Constant(a), 2).vertices);
+      const auto points = moved_points(box_mesh(Vec3::Constant(a), 2).vertices);
       const Vec3 expected = a * Vec3(std::sqrt(3.0), 2.0 * std::sqrt(2.0 / 3.0), std::sqrt(2.0)) +
                             Vec3::Constant(2.0 * radius);
       EXPECT_TRUE(feret_box(points, radius).lengths.isApprox(expected, 1e-12));
@@ -71,14 +71,14 @@ TEST(FeretBox, OfACuboidIsItsDiagonalAndTheLongestOfTheOthersAcrossIt) {
     const double along = other.dot(sides) / std::sqrt(D2);
     widest = std::max(widest, std::sqrt(D2 - along * along));
   }
-  const OrientedBox box = feret_box(moved(box_mesh(sides).vertices));
+  const OrientedBox box = feret_box(moved_points(box_mesh(sides).vertices));
   EXPECT_NEAR(box.lengths[0], std::sqrt(D2), 1e-12);
   EXPECT_NEAR(box.lengths[1], widest, 1e-12);
 }
 
 TEST(FeretBox, HoldsTheLongestDistanceAndTheLongestWidthAcrossIt) {
   for (std::uint64_t seed = 0; seed < 20; ++seed) {
-    const std::vector<Vec3> points = random_points(seed);
+    const std::vector<Vec3> points = random_box_points(seed);
     const double radius = seed % 2 ? 0.2 : 0.0;
     const OrientedBox box = feret_box(points, radius);
     double longest = 0.0, widest = 0.0, depth = 0.0;
@@ -97,8 +97,8 @@ TEST(FeretBox, HoldsTheLongestDistanceAndTheLongestWidthAcrossIt) {
 }
 
 TEST(ConventionalBoxes, OfAnEllipsoidAreItsAxesWhateverTheRule) {
-  const auto points = moved(ellipsoid({0.7, 2.0, 1.2}));
-  const Vec3 longest = kMotion.rotation * Vec3::UnitY();
+  const auto points = moved_points(ellipsoid({0.7, 2.0, 1.2}));
+  const Vec3 longest = kBoxMotion.rotation * Vec3::UnitY();
   for (const double radius : {0.0, 0.25}) {
     const Vec3 expected = Vec3(4.0, 2.4, 1.4) + Vec3::Constant(2 * radius);
     for (const Rule rule : {feret_box, pca_box}) {
@@ -114,9 +114,9 @@ TEST(ConventionalBoxes, OfAnEllipsoidAreItsAxesWhateverTheRule) {
 }
 
 TEST(PcaBox, OfACuboidIsTheCuboid) {
-  const OrientedBox box = pca_box(moved(box_mesh(Vec3(3, 2, 1)).vertices), 0.1);
+  const OrientedBox box = pca_box(moved_points(box_mesh(Vec3(3, 2, 1)).vertices), 0.1);
   EXPECT_TRUE(box.lengths.isApprox(Vec3(3.2, 2.2, 1.2), 1e-12));
-  EXPECT_LT((box.centre - kMotion * Vec3(1.5, 1.0, 0.5)).norm(), 1e-12);
+  EXPECT_LT((box.centre - kBoxMotion * Vec3(1.5, 1.0, 0.5)).norm(), 1e-12);
 }
 
 // Two corners close to one corner of a cuboid weigh it down: the axes follow the corners.
@@ -150,7 +150,8 @@ TEST(PrincipalBox, TakesTheSmallestBoxThatFreeAxesAllow) {
 TEST(ConventionalBoxes, OfASquarePrismDoNotDependOnHowItLies) {
   const auto points = box_mesh(Vec3(1, 1, 3)).vertices;
   for (const Rule rule : kRules) {
-    const Vec3 turned = rule(moved(points), 0.1).lengths, upright = rule(points, 0.1).lengths;
+    const Vec3 turned = rule(moved_points(points), 0.1).lengths,
+               upright = rule(points, 0.1).lengths;
     EXPECT_TRUE(turned.isApprox(upright, 1e-9))
         << turned.transpose() << "; " << upright.transpose();
   }
@@ -159,7 +160,7 @@ TEST(ConventionalBoxes, OfASquarePrismDoNotDependOnHowItLies) {
 class RandomPoints : public testing::TestWithParam<int> {};
 
 TEST_P(RandomPoints, GiveNoBoxSmallerThanTheSmallest) {
-  const auto points = random_points(static_cast<std::uint64_t>(GetParam()));
+  const auto points = random_box_points(static_cast<std::uint64_t>(GetParam()));
   for (const double radius : {0.0, 0.3}) {
     const double least = smallest_box(points, radius).volume();
     EXPECT_GE(feret_box(points, radius).volume(), least * (1.0 - 1e-9));
@@ -168,7 +169,7 @@ TEST_P(RandomPoints, GiveNoBoxSmallerThanTheSmallest) {
 }
 
 TEST_P(RandomPoints, GiveTheSameBitsInAnyOrder) {
-  auto points = random_points(static_cast<std::uint64_t>(GetParam()));
+  auto points = random_box_points(static_cast<std::uint64_t>(GetParam()));
   std::vector<OrientedBox> before;
   for (const Rule rule : kRules) before.push_back(rule(points, 0.1));
   Random random(7);
@@ -191,7 +192,7 @@ TEST(ConventionalBoxes, AreTheSameBitsOnOneAndTwoThreads) {
   const auto boxes = [&](unsigned threads) {
     std::vector<OrientedBox> found(kRules.size() * kBodies);
     parallel_for(found.size(), threads, [&](std::size_t i) {
-      found[i] = kRules[i % kRules.size()](random_points(i / kRules.size()), 0.05);
+      found[i] = kRules[i % kRules.size()](random_box_points(i / kRules.size()), 0.05);
     });
     return found;
   };
@@ -204,15 +205,16 @@ TEST(ConventionalBoxes, AreTheSameBitsOnOneAndTwoThreads) {
 }
 
 TEST(ConventionalBoxes, OfFlatStraightAndSinglePointsAreFlat) {
-  const std::vector<Vec3> plane = moved({{0, 0, 0}, {4, 0, 0}, {4, 1, 0}, {0, 1, 0}, {2, 0.5, 0}});
+  const std::vector<Vec3> plane =
+      moved_points({{0, 0, 0}, {4, 0, 0}, {4, 1, 0}, {0, 1, 0}, {2, 0.5, 0}});
   for (const Rule rule : kRules) {
     const OrientedBox flat = rule(plane, 0.0);
     EXPECT_EQ(flat.lengths[2], 0.0);
     EXPECT_GT(flat.lengths[1], 0.9);
-    EXPECT_LT((flat.centre - kMotion * Vec3(2, 0.5, 0)).norm(), 1e-12);
+    EXPECT_LT((flat.centre - kBoxMotion * Vec3(2, 0.5, 0)).norm(), 1e-12);
     EXPECT_EQ(rule(plane, 0.1).lengths[2], 0.2);
 
-    const OrientedBox line = rule(moved({{0, 0, 0}, {1, 1, 1}, {3, 3, 3}}), 0.1);
+    const OrientedBox line = rule(moved_points({{0, 0, 0}, {1, 1, 1}, {3, 3, 3}}), 0.1);
     EXPECT_TRUE(line.lengths.isApprox(Vec3(std::sqrt(27.0) + 0.2, 0.2, 0.2), 1e-12));
     EXPECT_EQ(line.lengths[2], 0.2);
     EXPECT_TRUE((line.axes.transpose() * line.axes).isApprox(Mat3::Identity(), 1e-12));
@@ -230,7 +232,7 @@ TEST(ConventionalBoxes, OfFlatStraightAndSinglePointsAreFlat) {
 // Four corners of a cube of side 2: every edge is 2 sqrt 2, two of them cross at right angles at a
 // distance of 2.
 TEST(ConventionalBoxes, OfFourPointsAreThoseOfATetrahedron) {
-  const auto points = moved({{1, 1, 1}, {1, -1, -1}, {-1, 1, -1}, {-1, -1, 1}});
+  const auto points = moved_points({{1, 1, 1}, {1, -1, -1}, {-1, 1, -1}, {-1, -1, 1}});
   const double edge = 2.0 * std::sqrt(2.0);
   EXPECT_TRUE(
       feret_box(points, 0.1).lengths.isApprox(Vec3(edge, edge, 2.0) + Vec3::Constant(0.2), 1e-12));
@@ -242,7 +244,7 @@ TEST(ConventionalBoxes, OfNothingOrNoNumbersAreRefused) {
     EXPECT_THROW(rule(std::vector<Vec3>{}, 0.0), GeometryError);
     EXPECT_THROW(rule(std::vector<Vec3>{Vec3(0, 0, std::nan(""))}, 0.0), GeometryError);
     EXPECT_THROW(rule(std::vector<Vec3>{Vec3(0, 0, 0)}, -1.0), InputError);
-    EXPECT_THROW(rule(random_points(1), -1.0), InputError);
+    EXPECT_THROW(rule(random_box_points(1), -1.0), InputError);
   }
 }
 

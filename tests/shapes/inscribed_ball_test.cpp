@@ -12,10 +12,10 @@
 namespace clast {
 namespace {
 
-const Pose kMotion{Vec3(20.0, -4.0, 7.0), Quat(0.5, -0.3, 0.7, 0.2).normalized()};
+const Pose kBallMotion{Vec3(20.0, -4.0, 7.0), Quat(0.5, -0.3, 0.7, 0.2).normalized()};
 
 TEST(InscribedBall, OfACuboidIsHalfItsSmallestSide) {
-  const Ball ball = largest_inscribed_ball(transformed(box_mesh(Vec3(3, 2, 1)), kMotion));
+  const Ball ball = largest_inscribed_ball(transformed(box_mesh(Vec3(3, 2, 1)), kBallMotion));
   EXPECT_LE(ball.radius, 0.5 + 1e-12);
   EXPECT_GE(ball.radius, 0.5 / 1.01);
 }
@@ -25,9 +25,9 @@ TEST(InscribedBall, OfARegularTetrahedron) {
   TriangleMesh mesh;
   mesh.vertices = {{1, 1, 1}, {1, -1, -1}, {-1, 1, -1}, {-1, -1, 1}};
   mesh.triangles = {{0, 1, 2}, {0, 3, 1}, {0, 2, 3}, {1, 3, 2}};
-  const Ball ball = largest_inscribed_ball(transformed(mesh, kMotion), 1e-5);
+  const Ball ball = largest_inscribed_ball(transformed(mesh, kBallMotion), 1e-5);
   EXPECT_NEAR(ball.radius, 1.0 / std::sqrt(3.0), 1e-5);
-  EXPECT_LT((ball.centre - kMotion.translation).norm(), 1e-3);
+  EXPECT_LT((ball.centre - kBallMotion.translation).norm(), 1e-3);
 }
 
 TEST(InscribedBall, WithNothingInsideIsRefused) {

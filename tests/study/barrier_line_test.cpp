@@ -12,41 +12,42 @@
 namespace clast {
 namespace {
 
-std::string refused(const std::vector<Vec2>& line) {
+std::string refused_line(const std::vector<Vec2>& line) {
   return refusal([&] { check_barrier_line(line); });
 }
 
 TEST(BarrierLine, OpenLinesAndRingsThatMeetNothingAreTaken) {
-  EXPECT_EQ(refused({{0, 0}, {1, 0}}), "");
-  EXPECT_EQ(refused({{0, 0}, {4, 0}, {4, 3}, {1, 3}, {1, 1}}), "");
-  EXPECT_EQ(refused({{0, 0}, {4, 0}, {4, 3}, {0, 0}}), "");
-  EXPECT_EQ(refused({{0, 0}, {1, 0}, {2, 0}, {3, 0}}), "") << "straight on is no way back";
+  EXPECT_EQ(refused_line({{0, 0}, {1, 0}}), "");
+  EXPECT_EQ(refused_line({{0, 0}, {4, 0}, {4, 3}, {1, 3}, {1, 1}}), "");
+  EXPECT_EQ(refused_line({{0, 0}, {4, 0}, {4, 3}, {0, 0}}), "");
+  EXPECT_EQ(refused_line({{0, 0}, {1, 0}, {2, 0}, {3, 0}}), "") << "straight on is no way back";
   // A hair-pin whose legs are a centimetre apart, at coordinates of a map.
   const Vec2 map(900000.0, 6500000.0);
-  EXPECT_EQ(refused({map, map + Vec2(50, 0), map + Vec2(50, 0.01), map + Vec2(0, 0.01)}), "");
+  EXPECT_EQ(refused_line({map, map + Vec2(50, 0), map + Vec2(50, 0.01), map + Vec2(0, 0.01)}), "");
 }
 
 TEST(BarrierLine, OneThatCrossesItselfIsRefusedWithSegmentsAndPlace) {
-  const std::string eight = refused({{0, 0}, {4, 4}, {4, 0}, {0, 4}});
+  const std::string eight = refused_line({{0, 0}, {4, 4}, {4, 0}, {0, 4}});
   EXPECT_TRUE(contains(eight, "segments 1 and 3 meet at (2, 2)")) << eight;
   // A pentagram: of its five crossings the first is named.
-  const std::string star = refused({{0, 0}, {4, 3}, {-1, 3}, {3, 0}, {1.5, 5}, {0, 0}});
+  const std::string star = refused_line({{0, 0}, {4, 3}, {-1, 3}, {3, 0}, {1.5, 5}, {0, 0}});
   EXPECT_TRUE(contains(star, "segments 1 and 3 meet at")) << star;
 }
 
 TEST(BarrierLine, OneThatTouchesOrRetracesItselfIsRefused) {
-  EXPECT_TRUE(contains(refused({{0, 0}, {4, 0}, {4, 2}, {2, 2}, {2, 0}}),
+  EXPECT_TRUE(contains(refused_line({{0, 0}, {4, 0}, {4, 2}, {2, 2}, {2, 0}}),
                        "segments 1 and 4 meet at (2, 0)"));
-  EXPECT_TRUE(contains(refused({{0, 0}, {4, 0}, {1, 0}}), "segments 1 and 2 meet at (1, 0)"));
-  EXPECT_TRUE(contains(refused({{0, 0}, {4, 0}, {0, 0}}), "segments 1 and 2 meet at (0, 0)"));
-  EXPECT_TRUE(contains(refused({{0, 0}, {4, 0}, {-2, 0}}), "segments 1 and 2 meet at (0, 0)"));
+  EXPECT_TRUE(contains(refused_line({{0, 0}, {4, 0}, {1, 0}}), "segments 1 and 2 meet at (1, 0)"));
+  EXPECT_TRUE(contains(refused_line({{0, 0}, {4, 0}, {0, 0}}), "segments 1 and 2 meet at (0, 0)"));
+  EXPECT_TRUE(contains(refused_line({{0, 0}, {4, 0}, {-2, 0}}), "segments 1 and 2 meet at (0, 0)"));
   // Back over an earlier segment.
-  EXPECT_TRUE(
-      contains(refused({{0, 0}, {4, 0}, {4, 1}, {5, 1}, {5, 0}, {3, 0}}), "segments 1 and 5 meet"));
+  EXPECT_TRUE(contains(refused_line({{0, 0}, {4, 0}, {4, 1}, {5, 1}, {5, 0}, {3, 0}}),
+                       "segments 1 and 5 meet"));
   // Once around and on: the ring does not end with its first return.
-  EXPECT_TRUE(contains(refused({{0, 0}, {4, 0}, {4, 3}, {0, 0}, {-1, -2}}), "segments 1 and 3"));
+  EXPECT_TRUE(
+      contains(refused_line({{0, 0}, {4, 0}, {4, 3}, {0, 0}, {-1, -2}}), "segments 1 and 3"));
   // A ring whose ends miss each other by less than anyone surveys.
-  EXPECT_TRUE(contains(refused({{0, 0}, {4, 0}, {4, 3}, {1e-8, 0}}), "segments 1 and 3 meet"));
+  EXPECT_TRUE(contains(refused_line({{0, 0}, {4, 0}, {4, 3}, {1e-8, 0}}), "segments 1 and 3 meet"));
 }
 
 // Any pair of segments, whatever the order that the search goes in, against all pairs.
@@ -67,7 +68,7 @@ TEST(BarrierLine, ManySegmentsAreRefusedWhereTwoOfThemMeet) {
       }
     }
     crossing += meets;
-    EXPECT_EQ(!refused(line).empty(), meets) << trial;
+    EXPECT_EQ(!refused_line(line).empty(), meets) << trial;
   }
   EXPECT_GT(crossing, 50u);
   EXPECT_LT(crossing, 299u);

@@ -9,11 +9,10 @@
 #include <vector>
 
 #include "core/random.hpp"
+#include "tests/support/gravity.hpp"
 
 namespace clast {
 namespace {
-
-constexpr double kGravity = 9.81;
 
 // A square of 200 m, of height slope x.
 TerrainSurface plane(double slope) {
@@ -46,7 +45,7 @@ MotionStep flight(const RigidBody& body) {
   step.begin.position = Vec3(0, 0, 10);
   step.begin.velocity = Vec3(3, 1, 2);
   step.begin.angular_velocity = Vec3(0, 0, 1.5);
-  step.end = free_flight(body, step.begin, 1.0, kGravity);
+  step.end = free_flight(body, step.begin, 1.0, kTestGravity);
   step.flight = true;
   return step;
 }
@@ -65,13 +64,13 @@ std::optional<Crossing> find_crossing(const Barrier& barrier, const RigidBody& b
 
 TEST(Barrier, FlightIsCrossedWhereTheParabolaSays) {
   const RigidBody body = cube();
-  const auto crossing = find_crossing(kAcross, body, flight(body), plane(0.0), kGravity);
+  const auto crossing = find_crossing(kAcross, body, flight(body), plane(0.0), kTestGravity);
   ASSERT_TRUE(crossing);
   const double t = 1.2 / 3.0;
   EXPECT_TRUE(crossing->forward);
   EXPECT_NEAR(crossing->time, 4.0 + t, 1e-14);
-  const Vec3 position(1.2, t, 10 + 2 * t - 0.5 * kGravity * t * t);
-  const Vec3 velocity(3, 1, 2 - kGravity * t);
+  const Vec3 position(1.2, t, 10 + 2 * t - 0.5 * kTestGravity * t * t);
+  const Vec3 velocity(3, 1, 2 - kTestGravity * t);
   EXPECT_LT((crossing->position - position).norm(), 1e-13);
   EXPECT_LT((crossing->velocity - velocity).norm(), 1e-13);
   EXPECT_LT((crossing->angular_velocity - Vec3(0, 0, 1.5)).norm(), 1e-9);
@@ -84,7 +83,7 @@ TEST(Barrier, FlightIsCrossedWhereTheParabolaSays) {
 TEST(Barrier, TurnedBarrierIsCrossedBackward) {
   const RigidBody body = cube();
   const Barrier turned{"turned", {kAcross.through[1], kAcross.through[0]}};
-  const auto crossing = find_crossing(turned, body, flight(body), plane(0.0), kGravity);
+  const auto crossing = find_crossing(turned, body, flight(body), plane(0.0), kTestGravity);
   ASSERT_TRUE(crossing);
   EXPECT_FALSE(crossing->forward);
   EXPECT_NEAR(crossing->time, 4.4, 1e-14);
@@ -95,10 +94,14 @@ TEST(Barrier, PassingBesideTheSegmentIsNoCrossing) {
   // The parabola passes x = 1.2 at y = 0.4.
   const MotionStep step = flight(body);
   const TerrainSurface ground = plane(0.0);
-  EXPECT_TRUE(find_crossing({"holds it", {{1.2, 0.39}, {1.2, 5}}}, body, step, ground, kGravity));
-  EXPECT_FALSE(find_crossing({"beyond", {{1.2, 0.41}, {1.2, 5}}}, body, step, ground, kGravity));
-  EXPECT_FALSE(find_crossing({"before", {{1.2, -5}, {1.2, 0.39}}}, body, step, ground, kGravity));
-  EXPECT_FALSE(find_crossing({"not reached", {{3.1, -5}, {3.1, 5}}}, body, step, ground, kGravity));
+  EXPECT_TRUE(
+      find_crossing({"holds it", {{1.2, 0.39}, {1.2, 5}}}, body, step, ground, kTestGravity));
+  EXPECT_FALSE(
+      find_crossing({"beyond", {{1.2, 0.41}, {1.2, 5}}}, body, step, ground, kTestGravity));
+  EXPECT_FALSE(
+      find_crossing({"before", {{1.2, -5}, {1.2, 0.39}}}, body, step, ground, kTestGravity));
+  EXPECT_FALSE(
+      find_crossing({"not reached", {{3.1, -5}, {3.1, 5}}}, body, step, ground, kTestGravity));
 }
 
 TEST(Barrier, ContactStepIsCrossedToANanosecond) {
@@ -111,7 +114,7 @@ TEST(Barrier, ContactStepIsCrossedToANanosecond) {
   step.begin.velocity = Vec3(3, 0, 0);
   step.end.position = Vec3(2, 0, 0.6);
   step.end.velocity = Vec3(1, 0, 0);
-  const auto crossing = find_crossing(kAcross, body, step, plane(0.0), kGravity);
+  const auto crossing = find_crossing(kAcross, body, step, plane(0.0), kTestGravity);
   ASSERT_TRUE(crossing);
   const double t = (3.0 - std::sqrt(9.0 - 4.8)) / 2.0;
   EXPECT_NEAR(crossing->time, 50.0 + t, 1.1e-9);
@@ -133,8 +136,8 @@ TEST(Barrier, StepsThatMeetOnThePlaneCrossItOnce) {
   second.end_time = 2.0;
   second.begin = first.end;
   second.end.position = Vec3(2.2, 0, 2);
-  const auto at_end = find_crossing(kAcross, body, first, ground, kGravity);
-  const auto at_begin = find_crossing(kAcross, body, second, ground, kGravity);
+  const auto at_end = find_crossing(kAcross, body, first, ground, kTestGravity);
+  const auto at_begin = find_crossing(kAcross, body, second, ground, kTestGravity);
   EXPECT_TRUE(at_end);
   EXPECT_FALSE(at_begin);
 }
@@ -146,14 +149,14 @@ TEST(Barrier, HeightAndClearanceAreVerticalToTheGroundUnderEach) {
   // An eighth of a turn about y brings an edge down: lowest core points under the centre.
   step.begin.orientation = Quat(Eigen::AngleAxisd(kPi / 4.0, Vec3::UnitY()));
   step.begin.angular_velocity.setZero();
-  const auto crossing = find_crossing(kAcross, body, step, plane(0.5), kGravity);
+  const auto crossing = find_crossing(kAcross, body, step, plane(0.5), kTestGravity);
   ASSERT_TRUE(crossing);
   EXPECT_NEAR(crossing->height, crossing->position.z() - 0.6, 1e-12);
   EXPECT_NEAR(crossing->clearance, crossing->height - std::sqrt(0.5) - 0.1, 1e-9);
 
   // Half of that turn: the lowest edge lies off the centre by d, where the ground is d/2 lower.
   step.begin.orientation = Quat(Eigen::AngleAxisd(kPi / 8.0, Vec3::UnitY()));
-  const auto tilted = find_crossing(kAcross, body, step, plane(0.5), kGravity);
+  const auto tilted = find_crossing(kAcross, body, step, plane(0.5), kTestGravity);
   ASSERT_TRUE(tilted);
   const double half_diagonal = std::sqrt(0.5), angle = kPi / 4.0 - kPi / 8.0;
   // Turning about +y moves the lower edge at x = +0.5 down; it is ahead of the centre.
@@ -165,9 +168,9 @@ TEST(Barrier, BesideTheSurveyedGroundNothingIsCounted) {
   const RigidBody body = cube();
   MotionStep step = flight(body);
   step.begin.position.x() = 99.0;
-  step.end = free_flight(body, step.begin, 1.0, kGravity);
+  step.end = free_flight(body, step.begin, 1.0, kTestGravity);
   const Barrier outside{"outside", {{101, -5}, {101, 5}}};
-  EXPECT_FALSE(find_crossing(outside, body, step, plane(0.0), kGravity));
+  EXPECT_FALSE(find_crossing(outside, body, step, plane(0.0), kTestGravity));
 }
 
 // From (0, 0) to (3, 1) m in a second, in plan a straight line: y = x / 3.
@@ -176,7 +179,7 @@ TEST(PolylineBarrier, EverySegmentThatTheFlightPassesIsCrossedInOrder) {
   const Vec2 apex(2.5, 0.0);
   // It starts inside and leaves over the upper side.
   const Barrier wedge{"wedge", {{1.0, -5.0}, apex, {1.0, 5.0}}};
-  const auto found = find_crossings(wedge, body, flight(body), plane(0.0), kGravity);
+  const auto found = find_crossings(wedge, body, flight(body), plane(0.0), kTestGravity);
   ASSERT_EQ(found.size(), 1u);
   // y = x / 3 meets the second side, x = 2.5 - 0.3 y, at x = 2.5 / 1.1.
   EXPECT_NEAR(found[0].position.x(), 2.5 / 1.1, 1e-12);
@@ -185,7 +188,7 @@ TEST(PolylineBarrier, EverySegmentThatTheFlightPassesIsCrossedInOrder) {
 
   // A hook that the flight enters at x = 1 and leaves at x = 2.
   const Barrier hook{"hook", {{2.0, 5.0}, {2.0, -5.0}, {1.0, -5.0}, {1.0, 5.0}}};
-  const auto both = find_crossings(hook, body, flight(body), plane(0.0), kGravity);
+  const auto both = find_crossings(hook, body, flight(body), plane(0.0), kTestGravity);
   ASSERT_EQ(both.size(), 2u);
   EXPECT_NEAR(both[0].time, 4.0 + 1.0 / 3.0, 1e-14);
   EXPECT_NEAR(both[1].time, 4.0 + 2.0 / 3.0, 1e-14);
@@ -198,20 +201,20 @@ TEST(PolylineBarrier, AnInnerPointIsCrossedOnce) {
   // At x = 1 the flight is at y = 0.25; halves and quarters lose no digit.
   MotionStep step = flight(body);
   step.begin.velocity = Vec3(2.0, 0.5, 2.0);
-  step.end = free_flight(body, step.begin, 1.0, kGravity);
+  step.end = free_flight(body, step.begin, 1.0, kTestGravity);
   const Barrier bent{"bent", {{1.0, -5.0}, {1.0, 0.25}, {1.0, 5.0}}};
-  const auto found = find_crossings(bent, body, step, plane(0.0), kGravity);
+  const auto found = find_crossings(bent, body, step, plane(0.0), kTestGravity);
   ASSERT_EQ(found.size(), 1u);
   EXPECT_EQ(found[0].time, 4.5);
   const Barrier ends_here{"ends here", {{1.0, -5.0}, {1.0, 0.25}}};
-  EXPECT_EQ(find_crossings(ends_here, body, step, plane(0.0), kGravity).size(), 1u);
+  EXPECT_EQ(find_crossings(ends_here, body, step, plane(0.0), kTestGravity).size(), 1u);
 }
 
 TEST(PolylineBarrier, StraightPiecesAreTheStraightBarrier) {
   const RigidBody body = cube();
-  const auto whole = find_crossings(kAcross, body, flight(body), plane(0.0), kGravity);
+  const auto whole = find_crossings(kAcross, body, flight(body), plane(0.0), kTestGravity);
   const Barrier pieces{"pieces", {{1.2, -5}, {1.2, 0.1}, {1.2, 0.7}, {1.2, 5}}};
-  const auto cut = find_crossings(pieces, body, flight(body), plane(0.0), kGravity);
+  const auto cut = find_crossings(pieces, body, flight(body), plane(0.0), kTestGravity);
   ASSERT_EQ(whole.size(), 1u);
   ASSERT_EQ(cut.size(), 1u);
   EXPECT_EQ(cut[0].position, whole[0].position);
@@ -241,7 +244,7 @@ class RingBarrier : public testing::TestWithParam<bool> {
       step.end.position << path[i + 1], 2.0;
       step.begin.velocity << path[i + 1] - path[i], 0.0;
       step.end.velocity = step.begin.velocity;
-      for (const Crossing& crossing : find_crossings(barrier, body, step, ground, kGravity)) {
+      for (const Crossing& crossing : find_crossings(barrier, body, step, ground, kTestGravity)) {
         EXPECT_GE(crossing.time, last);
         last = crossing.time;
         // Left to right is out of a ring that runs counter-clockwise.
@@ -267,7 +270,7 @@ TEST_P(RingBarrier, TimesAndPlacesAreThoseOfTheSides) {
   Barrier ring = square();
   // From (1.5, -2) to (3.5, 2), entered at x = 1.5 by y = x / 3.
   for (Vec2& point : ring.through) point = {point.x() - 0.5, 2.0 * point.y()};
-  const auto found = find_crossings(ring, body, flight(body), plane(0.0), kGravity);
+  const auto found = find_crossings(ring, body, flight(body), plane(0.0), kTestGravity);
   ASSERT_EQ(found.size(), 1u);
   EXPECT_NEAR(found[0].time, 4.5, 1e-14);
   EXPECT_NEAR(found[0].position.y(), 0.5, 1e-14);

@@ -14,7 +14,7 @@
 namespace clast {
 namespace {
 
-bool warns(const PreparedCampaign& plan, const std::string& text) {
+bool plan_warns(const PreparedCampaign& plan, const std::string& text) {
   return std::any_of(plan.header.warnings.begin(), plan.header.warnings.end(),
                      [&](const std::string& warning) { return contains(warning, text); });
 }
@@ -92,14 +92,14 @@ TEST_F(CampaignRun, GridDuplicatesAreCounted) {
     for (const Mat3& other : distinct) known |= (matrix - other).cwiseAbs().maxCoeff() < 1e-9;
     if (!known) distinct.push_back(matrix);
   }
-  EXPECT_TRUE(warns(plan, "64 orientations, of which " + std::to_string(distinct.size())));
+  EXPECT_TRUE(plan_warns(plan, "64 orientations, of which " + std::to_string(distinct.size())));
   EXPECT_LT(distinct.size(), 64u);
 }
 
 TEST_F(CampaignRun, BarrierThatCountsUphillOnlyIsNamed) {
   const auto warned = [](const std::string& ends) {
-    return warns(prepared(with("from = [0, -20]\nto = [0, 20]", ends)),
-                 "barrier foot counts only crossings from the left");
+    return plan_warns(prepared(with("from = [0, -20]\nto = [0, 20]", ends)),
+                      "barrier foot counts only crossings from the left");
   };
   EXPECT_FALSE(warned("from = [0, 20]\nto = [0, -20]")) << "either direction counts";
   EXPECT_FALSE(warned("from = [0, -20]\nto = [0, 20]\ndirection = \"forward\""));
@@ -108,25 +108,25 @@ TEST_F(CampaignRun, BarrierThatCountsUphillOnlyIsNamed) {
 
 TEST_F(CampaignRun, BarrierOffTheTerrainIsNamed) {
   const std::string off = "barrier foot lies off the terrain";
-  EXPECT_FALSE(warns(prepared(), off));
-  EXPECT_TRUE(
-      warns(prepared(with("from = [0, -20]\nto = [0, 20]", "from = [0, 21]\nto = [9, 30]")), off));
+  EXPECT_FALSE(plan_warns(prepared(), off));
+  EXPECT_TRUE(plan_warns(
+      prepared(with("from = [0, -20]\nto = [0, 20]", "from = [0, 21]\nto = [9, 30]")), off));
 }
 
 TEST_F(CampaignRun, ReleasePointsThatRepeatAnotherAreCounted) {
   const std::string points = "points = [[-12, -3, 9.5], [-12, 3, 9.5]]";
-  EXPECT_FALSE(warns(prepared(), "repeat another"));
-  EXPECT_TRUE(warns(
+  EXPECT_FALSE(plan_warns(prepared(), "repeat another"));
+  EXPECT_TRUE(plan_warns(
       prepared(with(points, "height_m = 1\npoints = [[-12, 0], [10, 1], [-12, 0, 7], [-12, 0]]")),
       "2 of 4 release points repeat another"))
       << "with height_m the heights of points say nothing";
 }
 
 TEST_F(CampaignRun, AnAngleInThePlaceOfAFrictionCoefficientIsNamed) {
-  EXPECT_FALSE(warns(prepared(), "is a coefficient"));
-  EXPECT_TRUE(warns(prepared(with("friction = 0.4", "friction = 35")),
-                    "[ground.slope] friction = 35 is a coefficient; the one of an angle of 35 "
-                    "degrees is its tangent"));
+  EXPECT_FALSE(plan_warns(prepared(), "is a coefficient"));
+  EXPECT_TRUE(plan_warns(prepared(with("friction = 0.4", "friction = 35")),
+                         "[ground.slope] friction = 35 is a coefficient; the one of an angle of 35 "
+                         "degrees is its tangent"));
 }
 
 TEST_F(CampaignRun, RunsThatWouldNotEndAreRefusedAndLongOnesNamed) {
@@ -139,7 +139,7 @@ TEST_F(CampaignRun, RunsThatWouldNotEndAreRefusedAndLongOnesNamed) {
   EXPECT_TRUE(contains(refusal(endless), "time step of 1e-09 s makes up to 1e+14 steps"));
   EXPECT_TRUE(
       contains(clast::refusal([&] { campaign(stepped("1e-30")); }), "must be from 1e-09 to 1 s"));
-  EXPECT_TRUE(warns(prepared(stepped("1e-9")), "time step of 1e-09 s makes up to"));
+  EXPECT_TRUE(plan_warns(prepared(stepped("1e-9")), "time step of 1e-09 s makes up to"));
 }
 
 TEST_F(CampaignRun, AProbeDoesNotWaitForARunWithoutEnd) {
@@ -166,7 +166,7 @@ TEST_F(CampaignRun, ManyOrientationsAreToldApartWithoutComparingEachWithEach) {
   const double begin = static_cast<double>(std::clock());
   const PreparedCampaign plan = prepared(with("turns.txt", "many.txt"));
   const double seconds = (static_cast<double>(std::clock()) - begin) / CLOCKS_PER_SEC;
-  EXPECT_TRUE(warns(plan, "60101 orientations, of which 60000 are different rotations"));
+  EXPECT_TRUE(plan_warns(plan, "60101 orientations, of which 60000 are different rotations"));
   EXPECT_LT(seconds, 10.0);
 }
 

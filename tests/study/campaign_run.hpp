@@ -15,7 +15,7 @@
 
 namespace clast {
 
-inline TriangleMesh box_mesh(const Vec3& size) {
+inline TriangleMesh centred_box_mesh(const Vec3& size) {
   TriangleMesh mesh;
   for (int i = 0; i < 8; ++i) {
     mesh.vertices.emplace_back((i & 1 ? 0.5 : -0.5) * size.x(), (i & 2 ? 0.5 : -0.5) * size.y(),
@@ -58,7 +58,7 @@ class CampaignRun : public testing::Test {
     for (const auto& [id, size] :
          {std::pair{"cube", Vec3(0.6, 0.6, 0.6)}, std::pair{"slab", Vec3(1.0, 0.6, 0.3)}}) {
       const TriangleMesh mesh = transformed(
-          box_mesh(size), Pose{Vec3(5.0, 1.0, 2.0), Quat(Eigen::AngleAxisd(0.4, Vec3::UnitX()))});
+          centred_box_mesh(size), Pose{Vec3(5.0, 1.0, 2.0), Quat(Eigen::AngleAxisd(0.4, Vec3::UnitX()))});
       BlockSource source;
       source.file = "box.stl";
       source.sha256 = std::string(64, '0');

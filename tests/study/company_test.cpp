@@ -15,7 +15,7 @@ namespace clast {
 using namespace study_detail;
 namespace {
 
-const std::string kPoints = "points = [[-12, -3, 9.5], [-12, 3, 9.5]]";
+const std::string kCompanyPoints = "points = [[-12, -3, 9.5], [-12, 3, 9.5]]";
 
 /// Everything that is stored of the runs of one block, each as bytes, by release set, point,
 /// orientation and ground set. Numbers that count over the campaign are left out.
@@ -30,7 +30,7 @@ class Company : public CampaignRun {
     for (const auto& [id, size] :
          {std::pair{"pebble", Vec3(0.22, 0.2, 0.18)}, std::pair{"slab", Vec3(1.0, 0.6, 0.3)},
           std::pair{"heavy", Vec3(2.4, 2.0, 1.6)}, std::pair{"cube", Vec3(0.6, 0.6, 0.6)}}) {
-      const TriangleMesh mesh = box_mesh(size);
+      const TriangleMesh mesh = centred_box_mesh(size);
       BlockSource source;
       source.file = "box.stl";
       source.sha256 = std::string(64, '0');
@@ -166,12 +166,13 @@ TEST_F(Company, OtherMembersOfAnEnsembleChangeNothing) {
 TEST_F(Company, OtherReleasesChangeNothing) {
   // From the higher points blocks can be much faster, so that an impact decides on the stiffness.
   const Runs low = runs_of("slab", of("\"slab\""));
-  const std::string high = with(kPoints, "points = [[-12, -3, 9.5], [-12, 3, 9.5], [-19, 1, 60]]");
+  const std::string high =
+      with(kCompanyPoints, "points = [[-12, -3, 9.5], [-12, 3, 9.5], [-19, 1, 60]]");
   const Runs both = runs_of("slab", of("\"slab\"", high));
   EXPECT_EQ(both.size(), 9u);
   expect_among(low, both);
   // Also where the height of the centre follows from the orientation.
-  const std::string dropped = with(kPoints, "points = [[-12, -3], [-12, 3]]\nheight_m = 1");
+  const std::string dropped = with(kCompanyPoints, "points = [[-12, -3], [-12, 3]]\nheight_m = 1");
   const std::string one =
       replaced_once(dropped, "orientations = \"turns.txt\"", "orientations = \"first.txt\"");
   write_text_file(*folder_ / "first.txt", "1 0 0 0\n");

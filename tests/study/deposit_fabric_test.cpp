@@ -18,7 +18,7 @@ void turn(CampaignResults& results, std::size_t run, double degrees) {
       Quat(Eigen::AngleAxisd(degrees * kDegree, Vec3::UnitZ()));
 }
 
-const FabricGroup& named(const DepositFabric& fabric, const std::string& name) {
+const FabricGroup& group_named(const DepositFabric& fabric, const std::string& name) {
   for (const FabricGroup& group : fabric.groups) {
     if (group.name == name) return group;
   }
@@ -38,7 +38,7 @@ TEST(DepositFabric, HasTheAxialMeanOfTheLongAxes) {
   // To the right of downslope is -y: trends are 65 and 95 degrees, three times each.
   for (std::size_t run = 0; run < 6; ++run) turn(results, run, run % 2 == 0 ? -65.0 : 180.0 - 95.0);
   const DepositFabric fabric = deposit_fabric(compared(std::move(results)));
-  const FabricGroup& all = named(fabric, "all");
+  const FabricGroup& all = group_named(fabric, "all");
   EXPECT_EQ(all.blocks, 6u);
   EXPECT_EQ(all.realisations, 2u);
   EXPECT_NEAR(all.trend.direction, 80.0 * kDegree, 1e-9);
@@ -65,17 +65,17 @@ TEST(DepositFabric, SaysWhereClassesAndSizesLie) {
     results.runs[run].result.final_state.position.x() += 1.0;
   }
   const DepositFabric fabric = deposit_fabric(compared(std::move(results)));
-  const FabricGroup& smallest = named(fabric, "smallest third");
+  const FabricGroup& smallest = group_named(fabric, "smallest third");
   EXPECT_EQ(smallest.blocks, 2u);
   EXPECT_NEAR(smallest.along.summary.mean, 10.5, 1e-6);
   ASSERT_TRUE(smallest.along.interval);
   // Half a metre to either side of the mean: t of one degree of freedom is tan(0.475 pi).
   EXPECT_NEAR(smallest.along.interval->high - 10.5, 0.5 * std::tan(0.475 * kPi), 1e-5);
   EXPECT_NEAR(smallest.ahead.summary.mean, -4.0, 1e-6);
-  EXPECT_NEAR(named(fabric, "largest third").ahead.summary.mean, 4.0, 1e-6);
-  EXPECT_NEAR(named(fabric, "middle third").ahead.summary.mean, 0.0, 1e-6);
-  EXPECT_NEAR(named(fabric, "class elongated").ahead.summary.mean, 0.0, 1e-6);
-  EXPECT_NEAR(named(fabric, "all").relative_height.summary.mean, 0.5, 1e-9);
+  EXPECT_NEAR(group_named(fabric, "largest third").ahead.summary.mean, 4.0, 1e-6);
+  EXPECT_NEAR(group_named(fabric, "middle third").ahead.summary.mean, 0.0, 1e-6);
+  EXPECT_NEAR(group_named(fabric, "class elongated").ahead.summary.mean, 0.0, 1e-6);
+  EXPECT_NEAR(group_named(fabric, "all").relative_height.summary.mean, 0.5, 1e-9);
   // The larger a block, the farther it is: in each realisation without exception.
   const SortingTrend& runout = trend_of(fabric, "volume", "runout");
   EXPECT_EQ(runout.rank_correlation.summary.count, 2u);

@@ -10,13 +10,12 @@
 #include "study/engine_scene.hpp"
 #include "study/run_columns.hpp"
 #include "tests/study/campaign_run.hpp"
+#include "tests/support/gravity.hpp"
 
 namespace clast {
 namespace {
 
 namespace fs = std::filesystem;
-
-constexpr double kGravity = 9.81;
 
 using Motion = std::function<RigidState(double)>;
 
@@ -63,7 +62,8 @@ class EngineResultsOf : public CampaignRun {
   /// Ballistic, turning about the block's own axis.
   Motion flight(std::size_t run) const {
     return [this, run](double t) {
-      return free_flight(plan_.bodies[plan_.runs[run].block], plan_.runs[run].start, t, kGravity);
+      return free_flight(plan_.bodies[plan_.runs[run].block], plan_.runs[run].start, t,
+                         kTestGravity);
     };
   }
   /// A flight to `landing`, then rest there.
@@ -117,10 +117,10 @@ TEST_F(EngineResultsOf, AFlightHasItsEndItsPathAndItsEnergy) {
   EXPECT_NEAR(run.result.energy.initial, run.result.energy.final, 1e-6);
   EXPECT_NEAR(run.result.energy.initial,
               0.5 * body.mass * 36.0 + rotational_energy(body, run.start) +
-                  body.mass * kGravity * run.start.position.z(),
+                  body.mass * kTestGravity * run.start.position.z(),
               1e-9 * run.result.energy.initial);
-  const double v = kGravity * 1.2, a = 6.0;
-  const double arc = 0.5 * (1.2 * std::hypot(a, v) + a * a / kGravity * std::asinh(v / a));
+  const double v = kTestGravity * 1.2, a = 6.0;
+  const double arc = 0.5 * (1.2 * std::hypot(a, v) + a * a / kTestGravity * std::asinh(v / a));
   EXPECT_NEAR(run.result.path_length, arc, 1e-3);
 }
 
@@ -139,9 +139,9 @@ TEST_F(EngineResultsOf, CrossingsHaveTimesSpeedsAndEnergiesOfTheFlight) {
   EXPECT_EQ(crossing.run, 1u);
   EXPECT_NEAR(crossing.time, 2.0, 1e-9);
   EXPECT_NEAR(crossing.position.x(), 0.0, 1e-8);
-  EXPECT_LT((crossing.velocity - Vec3(6.0, 0.0, -2.0 * kGravity)).norm(), 1e-8);
-  EXPECT_NEAR(crossing.translational_energy, 0.5 * body.mass * (36.0 + 4.0 * kGravity * kGravity),
-              1e-6 * body.mass);
+  EXPECT_LT((crossing.velocity - Vec3(6.0, 0.0, -2.0 * kTestGravity)).norm(), 1e-8);
+  EXPECT_NEAR(crossing.translational_energy,
+              0.5 * body.mass * (36.0 + 4.0 * kTestGravity * kTestGravity), 1e-6 * body.mass);
   EXPECT_NEAR(crossing.rotational_energy, rotational_energy(body, plan_.runs[1].start), 1e-6);
   const Trajectory trajectory = read_trajectory(target(), 1);
   EXPECT_EQ(trajectory.time, every(0.3, 2.4));

@@ -4,12 +4,11 @@
 
 #include <cmath>
 
+#include "tests/support/gravity.hpp"
 #include "tests/support/test_bodies.hpp"
 
 namespace clast {
 namespace {
-
-constexpr double kGravity = 9.81;
 
 ImpactObserver seen(const RigidBody& body, const TerrainSurface& terrain, const RigidState& start,
                     double restitution, const ReleaseSettings& settings) {
@@ -26,7 +25,7 @@ TEST(Impact, BouncesOfABallAreThoseOfTheFormulas) {
   const RigidBody body = ball(mass, radius);
   const TerrainSurface terrain = ground(plane_mesh(20.0, 4));
   ReleaseSettings settings = stiff_settings(body, 1e8);
-  settings.gravity = kGravity;
+  settings.gravity = kTestGravity;
   settings.max_time = 2.0;
   RigidState start;
   start.position = Vec3(0.3, 0.2, radius + fall);
@@ -35,7 +34,7 @@ TEST(Impact, BouncesOfABallAreThoseOfTheFormulas) {
   ASSERT_GE(observer.impacts.size(), 2u);
 
   const Impact& first = observer.impacts[0];
-  const double down = std::sqrt(2 * kGravity * fall), touch = down / kGravity;
+  const double down = std::sqrt(2 * kTestGravity * fall), touch = down / kTestGravity;
   EXPECT_EQ(first.run, 7u);
   EXPECT_EQ(first.zone, 0u);
   EXPECT_NEAR(first.time, touch, 1e-6);
@@ -43,7 +42,7 @@ TEST(Impact, BouncesOfABallAreThoseOfTheFormulas) {
   EXPECT_NEAR(first.translational_before, 0.5 * mass * (down * down + 1.0), 1e-2);
   // e_n^2 of the energy along the normal comes back; the ground is frictionless.
   EXPECT_NEAR(first.translational_after, 0.5 * mass * (restitution * down * down + 1.0),
-              0.01 * mass * kGravity * fall);
+              0.01 * mass * kTestGravity * fall);
   EXPECT_NEAR(first.rotational_after, 0.0, 1e-6);
   // Half a period of the spring in, and 1/e_n of that out; depth v sqrt(m/k).
   const double quarter = 0.5 * kPi * std::sqrt(mass / settings.stiffness.normal);
@@ -54,13 +53,13 @@ TEST(Impact, BouncesOfABallAreThoseOfTheFormulas) {
   EXPECT_NEAR(first.place.z(), 0.0, 1e-4);
 
   const double up = std::sqrt(restitution) * down;
-  EXPECT_NEAR(observer.impacts[1].time - first.time, 2 * up / kGravity, 0.02);
+  EXPECT_NEAR(observer.impacts[1].time - first.time, 2 * up / kTestGravity, 0.02);
   EXPECT_NEAR(observer.impacts[1].speed_before, std::hypot(up, 1.0), 0.01 * up);
 
   const ContactStatistics& statistics = observer.statistics;
   EXPECT_EQ(statistics.most_points, 1u);
   EXPECT_NEAR(statistics.mean_points, 1.0, 0.2);
-  EXPECT_NEAR(statistics.longest_flight, 2 * up / kGravity, 0.02);
+  EXPECT_NEAR(statistics.longest_flight, 2 * up / kTestGravity, 0.02);
   EXPECT_NEAR(statistics.max_energy, 0.5 * mass * (down * down + 1.0), 1.0);
   EXPECT_NEAR(statistics.max_spin, 0.0, 1e-6);
 }

@@ -15,7 +15,7 @@ namespace clast {
 namespace {
 
 constexpr std::uint32_t kRuns = 100'000;
-constexpr std::uint32_t kPoints = 20;
+constexpr std::uint32_t kReleasePoints = 20;
 constexpr int kFrames = 12;
 
 /// Sixteen blocks, half of each class, from twenty points; with crossings and trajectories.
@@ -28,9 +28,10 @@ void store_many(const std::filesystem::path& file) {
     header.blocks.back().id = "block " + std::to_string(i);
   }
   header.release_points.clear();
-  for (std::uint32_t i = 0; i < kPoints; ++i) header.release_points.emplace_back(0.0, i, 2.0);
+  for (std::uint32_t i = 0; i < kReleasePoints; ++i)
+    header.release_points.emplace_back(0.0, i, 2.0);
   header.release_sets = {""};
-  header.set_of_point.assign(kPoints, 0);
+  header.set_of_point.assign(kReleasePoints, 0);
   header.ground_sets = {{"", 0, header.ground}};
   header.planned_runs = kRuns;
   Random random(4);
@@ -39,7 +40,7 @@ void store_many(const std::filesystem::path& file) {
     StoredRun stored;
     stored.record =
         hand_made_run(run, run % 16, random.uniform(5.0, 45.0), random.uniform(-15.0, 15.0));
-    stored.record.point = run / 16 % kPoints;
+    stored.record.point = run / 16 % kReleasePoints;
     stored.crossings = {hand_made_crossing(run, 0, 1.0, random.uniform(1.0, 9.0))};
     for (int frame = 0; frame <= kFrames; ++frame) {
       RigidState state = stored.record.start;

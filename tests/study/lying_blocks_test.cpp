@@ -1,5 +1,6 @@
 // Where blocks of a deposit lie and how they are turned, against boxes placed by hand.
 #include "study/lying_blocks.hpp"
+#include "core/angle.hpp"
 
 #include <gtest/gtest.h>
 
@@ -11,10 +12,8 @@
 namespace clast {
 namespace {
 
-constexpr double kDegree = kPi / 180.0;
-
 Quat turned(double degrees, const Vec3& axis) {
-  return Quat(Eigen::AngleAxisd(degrees * kDegree, axis));
+  return Quat(Eigen::AngleAxisd(degrees * kRadiansPerDegree, axis));
 }
 
 TEST(LyingBlocks, HaveTheTrendAndPlungeOfTheirLongSide) {
@@ -27,14 +26,14 @@ TEST(LyingBlocks, HaveTheTrendAndPlungeOfTheirLongSide) {
   results.runs[4].result.final_state.orientation = turned(90.0, Vec3::UnitZ());
   const std::vector<LyingBlock> blocks = lying_blocks(compared(std::move(results)));
   ASSERT_EQ(blocks.size(), 6u);
-  EXPECT_NEAR(blocks[0].trend, 30.0 * kDegree, 1e-9);
+  EXPECT_NEAR(blocks[0].trend, 30.0 * kRadiansPerDegree, 1e-9);
   EXPECT_NEAR(blocks[0].plunge, 0.0, 1e-9);
-  EXPECT_NEAR(blocks[1].trend, -40.0 * kDegree, 1e-9);
+  EXPECT_NEAR(blocks[1].trend, -40.0 * kRadiansPerDegree, 1e-9);
   // Whichever end is down, the plunge is positive.
-  EXPECT_NEAR(blocks[2].plunge, 20.0 * kDegree, 1e-9);
-  EXPECT_NEAR(blocks[3].plunge, 20.0 * kDegree, 1e-9);
+  EXPECT_NEAR(blocks[2].plunge, 20.0 * kRadiansPerDegree, 1e-9);
+  EXPECT_NEAR(blocks[3].plunge, 20.0 * kRadiansPerDegree, 1e-9);
   EXPECT_NEAR(blocks[2].trend, 0.0, 1e-9);
-  EXPECT_NEAR(std::abs(blocks[4].trend), 90.0 * kDegree, 1e-9);
+  EXPECT_NEAR(std::abs(blocks[4].trend), 90.0 * kRadiansPerDegree, 1e-9);
 }
 
 TEST(LyingBlocks, HaveTheirPlaceInTheDeposit) {
@@ -68,7 +67,7 @@ TEST(LyingBlocks, AreNoneWhereNoBlockStayed) {
 }
 
 TEST(TopOver, IsTheUpperFace) {
-  const TriangleMesh skin = box_mesh({2.0, 1.0, 3.0});
+  const TriangleMesh skin = centred_box_mesh({2.0, 1.0, 3.0});
   EXPECT_DOUBLE_EQ(*top_over(skin, {0.3, 0.7}), 3.0);
   EXPECT_FALSE(top_over(skin, {2.1, 0.5}));
   EXPECT_FALSE(top_over(skin, {1.0, -0.1}));

@@ -189,7 +189,7 @@ TEST_F(MassCampaign, MoreRealisationsLeaveTheFirstOnesAsTheyAre) {
 
 // Blocks that joints cut from a mass on the slope, released from where they were cut.
 TEST_F(MassCampaign, ReleasesBlocksInPlace) {
-  TriangleMesh mass = box_mesh({2.0, 2.0, 1.5});
+  TriangleMesh mass = centred_box_mesh({2.0, 2.0, 1.5});
   const double dip = std::atan(0.6);
   mass = transformed(mass, Pose{Vec3(-3.0, 0.0, 1.8) + 0.8 * Vec3(std::sin(dip), 0, std::cos(dip)),
                                 Quat(Eigen::AngleAxisd(dip, Vec3::UnitY()))});

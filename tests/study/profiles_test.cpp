@@ -31,7 +31,7 @@ TEST(PathSamples, FollowTheParabolaBetweenFrames) {
   std::size_t count = 0;
   walk(thrown(0.5), block, level(), 0.2, [&](const PathSample& sample) {
     const double t = sample.position.x() / 10.0;
-    EXPECT_NEAR(sample.height, 2.0 - 0.5 * kGravity * t * t, 1e-12);
+    EXPECT_NEAR(sample.height, 2.0 - 0.5 * kTestGravity * t * t, 1e-12);
     EXPECT_NEAR(sample.position.z(), sample.height, 1e-12);
     EXPECT_LE(sample.position.x() - last, last < 0.0 ? 1.0 : 0.2 + 1e-9);
     last = sample.position.x();
@@ -58,10 +58,10 @@ TEST(Profiles, CountEveryRunOncePerBinWithItsLargestValues) {
   EXPECT_EQ(table.rows[all + 6].at("runs"), "1");
   EXPECT_EQ(table.number(all + 6, "from_m"), 3.0);
   // Seen at x = 0 and 0.25 m; the ground falls by one in two.
-  EXPECT_NEAR(table.number(all, "height_max_m"), 2.0 - 0.5 * kGravity * 0.025 * 0.025 + 0.5 * 0.25,
+  EXPECT_NEAR(table.number(all, "height_max_m"), 2.0 - 0.5 * kTestGravity * 0.025 * 0.025 + 0.5 * 0.25,
               1e-9);
   EXPECT_GE(table.number(all + 6, "speed_max_m_s"), 10.0);
-  EXPECT_LE(table.number(all + 6, "speed_max_m_s"), std::hypot(10.0, kGravity * 0.35) + 0.01);
+  EXPECT_LE(table.number(all + 6, "speed_max_m_s"), std::hypot(10.0, kTestGravity * 0.35) + 0.01);
 }
 
 TEST(Profiles, AreEmptyWithoutTrajectories) {

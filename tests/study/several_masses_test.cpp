@@ -160,7 +160,7 @@ TEST_F(SeveralMasses, AreGroupsOfAComparison) {
 TEST_F(SeveralMasses, InPlaceDivideTheBlocksByTheirPolygons) {
   BlockLibrary library;
   for (int i = 0; i < 3; ++i) {
-    const TriangleMesh mesh = transformed(box_mesh({0.6, 0.6, 0.6}),
+    const TriangleMesh mesh = transformed(centred_box_mesh({0.6, 0.6, 0.6}),
                                           Pose{Vec3(-9.0 + 2.0 * i, 0.0, 7.0), Quat::Identity()});
     BlockSource source;
     source.file = "box.stl";

@@ -3,10 +3,9 @@
 #include "study/results.hpp"
 #include "tests/library/block_samples.hpp"
 #include "tests/study/hand_made_results.hpp"
+#include "tests/support/gravity.hpp"
 
 namespace clast {
-
-inline constexpr double kGravity = 9.81;
 
 /// Thrown at 10 m/s from 2 m above a level ground, spinning at 2 rad/s about z, seen four times a
 /// second.
@@ -15,8 +14,8 @@ inline Trajectory thrown(double seconds, const Vec3& along = Vec3::UnitX()) {
   Trajectory trajectory;
   for (double t = 0.0; t <= seconds; t += 0.25) {
     RigidState state;
-    state.position = 10.0 * t * along + Vec3(0.0, 0.0, 2.0 - 0.5 * kGravity * t * t);
-    state.velocity = 10.0 * along - Vec3(0.0, 0.0, kGravity * t);
+    state.position = 10.0 * t * along + Vec3(0.0, 0.0, 2.0 - 0.5 * kTestGravity * t * t);
+    state.velocity = 10.0 * along - Vec3(0.0, 0.0, kTestGravity * t);
     state.angular_velocity = Vec3(0.0, 0.0, 2.0);
     trajectory.time.push_back(t);
     trajectory.states.push_back(state);

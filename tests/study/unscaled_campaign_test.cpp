@@ -15,7 +15,7 @@ class UnscaledCampaign : public CampaignRun {
     BlockLibrary library = BlockLibrary::read(*folder_ / "blocks.h5");
     if (library.has("model")) return;
     const TriangleMesh mesh =
-        transformed(box_mesh(kUnits * Vec3(1.0, 0.6, 0.3)),
+        transformed(centred_box_mesh(kUnits * Vec3(1.0, 0.6, 0.3)),
                     Pose{Vec3(5.0, 1.0, 2.0), Quat(Eigen::AngleAxisd(0.4, Vec3::UnitX()))});
     BlockSource source;
     source.file = "photos";

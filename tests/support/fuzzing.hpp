@@ -2,7 +2,7 @@
 /// A reader against mutated files: each is read or refused with a message, in bounded time.
 ///
 /// CLAST_FUZZ_FILES in the environment is the number of files for each reader (default: what the
-/// test was compiled with), CLAST_FUZZ_SECONDS tries so long instead, and CLAST_FUZZ_FIRST begins
+/// test asks for), CLAST_FUZZ_SECONDS tries so long instead, and CLAST_FUZZ_FIRST begins
 /// at another number than 0. Reader and number together give the same bytes on every machine.
 #include <gtest/gtest.h>
 
@@ -23,6 +23,7 @@
 #include "core/text_file.hpp"
 #include "tests/support/mutated_bytes.hpp"
 #include "tests/support/scratch_folder.hpp"
+#include "tests/support/setting.hpp"
 
 namespace clast {
 
@@ -71,11 +72,6 @@ class FuzzNumbers {
   }
 
  private:
-  static std::optional<std::uint64_t> setting(const char* name) {
-    const char* text = std::getenv(name);
-    return text ? std::optional<std::uint64_t>(std::stoull(text)) : std::nullopt;
-  }
-
   std::vector<std::uint64_t> kept_;
   std::size_t tried_kept_ = 0;
   std::uint64_t next_ = 0, last_ = 0;

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "dem/stiffness.hpp"
+#include "tests/support/setting.hpp"
 #include "tests/support/test_rock.hpp"
 #include "tests/terrain/ground_damage.hpp"
 
@@ -98,7 +99,8 @@ TEST_P(DamagedGround, IsMendedAndLosesNoBlock) {
   settings.stiffness = choose_stiffness(std::span(&body, 1), zones, 30.0, 9.81).stiffness;
   settings.max_time = 30.0;
   Random random(1000 + seed);
-  for (int i = 0; i < CLAST_DAMAGE_BLOCKS; ++i) {
+  const auto blocks = static_cast<int>(setting("CLAST_DAMAGE_BLOCKS").value_or(60));
+  for (int i = 0; i < blocks; ++i) {
     RigidState start;
     const double x = random.uniform(2.0, 30.0), y = random.uniform(2.0, kSize - 2.0);
     start.orientation = random.rotation();
@@ -120,11 +122,11 @@ TEST_P(DamagedGround, IsMendedAndLosesNoBlock) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Seeds, DamagedGround,
-                         testing::Range<std::uint64_t>(1, 1 + CLAST_DAMAGE_SEEDS));
+const std::uint64_t kDamageSeeds = setting("CLAST_DAMAGE_SEEDS").value_or(3);
+
+INSTANTIATE_TEST_SUITE_P(Seeds, DamagedGround, testing::Range<std::uint64_t>(1, 1 + kDamageSeeds));
 INSTANTIATE_TEST_SUITE_P(HarshSeeds, DamagedGround,
-                         testing::Range<std::uint64_t>(kHarsh + 1,
-                                                       kHarsh + 1 + CLAST_DAMAGE_SEEDS));
+                         testing::Range<std::uint64_t>(kHarsh + 1, kHarsh + 1 + kDamageSeeds));
 
 }  // namespace
 }  // namespace clast

@@ -8,7 +8,7 @@
 namespace clast {
 namespace {
 
-double slope(double x, double y) { return 50.0 - 0.6 * x + 0.1 * std::sin(y); }
+double wavy_slope(double x, double y) { return 50.0 - 0.6 * x + 0.1 * std::sin(y); }
 
 class Mending : public testing::Test {
  protected:
@@ -41,7 +41,7 @@ void expect_sound(const Terrain& terrain, std::size_t n) {
 TEST_F(Mending, CracksBetweenTilesAreClosed) {
   for (std::uint64_t seed = 0; seed < 10; ++seed) {
     Random random(seed);
-    const TriangleMesh ground = squares(10, 1.0, slope);
+    const TriangleMesh ground = squares(10, 1.0, wavy_slope);
     const Terrain terrain = read(cracked(ground, 5.0, 0.008, random));
     expect_sound(terrain, 10);
     EXPECT_EQ(terrain.report.closed_cracks, 11u);
@@ -50,14 +50,14 @@ TEST_F(Mending, CracksBetweenTilesAreClosed) {
     EXPECT_TRUE(contains(notes(terrain), "cracks were closed: 11 border vertices joined"));
     EXPECT_TRUE(contains(notes(terrain), "at x 5.0"));
     for (const Vec3& v : terrain.surface.vertices) {
-      EXPECT_NEAR(v.z(), slope(v.x(), v.y()), 0.015);
+      EXPECT_NEAR(v.z(), wavy_slope(v.x(), v.y()), 0.015);
     }
   }
 }
 
 TEST_F(Mending, WiderGapsThanAskedStayOpen) {
   Random random(1);
-  const TriangleMesh apart = cracked(squares(10, 1.0, slope), 5.0, 0.008, random);
+  const TriangleMesh apart = cracked(squares(10, 1.0, wavy_slope), 5.0, 0.008, random);
   const Terrain terrain = read(apart, {.crack = 0.0});
   EXPECT_EQ(terrain.report.closed_cracks, 0u);
   EXPECT_EQ(terrain.report.components, 2u);
@@ -91,7 +91,7 @@ TEST_F(Mending, TJunctionsBecomeCorners) {
   for (std::uint64_t seed = 0; seed < 10; ++seed) {
     Random random(seed);
     const Terrain terrain =
-        read(with_t_junctions(squares(10, 1.0, slope), 5.0, seed < 5 ? 0.0 : 0.008, random));
+        read(with_t_junctions(squares(10, 1.0, wavy_slope), 5.0, seed < 5 ? 0.0 : 0.008, random));
     expect_sound(terrain, 10);
     EXPECT_EQ(terrain.surface.vertices.size(), 121u + 10u);
     EXPECT_EQ(terrain.surface.triangles.size(), 200u + 20u);
@@ -129,7 +129,7 @@ TEST_F(Mending, SmallHolesAreFilled) {
 }
 
 TEST_F(Mending, WideHolesStayOpenWithTheirPlace) {
-  const TriangleMesh holed = part_of(squares(16, 1.0, slope), [](const Vec3& p) {
+  const TriangleMesh holed = part_of(squares(16, 1.0, wavy_slope), [](const Vec3& p) {
     return !(p.x() > 4.0 && p.x() < 10.0 && p.y() > 5.0 && p.y() < 11.0);
   });
   const Terrain open = read(holed);
@@ -168,18 +168,18 @@ TEST_F(Mending, TwoSpikesSideBySideAreLevelled) {
 
 TEST_F(Mending, CrestsAndBouldersAreNoSpikes) {
   // A crest of 4 m across the grid, one vertex wide.
-  TriangleMesh mesh = squares(12, 1.0, slope);
+  TriangleMesh mesh = squares(12, 1.0, wavy_slope);
   for (int k = 0; k <= 12; ++k) mesh.vertices[static_cast<std::size_t>(k * 13 + k)].z() += 4.0;
   EXPECT_EQ(read(mesh).report.levelled_spikes, 0u);
   // A boulder of 2 m.
-  mesh = squares(12, 1.0, slope);
+  mesh = squares(12, 1.0, wavy_slope);
   mesh.vertices[6 * 13 + 6].z() += 2.0;
   EXPECT_EQ(read(mesh).report.levelled_spikes, 0u);
 }
 
 TEST_F(Mending, SliversAreKeptAndCounted) {
   Random random(3);
-  const Terrain terrain = read(with_slivers(squares(10, 1.0, slope), 4, {}, random));
+  const Terrain terrain = read(with_slivers(squares(10, 1.0, wavy_slope), 4, {}, random));
   EXPECT_EQ(terrain.surface.triangles.size(), 208u);
   EXPECT_EQ(terrain.report.slivers, 8u);
   EXPECT_TRUE(contains(notes(terrain), "8 slivers, triangles less than 1 mm high, were kept"));
@@ -187,7 +187,7 @@ TEST_F(Mending, SliversAreKeptAndCounted) {
 }
 
 TEST_F(Mending, ATileThatIsThereTwiceIsDroppedOrRefused) {
-  const TriangleMesh ground = squares(10, 1.0, slope);
+  const TriangleMesh ground = squares(10, 1.0, wavy_slope);
   const Terrain terrain = read(with_a_tile_twice(ground, 5.0, 0.0));
   EXPECT_EQ(terrain.report.dropped_duplicates, 100u);
   expect_sound(terrain, 10);
@@ -245,7 +245,7 @@ TEST_F(Mending, SpikesInGroupsAndOnBordersAreLevelled) {
 TEST_F(Mending, SpikesAtCutsBetweenTilesLeaveNoCrack) {
   for (std::uint64_t seed = 0; seed < 20; ++seed) {
     Random random(seed);
-    TriangleMesh ground = squares(10, 1.0, slope);
+    TriangleMesh ground = squares(10, 1.0, wavy_slope);
     if (seed % 2 == 0) ground = with_a_spike_at(std::move(ground), 5.0, random);  // on both sides
     TriangleMesh cut = seed < 10 ? cracked(ground, 5.0, 0.008, random)
                                  : with_t_junctions(ground, 5.0, 0.004, random);
@@ -254,14 +254,14 @@ TEST_F(Mending, SpikesAtCutsBetweenTilesLeaveNoCrack) {
     expect_sound(terrain, 10);
     EXPECT_GT(terrain.report.levelled_spikes, 0u);
     for (const Vec3& v : terrain.surface.vertices) {
-      EXPECT_NEAR(v.z(), slope(v.x(), v.y()), 0.2) << "seed " << seed << ": " << v.transpose();
+      EXPECT_NEAR(v.z(), wavy_slope(v.x(), v.y()), 0.2) << "seed " << seed << ": " << v.transpose();
     }
   }
 }
 
 TEST_F(Mending, TowersAndCliffsOnTheBorderAreNoSpikes) {
   // Nine vertices 8 m up; and a cliff across a corner, with 14 vertices at its top.
-  TriangleMesh mesh = squares(12, 1.0, slope);
+  TriangleMesh mesh = squares(12, 1.0, wavy_slope);
   for (std::size_t k = 0; k < 9; ++k) mesh.vertices[(4 + k / 3) * 13 + 4 + k % 3].z() += 8.0;
   EXPECT_EQ(read(mesh).report.levelled_spikes, 0u);
   mesh = squares(12, 1.0, [](double x, double y) { return 0.6 * x + y < 3.2 ? 9.0 : 0.0; });
@@ -271,7 +271,7 @@ TEST_F(Mending, TowersAndCliffsOnTheBorderAreNoSpikes) {
 TEST_F(Mending, FinsAreDroppedWhereTheGroundGoesOnWithoutThem) {
   for (std::uint64_t seed = 0; seed < 10; ++seed) {
     Random random(seed);
-    const TriangleMesh ground = squares(12, 1.0, slope);
+    const TriangleMesh ground = squares(12, 1.0, wavy_slope);
     const Terrain terrain = read(with_fins(ground, 3, random));
     expect_sound(terrain, 12);
     EXPECT_EQ(terrain.surface.triangles.size(), 288u);
@@ -297,7 +297,7 @@ TEST_F(Mending, ABoxOverItsOwnFloorIsRefusedWithThePlace) {
 TEST_F(Mending, ASmallPieceOverTheGroundIsDroppedAndOneBesideItIsKept) {
   TriangleMesh shred = squares(1, 0.5, [](double, double) { return 56.0; });
   for (Vec3& v : shred.vertices) v += Vec3(3.2, 4.1, 0.0);
-  const TriangleMesh ground = squares(10, 1.0, slope);
+  const TriangleMesh ground = squares(10, 1.0, wavy_slope);
   const Terrain terrain = read(merged(ground, shred));
   EXPECT_EQ(terrain.report.dropped_pieces, 1u);
   expect_sound(terrain, 10);

@@ -13,7 +13,7 @@
 namespace clast {
 namespace {
 
-double dome(double x, double y) { return 120.0 - 0.05 * (x * x + y * y); }
+double file_dome(double x, double y) { return 120.0 - 0.05 * (x * x + y * y); }
 
 class TerrainFile : public testing::Test {
  protected:
@@ -21,7 +21,8 @@ class TerrainFile : public testing::Test {
   Terrain sample() {
     std::vector<std::filesystem::path> files;
     for (int k = 0; k < 2; ++k) {
-      TriangleMesh mesh = squares(8, 0.5, [&](double x, double y) { return dome(x + 4 * k, y); });
+      TriangleMesh mesh =
+          squares(8, 0.5, [&](double x, double y) { return file_dome(x + 4 * k, y); });
       for (Vec3& v : mesh.vertices) v += Vec3(652000.0 + 4.0 * k, 5203000.0, 0.0);
       files.push_back(folder_ / ("zone" + std::to_string(k) + ".ply"));
       write_mesh(files.back(), mesh);
@@ -197,7 +198,7 @@ TEST_F(TerrainFile, RasterExportHasTheHeightsAtCellCentres) {
   double worst = 0.0;
   for (const Vec3& local : back.surface.vertices) {
     const Vec3 v = back.frame.map(local);
-    worst = std::max(worst, std::abs(v.z() - dome(v.x() - 652000.0, v.y() - 5203000.0)));
+    worst = std::max(worst, std::abs(v.z() - file_dome(v.x() - 652000.0, v.y() - 5203000.0)));
   }
   EXPECT_LT(worst, 2.0 * 0.05 * 0.25 / 4.0 + 1e-4);
 }

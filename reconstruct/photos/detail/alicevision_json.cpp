@@ -20,7 +20,7 @@ std::int64_t version_of(const json& root) {
   return number;
 }
 
-Lens lens_of(const json& intrinsic, std::int64_t version) {
+Lens read_alicevision_lens(const json& intrinsic, std::int64_t version) {
   Lens lens{.width = json_count(intrinsic.at("width")),
             .height = json_count(intrinsic.at("height"))};
   if (version < 10200) {
@@ -71,14 +71,14 @@ Lens lens_of(const json& intrinsic, std::int64_t version) {
   return lens;
 }
 
-PhotoModel model_of(const json& root) {
+PhotoModel read_alicevision_model(const json& root) {
   PhotoModel model;
   model.source = "AliceVision";
   const std::int64_t version = version_of(root);
   std::map<std::string, std::size_t> lens_of_id;
   for (const json& intrinsic : root.at("intrinsics")) {
     lens_of_id[json_id(intrinsic.at("intrinsicId"))] = model.lenses.size();
-    model.lenses.push_back(lens_of(intrinsic, version));
+    model.lenses.push_back(read_alicevision_lens(intrinsic, version));
   }
   std::map<std::string, Pose> poses;
   if (!root.contains("poses")) {
@@ -121,6 +121,8 @@ PhotoModel model_of(const json& root) {
 
 }  // namespace
 
-PhotoModel read_alicevision(const std::filesystem::path& file) { return json_read(file, model_of); }
+PhotoModel read_alicevision(const std::filesystem::path& file) {
+  return json_read(file, read_alicevision_model);
+}
 
 }  // namespace clast::photos_detail

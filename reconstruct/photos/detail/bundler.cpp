@@ -62,9 +62,9 @@ std::vector<std::string> names_beside(const std::filesystem::path& file) {
 }
 
 /// @returns number in `model` of each photo that has a camera
-std::map<std::size_t, std::uint32_t> read_cameras(Numbers& numbers,
-                                                  const std::vector<std::string>& names,
-                                                  PhotoModel& model) {
+std::map<std::size_t, std::uint32_t> read_bundler_cameras(Numbers& numbers,
+                                                          const std::vector<std::string>& names,
+                                                          PhotoModel& model) {
   std::map<std::size_t, std::uint32_t> photo_of;
   for (std::size_t i = 0; i < names.size(); ++i) {
     const double f = numbers.next(), k1 = numbers.next(), k2 = numbers.next();
@@ -127,7 +127,7 @@ PhotoModel read_bundler(const std::filesystem::path& file, const std::filesystem
                      " cameras, but list.txt has " + std::to_string(names.size()) +
                      " photos; give the list that belongs to it");
   }
-  const std::map<std::size_t, std::uint32_t> photo_of = read_cameras(numbers, names, model);
+  const std::map<std::size_t, std::uint32_t> photo_of = read_bundler_cameras(numbers, names, model);
   for (std::size_t i = 0; i < points; ++i) {
     model.points.push_back(read_point(numbers, cameras, photo_of));
   }

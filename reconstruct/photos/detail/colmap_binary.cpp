@@ -76,8 +76,8 @@ constexpr std::array<KnownModel, 11> kModels = {{{"SIMPLE_PINHOLE", 3},
                                                  {"THIN_PRISM_FISHEYE", 12}}};
 
 /// @returns number in `model` of each lens, by COLMAP's id
-std::map<std::uint32_t, std::size_t> read_cameras(const std::filesystem::path& file,
-                                                  PhotoModel& model) {
+std::map<std::uint32_t, std::size_t> read_colmap_cameras(const std::filesystem::path& file,
+                                                         PhotoModel& model) {
   std::map<std::uint32_t, std::size_t> lens_of;
   Bytes cameras(file);
   for (std::uint64_t n = cameras.count(24); n > 0; --n) {
@@ -150,7 +150,7 @@ void read_points(const std::filesystem::path& file,
 PhotoModel read_colmap_binary(const std::filesystem::path& folder) {
   PhotoModel model;
   model.source = "COLMAP binary";
-  const auto lens_of = read_cameras(folder / "cameras.bin", model);
+  const auto lens_of = read_colmap_cameras(folder / "cameras.bin", model);
   const auto photo_of = read_images(folder / "images.bin", lens_of, model);
   if (std::filesystem::exists(folder / "points3D.bin")) {
     read_points(folder / "points3D.bin", photo_of, model);

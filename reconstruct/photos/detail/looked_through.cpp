@@ -11,7 +11,7 @@ namespace clast::photos_detail {
 namespace {
 
 constexpr std::size_t kAcross = 128;  ///< cubes along the diameter of the region
-constexpr double kMargin = 3.0;       ///< times the tolerance, by which a cube must lie in front
+constexpr double kFrontMargin = 3.0;  ///< times the tolerance, by which a cube must lie in front
 constexpr double kAgreedShare = 0.5;  ///< of the picture of a cube
 constexpr int kFewestViews = 2;       ///< that look through a cube
 constexpr short kBlocked = 32767;
@@ -60,7 +60,7 @@ SeenThrough looked_through(const std::vector<PairView>& views, const std::vector
         if (x < 0 || y < 0 || x >= known.cols || y >= known.rows) continue;
         // The far end of the cube would be seen at this shift, or a larger one.
         const double least = views[i].f_base / (q.z() + half) - views[i].offset;
-        through += known.at<short>(y, x) / kShiftUnit < least - kMargin * tolerance ? 1 : 0;
+        through += known.at<short>(y, x) / kShiftUnit < least - kFrontMargin * tolerance ? 1 : 0;
       }
       result.empty[cube] = through >= kFewestViews ? 1 : 0;
     }

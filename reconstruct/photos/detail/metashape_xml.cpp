@@ -31,7 +31,7 @@ double number_of(const pugi::xml_node& parent, const char* name, double otherwis
   return node ? numbers_in(node, 1)[0] : otherwise;
 }
 
-Lens lens_of(const pugi::xml_node& sensor) {
+Lens read_metashape_lens(const pugi::xml_node& sensor) {
   pugi::xml_node calibration = sensor.find_child_by_attribute("calibration", "class", "adjusted");
   if (!calibration) calibration = sensor.child("calibration");
   const std::string label = "sensor " + std::string(sensor.attribute("label").as_string());
@@ -112,7 +112,7 @@ pugi::xml_node load_chunk(pugi::xml_document& document, const std::filesystem::p
 }
 
 /// Cameras, those in groups too.
-std::vector<pugi::xml_node> cameras_of(const pugi::xml_node& chunk) {
+std::vector<pugi::xml_node> camera_nodes(const pugi::xml_node& chunk) {
   std::vector<pugi::xml_node> cameras;
   for (const pugi::xml_node node : chunk.child("cameras").children()) {
     if (std::string(node.name()) == "camera") cameras.push_back(node);
@@ -157,7 +157,7 @@ class Lenses {
       throw InputError("photo " + photo + " names sensor " + sensor + ", which isn't there");
     }
     if (!number_.contains(sensor)) {
-      lenses.push_back(lens_of(known->second));
+      lenses.push_back(read_metashape_lens(known->second));
       number_[sensor] = lenses.size() - 1;
     }
     return number_[sensor];
@@ -186,7 +186,7 @@ PhotoModel read_metashape(const std::filesystem::path& file) {
   Lenses lenses(chunk);
   const Frames frames(chunk);
   std::string component;
-  for (const pugi::xml_node& camera : cameras_of(chunk)) {
+  for (const pugi::xml_node& camera : camera_nodes(chunk)) {
     if (!camera.attribute("enabled").as_bool(true)) continue;
     if (!camera.child("transform")) {
       ++model.unplaced;

@@ -17,7 +17,7 @@ const json& member(const json& object, const char* name) {
 
 const json& data_of(const json& item) { return item.at("value").at("ptr_wrapper").at("data"); }
 
-Lens lens_of(const json& data) {
+Lens read_openmvg_lens(const json& data) {
   Lens lens{.width = json_count(member(data, "width")),
             .height = json_count(member(data, "height"))};
   lens.fx = lens.fy = json_number(member(data, "focal_length"));
@@ -46,13 +46,13 @@ Lens lens_of(const json& data) {
   return lens;
 }
 
-PhotoModel model_of(const json& root) {
+PhotoModel read_openmvg_model(const json& root) {
   PhotoModel model;
   model.source = "OpenMVG";
   std::map<std::string, std::size_t> lens_number;
   for (const json& item : root.at("intrinsics")) {
     lens_number[json_id(item.at("key"))] = model.lenses.size();
-    model.lenses.push_back(lens_of(data_of(item)));
+    model.lenses.push_back(read_openmvg_lens(data_of(item)));
   }
   std::map<std::string, Pose> poses;
   for (const json& item : root.at("extrinsics")) {
@@ -92,6 +92,8 @@ PhotoModel model_of(const json& root) {
 
 }  // namespace
 
-PhotoModel read_openmvg(const std::filesystem::path& file) { return json_read(file, model_of); }
+PhotoModel read_openmvg(const std::filesystem::path& file) {
+  return json_read(file, read_openmvg_model);
+}
 
 }  // namespace clast::photos_detail

@@ -17,7 +17,7 @@ using Json = nlohmann::ordered_json;
 
 /// To 13 binary digits, 0.01 %: bits that nobody sees would be most of what a page can't deflate.
 /// Whole numbers up to 8192 stay as they are.
-float seen(float value) {
+float visible_on_map(float value) {
   constexpr std::uint32_t kHidden = 0x7ff, kHalf = 0x400;
   if (!std::isfinite(value)) return NAN;
   return std::bit_cast<float>((std::bit_cast<std::uint32_t>(value) + kHalf) & ~kHidden);
@@ -51,7 +51,7 @@ Joined joined(const MapRasters& rasters, const RasterLayer& layer) {
 Json layer_json(const MapRasters& rasters, const RasterLayer& layer, const ValueStyle& style,
                 const Vec2& origin) {
   Joined grid = joined(rasters, layer);
-  for (float& value : grid.value) value = seen(value);
+  for (float& value : grid.value) value = visible_on_map(value);
   Json colours = Json::array();
   for (const Rgb& colour : style.colours) colours.push_back(colour_text(colour));
   const double width = rasters.cell * grid.factor;

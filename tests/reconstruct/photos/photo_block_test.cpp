@@ -10,14 +10,14 @@
 namespace clast {
 namespace {
 
-std::filesystem::path rock(const std::string& name) {
+std::filesystem::path rock_file(const std::string& name) {
   return test_data("photos/synthetic_rock/" + name);
 }
 
 TEST(PhotoBlock, AxesAndVolumeOfTheRock) {
-  PhotoScanOptions options{.model = rock("colmap_txt")};
+  PhotoScanOptions options{.model = rock_file("colmap_txt")};
   options.scale.marker_side = 0.2;
-  const PhotoScan scan = photo_scan(rock("images"), options);
+  const PhotoScan scan = photo_scan(rock_file("images"), options);
   EXPECT_TRUE(scan.metric);
   ASSERT_EQ(scan.markers.markers.size(), 4u);
   const RockBlock rock_block(scan);
@@ -39,7 +39,7 @@ TEST(PhotoBlock, AxesAndVolumeOfTheRock) {
 
 TEST(PhotoBlock, WithoutAScaleItIsRefusedUnlessThatIsAllowed) {
   const std::string text =
-      refusal([&] { photo_scan(rock("images"), {.model = rock("colmap_txt")}); });
+      refusal([&] { photo_scan(rock_file("images"), {.model = rock_file("colmap_txt")}); });
   EXPECT_TRUE(contains(text, "no scale"));
   EXPECT_TRUE(contains(text, "`bars`"));
   EXPECT_TRUE(contains(text, "masses are not"));

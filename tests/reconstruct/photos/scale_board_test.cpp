@@ -11,7 +11,7 @@
 namespace clast {
 namespace {
 
-constexpr double kUnit = 0.37;  ///< m
+constexpr double kBoardUnit = 0.37;  ///< m
 
 /// Five markers on a plate of 0.8 x 0.5 m, in the frame of the plate.
 ScaleBoard plate() {
@@ -28,7 +28,8 @@ std::vector<FoundMarker> seen(const ScaleBoard& board) {
   const Pose pose{{3.0, -2.0, 5.0}, Quat(Eigen::AngleAxisd(1.1, Vec3(1, 2, -1).normalized()))};
   std::vector<FoundMarker> markers;
   for (const BoardMarker& marker : board.markers) {
-    markers.push_back(made_up_marker(marker.id, pose * marker.centre / kUnit, 0.1 / kUnit));
+    markers.push_back(
+        made_up_marker(marker.id, pose * marker.centre / kBoardUnit, 0.1 / kBoardUnit));
   }
   return markers;
 }
@@ -36,7 +37,7 @@ std::vector<FoundMarker> seen(const ScaleBoard& board) {
 TEST(ScaleBoard, EveryDistanceOfTheBoardIsUsed) {
   const PhotoScale scale = scale_from_markers(seen(plate()), {.board = plate()});
   EXPECT_EQ(scale.measures.size(), 10u);
-  EXPECT_NEAR(scale.metres_per_unit, kUnit, 1e-12);
+  EXPECT_NEAR(scale.metres_per_unit, kBoardUnit, 1e-12);
   EXPECT_TRUE(scale.from_bars);
   EXPECT_TRUE(scale.notes.empty());
   EXPECT_EQ(scale.measures[0].name, "markers 0 and 1");
@@ -48,7 +49,7 @@ TEST(ScaleBoard, AMarkerThatIsElsewhereIsNamedAndLeftOut) {
     ScaleBoard board = plate();
     board.markers[wrong].centre.y() += 0.012;
     const PhotoScale scale = scale_from_markers(seen(plate()), {.board = board});
-    EXPECT_NEAR(scale.metres_per_unit, kUnit, 1e-12) << wrong;
+    EXPECT_NEAR(scale.metres_per_unit, kBoardUnit, 1e-12) << wrong;
     EXPECT_EQ(scale.measures.size(), 6u);
     ASSERT_EQ(scale.notes.size(), 1u);
     EXPECT_TRUE(contains(scale.notes[0], "marker " + std::to_string(board.markers[wrong].id) +
@@ -61,7 +62,7 @@ TEST(ScaleBoard, TwoOfFiveAreLeftOutAndThreeThatDisagreeAreRefused) {
   board.markers[1].centre.x() += 0.02;
   board.markers[4].centre.y() += 0.03;
   const PhotoScale scale = scale_from_markers(seen(plate()), {.board = board});
-  EXPECT_NEAR(scale.metres_per_unit, kUnit, 1e-12);
+  EXPECT_NEAR(scale.metres_per_unit, kBoardUnit, 1e-12);
   EXPECT_EQ(scale.notes.size(), 2u);
 
   ScaleBoard three = plate();
@@ -76,7 +77,7 @@ TEST(ScaleBoard, MarkersThatWereNotFoundAreNamed) {
   std::vector<FoundMarker> markers = seen(plate());
   markers.erase(markers.begin() + 1, markers.begin() + 3);
   const PhotoScale scale = scale_from_markers(markers, {.board = plate()});
-  EXPECT_NEAR(scale.metres_per_unit, kUnit, 1e-12);
+  EXPECT_NEAR(scale.metres_per_unit, kBoardUnit, 1e-12);
   EXPECT_TRUE(contains(scale.notes.at(0), "show marker 1, 2 whole"));
   markers.resize(1);
   EXPECT_TRUE(contains(refusal([&] { scale_from_markers(markers, {.board = plate()}); }),
@@ -95,7 +96,7 @@ TEST(ScaleBoard, SidesCheckTheBoardAndStandInForIt) {
   board.marker_side = 0.1;
   const PhotoScale side = scale_from_markers(one, {.board = board});
   EXPECT_FALSE(side.from_bars);
-  EXPECT_NEAR(side.metres_per_unit, kUnit, 1e-12);
+  EXPECT_NEAR(side.metres_per_unit, kBoardUnit, 1e-12);
 }
 
 /// Corners as found, in units.
@@ -104,7 +105,7 @@ std::vector<BoardCorner> corners(const CharucoBoard& board, double noise, std::u
   std::vector<BoardCorner> found;
   for (int k = 0; k < (board.columns - 1) * (board.rows - 1); ++k) {
     const Vec3 place = board.square * Vec3(k % (board.columns - 1), k / (board.columns - 1), 0.0);
-    found.push_back({k, (place + noise * random.direction()) / kUnit, 8, 0.1});
+    found.push_back({k, (place + noise * random.direction()) / kBoardUnit, 8, 0.1});
   }
   return found;
 }
@@ -116,13 +117,13 @@ TEST(ScaleBoard, RowsAndColumnsOfAChArUcoBoardGiveTheScale) {
   const PhotoScale scale = scale_from_markers({}, options, found);
   EXPECT_EQ(scale.measures.size(), 4u + 6u);
   // Ends of rows are off by 2e-5 m each, over 0.12 to 0.20 m.
-  EXPECT_NEAR(scale.metres_per_unit / kUnit, 1.0, 1.5e-4);
+  EXPECT_NEAR(scale.metres_per_unit / kBoardUnit, 1.0, 1.5e-4);
   EXPECT_EQ(scale.measures[0].name, "row 1 of the board, corner 0 to corner 5");
 
   found[8].place.x() += 0.01;
   const PhotoScale without = scale_from_markers({}, options, found);
   EXPECT_TRUE(contains(without.notes.at(0), "corner 8 is not where the board has it"));
-  EXPECT_NEAR(without.metres_per_unit / kUnit, 1.0, 1.5e-4);
+  EXPECT_NEAR(without.metres_per_unit / kBoardUnit, 1.0, 1.5e-4);
   found.resize(1);
   EXPECT_TRUE(
       contains(refusal([&] { scale_from_markers({}, options, found); }), "1 of its corners"));

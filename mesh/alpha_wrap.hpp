@@ -1,0 +1,16 @@
+#pragma once
+/// A closed surface around another one.
+#include "mesh/triangle_mesh.hpp"
+
+namespace clast {
+
+/// Computes the alpha wrap of a triangle soup: a closed, oriented 2-manifold without
+/// self-intersections that encloses it.
+///
+/// @param soup    triangles with an area; they may intersect, overlap and leave gaps
+/// @param alpha   size of the smallest hollow that the wrap enters, m, positive
+/// @param offset  distance of the wrap from the soup, m, positive
+/// @cite portaneri2022
+TriangleMesh alpha_wrap(const TriangleMesh& soup, double alpha, double offset);
+
+}  // namespace clast
