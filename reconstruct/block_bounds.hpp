@@ -2,6 +2,7 @@
 /// How large and how small the block of a scan may be.
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "core/types.hpp"
 
@@ -20,6 +21,7 @@ struct BlockBounds {
   std::optional<SideBounds> sides;     ///< none: nothing is known of the sides
   double invented_share = 0.0;         ///< of the surface
   std::string assumption;              ///< behind the bounds, in words; empty: they have none
+  std::vector<std::string> notes;      ///< on what may be behind the unseen parts, for the scan's
 };
 
 }  // namespace clast

@@ -17,14 +17,12 @@ namespace clast {
 
 /// What is known and what is supposed of an underside.
 struct UndersideOptions {
-  /// The ground the block lies on, normal up. Where 95 % of the rim stand clear of it, the
-  /// block has sunk into it by 5 % of its height at most; it may go as deep as `deepest` where 85 %
-  /// and less do. None: a rim faces down, whichever way
-  /// that is.
+  /// The ground that the block lies on, normal up. If 95 % of the rim are clear of it, below flanks
+  /// that close, the block has sunk into it by 5 % of its height at most; if 85 % or less are,
+  /// nothing shows how deep it goes. If none is given, the rim faces down.
   std::optional<Plane> ground = {};
-  /// In the ground that is given at most this much is buried, as a share of the height that was
-  /// seen: a quarter of the whole height by default. Not where the rim is clear of the ground.
-  /// Without a ground it is the depth of the best guess alone, and bounds nothing.
+  /// Depth of the best guess below the rim, as a fraction of the height that was seen: a quarter of
+  /// the whole height by default. It bounds nothing.
   double deepest = 1.0 / 3.0;
   /// A hole whose flat filling has less than this share of the closed surface is left alone.
   double smallest_share = 0.001;
@@ -36,6 +34,7 @@ struct UndersideOptions {
   /// Whether a place on the open surface was scanned; what was not is a filling of
   /// small holes. None: all of it was.
   std::function<bool(const Vec3&)> was_seen = {};
+  double unit = 1.0;  ///< m per unit of the mesh, for the lengths of notes
   /// How well the open surface is known; null: it is exact.
   const SurfaceMargin* margin = nullptr;
 

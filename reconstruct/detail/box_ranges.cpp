@@ -29,6 +29,9 @@ constexpr int kLooks = 3000;
 constexpr double kBoxLeeway = 0.003, kLeewayOfAdded = 3.0;
 /// What lies between the axes that are looked at: a share of the width of the bounds.
 constexpr double kGaps = 0.05;
+/// Bounds are rounded outward by this share of a side: what simplified hulls, and edges that run
+/// between the points of a scan, lose of it.
+constexpr double kRoundedOutward = 5e-4;
 
 /// Points as columns, so that extents along three axes are one product.
 Eigen::Matrix3Xd columns(std::span<const Vec3> points) {
@@ -160,7 +163,8 @@ SideBounds box_ranges(std::span<const Vec3> seen, std::span<const Vec3> possible
     }
   }
   const Vec3 gaps = kGaps * (bounds.upper - bounds.lower);
-  return {bounds.lower - gaps, bounds.upper + gaps};
+  return {(1.0 - kRoundedOutward) * (bounds.lower - gaps),
+          (1.0 + kRoundedOutward) * (bounds.upper + gaps)};
 }
 
 }  // namespace clast::reconstruct_detail

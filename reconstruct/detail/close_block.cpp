@@ -11,6 +11,7 @@
 #include "core/number_text.hpp"
 #include "core/up_axis.hpp"
 #include "mesh/triangle_neighbours.hpp"
+#include "reconstruct/detail/doubtful_form.hpp"
 #include "reconstruct/detail/holes.hpp"
 #include "reconstruct/detail/stated_bounds.hpp"
 
@@ -120,11 +121,13 @@ std::unique_ptr<const ScannedSurface> scanned_part(const OpenBlock& open) {
 }
 
 std::optional<Underside> close_unseen_side(const OpenBlock& open, const ScannedSurface* scanned,
-                                           const std::string& name, const SeenThrough* through) {
+                                           const std::string& name, const SeenThrough* through,
+                                           double unit) {
   UndersideOptions closing{
       .ground = open.ground, .smallest_share = kSmallestHole, .through = through};
   if (scanned) closing.was_seen = [&](const Vec3& place) { return scanned->holds(place); };
   closing.margin = open.margin;
+  closing.unit = unit;
   try {
     return close_underside(open.surface, closing);
   } catch (const GeometryError& error) {
@@ -167,6 +170,36 @@ Underside moved(Underside side, double unit, const Move& move) {
   return side;
 }
 
+/// A place of the block as it is in the file, to 1e-4 of the block's size.
+std::string format_file_place(const Vec3& point, const FieldBlock& block,
+                              const ScanOptions& options) {
+  const double digit = std::pow(
+      10.0, std::floor(std::log10(1e-3 * bounds(block.scan.mesh).diagonal() / options.unit)));
+  const Vec3 upright = block.block_from_file.inverse() * point;
+  const Vec3 in_file = (options.up == "y" ? turned_y_up(upright) : upright) / options.unit;
+  return place(((in_file / digit).array().round() * digit + 0.0).matrix());  // no "-0"
+}
+
+/// Notes what makes the form of a block doubtful.
+/// @param on_ground  then a seam is that of a neighbour, and refused
+void judge_form(FieldBlock& block, const std::string& name, const ScanOptions& options,
+                bool on_ground) {
+  const auto file_place = [&](const Vec3& point) {
+    return format_file_place(point, block, options);
+  };
+  for (const FormDoubt& doubt : find_form_doubts(block.scan.mesh)) {
+    if (on_ground && doubt.kind == FormDoubt::Kind::kSeam) {
+      throw GeometryError(
+          name + ": two bodies that touch in a seam " + with_digits(doubt.size, 2) +
+          " m wide near " + file_place(doubt.place) + ", the smaller with " +
+          with_digits(100.0 * doubt.fraction, 2) +
+          " % of the volume: crop the scan to one of them; if it is one rock with a "
+          "waist, cut the ground away too and give `find_ground = false`");
+    }
+    block.scan.notes.push_back(format_form_doubt(doubt, file_place));
+  }
+}
+
 }  // namespace
 
 FieldBlock close_block(OpenBlock open, const std::string& name, const FieldScanOptions& field) {
@@ -176,7 +209,8 @@ FieldBlock close_block(OpenBlock open, const std::string& name, const FieldScanO
   open.repaired =
       with_fillings(std::move(open.repaired), filled, surface_area(open.surface), options.unit);
   const std::unique_ptr<const ScannedSurface> scanned = scanned_part(open);
-  std::optional<Underside> side = close_unseen_side(open, scanned.get(), name, field.through);
+  std::optional<Underside> side =
+      close_unseen_side(open, scanned.get(), name, field.through, options.unit);
   std::optional<Pose> turn;
   if (open.ground && !field.up_given) turn = upright(open, options);
   FieldBlock block{clean_scan(side ? side->best : open.surface, name, options, turn), {}, {}};
@@ -189,6 +223,9 @@ FieldBlock close_block(OpenBlock open, const std::string& name, const FieldScanO
   std::vector<std::string>& notes = block.scan.notes;
   notes = repair_notes(report);
   notes.insert(notes.begin(), open.notes.begin(), open.notes.end());
+  if (block.bounds) {
+    notes.insert(notes.end(), block.bounds->notes.begin(), block.bounds->notes.end());
+  }
   if (turn) note_tilt(turn->rotation, notes);
   if (side) {
     notes.insert(notes.end(), side->notes.begin(), side->notes.end());
@@ -197,6 +234,7 @@ FieldBlock close_block(OpenBlock open, const std::string& name, const FieldScanO
     });
     block.bounds = underside_bounds(*block.underside, report);
   }
+  judge_form(block, name, options, open.ground.has_value());
   return with_doubt(std::move(block));
 }
 
@@ -207,7 +245,12 @@ FieldBlock clean_block(const TriangleMesh& raw, const std::string& name,
     const ScannedSurface scanned(raw);
     const TriangleMesh closed = in_file_units(block.scan.mesh, field.scan);
     block.bounds = closed_bounds({closed, field.scan.unit, &scanned, nullptr}, block.scan.report);
+    if (block.bounds) {
+      block.scan.notes.insert(block.scan.notes.end(), block.bounds->notes.begin(),
+                              block.bounds->notes.end());
+    }
   }
+  judge_form(block, name, field.scan, false);
   return with_doubt(std::move(block));
 }
 

@@ -75,10 +75,22 @@ bool encloses(const TriangleMesh& closed, const Vec3& point) {
 
 bool lies_inside(const TriangleMesh& component, const TriangleMesh& block,
                  const TriangleTree& tree) {
-  const Vec3& start = component.vertices[0];
-  if (!encloses(block, start)) return false;
+  // The winding number means nothing on the surface itself, so the point farthest from it is asked.
+  Vec3 farthest = component.vertices[0];
+  double distance = -1.0;
+  const auto ask = [&](const Vec3& point) {
+    const double squared = tree.closest(point).squared_distance;
+    if (squared <= distance) return;
+    distance = squared;
+    farthest = point;
+  };
+  for (const Vec3& vertex : component.vertices) ask(vertex);
+  for (const auto& [a, b, c] : component.triangles) {
+    ask((component.vertices[a] + component.vertices[b] + component.vertices[c]) / 3.0);
+  }
+  if (!encloses(block, farthest)) return false;
   // The block may still face inwards, so only sides that differ mean something.
-  const double side = tree.signed_distance(start) < 0.0 ? -1.0 : 1.0;
+  const double side = tree.signed_distance(farthest) < 0.0 ? -1.0 : 1.0;
   const double touching = -kTouching * bounds(block).diagonal();
   return std::all_of(component.vertices.begin(), component.vertices.end(), [&](const Vec3& vertex) {
     return side * tree.signed_distance(vertex) > touching;

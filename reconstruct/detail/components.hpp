@@ -15,12 +15,12 @@ struct Component {
 /// Components connected over edges, largest area first, without unused vertices.
 std::vector<Component> components_of(const TriangleMesh& mesh);
 
-/// Is `point` inside the closed surface? By its winding number, so that it holds for any point and
-/// either orientation.
+/// True if the closed surface encloses `point`, by its winding number: for either orientation, and
+/// any point that does not lie on the surface.
 bool encloses(const TriangleMesh& closed, const Vec3& point);
 
-/// Is every vertex of the component inside the block? A second block that overlaps it has some
-/// outside.
+/// True if every vertex of the component lies inside the block or touches it from inside. A second
+/// block that overlaps the first has some outside; one that touches it has its middle outside.
 /// @param tree  of `block`, which is closed and faces either way
 bool lies_inside(const TriangleMesh& component, const TriangleMesh& block,
                  const TriangleTree& tree);

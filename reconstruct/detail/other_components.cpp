@@ -81,7 +81,7 @@ void sort_out_components(TriangleMesh& block, std::span<const Component> compone
     }
     const bool inside = lies_inside(mesh, block, tree);
     const auto holds_it = [&](const TriangleMesh* shell) {
-      return encloses(*shell, mesh.vertices[0]);
+      return lies_inside(mesh, *shell, TriangleTree(*shell));
     };
     // What lies in a bubble has less area than the bubble, so that one comes first.
     if (inside && closed && std::none_of(shells.begin(), shells.end(), holds_it)) {

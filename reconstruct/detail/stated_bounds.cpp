@@ -95,6 +95,7 @@ std::optional<BlockBounds> closed_bounds(const ClosedScan& scan, const RepairRep
   if (found.sides) bounds.sides = SideBounds{unit * found.sides->lower, unit * found.sides->upper};
   bounds.invented_share = report.invented_share;
   bounds.assumption = assumption_of(scan, report);
+  bounds.notes = hollow_notes(found.hollows, unit);
   widen_for_copies(bounds, report);
   if (!worth_stating(bounds, unit * smallest_box(scan.surface.vertices).lengths)) {
     return std::nullopt;

@@ -2,9 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <vector>
 
+#include "core/number_text.hpp"
+#include "mesh/half_edges.hpp"
 #include "mesh/mesh_topology.hpp"
+#include "mesh/triangle_geometry.hpp"
+#include "mesh/triangle_tree.hpp"
 #include "reconstruct/detail/box_ranges.hpp"
 #include "reconstruct/detail/enclosed_space.hpp"
 #include "reconstruct/detail/flank_planes.hpp"
@@ -29,7 +34,11 @@ constexpr double kLongestHidden = 3.0;
 /// Distance of what is behind a closure, against that of the closure, from the middle.
 constexpr double kFarthestBehind = 10.0;
 constexpr double kSmallClosure = 0.2;  ///< width against the root of the body's area
-constexpr double kBefore = 1.0;        ///< a closure is looked through from so many of its widths
+/// A rim turns into the body where the surface goes on across it inwards by this sine on average:
+/// the wall of a pit or tunnel, and no gap in a face.
+constexpr double kTurnsInward = 0.3;
+constexpr double kLeastLeftByHollows = 0.01;  ///< of the volume
+constexpr double kBefore = 1.0;  ///< a closure is looked through from so many of its widths
 
 struct Middle {
   Vec3 place = Vec3::Zero();
@@ -88,11 +97,17 @@ struct Closure {
   bool faces() const { return vector_area.norm() > 0.0; }  ///< has a way that it faces
 };
 
-std::vector<Closure> collect_closures(const Parted& parts) {
+/// Triangles of the closures alone.
+TriangleMesh closures_alone(const Parted& parts) {
   TriangleMesh all{parts.closed.vertices, {}};
   all.triangles.assign(parts.closed.triangles.begin() + static_cast<std::ptrdiff_t>(parts.first),
                        parts.closed.triangles.end());
-  const std::vector<std::uint32_t> closure_of = triangle_components(all);
+  return all;
+}
+
+/// @param closure_of  number of the closure of each triangle of `all`
+std::vector<Closure> collect_closures(const TriangleMesh& all,
+                                      const std::vector<std::uint32_t>& closure_of) {
   std::vector<Closure> closures;
   for (std::size_t t = 0; t < all.triangles.size(); ++t) {
     if (closure_of[t] >= closures.size()) closures.resize(closure_of[t] + 1);
@@ -188,6 +203,97 @@ void add_tip(EnclosedSpace& space, const Closure& closure, double slack, double 
   if (further > 0.0) space.places.push_back(closure.centre + (reach + further) * out);
 }
 
+/// Mean, over the rim of each closure, of the sine by which the seen surface turns outward across
+/// it: below zero where it goes on into the body. Zero for a closure without a rim.
+std::vector<double> outward_turns(const Parted& parts, const std::vector<Closure>& closures,
+                                  const std::vector<std::uint32_t>& closure_of) {
+  std::vector<double> turns(closures.size(), 0.0), lengths(closures.size(), 0.0);
+  const std::vector<HalfEdge> sides = sorted_half_edges(parts.closed);
+  for (std::size_t i = 0; i + 1 < sides.size(); ++i) {
+    const HalfEdge &one = sides[i], &other = sides[i + 1];
+    if (!one.same_edge(other)) continue;
+    const bool first_seen = one.triangle < parts.first;
+    if (first_seen == (other.triangle < parts.first)) continue;
+    const std::uint32_t which =
+        closure_of[(first_seen ? other.triangle : one.triangle) - parts.first];
+    const Closure& closure = closures[which];
+    if (!closure.faces()) continue;
+    const std::uint32_t corner = (first_seen ? one : other).opposite_corner();
+    const Vec3& apex = parts.closed.vertices[parts.closed.triangles[corner / 3][corner % 3]];
+    const Vec3 &a = parts.closed.vertices[one.low], &b = parts.closed.vertices[one.high];
+    const Vec3 along = (b - a).normalized(), to_rim = a - apex;
+    const Vec3 across = (to_rim - to_rim.dot(along) * along).normalized();
+    if (!across.allFinite()) continue;
+    const double length = (b - a).norm();
+    turns[which] += length * across.dot(closure.vector_area.normalized());
+    lengths[which] += length;
+  }
+  for (std::size_t i = 0; i < turns.size(); ++i) {
+    if (lengths[i] > 0.0) turns[i] /= lengths[i];
+  }
+  return turns;
+}
+
+/// What lies straight behind a mouth: as a volume, and the closure that most of it ends at.
+struct Column {
+  double volume = 0.0;
+  std::optional<std::uint32_t> ends_at;
+};
+
+Column column_behind(const Parted& parts, const TriangleTree& tree, const Closure& closure,
+                     const std::vector<std::uint32_t>& closure_of, std::uint32_t number) {
+  const Vec3 out = closure.vector_area.normalized();
+  Column column;
+  std::map<std::uint32_t, double> through;
+  for (std::size_t t = 0; t < closure_of.size(); ++t) {
+    if (closure_of[t] != number) continue;
+    const auto triangle = static_cast<std::uint32_t>(parts.first + t);
+    const Vec3 area = area_vector(parts.closed, parts.closed.triangles[triangle]);
+    const double facing = 0.5 * area.dot(out);
+    if (!(facing > 0.0)) continue;
+    const auto& [a, b, c] = parts.closed.triangles[triangle];
+    const std::vector<Vec3>& at = parts.closed.vertices;
+    const auto hit = tree.first_exit((at[a] + at[b] + at[c]) / 3.0, -out, triangle);
+    if (!hit) continue;
+    column.volume += facing * hit->distance;
+    if (hit->triangle >= parts.first) through[closure_of[hit->triangle - parts.first]] += facing;
+  }
+  for (const auto& [other, facing] : through) {
+    if (other != number && 2.0 * facing > closure.vector_area.norm()) column.ends_at = other;
+  }
+  return column;
+}
+
+/// Cavities and tunnels that may be behind the closures; a tunnel is listed once.
+std::vector<PossibleHollow> possible_hollows(const Parted& parts,
+                                             const std::vector<Closure>& closures,
+                                             const std::vector<std::uint32_t>& closure_of) {
+  const std::vector<double> turns = outward_turns(parts, closures, closure_of);
+  std::vector<std::uint32_t> mouths;
+  for (std::uint32_t i = 0; i < closures.size(); ++i) {
+    if (turns[i] < -kTurnsInward) mouths.push_back(i);
+  }
+  std::vector<PossibleHollow> hollows;
+  if (mouths.empty()) return hollows;
+  const TriangleTree tree(parts.closed);
+  std::map<std::uint32_t, Column> columns;
+  for (const std::uint32_t i : mouths) {
+    columns[i] = column_behind(parts, tree, closures[i], closure_of, i);
+  }
+  for (const std::uint32_t i : mouths) {
+    const Column& column = columns[i];
+    PossibleHollow hollow{closures[i].centre, closures[i].width(), column.volume, {}};
+    if (column.ends_at && columns.contains(*column.ends_at)) {
+      const Column& other = columns[*column.ends_at];
+      if (other.ends_at == i && *column.ends_at < i) continue;  // listed from the other end
+      hollow.beyond = closures[*column.ends_at].centre;
+      hollow.volume = std::max(hollow.volume, other.volume);
+    }
+    hollows.push_back(hollow);
+  }
+  return hollows;
+}
+
 double sum_of_volumes(const std::vector<EnclosedSpace>& spaces) {
   double volume = 0.0;
   for (const EnclosedSpace& space : spaces) volume += space.volume;
@@ -209,11 +315,13 @@ std::vector<Vec3> seen_points(const Parted& parts) {
 UnseenBounds unseen_bounds(const TriangleMesh& closed, const UnseenParts& parts) {
   const Parted surface = parted(closed, parts.closure);
   const Middle middle = middle_of(closed);
-  UnseenBounds bounds{middle.volume, middle.volume, middle.volume, {}};
+  UnseenBounds bounds{middle.volume, middle.volume, middle.volume, {}, {}};
   std::vector<Vec3> beyond;
   if (surface.first < closed.triangles.size()) {
     const FlankPlanes flanks = flank_planes(surface.closed, surface.first, surface.rims);
-    const std::vector<Closure> closures = collect_closures(surface);
+    const TriangleMesh all = closures_alone(surface);
+    const std::vector<std::uint32_t> closure_of = triangle_components(all);
+    const std::vector<Closure> closures = collect_closures(all, closure_of);
     const double size = std::sqrt(surface_area(closed));
     const Behind behind(closures, flanks, parts.floor, middle, size);
     for (const Closure& closure : closures) {
@@ -232,12 +340,15 @@ UnseenBounds unseen_bounds(const TriangleMesh& closed, const UnseenParts& parts)
     } else {
       bounds.upper_volume.reset();
     }
+    bounds.hollows = possible_hollows(surface, closures, closure_of);
   }
   if (parts.margin != nullptr) {
     bounds.lower_volume -= parts.margin->volume_below;
     if (bounds.upper_volume) *bounds.upper_volume += parts.margin->volume_above;
   }
   bounds.lower_volume = std::max(bounds.lower_volume, kLeastLeftByDent * middle.volume);
+  for (const PossibleHollow& hollow : bounds.hollows) bounds.lower_volume -= hollow.volume;
+  bounds.lower_volume = std::max(bounds.lower_volume, kLeastLeftByHollows * middle.volume);
   if (!bounds.upper_volume) return bounds;
   const std::vector<Vec3> seen =
       parts.margin != nullptr ? parts.margin->inner : seen_points(surface);
@@ -250,6 +361,24 @@ UnseenBounds unseen_bounds(const TriangleMesh& closed, const UnseenParts& parts)
     bounds.sides->upper += both_ends;
   }
   return bounds;
+}
+
+std::vector<std::string> hollow_notes(const std::vector<PossibleHollow>& hollows, double unit) {
+  std::vector<std::string> notes;
+  for (const PossibleHollow& hollow : hollows) {
+    const std::string width = with_digits(hollow.width * unit, 2) + " m wide";
+    notes.push_back(
+        hollow.beyond
+            ? "a tunnel may join the unseen places near " + place(hollow.place) + " and " +
+                  place(*hollow.beyond) + ", " + width +
+                  ": the surface turns inwards around both, and the smallest volume is without it; "
+                  "scan its walls, or weigh the block"
+            : "a cavity may lie behind the unseen place near " + place(hollow.place) + ", " +
+                  width +
+                  ": the surface turns inwards around it, and the smallest volume is without what "
+                  "is straight behind it; scan its walls, or weigh the block");
+  }
+  return notes;
 }
 
 }  // namespace clast::reconstruct_detail

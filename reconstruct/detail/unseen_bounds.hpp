@@ -1,6 +1,7 @@
 #pragma once
 /// How large and how small a body with unseen parts may be.
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "mesh/triangle_mesh.hpp"
@@ -10,12 +11,23 @@
 
 namespace clast::reconstruct_detail {
 
+/// A closure whose rim turns into the body: the mouth of a cavity, or of a tunnel, whose walls were
+/// not seen. In the units of the mesh.
+struct PossibleHollow {
+  Vec3 place = Vec3::Zero();   ///< middle of the mouth
+  double width = 0.0;          ///< of the mouth
+  double volume = 0.0;         ///< of the body straight behind it, which may be empty
+  std::optional<Vec3> beyond;  ///< middle of the mouth at the other end, if there is one
+};
+
 /// Bounds of a body whose seen flanks continue as they are, m^3 and m.
 struct UnseenBounds {
-  double best_volume = 0.0;            ///< of the surface as it is closed
-  double lower_volume = 0.0;           ///< with a closure that is dented as the seen surface is
+  double best_volume = 0.0;  ///< of the surface as it is closed
+  /// With a closure that is dented as the seen surface is, and without what may be hollow.
+  double lower_volume = 0.0;
   std::optional<double> upper_volume;  ///< none: too large a part is unseen
   std::optional<SideBounds> sides;     ///< none without an upper volume
+  std::vector<PossibleHollow> hollows;
 };
 
 /// What is known of a body beside its seen surface.
@@ -30,5 +42,9 @@ struct UnseenParts {
 /// docs/theory.md. A margin widens the bounds of volume and sides.
 /// @param closed  outward, with the closures
 UnseenBounds unseen_bounds(const TriangleMesh& closed, const UnseenParts& parts);
+
+/// A note on each hollow: that a tunnel or a cavity may be there, where, and of what width.
+/// @param unit  m per unit of the mesh; places are given in that unit, as in all notes on a scan
+std::vector<std::string> hollow_notes(const std::vector<PossibleHollow>& hollows, double unit);
 
 }  // namespace clast::reconstruct_detail

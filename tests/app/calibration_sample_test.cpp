@@ -18,7 +18,7 @@ void write_boxes(const std::filesystem::path& file) {
   BlockLibrary library;
   for (const auto& [id, size] : {std::pair{"B01_compact", Vec3(0.60, 0.56, 0.50)},
                                  std::pair{"B04_elongated", Vec3(1.0, 0.52, 0.42)}}) {
-    const TriangleMesh mesh = box_mesh(size);
+    const TriangleMesh mesh = centred_box_mesh(size);
     BlockSource source;
     source.file = "box.stl";
     source.sha256 = std::string(64, '0');

@@ -35,7 +35,7 @@ std::string all_notes(const Scan& scan) {
   return text;
 }
 
-std::string refusal(const TriangleMesh& mesh, const ScanOptions& options = {}) {
+std::string scan_refusal(const TriangleMesh& mesh, const ScanOptions& options = {}) {
   try {
     clean_scan(mesh, "B017", options);
   } catch (const GeometryError& error) {
@@ -118,7 +118,7 @@ TEST(Scan, ACoreWithLargerHolesIsRefusedWithTheirCountSizeAndPlace) {
   TriangleMesh box = box_mesh({1, 1, 1}, 3);
   box.triangles.resize(box.triangles.size() - 4);  // two cells: six border edges
   box.triangles.erase(box.triangles.begin());
-  const std::string message = refusal(box, {.repair = {.invent = false}});
+  const std::string message = scan_refusal(box, {.repair = {.invent = false}});
   EXPECT_HAS(message,
              "B017: the surface is not closed: 9 open edges in 2 holes: 6 edges and 2 m round near "
              "(1, ");
@@ -130,14 +130,14 @@ TEST(Scan, ACoreWithLargerHolesIsRefusedWithTheirCountSizeAndPlace) {
 TEST(Scan, ACoreWithNonManifoldEdgesIsRefusedWithCountAndPlace) {
   // Two cubes that share one edge, welded: four triangles on it.
   const TriangleMesh two = merged(box_mesh({1, 1, 1}), moved_to(box_mesh({1, 1, 1}), {1, 1, 0}));
-  EXPECT_HAS(refusal(two, {.repair = {.invent = false}}),
+  EXPECT_HAS(scan_refusal(two, {.repair = {.invent = false}}),
              "1 edge shared by more than two triangles, near (1, 1, ");
 }
 
 TEST(Scan, PlacesInMessagesAreInTheFilesOwnCoordinates) {
   TriangleMesh open = moved_to(box_mesh({1000, 1000, 1000}, 2), {888600000, 0, 0});
   open.triangles.resize(open.triangles.size() - 8);
-  EXPECT_HAS(refusal(open, {.unit = 0.001, .up = "y", .repair = {.invent = false}}),
+  EXPECT_HAS(scan_refusal(open, {.unit = 0.001, .up = "y", .repair = {.invent = false}}),
              "8 edges and 4 m round near (88860");
 }
 
@@ -205,15 +205,15 @@ TEST(Scan, LooseScrapsAreDroppedWithANote) {
 
 TEST(Scan, TwoBlocksInOneFileAreRefused) {
   const TriangleMesh two = merged(random_rock(6), moved_to(scaled(random_rock(7), 0.5), {5, 0, 0}));
-  EXPECT_HAS(refusal(two), "2 separate components");
+  EXPECT_HAS(scan_refusal(two), "2 separate components");
 }
 
 TEST(Scan, OverlappingBlocksAreNotTakenForABubble) {
   // The first vertex of the second box lies inside the first box, others lie outside.
   const TriangleMesh box = box_mesh({1, 1, 1});
   const TriangleMesh two = merged(box, moved_to(box, {0.5, 0.3, 0.2}));
-  EXPECT_HAS(refusal(two), "2 separate components");
-  EXPECT_HAS(refusal(inverted(two)), "2 separate components");
+  EXPECT_HAS(scan_refusal(two), "2 separate components");
+  EXPECT_HAS(scan_refusal(inverted(two)), "2 separate components");
 }
 
 TEST(Scan, TouchingAtOneVertexIsSplit) {
@@ -277,9 +277,9 @@ TEST(Scan, SheetsAndFlatThingsAreRefused) {
   TriangleMesh sheet;
   sheet.vertices = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
   sheet.triangles = {{0, 1, 2}};
-  EXPECT_HAS(refusal(sheet), "encloses no volume");
+  EXPECT_HAS(scan_refusal(sheet), "encloses no volume");
   sheet.triangles = {{0, 1, 1}};
-  EXPECT_HAS(refusal(sheet), "no surface is left");
+  EXPECT_HAS(scan_refusal(sheet), "no surface is left");
 }
 
 TEST(Scan, OneSidedSurfaceIsRefused) {
@@ -299,7 +299,7 @@ TEST(Scan, OneSidedSurfaceIsRefused) {
     moebius.triangles.push_back({a, c, b});
     moebius.triangles.push_back({b, c, d});
   }
-  EXPECT_HAS(refusal(moebius), "one-sided");
+  EXPECT_HAS(scan_refusal(moebius), "one-sided");
 }
 
 TEST(Scan, FilesAreNamedInRefusals) {
@@ -381,7 +381,7 @@ TEST(Scan, BadOptionsAreRefusedByName) {
   EXPECT_HAS(message({.repair = {.weld_tolerance = 0.5}}), "weld_tolerance");
   TriangleMesh nan = tetrahedron();
   nan.vertices[2].x() = std::nan("");
-  EXPECT_HAS(refusal(nan), "vertex 3");
+  EXPECT_HAS(scan_refusal(nan), "vertex 3");
 }
 
 class DirtyRocks : public testing::TestWithParam<int> {};

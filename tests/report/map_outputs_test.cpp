@@ -52,16 +52,16 @@ TEST_F(ThrownRuns, FillTheCellsTheyPass) {
     EXPECT_EQ(layer("Reach_probability")[i], i <= 5 ? 1.0F : 0.5F) << i;
     // Speed and height grow on the way: the largest is at the far edge, within a step of 0.25 m.
     const double far = std::min(0.5 * static_cast<double>(i) + 0.5, 5.0);
-    const auto speed = [](double x) { return std::hypot(10.0, kGravity * x / 10.0); };
+    const auto speed = [](double x) { return std::hypot(10.0, kTestGravity * x / 10.0); };
     EXPECT_LE(layer("V_max")[i], speed(far) + 1e-3) << i;
     EXPECT_GE(layer("V_max")[i], speed(far - 0.25) - 0.02) << i;
     EXPECT_GE(layer("E_max")[i], layer("E_95")[i]);
     EXPECT_GE(layer("E_95")[i], layer("E_mean")[i]);
-    const auto height = [](double x) { return 2.0 - 0.5 * kGravity * x * x / 100.0 + 0.5 * x; };
+    const auto height = [](double x) { return 2.0 - 0.5 * kTestGravity * x * x / 100.0 + 0.5 * x; };
     EXPECT_NEAR(layer("Ph_95")[i], height(far), 0.15) << i;
   }
   // m = 300 kg, J_z = 3 kg m^2, 2 rad/s.
-  const double v = std::hypot(10.0, kGravity * 0.5);
+  const double v = std::hypot(10.0, kTestGravity * 0.5);
   EXPECT_NEAR(layer("E_max")[10], 150.0 * v * v + 6.0, 1e-2);
 }
 
@@ -164,7 +164,7 @@ TEST_F(ThrownRuns, MoveAsBlocksInAnAnimation) {
     // The second run ended after a quarter of a second and stays there.
     for (const double end : {t, std::min(t, 0.25)}) {
       const std::size_t first = end == t ? 0 : 3 * core.vertices.size();
-      const Vec3 centre = kMapOrigin + Vec3(10.0 * end, 0.0, 2.0 - 0.5 * kGravity * end * end);
+      const Vec3 centre = kMapOrigin + Vec3(10.0 * end, 0.0, 2.0 - 0.5 * kTestGravity * end * end);
       for (std::size_t i = 0; i < core.vertices.size(); ++i) {
         const Vec3 place(points[first + 3 * i], points[first + 3 * i + 1],
                          points[first + 3 * i + 2]);

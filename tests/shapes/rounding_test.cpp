@@ -30,7 +30,7 @@ double distance_to_triangle(const Vec3& a, const Vec3& b, const Vec3& c, const V
 /// What a bound may lie above the largest distance, share of the diagonal (see the header).
 constexpr double kGap = 2e-4;
 
-std::string refusal(const TriangleMesh& scan, double radius) {
+std::string rounding_refusal(const TriangleMesh& scan, double radius) {
   try {
     rounded_core(scan, radius);
   } catch (const GeometryError& error) {
@@ -86,7 +86,7 @@ TEST(Rounding, ZeroRadiusKeepsTheScan) {
 }
 
 TEST(Rounding, TooLargeARadiusIsRefusedWithOneThatWorks) {
-  const std::string message = refusal(box_mesh({1, 1, 1}), 0.6);
+  const std::string message = rounding_refusal(box_mesh({1, 1, 1}), 0.6);
   EXPECT_NE(message.find("0.6 m is too large"), std::string::npos) << message;
   const std::size_t at = message.find("turn inside out; ");
   ASSERT_NE(at, std::string::npos) << message;
@@ -94,16 +94,16 @@ TEST(Rounding, TooLargeARadiusIsRefusedWithOneThatWorks) {
   EXPECT_NEAR(works, 0.5, 0.02);
   EXPECT_LT(works, 0.5);
   EXPECT_NO_THROW(rounded_core(box_mesh({1, 1, 1}), works));
-  EXPECT_NE(refusal(box_mesh({1, 1, 0.1}, 4), 0.06), "");
+  EXPECT_NE(rounding_refusal(box_mesh({1, 1, 0.1}, 4), 0.06), "");
 }
 
 TEST(Rounding, OpenInwardAndBadRadiusAreRefused) {
   TriangleMesh open = tetrahedron();
   open.triangles.pop_back();
-  EXPECT_NE(refusal(open, 0.01).find("closed"), std::string::npos);
+  EXPECT_NE(rounding_refusal(open, 0.01).find("closed"), std::string::npos);
   TriangleMesh inward = tetrahedron();
   for (TriangleMesh::Triangle& t : inward.triangles) std::swap(t[0], t[1]);
-  EXPECT_NE(refusal(inward, 0.01).find("inwards"), std::string::npos);
+  EXPECT_NE(rounding_refusal(inward, 0.01).find("inwards"), std::string::npos);
   EXPECT_THROW(rounded_core(tetrahedron(), -0.1), InputError);
   EXPECT_THROW(rounded_core(tetrahedron(), std::nan("")), InputError);
 }

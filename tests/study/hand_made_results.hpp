@@ -67,7 +67,7 @@ inline CampaignResults hand_made_results() {
                     {"long, \"2\"", 500.0, {2.0, 1.0, 0.9}, "elongated", "VE", "rod"}};
   for (BlockSummary& block : results.blocks) {
     const Vec3 sides(block.axes.L, block.axes.I, block.axes.S);
-    TriangleMesh box = centred_box_mesh(sides);
+    TriangleMesh box = box_mesh(sides);
     for (Vec3& vertex : box.vertices) vertex -= 0.5 * sides;
     block.shape = static_cast<std::uint32_t>(results.shapes.size());
     results.shapes.push_back(sphero_polyhedron(box, 0.0));

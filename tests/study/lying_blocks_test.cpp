@@ -1,11 +1,11 @@
 // Where blocks of a deposit lie and how they are turned, against boxes placed by hand.
 #include "study/lying_blocks.hpp"
-#include "core/angle.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
+#include "core/angle.hpp"
 #include "core/random.hpp"
 #include "tests/study/boxes_that_stay.hpp"
 

@@ -1,0 +1,35 @@
+#pragma once
+/// Closed bodies that do not look like one rock.
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "mesh/triangle_mesh.hpp"
+
+namespace clast::reconstruct_detail {
+
+/// A sign that a closed surface bounds something else than one rock.
+struct FormDoubt {
+  enum class Kind {
+    kShell,   ///< thin walls all over: a surface that was given a thickness; `size`: the thickness
+    kHollow,  ///< much less than the convex hull is filled; `size`: depth of the deepest hollow
+    kSlab,    ///< a block with the ground, or the turntable, around it; `size`: width of the whole
+    kSeam,    ///< two bodies that touch, or are joined by a bridge; `size`: width of the seam
+  };
+  Kind kind = Kind::kShell;
+  Vec3 place = Vec3::Zero();  ///< m
+  double size = 0.0;          ///< m
+  double fraction = 0.0;  ///< kShell, kHollow: volume over that of the convex hull; kSeam: volume
+                          ///< of the smaller body; kSlab: plan area of the ground
+};
+
+/// Finds what makes a closed body doubtful, at most one of each kind.
+/// @param closed  outward, in metres
+std::vector<FormDoubt> find_form_doubts(const TriangleMesh& closed);
+
+/// Formats a doubt as a note on the scan: what it looks like, where, how large, what to do.
+/// @param file_place  formats a place as it is in the scan's file
+std::string format_form_doubt(const FormDoubt& doubt,
+                              const std::function<std::string(const Vec3&)>& file_place);
+
+}  // namespace clast::reconstruct_detail
