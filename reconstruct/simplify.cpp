@@ -18,9 +18,11 @@ namespace clast {
 
 namespace {
 
-/// Targets tried in turn, as multiples of the one asked for, when a simplified mesh crosses itself:
-/// tunnels of a porous scan need vertices to stay open.
-constexpr double kMultiples[] = {1.0, 1.25, 1.5, 2.0};
+/// Targets tried in turn, as multiples of the one asked for, when a simplified mesh crosses itself.
+constexpr double kFewer[] = {1.0, 0.9, 0.8, 0.7};
+/// Tunnels of a porous scan need vertices to stay open: with so many times as many the surface may
+/// be sound, or become so by closing a tunnel, and can be simplified from there.
+constexpr double kMore[] = {1.0, 1.25, 1.5, 2.0, 3.0, 4.0};
 /// So many times the vertices a simplified mesh may have once what crosses was filled anew.
 constexpr double kMostRefill = 2.0;
 /// And so much of its volume may change: the body that is made of it is scaled to the scan's.
@@ -89,21 +91,42 @@ TriangleMesh simplified(const TriangleMesh& mesh, const SimplifyOptions& options
   TriangleMesh centred = mesh;
   for (Vec3& vertex : centred.vertices) vertex -= origin;
 
+  const auto moved = [&](TriangleMesh surface, const Vec3& by) {
+    for (Vec3& vertex : surface.vertices) vertex += by;
+    return surface;
+  };
+  const std::size_t most = options.target_vertices;
+  const auto times = [&](double multiple) {
+    return std::max<std::size_t>(4, static_cast<std::size_t>(multiple * static_cast<double>(most)));
+  };
+  /// A sound surface of no more vertices than asked for, from one about the middle.
+  const auto lighter = [&](const TriangleMesh& from,
+                           double multiple) -> std::optional<TriangleMesh> {
+    std::optional<TriangleMesh> sound = untangled(moved(decimated(from, times(multiple)), origin));
+    if (!sound || sound->vertices.size() > most) return std::nullopt;
+    return sound;
+  };
+  for (const double multiple : kFewer) {
+    if (std::optional<TriangleMesh> found = lighter(centred, multiple)) return std::move(*found);
+  }
   TriangleMesh first;
-  for (const double multiple : kMultiples) {
-    const auto target = std::max<std::size_t>(
-        4, static_cast<std::size_t>(multiple * static_cast<double>(options.target_vertices)));
-    TriangleMesh fewer = decimated(centred, target);
-    if (first.triangles.empty()) first = fewer;
-    for (Vec3& vertex : fewer.vertices) vertex += origin;
-    if (std::optional<TriangleMesh> sound = untangled(fewer)) return std::move(*sound);
+  std::optional<std::size_t> fewest;
+  for (const double multiple : kMore) {
+    const TriangleMesh tried = decimated(centred, times(multiple));
+    if (first.triangles.empty()) first = moved(tried, origin);
+    std::optional<TriangleMesh> sound = untangled(moved(tried, origin));
+    if (!sound) {
+      sound = refilled(tried, origin);
+      if (sound) sound = moved(std::move(*sound), origin);
+      if (sound && !crossing_triangles(*sound).empty()) sound.reset();
+    }
+    if (!sound) continue;
+    if (sound->vertices.size() <= most) return std::move(*sound);
+    fewest = std::min(fewest.value_or(sound->vertices.size()), sound->vertices.size());
+    if (std::optional<TriangleMesh> found = lighter(moved(*sound, -origin), 1.0)) {
+      return std::move(*found);
+    }
   }
-  std::optional<TriangleMesh> sound = refilled(first, origin);
-  for (TriangleMesh* made : {&first, sound ? &*sound : nullptr}) {
-    if (made == nullptr) continue;
-    for (Vec3& vertex : made->vertices) vertex += origin;
-  }
-  if (sound && crossing_triangles(*sound).empty()) return std::move(*sound);
   const auto crossings = crossing_triangles(first);
   const auto input_crossings = crossing_triangles(mesh);
   std::string message = "simplified to " + std::to_string(options.target_vertices) +
@@ -111,12 +134,14 @@ TriangleMesh simplified(const TriangleMesh& mesh, const SimplifyOptions& options
   if (!crossings.empty()) {
     message += " near " + place(first.vertices[first.triangles[crossings[0][0]][0]]);
   }
-  message += input_crossings.empty()
-                 ? "; ask for more vertices"
-                 : "; so does the scan, at " + std::to_string(input_crossings.size()) +
-                       " pairs of triangles, the first near " +
-                       place(mesh.vertices[mesh.triangles[input_crossings[0][0]][0]]) +
-                       ": clean it there, or ask for more vertices";
+  message +=
+      input_crossings.empty()
+          ? fewest ? "; ask for " + std::to_string(*fewest) + ", the fewest that were found to do"
+                   : "; ask for more vertices"
+          : "; so does the scan, at " + std::to_string(input_crossings.size()) +
+                " pairs of triangles, the first near " +
+                place(mesh.vertices[mesh.triangles[input_crossings[0][0]][0]]) +
+                ": clean it there, or ask for more vertices";
   throw GeometryError(message);
 }
 

@@ -14,14 +14,14 @@ struct SimplifyOptions {
 };
 
 /// Edge collapse that keeps the volume (Lindstrom & Turk 1998), with bounded normal change. The
-/// result is closed, crosses itself nowhere and has at most `target_vertices` vertices; where
-/// tunnels of a porous scan would then cut through each other, up to twice as many. A tunnel too
-/// narrow even for that is closed, where that changes the volume by less than 1 %. A mesh at or
+/// result is closed, crosses itself nowhere and has at most `target_vertices` vertices. A tunnel
+/// that is too narrow for that is closed, if that changes the volume by less than 1 %. A mesh at or
 /// below the target is returned as it is.
 /// @param mesh  closed, 2-manifold, outward
-/// @throws GeometryError  mesh not closed; more than 500 triangles meet at a vertex; or the
-/// simplified
-///                        mesh crosses itself all the same
+/// @throws GeometryError  if the mesh is not closed, more than 500 triangles meet at a vertex, or
+/// the
+///                        simplified mesh crosses itself all the same; the message says how many
+///                        vertices are enough, if that was found
 /// @cite lindstrom1998
 TriangleMesh simplified(const TriangleMesh& mesh, const SimplifyOptions& options = {});
 

@@ -43,13 +43,8 @@ constexpr double kEven = 0.05, kUnevenShare = 0.35;
 /// A rim hangs down to the ground where it is no farther above it than the first share of the
 /// height, and does not from the second share on.
 constexpr double kAtGround = 0.02, kClearOfGround = 0.06;
-/// A flank closes where it faces down by the second sine and more, and does not up to the first: a
-/// rim above flanks that go straight down says nothing of what is below it, however far above the
-/// ground the last points are. The normal is that of the surface within so much of the height.
-constexpr double kStraightDown = 0.09, kCloses = 0.26, kFlankReach = 0.1;
-/// Where up to the first share of the rim hangs or does not close, the block has sunk into the
-/// ground by `kSunk` of its height at most; from the second share on, nothing says how deep it
-/// goes.
+/// Where up to the first share of the rim hangs, the best shape sinks into the ground by `kSunk` of
+/// its height at most; where the second share and more does, it goes as deep as `deepest`.
 constexpr double kFewHang = 0.05, kManyHang = 0.15;
 constexpr double kSunk = 0.05;
 /// A block stands on a foot where photos looked under it but for this share of its plan; where all
@@ -101,8 +96,7 @@ double cone_below(double root, double narrowing, double deepest) {
 
 class Closing {
  public:
-  Closing(const TriangleMesh& open, const UndersideOptions& options)
-      : options_(options), seen_triangles_(open.triangles.size()) {
+  Closing(const TriangleMesh& open, const UndersideOptions& options) : options_(options) {
     result_.lower = open;
   }
 
@@ -186,11 +180,11 @@ class Closing {
                           " m3); turn its faces outward, and check that it is one side of a block");
     }
     const std::vector<double> heights = rim_heights(rims[0]);
-    const Bottom bottom =
-        bottom_below(rims[0], heights[(heights.size() - 1) / 2], sections.highest());
-    bound(bottom.lowest, sections.highest());
+    const double bottom =
+        likely_bottom(heights, heights[(heights.size() - 1) / 2], sections.highest());
+    bound(sections.highest());
     rim_root_ = std::sqrt(std::abs(rims[0].area.dot(result_.down)));
-    guess(heights, sections, bottom.likely, closure);
+    guess(heights, sections, bottom, closure);
     const double filling = area_from(result_.best, result_.first_invented);
     result_.invented_share = filling / surface_area(result_.best);
   }
@@ -208,15 +202,17 @@ class Closing {
     return closure;
   }
 
-  /// @param bottom  height below which nothing of the block can be; none if nothing shows it
-  void bound(std::optional<double> bottom, double highest) {
+  /// How deep a block is buried does not follow from where the points on its flanks end. Only space
+  /// that was looked through under it shows that it lies on the ground.
+  void bound(double highest) {
     const std::optional<reconstruct_detail::SpaceBelow> below = space_not_looked_through(highest);
-    if (below && !bottom && foot_share(*below) <= kFootShare) {
+    std::optional<double> bottom;
+    if (below && foot_share(*below) <= kFootShare) {
       bottom = options_.ground->distance - sunk_depth(highest);
     }
-    reconstruct_detail::UnseenParts parts{closures(), {}, options_.margin};
+    reconstruct_detail::UnseenParts parts{closures(), {}, faces_ground(), options_.margin};
     result_.assumption = "the unseen part lies within the planes of the flanks that were seen";
-    if (bottom && faces_ground()) {
+    if (bottom) {
       parts.floor = Plane{options_.ground->normal, *bottom};
       const double depth = (options_.ground->distance - *bottom) / (highest - *bottom);
       result_.assumption += " and reaches into the ground by no more than " +
@@ -231,7 +227,7 @@ class Closing {
       result_.notes.push_back(std::move(note));
     }
     if (result_.upper_volume) {
-      if (below && bottom) look_under(*below, *bottom, highest);
+      if (bottom) look_under(*below, highest);
     } else {
       result_.assumption.clear();
     }
@@ -277,14 +273,11 @@ class Closing {
     return below.foot_area / below.plan_area;
   }
 
-  /// The upper volume is no larger than all that nobody looked through. A block that can be looked
-  /// under stands on a foot; the less so, the deeper it may be buried.
-  void look_under(const reconstruct_detail::SpaceBelow& below, double bottom, double highest) {
-    const double ground = options_.ground->distance, sunk = sunk_depth(highest);
+  /// The upper volume is no larger than all that nobody looked through, on a foot that has sunk
+  /// into the ground.
+  void look_under(const reconstruct_detail::SpaceBelow& below, double highest) {
     const double share = foot_share(below);
-    const double buried = std::clamp((share - kFootShare) / (1.0 - kFootShare), 0.0, 1.0);
-    const double depth = sunk + buried * std::max(0.0, ground - bottom - sunk);
-    const double hull = closure_volume_ + below.volume + below.foot_area * depth;
+    const double hull = closure_volume_ + below.volume + below.foot_area * sunk_depth(highest);
     if (hull >= *result_.upper_volume) return;
     result_.notes.push_back("photos show " + with_digits(100.0 * (1.0 - share), 3) +
                             " % of its plan to be clear of the ground: that takes " +
@@ -327,64 +320,25 @@ class Closing {
 
   bool faces_ground() const { return options_.ground && result_.down == -options_.ground->normal; }
 
-  /// Heights below which nothing of the block is looked for.
-  struct Bottom {
-    std::optional<double> lowest;  ///< by the bounds; none: nothing shows how deep it goes
-    double likely = 0.0;           ///< by the best shape
-  };
-
-  /// 0 where the flank above a vertex of the rim goes straight down or leans out, 1 where it
-  /// closes.
-  std::vector<double> closing_flanks(const Rim& rim, double height) const {
-    const double reach = kFlankReach * height;
-    std::vector<Vec3> areas(rim.loop.size(), Vec3::Zero());
-    const std::vector<Vec3>& at = result_.lower.vertices;
-    for (std::size_t t = 0; t < seen_triangles_; ++t) {
-      const auto& [a, b, c] = result_.lower.triangles[t];
-      const Vec3 centre = (at[a] + at[b] + at[c]) / 3.0;
-      const Vec3 area = (at[b] - at[a]).cross(at[c] - at[a]);
-      for (std::size_t i = 0; i < rim.loop.size(); ++i) {
-        if ((centre - at[rim.loop[i]]).squaredNorm() < reach * reach) areas[i] += area;
-      }
-    }
-    std::vector<double> closing;
-    for (const Vec3& area : areas) {
-      const double down = area.norm() > 0.0 ? area.normalized().dot(result_.down) : 0.0;
-      closing.push_back(std::clamp((down - kStraightDown) / (kCloses - kStraightDown), 0.0, 1.0));
-    }
-    return closing;
-  }
-
-  /// A rim that is clear of the ground nearly all around, below flanks that close, shows that the
-  /// block lies on the ground; else nothing says how deep it goes. In between it is in between, so
-  /// that a hair's breadth of the rim decides nothing.
-  Bottom bottom_below(const Rim& rim, double mean_rim, double highest) {
-    const auto below = [&](double level) { return level - options_.deepest * (highest - level); };
-    if (!faces_ground()) return {below(mean_rim), below(mean_rim)};
+  /// Height below which the best shape goes nowhere. A rim that is clear of the ground nearly all
+  /// around suggests that the block lies on the ground; in between it is in between, so that a
+  /// hair's breadth of the rim decides nothing.
+  /// @param rim  heights, ascending
+  double likely_bottom(const std::vector<double>& rim, double mean_rim, double highest) {
+    const double below = mean_rim - options_.deepest * (highest - mean_rim);
+    if (!faces_ground()) return below;
     const double ground = options_.ground->distance, height = highest - mean_rim;
     result_.gap = mean_rim - ground;
-    const std::vector<double> closing = closing_flanks(rim, height);
-    double hanging = 0.0, open = 0.0;
-    for (std::size_t i = 0; i < rim.loop.size(); ++i) {
-      const double above =
-          (-result_.down.dot(result_.lower.vertices[rim.loop[i]]) - ground) / height;
-      const double hangs =
-          std::clamp((kClearOfGround - above) / (kClearOfGround - kAtGround), 0.0, 1.0);
-      hanging += hangs;
-      open += std::max(hangs, 1.0 - closing[i]);
+    double hanging = 0.0;
+    for (const double z : rim) {
+      const double above = (z - ground) / height;
+      hanging += std::clamp((kClearOfGround - above) / (kClearOfGround - kAtGround), 0.0, 1.0);
     }
-    const auto share = [&](double sum) {
-      const double part = sum / static_cast<double>(rim.loop.size());
-      return std::clamp((part - kFewHang) / (kManyHang - kFewHang), 0.0, 1.0);
-    };
+    hanging /= static_cast<double>(rim.size());
+    const double share = std::clamp((hanging - kFewHang) / (kManyHang - kFewHang), 0.0, 1.0);
     // Something holds it up: under an overhang it reaches the ground however far below that is.
     const double sunk = ground - kSunk * height;
-    // Of a block that leans, most of the rim may hang far above the ground that an end is in.
-    Bottom bottom{std::nullopt, std::lerp(sunk, std::min(below(mean_rim), sunk), share(hanging))};
-    if (share(open) < 1.0) {
-      bottom.lowest = std::lerp(sunk, below(std::min(mean_rim, ground)), share(open));
-    }
-    return bottom;
+    return std::lerp(sunk, std::min(below, sunk), share);
   }
 
   /// The best shape lies on the ground. A cap under an uneven rim may meet the walls: it is made
@@ -421,7 +375,6 @@ class Closing {
   }
 
   const UndersideOptions& options_;
-  const std::size_t seen_triangles_;
   Underside result_;
   std::size_t first_vertex_ = 0;
   double closure_volume_ = 0.0;  ///< of `lower`, m^3

@@ -14,7 +14,7 @@ namespace {
 constexpr int kSeamDirections = 150;  ///< normals of planes, over half a sphere
 constexpr int kSlices = 40;           ///< planes of each normal
 /// Area of the section, against the largest on the side that has less, above which it is no neck.
-constexpr double kWidestNeck = 0.8;
+constexpr double kWidestNeck = 0.6;
 /// A part with less of the volume than this is no second body.
 constexpr double kLeastPart = 0.06;
 constexpr std::size_t kTriedNecks = 16;  ///< of different normals, the narrowest first
@@ -22,8 +22,10 @@ constexpr std::size_t kTriedNecks = 16;  ///< of different normals, the narrowes
 constexpr double kFacing = 0.5;
 /// The surfaces are looked at within this share of the cube root of the smaller part's volume.
 constexpr double kSeamReach = 0.2;
-constexpr double kConcaveOutline = 0.6;  ///< share of an outline along which a seam is concave
-constexpr double kLeastHullGain = 0.08;  ///< of the volume of the hull, by dividing the body
+constexpr double kConcaveOutline = 0.7;  ///< share of an outline along which a seam is concave
+/// What the hull of the whole has more than those of the parts, against that of the smaller part.
+constexpr double kLeastHullGain = 0.25;
+constexpr int kRefinements = 10;  ///< planes between two slices
 constexpr std::size_t kOutlineSamples = 72;
 
 /// Evenly over the upper half of the sphere, along a spiral.
@@ -57,7 +59,8 @@ std::optional<OutlinePiece> cut_triangle(const std::array<Vec3, 3>& corner,
 /// A plane that may divide the body.
 struct Neck {
   Vec3 normal = Vec3::UnitZ();
-  double height = 0.0, ratio = 1.0, area = 0.0, smaller_fraction = 0.0;
+  double height = 0.0, step = 0.0;  ///< along the normal; to the next plane
+  double ratio = 1.0, area = 0.0, smaller_fraction = 0.0;
 };
 
 class SeamSearch {
@@ -80,7 +83,8 @@ class SeamSearch {
                      [](const Neck& a, const Neck& b) { return a.ratio < b.ratio; });
     if (necks.size() > kTriedNecks) necks.resize(kTriedNecks);
     std::optional<BodySeam> best;
-    for (const Neck& neck : necks) {
+    for (Neck& neck : necks) {
+      refine(neck);
       const std::vector<OutlinePiece> outline = outline_at(neck);
       const double concave = concave_fraction(neck, outline);
       if (concave < kConcaveOutline || (best && concave <= best->concave_fraction)) continue;
@@ -112,7 +116,7 @@ class SeamSearch {
     }
     double whole = 0.0;
     for (double& area : areas) whole += (area = std::abs(area));
-    Neck best{normal, 0.0, kWidestNeck, 0.0, 0.0};
+    Neck best{normal, 0.0, step, kWidestNeck, 0.0, 0.0};
     double below = 0.0, largest_below = 0.0;
     for (std::size_t k = 0; k < kSlices; ++k) {
       const double largest_above =
@@ -120,13 +124,28 @@ class SeamSearch {
       const double smaller = std::min(below, whole - below) / whole;
       const double ratio = areas[k] / std::min(largest_below, largest_above);
       if (smaller >= kLeastPart && ratio < best.ratio) {
-        best = {normal, first + static_cast<double>(k + 1) * step, ratio, areas[k], smaller};
+        best = {normal, first + static_cast<double>(k + 1) * step, step, ratio, areas[k], smaller};
       }
       below += areas[k];
       largest_below = std::max(largest_below, areas[k]);
     }
     if (!(best.area > 0.0)) return std::nullopt;
     return best;
+  }
+
+  /// Moves the plane to where the section is least between the slices beside it.
+  void refine(Neck& neck) const {
+    const Neck coarse = neck;
+    for (int k = 1 - kRefinements; k < kRefinements; ++k) {
+      Neck tried = coarse;
+      tried.height += coarse.step * k / kRefinements;
+      double area = 0.0;
+      for (const OutlinePiece& piece : outline_at(tried)) {
+        area += 0.5 * tried.normal.dot(piece.from.cross(piece.to));
+      }
+      tried.area = std::abs(area);
+      if (tried.area > 0.0 && tried.area < neck.area) neck = tried;
+    }
   }
 
   std::vector<OutlinePiece> outline_at(const Neck& neck) const {
@@ -235,7 +254,8 @@ class SeamSearch {
     const auto hull_volume = [](const std::vector<Vec3>& points) {
       return signed_volume(convex_hull(points));
     };
-    return 1.0 - (hull_volume(above) + hull_volume(below)) / hull_volume(mesh_.vertices);
+    const double one = hull_volume(above), other = hull_volume(below);
+    return (hull_volume(mesh_.vertices) - one - other) / std::min(one, other);
   }
 
   TriangleMesh mesh_;

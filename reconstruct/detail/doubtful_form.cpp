@@ -26,8 +26,12 @@ constexpr double kHollowFill = 0.5;
 constexpr double kGroundLevel = 0.85, kRises = 0.35;
 /// It does not fall away from the body, as the flanks of a flat rock do: mean sine, outward.
 constexpr double kGroundFall = 0.12;
+/// Mean distance of the ground from its median height, against the height of what stands on it.
+constexpr double kGroundSpread = 0.12;
+constexpr double kHighestSlab = 0.8;  ///< of the width: a needle that stands up has no ground
 constexpr double kLeastGround = 0.2;  ///< of the plan area
-/// It lies beyond the body in so many of the sectors of the plan.
+/// It reaches beyond the body, by this share of the width, in so many of the sectors of the plan.
+constexpr double kLeastRim = 0.1;
 constexpr std::size_t kGroundSectors = 12, kSectorsWithGround = 10;
 /// The base is as wide as the ground: this share of the plan faces down within so much of the
 /// height.
@@ -120,7 +124,7 @@ std::optional<FormDoubt> ground_around(const TriangleMesh& closed, const Vec3& u
   tall /= tall_area;
   const Vec3 east = up.unitOrthogonal(), north = up.cross(east);
   std::array<double, kGroundSectors> body{}, ground{};
-  double ground_area = 0.0, fall = 0.0;
+  double ground_area = 0.0, fall = 0.0, spread = 0.0;
   for (const PlanPiece& piece : upper) {
     const Vec3 away = piece.centre - tall;
     const double x = east.dot(away), y = north.dot(away), radius = std::hypot(x, y);
@@ -132,14 +136,16 @@ std::optional<FormDoubt> ground_around(const TriangleMesh& closed, const Vec3& u
     } else if (piece.level > kGroundLevel) {
       ground[sector] = std::max(ground[sector], radius);
       ground_area += piece.area;
+      spread += piece.area * std::abs(piece.height - ground_height);
       fall += piece.area * (x * east.dot(piece.normal) + y * north.dot(piece.normal)) /
               std::max(radius, 1e-300);
     }
   }
   std::size_t around = 0;
-  for (std::size_t i = 0; i < kGroundSectors; ++i) around += ground[i] > 1.1 * body[i];
-  if (around < kSectorsWithGround || ground_area < kLeastGround * plan ||
-      fall > kGroundFall * ground_area) {
+  for (std::size_t i = 0; i < kGroundSectors; ++i)
+    around += ground[i] > body[i] + kLeastRim * std::sqrt(plan);
+  if (whole > kHighestSlab * std::sqrt(plan) || around < kSectorsWithGround ||
+      ground_area < kLeastGround * plan || fall > kGroundFall * ground_area) {
     return std::nullopt;
   }
   return FormDoubt{FormDoubt::Kind::kSlab, tall, std::sqrt(plan), ground_area / plan};
@@ -153,20 +159,20 @@ std::vector<FormDoubt> find_form_doubts(const TriangleMesh& closed) {
   const TriangleMesh hull = convex_hull(closed.vertices);
   const double fill = volume / signed_volume(hull);
   std::vector<FormDoubt> doubts;
-  if (thickness < kShellThickness * box.lengths[2]) {
-    doubts.push_back({FormDoubt::Kind::kShell, closed.vertices[0], thickness, fill});
-    return doubts;
-  }
   std::vector<Vec3> ups = {Vec3::UnitZ()};
   for (int axis = 0; axis < 3; ++axis) {
     ups.emplace_back(box.axes.col(axis));
     ups.emplace_back(-box.axes.col(axis));
   }
+  std::optional<FormDoubt> slab;
   for (const Vec3& up : ups) {
-    if (const auto slab = ground_around(closed, up)) {
-      doubts.push_back(*slab);
-      return doubts;
-    }
+    const std::optional<FormDoubt> found = ground_around(closed, up);
+    if (found && (!slab || found->size > slab->size)) slab = found;
+  }
+  if (slab) return {*slab};
+  if (thickness < kShellThickness * box.lengths[2]) {
+    doubts.push_back({FormDoubt::Kind::kShell, closed.vertices[0], thickness, fill});
+    return doubts;
   }
   if (fill < kHollowFill) doubts.push_back(hollow_of(closed, hull, fill));
   if (const auto seam = find_seam(closed)) {

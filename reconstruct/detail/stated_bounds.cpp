@@ -81,7 +81,7 @@ std::optional<BlockBounds> closed_bounds(const ClosedScan& scan, const RepairRep
   const std::vector<bool> closure = mark_closures(scan);
   const bool exact = std::find(closure.begin(), closure.end(), true) == closure.end();
   if (exact && scan.margin == nullptr && report.doubled.empty()) return std::nullopt;
-  const UnseenBounds found = unseen_bounds(scan.surface, {closure, {}, scan.margin});
+  const UnseenBounds found = unseen_bounds(scan.surface, {closure, {}, false, scan.margin});
   const double unit = scan.unit, cubed = unit * unit * unit;
   BlockBounds bounds;
   bounds.best_volume = cubed * found.best_volume;

@@ -18,11 +18,11 @@ namespace clast::reconstruct_detail {
 
 namespace {
 
-/// Largest upper volume against that of what is closed: a quarter of the block may be unseen
-/// where the flanks alone bound it, half of it where a floor does. Beyond, planes of the flanks
+/// Largest upper volume against that of what is closed: a quarter of the block may be unseen, and
+/// half of it on the side of the ground, where nobody can look. Beyond, planes of the flanks
 /// meet so far from what was seen that a small error of theirs moves the bound by tenths of the
 /// volume, and a part that no flank announces becomes likely.
-constexpr double kMostByFlanks = 4.0 / 3.0, kMostOnFloor = 2.0;
+constexpr double kMostByFlanks = 4.0 / 3.0, kMostOnGround = 2.0;
 constexpr double kLeastLeftByDent = 0.5;  ///< of the volume, by a closure that is dented
 /// The planes are moved out by so many slacks where sides are bounded: a corner that stands out is
 /// seen in them and hardly in the volume.
@@ -35,8 +35,11 @@ constexpr double kLongestHidden = 3.0;
 constexpr double kFarthestBehind = 10.0;
 constexpr double kSmallClosure = 0.2;  ///< width against the root of the body's area
 /// A rim turns into the body where the surface goes on across it inwards by this sine on average:
-/// the wall of a pit or tunnel, and no gap in a face.
-constexpr double kTurnsInward = 0.3;
+/// the wall of a pit, and no gap in a face. Two closures that face each other through the body may
+/// be the mouths of a tunnel unless their rims turn outward, as those of gaps in a convex surface
+/// do.
+constexpr double kTurnsInward = 0.3, kTurnsOutward = 0.05;
+constexpr double kLeastMouth = 0.002;         ///< of the area of the surface
 constexpr double kLeastLeftByHollows = 0.01;  ///< of the volume
 constexpr double kBefore = 1.0;  ///< a closure is looked through from so many of its widths
 
@@ -270,8 +273,11 @@ std::vector<PossibleHollow> possible_hollows(const Parted& parts,
                                              const std::vector<std::uint32_t>& closure_of) {
   const std::vector<double> turns = outward_turns(parts, closures, closure_of);
   std::vector<std::uint32_t> mouths;
+  const double least = kLeastMouth * surface_area(parts.closed);
   for (std::uint32_t i = 0; i < closures.size(); ++i) {
-    if (turns[i] < -kTurnsInward) mouths.push_back(i);
+    if (turns[i] < kTurnsOutward && closures[i].faces() && closures[i].area > least) {
+      mouths.push_back(i);
+    }
   }
   std::vector<PossibleHollow> hollows;
   if (mouths.empty()) return hollows;
@@ -288,6 +294,8 @@ std::vector<PossibleHollow> possible_hollows(const Parted& parts,
       if (other.ends_at == i && *column.ends_at < i) continue;  // listed from the other end
       hollow.beyond = closures[*column.ends_at].centre;
       hollow.volume = std::max(hollow.volume, other.volume);
+    } else if (turns[i] > -kTurnsInward) {
+      continue;
     }
     hollows.push_back(hollow);
   }
@@ -329,7 +337,7 @@ UnseenBounds unseen_bounds(const TriangleMesh& closed, const UnseenParts& parts)
     }
     const auto spaces = behind.within(1.0);
     auto wider = behind.within(kSideSlacks);
-    const double most = parts.floor ? kMostOnFloor : kMostByFlanks;
+    const double most = parts.on_ground ? kMostOnGround : kMostByFlanks;
     const double added = spaces ? sum_of_volumes(*spaces) : 0.0;
     if (spaces && wider && middle.volume + added <= most * middle.volume) {
       *bounds.upper_volume += added;

@@ -34,6 +34,7 @@ struct UnseenBounds {
 struct UnseenParts {
   std::vector<bool> closure;              ///< of each triangle: it fills a hole
   std::optional<Plane> floor;             ///< the body lies above it; normal up
+  bool on_ground = false;                 ///< the unseen part is on the side of the ground
   const SurfaceMargin* margin = nullptr;  ///< of the seen surface; null: that is exact
 };
 

@@ -67,7 +67,7 @@ TEST(LyingBlocks, AreNoneWhereNoBlockStayed) {
 }
 
 TEST(TopOver, IsTheUpperFace) {
-  const TriangleMesh skin = centred_box_mesh({2.0, 1.0, 3.0});
+  const TriangleMesh skin = box_mesh({2.0, 1.0, 3.0});
   EXPECT_DOUBLE_EQ(*top_over(skin, {0.3, 0.7}), 3.0);
   EXPECT_FALSE(top_over(skin, {2.1, 0.5}));
   EXPECT_FALSE(top_over(skin, {1.0, -0.1}));

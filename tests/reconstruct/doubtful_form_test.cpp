@@ -1,0 +1,123 @@
+// Closed bodies that are not one rock, and rocks that are.
+#include "reconstruct/detail/doubtful_form.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/number_text.hpp"
+#include "core/random.hpp"
+#include "reconstruct/detail/body_seam.hpp"
+#include "samples/rock_shapes.hpp"
+#include "tests/support/odd_bodies.hpp"
+#include "tests/support/rock_mesh.hpp"
+
+namespace clast::reconstruct_detail {
+namespace {
+
+using Kind = FormDoubt::Kind;
+
+std::vector<Kind> doubt_kinds(const TriangleMesh& closed) {
+  std::vector<Kind> kinds;
+  for (const FormDoubt& doubt : find_form_doubts(closed)) kinds.push_back(doubt.kind);
+  return kinds;
+}
+
+bool has_doubt(const TriangleMesh& closed, Kind kind) {
+  const std::vector<Kind> kinds = doubt_kinds(closed);
+  return std::find(kinds.begin(), kinds.end(), kind) != kinds.end();
+}
+
+TriangleMesh turned_at_random(TriangleMesh mesh, Random& random) {
+  return transformed(std::move(mesh), {Vec3(3.0, -2.0, 1.0), random.rotation()});
+}
+
+std::string notes_on(const TriangleMesh& closed) {
+  std::string notes;
+  for (const FormDoubt& doubt : find_form_doubts(closed)) {
+    notes += format_form_doubt(doubt, [](const Vec3& p) { return place(p); }) + "\n";
+  }
+  return notes;
+}
+
+TEST(DoubtfulForm, ASurfaceThatWasGivenAThicknessIsAShell) {
+  Random random(1);
+  for (const double cut : {-0.9, -0.7, -0.3, 0.2}) {
+    for (const double thickness : {0.01, 0.03, 0.06}) {
+      const TriangleMesh shell = turned_at_random(cup(cut, thickness), random);
+      ASSERT_GT(signed_volume(shell), 0.0);
+      const std::vector<FormDoubt> doubts = find_form_doubts(shell);
+      ASSERT_EQ(doubts.size(), 1u) << cut << ", " << thickness;
+      EXPECT_EQ(doubts[0].kind, Kind::kShell);
+      EXPECT_NEAR(doubts[0].size / thickness, 1.0, 0.1) << cut << ", " << thickness;
+    }
+  }
+}
+
+TEST(DoubtfulForm, BallsThatTouchOrAreJoinedMeetInASeam) {
+  Random random(2);
+  for (const double second : {0.5, 0.75, 1.0}) {
+    for (const double overlap : {0.0, 0.05, 0.15}) {
+      const double distance = 1.0 + second * (1.0 - overlap);
+      const Pose turn{Vec3(3.0, -2.0, 1.0), random.rotation()};
+      const TriangleMesh body = transformed(two_balls(second, distance, 0.1), turn);
+      const auto seam = find_seam(body);
+      ASSERT_TRUE(seam) << second << ", " << overlap;
+      // The circle in which two balls cut each other, or the neck.
+      const double x = (distance * distance + 1.0 - second * second) / (2.0 * distance);
+      const double radius = std::max(0.1, std::sqrt(std::max(0.0, 1.0 - x * x)));
+      EXPECT_NEAR((seam->place - turn * Vec3(x, 0.0, 0.0)).norm(), 0.0, 0.15) << second;
+      EXPECT_NEAR(seam->width, std::sqrt(kPi) * radius, 0.15) << second << ", " << overlap;
+    }
+  }
+  for (const double gap : {0.05, 0.3}) {
+    EXPECT_TRUE(has_doubt(two_balls(0.8, 1.8 + gap, 0.08), Kind::kSeam)) << gap;
+  }
+}
+
+TEST(DoubtfulForm, AClosedScanOfABlockWithItsGroundIsASlab) {
+  Random random(3);
+  for (const double rock : {0.3, 0.5, 0.8}) {
+    for (const double depth : {0.02, 0.1, 0.4}) {
+      for (const double rough : {0.0, 0.005}) {
+        const TriangleMesh body = turned_at_random(slab(3.0, depth, rock, rough, 7), random);
+        const std::vector<FormDoubt> doubts = find_form_doubts(body);
+        ASSERT_FALSE(doubts.empty()) << rock << ", " << depth << ", " << rough;
+        EXPECT_EQ(doubts[0].kind, Kind::kSlab) << rock << ", " << depth << ", " << rough;
+        EXPECT_NEAR(doubts[0].size, 3.0, 0.3);
+      }
+    }
+  }
+}
+
+TEST(DoubtfulForm, ADeepHollowIsReportedWithItsDepth) {
+  // A ring: its inside is as deep below the hull as it is thick.
+  const TriangleMesh ring = torus_without_inner_wall(0.3, 0.05, 0.0);
+  const std::vector<FormDoubt> doubts = find_form_doubts(ring);
+  ASSERT_FALSE(doubts.empty());
+  EXPECT_EQ(doubts[0].kind, Kind::kHollow);
+  EXPECT_NEAR(doubts[0].size, 0.05, 0.005);
+  EXPECT_NEAR(doubts[0].fraction, 0.41, 0.03);
+}
+
+TEST(DoubtfulForm, OneRockIsNotDoubted) {
+  Random random(4);
+  std::size_t rocks = 0;
+  for (const RockRecipe& recipe : sample_recipes()) {
+    EXPECT_EQ(notes_on(turned_at_random(rock(recipe), random)), "") << recipe.name;
+    ++rocks;
+  }
+  for (const Vec3& half : {Vec3(1.0, 0.9, 0.8), Vec3(1.0, 0.8, 0.1), Vec3(1.0, 0.12, 0.1),
+                           Vec3(1.0, 0.4, 0.2), Vec3(1.0, 1.0, 0.25)}) {
+    for (std::uint64_t seed = 1; seed <= 6; ++seed) {
+      const TriangleMesh mesh = turned_at_random(rock_mesh(12, half, seed), random);
+      EXPECT_EQ(notes_on(mesh), "") << half.transpose() << ", seed " << seed;
+      ++rocks;
+    }
+  }
+  EXPECT_GE(rocks, 35u);
+}
+
+}  // namespace
+}  // namespace clast::reconstruct_detail
