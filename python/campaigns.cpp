@@ -220,7 +220,7 @@ void merge(const py::object& parts, const fs::path& output, bool replace) {
 void bind_campaigns(py::module_& module) {
   module.attr("campaign_tables") = keys_of(campaign_tables());
   module.def("campaign_schema", [] { return object_of(campaign_schema()); });
-  module.def("campaign_read", &read);
+  module.def("campaign_read", &read_campaign_text);
   module.def("campaign_write", [](const fs::path& file, const std::string& text, bool replace) {
     write_output(file, text, {.kind = "text", .replace = replace});
   });

@@ -31,7 +31,7 @@ namespace {
 
 using SharedResults = std::shared_ptr<CampaignResults>;
 
-SharedResults read_results(const fs::path& path) {
+SharedResults load_results(const fs::path& path) {
   return unlocked([&] { return std::make_shared<CampaignResults>(read_results(path)); });
 }
 
@@ -146,7 +146,7 @@ void bind_comparisons(py::module_& module) {
           })
       .def("write", &write);
   module.attr("comparison_tables") = comparison_table_names();
-  module.def("results_read", &read);
+  module.def("results_read", &load_results);
   module.def("compare", &compare_all);
 }
 

@@ -151,7 +151,7 @@ std::string write_pages(const Blocks& blocks, const std::string& title, const fs
 }  // namespace
 
 void bind_libraries(py::module_& module) {
-  module.def("library_read", &read);
+  module.def("library_read", &read_blocks);
   module.def("library_add", &add);
   module.def("library_remove", &remove);
   module.def("library_set", &set_notes);

@@ -182,7 +182,7 @@ void bind_terrains(py::module_& module) {
           export_terrain(path, terrain, up, cell, {.kind = kind_by_name(path), .replace = replace});
         });
       });
-  module.def("terrain_read", &read);
+  module.def("terrain_read", &read_terrain_files);
 }
 
 }  // namespace clast::python_detail
