@@ -16,6 +16,7 @@ find_package(Boost 1.74 REQUIRED)  # headers; CGAL needs them too
 find_package(CGAL 5.5 REQUIRED CONFIG)
 find_package(PclCore 1.12 REQUIRED)
 find_package(GDAL 3.6 REQUIRED CONFIG)
+find_package(PROJ 9.1 REQUIRED CONFIG)  # GDAL loads it
 find_package(CLI11 2.1 REQUIRED CONFIG)
 find_package(tomlplusplus 3.3 REQUIRED CONFIG)
 find_package(nlohmann_json 3.11 REQUIRED CONFIG)

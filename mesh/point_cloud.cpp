@@ -61,13 +61,17 @@ bool is_text_cloud(const std::string& extension) {
 }
 
 CloudSummary read_cloud_by_format(const std::filesystem::path& path, const std::string& extension,
-                                  mesh_detail::PointSink& sink) {
+                                  mesh_detail::PointSink& sink,
+                                  const std::vector<std::string>& columns) {
+  if (!columns.empty() && !is_text_cloud(extension)) {
+    throw InputError("`columns` are of clouds in text; leave them out");
+  }
   if (extension == ".pcd") return mesh_detail::read_pcd(read_text_file(path), sink);
   if (is_text_cloud(extension) || extension == ".las" || extension == ".laz") {
     check_input_file(path);
     std::ifstream stream(path, std::ios::binary);
     if (!stream) throw InputError("can't be read; check its permissions");
-    return is_text_cloud(extension) ? mesh_detail::read_text_cloud(stream, sink)
+    return is_text_cloud(extension) ? mesh_detail::read_text_cloud(stream, sink, columns)
                                     : mesh_detail::read_las(stream, sink);
   }
   const std::optional<TriangleMesh> mesh =
@@ -93,7 +97,8 @@ std::string nothing_in(const CloudSummary& summary) {
 }  // namespace
 
 CloudSummary stream_cloud(const std::filesystem::path& path,
-                          const std::function<void(const PointBatch&)>& take) {
+                          const std::function<void(const PointBatch&)>& take,
+                          const std::vector<std::string>& columns) {
   mesh_detail::PointSink sink(take);
   CloudSummary summary;
   try {
@@ -101,7 +106,7 @@ CloudSummary stream_cloud(const std::filesystem::path& path,
     if (std::filesystem::is_regular_file(path, code) && std::filesystem::is_empty(path, code)) {
       throw InputError("holds no points: the file is empty; copy or export it again");
     }
-    summary = read_cloud_by_format(path, extension_of(path), sink);
+    summary = read_cloud_by_format(path, extension_of(path), sink, columns);
   } catch (const InputError& error) {
     const std::string message = error.what();
     const std::string name = path.string() + ": ";

@@ -64,6 +64,7 @@ void take_scale(Keywords& given, ScanToBlockOptions& options) {
 void take_scan(Keywords& given, ScanToBlockOptions& options) {
   options.up_given = given.has("up");
   given.take("up", options.scan.up);
+  options.scan.columns = given.texts("columns");
   if (given.has("ground")) {
     const auto ground = py::cast<std::string>(given.object("ground"));
     if (ground != "auto" && ground != "none") {

@@ -36,6 +36,7 @@ std::shared_ptr<Terrain> read_terrain_files(const py::dict& keywords) {
   }
   for (const std::string& lines : given.texts("breaklines")) options.breaklines.emplace_back(lines);
   given.take("up", options.up);
+  options.columns = given.texts("columns");
   given.take("resolution", options.resolution);
   given.take("percentile", options.percentile);
   given.take("outliers", options.outliers);

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cmath>
 
+#include "core/error.hpp"
 #include "mesh/mesh_io.hpp"
 #include "mesh/point_cloud.hpp"
 #include "reconstruct/detail/cloud_blocks.hpp"
@@ -19,6 +21,26 @@ bool is_cloud(const std::filesystem::path& path) {
                  [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
   const std::vector<std::string>& known = cloud_extensions();
   return extension == ".asc" || std::find(known.begin(), known.end(), extension) != known.end();
+}
+
+/// Refuses coordinates that are not lengths in the unit of the options; the user's unit holds
+/// against what the file says, with a note.
+std::vector<std::string> check_cloud_system(const std::filesystem::path& path,
+                                            const CloudSummary& summary, const Bounds& box,
+                                            const ScanOptions& options) {
+  constexpr double kCorrection = 0.05;  // factors nearer to 1 correct metres, and are no unit
+  const bool metres = std::abs(options.unit - 1.0) <= kCorrection;
+  const LengthUse use{.unit = metres ? 1.0 : options.unit,
+                      .unit_given = !metres,
+                      .needs_up = false,
+                      .way = "pdal translate, filters.reprojection, EPSG:25832",
+                      .relabel = "pdal translate, writers.las.a_srs=EPSG:25832",
+                      .has_units_option = true};
+  std::vector<std::string> notes = check_lengths(path.string(), summary.lengths, use);
+  if (summary.points > 0) {
+    check_map_scale(path.string(), summary.crs, ((box.low + box.high) / 2.0).head<2>(), use.way);
+  }
+  return notes;
 }
 
 }  // namespace
@@ -47,18 +69,27 @@ FieldScan read_field_scan(const std::filesystem::path& path, const FieldScanOpti
   FieldScan scan;
   CloudSummary summary;
   if (is_cloud(path)) {
-    summary = stream_cloud(path, [&](const PointBatch& batch) {
-      scan.raw.vertices.insert(scan.raw.vertices.end(), batch.points.begin(), batch.points.end());
-    });
+    summary = stream_cloud(
+        path,
+        [&](const PointBatch& batch) {
+          scan.raw.vertices.insert(scan.raw.vertices.end(), batch.points.begin(),
+                                   batch.points.end());
+        },
+        options.scan.columns);
+  } else if (!options.scan.columns.empty()) {
+    throw InputError(path.string() + ": `columns` are of clouds in text; leave them out");
   } else {
     scan.raw = read_mesh_or_points(path);
   }
+  const std::vector<std::string> system_notes =
+      check_cloud_system(path, summary, bounds(scan.raw), options.scan);
   const std::string note = reconstruct_detail::digits_note(scan.raw, path, options.scan.unit);
   scan.blocks = scan.raw.triangles.empty() ? field_blocks(scan.raw.vertices, path.string(), options)
                                            : field_blocks(scan.raw, path.string(), options);
   for (FieldBlock& block : scan.blocks) {
     std::vector<std::string>& notes = block.scan.notes;
     if (!note.empty()) notes.push_back(note);
+    notes.insert(notes.end(), system_notes.begin(), system_notes.end());
     const auto left_out = [&](std::size_t count, const char* why) {
       if (count > 0) notes.push_back(std::to_string(count) + " points left out: " + why);
     };

@@ -17,6 +17,8 @@ struct ScanOptions {
   double unit = 1.0;  ///< metres per unit of the file
   /// Axis of the file that points up: "y", "z", or "auto", y of glTF files and z of all others.
   std::string up = "auto";
+  /// Of a cloud in text: names or numbers from 1 of the columns x, y and z; empty: by its heading.
+  std::vector<std::string> columns = {};
   RepairOptions repair = {};
 
   void check() const;  ///< throws InputError naming the field and its value
@@ -24,9 +26,10 @@ struct ScanOptions {
 
 template <class Visit>
 void visit_fields(const ScanOptions& options, Visit&& visit) {
-  const auto& [unit, up, repair] = options;
+  const auto& [unit, up, columns, repair] = options;
   visit("unit", unit);
   visit("up", up);
+  visit("columns", columns);
   visit("repair", repair);
 }
 

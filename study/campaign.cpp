@@ -32,6 +32,7 @@ std::optional<ZoneFile> named_zone_file(const TomlTable& table, const TomlNode& 
 /// How the surface files are gridded, checked and repaired.
 void read_terrain_checks(const TomlTable& table, Campaign& campaign) {
   TerrainOptions& terrain = campaign.terrain;
+  if (const auto columns = table.texts("columns")) terrain.columns = *columns;
   terrain.resolution = table.number("resolution_m", kCellSize);
   terrain.percentile = table.number("percentile", kPercentile);
   terrain.outliers = table.number("outliers_m", kOutlierDistance);

@@ -145,6 +145,7 @@ KeyTable terrain_table() {
         "",
         "axis that points up in surface, point and quaternion files",
         {words({"z", "y", "auto"})}},
+       {"columns", "", "names or numbers of the columns x, y, z of a cloud in text", texts()},
        {"radius_m", "m", "raises the surface of the ground", {number(kGroundRadius)}},
        {"resolution_m", "m", "cell size of clouds and resampled rasters", {number(kCellSize)}},
        {"percentile",

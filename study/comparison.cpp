@@ -8,6 +8,7 @@
 #include "classify/schemes.hpp"
 #include "core/error.hpp"
 #include "core/number_text.hpp"
+#include "mesh/reference_system.hpp"
 #include "study/barrier_line.hpp"
 #include "study/detail/comparison_barriers.hpp"
 #include "study/run_columns.hpp"
@@ -79,9 +80,9 @@ void check_results(const std::vector<CampaignResults>& results) {
       std::ostringstream text;
       text.precision(12);
       text << label(results, file) << ": its map frame (origin " << one.frame.origin.transpose()
-           << (one.frame.crs.empty() ? ", no CRS" : ", " + one.frame.crs) << ") is not that of "
-           << label(results, 0) << " (origin " << first.origin.transpose()
-           << (first.crs.empty() ? ", no CRS" : ", " + first.crs)
+           << (one.frame.crs.empty() ? ", no CRS" : ", " + reference_system_name(one.frame.crs))
+           << ") is not that of " << label(results, 0) << " (origin " << first.origin.transpose()
+           << (first.crs.empty() ? ", no CRS" : ", " + reference_system_name(first.crs))
            << "); compare campaigns on the same terrain, or each site on its own";
       throw InputError(text.str());
     }

@@ -9,6 +9,7 @@
 #include "core/error.hpp"
 #include "core/number_text.hpp"
 #include "mesh/mesh_topology.hpp"
+#include "mesh/reference_system.hpp"
 #include "mesh/self_intersection.hpp"
 #include "mesh/triangle_geometry.hpp"
 #include "terrain/detail/gdal_raster.hpp"
@@ -59,8 +60,9 @@ void check_systems(const std::string& before, const std::string& after,
                     " names no map system; it is taken to be that of the other");
   }
   if (before.empty() || after.empty() || terrain_detail::same_crs(before, after)) return;
-  throw InputError("`before` is in the map system " + before.substr(0, 60) + ", `after` in " +
-                   after.substr(0, 60) + "; bring both to one, for example with gdalwarp");
+  throw InputError("`before` is in the map system " + reference_system_name(before) +
+                   ", `after` in " + reference_system_name(after) +
+                   "; bring both to one, for example with gdalwarp");
 }
 
 std::string extent_on_map(const TriangleMesh& mesh, const MapFrame& frame) {

@@ -155,6 +155,9 @@ void check_suits(const TerrainOptions& options, SurfaceKind kind) {
   if ((options.percentile || options.outliers) && kind != SurfaceKind::kCloud) {
     refuse("percentile and outliers are for clouds; leave them out");
   }
+  if (!options.columns.empty() && kind != SurfaceKind::kCloud) {
+    refuse("columns are for clouds in text; leave them out");
+  }
   if (!options.breaklines.empty() && (mesh || terrain_file)) {
     refuse("breaklines are for rasters and clouds; a mesh has its edges already");
   }

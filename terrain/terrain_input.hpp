@@ -23,6 +23,9 @@ struct TerrainOptions {
   /// Of meshes and clouds: "z"; "y", which turns (x, y, z) to (x, -z, y); or "auto", y of glTF
   /// files and z of all others.
   std::string up = "auto";
+  /// Of text clouds: three names or numbers from 1, those of the columns x, y and z; empty: the
+  /// heading of the file names them.
+  std::vector<std::string> columns = {};
   /// Cell size, m: of the grid that clouds are binned to (default: about four points per cell), of
   /// a raster that is to be made coarser, and of the grid that a mesh without walls and overhangs
   /// is to be made into.

@@ -28,6 +28,7 @@ struct ReconstructArgs {
   std::string scale_length;
   double scale_factor = 1.0;
   std::string ground = "auto";
+  std::string columns;
   PhotoArgs photos;
 };
 
@@ -81,6 +82,7 @@ void reconstruct(const ReconstructArgs& args) {
     unit = length.unit;
   }
   options.scan.unit = unit * args.scale_factor;
+  options.scan.columns = split_list(args.columns);
   const std::vector<ScanFile> scans = list_scans(args.scans);
   check_usage([&] { batch.check(scans.size()); });
   BatchPrinter printer(scans.size(), batch, args.report, args.json);
@@ -123,6 +125,11 @@ void add_scan_options(CLI::App& command, ReconstructArgs& args) {
           "z of all others, or away from the ground where a scan holds ground")
       ->check(CLI::IsMember({"y", "z"}))
       ->type_name("AXIS");
+  command
+      .add_option("--columns", args.columns,
+                  "Columns x, y and z of clouds in text, by name or number from 1: 2,3,4; default: "
+                  "as the heading says")
+      ->type_name("X,Y,Z");
   command
       .add_option("--ground", args.ground,
                   "auto: remove the ground around a block; none: the scan is of the block alone")

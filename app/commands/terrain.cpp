@@ -20,6 +20,7 @@
 #include "core/up_axis.hpp"
 #include "library/block_ranges.hpp"
 #include "mesh/mesh_io.hpp"
+#include "mesh/reference_system.hpp"
 #include "study/release_points.hpp"
 #include "terrain/hillshade.hpp"
 #include "terrain/terrain_file.hpp"
@@ -39,6 +40,7 @@ struct TerrainArgs {
   std::string export_up = "auto";
   double export_cell = 0.5;
   std::string breaklines;
+  std::string columns;
   std::string picture;
   std::string releases;
   std::string barriers;
@@ -83,7 +85,7 @@ void print_report(const Terrain& terrain) {
   }
   std::cout << extent.text();
   if (!terrain.frame.crs.empty())
-    std::cout << "map system " << printable(terrain.frame.crs) << "\n";
+    std::cout << "map system " << reference_system_name(terrain.frame.crs) << "\n";
   TextTable zones{{"zone", "triangles", "plan area m2"}, {}};
   const std::vector<ZoneExtent> extents = zone_extents(terrain);
   for (std::size_t i = 0; i < extents.size(); ++i) {
@@ -225,6 +227,7 @@ void check_outputs(const TerrainArgs& args) {
 void make_terrain(TerrainArgs args) {
   args.options.surface.assign(args.inputs.begin(), args.inputs.end());
   args.options.zones = split_list(args.zones);
+  args.options.columns = split_list(args.columns);
   for (const std::string& file : split_list(args.breaklines)) {
     args.options.breaklines.emplace_back(file);
   }
@@ -252,7 +255,13 @@ void make_terrain(TerrainArgs args) {
 }
 
 /// How clouds and rasters become a grid.
-void add_grid_options(CLI::App& command, TerrainOptions& options, std::string& breaklines) {
+void add_grid_options(CLI::App& command, TerrainArgs& args) {
+  TerrainOptions& options = args.options;
+  command
+      .add_option("--columns", args.columns,
+                  "Columns x, y and z of clouds in text, by name or number from 1: 2,3,4; default: "
+                  "as the heading says")
+      ->type_name("X,Y,Z");
   command
       .add_option("--resolution", options.resolution,
                   "Cell size for clouds, and for rasters and meshes that are to be resampled, m; "
@@ -278,7 +287,7 @@ void add_grid_options(CLI::App& command, TerrainOptions& options, std::string& b
       ->check(within(kHoleWidth))
       ->type_name("M");
   command
-      .add_option("--breaklines", breaklines,
+      .add_option("--breaklines", args.breaklines,
                   "Lines with heights (GeoJSON, GeoPackage, Shapefile; comma-separated) that "
                   "become edges of a raster's or cloud's surface")
       ->type_name("FILES");
@@ -377,7 +386,7 @@ void add_terrain(CLI::App& app) {
       ->check(CLI::IsMember({"auto", "y", "z"}))
       ->type_name("AXIS")
       ->capture_default_str();
-  add_grid_options(*command, args->options, args->breaklines);
+  add_grid_options(*command, *args);
   add_repair_options(*command, args->options);
   add_fit_options(*command, *args);
   CLI::Option* exported =

@@ -30,7 +30,9 @@ class PointSink {
 };
 
 /// @throws InputError  corrupt or cut short
-CloudSummary read_text_cloud(std::istream& stream, PointSink& sink);
+/// @param columns  as `stream_cloud` has them
+CloudSummary read_text_cloud(std::istream& stream, PointSink& sink,
+                             const std::vector<std::string>& columns);
 CloudSummary read_las(std::istream& stream, PointSink& sink);
 CloudSummary read_pcd(std::string_view content, PointSink& sink);
 

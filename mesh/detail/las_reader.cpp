@@ -8,6 +8,7 @@
 #include "core/error.hpp"
 #include "core/number_text.hpp"
 #include "mesh/detail/cloud_readers.hpp"
+#include "mesh/detail/las_system.hpp"
 
 namespace clast::mesh_detail {
 namespace {
@@ -15,7 +16,6 @@ namespace {
 static_assert(std::endian::native == std::endian::little, "LAS is read as it lies in the file");
 
 constexpr std::size_t kSmallestHeader = 227, kHeader14 = 375;
-constexpr std::size_t kRecordHead = 54;  ///< bytes before the content of a variable-length record
 constexpr std::uint8_t kNoise = 7, kHighNoise = 18;
 /// Smallest record of each point format 0 to 10.
 constexpr std::array<std::size_t, 11> kRecordSizes = {20, 28, 26, 34, 57, 63, 30, 36, 38, 59, 67};
@@ -39,7 +39,7 @@ struct LasHeader {
   std::uint64_t count = 0;
   std::uint64_t data_offset = 0;
   std::uint16_t header_size = 0;
-  std::uint32_t records = 0;  ///< variable-length ones
+  LasRecords records;
   std::size_t format = 0;
   std::size_t record_size = 0;
   Vec3 scale = Vec3::Ones();
@@ -84,7 +84,10 @@ LasHeader read_las_header(std::istream& stream, std::uint64_t file_size) {
   const int minor = number_at<std::uint8_t>(bytes, 25);
   header.header_size = number_at<std::uint16_t>(bytes, 94);
   header.data_offset = number_at<std::uint32_t>(bytes, 96);
-  header.records = number_at<std::uint32_t>(bytes, 100);
+  header.records = {.begin = header.header_size,
+                    .end = header.data_offset,
+                    .count = number_at<std::uint32_t>(bytes, 100),
+                    .wkt_holds = (number_at<std::uint16_t>(bytes, 6) & 16) != 0};
   const std::uint8_t format = number_at<std::uint8_t>(bytes, 104);
   header.record_size = number_at<std::uint16_t>(bytes, 105);
   header.count = number_at<std::uint32_t>(bytes, 107);
@@ -95,6 +98,8 @@ LasHeader read_las_header(std::istream& stream, std::uint64_t file_size) {
   }
   if (minor >= 4 && bytes.size() >= kHeader14 && header.header_size >= kHeader14) {
     header.count = number_at<std::uint64_t>(bytes, 247);
+    header.records.extended_begin = number_at<std::uint64_t>(bytes, 235);
+    header.records.extended_count = number_at<std::uint32_t>(bytes, 243);
   }
   if ((format & 0xC0) != 0) {
     throw InputError(
@@ -105,43 +110,6 @@ LasHeader read_las_header(std::istream& stream, std::uint64_t file_size) {
   header.format = format;
   check_points(header, file_size);
   return header;
-}
-
-/// The code of a projected or geographic system in a GeoTIFF key directory, 0 without one.
-int epsg_in(std::string_view keys) {
-  constexpr std::uint16_t kProjected = 3072, kGeographic = 2048, kUserDefined = 32767;
-  int geographic = 0;
-  for (std::size_t at = 8; at + 8 <= keys.size(); at += 8) {
-    const auto key = number_at<std::uint16_t>(keys, at);
-    const auto code = number_at<std::uint16_t>(keys, at + 6);
-    if (code == 0 || code == kUserDefined) continue;
-    if (key == kProjected) return code;
-    if (key == kGeographic) geographic = code;
-  }
-  return geographic;
-}
-
-/// The coordinate system named in the variable-length records.
-std::string read_crs(std::istream& stream, const LasHeader& header) {
-  constexpr std::uint16_t kWkt = 2112, kGeoKeys = 34735;
-  std::string wkt;
-  int epsg = 0;
-  std::uint64_t at = header.header_size;
-  stream.clear();
-  stream.seekg(static_cast<std::streamoff>(at));
-  for (std::uint32_t i = 0; i < header.records && at + kRecordHead <= header.data_offset; ++i) {
-    const std::string head = read_bytes(stream, kRecordHead);
-    if (head.size() < kRecordHead) break;
-    const auto id = number_at<std::uint16_t>(head, 18);
-    const std::size_t size = number_at<std::uint16_t>(head, 20);
-    const std::string content = read_bytes(stream, size);
-    at += kRecordHead + size;
-    if (std::string_view(head).substr(2).starts_with("LASF_Projection")) {
-      if (id == kWkt) wkt = content.substr(0, content.find('\0'));
-      if (id == kGeoKeys) epsg = epsg_in(content);
-    }
-  }
-  return epsg != 0 ? "EPSG:" + std::to_string(epsg) : wkt;
 }
 
 struct Flags {
@@ -163,7 +131,7 @@ CloudSummary read_las(std::istream& stream, PointSink& sink) {
   stream.seekg(0);
   const LasHeader header = read_las_header(stream, file_size);
   CloudSummary summary;
-  summary.crs = read_crs(stream, header);
+  read_las_system(stream, header.records, summary);
   stream.clear();
   stream.seekg(static_cast<std::streamoff>(header.data_offset));
   for (std::uint64_t done = 0; done < header.count;) {

@@ -1,13 +1,16 @@
 #include <algorithm>
-#include <array>
-#include <cctype>
 #include <cmath>
 #include <string>
+#include <utility>
+#include <vector>
 
+#include "core/column_heading.hpp"
 #include "core/delimited_text.hpp"
 #include "core/error.hpp"
 #include "core/number_text.hpp"
 #include "core/printable.hpp"
+#include "core/utf8.hpp"
+#include "mesh/coordinate_columns.hpp"
 #include "mesh/detail/cloud_readers.hpp"
 
 namespace clast::mesh_detail {
@@ -73,192 +76,293 @@ std::string quoted(std::string_view word) {
   return "\"" + printable(word.substr(0, kQuoted)) + "\"";
 }
 
-/// How the words of a line are separated: as the fields of any table, but blanks separate too.
-struct Separation {
-  std::string_view separators;
-  char separator = ',';  ///< of `number_in_field`
+std::string_view trimmed_field(std::string_view text) {
+  const std::size_t first = text.find_first_not_of(" \t");
+  if (first == std::string_view::npos) return {};
+  return text.substr(first, text.find_last_not_of(" \t") - first + 1);
+}
 
-  /// Takes the next word off `line`; empty at its end.
-  std::string_view word(std::string_view& line) const {
-    const std::size_t begin = line.find_first_not_of(separators);
-    if (begin == std::string_view::npos) return line = {};
-    line.remove_prefix(begin);
-    const std::string_view found = line.substr(0, line.find_first_of(separators));
-    line.remove_prefix(found.size());
-    return found;
+/// The fields of a line, without blanks and quotes around them.
+/// @param separator  ' ': any number of blanks and tabs
+void split_fields(std::string_view line, char separator, std::vector<std::string_view>& fields) {
+  fields.clear();
+  while (true) {
+    const std::size_t begin = line.find_first_not_of(separator == '\t' ? " " : " \t");
+    line.remove_prefix(std::min(begin, line.size()));
+    if (line.empty() && separator == ' ') return;
+    std::size_t from = 0;
+    if (line.starts_with('"')) from = std::min(line.find('"', 1), line.size());
+    const std::size_t end =
+        std::min(separator == ' ' ? line.find_first_of(" \t", from) : line.find(separator, from),
+                 line.size());
+    std::string_view field = trimmed_field(line.substr(0, end));
+    if (field.size() > 1 && field.front() == '"' && field.back() == '"') {
+      field = trimmed_field(field.substr(1, field.size() - 2));
+    }
+    fields.push_back(field);
+    if (end == line.size()) return;
+    line.remove_prefix(end + 1);
   }
+}
+
+/// A line before the points.
+struct HeadLine {
+  std::string text;  ///< UTF-8, without the sign of a remark
+  std::size_t number = 0;
+  bool remark = false;
 };
 
-Separation separation_of(std::string_view line) {
-  const char separator = separator_of(line);
-  return {separator == ';' ? " \t;" : separator == ',' ? " \t," : " \t", separator};
-}
-
-std::size_t fields_in(std::string_view line, char separator) {
-  return 1 + static_cast<std::size_t>(std::count(line.begin(), line.end(), separator));
-}
-
-/// Words that stand for x, y and z in a heading.
-constexpr std::array<std::array<std::string_view, 4>, 3> kAxisNames = {
-    {{"x", "easting", "east", "e"},
-     {"y", "northing", "north", "n"},
-     {"z", "height", "elevation", "h"}}};
-
-/// Columns of x, y and z in a heading; none when it does not name them all.
-std::optional<std::array<std::size_t, 3>> columns_in(std::string_view heading) {
-  constexpr Separation kAny{" \t,;"};
-  std::array<std::size_t, 3> columns{};
-  std::array<bool, 3> found{};
-  std::size_t column = 0;
-  for (std::string_view word = kAny.word(heading); !word.empty(); word = kAny.word(heading)) {
-    std::string name;  // without quotes and unit: "X", x_m, x[m]
-    for (const char c : word) {
-      if (c == '_' || c == '[' || c == '(') break;
-      if (c != '"') name += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-    }
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      const auto& names = kAxisNames[axis];
-      if (found[axis] || std::find(names.begin(), names.end(), name) == names.end()) continue;
-      columns[axis] = column;
-      found[axis] = true;
-    }
-    ++column;
-  }
-  return found[0] && found[1] && found[2] ? std::optional(columns) : std::nullopt;
-}
-
+/// Finds out which columns hold the points, and reads them.
 class LinesOfPoints {
  public:
-  explicit LinesOfPoints(PointSink& sink) : sink_(sink) {}
+  LinesOfPoints(PointSink& sink, const std::vector<std::string>& columns)
+      : sink_(sink), asked_(columns) {}
 
   void read(std::string_view line, std::size_t number) {
     const std::size_t begin = line.find_first_not_of(" \t");
     if (begin == std::string_view::npos) return;
     const std::string_view text = line.substr(begin);
-    if (text.starts_with('#') || text.starts_with("//")) return;
-    if (!separation_known_) {
-      if (is_heading(text, number)) return;
-      separation_ = separation_of(text);
-      separation_known_ = true;
+    const bool remark = text.starts_with('#') || text.starts_with("//");
+    if (!columns_known_) {
+      if (remark || is_before_points(text)) {
+        take_head(text, number, remark);
+        return;
+      }
+      choose_columns(line, number);
+    } else if (remark) {
+      return;
     }
-    check_fields(text, number);
-    const Vec3 point = point_in(text, number);
+    split_fields(line, separator_, fields_);
+    if (fields_.size() == 1 && is_next_count(fields_[0])) return;
+    check_fields(number);
+    const Vec3 point = point_in(number);
     count_up(point.x());
+    ++points_of_scan_;
     sink_.add(point);
   }
 
+  /// What the headings say of units.
   /// @throws InputError  what was taken for x numbers the points
-  void check_columns() const {
-    if (points_ < kNoChance || !counting_) return;
-    throw InputError("column " + std::to_string(columns_[0] + 1) +
-                     ", which was taken for x, numbers the points; name the columns in a first "
-                     "line, such as \"id x y z\"");
+  std::vector<LengthDeclaration> finish() const {
+    if (points_ >= kNoChance && counting_ && !named_) {
+      throw InputError("column " + std::to_string(columns_.axes[0] + 1) +
+                       ", which was taken for x, numbers the points; name the columns in a first "
+                       "line, such as \"id x y z\", or give `columns`");
+    }
+    return columns_.lengths;
   }
 
  private:
-  /// So many values of x each one more than the last number the points.
+  /// So many values of x each one whole step more than the last number the points.
   static constexpr std::size_t kNoChance = 100;
   /// Lines of words before the points at most.
   static constexpr std::size_t kLongestHeading = 20;
+  static constexpr const char* kColumnsAdvice =
+      "give `columns`, three names or numbers from 1, those of x, y and z";
 
   void count_up(double x) {
-    counting_ = counting_ && x == std::round(x) && (points_ == 0 || x == last_x_ + 1.0);
+    if (points_ == 1) step_ = x - last_x_;
+    counting_ =
+        counting_ && x == std::round(x) && (points_ == 0 || (step_ >= 1.0 && x - last_x_ == step_));
     last_x_ = x;
     ++points_;
   }
 
-  /// The lines before the first point: a heading, or the number of points.
-  bool is_heading(std::string_view text, std::size_t number) {
-    constexpr Separation kAny{" \t,;"};
-    std::string_view rest = text;
-    const bool starts_with_number = number_in(kAny.word(rest)).has_value();
-    const bool alone = kAny.word(rest).empty();
-    if (lines_before_ >= kLongestHeading || (starts_with_number && !alone)) return false;
-    ++lines_before_;
-    if (const auto named = columns_in(text)) {
-      columns_ = *named;
-      if (separator_of(text) == ',') {
-        fields_ = fields_in(text, ',');
-        counted_line_ = number;
-      }
+  /// A file of several scans has their numbers of points before each.
+  bool is_next_count(std::string_view field) {
+    const std::optional<double> count = number_in(field);
+    if (!count || *count != std::round(*count) || counts_ == 0 || points_of_scan_ != counted_) {
+      return false;
     }
+    set_count(*count);
     return true;
+  }
+  void set_count(double count) {
+    counted_ = static_cast<std::size_t>(std::clamp(count, 0.0, 1e15));
+    points_of_scan_ = 0;
+    ++counts_;
+  }
+
+  /// Whether a line is none of points: a heading, or the number of points.
+  bool is_before_points(std::string_view text) {
+    if (head_lines_ >= kLongestHeading) return false;
+    split_fields(text, separator_of(text), fields_);
+    const auto numbers = std::count_if(fields_.begin(), fields_.end(), [&](std::string_view field) {
+      return number_in_field(field, separator_of(text)).has_value();
+    });
+    if (fields_.size() == 1 && numbers == 1) return true;
+    constexpr std::ptrdiff_t kCoordinates = 3;
+    std::string_view first = text.substr(0, text.find_first_of(" \t,;"));
+    if (first.size() > 1 && first.front() == '"') first = first.substr(1, first.find('"', 1) - 1);
+    return !number_in(first) && !number_in_field(fields_[0], separator_of(text)) &&
+           numbers < kCoordinates;
+  }
+
+  void take_head(std::string_view text, std::size_t number, bool remark) {
+    if (text.size() == 5 && text.starts_with("sep=")) {
+      said_separator_ = text.back();
+      return;
+    }
+    if (!remark) ++head_lines_;
+    if (const auto count = number_in(trimmed_field(text))) set_count(*count);
+    const auto keep = [&](std::string_view line) {
+      // The last lines count.
+      if (head_.size() >= kLongestHeading) head_.erase(head_.begin());
+      head_.push_back({as_utf8(line), number, remark});
+    };
+    if (text.starts_with('#')) keep(text);  // may be the name of the first column
+    if (remark) text.remove_prefix(std::min(text.find_first_not_of("#/ \t"), text.size()));
+    keep(text);
+  }
+
+  /// The headings nearest to the points that name all axes decide; headings that do not are asked
+  /// about, and without any the first three columns are x, y and z.
+  void choose_columns(std::string_view line, std::size_t number) {
+    columns_known_ = true;
+    const bool tabs = std::any_of(head_.begin(), head_.end(), [](const HeadLine& head) {
+      return head.text.find('\t') != std::string::npos;
+    });
+    separator_ = said_separator_.value_or(separator_of(line));
+    if (separator_ == '\t' && !tabs) separator_ = ' ';  // numbers hold no blanks
+    split_fields(line, separator_, fields_);
+    if (separator_ != ',') drop_empty_end(fields_);
+    const std::size_t count = fields_.size();
+    std::vector<std::string_view> headings;
+    for (auto head = head_.rbegin(); head != head_.rend(); ++head) {
+      if (take_headings(*head, count, headings)) return;
+    }
+    if (!asked_.empty()) {
+      columns_ = chosen_coordinate_columns(asked_, {}, count);
+      named_ = true;
+      return;
+    }
+    for (auto head = head_.rbegin(); head != head_.rend(); ++head) refuse_unknown(*head, count);
+    counted_line_ = number;
+  }
+
+  /// @return whether the line holds the headings of the columns
+  bool take_headings(const HeadLine& head, std::size_t count,
+                     std::vector<std::string_view>& headings) {
+    for (const char separator : {separator_, separator_of(head.text)}) {
+      split_fields(head.text, separator, headings);
+      drop_empty_end(headings);
+      if (!asked_.empty()) {
+        if (headings.size() != count) continue;
+        columns_ = chosen_coordinate_columns(asked_, headings, count);
+      } else if (const auto named = fits(headings.size(), count) ? find_coordinate_columns(headings)
+                                                                 : std::nullopt) {
+        columns_ = *named;
+      } else {
+        continue;
+      }
+      named_ = true;
+      fields_per_line_ = headings.size();
+      counted_line_ = head.number;
+      return true;
+    }
+    return false;
+  }
+
+  /// Columns behind the others may have no heading or be left out, and between commas each line
+  /// must have as many fields as the heading. One heading less is that of the first column in files
+  /// of R, where it holds the numbers of the rows.
+  bool fits(std::size_t headings, std::size_t count) const {
+    if (headings == count || separator_ == ',') return true;
+    if (headings > count) return separator_ != ' ';  // empty ones at the end may be left out
+    const std::optional<double> first = number_in(fields_[0]);
+    const bool row_number = !first || *first == std::round(*first);
+    return headings > 2 && (headings + 1 < count || (headings + 1 == count && !row_number));
+  }
+
+  static void drop_empty_end(std::vector<std::string_view>& fields) {
+    while (fields.size() > 3 && fields.back().empty()) fields.pop_back();
+  }
+
+  void refuse_unknown(const HeadLine& head, std::size_t count) {
+    std::vector<std::string_view> headings;
+    split_fields(head.text, separator_, headings);
+    drop_empty_end(headings);
+    const auto axes = std::count_if(headings.begin(), headings.end(), [](std::string_view heading) {
+      return coordinate_axis(heading).has_value();
+    });
+    // Remarks are sentences more often than headings.
+    const bool heading = head.remark ? axes > 2 && headings.size() + 1 == count
+                                     : axes > 1 || (headings.size() == count &&
+                                                    may_be_heading(headings, separator_));
+    if (!heading) return;
+    throw InputError("line " + std::to_string(head.number) + ": the heading " +
+                     quoted(std::string_view(head.text)) + " does not say which of the " +
+                     std::to_string(count) + " columns are x, y and z; " + kColumnsAdvice);
   }
 
   /// Between commas each line has as many fields as the first, since a decimal comma would split a
-  /// number; and no field up to z is empty, which would shift those behind it.
-  void check_fields(std::string_view line, std::size_t number) {
-    const char separator = separation_.separator;
-    if (separator != ',' && separator != ';') return;
-    const std::size_t fields = fields_in(line, separator);
-    if (fields_ == 0) {
-      fields_ = fields;
+  /// number.
+  void check_fields(std::size_t number) {
+    if (separator_ != ',') return;
+    if (fields_per_line_ == 0) {
+      fields_per_line_ = fields_.size();
       counted_line_ = number;
     }
-    if (separator == ',' && fields != fields_) {
-      throw InputError("line " + std::to_string(number) + ": has " + std::to_string(fields) +
-                       " fields, but line " + std::to_string(counted_line_) + " has " +
-                       std::to_string(fields_) + "; " + kDecimalCommaAdvice);
-    }
-    const std::size_t last = *std::max_element(columns_.begin(), columns_.end());
-    for (std::size_t field = 0; field <= last && !line.empty(); ++field) {
-      const std::size_t end = std::min(line.find(separator), line.size());
-      if (line.substr(0, end).find_first_not_of(" \t") == std::string_view::npos) {
-        throw InputError("line " + std::to_string(number) + ": field " + std::to_string(field + 1) +
-                         " is empty, and one behind it is needed; fill it in");
-      }
-      line.remove_prefix(std::min(end + 1, line.size()));
-    }
+    if (fields_.size() == fields_per_line_) return;
+    throw InputError("line " + std::to_string(number) + ": has " + std::to_string(fields_.size()) +
+                     " fields, but line " + std::to_string(counted_line_) + " has " +
+                     std::to_string(fields_per_line_) + "; " + kDecimalCommaAdvice);
   }
 
-  Vec3 point_in(std::string_view line, std::size_t number) const {
+  Vec3 point_in(std::size_t number) const {
     Vec3 point = Vec3::Zero();
-    std::size_t left = 3;
-    for (std::size_t column = 0; left > 0; ++column) {
-      const std::string_view word = separation_.word(line);
-      if (word.empty()) break;
-      for (std::size_t axis = 0; axis < 3; ++axis) {
-        if (columns_[axis] != column) continue;
-        const std::optional<double> value = number_in_field(word, separation_.separator);
-        if (!value) {
-          throw InputError("line " + std::to_string(number) + ": " + quoted(word) +
-                           " stands where " + "xyz"[axis] + " is needed; a line must be x y z");
-        }
-        point[static_cast<Eigen::Index>(axis)] = *value;
-        --left;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const std::size_t column = columns_.axes[axis];
+      if (column >= fields_.size()) {
+        throw InputError("line " + std::to_string(number) +
+                         ": fewer than three numbers; a line must be x y z");
       }
-    }
-    if (left > 0) {
-      throw InputError("line " + std::to_string(number) +
-                       ": fewer than three numbers; a line must be x y z");
+      const std::optional<double> value = number_in_field(fields_[column], separator_);
+      if (!value) {
+        throw InputError("line " + std::to_string(number) + ": " +
+                         (fields_[column].empty() ? "an empty field" : quoted(fields_[column])) +
+                         " stands where " + "xyz"[axis] + " is needed; a line must be x y z" +
+                         (named_ ? "" : ", or " + std::string(kColumnsAdvice)));
+      }
+      point[static_cast<Eigen::Index>(axis)] = *value;
     }
     return point;
   }
 
   PointSink& sink_;
-  Separation separation_{" \t,;"};
-  bool separation_known_ = false;
-  std::size_t lines_before_ = 0;
-  std::size_t fields_ = 0;  ///< of each line between commas; 0 until one is counted
+  const std::vector<std::string>& asked_;  ///< `columns`; empty: the headings decide
+  std::vector<HeadLine> head_;
+  std::size_t head_lines_ = 0;
+  std::optional<char> said_separator_;
+  char separator_ = ' ';
+  bool columns_known_ = false;
+  bool named_ = false;  ///< by headings or by the user
+  CoordinateColumns columns_;
+  std::vector<std::string_view> fields_;
+  std::size_t fields_per_line_ = 0;  ///< between commas; 0 until one line is counted
   std::size_t counted_line_ = 0;
+  std::size_t counted_ = 0;  ///< points that the last count before a scan says
+  std::size_t counts_ = 0;
+  std::size_t points_of_scan_ = 0;
   std::size_t points_ = 0;
-  double last_x_ = 0.0;
+  double last_x_ = 0.0, step_ = 0.0;
   bool counting_ = true;  ///< so far
-  std::array<std::size_t, 3> columns_ = {0, 1, 2};
 };
 
 }  // namespace
 
-CloudSummary read_text_cloud(std::istream& stream, PointSink& sink) {
+CloudSummary read_text_cloud(std::istream& stream, PointSink& sink,
+                             const std::vector<std::string>& columns) {
   Lines lines(stream);
-  LinesOfPoints points(sink);
+  LinesOfPoints points(sink, columns);
   std::string_view line;
   while (lines.next(line)) {
     if (lines.number() == 1 && line.starts_with("\xEF\xBB\xBF")) line.remove_prefix(3);
     points.read(line, lines.number());
   }
-  points.check_columns();
-  return sink.finish({});
+  CloudSummary summary;
+  summary.lengths = points.finish();
+  return sink.finish(std::move(summary));
 }
 
 }  // namespace clast::mesh_detail

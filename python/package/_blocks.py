@@ -30,6 +30,7 @@ def reconstruct(
     scale_length: tuple[Sequence[float], Sequence[float], float] | None = None,
     scale_factor: float | None = None,
     up: str | None = None,
+    columns: Iterable[str] | None = None,
     ground: str | None = None,
     split: bool = False,
     any_size: bool = False,
@@ -65,6 +66,7 @@ def reconstruct(
         scale_length: instead: two points of the scan and the metres between them.
         scale_factor: on all lengths, after that.
         up: axis of the scan that points up, "y" or "z".
+        columns: of a cloud in text: names or numbers from 1 of the columns x, y and z.
         ground: "auto": the ground around a block is removed; "none": there is none.
         split: a block of everything that stands on the ground, as ID_1, ID_2, ...
         any_size: take blocks over 20 m, over 10,000 t or under 1 mm too.
@@ -88,8 +90,8 @@ def reconstruct(
         InputError, GeometryError: with the file or the id, the value, and what to do.
     """
     options = dict(
-        units=units, scale_length=scale_length, scale_factor=scale_factor, up=up, ground=ground,
-        split=split, any_size=any_size, vertices=vertices, radius=radius,
+        units=units, scale_length=scale_length, scale_factor=scale_factor, up=up,
+        columns=columns, ground=ground, split=split, any_size=any_size, vertices=vertices, radius=radius,
         radius_share=radius_share, core=core, convex=convex, density=density, mass=mass,
         accuracy=accuracy, tolerance=tolerance, keep_inner_shells=keep_inner_shells,
         scale_bar=scale_bar, board=board, marker_size=marker_size, markers=markers,

@@ -119,6 +119,7 @@ def terrain(
     *,
     zones: str | Iterable[str] | None = None,
     up: str | None = None,
+    columns: Iterable[str] | None = None,
     resolution: float | None = None,
     percentile: float | None = None,
     outliers: float | None = None,
@@ -137,6 +138,7 @@ def terrain(
         zones: a name for each mesh; a raster of class numbers, "zones.asc:1=blue,2=gray"; a file of
             polygons; or rules, "rock=slope>60,soil=else".
         up: axis that points up: "y", "z" or "auto".
+        columns: of clouds in text: names or numbers from 1 of the columns x, y and z.
         resolution: cell size for clouds and resampled rasters, m.
         percentile: of the points of a cloud's cell; without, their mean.
         outliers: points of a cloud farther than this from the ground are left out, m.
@@ -152,8 +154,8 @@ def terrain(
     return Terrain(
         _core.terrain_read(
             dict(
-                inputs=inputs, zones=zones, up=up, resolution=resolution, percentile=percentile,
-                outliers=outliers, fill=fill, breaklines=breaklines, crack=crack, spikes=spikes,
+                inputs=inputs, zones=zones, up=up, columns=columns, resolution=resolution,
+                percentile=percentile, outliers=outliers, fill=fill, breaklines=breaklines, crack=crack, spikes=spikes,
                 smoothing=smoothing, tolerance=tolerance, cut_zones=cut_zones,
             )  # fmt: skip
         )

@@ -5,6 +5,7 @@
 #include <map>
 
 #include "core/version.hpp"
+#include "mesh/reference_system.hpp"
 #include "report/html/html_page.hpp"
 #include "study/block_scale.hpp"
 #include "study/block_stiffness.hpp"
@@ -120,7 +121,7 @@ std::string settings_of(const Comparison& comparison, const CampaignResults& res
                fixed(comparison.downslope.x(), 4) + ", " + fixed(comparison.downslope.y(), 4) +
                    (comparison.downslope_asked ? " (as specified)" : " (mean release to stop)"));
   html += fact("Coordinates", results.frame.crs.empty() ? "map frame of the terrain, no CRS given"
-                                                        : results.frame.crs);
+                                                        : reference_system_name(results.frame.crs));
   return html +
          (results.has_contacts() ? fact("Simulated with", "clast " + results.program_version)
                                  : fact("Computed by", results.engine + ", read by clast " +

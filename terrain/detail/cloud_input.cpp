@@ -1,8 +1,10 @@
 #include "terrain/detail/cloud_input.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include "core/error.hpp"
 #include "core/number_text.hpp"
@@ -54,20 +56,27 @@ struct Cells {
   }
 };
 
+/// Which points of a classified cloud count, by ASPRS class.
+using Classes = std::array<bool, 256>;
+
 /// One cloud file, as often as it is needed.
 struct Cloud {
   fs::path path;
   bool y_up = false;
-  bool only_ground = false;
+  std::vector<std::string> columns = {};  ///< as of the options
+  std::optional<Classes> kept = {};       ///< none: all points count
 
   template <class Take>  // Take(const Vec3&), on the map, z up
   CloudSummary each_point(const Take& take) const {
-    return stream_cloud(path, [&](const PointBatch& batch) {
-      for (std::size_t i = 0; i < batch.points.size(); ++i) {
-        if (only_ground && batch.classes[i] != kGroundClass) continue;
-        take(y_up ? turned_z_up(batch.points[i]) : batch.points[i]);
-      }
-    });
+    return stream_cloud(
+        path,
+        [&](const PointBatch& batch) {
+          for (std::size_t i = 0; i < batch.points.size(); ++i) {
+            if (kept && !(*kept)[batch.classes[i]]) continue;
+            take(y_up ? turned_z_up(batch.points[i]) : batch.points[i]);
+          }
+        },
+        columns);
   }
 };
 
@@ -77,42 +86,120 @@ struct Survey {
   std::size_t points = 0;
 };
 
+/// Points of one class.
+struct ClassSurvey {
+  std::size_t points = 0;
+  Bounds box;
+
+  void include(const Vec3& point) {
+    ++points;
+    box.include(point);
+  }
+  void include(const ClassSurvey& other) {
+    if (other.points == 0) return;
+    points += other.points;
+    box.include(other.box.low);
+    box.include(other.box.high);
+  }
+};
+
+/// Vegetation, buildings, wires, towers and bridges (LAS 1.4 R15, table 17).
+bool is_above_ground(std::size_t asprs_class) {
+  return (asprs_class >= 3 && asprs_class <= 6) || (asprs_class >= 13 && asprs_class <= 17);
+}
+
+/// Classes that are ground: class 2; where no point has it, all but what is known to stand on the
+/// ground. None: the cloud is not classified.
+/// @throws InputError  nothing but what stands on the ground
+std::optional<Classes> ground_classes(const std::vector<ClassSurvey>& by_class,
+                                      const fs::path& path, std::vector<std::string>& notes) {
+  constexpr std::size_t kUnclassified = 1;  // and never classified, 0
+  Classes kept{};
+  std::size_t left_out = 0, left = 0;
+  std::string present;
+  bool classified = false;
+  const bool has_ground = by_class[kGroundClass].points > 0;
+  for (std::size_t c = 0; c < by_class.size(); ++c) {
+    if (by_class[c].points == 0) continue;
+    classified = classified || c > kUnclassified;
+    present += (present.empty() ? "" : ", ") + std::to_string(c);
+    kept[c] = has_ground ? c == kGroundClass : !is_above_ground(c);
+    (kept[c] ? left : left_out) += by_class[c].points;
+  }
+  if (!classified) return std::nullopt;
+  if (has_ground) {
+    if (left_out > 0) {
+      notes.push_back(path.string() + ": " + std::to_string(left_out) +
+                      " points not classed as ground were left out");
+    }
+    return kept;
+  }
+  const std::string problem =
+      path.string() + ": its points have the classes " + present + ", and none is ground (2)";
+  const std::string advice = "classify the ground first (pdal translate, filters.smrf)";
+  if (left == 0) {
+    throw InputError(problem + "; all are vegetation, buildings, wires or bridges: " + advice);
+  }
+  notes.push_back(
+      problem + "; " + std::to_string(left_out) +
+      " points of vegetation, buildings, wires and bridges were left out and all others "
+      "taken as ground: " +
+      advice);
+  return kept;
+}
+
+/// Refuses a cloud that is not in metres on the map of those before it.
+void check_system(const fs::path& path, const CloudSummary& summary, const Vec2& centre,
+                  CloudGrid& result) {
+  const LengthUse metres{.way = "pdal translate, filters.reprojection, EPSG:25832",
+                         .relabel = "pdal translate, writers.las.a_srs=EPSG:25832"};
+  for (const std::string& note : check_lengths(path.string(), summary.lengths, metres)) {
+    result.notes.push_back(path.string() + ": " + note);
+  }
+  check_map_scale(path.string(), summary.crs, centre, metres.way);
+  const std::string crs = usual_crs(summary.crs);
+  if (!result.crs.empty() && !crs.empty() && !same_crs(result.crs, crs)) {
+    throw InputError(path.string() + ": is in " + reference_system_name(crs) +
+                     ", the clouds before it in " + reference_system_name(result.crs) +
+                     "; bring them into one map system");
+  }
+  if (!crs.empty()) result.crs = crs;
+}
+
 /// First reading: where the points are, how many, and whether ground is classed.
 Survey surveyed(const TerrainOptions& options, CloudGrid& result) {
   Survey survey;
   for (const fs::path& path : options.surface) {
-    Cloud cloud{.path = path, .y_up = options.up == "y"};
-    Bounds all_box, ground_box;
-    std::size_t all = 0, ground = 0;
-    const CloudSummary summary = stream_cloud(path, [&](const PointBatch& batch) {
-      all += batch.points.size();
-      for (const Vec3& point : batch.points) {
-        all_box.include(cloud.y_up ? turned_z_up(point) : point);
-      }
-      for (std::size_t i = 0; i < batch.classes.size(); ++i) {
-        if (batch.classes[i] != kGroundClass) continue;
-        ++ground;
-        ground_box.include(cloud.y_up ? turned_z_up(batch.points[i]) : batch.points[i]);
-      }
-    });
-    check_metres(path.string(), summary.crs, "pdal translate, filters.reprojection, EPSG:25832");
-    if (!result.crs.empty() && !summary.crs.empty() && !same_crs(result.crs, summary.crs)) {
-      throw InputError(path.string() + ": is in " + summary.crs.substr(0, 40) +
-                       ", the clouds before it in " + result.crs.substr(0, 40) +
-                       "; bring them into one map system");
-    }
-    if (!summary.crs.empty()) result.crs = summary.crs;
+    Cloud cloud{.path = path, .y_up = options.up == "y", .columns = options.columns};
+    ClassSurvey all;
+    std::vector<ClassSurvey> by_class(std::tuple_size_v<Classes>);
+    const CloudSummary summary = stream_cloud(
+        path,
+        [&](const PointBatch& batch) {
+          for (std::size_t i = 0; i < batch.points.size(); ++i) {
+            const Vec3 point = cloud.y_up ? turned_z_up(batch.points[i]) : batch.points[i];
+            all.include(point);
+            if (!batch.classes.empty()) by_class[batch.classes[i]].include(point);
+          }
+        },
+        cloud.columns);
+    check_system(path, summary, (all.box.low + all.box.high).head<2>() / 2.0, result);
     const auto note = [&](std::size_t count, const std::string& what) {
       if (count > 0) result.notes.push_back(path.string() + ": " + std::to_string(count) + what);
     };
     note(summary.withheld, " points flagged as noise or withheld were left out");
     note(summary.without_place, " points without finite coordinates were left out");
-    cloud.only_ground = ground > 0;
-    if (cloud.only_ground) note(all - ground, " points not classed as ground were left out");
-    const Bounds& box = cloud.only_ground ? ground_box : all_box;
-    survey.points += cloud.only_ground ? ground : all;
-    survey.box.include(box.low);
-    survey.box.include(box.high);
+    cloud.kept = ground_classes(by_class, path, result.notes);
+    ClassSurvey kept = all;
+    if (cloud.kept) {
+      kept = {};
+      for (std::size_t c = 0; c < by_class.size(); ++c) {
+        if ((*cloud.kept)[c]) kept.include(by_class[c]);
+      }
+    }
+    survey.points += kept.points;
+    survey.box.include(kept.box.low);
+    survey.box.include(kept.box.high);
     survey.clouds.push_back(std::move(cloud));
   }
   return survey;

@@ -5,55 +5,68 @@
 #include <cctype>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <set>
+#include <sstream>
+#include <string_view>
 
 #include "core/error.hpp"
 #include "core/number_text.hpp"
 #include "core/output_file.hpp"
+#include "core/printable.hpp"
 #include "core/text_file.hpp"
+#include "mesh/reference_system.hpp"
 #include "terrain/detail/gdal_session.hpp"
+#include "terrain/detail/tiff_keys.hpp"
 
 namespace clast::terrain_detail {
 namespace {
 
 constexpr double kNoData = -9999.0;
 
-void check_units(const std::string& name, const OGRSpatialReference& system,
-                 const std::string& way) {
-  if (system.IsGeographic()) {
-    throw InputError(name +
-                     ": coordinates are degrees; project it to metres first, for example "
-                     "with " +
-                     way);
-  }
-  if (system.IsCompound()) {
-    const double height_unit = system.GetTargetLinearUnits("VERT_CS");
-    if (std::abs(height_unit - 1.0) > 1e-9) {
-      throw InputError(name + ": its heights are in units of " + with_digits(height_unit, 6) +
-                       " m; bring them to metres first, with a system of heights in metres (" +
-                       way + "+CODE)");
-    }
-  }
-  const double metres = system.GetLinearUnits();
-  if (std::abs(metres - 1.0) > 1e-9) {
-    throw InputError(name + ": its map unit is " + with_digits(metres, 6) +
-                     " m; project it to a system in metres first (" + way + ")");
-  }
-}
+/// How a band or heading may call the metre, in lower case.
+constexpr std::array<std::string_view, 11> kMetres = {"m",      "metre",  "meter", "metres",
+                                                      "meters", "metro",  "metri", "metros",
+                                                      "mètre",  "mètres", "gpm"};
+/// Words for a unit that say nothing.
+constexpr std::array<std::string_view, 6> kNoUnit = {"", "unknown", "none", "n/a", "-", "1"};
 
-/// A band may name the unit of its heights: "m", "metre", "ft", "US survey foot".
-void check_height_unit(const std::filesystem::path& path, GDALRasterBand& band) {
-  std::string unit = band.GetUnitType();
-  std::transform(unit.begin(), unit.end(), unit.begin(),
-                 [](unsigned char letter) { return static_cast<char>(std::tolower(letter)); });
-  if (unit.find("ft") == std::string::npos && unit.find("foot") == std::string::npos &&
-      unit.find("feet") == std::string::npos) {
-    return;
-  }
-  throw InputError(path.string() + ": its heights are in feet (unit \"" + band.GetUnitType() +
-                   "\"); bring them to metres first (gdal_calc.py -A " + path.filename().string() +
-                   " --calc=A*0.3048 --outfile=metres.tif)");
-}
+/// Sizes of other units of heights, in metres.
+const std::map<std::string_view, double> kOtherUnits = {{"ft", 0.3048},
+                                                        {"foot", 0.3048},
+                                                        {"feet", 0.3048},
+                                                        {"ftus", 1200.0 / 3937.0},
+                                                        {"sft", 1200.0 / 3937.0},
+                                                        {"us-ft", 1200.0 / 3937.0},
+                                                        {"us_survey_foot", 1200.0 / 3937.0},
+                                                        {"dm", 0.1},
+                                                        {"decimetre", 0.1},
+                                                        {"decimeter", 0.1},
+                                                        {"decimetres", 0.1},
+                                                        {"decimeters", 0.1},
+                                                        {"cm", 0.01},
+                                                        {"centimetre", 0.01},
+                                                        {"centimeter", 0.01},
+                                                        {"centimetres", 0.01},
+                                                        {"centimeters", 0.01},
+                                                        {"mm", 0.001},
+                                                        {"millimetre", 0.001},
+                                                        {"millimeter", 0.001},
+                                                        {"millimetres", 0.001},
+                                                        {"millimeters", 0.001},
+                                                        {"km", 1000.0},
+                                                        {"kilometre", 1000.0},
+                                                        {"kilometer", 1000.0},
+                                                        {"kilometres", 1000.0},
+                                                        {"kilometers", 1000.0},
+                                                        {"in", 0.0254},
+                                                        {"inch", 0.0254},
+                                                        {"inches", 0.0254},
+                                                        {"yd", 0.9144},
+                                                        {"yard", 0.9144},
+                                                        {"yards", 0.9144},
+                                                        {"fathom", 1.8288},
+                                                        {"fathoms", 1.8288}};
 
 std::array<double, 6> north_up_transform(GDALDataset& dataset, const std::filesystem::path& path) {
   std::array<double, 6> transform{};
@@ -127,13 +140,66 @@ HeightGrid read_heights(GDALRasterBand& band, const std::array<double, 6>& trans
   return grid;
 }
 
+/// Text that PROJ reads without loss.
+std::string full_wkt(const OGRSpatialReference& system) {
+  const char* options[] = {"FORMAT=WKT2_2019", nullptr};
+  char* wkt = nullptr;
+  std::string text;
+  if (system.exportToWkt(&wkt, options) == OGRERR_NONE && wkt) text = wkt;
+  CPLFree(wkt);
+  return text;
+}
+
+/// @param system  null: GDAL finds none
+std::vector<std::string> check_system(const std::filesystem::path& path,
+                                      const OGRSpatialReference* system, const Vec2& middle) {
+  const LengthUse metres{.way = "gdalwarp -t_srs EPSG:25832",
+                         .relabel = "gdal_edit.py -a_srs EPSG:CODE " + path.filename().string()};
+  std::vector<LengthDeclaration> declared = parse_geotiff_keys(read_tiff_keys(path)).lengths;
+  const std::string wkt = system ? full_wkt(*system) : std::string();
+  if (system && system->IsProjected()) {  // its scale at the place is known
+    for (LengthDeclaration& each : declared) each.world_projection.clear();
+  }
+  if (!wkt.empty()) declared.push_back(describe_system(wkt, "reference system"));
+  std::vector<std::string> notes = check_lengths(path.string(), declared, metres);
+  check_map_scale(path.string(), wkt, middle, metres.way);
+  return notes;
+}
+
 }  // namespace
 
-void check_metres(const std::string& name, const std::string& crs, const std::string& way) {
-  if (crs.empty()) return;
-  const GdalSession session;
-  OGRSpatialReference system;
-  if (system.SetFromUserInput(crs.c_str()) == OGRERR_NONE) check_units(name, system, way);
+void check_height_unit(const std::filesystem::path& path, const std::string& unit) {
+  // "US survey foot", "m a.s.l.", "[m]", "metre (EGM96)"
+  std::string text;
+  for (const char c : unit) {
+    if (c != '[' && c != ']' && c != '(' && c != ')' && c != '"') {
+      text += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    }
+  }
+  std::vector<std::string> words;
+  std::istringstream stream(text);
+  for (std::string word; stream >> word;) words.push_back(word);
+  if (words.empty() || std::find(kNoUnit.begin(), kNoUnit.end(), words[0]) != kNoUnit.end()) return;
+  std::string first = words[0];
+  while (!first.empty() && (first.back() == '.' || first.back() == ',')) first.pop_back();
+  if (std::find(kMetres.begin(), kMetres.end(), first) != kMetres.end()) return;
+  const std::string file = path.filename().string();
+  for (const std::string& word : words) {
+    const auto other = kOtherUnits.find(word);
+    const bool feet =
+        text.find("foot") != std::string::npos || text.find("feet") != std::string::npos;
+    if (other == kOtherUnits.end() && !feet) continue;
+    const double factor = other != kOtherUnits.end() ? other->second : 0.3048;
+    throw InputError(path.string() + ": its heights are in " +
+                     (factor > 0.3 && factor < 0.31 ? "feet" : word) + " (unit \"" +
+                     printable(unit) + "\"); bring them to metres first (gdal_calc.py -A " + file +
+                     " --calc=A*" + with_digits(factor, 10) + " --outfile=metres.tif)");
+  }
+  throw InputError(
+      path.string() + ": its heights are in the unit \"" + printable(unit) +
+      "\", which is not known here; bring them to metres, or where they are in metres say "
+      "so (gdal_edit.py -units m " +
+      file + ")");
 }
 
 std::string crs_name(const OGRSpatialReference* system) {
@@ -151,8 +217,19 @@ std::string crs_name(const OGRSpatialReference* system) {
   return text;
 }
 
+std::string usual_crs(const std::string& crs) {
+  if (crs.empty()) return crs;
+  const GdalSession session;
+  OGRSpatialReference system;
+  if (system.SetFromUserInput(crs.c_str()) != OGRERR_NONE) return crs;
+  const std::string usual = crs_name(&system);
+  return usual.empty() ? crs : usual;
+}
+
 Raster read_raster(const std::filesystem::path& path) {
   const GdalSession session;
+  // GDAL leaves out the vertical part of GeoTIFF 1.0 otherwise.
+  CPLSetThreadLocalConfigOption("GTIFF_REPORT_COMPD_CS", "YES");
   // GDAL would round the numbers of an Esri grid to floats: 2e-5 m at 250 m.
   const char* as_doubles[] = {"DATATYPE=Float64", nullptr};
   const DatasetPointer dataset(
@@ -174,12 +251,16 @@ Raster read_raster(const std::filesystem::path& path) {
   }
   GDALRasterBand& band = *dataset->GetRasterBand(1);
   Raster raster;
-  if (const OGRSpatialReference* system = dataset->GetSpatialRef()) {
-    check_units(path.string(), *system, "gdalwarp -t_srs EPSG:25832");
-  }
-  check_height_unit(path, band);
+  raster.unit = band.GetUnitType();
+  int declared = 0;
+  const double no_data = band.GetNoDataValue(&declared);
+  if (declared) raster.no_data = no_data;
   raster.crs = crs_name(dataset->GetSpatialRef());
-  raster.grid = read_heights(band, north_up_transform(*dataset, path), path);
+  const std::array<double, 6> transform = north_up_transform(*dataset, path);
+  const Vec2 middle(transform[0] + transform[1] * band.GetXSize() / 2.0,
+                    transform[3] + transform[5] * band.GetYSize() / 2.0);
+  raster.notes = check_system(path, dataset->GetSpatialRef(), middle);
+  raster.grid = read_heights(band, transform, path);
   return raster;
 }
 

@@ -10,6 +10,7 @@
 #include "mesh/mesh_io.hpp"
 #include "mesh/point_cloud.hpp"
 #include "terrain/detail/cloud_input.hpp"
+#include "terrain/detail/fill_values.hpp"
 #include "terrain/detail/gdal_raster.hpp"
 #include "terrain/detail/grid_holes.hpp"
 #include "terrain/detail/resampling.hpp"
@@ -18,10 +19,6 @@ namespace clast::terrain_detail {
 namespace {
 
 namespace fs = std::filesystem;
-
-// Heights beyond are none.
-constexpr double kHighest = 12000.0;      // m
-constexpr double kUsualNoData = -9999.0;  // m, deep under any slope
 
 SurfaceKind kind_of(const fs::path& path) {
   const std::string extension = extension_of(path);
@@ -71,27 +68,16 @@ RawSurface surface_of(const HeightGrid& grid, const fs::path& path) {
 
 std::string cells_of(double size) { return "cells of " + with_digits(size, 6) + " m"; }
 
-/// Numbers that stand for "no height" in a file that does not say so make pits without a bottom.
-void check_declared_heights(const HeightGrid& grid, const fs::path& path) {
-  for (std::size_t i = 0; i < grid.heights.size(); ++i) {
-    const double height = grid.heights[i];
-    if (!std::isfinite(height) || (std::abs(height) <= kHighest && height != kUsualNoData)) {
-      continue;
-    }
-    const Vec2 centre = grid.centre(i % grid.columns, i / grid.columns);
-    const std::string number = with_digits(height, 9);
-    throw InputError(path.string() + ": the height at " +
-                     place_on_map({centre.x(), centre.y(), height}) + " m is none on earth. If " +
-                     number + " stands for no data, say so first: gdal_translate -a_nodata " +
-                     number + " " + path.filename().string() + " ground.tif");
-  }
-}
-
 RawSurface read_one_raster(const TerrainOptions& options) {
   const fs::path& path = options.surface.front();
   Raster raster = read_raster(path);
-  check_declared_heights(raster.grid, path);
-  std::vector<std::string> notes;
+  check_height_unit(path, raster.unit);
+  std::vector<std::string> notes =
+      check_fill_values(raster.grid, path,
+                        {.declared = raster.no_data,
+                         .advice = "say so first: gdal_translate -a_nodata NUMBER " +
+                                   path.filename().string() + " ground.tif"});
+  for (const std::string& note : raster.notes) notes.push_back(path.string() + ": " + note);
   if (options.resolution) {
     const HeightGrid& grid = raster.grid;
     const double own = grid.step.maxCoeff();
@@ -135,6 +121,9 @@ RawSurface read_clouds(const TerrainOptions& options) {
   CloudGrid cloud = cloud_grid(options);
   RawSurface surface = surface_of(cloud.grid, options.surface.front());
   surface.crs = std::move(cloud.crs);
+  const std::vector<std::string> fill = check_fill_values(
+      cloud.grid, options.surface.front(), {.advice = "leave out the points with that height"});
+  cloud.notes.insert(cloud.notes.end(), fill.begin(), fill.end());
   surface.notes.insert(surface.notes.begin(), cloud.notes.begin(), cloud.notes.end());
   return surface;
 }

@@ -6,6 +6,7 @@
 
 #include "core/error.hpp"
 #include "core/input_file.hpp"
+#include "mesh/reference_system.hpp"
 
 namespace clast::terrain_detail {
 
@@ -58,7 +59,7 @@ Transformation transformation(OGRLayer& layer, const std::string& crs,
   Transformation result(OGRCreateCoordinateTransformation(&source, &to));
   if (!result) {
     throw InputError(path.string() + ": can't be brought into the terrain's coordinate system (" +
-                     GdalSession::message() + "); save it in " + crs.substr(0, 40));
+                     GdalSession::message() + "); save it in " + reference_system_name(crs));
   }
   return result;
 }

@@ -6,6 +6,7 @@
 
 #include "core/error.hpp"
 #include "core/number_text.hpp"
+#include "mesh/reference_system.hpp"
 #include "mesh/triangle_geometry.hpp"
 #include "terrain/detail/gdal_raster.hpp"
 #include "terrain/detail/plan_clip.hpp"
@@ -133,8 +134,9 @@ class LabelGrid {
 ZoneMap raster_zones(const ZoneFile& source, const std::string& crs) {
   const Raster raster = read_raster(source.path);
   if (!crs.empty() && !raster.crs.empty() && !same_crs(crs, raster.crs)) {
-    throw InputError(source.path.string() + ": is in " + raster.crs.substr(0, 60) +
-                     ", the ground in " + crs.substr(0, 60) + "; reproject one (gdalwarp -t_srs)");
+    throw InputError(source.path.string() + ": is in " + reference_system_name(raster.crs) +
+                     ", the ground in " + reference_system_name(crs) +
+                     "; reproject one (gdalwarp -t_srs)");
   }
   const HeightGrid& grid = raster.grid;
   ZoneMap map;

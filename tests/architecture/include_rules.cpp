@@ -67,6 +67,7 @@ const std::vector<Package> kHeavyPackages = {
     {"libpng", {"png.h"}, {"PNG::"}, {"core"}},
     {"zlib", {"zlib.h"}, {"ZLIB::"}, {"core"}},
     {"GDAL", {"gdal", "ogr", "cpl_"}, {"GDAL::"}, {"terrain", "report"}},
+    {"PROJ", {"proj.h"}, {"PROJ::"}, {"mesh"}},
     {"MPI", {"mpi.h"}, {"MPI::"}, {"study"}},
     {"toml++", {"toml++/"}, {"tomlplusplus::"}, {"core"}},
     {"CLI11", {"CLI/"}, {"CLI11::"}, {"app"}},

@@ -7,6 +7,7 @@
 #include <sstream>
 
 #include "core/text_file.hpp"
+#include "tests/support/declared_las.hpp"
 #include "tests/terrain/ground_samples.hpp"
 
 namespace clast {
@@ -328,10 +329,101 @@ TEST_F(CloudGround, MapSystemsOfLidarAreKeptAndDegreesFeetAndMixturesRefused) {
   const auto refused = [&](const std::vector<std::filesystem::path>& files) {
     return refusal(TerrainOptions{.surface = files, .resolution = 1.0});
   };
-  EXPECT_TRUE(contains(refused({feet}), "feet.las: its map unit is 0.3048"));
+  EXPECT_TRUE(
+      contains(refused({feet}), "feet.las: its map unit is the US survey foot (0.3048006 m)"));
   EXPECT_TRUE(contains(refused({degrees}), "degrees.las: coordinates are degrees"));
-  EXPECT_TRUE(contains(refused({utm, other}),
-                       "other.las: is in EPSG:2154, the clouds before it in EPSG:32632"));
+  EXPECT_TRUE(contains(
+      refused({utm, other}),
+      "other.las: is in RGF93 v1 / Lambert-93 (EPSG:2154), the clouds before it in WGS 84 / "
+      "UTM zone 32N (EPSG:32632)"));
+}
+
+/// A plane of 20 x 20 points 1 m apart on a map, three of ten under trees of 8 m.
+struct WoodedPlane {
+  std::vector<Vec3> points;
+  std::vector<std::uint8_t> classes;
+
+  explicit WoodedPlane(std::uint8_t ground, std::uint8_t tree) {
+    for (int k = 0; k < 400; ++k) {
+      const bool wooded = k % 10 < 3;
+      const double x = k % 20, y = k / 20;
+      points.emplace_back(500000 + x, 4400000 + y, 100 + x / 2 + y / 4 + (wooded ? 8 : 0));
+      classes.push_back(wooded ? tree : ground);
+    }
+  }
+};
+
+TEST_F(CloudGround, ClassifiedLidarWithoutGroundSaysSoAndLeavesOutWhatStandsOnIt) {
+  for (const auto& [ground, tree] :
+       {std::pair(0, 5), {1, 5}, {1, 3}, {1, 4}, {1, 6}, {1, 14}, {8, 5}}) {
+    const WoodedPlane plane(static_cast<std::uint8_t>(ground), static_cast<std::uint8_t>(tree));
+    write_text_file(folder_ / "wood.las", declared_las({}, plane.points, plane.classes));
+    const Terrain terrain = read_terrain({.surface = {folder_ / "wood.las"}, .resolution = 2.0});
+    for (const Vec3& v : terrain.surface.vertices) {
+      const Vec3 p = terrain.frame.map(v);
+      EXPECT_NEAR(p.z(), 100 + (p.x() - 500000) / 2 + (p.y() - 4400000) / 4, 0.8);
+    }
+    const std::string note = terrain.report.notes.front();
+    EXPECT_TRUE(contains(note, "wood.las: its points have the classes " +
+                                   std::to_string(std::min(ground, tree)) + ", "));
+    EXPECT_TRUE(contains(note,
+                         "none is ground (2); 120 points of vegetation, buildings, wires and "
+                         "bridges were left out and all others taken as ground"));
+  }
+}
+
+TEST_F(CloudGround, ClassesThatSayNothingOfTheGroundAreNoClasses) {
+  for (const auto& [ground, tree] : {std::pair(0, 0), {1, 1}, {0, 1}}) {
+    const WoodedPlane plane(static_cast<std::uint8_t>(ground), static_cast<std::uint8_t>(tree));
+    write_text_file(folder_ / "wood.las", declared_las({}, plane.points, plane.classes));
+    const Terrain terrain = read_terrain({.surface = {folder_ / "wood.las"}, .resolution = 2.0});
+    EXPECT_TRUE(contains(terrain.report.notes.front(), "400 points, mean heights"));
+  }
+  const WoodedPlane trees(5, 5);
+  write_text_file(folder_ / "wood.las", declared_las({}, trees.points, trees.classes));
+  EXPECT_TRUE(contains(refusal(TerrainOptions{.surface = {folder_ / "wood.las"}}),
+                       "have the classes 5, and none is ground (2); all are vegetation, buildings, "
+                       "wires or bridges: classify the ground first"));
+}
+
+TEST_F(CloudGround, LidarInFeetDegreesOrMercatorIsRefused) {
+  const WoodedPlane plane(2, 2);
+  const auto refused_with = [&](const std::vector<LasKey>& keys) {
+    write_text_file(folder_ / "a.las", declared_las({.keys = keys}, plane.points));
+    return refusal(TerrainOptions{.surface = {folder_ / "a.las"}, .resolution = 2.0});
+  };
+  EXPECT_EQ(refused_with({{1024, 1}, {3072, 26913}}), "");
+  EXPECT_EQ(refused_with({{1024, 1}, {2048, 4269}, {3072, 32767}, {3076, 9001}}), "");
+  EXPECT_TRUE(contains(refused_with({{1024, 1}, {3072, 26913}, {4099, 9003}}),
+                       "a.las: its heights are in units of the US survey foot"));
+  EXPECT_TRUE(contains(refused_with({{1024, 1}, {3072, 26913}, {4096, 6360}}),
+                       "a.las: its heights are in units of the US survey foot"));
+  EXPECT_TRUE(contains(refused_with({{1024, 1}, {3072, 32767}, {3076, 9002}}),
+                       "a.las: its map unit is the foot (0.3048 m)"));
+  EXPECT_TRUE(contains(refused_with({{1024, 2}, {2048, 4326}}), "coordinates are degrees"));
+  EXPECT_TRUE(contains(refused_with({{1024, 3}, {2048, 4978}}), "so that z is not up"));
+  // 4400 km on the sphere of Mercator is latitude 36.7: the scale is 1 / cos = 1.246.
+  EXPECT_TRUE(contains(refused_with({{1024, 1}, {3072, 3857}}),
+                       "lengths on its map (WGS 84 / Pseudo-Mercator (EPSG:3857)) are 1.2"));
+}
+
+TEST_F(CloudGround, HeightsThatStandForNoneAreRefused) {
+  for (const char* fill : {"-9999", "-999", "-99", "9999", "0", "1e20", "-32768"}) {
+    std::ostringstream text;
+    for (int j = 0; j < 20; ++j) {
+      for (int i = 0; i < 20; ++i) {
+        text << i + 0.5 << ' ' << j + 0.5 << ' ';
+        if (i < 3) {
+          text << fill << '\n';
+        } else {
+          text << 500 + 0.5 * i << '\n';
+        }
+      }
+    }
+    const std::string message = refused(text.str());
+    EXPECT_TRUE(contains(message, "stands for no data, leave out the points with that height"))
+        << fill;
+  }
 }
 
 TEST_F(CloudGround, LinesThatAreNoPointsAreRefusedWithTheirNumber) {

@@ -1,7 +1,10 @@
 // Rasters as ground.
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "core/text_file.hpp"
+#include "tests/terrain/geotiff_bytes.hpp"
 #include "tests/terrain/ground_samples.hpp"
 
 namespace clast {
@@ -128,7 +131,7 @@ TEST_F(RasterGround, HeightSystemsAreLeftOutAndFeetRefused) {
       read_terrain({.surface = {vrt("<SRS>EPSG:32632+5783</SRS>" + place, four, 2)}});
   EXPECT_EQ(metres.frame.crs, "EPSG:32632");
   const std::string feet = refused(vrt("<SRS>EPSG:32632+8228</SRS>" + place, four, 2));
-  EXPECT_TRUE(contains(feet, "dem.vrt: its heights are in units of 0.3048")) << feet;
+  EXPECT_TRUE(contains(feet, "dem.vrt: its heights are in units of the foot (0.3048 m)")) << feet;
   vrt(place, four, 2);
   std::string text = read_text_file(folder_ / "dem.vrt");
   text.insert(text.find("<SourceFilename"), "<UnitType>US survey foot</UnitType>");
@@ -172,6 +175,173 @@ TEST_F(RasterGround, WhatIsNoHeightRasterIsRefused) {
   const auto path = asc(3, 3, [](double, double) { return 1.0; });
   EXPECT_TRUE(contains(refusal(TerrainOptions{.surface = {path}, .up = "y"}), "z up"));
   EXPECT_TRUE(contains(refusal(TerrainOptions{.surface = {path, path}}), "one raster"));
+}
+
+TEST_F(RasterGround, UnitsOfTheBandAreMetresOrRefused) {
+  const std::string place = "<GeoTransform>652000, 1, 0, 5203000, 0, -1</GeoTransform>";
+  const auto refused_unit = [&](const std::string& unit) {
+    vrt(place, {1, 2, 3, 4}, 2);
+    std::string text = read_text_file(folder_ / "dem.vrt");
+    text.insert(text.find("<SourceFilename"), "<UnitType>" + unit + "</UnitType>");
+    write_text_file(folder_ / "dem.vrt", text);
+    return refused(folder_ / "dem.vrt");
+  };
+  for (const char* unit : {"", "m", "M", "metre", "meters", "Metres", "[m]", "m a.s.l.", "(m)",
+                           "m.a.s.l.", "metre (EGM96 geoid)", "unknown", "none", "1"}) {
+    EXPECT_EQ(refused_unit(unit), "") << unit;
+  }
+  const std::vector<std::pair<const char*, const char*>> others = {
+      {"ft", "A*0.3048 "},
+      {"foot", "A*0.3048 "},
+      {"feet", "A*0.3048 "},
+      {"US survey foot", "feet"},
+      {"ftUS", "A*0.3048006096"},
+      {"[ft]", "A*0.3048 "},
+      {"international feet", "feet"},
+      {"dm", "in dm (unit \"dm\")"},
+      {"cm", "A*0.01 "},
+      {"mm", "A*0.001 "},
+      {"km", "A*1000 "},
+      {"centimetres", "A*0.01 "},
+      {"Millimeter", "A*0.001 "},
+      {"decimeter", "A*0.1 "},
+      {"inch", "A*0.0254 "},
+      {"yards", "A*0.9144 "},
+      {"furlong", "the unit \"furlong\", which is not known here"},
+      {"degree",
+       "\"degree\", which is not known here; bring them to metres, or where they are in metres say "
+       "so "
+       "(gdal_edit.py -units m dem.vrt)"}};
+  for (const auto& [unit, part] : others) {
+    const std::string message = refused_unit(unit);
+    EXPECT_TRUE(contains(message, "dem.vrt: its heights are in ")) << unit;
+    EXPECT_TRUE(contains(message, part)) << unit;
+  }
+}
+
+// What GDAL makes of the keys is not always what they say: it takes the first of these for metres.
+TEST_F(RasterGround, KeysOfATiffInFeetOrContradictionAreRefused) {
+  const auto refused_keys = [&](const std::vector<TiffKey>& keys) {
+    std::vector<float> heights;
+    for (int k = 0; k < 16; ++k) heights.push_back(100.0f + 0.25f * static_cast<float>(k));
+    write_text_file(folder_ / "a.tif", geotiff(keys, 4, heights, 500000, 4400000));
+    return refused(folder_ / "a.tif");
+  };
+  const std::vector<std::vector<TiffKey>> feet = {
+      {{1024, 1}, {3072, 32767}, {3076, 9003}},
+      {{1024, 1}, {3072, 26913}, {4096, 5703}, {4099, 9003}},
+      {{1024, 1}, {3072, 26913}, {4096, 5103}, {4099, 9002}},
+      {{1024, 1}, {3072, 2232}, {3076, 9001}},
+      {{1024, 1}, {3072, 26913}, {3076, 9003}},
+      {{1024, 1}, {3072, 26913}, {4099, 9003}},
+      {{1024, 1}, {3072, 26913}, {4096, 6360}},
+      {{1024, 1}, {3072, 26913}, {4096, 32767}, {4099, 9002}},
+      {{1024, 1}, {3072, 2232}},
+      {{1024, 1}, {2048, 4269}, {3072, 32767}, {3074, 32767}, {3075, 1}, {3076, 9003}},
+      {{3076, 9003}},
+      {{4099, 9003}}};
+  for (const std::vector<TiffKey>& keys : feet) {
+    EXPECT_TRUE(contains(refused_keys(keys), "foot"))
+        << keys.back().key << " " << keys.back().value;
+  }
+  for (const std::vector<TiffKey>& keys : std::vector<std::vector<TiffKey>>{
+           {{1024, 1}, {3072, 26913}},
+           {{1024, 1}, {3072, 26913}, {3076, 9001}},
+           {{1024, 1}, {3072, 26913}, {4096, 5703}},
+           {{1024, 1}, {3072, 26913}, {4096, 5703}, {4099, 9001}},
+           {{1024, 1}, {2048, 4269}, {3072, 32767}, {3074, 32767}, {3075, 1}, {3076, 9001}}}) {
+    EXPECT_EQ(refused_keys(keys), "") << keys.back().key << " " << keys.back().value;
+  }
+  EXPECT_TRUE(contains(refused_keys({{1024, 2}, {2048, 4326}}), "degrees"));
+}
+
+TEST_F(RasterGround, MapsThatStretchLengthsAreRefusedWithTheirScale) {
+  const auto refused_in = [&](const std::string& system, const char* corner) {
+    return refused(vrt("<SRS>" + system + "</SRS><GeoTransform>" + corner + "</GeoTransform>",
+                       {1, 2, 3, 4}, 2));
+  };
+  const char* alps = "1147666, 1, 0, 5903972, 0, -1";
+  for (const char* system : {"EPSG:3857", "EPSG:3395", "EPSG:4087", "ESRI:102100", "ESRI:54009"}) {
+    const std::string message = refused_in(system, alps);
+    EXPECT_TRUE(contains(message, "dem.vrt: lengths on its map (")) << system;
+    EXPECT_TRUE(contains(message,
+                         "project it to a local system in metres first, here for example "
+                         "EPSG:326"));
+  }
+  EXPECT_EQ(refused_in("EPSG:32632", "652000, 1, 0, 5203000, 0, -1"), "");
+  EXPECT_EQ(refused_in("EPSG:3035", "4321000, 1, 0, 2600000, 0, -1"), "");
+  EXPECT_EQ(refused_in("EPSG:3857", "1147666, 1, 0, 2000, 0, -1"), "") << "at the equator";
+}
+
+/// Where fill lies in a grid of 24 x 20 cells.
+const std::vector<std::pair<const char*, std::function<bool(int, int)>>>& fill_shapes() {
+  static const std::vector<std::pair<const char*, std::function<bool(int, int)>>> kShapes = {
+      {"rim", [](int i, int j) { return i < 3 || j < 2 || i > 21 || j > 17; }},
+      {"side", [](int i, int) { return i < 3; }},
+      {"corner", [](int i, int j) { return i + j < 12; }},
+      {"block", [](int i, int j) { return i >= 8 && i < 13 && j >= 6 && j < 9; }},
+      {"single cells", [](int i, int j) { return (i * 7 + j * 11) % 29 == 0; }}};
+  return kShapes;
+}
+
+// Every fill value that lies off the ground is refused, or, where the file declares another one,
+// named with its count.
+TEST_F(RasterGround, FillValuesThatStandOutAreRefusedOrCounted) {
+  const auto grid = [&](double fill, const std::function<bool(int, int)>& filled, double cell,
+                        double base, bool declared) {
+    std::string text = "ncols 24\nnrows 20\nxllcorner 600000\nyllcorner 5180000\ncellsize " +
+                       std::to_string(cell) + "\n" + (declared ? "NODATA_value -32768\n" : "");
+    std::size_t count = 0;
+    for (int j = 0; j < 20; ++j) {
+      for (int i = 0; i < 24; ++i) {
+        const bool none = filled(i, j);
+        count += none;
+        const double ground = base - 0.4 * cell * j + 0.1 * cell * std::sin(i) + 0.05 * cell * i;
+        text += std::to_string(none ? fill : ground) + " ";
+      }
+      text += "\n";
+    }
+    write_text_file(folder_ / "dem.asc", text);
+    return count;
+  };
+  for (const double fill : {0.0, -1.0 * 99, -99.99, -100.0, -500.0, -999.0, -999.9, -1000.0,
+                            -9999.0, -9999.9, 9999.0, -10000.0, -32767.0, 99999.0, 1e20}) {
+    for (const auto& [shape, filled] : fill_shapes()) {
+      for (const double cell : {0.5, 5.0, 50.0}) {
+        SCOPED_TRACE(shape + std::string(" of ") + std::to_string(fill));
+        grid(fill, filled, cell, 1500.0, false);
+        const std::string message = refused(folder_ / "dem.asc");
+        EXPECT_TRUE(
+            contains(message, "stands for no data, say so first: gdal_translate -a_nodata "));
+        const std::size_t count = grid(fill, filled, cell, 1500.0, true);
+        const bool impossible = std::abs(fill) > 12000.0 || fill == -9999.0;
+        if (impossible || fill == -32768.0) continue;
+        const Terrain terrain = read_terrain({.surface = {folder_ / "dem.asc"}});
+        EXPECT_TRUE(contains(terrain.report.notes.front(),
+                             ": " + std::to_string(count) + " cells have the height "));
+      }
+    }
+  }
+}
+
+TEST_F(RasterGround, SeaLakesBenchesAndLowlandAreNoFill) {
+  const auto notes = [&](const std::function<double(double, double)>& z) {
+    const Terrain terrain = read_terrain({.surface = {asc(24, 20, z, 600000, 5180000, 2.0)}});
+    std::string all;
+    for (const std::string& note : terrain.report.notes) all += note + "\n";
+    return all.find("stands for no data") == std::string::npos ? "" : all;
+  };
+  const auto slope = [](double x, double y) { return 0.4 * (x - 600000) + 0.3 * (y - 5180000); };
+  EXPECT_EQ(notes([&](double x, double y) { return std::max(0.0, slope(x, y) - 8.0); }), "")
+      << "sea";
+  EXPECT_EQ(notes([&](double x, double y) { return std::max(562.3, 550.0 + slope(x, y)); }), "")
+      << "a lake";
+  EXPECT_EQ(notes([&](double x, double y) { return slope(x, y) - 15.0; }), "") << "below the sea";
+  EXPECT_EQ(notes([&](double, double) { return 0.0; }), "") << "a plane";
+  EXPECT_EQ(notes([&](double x, double y) { return 990.0 + std::round(slope(x, y)); }), "")
+      << "whole metres, 999 among them";
+  EXPECT_EQ(notes([&](double x, double) { return x < 600012 ? 0.0 : 0.5 * (x - 600012); }), "")
+      << "a floor";
 }
 
 TEST_F(RasterGround, RasterCutShortIsRefused) {

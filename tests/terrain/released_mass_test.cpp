@@ -238,7 +238,9 @@ TEST_F(Released, RefusesWithTheNextStep) {
   Terrain other = after, first = before;
   other.frame.crs = "EPSG:2154";
   first.frame.crs = "EPSG:25832";
-  refused(first, other, {}, "in the map system EPSG:25832, `after` in EPSG:2154");
+  refused(first, other, {},
+          "in the map system ETRS89 / UTM zone 32N (EPSG:25832), `after` in RGF93 v1 / Lambert-93 "
+          "(EPSG:2154)");
   EXPECT_TRUE(contains(find_released_mass(before, other).notes.at(0), "names no map system"));
 }
 

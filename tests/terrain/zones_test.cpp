@@ -179,7 +179,8 @@ TEST_F(Zones, AZoneRasterOfAnotherMapSystemIsRefused) {
   const std::string message = refusal(TerrainOptions{.surface = {folder_ / "dem.tif"},
                                                      .zones = {(folder_ / "zones.tif").string()}});
   EXPECT_EQ(message, (folder_ / "zones.tif").string() +
-                         ": is in EPSG:32631, the ground in EPSG:2154; reproject one (gdalwarp "
+                         ": is in WGS 84 / UTM zone 31N (EPSG:32631), the ground in RGF93 v1 / "
+                         "Lambert-93 (EPSG:2154); reproject one (gdalwarp "
                          "-t_srs)");
 }
 

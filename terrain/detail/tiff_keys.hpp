@@ -1,0 +1,13 @@
+#pragma once
+/// GeoTIFF keys of a file. GDAL gives the reference system that it makes of them, in which units
+/// that contradict each other no longer show.
+#include <filesystem>
+
+#include "mesh/geotiff_keys.hpp"
+
+namespace clast::terrain_detail {
+
+/// Reads the keys of the first image of a TIFF or BigTIFF file; those of other files are empty.
+GeoTiffKeys read_tiff_keys(const std::filesystem::path& path);
+
+}  // namespace clast::terrain_detail
