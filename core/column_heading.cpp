@@ -204,10 +204,17 @@ bool is_summary_label(std::string_view text) {
 }
 
 bool may_be_heading(const std::vector<std::string_view>& fields, char separator) {
-  return !fields.empty() && std::none_of(fields.begin(), fields.end(), [&](std::string_view field) {
-    const bool sentence = separator == ' ' && !field.empty() &&
-                          std::string_view(",.:!?").find(field.back()) != std::string_view::npos;
-    return sentence || number_in_field(field, separator).has_value();
+  if (fields.empty()) return false;
+  const auto ends_with_any = [](std::string_view field, std::string_view signs) {
+    return !field.empty() && signs.find(field.back()) != std::string_view::npos;
+  };
+  const bool sentence =
+      separator == ' ' && (ends_with_any(fields.back(), ".!?") ||
+                           std::any_of(fields.begin(), fields.end(), [&](std::string_view field) {
+                             return ends_with_any(field, ",:");
+                           }));
+  return !sentence && std::none_of(fields.begin(), fields.end(), [&](std::string_view field) {
+    return number_in_field(field, separator).has_value();
   });
 }
 

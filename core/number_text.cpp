@@ -5,6 +5,7 @@
 #include <charconv>
 #include <cmath>
 #include <cstdlib>
+#include <limits>
 
 namespace clast {
 
@@ -17,6 +18,21 @@ std::string in_format(double value, std::chars_format format, int precision) {
   return {text.data(), end.ptr};
 }
 
+/// What Microsoft's C library writes for numbers that are not finite: "-1.#IND", "1.#INF00".
+std::optional<double> not_finite_in(std::string_view text) {
+  const bool negative = text.starts_with('-');
+  if (negative) text.remove_prefix(1);
+  if (!text.starts_with("1.#")) return std::nullopt;
+  text.remove_prefix(3);
+  while (text.ends_with('0')) text.remove_suffix(1);
+  if (text == "INF") {
+    constexpr double kInfinity = std::numeric_limits<double>::infinity();
+    return negative ? -kInfinity : kInfinity;
+  }
+  if (text != "IND" && text != "QNAN" && text != "SNAN" && text != "R") return std::nullopt;
+  return std::numeric_limits<double>::quiet_NaN();
+}
+
 }  // namespace
 
 std::optional<double> number_in(std::string_view text) {
@@ -24,7 +40,7 @@ std::optional<double> number_in(std::string_view text) {
   double value = 0.0;
   const char* end = text.data() + text.size();
   const auto [stop, error] = std::from_chars(text.data(), end, value);
-  if (error != std::errc() || stop != end) return std::nullopt;
+  if (error != std::errc() || stop != end) return not_finite_in(text);
   return value;
 }
 

@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "core/error.hpp"
+#include "core/number_text.hpp"
 
 namespace clast {
 
@@ -65,7 +66,8 @@ std::optional<double> parsed_number(std::string_view word) {
   if (word.size() > 1 && word[0] == '+' && word[1] != '-') word.remove_prefix(1);
   double value = 0.0;
   const auto [end, code] = std::from_chars(word.data(), word.data() + word.size(), value);
-  if (end != word.data() + word.size() || word.empty()) return std::nullopt;
+  if (end != word.data() + word.size()) return number_in(word);  // "-1.#IND"
+  if (word.empty()) return std::nullopt;
   // Too small for a double is zero; too large is caught as not finite.
   if (code == std::errc::result_out_of_range) {
     const std::size_t exponent = word.find_first_of("eE");

@@ -18,7 +18,8 @@ namespace {
 constexpr const char* kOriginKind = "origin of coordinates";
 
 bool contains_advice(const std::string& reason) {
-  return reason.find("export it") != std::string::npos;
+  return reason.find("export it") != std::string::npos ||
+         reason.find("save it") != std::string::npos;
 }
 
 TriangleMesh read_mesh_by_format(const std::filesystem::path& path, const std::string& extension,
@@ -30,6 +31,7 @@ TriangleMesh read_mesh_by_format(const std::filesystem::path& path, const std::s
     if (extension == ".ply") mesh = mesh_detail::read_ply(content);
     if (extension == ".off") mesh = mesh_detail::read_off(content);
     if (extension == ".tab") mesh = mesh_detail::read_tab(content);
+    if (extension == ".gltf" || extension == ".glb") mesh_detail::check_gltf_features(content);
     return mesh ? std::move(*mesh) : mesh_detail::read_with_assimp(path);
   } catch (const InputError& error) {
     const std::string reason = error.what();

@@ -17,6 +17,12 @@ std::optional<TriangleMesh> read_ply(std::string_view content);
 std::optional<TriangleMesh> read_off(std::string_view content);
 std::optional<TriangleMesh> read_tab(std::string_view content);
 
+/// Refuses glTF whose shapes need an extension, by its name: assimp reads such files as if they did
+/// without, and gives other coordinates.
+/// @param content  of a .gltf or .glb file
+/// @throws InputError  the message has no file name
+void check_gltf_features(std::string_view content);
+
 /// Every mesh of a scene through assimp, in single precision, with the transforms of its nodes.
 /// @throws InputError  assimp can't read it; the message has no file name
 TriangleMesh read_with_assimp(const std::filesystem::path& path);

@@ -1,6 +1,7 @@
 // Point Cloud Data files, versions .5 to .7.
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <cstring>
 #include <string>
 #include <vector>
@@ -39,13 +40,21 @@ std::size_t whole(TextScanner& text, std::int64_t most) {
   return static_cast<std::size_t>(value);
 }
 
+std::string in_case(std::string_view word, int (*converted)(int)) {
+  std::string result;
+  for (const char c : word) {
+    result += static_cast<char>(converted(static_cast<unsigned char>(c)));
+  }
+  return result;
+}
+
 PcdHeader read_pcd_header(TextScanner& text) {
   constexpr std::int64_t kMostPoints = 1'000'000'000'000, kMostCount = 100'000;
   PcdHeader header;
   std::size_t width = 0, height = 1;
   bool has_points = false;
   while (text.next_line()) {
-    const std::string_view keyword = text.word();
+    const std::string keyword = in_case(text.word(), std::toupper);
     if (keyword == "FIELDS" || keyword == "COLUMNS") {
       for (std::string_view name = text.word(); !name.empty(); name = text.word()) {
         header.fields.push_back({std::string(name)});
@@ -54,7 +63,7 @@ PcdHeader read_pcd_header(TextScanner& text) {
       for (Field& field : header.fields) field.size = whole(text, 8);
     } else if (keyword == "TYPE") {
       for (Field& field : header.fields) {
-        const std::string_view type = text.word();
+        const std::string type = in_case(text.word(), std::toupper);
         if (type != "I" && type != "U" && type != "F") {
           throw InputError(text.here() + "a TYPE is I, U or F");
         }
@@ -70,7 +79,7 @@ PcdHeader read_pcd_header(TextScanner& text) {
       header.points = whole(text, kMostPoints);
       has_points = true;
     } else if (keyword == "DATA") {
-      header.data = text.word();
+      header.data = in_case(text.word(), std::tolower);
       if (!has_points) header.points = width * height;
       return header;
     }
@@ -83,8 +92,9 @@ std::array<std::size_t, 3> axes_of(const PcdHeader& header) {
   std::array<std::size_t, 3> axes{};
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const auto found =
-        std::find_if(header.fields.begin(), header.fields.end(),
-                     [&](const Field& field) { return field.name == std::string(1, "xyz"[axis]); });
+        std::find_if(header.fields.begin(), header.fields.end(), [&](const Field& field) {
+          return field.name.size() == 1 && (field.name[0] | 0x20) == "xyz"[axis];
+        });
     if (found == header.fields.end() || found->count != 1) {
       throw InputError(std::string("has no field ") + "xyz"[axis] + "; a cloud needs x, y and z");
     }

@@ -104,7 +104,19 @@ PlyHeader read_ply_header(TextScanner& text) {
 /// The values after the header, one at a time.
 class Body {
  public:
-  Body(std::string_view bytes, Format format) : bytes_(bytes), format_(format) {}
+  /// A text with one line for each element is read line by line, so that numbers beyond those that
+  /// the header declares, such as colours of faces, are passed over.
+  Body(std::string_view bytes, const PlyHeader& header)
+      : bytes_(bytes), format_(header.format), by_line_(has_a_line_each(bytes, header)) {}
+
+  /// Goes on to the next element.
+  void begin_element() {
+    if (!by_line_) return;
+    if (in_line_) bytes_.remove_prefix(std::min(line_end(bytes_), bytes_.size()));
+    bytes_.remove_prefix(std::min(bytes_.find_first_not_of(kBlank), bytes_.size()));
+    line_ = bytes_.substr(0, line_end(bytes_));
+    in_line_ = true;
+  }
 
   double value(const Type& type) { return format_ == Format::kAscii ? word() : binary(type); }
 
@@ -132,6 +144,26 @@ class Body {
   }
 
  private:
+  static constexpr std::string_view kBlank = " \t\r\n\v\f";
+
+  static std::size_t line_end(std::string_view bytes) { return bytes.find_first_of("\r\n"); }
+
+  static bool has_a_line_each(std::string_view bytes, const PlyHeader& header) {
+    if (header.format != Format::kAscii) return false;
+    std::int64_t elements = 0, lines = 0;
+    for (const Element& element : header.elements) {
+      if (!element.properties.empty()) elements += element.count;
+    }
+    while (lines <= elements) {
+      const std::size_t begin = bytes.find_first_not_of(kBlank);
+      if (begin == std::string_view::npos) break;
+      bytes.remove_prefix(begin);
+      bytes.remove_prefix(std::min(line_end(bytes), bytes.size()));
+      ++lines;
+    }
+    return lines == elements;
+  }
+
   [[noreturn]] static void fail_short() {
     throw InputError("the file ends before all its elements; it was cut short");
   }
@@ -162,12 +194,20 @@ class Body {
   }
 
   double word() {
-    constexpr std::string_view kBlank = " \t\r\n\v\f";
-    const std::size_t begin = bytes_.find_first_not_of(kBlank);
-    if (begin == std::string_view::npos) fail_short();
-    bytes_.remove_prefix(begin);
-    const std::string_view text = bytes_.substr(0, bytes_.find_first_of(kBlank));
-    bytes_.remove_prefix(text.size());
+    std::string_view& rest = by_line_ ? line_ : bytes_;
+    const std::size_t begin = rest.find_first_not_of(kBlank);
+    if (begin == std::string_view::npos) {
+      if (by_line_ && line_end(bytes_) != std::string_view::npos) {
+        throw InputError(
+            "the line \"" +
+            std::string(bytes_.substr(0, std::min<std::size_t>(line_end(bytes_), 40))) +
+            "\" holds fewer numbers than the header says; export it again");
+      }
+      fail_short();
+    }
+    rest.remove_prefix(begin);
+    const std::string_view text = rest.substr(0, rest.find_first_of(kBlank));
+    rest.remove_prefix(text.size());
     if (const std::optional<double> number = parsed_number(text)) return *number;
     throw InputError("\"" + std::string(text.substr(0, 40)) + "\" stands where a number is needed" +
                      (text.find(',') == std::string_view::npos
@@ -177,6 +217,9 @@ class Body {
 
   std::string_view bytes_;
   Format format_;
+  bool by_line_;
+  bool in_line_ = false;
+  std::string_view line_;  ///< what is left of the line of the element
 };
 
 std::int64_t vertex_number(double value) {
@@ -196,6 +239,7 @@ void read_vertices(Body& body, const Element& element, TriangleMesh& mesh) {
   mesh.vertices.reserve(static_cast<std::size_t>(element.count));
   for (std::int64_t i = 0; i < element.count; ++i) {
     Vec3 point = Vec3::Zero();
+    body.begin_element();
     for (const Property& property : element.properties) {
       for (std::size_t left = property.is_list ? body.count(property.count_type) : 1; left > 0;
            --left) {
@@ -217,6 +261,7 @@ bool is_corner_list(const Property& property) {
 void read_lists(Body& body, const Element& element, std::vector<std::vector<std::int64_t>>* faces) {
   if (element.properties.empty()) return;
   for (std::int64_t i = 0; i < element.count; ++i) {
+    body.begin_element();
     for (const Property& property : element.properties) {
       const std::size_t count = property.is_list ? body.count(property.count_type) : 1;
       const bool corners = faces && is_corner_list(property);
@@ -252,7 +297,7 @@ void split_strips(std::vector<std::vector<std::int64_t>>& faces, std::size_t fir
 std::optional<TriangleMesh> read_ply(std::string_view content) {
   TextScanner text(content);
   const PlyHeader header = read_ply_header(text);
-  Body body(text.after_line(), header.format);
+  Body body(text.after_line(), header);
   TriangleMesh mesh;
   std::vector<std::vector<std::int64_t>> faces;
   for (const Element& element : header.elements) {

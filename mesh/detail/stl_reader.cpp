@@ -82,25 +82,29 @@ TriangleMesh read_ascii_stl(std::string_view content) {
 }  // namespace
 
 std::optional<TriangleMesh> read_stl(std::string_view content) {
-  const bool starts_as_text =
-      content.size() >= 5 && equals_ignoring_case(content.substr(0, 5), "solid");
+  std::string_view text = content;
+  if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
+  text.remove_prefix(std::min(text.find_first_not_of(" \t\r\n"), text.size()));
+  // Some programs start binary files with "solid" too; these have zeros in the head or the count.
+  const bool is_text = (equals_ignoring_case(text.substr(0, 5), "solid") ||
+                        equals_ignoring_case(text.substr(0, 5), "facet")) &&
+                       content.substr(0, kHeader).find('\0') == std::string_view::npos;
   if (content.size() >= kHeader) {
     const std::uint64_t count = little_endian<std::uint32_t>(content.data() + 80);
     const std::uint64_t needed = kHeader + count * kTriangle;
-    // Some programs start binary files with "solid" too: the size decides.
-    if (content.size() == needed || (!starts_as_text && content.size() > needed && count > 0)) {
+    if (content.size() == needed || (!is_text && content.size() > needed && count > 0)) {
       return read_binary_stl(content, count);
     }
-    if (!starts_as_text) {
+    if (!is_text) {
       throw InputError("its header says " + std::to_string(count) + " triangles, which takes " +
                        std::to_string(needed) + " bytes, but the file has " +
                        std::to_string(content.size()) + "; it is not an STL file or was cut short");
     }
   }
-  if (!starts_as_text) {
+  if (!is_text) {
     throw InputError("is not an STL file: neither \"solid\" text nor a binary header");
   }
-  return read_ascii_stl(content);
+  return read_ascii_stl(text);
 }
 
 }  // namespace clast::mesh_detail

@@ -43,39 +43,72 @@ bool next_content_line(TextScanner& text) {
   return false;
 }
 
+/// `content` with lines of vertices and faces that go on below joined into one, followed by as many
+/// empty lines; empty where there are none.
+std::string joined_lines(std::string_view content) {
+  if (content.find("\\\n") == std::string_view::npos &&
+      content.find("\\\r") == std::string_view::npos) {
+    return {};
+  }
+  std::string joined;
+  TextScanner text(content);
+  std::size_t open = 0;  ///< lines that were joined to the one before
+  while (text.next_line()) {
+    std::string_view line = text.rest_of_line();
+    const std::size_t begin = std::min(line.find_first_not_of(" \t"), line.size());
+    const bool element = open > 0 || line.substr(begin, 1) == "v" || line.substr(begin, 1) == "f";
+    const bool remark = line.find('#') != std::string_view::npos;
+    const bool goes_on = element && !remark && line.ends_with('\\');
+    if (goes_on) line.remove_suffix(1);
+    joined += line;
+    if (goes_on) {
+      joined += ' ';
+      ++open;
+    } else {
+      joined.append(open + 1, '\n');
+      open = 0;
+    }
+  }
+  return joined;
+}
+
+/// The rest of a line of a face, up to a remark.
+/// @param vertices  read so far, from which negative numbers count back
+std::vector<std::int64_t> read_corners(TextScanner& text, std::size_t vertices) {
+  std::vector<std::int64_t> corners;
+  for (std::string_view corner = text.word(); !corner.empty() && corner.front() != '#';
+       corner = text.word()) {
+    const auto number = parsed_integer(corner.substr(0, corner.find('/')));
+    if (!number || *number == 0) {
+      throw InputError(text.here() + "\"" + std::string(corner.substr(0, 40)) +
+                       "\" is not a vertex number (they start at 1)");
+    }
+    corners.push_back(*number > 0 ? *number - 1 : static_cast<std::int64_t>(vertices) + *number);
+  }
+  return corners;
+}
+
 }  // namespace
 
 std::optional<TriangleMesh> read_obj(std::string_view content) {
+  const std::string joined = joined_lines(content);
   TriangleMesh mesh;
   std::vector<PendingFace> faces;
-  TextScanner text(content);
+  TextScanner text(joined.empty() ? content : joined);
   bool recognised = false;
   while (text.next_line()) {
     const std::string_view keyword = text.word();
     if (keyword == "v") {
       recognised = true;
       mesh.vertices.push_back(read_point(text));
-    } else if (keyword == "f") {
+    } else if (keyword == "f" || keyword == "fo") {  // "fo" before version 3
       recognised = true;
-      PendingFace face{text.line_number(), {}};
-      std::string_view corner = text.word();
-      while (!corner.empty()) {
-        if (corner == "\\") {  // the line goes on below
-          if (!text.next_line()) break;
-          corner = text.word();
-          continue;
-        }
-        const auto number = parsed_integer(corner.substr(0, corner.find('/')));
-        if (!number || *number == 0) {
-          throw InputError(text.here() + "\"" + std::string(corner.substr(0, 40)) +
-                           "\" is not a vertex number (they start at 1)");
-        }
-        // Negative numbers count back from the last vertex read so far.
-        face.corners.push_back(*number > 0 ? *number - 1
-                                           : std::int64_t(mesh.vertices.size()) + *number);
-        corner = text.word();
-      }
-      faces.push_back(std::move(face));
+      faces.push_back({text.line_number(), read_corners(text, mesh.vertices.size())});
+    } else if (keyword == "surf" || keyword == "curv" || keyword == "curv2" ||
+               keyword == "cstype") {
+      throw InputError(text.here() + "\"" + std::string(keyword) +
+                       "\" begins a free-form curve or surface, which is not read; export it as "
+                       "polygons");
     }
   }
   if (!recognised) throw InputError("is not an OBJ file: it has no \"v\" and no \"f\" lines");

@@ -74,7 +74,7 @@ const std::vector<Package> kHeavyPackages = {
     {"nlohmann_json",
      {"nlohmann/"},
      {"nlohmann_json::"},
-     {"reconstruct", "library", "terrain", "report", "app", "python"}},
+     {"mesh", "reconstruct", "library", "terrain", "report", "app", "python"}},
     {"pybind11", {"pybind11/"}, {"pybind11::"}, {"python"}},
     {"pugixml", {"pugixml"}, {"pugixml::"}, {"reconstruct"}},
 };

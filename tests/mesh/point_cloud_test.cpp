@@ -258,6 +258,18 @@ TEST_F(Clouds, TheSeparatorDecidesTheColumns) {
   expect_points("g.csv", "\"1\",\"2\",\"3\"\n", one);
 }
 
+TEST_F(Clouds, WordsOfPcdHaveAnyCase) {
+  for (const char* fields : {"FIELDS X Y Z", "FIELDS x Y z", "fields X Y Z", "Fields x y z"}) {
+    for (const char* data : {"DATA ascii", "data ASCII", "DATA Ascii"}) {
+      expect_points("a.pcd",
+                    std::string("VERSION 0.7\n") + fields +
+                        "\nSIZE 8 8 8\nTYPE F F F\nCOUNT 1 1 1\nWIDTH 1\nHEIGHT 1\nPOINTS 1\n" +
+                        data + "\n1 2 3\n",
+                    {{1, 2, 3}});
+    }
+  }
+}
+
 TEST_F(Clouds, SeveralScansOfAFileFollowEachOther) {
   expect_points("a.pts", "2\n1 2 3 17\n4 5 6 17\n1\n7 8 9 17\n", {{1, 2, 3}, {4, 5, 6}, {7, 8, 9}});
   expect_points("b.pts", "1\r\n1 2 3 -5 1 2 3\r\n2 \r\n4 5 6 -5 1 2 3\r\n7 8 9 1 2 3 4\r\n",
