@@ -16,6 +16,7 @@
 #include "core/printable.hpp"
 #include "core/text_file.hpp"
 #include "mesh/reference_system.hpp"
+#include "terrain/detail/esri_grid.hpp"
 #include "terrain/detail/gdal_session.hpp"
 #include "terrain/detail/tiff_keys.hpp"
 
@@ -25,9 +26,10 @@ namespace {
 constexpr double kNoData = -9999.0;
 
 /// How a band or heading may call the metre, in lower case.
-constexpr std::array<std::string_view, 11> kMetres = {"m",      "metre",  "meter", "metres",
-                                                      "meters", "metro",  "metri", "metros",
-                                                      "mètre",  "mètres", "gpm"};
+constexpr std::array<std::string_view, 16> kMetres = {
+    "m",     "metre",  "meter", "metres", "meters", "metro",
+    "metri", "metros", "mètre", "mètres", "gpm",  // and above the sea, without full stops
+    "masl",  "mslm",   "msnm",  "müm",    "mnn"};
 /// Words for a unit that say nothing.
 constexpr std::array<std::string_view, 6> kNoUnit = {"", "unknown", "none", "n/a", "-", "1"};
 
@@ -181,7 +183,7 @@ void check_height_unit(const std::filesystem::path& path, const std::string& uni
   for (std::string word; stream >> word;) words.push_back(word);
   if (words.empty() || std::find(kNoUnit.begin(), kNoUnit.end(), words[0]) != kNoUnit.end()) return;
   std::string first = words[0];
-  while (!first.empty() && (first.back() == '.' || first.back() == ',')) first.pop_back();
+  std::erase_if(first, [](char c) { return c == '.' || c == ','; });
   if (std::find(kMetres.begin(), kMetres.end(), first) != kMetres.end()) return;
   const std::string file = path.filename().string();
   for (const std::string& word : words) {
@@ -232,9 +234,10 @@ Raster read_raster(const std::filesystem::path& path) {
   CPLSetThreadLocalConfigOption("GTIFF_REPORT_COMPD_CS", "YES");
   // GDAL would round the numbers of an Esri grid to floats: 2e-5 m at 250 m.
   const char* as_doubles[] = {"DATATYPE=Float64", nullptr};
-  const DatasetPointer dataset(
-      GDALDataset::Open(path.c_str(), GDAL_OF_RASTER | GDAL_OF_READONLY | GDAL_OF_VERBOSE_ERROR,
-                        nullptr, extension_of(path) == ".asc" ? as_doubles : nullptr, nullptr));
+  const EsriGrid grid(path);
+  const DatasetPointer dataset(GDALDataset::Open(
+      grid.path().c_str(), GDAL_OF_RASTER | GDAL_OF_READONLY | GDAL_OF_VERBOSE_ERROR, nullptr,
+      extension_of(path) == ".asc" ? as_doubles : nullptr, nullptr));
   if (!dataset) {
     throw InputError(path.string() + ": is not a raster that GDAL can read (" +
                      GdalSession::message() + "); export it as GeoTIFF");

@@ -28,12 +28,8 @@ std::vector<MapLine> read_map_lines(const std::filesystem::path& path, const std
   layer.ResetReading();
   while (const FeaturePointer feature{layer.GetNextFeature()}) {
     const std::string name = feature_name(*feature, path);
-    const OGRGeometry* stored = feature->GetGeometryRef();
-    const std::unique_ptr<OGRGeometry> geometry(stored ? stored->clone() : nullptr);
-    if (geometry && transform && geometry->transform(transform.get()) != OGRERR_NONE) {
-      throw InputError(name + " can't be projected (" + GdalSession::message() +
-                       "); check its coordinates and its map system");
-    }
+    const std::unique_ptr<OGRGeometry> geometry =
+        straight_geometry(*feature, transform.get(), path);
     const OGRwkbGeometryType type = geometry ? wkbFlatten(geometry->getGeometryType()) : wkbUnknown;
     if (type == wkbLineString) {
       add_line(*geometry->toLineString(), name, lines);

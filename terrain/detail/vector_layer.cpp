@@ -64,6 +64,21 @@ Transformation transformation(OGRLayer& layer, const std::string& crs,
   return result;
 }
 
+std::unique_ptr<OGRGeometry> straight_geometry(const OGRFeature& feature,
+                                               OGRCoordinateTransformation* transform,
+                                               const std::filesystem::path& path) {
+  constexpr double kStep = 2.0;  // degrees of an arc to a chord
+  const OGRGeometry* stored = feature.GetGeometryRef();
+  if (!stored) return nullptr;
+  std::unique_ptr<OGRGeometry> geometry(
+      stored->hasCurveGeometry() ? stored->getLinearGeometry(kStep) : stored->clone());
+  if (geometry && transform && geometry->transform(transform) != OGRERR_NONE) {
+    throw InputError(feature_name(feature, path) + " can't be projected (" +
+                     GdalSession::message() + "); check its coordinates and its map system");
+  }
+  return geometry;
+}
+
 std::string feature_name(const OGRFeature& feature, const std::filesystem::path& path) {
   return path.string() + ": feature " + std::to_string(feature.GetFID());
 }

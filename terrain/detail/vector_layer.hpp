@@ -40,6 +40,13 @@ OGRLayer& only_layer(GDALDataset& dataset, const std::filesystem::path& path,
 Transformation transformation(OGRLayer& layer, const std::string& crs,
                               const std::filesystem::path& path);
 
+/// The geometry of a feature on the terrain's map, arcs as chords that stay within a thousandth of
+/// their radius; null where it has none.
+/// @throws InputError  it can't be projected
+std::unique_ptr<OGRGeometry> straight_geometry(const OGRFeature& feature,
+                                               OGRCoordinateTransformation* transform,
+                                               const std::filesystem::path& path);
+
 /// "lines.geojson: feature 3"
 std::string feature_name(const OGRFeature& feature, const std::filesystem::path& path);
 

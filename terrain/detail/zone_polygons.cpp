@@ -50,12 +50,7 @@ ReadPolygon polygon_of(const OGRFeature& feature, const std::string& zone,
   ZonePolygon result;
   result.zone = zone;
   const std::string named = zone.empty() ? "" : " (zone \"" + zone + "\")";
-  const OGRGeometry* stored = feature.GetGeometryRef();
-  std::unique_ptr<OGRGeometry> geometry(stored ? stored->clone() : nullptr);
-  if (geometry && transform && geometry->transform(transform) != OGRERR_NONE) {
-    throw InputError(feature_name(feature, path) + " can't be projected (" +
-                     GdalSession::message() + "); check its coordinates and its map system");
-  }
+  std::unique_ptr<OGRGeometry> geometry = straight_geometry(feature, transform, path);
   const OGRwkbGeometryType type = geometry ? wkbFlatten(geometry->getGeometryType()) : wkbUnknown;
   if (type == wkbPolygon) {
     add_rings(*geometry->toPolygon(), result);

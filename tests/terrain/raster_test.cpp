@@ -344,6 +344,47 @@ TEST_F(RasterGround, SeaLakesBenchesAndLowlandAreNoFill) {
       << "a floor";
 }
 
+// A row that begins with "nan" counts, wherever it stands, and the system beside the file too.
+TEST_F(RasterGround, EsriGridsMayBeginWithWordsForNoHeight) {
+  const std::string head = "ncols 5\nnrows 4\nxllcorner 600000\nyllcorner 5180000\ncellsize 1\n";
+  for (const char* none :
+       {"nan", "NaN", "NAN", "-nan", "nan(ind)", "-1.#IND", "1.#QNAN", "inf", "-9999"}) {
+    for (const char* nodata : {"", "NODATA_value -9999\n", "nodata_value nan\n"}) {
+      if (std::string(none) == "-9999" && std::string(nodata) != "NODATA_value -9999\n") continue;
+      for (const int gap : {0, 1, 2, 3}) {  // the row that begins without a height
+        std::string text = head + nodata;
+        for (int j = 0; j < 4; ++j) {
+          for (int i = 0; i < 5; ++i) {
+            text +=
+                (j == gap && i == 0 ? none : std::to_string(1000 - 2 * j + i)) + std::string(" ");
+          }
+          text += "\n";
+        }
+        write_text_file(folder_ / "dem.asc", text);
+        write_text_file(
+            folder_ / "dem.prj",
+            R"(PROJCS["WGS_1984_UTM_Zone_32N",GEOGCS["GCS_WGS_1984",DATUM["D_WGS_1984",SPHEROID["WGS_1984",6378137.0,298.257223563]],PRIMEM["Greenwich",0.0],UNIT["Degree",0.0174532925199433]],PROJECTION["Transverse_Mercator"],PARAMETER["False_Easting",500000.0],PARAMETER["False_Northing",0.0],PARAMETER["Central_Meridian",9.0],PARAMETER["Scale_Factor",0.9996],PARAMETER["Latitude_Of_Origin",0.0],UNIT["Meter",1.0]])");
+        SCOPED_TRACE(text);
+        const Terrain terrain = read_terrain({.surface = {folder_ / "dem.asc"}});
+        EXPECT_TRUE(contains(terrain.frame.crs, "UTM zone 32N"));
+        // Beside a gap within a side, the corner of the grid belongs to no square.
+        EXPECT_EQ(terrain.surface.vertices.size(), gap == 0 || gap == 3 ? 19u : 18u);
+        for (const Vec3& v : terrain.surface.vertices) {
+          const Vec3 p = terrain.frame.map(v) - Vec3(600000.5, 5180000.5, 0);
+          EXPECT_NEAR(p.z(), 1000 - 2 * (3 - p.y()) + p.x(), 1e-9);
+        }
+      }
+    }
+  }
+  for (const char* word : {"NA", "null", "*", "-", "#N/A", "novalue"}) {
+    write_text_file(folder_ / "dem.asc",
+                    head + "1 2 3 4 5\n1 2 " + word + " 4 5\n1 2 3 4 5\n1 2 3 4 5\n");
+    EXPECT_TRUE(contains(
+        refused(folder_ / "dem.asc"),
+        "dem.asc: line 7: \"" + std::string(word) + "\" is no height; write the NODATA_value"));
+  }
+}
+
 TEST_F(RasterGround, RasterCutShortIsRefused) {
   const auto path = asc(20, 20, [](double x, double y) { return x + y; });
   const std::string text = read_text_file(path);

@@ -279,6 +279,49 @@ std::map<std::string, double> zone_areas(const Terrain& terrain) {
   return areas;
 }
 
+// What GIS draw with arcs: the quarter disc about (0, 0) of radius 8 has the area 16 pi.
+TEST_F(Zones, CurvesOfAGeoPackageAreDrawnAsChords) {
+  GDALAllRegister();
+  const std::vector<std::pair<const char*, OGRwkbGeometryType>> discs = {
+      {"CURVEPOLYGON (COMPOUNDCURVE ((0 0, 8 0), CIRCULARSTRING (8 0, 5.65685424949238 "
+       "5.65685424949238, 0 8), (0 8, 0 0)))",
+       wkbCurvePolygon},
+      {"MULTISURFACE (CURVEPOLYGON (COMPOUNDCURVE ((0 0, 8 0), CIRCULARSTRING (8 0, "
+       "5.65685424949238 5.65685424949238, 0 8), (0 8, 0 0))))",
+       wkbMultiSurface}};
+  for (const auto& [text, type] : discs) {
+    const std::string path = (folder_ / "curves.gpkg").string();
+    GDALDriver* driver = GetGDALDriverManager()->GetDriverByName("GPKG");
+    GDALDataset* dataset = driver->Create(path.c_str(), 0, 0, 0, GDT_Unknown, nullptr);
+    OGRLayer* layer = dataset->CreateLayer("zones", nullptr, wkbUnknown);
+    OGRFieldDefn field("zone", OFTString);
+    layer->CreateField(&field);
+    const auto add = [&](const char* zone, const char* wkt) {
+      OGRGeometry* geometry = nullptr;
+      ASSERT_EQ(OGRGeometryFactory::createFromWkt(wkt, nullptr, &geometry), OGRERR_NONE);
+      OGRFeature feature(layer->GetLayerDefn());
+      feature.SetField("zone", zone);
+      feature.SetGeometryDirectly(geometry);
+      ASSERT_EQ(layer->CreateFeature(&feature), OGRERR_NONE);
+    };
+    add("disc", text);
+    add("rest",
+        "CURVEPOLYGON (COMPOUNDCURVE ((8 0, 10 0, 10 10, 0 10, 0 8), CIRCULARSTRING (0 8, "
+        "5.65685424949238 5.65685424949238, 8 0)))");
+    GDALClose(dataset);
+    const Terrain terrain =
+        read_terrain({.surface = {ground_}, .zones = {path}, .cut_zones = true});
+    double disc = 0.0;
+    for (std::size_t t = 0; t < terrain.zone.size(); ++t) {
+      if (terrain.zone_names[terrain.zone[t]] == "disc") {
+        disc += std::abs(normal_of(terrain, t).z()) / 2.0;
+      }
+    }
+    EXPECT_NEAR(disc, 16.0 * std::acos(-1.0), 0.05) << text;
+    std::filesystem::remove(path);
+  }
+}
+
 // A triangle is half of a square from (i, j): its centroid is a third of the way, where a border at
 // 0.4 has it on the other side; but the part left of x = 0.4 is 1 - 0.6^2 = 0.64 of a half square
 // that is wide on the left, and 0.4^2 = 0.16 of one that is wide on the right.
