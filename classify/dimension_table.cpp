@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "classify/detail/table_layout.hpp"
+#include "core/column_heading.hpp"
 #include "core/delimited_text.hpp"
 #include "core/error.hpp"
 #include "core/length_unit.hpp"
@@ -64,8 +65,48 @@ Cell positive_cell(const Record& record, std::size_t column, const TableLayout& 
   return {*value, {}};
 }
 
+/// The label of a row that sums up the others: its name, or, where it has none, another text.
+std::optional<std::string_view> summary_in(const Record& record, const TableLayout& layout) {
+  const auto counts = [&](std::string_view field) {
+    const SummaryLabel label = summary_label(field);
+    return label == SummaryLabel::kSure || (layout.has_summary && label == SummaryLabel::kShort);
+  };
+  if (layout.name && !record.fields[*layout.name].empty()) {
+    const std::string_view name = record.fields[*layout.name];
+    return counts(name) ? std::optional(name) : std::nullopt;
+  }
+  for (std::size_t i = 0; i < record.fields.size(); ++i) {
+    const bool axis = std::find(layout.axes.begin(), layout.axes.end(), i) != layout.axes.end();
+    if (!axis && i != layout.mass && counts(record.fields[i])) return record.fields[i];
+  }
+  return std::nullopt;
+}
+
+/// Whether rows are named means or sums in full, so that short labels such as "SD" are ones too. In
+/// a table without names they are the last rows, and words of another kind else: "media" is also a
+/// degree of weathering.
+void find_summary_rows(const std::string& text, TableLayout& layout) {
+  DelimitedText rows(text, layout.file);
+  Record record;
+  bool labelled = false, followed = false;
+  while (rows.next(record)) {
+    const bool summary = summary_in(record, layout).has_value();
+    followed = followed || (labelled && !summary);
+    labelled = labelled || summary;
+    layout.has_summary = labelled;
+  }
+  layout.has_summary = labelled && (layout.name || !followed);
+}
+
 void read_row(const Record& record, const TableLayout& layout, DimensionTable& table) {
   const auto row = [&] { return "row " + std::to_string(record.line); };
+  const auto label = layout.has_summary ? summary_in(record, layout) : std::nullopt;
+  if (label) {
+    ++table.skipped;
+    table.notes.push_back(row() + " skipped: \"" + std::string(*label) +
+                          "\" sums up the other rows");
+    return;
+  }
   std::array<double, 3> values{};
   for (int axis = 0; axis < 3; ++axis) {
     const Cell cell = positive_cell(record, layout.axes[axis], layout, kAxisNames[axis],
@@ -99,6 +140,34 @@ void read_row(const Record& record, const TableLayout& layout, DimensionTable& t
   const bool named = layout.name && !record.fields[*layout.name].empty();
   block.name = named ? std::string(record.fields[*layout.name]) : row();
   table.blocks.push_back(std::move(block));
+}
+
+/// Rows without a name that are the mean or the sum of those above.
+void note_unnamed_summaries(DimensionTable& table) {
+  constexpr double kRounding = 0.005;
+  constexpr std::size_t kFewest = 3;
+  std::array<double, 3> sums{}, smallest{}, largest{};
+  std::vector<std::string> notes;
+  for (std::size_t i = 0; i < table.blocks.size(); ++i) {
+    const Axes& axes = table.blocks[i].axes;
+    const std::array<double, 3> lengths = {axes.L, axes.I, axes.S};
+    const auto count = static_cast<double>(i);
+    bool mean = i >= kFewest, sum = i >= kFewest;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const bool alike = largest[k] <= (1.0 + 2.0 * kRounding) * smallest[k];
+      mean = mean && !alike && std::abs(lengths[k] - sums[k] / count) <= kRounding * lengths[k];
+      sum = sum && std::abs(lengths[k] - sums[k]) <= kRounding * lengths[k];
+      sums[k] += lengths[k];
+      smallest[k] = i == 0 ? lengths[k] : std::min(smallest[k], lengths[k]);
+      largest[k] = std::max(largest[k], lengths[k]);
+    }
+    const std::string& name = table.blocks[i].name;
+    if ((mean || sum) && name.starts_with("row ")) {
+      notes.push_back(name + " is the " + (mean ? "mean" : "sum") +
+                      " of the rows above: is it a block? Leave it out of the table if it is none");
+    }
+  }
+  table.notes.insert(table.notes.end(), notes.begin(), notes.end());
 }
 
 /// " (0.9 m in cm, 0.09 m in mm)": what a length would be in units that give a block or a pebble.
@@ -153,13 +222,15 @@ DimensionTable read_dimension_table(const std::filesystem::path& path,
         "the file is not UTF-8 and was read as Windows-1252 (Latin-1); where letters with accents "
         "look wrong, save it as CSV (UTF-8)");
   }
-  const TableLayout layout = table_layout(record, text.separator(), columns, file, table.notes);
+  TableLayout layout = table_layout(record, text.separator(), columns, file, table.notes);
+  find_summary_rows(content.text, layout);
   if (!layout.has_header) read_row(record, layout, table);
   while (text.next(record)) read_row(record, layout, table);
   if (table.blocks.empty()) {
     throw InputError(file + ": no usable row" +
                      (table.notes.empty() ? std::string() : "; " + table.notes.back()));
   }
+  note_unnamed_summaries(table);
   const std::string doubt = length_note(table, layout.units_are_known);
   if (!doubt.empty()) table.notes.insert(table.notes.begin(), doubt);
   return table;

@@ -165,7 +165,13 @@ ColumnHeading parse_heading(std::string_view field) {
   return heading;
 }
 
-bool is_summary_label(std::string_view text) {
+std::string ColumnHeading::joined_words() const {
+  std::string text;
+  for (const std::string& word : words) text += (text.empty() ? "" : "_") + word;
+  return text;
+}
+
+SummaryLabel summary_label(std::string_view text) {
   static const std::set<std::string> kLabels = {
       // number, sum
       "n", "count", "anzahl", "nombre", "effectif", "numero", "total", "totals", "sum", "summe",
@@ -186,6 +192,8 @@ bool is_summary_label(std::string_view text) {
       // ends
       "min", "minimum", "max", "maximum", "range", "spannweite", "minimo", "massimo", "maximo",
       "mini", "maxi", "etendue", "intervallo", "rango", "kleinstwert", "grosstwert", "groesstwert"};
+  constexpr std::size_t kLongest = 60;
+  if (text.empty() || text.size() > kLongest) return SummaryLabel::kNone;
   const std::string plain = plain_lower(text);
   std::string label;
   // "Mean (n = 12)", "Mean:", "Std. dev.", "Écart-type"
@@ -194,13 +202,15 @@ bool is_summary_label(std::string_view text) {
     if (letter) {
       label += c;
     } else if (c >= '0' && c <= '9') {
-      return false;  // "Max 3" is a name
+      return SummaryLabel::kNone;  // "Max 3" is a name
     } else if (!label.empty() && label.back() != ' ') {
       label += ' ';
     }
   }
   while (label.ends_with(' ')) label.pop_back();
-  return kLabels.contains(label);
+  if (!kLabels.contains(label)) return SummaryLabel::kNone;
+  const auto letters = std::count_if(label.begin(), label.end(), [](char c) { return c != ' '; });
+  return letters > 2 ? SummaryLabel::kSure : SummaryLabel::kShort;
 }
 
 bool may_be_heading(const std::vector<std::string_view>& fields, char separator) {

@@ -20,14 +20,22 @@ struct ColumnHeading {
 
   /// The only word of the heading; empty where it has several or none.
   std::string only_word() const { return words.size() == 1 ? words.front() : std::string(); }
+  /// "start_x"
+  std::string joined_words() const;
 };
 
 /// @param field  without its quotes, as `DelimitedText` gives it
 ColumnHeading parse_heading(std::string_view field);
 
+enum class SummaryLabel {
+  kNone,
+  kShort,  ///< of one or two letters, which may name an item too: "SD", "n"
+  kSure
+};
+
 /// Whether a text names a row that sums up the others, in English, German, French, Italian or
 /// Spanish: "Mean", "SD", "Mittelwert", "Écart-type", "Totale", "Máx.".
-bool is_summary_label(std::string_view text);
+SummaryLabel summary_label(std::string_view text);
 
 /// Whether a row may be a heading: none of its fields is a number, and, where blanks separate, none
 /// ends as a sentence or its parts do.

@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <optional>
 
+#include "core/column_heading.hpp"
 #include "core/delimited_text.hpp"
 #include "core/error.hpp"
 #include "core/number_text.hpp"
+#include "core/printable.hpp"
 #include "core/text_file.hpp"
 
 namespace clast {
@@ -43,16 +45,51 @@ char separator_of_numbers(std::string_view text) {
 }
 
 /// Columns of `names` in a heading; none where it does not have each of them.
-std::optional<std::vector<std::size_t>> named_columns(
-    const Record& heading, const std::vector<std::vector<std::string>>& names) {
+std::optional<std::vector<std::size_t>> columns_by_name(
+    const std::vector<std::string_view>& heading,
+    const std::vector<std::vector<std::string>>& names) {
   std::vector<std::size_t> columns;
   for (const std::vector<std::string>& alike : names) {
-    const auto field =
-        std::find_if(heading.fields.begin(), heading.fields.end(), [&](std::string_view text) {
-          return std::find(alike.begin(), alike.end(), column_without_unit(text)) != alike.end();
-        });
-    if (field == heading.fields.end()) return std::nullopt;
-    columns.push_back(static_cast<std::size_t>(field - heading.fields.begin()));
+    const auto field = std::find_if(heading.begin(), heading.end(), [&](std::string_view text) {
+      const auto is = [&](const std::string& name) {
+        return std::find(alike.begin(), alike.end(), name) != alike.end();
+      };
+      return is(column_without_unit(text)) || is(parse_heading(text).name);
+    });
+    if (field == heading.end()) return std::nullopt;
+    columns.push_back(static_cast<std::size_t>(field - heading.begin()));
+  }
+  return columns;
+}
+
+/// The columns that a heading names, none for a title.
+/// @throws InputError  a heading that is none of these columns; file and line
+std::optional<std::vector<std::size_t>> columns_named(const Record& heading, char separator,
+                                                      const NumberTable& table,
+                                                      const std::string& file) {
+  const auto refuse = [&](const std::string& problem) {
+    throw InputError(file + ":" + std::to_string(heading.line) + ": " + problem);
+  };
+  std::optional<std::vector<std::size_t>> columns;
+  try {
+    columns =
+        table.find ? table.find(heading.fields) : columns_by_name(heading.fields, table.names);
+  } catch (const InputError& error) {
+    refuse(error.what());
+  }
+  if (!columns) {
+    if (heading.fields.size() != table.names.size() || !may_be_heading(heading.fields, separator)) {
+      return std::nullopt;
+    }
+    refuse("its heading does not name the columns; a line must be " + table.meaning +
+           ": name them so");
+  }
+  for (const std::size_t column : *columns) {
+    const ColumnHeading name = parse_heading(heading.fields[column]);
+    if (name.length && name.length->factor != 1.0) {
+      refuse("\"" + printable(heading.fields[column]) + "\" is in " + name.length->name +
+             "; lengths of this table must be in m");
+    }
   }
   return columns;
 }
@@ -128,13 +165,18 @@ std::vector<NumberRow> read_number_table(const std::filesystem::path& file,
   Record record;
   for (std::size_t row = 0; text.next(record); ++row) {
     if (row == 0 && !reader.has_numbers(record)) {
-      if (const auto named = named_columns(record, table.names)) {
+      if (const auto named = columns_named(record, text.separator(), table, name)) {
         columns = *named;
         fields = record.fields.size();
       }
       continue;
     }
     reader.check_count(record, fields);
+    if (summary_label(record.fields.front()) == SummaryLabel::kSure) {
+      throw InputError(name + ":" + std::to_string(record.line) + ": \"" +
+                       printable(record.fields.front()) +
+                       "\" sums up the other rows; remove that row");
+    }
     NumberRow& read = rows.emplace_back(NumberRow{record.line, {}});
     for (const std::size_t column : columns) read.values.push_back(reader.number(record, column));
   }

@@ -4,14 +4,17 @@
 #include <cmath>
 #include <map>
 
+#include "core/column_heading.hpp"
 #include "core/delimited_text.hpp"
 #include "core/digest.hpp"
 #include "core/error.hpp"
 #include "core/group_differences.hpp"
-#include "core/number_table.hpp"
+#include "core/number_text.hpp"
+#include "core/printable.hpp"
 #include "core/random.hpp"
 #include "core/sample_tests.hpp"
 #include "core/text_file.hpp"
+#include "mesh/coordinate_columns.hpp"
 #include "study/comparison.hpp"
 #include "study/detail/campaign_ranges.hpp"
 #include "study/runout.hpp"
@@ -26,24 +29,40 @@ using Columns = std::map<std::string, std::size_t>;
 Columns columns_of(const Record& header, const std::string& file) {
   Columns columns;
   std::string list;
+  const auto refuse = [&](const std::string& problem) {
+    throw InputError(file + ":" + std::to_string(header.line) + ": " + problem);
+  };
+  const auto add = [&](const std::string& name, std::size_t column) {
+    if (!columns.emplace(name, column).second) {
+      refuse("has two columns \"" + name + "\"; keep one of them");
+    }
+    const ColumnHeading heading = parse_heading(header.fields[column]);
+    if (heading.length && heading.length->factor != 1.0) {
+      refuse("\"" + printable(header.fields[column]) + "\" is in " + heading.length->name +
+             "; positions must be in m");
+    }
+  };
   for (std::size_t i = 0; i < header.fields.size(); ++i) {
-    const std::string name(column_without_unit(header.fields[i]));
-    const bool read = name == "x" || name == "y" || name == "start_x" || name == "start_y" ||
-                      name == "block" || name == "shape";
-    if (!columns.emplace(name, i).second && read) {
-      throw InputError(file + ":" + std::to_string(header.line) + ": has two columns \"" + name +
-                       "\"; keep one of them");
+    const std::string name = parse_heading(header.fields[i]).joined_words();
+    if (name == "x" || name == "y" || name == "start_x" || name == "start_y" || name == "block" ||
+        name == "shape") {
+      add(name, i);
     }
     list += (list.empty() ? "" : ", ") + std::string(header.fields[i]);
   }
+  if (!columns.contains("x") && !columns.contains("y")) {  // "Easting", "Rechtswert"
+    for (std::size_t i = 0; i < header.fields.size(); ++i) {
+      const std::optional<int> axis = coordinate_axis(header.fields[i]);
+      if (axis && *axis < 2) add(*axis == 0 ? "x" : "y", i);
+    }
+  }
   for (const char* name : {"x", "y"}) {
     if (columns.contains(name)) continue;
-    throw InputError(file + ":" + std::to_string(header.line) + ": has no column \"" + name +
-                     "\"; the first line must name the columns, among them x and y; found " + list);
+    refuse("has no column \"" + std::string(name) +
+           "\"; the first line must name the columns, among them x and y; found " + list);
   }
   if (columns.contains("start_x") != columns.contains("start_y")) {
-    throw InputError(file + ":" + std::to_string(header.line) +
-                     ": start_x and start_y come together or not at all");
+    refuse("start_x and start_y come together or not at all");
   }
   return columns;
 }
@@ -190,6 +209,11 @@ MeasuredStops read_measured_stops(const std::filesystem::path& path) {
   if (!table.next(record)) throw InputError(file + ": is empty; it must be a table of stops");
   const Columns columns = columns_of(record, file);
   while (table.next(record)) {
+    if (summary_label(record.fields.front()) == SummaryLabel::kSure) {
+      throw InputError(file + ":" + std::to_string(record.line) + ": \"" +
+                       printable(record.fields.front()) +
+                       "\" sums up the other rows; remove that row");
+    }
     MeasuredStop stop;
     stop.place = {coordinate(record, columns, "x", table, file),
                   coordinate(record, columns, "y", table, file)};

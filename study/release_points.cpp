@@ -7,6 +7,7 @@
 #include "core/error.hpp"
 #include "core/number_table.hpp"
 #include "core/number_text.hpp"
+#include "mesh/coordinate_columns.hpp"
 #include "mesh/triangle_mesh.hpp"
 #include "study/detail/campaign_ranges.hpp"
 #include "study/plan_polygon.hpp"
@@ -23,9 +24,15 @@ constexpr double kNormTolerance = 1e-3;
 
 std::vector<Vec3> read_points(const std::filesystem::path& file) {
   std::vector<Vec3> points;
-  const NumberTable table{{{"x", "easting"}, {"y", "northing"}, {"z", "height", "elevation"}},
-                          kMapCoordinate,
-                          "three numbers, x y z"};
+  const auto find = [](const std::vector<std::string_view>& headings) {
+    const auto found = find_coordinate_columns(headings);
+    return found ? std::optional(std::vector<std::size_t>(found->axes.begin(), found->axes.end()))
+                 : std::nullopt;
+  };
+  const NumberTable table{.names = {{"x"}, {"y"}, {"z"}},
+                          .range = kMapCoordinate,
+                          .meaning = "three numbers, x y z",
+                          .find = find};
   for (const NumberRow& row : read_number_table(file, table)) {
     points.emplace_back(row.values[0], row.values[1], row.values[2]);
   }

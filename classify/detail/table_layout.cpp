@@ -2,10 +2,11 @@
 
 #include <algorithm>
 #include <charconv>
-#include <span>
+#include <map>
 #include <string_view>
 #include <utility>
 
+#include "core/column_heading.hpp"
 #include "core/error.hpp"
 #include "core/length_unit.hpp"
 #include "core/number_text.hpp"
@@ -24,27 +25,36 @@ std::string lower_case(std::string_view text) {
 constexpr std::array<UnitName, 4> kMasses = {
     {{"g", 1e-3}, {"kg", 1.0}, {"t", 1e3}, {"lb", 0.45359237}}};
 
+/// Words for the axes and the mass of a block, beside L, I and S.
+const std::map<std::string, std::vector<std::string>, std::less<>>& words_for() {
+  static const std::map<std::string, std::vector<std::string>, std::less<>> kWords = {
+      {"L",
+       {"l", "a", "length", "long", "longest", "major", "lange", "laenge", "langste", "laengste",
+        "longueur", "lunghezza", "longitud", "largo"}},
+      {"I",
+       {"i", "b", "width", "intermediate", "medium", "breite", "mittlere", "largeur", "larghezza",
+        "anchura", "ancho", "intermedia", "intermediaire", "intermedio"}},
+      {"S", {"s",        "c",     "height",  "thickness", "short",   "shortest",
+             "minor",    "depth", "hohe",    "hoehe",     "dicke",   "kurze",
+             "kurzeste", "tiefe", "hauteur", "epaisseur", "altezza", "spessore",
+             "altura",   "alto",  "espesor", "grosor"}},
+      {"mass", {"mass", "masse", "massa", "masa", "weight", "gewicht", "poids", "peso"}}};
+  return kWords;
+}
+
 struct ColumnName {
-  std::string name;                  ///< lower case, unit cut off
-  const UnitName* length = nullptr;  ///< where the name says it
+  std::string name;                ///< lower case, unit cut off
+  std::string word;                ///< the only word of the name; empty: there are several
+  std::optional<UnitName> length;  ///< where the name says it
   const UnitName* mass = nullptr;
 };
 
-/// "L_m", "l (cm)", "L [mm]" and "L cm" are a name and a unit.
 ColumnName column_name(std::string_view header) {
-  const std::string text = lower_case(header);
-  const std::size_t cut = text.find_last_of("_([ ");
-  if (cut == std::string::npos || cut == 0) return {text};
-  std::string ending = text.substr(cut + 1);
-  while (!ending.empty() && (ending.back() == ')' || ending.back() == ']')) ending.pop_back();
-  const auto unit_in = [&](std::span<const UnitName> units) -> const UnitName* {
-    const auto found = std::find_if(units.begin(), units.end(),
-                                    [&](const UnitName& u) { return ending == u.name; });
-    return found == units.end() ? nullptr : &*found;
-  };
-  ColumnName column{text, unit_in(kLengthUnits), unit_in(kMasses)};
-  if (column.length || column.mass)
-    column.name = text.substr(0, text.find_last_not_of("_([ ", cut) + 1);
+  const ColumnHeading heading = parse_heading(header);
+  ColumnName column{heading.name, heading.only_word(), heading.length};
+  const auto found = std::find_if(kMasses.begin(), kMasses.end(),
+                                  [&](const UnitName& u) { return heading.unit == u.name; });
+  if (found != kMasses.end()) column.mass = &*found;
   return column;
 }
 
@@ -81,7 +91,14 @@ class Header {
       if (lower_case(fields_[i]) == text) exact.push_back(i);
       if (names_[i].name == name) found.push_back(i);
     }
-    return exact.empty() ? found : exact;
+    if (!exact.empty()) return exact;
+    const auto words = words_for().find(wanted);
+    if (!found.empty() || words == words_for().end()) return found;
+    const std::vector<std::string>& alike = words->second;
+    for (std::size_t i = 0; i < names_.size(); ++i) {
+      if (std::find(alike.begin(), alike.end(), names_[i].word) != alike.end()) found.push_back(i);
+    }
+    return found;
   }
   std::optional<std::size_t> find(const std::string& wanted) const {
     const std::vector<std::size_t> found = all(wanted);
@@ -119,10 +136,11 @@ class Header {
 };
 
 /// The unit that the header names, none where it names none.
-const UnitName* named_unit(const Header& header, const TableLayout& layout) {
-  const UnitName* named = nullptr;
+std::optional<UnitName> named_unit(const Header& header, const TableLayout& layout) {
+  std::optional<UnitName> named;
   for (const std::size_t column : layout.axes) {
-    const UnitName* unit = header.is_one() ? header.name(column).length : nullptr;
+    const std::optional<UnitName> unit =
+        header.is_one() ? header.name(column).length : std::nullopt;
     if (unit && named && unit->factor != named->factor) {
       throw InputError(layout.file + ": the header names different units, " + named->name +
                        " and " + unit->name + "; write L, I and S in one unit");
@@ -135,7 +153,7 @@ const UnitName* named_unit(const Header& header, const TableLayout& layout) {
 /// The unit of L, I, S: as asked for, else as the header says, else metres.
 void set_units(TableLayout& layout, const Header& header, const std::optional<double>& asked,
                std::vector<std::string>& notes) {
-  const UnitName* named = named_unit(header, layout);
+  const std::optional<UnitName> named = named_unit(header, layout);
   layout.units = asked ? *asked : named ? named->factor : 1.0;
   layout.units_are_known = asked || named;
   if (named && asked && named->factor != *asked) {
@@ -173,6 +191,12 @@ TableLayout table_layout(const Record& first, char separator, const DimensionCol
   layout.has_header = header.is_one();
   const std::array<const std::string*, 3> wanted = {&columns.L, &columns.I, &columns.S};
   for (int axis = 0; axis < 3; ++axis) layout.axes[axis] = header.required(*wanted[axis]);
+  if (header.is_one() && header.name(layout.axes[0]).name != column_name(columns.L).name) {
+    notes.push_back("L, I and S were read from the columns \"" +
+                    std::string(first.fields[layout.axes[0]]) + "\", \"" +
+                    std::string(first.fields[layout.axes[1]]) + "\" and \"" +
+                    std::string(first.fields[layout.axes[2]]) + "\"");
+  }
   set_units(layout, header, columns.units, notes);
   layout.mass = columns.mass ? header.required(*columns.mass) : header.find("mass");
   if (layout.mass && layout.has_header && header.name(*layout.mass).mass) {
@@ -181,7 +205,7 @@ TableLayout table_layout(const Record& first, char separator, const DimensionCol
   if (columns.name) {
     layout.name = header.required(*columns.name);
   } else {
-    for (const char* usual : {"id", "name", "block"}) {
+    for (const char* usual : {"id", "name", "block", "bloc", "blocco", "bloque"}) {
       const std::vector<std::size_t> found = header.all(usual);
       if (!layout.name && !found.empty()) layout.name = found.front();
     }

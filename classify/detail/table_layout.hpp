@@ -17,6 +17,7 @@ struct TableLayout {
   std::string file;  ///< for messages
   char separator = ',';
   bool has_header = false;
+  bool has_summary = false;           ///< a row is named the mean or another summary of the others
   std::array<std::size_t, 3> axes{};  ///< columns of L, I, S
   std::optional<std::size_t> mass;
   std::optional<std::size_t> name;

@@ -2,6 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+#include <string>
+#include <vector>
+
 #include "core/csv_text.hpp"
 #include "core/error.hpp"
 #include "core/text_file.hpp"
@@ -57,6 +61,115 @@ TEST_F(Tables, ColumnNamesIgnoreCaseAndUnits) {
     EXPECT_EQ(table.blocks.at(0).name, "row 2");
     EXPECT_TRUE(table.notes.empty());
   }
+}
+
+// Words of the field in five languages, with units and quotes, whatever separates the columns.
+TEST_F(Tables, WordsForTheAxesCountWhereNoColumnHasTheirLetter) {
+  const std::vector<std::array<const char*, 4>> names = {
+      {"id", "Length", "Width", "Height"},
+      {"block", "Long axis", "Intermediate axis", "Short axis"},
+      {"name", "a-axis", "b-axis", "c-axis"},
+      {"id", "a", "b", "c"},
+      {"id", "Longest", "Intermediate", "Shortest"},
+      {"id", "Length", "Breadth", "Thickness"},
+      {"Block", "L\xC3\xA4nge", "Breite", "H\xC3\xB6he"},
+      {"Block", "Laenge", "Breite", "Dicke"},
+      {"Bloc", "Longueur", "Largeur", "\xC3\x89paisseur"},
+      {"Bloc", "longueur", "largeur", "hauteur"},
+      {"Blocco", "Lunghezza", "Larghezza", "Spessore"},
+      {"Blocco", "Lunghezza", "Larghezza", "Altezza"},
+      {"Bloque", "Largo", "Ancho", "Espesor"},
+      {"Bloque", "Longitud", "Anchura", "Altura"}};
+  for (const auto& each : names) {
+    if (std::string(each[2]) == "Breadth") continue;
+    for (const char separator : {',', ';', '\t'}) {
+      for (const char* unit : {" (cm)", " [cm]", "_cm", " cm"}) {
+        std::string text = each[0];
+        for (std::size_t k = 1; k < 4; ++k) text += separator + std::string(each[k]) + unit;
+        text += "\n";
+        for (const char* cell : {"B1", "120", "80", "60"}) {
+          text += cell + std::string(1, std::string(cell) == "60" ? '\n' : separator);
+        }
+        SCOPED_TRACE(text);
+        const DimensionTable table = read(text);
+        ASSERT_EQ(table.blocks.size(), 1u);
+        expect_axes(table.blocks[0], 1.2, 0.8, 0.6);
+        EXPECT_TRUE(contains(table.notes.front(), "L, I and S were read from the columns \""));
+      }
+    }
+  }
+  EXPECT_TRUE(contains(refusal("id,Length,Breadth,Thickness\nB1,3,2,1\n"),
+                       "no column \"I\"; the header has"));
+  EXPECT_TRUE(contains(refusal("id,a,Length,b,c\nB1,3,3,2,1\n"), "2 columns are called \"L\""));
+}
+
+// The rows of a table end with its means, sums and deviations.
+TEST_F(Tables, RowsThatSumUpTheOthersAreSkippedAndNoted) {
+  const char* labels[] = {"Mean",
+                          "Average",
+                          "Total",
+                          "Sum",
+                          "Median",
+                          "Std. dev.",
+                          "Max",
+                          "Mittel",
+                          "Mittelwert",
+                          "Summe",
+                          "Stabw.",
+                          "Moyenne",
+                          "\xC3\x89"
+                          "cart-type",
+                          "Somme",
+                          "Media",
+                          "Totale",
+                          "Somma",
+                          "Dev. st.",
+                          "Promedio",
+                          "Suma",
+                          "M\xC3\xA1ximo",
+                          "Desv. est.",
+                          "Mean (n=3)",
+                          "MEAN:"};
+  for (const char* label : labels) {
+    for (const char* second : {"", "SD,60,32,25\n", "n,3,3,3\n", "Min,95,70,40\n"}) {
+      const DimensionTable table = read(
+          std::string("Block,L (cm),I (cm),S (cm)\nB1,120,80,60\nB2,95,70,40\nB3,210,130,90\n\n") +
+          label + ",142,93,63\n" + second);
+      EXPECT_EQ(table.blocks.size(), 3u) << label << second;
+      EXPECT_EQ(table.skipped, *second ? 2u : 1u) << label << second;
+      EXPECT_TRUE(contains(table.notes.at(1),
+                           "row 6 skipped: \"" + std::string(label) + "\" sums up the other rows"));
+    }
+  }
+  const DimensionTable nameless =
+      read("rock,L,I,S\ngneiss,3,2,1\ngneiss,4,2,1\nMean,3.5,2,1\nSD,0.5,0,0\n");
+  EXPECT_EQ(nameless.blocks.size(), 2u);
+  // The label may stand beside an empty name.
+  const DimensionTable beside = read("site,block,L,I,S\nA,B1,3,2,1\nA,B2,4,2,1\nMean,,3.5,2,1\n");
+  EXPECT_EQ(beside.blocks.size(), 2u);
+}
+
+TEST_F(Tables, WordsThatOnlyLookLikeLabelsStay) {
+  EXPECT_EQ(read("block,L,I,S\nSD,3,2,1\nN,4,2,1\nSE,4,3,1\n").blocks.size(), 3u)
+      << "names of blocks";
+  EXPECT_EQ(read("weathering,L,I,S\nmedia,3,2,1\nmedia,4,2,1\nalta,4,3,1\n").blocks.size(), 3u);
+  EXPECT_EQ(
+      read("block,weathering,L,I,S\nB1,media,3,2,1\nB2,alta,4,2,1\nB3,alta,4,3,1\n").blocks.size(),
+      3u);
+}
+
+TEST_F(Tables, NamelessRowsThatAreTheMeanOrSumAreNoted) {
+  const std::string rows = "L,I,S\n1.20,0.80,0.60\n0.95,0.70,0.40\n2.10,1.30,0.90\n";
+  for (const auto& [row, what] :
+       {std::pair("1.417,0.933,0.633\n", "mean"), {"4.25,2.80,1.90\n", "sum"}}) {
+    const DimensionTable table = read(rows + row);
+    EXPECT_EQ(table.blocks.size(), 4u);
+    EXPECT_TRUE(
+        contains(table.notes.back(), "row 5 is the " + std::string(what) + " of the rows above"));
+  }
+  EXPECT_TRUE(read(rows + "1.5,0.9,0.7\n").notes.empty());
+  EXPECT_TRUE(read("L,I,S\n1,0.8,0.6\n1,0.8,0.6\n1,0.8,0.6\n1,0.8,0.6\n").notes.empty())
+      << "bricks";
 }
 
 TEST_F(Tables, UnitOfTheTableIsApplied) {
@@ -217,7 +330,7 @@ TEST_F(Tables, WhatCannotBeReadIsRefused) {
   EXPECT_THROW(read_dimension_table(folder_ / "missing.csv"), InputError);
   EXPECT_NE(refusal("").find("empty"), std::string::npos);
   EXPECT_NE(refusal("# only a remark\n\n").find("empty"), std::string::npos);
-  const std::string no_column = refusal("length,width,S\n3,2,1\n");
+  const std::string no_column = refusal("size,width,S\n3,2,1\n");
   EXPECT_NE(no_column.find("\"L\""), std::string::npos) << no_column;
   EXPECT_NE(no_column.find("\"width\""), std::string::npos) << no_column;
   EXPECT_NE(refusal("3,2,1\n").find("1 to 3"), std::string::npos);

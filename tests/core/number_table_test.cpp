@@ -44,6 +44,23 @@ TEST_F(NumberTables, EveryTableOfTheSamePointsIsReadAlike) {
   }
 }
 
+TEST_F(NumberTables, HeadingsNameAllColumnsOrAreRefused) {
+  const std::vector<std::vector<double>> points = {{1.5, 2.0, 3.25}};
+  EXPECT_EQ(read("Nr;Y (m);X (m);Z [m]\n7;2;1.5;3.25\n"), points);
+  EXPECT_EQ(read("\"y\",\"x\",\"height\"\n2,1.5,3.25\n"), points);
+  for (const char* text :
+       {"a,b,c\n1,2,3\n", "b;c;a\n1;2;3\n", "u v w\n1 2 3\n", "x\ty\tdepth\n1\t2\t3\n"}) {
+    EXPECT_TRUE(contains(refused(text),
+                         "p.csv:1: its heading does not name the columns; a line must be three "
+                         "numbers: name them so"))
+        << text;
+  }
+  EXPECT_TRUE(contains(refused("x (ft),y (ft),z (ft)\n1,2,3\n"),
+                       "p.csv:1: \"x (ft)\" is in ft; lengths of this table must be in m"));
+  EXPECT_TRUE(contains(refused("id,x,y,z\nP1,1,2,3\nMean,1,2,3\n"),
+                       "p.csv:3: \"Mean\" sums up the other rows; remove that row"));
+}
+
 TEST_F(NumberTables, WhatIsNotThatIsRefusedWithFileAndLine) {
   // Decimal commas between commas: (1.5, 2.5, 3.5).
   EXPECT_TRUE(contains(refused("x,y,z\n1,5,2,5,3,5\n"), "p.csv:2: 6 numbers; where commas are"));
