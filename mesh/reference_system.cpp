@@ -103,6 +103,19 @@ void describe_part(PJ_CONTEXT* context, const PJ* part, LengthDeclaration& decla
   if (axes.units.size() > 2) declared.height = axes.units[2];
 }
 
+/// Where the first system of a text ends; Esri's programs write that of heights behind it.
+std::size_t first_system_end(const std::string& wkt) {
+  std::size_t depth = 0;
+  bool quoted = false;
+  for (std::size_t i = 0; i < wkt.size(); ++i) {
+    if (wkt[i] == '"') quoted = !quoted;
+    if (quoted) continue;
+    if (wkt[i] == '[' || wkt[i] == '(') ++depth;
+    if ((wkt[i] == ']' || wkt[i] == ')') && (depth == 0 || --depth == 0)) return i + 1;
+  }
+  return wkt.size();
+}
+
 bool same_unit(const DeclaredUnit& one, const DeclaredUnit& other) {
   return std::abs(one.metres - other.metres) <= kSameUnit * std::max(one.metres, other.metres);
 }
@@ -260,11 +273,20 @@ std::string utm_code(const Vec2& degrees) {
 
 LengthDeclaration describe_system(const std::string& crs, std::string source) {
   LengthDeclaration declared{.source = std::move(source), .kind = SystemKind::kUnknown};
-  const ParsedSystem parsed(crs);
+  const std::size_t end = first_system_end(crs);
+  const ParsedSystem parsed(crs.substr(0, end));
   if (!parsed.system) return declared;
   if (const char* name = proj_get_name(parsed.system.get()))
     declared.source += ", " + printable(name);
   describe_part(parsed.context.get(), parsed.system.get(), declared);
+  const std::size_t second = crs.find_first_not_of(", \t\r\n", end);
+  if (second == std::string::npos) return declared;
+  const ParsedSystem heights(crs.substr(second));
+  if (heights.system) {
+    describe_part(heights.context.get(), heights.system.get(), declared);
+  } else {
+    declared.kind = SystemKind::kUnknown;
+  }
   return declared;
 }
 

@@ -72,6 +72,7 @@ void check_map_scale(const std::string& name, const std::string& crs, const Vec2
                      const std::string& way);
 
 /// Length on the map over length on the ground, along x and along y; none where PROJ can't say.
+/// @cite snyder1987
 std::optional<Vec2> map_scale(const std::string& crs, const Vec2& place);
 
 /// A system as people call it: "NAD83 / UTM zone 13N (EPSG:26913)". Text that PROJ does not

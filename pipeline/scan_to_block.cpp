@@ -50,6 +50,16 @@ void add_unseen(Block& block, const BlockBounds& bounds) {
   block.warnings.insert(block.warnings.begin(), described_unseen(block));
 }
 
+/// What a tolerance that was hardly meant as a share of L lets pass; empty for usual ones.
+std::string wide_tolerance_note(const BlockOptions& options, const Block& block) {
+  constexpr double kWidest = 0.1;
+  if (options.tolerance <= kWidest || options.core) return {};
+  return "`tolerance` " + with_digits(options.tolerance, 4) +
+         " is a share of L and lets the block lie " +
+         rounded(options.tolerance * block.box.lengths[0], 3) +
+         " m off its scan: was a length or a percentage meant? 0.01 is 1 %";
+}
+
 /// Simplifies and measures one block of a scan.
 Block make_scan_block(FieldBlock& found, const std::string& id, BlockSource source,
                       const ScanToBlockOptions& options, const ScanCallbacks& callbacks) {
@@ -81,6 +91,9 @@ Block make_scan_block(FieldBlock& found, const std::string& id, BlockSource sour
   const bool as_it_is = block.surface.triangles.size() == scan.mesh.triangles.size();
   if (as_it_is && !options.block.convex) warn_of_crossings(block, scan.mesh);
   block.warnings.insert(block.warnings.begin(), scan.notes.begin(), scan.notes.end());
+  if (const std::string note = wide_tolerance_note(options.block, block); !note.empty()) {
+    block.warnings.insert(block.warnings.begin(), note);
+  }
   if (found.bounds && !options.block.convex) add_unseen(block, *found.bounds);
   return block;
 }

@@ -95,6 +95,9 @@ PlyHeader read_ply_header(TextScanner& text) {
       }
       property.type = parse_type(text, type);
       property.name = text.word();
+      if (property.name == "X" || property.name == "Y" || property.name == "Z") {
+        property.name[0] = static_cast<char>(property.name[0] - 'A' + 'a');
+      }
       header.elements.back().properties.push_back(property);
     }
   }

@@ -204,6 +204,9 @@ class LinesOfPoints {
       return;
     }
     if (!remark) ++head_lines_;
+    if (text.starts_with("ncols") || text.starts_with("NCOLS") || text.starts_with("nrows")) {
+      throw InputError("is an Esri grid of heights, and no cloud; a terrain may be made of it");
+    }
     if (const auto count = number_in(trimmed_field(text))) set_count(*count);
     const auto keep = [&](std::string_view line) {
       // The last lines count.
@@ -229,7 +232,9 @@ class LinesOfPoints {
     const std::size_t count = fields_.size();
     std::vector<std::string_view> headings;
     for (auto head = head_.rbegin(); head != head_.rend(); ++head) {
-      if (take_headings(*head, count, headings)) return;
+      if (!take_headings(*head, count, headings)) continue;
+      for (auto units = head_.rbegin(); units != head; ++units) take_units(*units);
+      return;
     }
     if (!asked_.empty()) {
       columns_ = chosen_coordinate_columns(asked_, {}, count);
@@ -261,6 +266,22 @@ class LinesOfPoints {
       return true;
     }
     return false;
+  }
+
+  /// A row below the headings may hold their units: "m;m;ft".
+  void take_units(const HeadLine& head) {
+    std::vector<std::string_view> units;
+    split_fields(head.text, separator_, units);
+    for (std::size_t axis = 0; axis < 3 && columns_.axes[axis] < units.size(); ++axis) {
+      const std::string unit(units[columns_.axes[axis]]);
+      const ColumnHeading heading = parse_heading("x [" + unit + "]");
+      if (!heading.length) continue;
+      LengthDeclaration declared{.source = "unit \"" + printable(unit) + "\" of line " +
+                                           std::to_string(head.number)};
+      (axis < 2 ? declared.plan : declared.height) =
+          DeclaredUnit{heading.length->factor, heading.length->name};
+      columns_.lengths.push_back(std::move(declared));
+    }
   }
 
   /// Columns behind the others may have no heading or be left out, and between commas each line
@@ -358,6 +379,9 @@ CloudSummary read_text_cloud(std::istream& stream, PointSink& sink,
   std::string_view line;
   while (lines.next(line)) {
     if (lines.number() == 1 && line.starts_with("\xEF\xBB\xBF")) line.remove_prefix(3);
+    if (lines.number() == 1 && line.find('\0') != std::string_view::npos) {
+      throw InputError("is no text, or text in UTF-16; save it as text in UTF-8");
+    }
     points.read(line, lines.number());
   }
   CloudSummary summary;

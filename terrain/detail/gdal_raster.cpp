@@ -152,6 +152,23 @@ std::string full_wkt(const OGRSpatialReference& system) {
   return text;
 }
 
+/// The unit of heights in the old form of Esri's .prj files, "Zunits FEET", which GDAL passes over.
+void check_zunits(const std::filesystem::path& path) {
+  std::filesystem::path beside = path;
+  std::error_code code;
+  if (!std::filesystem::is_regular_file(beside.replace_extension(".prj"), code)) return;
+  std::istringstream lines(read_text_file(beside));
+  for (std::string line; std::getline(lines, line);) {
+    std::istringstream words(line);
+    std::string key, unit;
+    words >> key >> unit;
+    for (std::string* word : {&key, &unit}) {
+      for (char& c : *word) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    }
+    if (key == "zunits" && unit != "no") check_height_unit(path, unit);
+  }
+}
+
 /// @param system  null: GDAL finds none
 std::vector<std::string> check_system(const std::filesystem::path& path,
                                       const OGRSpatialReference* system, const Vec2& middle) {
@@ -163,6 +180,7 @@ std::vector<std::string> check_system(const std::filesystem::path& path,
     for (LengthDeclaration& each : declared) each.world_projection.clear();
   }
   if (!wkt.empty()) declared.push_back(describe_system(wkt, "reference system"));
+  check_zunits(path);
   std::vector<std::string> notes = check_lengths(path.string(), declared, metres);
   check_map_scale(path.string(), wkt, middle, metres.way);
   return notes;

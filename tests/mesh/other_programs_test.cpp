@@ -226,6 +226,12 @@ TEST_F(OtherPlyAndOff, NumbersBeyondTheCountOfALineAreColours) {
     expect_box("f.off", off("OFF 8 6 12\n", colours, colours));
     expect_box("g.off", off("COFF\n8 6 0\n", " 255 255 255 255", colours));
   }
+  std::string capitals = ply("", "", "");
+  for (const char axis : {'x', 'y', 'z'}) {
+    const std::string property = std::string("property float ") + axis;
+    capitals[capitals.find(property) + property.size() - 1] = static_cast<char>(axis - 'a' + 'A');
+  }
+  expect_box("j.ply", capitals);
   // Elements that do not have a line each are read number by number.
   std::string one_line = ply("", "", "");
   const std::size_t body = one_line.find("end_header\n") + 11;

@@ -239,6 +239,10 @@ TEST_F(Clouds, UnitsOfHeadingsAreDeclared) {
   const CloudSummary mixed = stream_cloud(folder / "b.csv", [](const PointBatch&) {});
   EXPECT_TRUE(contains(refusal([&] { check_lengths("b.csv", mixed.lengths, {}); }),
                        "its heights are in units of the mm (0.001 m) (heading \"Z [mm]\")"));
+  write_text_file(folder / "u.csv", "id;X;Y;Z\n-;m;m;ft\n1;1;2;3\n");
+  const CloudSummary row = stream_cloud(folder / "u.csv", [](const PointBatch&) {});
+  EXPECT_TRUE(contains(refusal([&] { check_lengths("u.csv", row.lengths, {}); }),
+                       "its heights are in units of the ft (0.3048 m) (unit \"ft\" of line 2)"));
   write_text_file(folder / "c.csv", "X (deg);Y (deg);Z (m)\n1;2;3\n");
   const CloudSummary degrees = stream_cloud(folder / "c.csv", [](const PointBatch&) {});
   EXPECT_TRUE(contains(refusal([&] { check_lengths("c.csv", degrees.lengths, {}); }), "degrees"));
@@ -268,6 +272,15 @@ TEST_F(Clouds, WordsOfPcdHaveAnyCase) {
                     {{1, 2, 3}});
     }
   }
+}
+
+TEST_F(Clouds, TextThatIsNoneOfPointsIsRefusedByName) {
+  using namespace std::string_literals;
+  EXPECT_TRUE(contains(
+      refused("a.asc", "ncols 3\nnrows 2\nxllcorner 0\nyllcorner 0\ncellsize 1\n1 2 3\n4 5 6\n"),
+      "is an Esri grid of heights, and no cloud"));
+  EXPECT_TRUE(
+      contains(refused("b.csv", "\xFF\xFEX\0;\0Y\0;\0Z\0\r\0\n\0"s), "text in UTF-16; save it as"));
 }
 
 TEST_F(Clouds, SeveralScansOfAFileFollowEachOther) {

@@ -204,6 +204,20 @@ TEST_F(DeclaredLengths, OfBothPartsOfACompoundSystemCount) {
   }
 }
 
+TEST_F(DeclaredLengths, OfHeightsThatStandBehindThePlanCount) {
+  const std::string plan = wkt1("UNIT[\"Meter\",1.0]");
+  const auto heights = [](const char* unit) {
+    return ",VERTCS[\"NAVD_1988\",VDATUM[\"North_American_Vertical_Datum_1988\"],PARAMETER["
+           "\"Vertical_Shift\",0.0],PARAMETER[\"Direction\",1.0],UNIT[" +
+           std::string(unit) + "]]";
+  };
+  EXPECT_EQ(refused({.wkt = plan + heights("\"Meter\",1.0")}), "");
+  EXPECT_TRUE(contains(refused({.wkt = plan + heights("\"Foot_US\",0.3048006096012192")}),
+                       "its heights are in units of the"));
+  EXPECT_TRUE(contains(refused({.wkt = plan + heights("\"Foot\",0.3048")}),
+                       "its heights are in units of the"));
+}
+
 TEST_F(DeclaredLengths, RefusalsNameItemValueAndWay) {
   EXPECT_TRUE(
       contains(refused({.keys = {{1024, 1}, {3072, 2232}}}),

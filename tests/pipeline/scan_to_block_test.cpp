@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "core/number_text.hpp"
 #include "tests/library/block_samples.hpp"
 #include "tests/support/refusal.hpp"
 #include "tests/support/rock_mesh.hpp"
@@ -197,6 +198,18 @@ TEST_F(ScanToBlock, VerticesAreAddedUntilTheBlockIsWithinTheTolerance) {
   const Block far = block_of(rough);
   EXPECT_LE(far.body.vertices.size(), 2000u);
   EXPECT_TRUE(contains(notes(far), "2000 vertices"));
+}
+
+TEST_F(ScanToBlock, AToleranceThatLetsHalfABlockPassIsQuestioned) {
+  const TriangleMesh rock = rock_mesh(7, {1.0, 0.9, 0.8}, 3, 0.1);
+  for (const double tolerance : {1.0, 0.5, 0.2}) {
+    options.block.tolerance = tolerance;
+    const std::string said = notes(block_of(rock));
+    EXPECT_TRUE(contains(said, "`tolerance` " + with_digits(tolerance, 4) + " is a share of L"));
+    EXPECT_TRUE(contains(said, "was a length or a percentage meant? 0.01 is 1 %"));
+  }
+  options.block.tolerance = 0.05;
+  EXPECT_EQ(notes(block_of(rock)).find("is a share of L"), std::string::npos);
 }
 
 TEST_F(ScanToBlock, ConvexTakesTheHullOnPurpose) {

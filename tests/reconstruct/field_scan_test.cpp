@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 
 #include "core/error.hpp"
@@ -11,6 +12,7 @@
 #include "mesh/mesh_topology.hpp"
 #include "shapes/oriented_box.hpp"
 #include "tests/support/cut_blocks.hpp"
+#include "tests/support/declared_las.hpp"
 #include "tests/support/field_scene.hpp"
 #include "tests/support/refusal.hpp"
 #include "tests/support/rock_mesh.hpp"
@@ -306,6 +308,73 @@ TEST(FieldScan, AFileWithTooFewDigitsIsRefusedByTheWholeRouteToo) {
   write_text_file(folder / "far.stl", text + "endsolid far\n");
   EXPECT_TRUE(contains(refusal<InputError>([&] { read_field_scan(folder / "far.stl"); }),
                        "precision was lost in the file itself"));
+}
+
+/// A ball with a radius of 0.42 m on a map, in units of so many metres.
+std::vector<Vec3> ball_on_map(double unit, const Vec2& place) {
+  std::vector<Vec3> points;
+  constexpr int kPoints = 3000;
+  const double golden = std::acos(-1.0) * (3.0 - std::sqrt(5.0));
+  for (int k = 0; k < kPoints; ++k) {
+    const double z = 1.0 - 2.0 * (k + 0.5) / kPoints, r = std::sqrt(1.0 - z * z);
+    const Vec3 p(r * std::cos(golden * k), r * std::sin(golden * k), z);
+    points.push_back(0.42 / unit * p + Vec3(place.x(), place.y(), 100.0));
+  }
+  return points;
+}
+
+// What a terrain is refused for, a scan is too: its unit of length may be given instead.
+TEST(FieldScan, ACloudInFeetIsRefusedOrReadInThem) {
+  const ScratchFolder folder;
+  const double foot = 1200.0 / 3937.0;
+  const auto write = [&](const std::vector<LasKey>& keys, double unit, const Vec2& place) {
+    write_text_file(folder / "ball.las", declared_las({.keys = keys}, ball_on_map(unit, place)));
+  };
+  const auto refused = [&](double unit) {
+    return refusal([&] { read_field_scan(folder / "ball.las", {.scan = {.unit = unit}}); });
+  };
+  write({{1024, 1}, {3072, 2232}}, foot, {3140000, 1690000});
+  EXPECT_TRUE(contains(refused(1.0), "ball.las: its map unit is the US survey foot (0.3048006 m)"));
+  EXPECT_TRUE(contains(refused(1.0), "give `units` 0.3048006096, or bring it to metres"));
+  EXPECT_TRUE(contains(refused(1.01), "its map unit is the US survey foot")) << "a correction";
+  const FieldScan scan = read_field_scan(folder / "ball.las", {.scan = {.unit = 0.3048}});
+  const double ball = 4.0 / 3.0 * std::acos(-1.0) * 0.42 * 0.42 * 0.42;
+  EXPECT_NEAR(volume(scan.blocks.at(0).scan.mesh), ball, 0.01 * ball);
+
+  write({{1024, 1}, {3072, 26913}, {4099, 9003}}, 1.0, {500000, 4400000});
+  EXPECT_TRUE(contains(refused(1.0), "its heights are in units of the US survey foot"));
+  EXPECT_TRUE(contains(refused(0.3048), "its heights are in units of the US survey foot"));
+  write({{1024, 1}, {3072, 26913}, {3076, 9003}}, 1.0, {500000, 4400000});
+  EXPECT_TRUE(contains(refused(1.0), "correct the one that is wrong"));
+  EXPECT_TRUE(contains(refused(1.0), "or give `units`"));
+  write({{1024, 2}, {2048, 4326}}, 1.0, {7, 46});
+  EXPECT_TRUE(contains(refused(1.0), "coordinates are degrees"));
+  EXPECT_TRUE(contains(refused(0.001), "coordinates are degrees"));
+  write({{1024, 1}, {3072, 3857}}, 1.0, {1147666, 5903972});
+  EXPECT_TRUE(contains(refused(1.0), "times those on the ground"));
+  write_text_file(folder / "ball.csv", "X (mm),Y (mm),Z (mm)\n1,2,3\n");
+  EXPECT_TRUE(contains(
+      refusal([&] { read_field_scan(folder / "ball.csv"); }),
+      "ball.csv: its map unit is the mm (0.001 m) (heading \"X (mm)\"); give `units` 0.001"));
+}
+
+// Metres by keys, by WKT of a system of one's own, geocentric, or near the origin of a map.
+TEST(FieldScan, ACloudInMetresIsRead) {
+  const ScratchFolder folder;
+  const std::vector<std::pair<std::vector<LasKey>, Vec2>> metres = {
+      {{{1024, 1}, {3072, 25832}}, {652000, 5203000}},
+      {{{1024, 1}, {2048, 4269}, {3072, 32767}, {3074, 32767}, {3075, 1}, {3076, 9001}},
+       {500000, 4400000}},
+      {{{1024, 3}, {2048, 4978}}, {4194000, 630000}},
+      {{{1024, 1}, {3072, 2154}}, {1.0, 2.0}}};
+  for (const auto& [keys, place] : metres) {
+    // Too few for a block, which is said only after the lengths were checked.
+    std::vector<Vec3> points = ball_on_map(1.0, place);
+    points.resize(20);
+    write_text_file(folder / "ball.las", declared_las({.keys = keys}, points));
+    EXPECT_TRUE(contains(refusal([&] { read_field_scan(folder / "ball.las"); }), "are too few"))
+        << keys.back().key;
+  }
 }
 
 }  // namespace

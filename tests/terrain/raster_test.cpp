@@ -219,6 +219,22 @@ TEST_F(RasterGround, UnitsOfTheBandAreMetresOrRefused) {
   }
 }
 
+TEST_F(RasterGround, HeightsInFeetByAnOldProjectionFileAreRefused) {
+  const auto path = asc(
+      4, 4, [](double x, double) { return x; }, 500000, 4400000);
+  for (const auto& [unit, part] :
+       {std::pair("FEET", "its heights are in feet (unit \"feet\")"), {"METERS", ""}, {"NO", ""}}) {
+    write_text_file(folder_ / "dem.prj",
+                    "Projection    UTM\nZone          13\nDatum         NAD83\nZunits        " +
+                        std::string(unit) + "\nUnits         METERS\nParameters\n");
+    if (*part) {
+      EXPECT_TRUE(contains(refused(path), part));
+    } else {
+      EXPECT_EQ(refused(path), "");
+    }
+  }
+}
+
 // What GDAL makes of the keys is not always what they say: it takes the first of these for metres.
 TEST_F(RasterGround, KeysOfATiffInFeetOrContradictionAreRefused) {
   const auto refused_keys = [&](const std::vector<TiffKey>& keys) {
