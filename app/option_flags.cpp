@@ -66,6 +66,7 @@ const std::map<std::string, std::string, std::less<>> kFlags = {
     {"segments", "--segments"},
     {"split", "--split"},
     {"to", "--to"},
+    {"tolerance", "--tolerance"},
     {"units", "--units"},
     {"up", "--up"},
     {"vertices", "--vertices"},

@@ -291,6 +291,10 @@ LengthDeclaration describe_system(const std::string& crs, std::string source) {
 }
 
 std::optional<DeclaredUnit> epsg_length_unit(int code) {
+  // Without a data base too.
+  if (code == 9001) return DeclaredUnit{1.0, "metre"};
+  if (code == 9002) return DeclaredUnit{0.3048, "foot"};
+  if (code == 9003) return DeclaredUnit{1200.0 / 3937.0, "US survey foot"};
   const std::unique_ptr<PJ_CONTEXT, DestroyContext> context(proj_context_create());
   proj_log_level(context.get(), PJ_LOG_NONE);
   const char *name = nullptr, *category = nullptr;

@@ -137,6 +137,7 @@ class LinesOfPoints {
     check_fields(number);
     const Vec3 point = point_in(number);
     count_up(point.x());
+    if (!named_ && points_ <= kSurveyed) survey_columns();
     ++points_of_scan_;
     sink_.add(point);
   }
@@ -149,10 +150,40 @@ class LinesOfPoints {
                        ", which was taken for x, numbers the points; name the columns in a first "
                        "line, such as \"id x y z\", or give `columns`");
     }
+    if (points_ >= kNoChance && !named_ && numbers_come_first()) {
+      throw InputError(
+          "column 1 holds whole numbers and three or more behind it do not: is it a "
+          "number of the point and not x? Name the columns in a first line, such as "
+          "\"id x y z\", or give `columns`");
+    }
     return columns_.lengths;
   }
 
  private:
+  /// What the first values of a column without a heading are.
+  struct ColumnSurvey {
+    bool whole = true;        ///< all
+    bool beyond_one = false;  ///< some, so that they are no normals
+  };
+  /// Points whose columns are surveyed.
+  static constexpr std::size_t kSurveyed = 1000;
+
+  void survey_columns() {
+    surveyed_.resize(std::max(surveyed_.size(), fields_.size()));
+    for (std::size_t k = 0; k < fields_.size(); ++k) {
+      const std::optional<double> value = number_in_field(fields_[k], separator_);
+      if (!value || !std::isfinite(*value)) continue;
+      surveyed_[k].whole = surveyed_[k].whole && *value == std::round(*value);
+      surveyed_[k].beyond_one = surveyed_[k].beyond_one || std::abs(*value) > 1.0;
+    }
+  }
+  bool numbers_come_first() const {
+    return surveyed_[0].whole &&
+           std::count_if(surveyed_.begin(), surveyed_.end(), [](const ColumnSurvey& column) {
+             return !column.whole && column.beyond_one;
+           }) >= 3;
+  }
+
   /// So many values of x each one whole step more than the last number the points.
   static constexpr std::size_t kNoChance = 100;
   /// Lines of words before the points at most.
@@ -366,6 +397,7 @@ class LinesOfPoints {
   std::size_t counts_ = 0;
   std::size_t points_of_scan_ = 0;
   std::size_t points_ = 0;
+  std::vector<ColumnSurvey> surveyed_;
   double last_x_ = 0.0, step_ = 0.0;
   bool counting_ = true;  ///< so far
 };

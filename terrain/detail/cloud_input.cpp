@@ -149,8 +149,8 @@ std::optional<Classes> ground_classes(const std::vector<ClassSurvey>& by_class,
 }
 
 /// Refuses a cloud that is not in metres on the map of those before it.
-void check_system(const fs::path& path, const CloudSummary& summary, const Vec2& centre,
-                  CloudGrid& result) {
+void check_cloud_map(const fs::path& path, const CloudSummary& summary, const Vec2& centre,
+                     CloudGrid& result) {
   const LengthUse metres{.way = "pdal translate, filters.reprojection, EPSG:25832",
                          .relabel = "pdal translate, writers.las.a_srs=EPSG:25832"};
   for (const std::string& note : check_lengths(path.string(), summary.lengths, metres)) {
@@ -183,7 +183,7 @@ Survey surveyed(const TerrainOptions& options, CloudGrid& result) {
           }
         },
         cloud.columns);
-    check_system(path, summary, (all.box.low + all.box.high).head<2>() / 2.0, result);
+    check_cloud_map(path, summary, (all.box.low + all.box.high).head<2>() / 2.0, result);
     const auto note = [&](std::size_t count, const std::string& what) {
       if (count > 0) result.notes.push_back(path.string() + ": " + std::to_string(count) + what);
     };

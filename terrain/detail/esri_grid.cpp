@@ -19,10 +19,10 @@ namespace {
 constexpr std::array<std::string_view, 11> kHeaderWords = {
     "ncols",    "nrows", "xllcorner", "yllcorner",    "xllcenter", "yllcenter",
     "cellsize", "dx",    "dy",        "nodata_value", "byteorder"};
-constexpr std::string_view kBlank = " \t\r\n\v\f";
+constexpr std::string_view kGridBlank = " \t\r\n\v\f";
 
 std::string lower_word(std::string_view text, std::size_t at) {
-  std::string word(text.substr(at, text.find_first_of(kBlank, at) - at));
+  std::string word(text.substr(at, text.find_first_of(kGridBlank, at) - at));
   for (char& c : word) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
   return word;
 }
@@ -30,13 +30,13 @@ std::string lower_word(std::string_view text, std::size_t at) {
 /// Where the heights begin: behind the lines that begin with a word of the header.
 /// @return npos  it is no Esri grid
 std::size_t find_heights(std::string_view text) {
-  std::size_t at = text.find_first_not_of(kBlank);
+  std::size_t at = text.find_first_not_of(kGridBlank);
   for (std::size_t lines = 0; at != std::string_view::npos; ++lines) {
     const std::string word = lower_word(text, at);
     if (std::find(kHeaderWords.begin(), kHeaderWords.end(), word) == kHeaderWords.end()) {
       return lines > 3 ? at : std::string_view::npos;
     }
-    at = text.find_first_not_of(kBlank, text.find_first_of("\r\n", at));
+    at = text.find_first_not_of(kGridBlank, text.find_first_of("\r\n", at));
   }
   return at;
 }
@@ -60,12 +60,13 @@ void check_words(std::string_view text, std::size_t at) {
     if (!number && !is_not_finite(lower_word(text, at))) {
       const auto line =
           1 + std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(at), '\n');
-      throw InputError("line " + std::to_string(line) + ": \"" +
-                       printable(text.substr(
-                           at, std::min<std::size_t>(text.find_first_of(kBlank, at) - at, 40))) +
-                       "\" is no height; write the NODATA_value where there is none");
+      throw InputError(
+          "line " + std::to_string(line) + ": \"" +
+          printable(
+              text.substr(at, std::min<std::size_t>(text.find_first_of(kGridBlank, at) - at, 40))) +
+          "\" is no height; write the NODATA_value where there is none");
     }
-    at = text.find_first_not_of(kBlank, text.find_first_of(kBlank, at));
+    at = text.find_first_not_of(kGridBlank, text.find_first_of(kGridBlank, at));
   }
 }
 

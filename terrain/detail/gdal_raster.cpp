@@ -170,8 +170,8 @@ void check_zunits(const std::filesystem::path& path) {
 }
 
 /// @param system  null: GDAL finds none
-std::vector<std::string> check_system(const std::filesystem::path& path,
-                                      const OGRSpatialReference* system, const Vec2& middle) {
+std::vector<std::string> check_raster_map(const std::filesystem::path& path,
+                                          const OGRSpatialReference* system, const Vec2& middle) {
   const LengthUse metres{.way = "gdalwarp -t_srs EPSG:25832",
                          .relabel = "gdal_edit.py -a_srs EPSG:CODE " + path.filename().string()};
   std::vector<LengthDeclaration> declared = parse_geotiff_keys(read_tiff_keys(path)).lengths;
@@ -280,7 +280,7 @@ Raster read_raster(const std::filesystem::path& path) {
   const std::array<double, 6> transform = north_up_transform(*dataset, path);
   const Vec2 middle(transform[0] + transform[1] * band.GetXSize() / 2.0,
                     transform[3] + transform[5] * band.GetYSize() / 2.0);
-  raster.notes = check_system(path, dataset->GetSpatialRef(), middle);
+  raster.notes = check_raster_map(path, dataset->GetSpatialRef(), middle);
   raster.grid = read_heights(band, transform, path);
   return raster;
 }

@@ -6,6 +6,7 @@
 #include <array>
 #include <cstring>
 #include <fstream>
+#include <functional>
 
 #include "core/number_text.hpp"
 #include "core/random.hpp"
@@ -304,6 +305,38 @@ TEST_F(Clouds, ANumberOfThePointIsNotTakenForX) {
   std::string even;
   for (int i = 0; i < 200; ++i) even += std::to_string(1000 + 2 * i) + " 0.5 0.25 0.125\n";
   EXPECT_TRUE(contains(refused("d.xyz", even), "numbers the points"));
+}
+
+// Without a heading: numbers in any order, rows and columns of a scanner, and what only looks so.
+TEST_F(Clouds, WholeNumbersBeforeThreeOthersAreAskedAbout) {
+  Random random(3);
+  const auto lines = [&](const std::function<std::string(int)>& first, const std::string& last) {
+    std::string text;
+    for (int k = 0; k < 200; ++k) {
+      text += first(k);
+      for (int axis = 0; axis < 3; ++axis) text += " " + std::to_string(random.uniform(2.0, 900.0));
+      text += last + "\n";
+    }
+    return text;
+  };
+  const char* asked = "column 1 holds whole numbers and three or more behind it do not";
+  const auto shuffled = [](int k) { return std::to_string(k * 7919 % 1000); };
+  EXPECT_TRUE(contains(refused("a.xyz", lines(shuffled, "")), asked));
+  EXPECT_TRUE(contains(refused("b.xyz", lines(shuffled, " 12 250 3")), asked));
+  const auto row_column = [](int k) {
+    return std::to_string(k / 20) + " " + std::to_string(k % 20);
+  };
+  EXPECT_TRUE(contains(refused("c.xyz", lines(row_column, " 1 2 3")), asked));
+  // A grid of whole metres with heights and normals, and one with scalars below it.
+  std::string grid, scalars;
+  for (int k = 0; k < 400; ++k) {
+    const std::string place =
+        std::to_string(600000 + k % 20) + " " + std::to_string(5180000 + k / 20) + " ";
+    grid += place + "1000.25 0.25 -0.5 0.75\n";
+    scalars += place + "1000.25 12.5\n";
+  }
+  EXPECT_EQ(read("d.xyz", grid).size(), 400u);
+  EXPECT_EQ(read("e.xyz", scalars).size(), 400u);
 }
 
 TEST_F(Clouds, TextLongerThanAReadingBlockLosesNothing) {
