@@ -6,6 +6,7 @@
 #include <cmath>
 #include <memory>
 
+#include "core/angle.hpp"
 #include "core/error.hpp"
 #include "core/number_text.hpp"
 #include "core/printable.hpp"
@@ -243,12 +244,13 @@ std::optional<Vec2> scale_at(const ParsedSystem& parsed, const PJ* plan, const V
   for (int axis = 0; axis < 2; ++axis) {
     Vec2 beside = place;
     beside[axis] += kStep;
-    const Vec2 turn = angles_at(beside) - centre;
+    Vec2 turn = angles_at(beside) - centre;
+    turn.x() = std::remainder(turn.x(), 2.0 * kPi);  // over the date line
     scale[axis] =
         kStep * map.units[0].metres / std::hypot(n * std::cos(centre.y()) * turn.x(), m * turn.y());
   }
   if (!scale.allFinite() || !(scale.minCoeff() > 0.0)) return std::nullopt;
-  if (degrees) *degrees = centre * (180.0 / M_PI);
+  if (degrees) *degrees = centre * kDegreesPerRadian;
   return scale;
 }
 

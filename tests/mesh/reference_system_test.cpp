@@ -295,6 +295,7 @@ TEST(MapScale, IsTheStretchOfTheProjection) {
   EXPECT_NEAR(map_scale("EPSG:32632", {5e5, 5.2e6})->x(), 0.9996, 1e-6);
   EXPECT_NEAR(map_scale("EPSG:32632", {5e5, 5.2e6})->y(), 0.9996, 1e-6);
   EXPECT_NEAR(map_scale("EPSG:2232", {3e6, 1.7e6})->x(), 1.0, 2e-4);  // in feet
+  EXPECT_NEAR(map_scale("EPSG:3832", {3.33958e6, 0.0})->x(), 1.0, 1e-3) << "on the date line";
   EXPECT_FALSE(map_scale("EPSG:4326", {10.0, 46.0}));
 }
 
