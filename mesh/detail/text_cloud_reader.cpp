@@ -348,14 +348,15 @@ class LinesOfPoints {
   }
 
   /// Between commas each line has as many fields as the first, since a decimal comma would split a
-  /// number.
+  /// number; a comma behind the last one counts for nothing.
   void check_fields(std::size_t number) {
     if (separator_ != ',') return;
     if (fields_per_line_ == 0) {
       fields_per_line_ = fields_.size();
       counted_line_ = number;
     }
-    if (fields_.size() == fields_per_line_) return;
+    const bool closed = fields_.size() == fields_per_line_ + 1 && fields_.back().empty();
+    if (fields_.size() == fields_per_line_ || closed) return;
     throw InputError("line " + std::to_string(number) + ": has " + std::to_string(fields_.size()) +
                      " fields, but line " + std::to_string(counted_line_) + " has " +
                      std::to_string(fields_per_line_) + "; " + kDecimalCommaAdvice);

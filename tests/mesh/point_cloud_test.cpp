@@ -260,6 +260,8 @@ TEST_F(Clouds, TheSeparatorDecidesTheColumns) {
   expect_points("d.txt", "sep=;\nlabel;X;Y;Z\na b;1;2;3\n", one);
   expect_points("e.csv", "label,note,X,Y,Z\n,,1,2,3\n", one);
   expect_points("f.txt", "label\tX\tY\tZ\na b\t1\t2\t3\n", one);
+  expect_points("h.csv", "X,Y,Z\n1,2,3,\n", one);
+  expect_points("i.csv", "X,Y,Z,\n1,2,3,\n", one);
   expect_points("g.csv", "\"1\",\"2\",\"3\"\n", one);
 }
 

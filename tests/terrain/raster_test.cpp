@@ -221,7 +221,7 @@ TEST_F(RasterGround, UnitsOfTheBandAreMetresOrRefused) {
 
 TEST_F(RasterGround, HeightsInFeetByAnOldProjectionFileAreRefused) {
   const auto path = asc(
-      4, 4, [](double x, double) { return x; }, 500000, 4400000);
+      4, 4, [](double x, double) { return x - 500000; }, 500000, 4400000);
   for (const auto& [unit, part] :
        {std::pair("FEET", "its heights are in feet (unit \"feet\")"), {"METERS", ""}, {"NO", ""}}) {
     write_text_file(folder_ / "dem.prj",
