@@ -195,6 +195,9 @@ SummaryLabel summary_label(std::string_view text) {
   constexpr std::size_t kLongest = 60;
   if (text.empty() || text.size() > kLongest) return SummaryLabel::kNone;
   const std::string plain = plain_lower(text);
+  if (plain.empty() || ((plain[0] < 'a' || plain[0] > 'z') && (plain[0] & 0x80) == 0)) {
+    return SummaryLabel::kNone;
+  }
   std::string label;
   // "Mean (n = 12)", "Mean:", "Std. dev.", "Écart-type"
   for (const char c : std::string_view(plain).substr(0, plain.find_first_of("([="))) {

@@ -102,7 +102,7 @@ TEST(SummaryLabels, AreKnownInFiveLanguages) {
     EXPECT_EQ(summary_label(text), SummaryLabel::kShort) << text;
   }
   for (const char* text : {"", "B1", "Max 3", "Meander", "Total station", "rock", "12", "-",
-                           "Mean 2", "Minette", "Sum of all fears", "A"}) {
+                           "Mean 2", "Minette", "Sum of all fears", "@SUM(A1)", "=SUM(A1)", "A"}) {
     EXPECT_EQ(summary_label(text), SummaryLabel::kNone) << text;
   }
 }
