@@ -80,26 +80,40 @@ fs::path FileLock::lock_file(const fs::path& target) {
   return linked.parent_path() / ("." + linked.filename().string() + ".lock");
 }
 
-FileLock::FileLock(const fs::path& target, const FileLockOptions& options)
-    : file_(lock_file(target)) {
+FileLock::FileLock(const fs::path& target, Unlocked) : file_(lock_file(target)) {
   std::error_code code;
   if (file_.has_parent_path()) fs::create_directories(file_.parent_path(), code);
+}
+
+bool FileLock::take(const fs::path& target) {
+  const int descriptor = opened_or_made(file_);
+  if (descriptor < 0) refuse_lock(file_, target, errno);
+  if (::flock(descriptor, LOCK_EX | LOCK_NB) == 0) {
+    if (is_still(file_, descriptor)) {
+      descriptor_ = descriptor;
+      return true;
+    }
+  } else if (errno != EWOULDBLOCK && errno != EINTR) {
+    const std::string reason = std::strerror(errno);
+    ::close(descriptor);
+    throw InputError(file_.string() + ": can't be locked (" + reason + "), so " + target.string() +
+                     " is not written; if no other program is writing to it, delete "
+                     "this lock file, or else name a target on another disk");
+  }
+  ::close(descriptor);
+  return false;
+}
+
+std::unique_ptr<FileLock> FileLock::take_free(const fs::path& target) {
+  std::unique_ptr<FileLock> lock(new FileLock(target, Unlocked{}));
+  return lock->take(target) ? std::move(lock) : nullptr;
+}
+
+FileLock::FileLock(const fs::path& target, const FileLockOptions& options)
+    : FileLock(target, Unlocked{}) {
   const auto begin = std::chrono::steady_clock::now();
   bool said = false;
-  while (true) {
-    descriptor_ = opened_or_made(file_);
-    if (descriptor_ < 0) refuse_lock(file_, target, errno);
-    if (::flock(descriptor_, LOCK_EX | LOCK_NB) == 0) {
-      if (is_still(file_, descriptor_)) return;
-    } else if (errno != EWOULDBLOCK && errno != EINTR) {
-      const std::string reason = std::strerror(errno);
-      ::close(descriptor_);
-      throw InputError(file_.string() + ": can't be locked (" + reason + "), so " +
-                       target.string() +
-                       " is not written; if no other program is writing to it, delete "
-                       "this lock file, or else name a target on another disk");
-    }
-    ::close(descriptor_);
+  while (!take(target)) {
     if (std::chrono::steady_clock::now() - begin > options.longest_wait) {
       const auto waited = std::chrono::duration_cast<std::chrono::seconds>(options.longest_wait);
       throw InputError(target.string() + ": another program " +
@@ -115,6 +129,7 @@ FileLock::FileLock(const fs::path& target, const FileLockOptions& options)
 }
 
 FileLock::~FileLock() {
+  if (descriptor_ < 0) return;
   std::error_code ignored;
   fs::remove(file_, ignored);
   ::close(descriptor_);

@@ -3,6 +3,7 @@
 #include <chrono>
 #include <filesystem>
 #include <functional>
+#include <memory>
 
 namespace clast {
 
@@ -29,6 +30,9 @@ class FileLock {
   ///                     the target could not be written either; or one is left that may not be
   ///                     read
   explicit FileLock(const std::filesystem::path& target, const FileLockOptions& options = {});
+  /// The lock without waiting for it; none if another process or thread holds it.
+  /// @throws InputError  as the constructor, but for the wait
+  static std::unique_ptr<FileLock> take_free(const std::filesystem::path& target);
   ~FileLock();
   FileLock(const FileLock&) = delete;
   FileLock& operator=(const FileLock&) = delete;
@@ -37,6 +41,12 @@ class FileLock {
   static std::filesystem::path lock_file(const std::filesystem::path& target);
 
  private:
+  struct Unlocked {};
+  FileLock(const std::filesystem::path& target, Unlocked);
+  /// Opens and locks the lock file.
+  /// @return  false if another process or thread holds it
+  bool take(const std::filesystem::path& target);
+
   std::filesystem::path file_;
   int descriptor_ = -1;
 };

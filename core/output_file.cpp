@@ -36,28 +36,6 @@ std::string why_file_is_kept(const fs::path& target, const OutputRules& rules) {
   return begin + "; `replace` replaces it, or give another name";
 }
 
-/// An empty file beside the target that no other program uses, in containers with the same process
-/// numbers neither.
-fs::path made_beside(const fs::path& target, const fs::path& folder) {
-  const std::string begin = "." + target.stem().string() + ".part" + std::to_string(::getpid());
-  for (int number = 1;; ++number) {
-    const fs::path file = folder / (begin + (number > 1 ? "-" + std::to_string(number) : "") +
-                                    target.extension().string());
-    const int made = ::open(file.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
-    if (made >= 0) {
-      ::close(made);
-      return file;
-    }
-    if (errno == EEXIST || errno == EINTR) continue;
-    if (errno == ENAMETOOLONG) {
-      throw InputError(target.string() +
-                       ": the name is too long for this disk; give a shorter one");
-    }
-    throw InputError(folder.string() + ": can't write into this folder (" + std::strerror(errno) +
-                     "); check its permissions or name another one");
-  }
-}
-
 }  // namespace
 
 fs::path linked_target(const fs::path& target) {
@@ -102,17 +80,17 @@ OutputFile::OutputFile(fs::path target, const OutputRules& rules)
     throw InputError(folder.string() + ": can't make this folder (" + code.message() +
                      "); check the permissions of the one it is in, or name another place");
   }
-  temporary_ = made_beside(target_, folder);
+  part_ = std::make_unique<PartPlace>(target_, PartPlace::Kind::kFile);
 }
 
 OutputFile::~OutputFile() {
   if (committed_) return;
   std::error_code ignored;
-  fs::remove(temporary_, ignored);
+  fs::remove(temporary(), ignored);
 }
 
 void OutputFile::write(std::string_view content) {
-  std::ofstream stream(temporary_, std::ios::binary);
+  std::ofstream stream(temporary(), std::ios::binary);
   stream.write(content.data(), static_cast<std::streamsize>(content.size()));
   stream.close();
   if (!stream) {
@@ -124,17 +102,18 @@ void OutputFile::write(std::string_view content) {
 void OutputFile::commit() {
   std::error_code code;
   const fs::perms mode = fs::status(target_, code).permissions();
-  if (!code && mode != fs::perms::unknown) fs::permissions(temporary_, mode, code);
+  if (!code && mode != fs::perms::unknown) fs::permissions(temporary(), mode, code);
   if (absent_ && !rules_.replace) {
-    code = rename_to_free(temporary_, target_);
+    code = rename_to_free(temporary(), target_);
   } else if (!why_file_is_kept(target_, rules_).empty()) {
     code = std::make_error_code(std::errc::file_exists);
   } else {
-    fs::rename(temporary_, target_, code);
+    fs::rename(temporary(), target_, code);
   }
   if (code == std::errc::file_exists) {
-    kept_ = keep_beside(temporary_, target_);
+    kept_ = keep_beside(temporary(), target_);
     committed_ = true;
+    part_->release();
     throw InputError(taken_meanwhile(target_, kept_));
   }
   if (code) {
@@ -143,6 +122,7 @@ void OutputFile::commit() {
                      "); check the permissions of its folder or name another place");
   }
   committed_ = true;
+  part_->release();
 }
 
 void write_output(const fs::path& target, std::string_view content, const OutputRules& rules) {

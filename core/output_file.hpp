@@ -3,9 +3,12 @@
 #include <cstdint>
 #include <filesystem>
 #include <initializer_list>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <system_error>
+
+#include "core/part_place.hpp"
 
 namespace clast {
 
@@ -37,7 +40,7 @@ class OutputFile {
   OutputFile& operator=(const OutputFile&) = delete;
 
   /// Where to write. Same extension as the target, so that writers that go by it still work.
-  const std::filesystem::path& temporary() const { return temporary_; }
+  const std::filesystem::path& temporary() const { return part_->path(); }
   const std::filesystem::path& target() const { return target_; }
   /// Writes the whole content to `temporary`.
   /// @throws InputError  the disk is full, or the file too large
@@ -52,7 +55,7 @@ class OutputFile {
 
  private:
   std::filesystem::path target_;
-  std::filesystem::path temporary_;
+  std::unique_ptr<PartPlace> part_;
   std::filesystem::path kept_;
   OutputRules rules_;
   bool absent_ = false;  ///< nothing was there at the start

@@ -123,49 +123,48 @@ OutputFolder::OutputFolder(const fs::path& target, FolderKind kind, bool replace
     : kind_(std::move(kind)), replace_(replace) {
   if (target.empty()) throw InputError("the name of the folder to write is empty; name one");
   target_ = resolved(target);
+  // An exchange that was killed may have left what is to be replaced under another name.
+  if (target_.has_parent_path()) remove_left_parts(target_, PartPlace::Kind::kFolder);
   if (const std::string why = why_folder_is_kept(target_, kind_, replace_); !why.empty()) {
     throw InputError(why);
   }
   const fs::path beside = target_.parent_path();
+  if (target_ == beside) {
+    throw InputError(beside.string() + ": is the root of a disk; name a folder in it");
+  }
   std::error_code code;
   fs::create_directories(beside, code);
-  const std::string begin =
-      "." + target_.filename().string() + ".part" + std::to_string(::getpid());
-  // Another name than that of any other program, in containers with the same process numbers too.
-  for (int number = 1; !code; ++number) {
-    temporary_ = beside / (begin + (number > 1 ? "-" + std::to_string(number) : ""));
-    if (fs::create_directory(temporary_, code)) break;
+  if (code) {
+    throw InputError(beside.string() + ": can't make this folder (" + code.message() +
+                     "); check the permissions of the one it is in, or name another place");
   }
-  if (code || target_ == beside) {
-    throw InputError(beside.string() + ": can't write into this folder, where " +
-                     target_.filename().string() + " is made before it is renamed (" +
-                     code.message() + "); check its permissions or name another folder");
-  }
+  part_ = std::make_unique<PartPlace>(target_, PartPlace::Kind::kFolder);
   if (fs::exists(target_, code)) {
-    fs::permissions(temporary_, fs::status(target_, code).permissions(), code);
+    fs::permissions(temporary(), fs::status(target_, code).permissions(), code);
   }
 }
 
 OutputFolder::~OutputFolder() {
   if (committed_) return;
   std::error_code ignored;
-  fs::remove_all(temporary_, ignored);
+  fs::remove_all(temporary(), ignored);
 }
 
 void OutputFolder::commit() {
-  fs::path former = temporary_;
-  former += ".former";
-  std::error_code code = rename_to_free(temporary_, target_);
+  const fs::path former = part_->former();
+  std::error_code code = rename_to_free(temporary(), target_);
   if (!code) {
     committed_ = true;
+    part_->release();
     return;
   }
   if (code != std::errc::file_exists) refuse_exchange(target_, code);
   const auto check_taken = [&](const fs::path& there) {
     if (why_folder_is_kept(there, kind_, replace_).empty()) return;
-    if (there != target_) exchange_folders(temporary_, target_, former);
-    const fs::path kept = keep_beside(temporary_, target_);
+    if (there != target_) exchange_folders(temporary(), target_, former);
+    const fs::path kept = keep_beside(temporary(), target_);
     committed_ = true;
+    part_->release();
     throw InputError(taken_meanwhile(target_, kept));
   };
   check_taken(target_);
@@ -174,20 +173,21 @@ void OutputFolder::commit() {
   for (const fs::path& file : files_in(target_)) {
     if (kind_.owns(file)) continue;
     shared = true;
-    if (!fs::exists(temporary_ / file, code)) continue;
+    if (!fs::exists(temporary() / file, code)) continue;
     throw InputError((target_ / file).string() + ": does not belong to the existing " + kind_.name +
                      ", and would be overwritten; move it elsewhere");
   }
   if (shared) {
-    exchange_files(temporary_, target_, former, kind_, replace_);
+    exchange_files(temporary(), target_, former, kind_, replace_);
   } else {
-    exchange_folders(temporary_, target_, former);
+    exchange_folders(temporary(), target_, former);
     // Only what was taken out in one step is known to be what is lost.
-    check_taken(temporary_);
+    check_taken(temporary());
   }
   committed_ = true;
-  fs::remove_all(temporary_, code);
+  fs::remove_all(temporary(), code);
   fs::remove_all(former, code);
+  part_->release();
 }
 
 }  // namespace clast

@@ -2,7 +2,10 @@
 /// Folders of files that belong together, such as a report, which appear whole or not at all.
 #include <filesystem>
 #include <functional>
+#include <memory>
 #include <string>
+
+#include "core/part_place.hpp"
 
 namespace clast {
 
@@ -31,7 +34,7 @@ class OutputFolder {
   OutputFolder& operator=(const OutputFolder&) = delete;
 
   /// Where to write.
-  const std::filesystem::path& temporary() const { return temporary_; }
+  const std::filesystem::path& temporary() const { return part_->path(); }
   /// Files of the kind that were in the target are removed, others are not touched.
   /// @throws InputError  one of the others would be written over, or a rename failed; or `replace`
   ///                     is false and another program wrote such a folder meanwhile: the result is
@@ -41,7 +44,7 @@ class OutputFolder {
 
  private:
   std::filesystem::path target_;
-  std::filesystem::path temporary_;
+  std::unique_ptr<PartPlace> part_;
   FolderKind kind_;
   bool replace_;
   bool committed_ = false;

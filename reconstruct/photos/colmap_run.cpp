@@ -1,10 +1,9 @@
 #include "reconstruct/photos/colmap_run.hpp"
 
-#include <unistd.h>
-
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <optional>
 #include <set>
 #include <sstream>
 
@@ -12,6 +11,7 @@
 #include "core/digest.hpp"
 #include "core/error.hpp"
 #include "core/number_text.hpp"
+#include "core/part_place.hpp"
 #include "core/text_file.hpp"
 #include "reconstruct/photos/detail/photo_image.hpp"
 #include "reconstruct/photos/model_files.hpp"
@@ -48,19 +48,19 @@ std::string last_lines(const fs::path& log) {
 /// COLMAP's steps in a folder of its own, which is thrown away unless it is kept.
 class ColmapJob {
  public:
-  ColmapJob(fs::path program, const fs::path& photos, fs::path work, const ColmapOptions& options,
-            const std::function<void(const std::string&)>& stage)
-      : program_(std::move(program)),
-        photos_(photos),
-        work_(std::move(work)),
-        options_(options),
-        stage_(stage) {
+  /// @param kept  where its result will be
+  ColmapJob(fs::path program, const fs::path& photos, const fs::path& kept,
+            const ColmapOptions& options, const std::function<void(const std::string&)>& stage)
+      : program_(std::move(program)), photos_(photos), options_(options), stage_(stage) {
     std::error_code code;
-    fs::remove_all(work_, code);
-    if (!fs::create_directories(work_ / "sparse", code)) {
-      throw InputError(work_.string() + ": can't be made (" + code.message() +
+    fs::create_directories(kept.parent_path(), code);
+    if (code) {
+      throw InputError(kept.parent_path().string() + ": can't be made (" + code.message() +
                        "); choose another folder with `cache`");
     }
+    part_.emplace(kept, PartPlace::Kind::kFolder);
+    work_ = part_->path();
+    fs::create_directory(work_ / "sparse", code);
   }
   ~ColmapJob() {
     std::error_code code;
@@ -192,6 +192,7 @@ class ColmapJob {
   }
 
   fs::path program_, photos_, work_;
+  std::optional<PartPlace> part_;  ///< of `work_`
   const ColmapOptions& options_;
   const std::function<void(const std::string&)>& stage_;
   std::vector<fs::path> folders_;
@@ -300,8 +301,7 @@ PhotoModel colmap_cameras(const fs::path& folder, const ColmapOptions& options,
                      " isn't there: install the package colmap (Debian, Ubuntu: apt-get install "
                      "colmap), or give cameras of another program with `model`");
   }
-  ColmapJob job(program, fs::absolute(folder), kept.string() + "." + std::to_string(::getpid()),
-                options, stage);
+  ColmapJob job(program, fs::absolute(folder), kept, options, stage);
   job.find_features(files);
   const bool all_pairs = files.size() <= options.exhaustive_up_to;
   job.match(all_pairs, files.size());
