@@ -17,7 +17,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr std::size_t kBeginning = 4096;  ///< bytes that are looked at
+constexpr std::size_t kBeginning = 65536;  ///< bytes that are looked at
 
 using namespace std::string_literals;
 
@@ -41,6 +41,24 @@ bool is_binary_stl(const std::string& beginning, std::uintmax_t size) {
   return size == 84 + std::uintmax_t{50} * triangles;
 }
 
+/// True if a line is the head of this TOML table, or sets one of its keys.
+bool has_table(const std::string& text, const std::string& name) {
+  std::size_t at = 0;
+  while (at < text.size()) {
+    const std::size_t end = std::min(text.find('\n', at), text.size());
+    std::string line = text.substr(at, end - at);
+    line.erase(std::remove_if(line.begin(), line.end(),
+                              [](char c) { return c == ' ' || c == '\t' || c == '"'; }),
+               line.end());
+    if (line.starts_with("[" + name + "]") || line.starts_with(name + ".") ||
+        line.starts_with(name + "={")) {
+      return true;
+    }
+    at = end + 1;
+  }
+  return false;
+}
+
 std::string kind_of_text(const std::string& beginning) {
   const auto holds = [&](const char* word) { return beginning.find(word) != std::string::npos; };
   if (beginning.starts_with("<!doctype html") || beginning.starts_with("<!DOCTYPE html")) {
@@ -50,6 +68,7 @@ std::string kind_of_text(const std::string& beginning) {
   if (holds("<VTKFile")) return "VTK";
   if (beginning.starts_with("solid") && holds("facet")) return "STL";
   if (holds("coordinates here") && holds("\norigin ")) return "origin of coordinates";
+  if (has_table(beginning, "blocks") && has_table(beginning, "terrain")) return kCampaignKind;
   return "text";
 }
 

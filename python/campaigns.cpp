@@ -163,8 +163,7 @@ std::vector<std::string> make_new(const fs::path& library, const py::object& ter
   std::vector<fs::path> surface;
   for (const std::string& one : texts_from(terrain, "terrain")) surface.emplace_back(one);
   return watched(py::none(), [&](const Progress&) {
-    return write_new_campaign(library, surface, output, {.kind = "text", .replace = replace})
-        .doubts;
+    return write_new_campaign(library, surface, output, {.replace = replace}).doubts;
   });
 }
 

@@ -3,10 +3,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 
 #include "core/angle.hpp"
 #include "core/error.hpp"
+#include "core/file_kind.hpp"
 #include "core/number_text.hpp"
+#include "core/statistics.hpp"
 #include "library/block_ranges.hpp"
 #include "library/unscaled.hpp"
 #include "study/campaign_runner.hpp"
@@ -25,6 +28,8 @@ constexpr double kUsualMass = 1000.0;  ///< kg, of blocks without a size
 constexpr double kSmallShare = 0.05;   ///< of the terrain, that such a block is long at most
 constexpr std::size_t kFewRuns = 400;  ///< to see something within minutes
 constexpr std::size_t kMostOrientations = 16;
+/// No more time is proposed for a run, s.
+constexpr double kLongestTime = 480.0;
 /// Blocks over edges and overhangs can still be in the ground at the first of these, m.
 constexpr std::array<double, 4> kDropHeights = {1.0, 2.0, 5.0, 10.0};
 
@@ -58,6 +63,11 @@ ProposedBlocks sized_blocks(const BlockLibrary& library, double extent, double& 
     longest = std::max(longest, block.axes().L * std::cbrt(*blocks.mass / block.mass.mass));
   }
   blocks.lightest = blocks.heaviest = *blocks.mass;
+  std::vector<double> sides;
+  for (const Block& block : library.blocks()) {
+    sides.push_back(block.axes().S * std::cbrt(*blocks.mass / block.mass.mass));
+  }
+  blocks.shortest_side = summarise(sides).median;
   return blocks;
 }
 
@@ -71,6 +81,7 @@ ProposedBlocks propose_blocks(const BlockLibrary& library, double extent, double
     return sized_blocks(library, extent, longest);
   }
   ProposedBlocks blocks;
+  std::vector<double> sides;
   for (const Block& block : library.blocks()) {
     const std::string why = misfit(block, extent);
     if (!why.empty()) {
@@ -82,8 +93,10 @@ ProposedBlocks propose_blocks(const BlockLibrary& library, double extent, double
         blocks.selected.size() == 1 ? block.mass.mass : std::min(blocks.lightest, block.mass.mass);
     blocks.heaviest = std::max(blocks.heaviest, block.mass.mass);
     longest = std::max(longest, block.axes().L);
+    sides.push_back(block.axes().S);
   }
   blocks.count = blocks.selected.size();
+  if (!sides.empty()) blocks.shortest_side = summarise(sides).median;
   if (blocks.selected.empty()) {
     throw InputError("no block of the library fits the terrain: " + blocks.left_out.front() +
                      "; check the units of scans and terrain");
@@ -180,14 +193,21 @@ PreparedCampaign prepare_proposal(OutputFile& output, CampaignProposal& proposal
 
 CampaignProposal write_new_campaign(const fs::path& library, const std::vector<fs::path>& surface,
                                     const fs::path& target, const OutputRules& rules) {
-  OutputFile output(target, rules);
+  OutputRules campaigns_only = rules;
+  campaigns_only.kind = kCampaignKind;
+  OutputFile output(target, campaigns_only);
   CampaignProposal proposal = proposal_from(library, surface);
   const fs::path folder = fs::weakly_canonical(fs::absolute(output.target())).parent_path();
   std::vector<std::string> surface_paths;
   for (const fs::path& path : surface) surface_paths.push_back(relative_path(path, folder));
   const std::string blocks = relative_path(library, folder);
-  const PreparedCampaign prepared = prepare_proposal(output, proposal, blocks, surface_paths);
-  try_campaign(prepared, proposal);
+  std::optional<PreparedCampaign> prepared;
+  do {
+    if (prepared) proposal.max_time *= 2.0;
+    prepared.emplace(prepare_proposal(output, proposal, blocks, surface_paths));
+    run_trials(*prepared, proposal);
+  } while (2.0 * proposal.trial.longest > proposal.max_time && proposal.max_time < kLongestTime);
+  judge_trials(*prepared, proposal);
   output.write(campaign_text(proposal, blocks, surface_paths));
   output.commit();
   return proposal;

@@ -42,6 +42,8 @@ struct TrialRuns {
   /// That half of them go along `downslope` in the plan, m.
   double median_distance = 0.0;
   bool moved_barrier = false;  ///< to that distance, since hardly any passed it at the foot
+  double longest = 0.0;        ///< run, s
+  std::size_t moving = 0;      ///< still, when their time was up
 };
 
 /// What a zone is taken for.
@@ -56,6 +58,7 @@ struct ProposedBlocks {
   std::vector<std::string> selected;  ///< empty: all of the library
   std::size_t count = 0;
   double lightest = 0.0, heaviest = 0.0;  ///< kg
+  double shortest_side = 0.0;             ///< S, median of the blocks, m
   std::optional<double> mass;  ///< kg, that all are brought to since they have no size of their own
   std::vector<std::string> left_out;  ///< "B03 has no size"
 };
@@ -66,6 +69,7 @@ struct CampaignProposal {
   std::vector<ProposedGround> ground;  ///< of every zone of the terrain
   std::size_t orientations = 1;        ///< at each release point
   double drop_height = 1.0;            ///< of the lowest skin point above the ground, m
+  double max_time = 60.0;              ///< that runs have, s; trial runs take half of it at most
   TrialRuns trial;
   std::vector<std::string> doubts;  ///< what its user must know, in words
 };
@@ -91,6 +95,7 @@ std::string campaign_text(const CampaignProposal& proposal, const std::string& l
 /// of them have passed.
 /// Paths in it are relative to its folder.
 /// @param surface  as in `TerrainOptions`; zones are those of a terrain file, else there is one
+/// @param rules    whether it may replace a campaign; nothing else is ever replaced
 /// @throws InputError  an input can't be read, or as `propose_campaign` or `OutputFile`
 CampaignProposal write_new_campaign(const std::filesystem::path& library,
                                     const std::vector<std::filesystem::path>& surface,

@@ -16,6 +16,7 @@
 #include "core/error.hpp"
 #include "core/number_text.hpp"
 #include "core/printable.hpp"
+#include "core/shell_words.hpp"
 #include "report/calibration_report.hpp"
 #include "report/json/calibration_json.hpp"
 #include "report/text/calibration_text.hpp"
@@ -54,13 +55,21 @@ void print_members(const Calibration& calibration, const Shard& shard) {
   for (std::uint32_t i = 0; i < calibration.study.design.members; ++i) members += shard.has(i);
   std::cout << printable(calibration.file.string()) << ": " << members << " of "
             << counted(calibration.study.design.members, "member")
-            << " simulated. When those of all shards are, join them: clast calibrate "
-            << printable(calibration.study.file.string()) << " --merge PARTS\n";
+            << " simulated. When those of all shards are, join them: "
+            << printable(shell_command({"clast", "calibrate", calibration.study.file.string()}))
+            << " --merge PARTS\n";
+}
+
+std::string resume_command(const CalibrateArgs& args) {
+  std::vector<std::string> words = {"clast", "calibrate", args.study, "-o", args.output};
+  if (!args.shard.empty()) words.insert(words.end(), {"--shard", args.shard});
+  words.push_back("--resume");
+  return shell_command(words);
 }
 
 /// The file itself or that of the shard.
 void calibrate_with(ProcessTeam& team, const CalibrateArgs& args, CalibrateOptions options,
-                    const std::filesystem::path& output, const std::string& again) {
+                    const std::filesystem::path& output, const InterruptionWatch& watch) {
   std::optional<CalibrationStudy> read;
   const bool whole = options.shard.count == 1;
   team.agree([&] {
@@ -72,7 +81,6 @@ void calibrate_with(ProcessTeam& team, const CalibrateArgs& args, CalibrateOptio
   options.team = &team;
   if (!team.leads()) return follow_calibration(study, options);
   ProgressBar bar("members", study.sites.size() * study.design.members);
-  const InterruptionWatch watch;
   bool started = false;
   options.progress = [&](const ProgressStep& step) {
     if (!std::exchange(started, true)) bar.start_from(step.before);
@@ -80,8 +88,8 @@ void calibrate_with(ProcessTeam& team, const CalibrateArgs& args, CalibrateOptio
     if (!watch.interrupted() || step.done == step.total) return;
     bar.clear();
     throw SimulationError("interrupted; " + std::to_string(step.done) + " of " +
-                          std::to_string(step.total) + " members are kept. Go on with: " + again +
-                          " --resume");
+                          std::to_string(step.total) +
+                          " members are kept. Go on with: " + resume_command(args));
   };
   const Calibration calibration =
       whole ? calibrate_with_page(study, output, options) : calibrate(study, output, options);
@@ -104,10 +112,9 @@ void calibrate_study(const CalibrateArgs& args) {
   const std::optional<Shard> shard = shard_from(args.shard);
   options.shard = shard.value_or(Shard());
   check_usage([&] { calibration_page_file(args.output); });
-  const std::string again = "clast calibrate " + args.study + " -o " + args.output +
-                            (args.shard.empty() ? "" : " --shard " + args.shard);
+  const InterruptionWatch watch;  // before any file is touched
   run_in_team([&](ProcessTeam& team) {
-    calibrate_with(team, args, options, shard_output(args.output, shard), again);
+    calibrate_with(team, args, options, shard_output(args.output, shard), watch);
   });
 }
 

@@ -9,6 +9,7 @@
 #include "core/number_text.hpp"
 #include "core/output_file.hpp"
 #include "core/printable.hpp"
+#include "core/shell_words.hpp"
 #include "core/text_table.hpp"
 #include "study/new_campaign.hpp"
 
@@ -48,10 +49,10 @@ void print_proposal(const CampaignProposal& proposal) {
 void write_campaign(const NewCampaignArgs& args) {
   const CampaignProposal proposal =
       write_new_campaign(args.library, {args.terrain.begin(), args.terrain.end()}, args.output,
-                         {.kind = "text", .replace = args.replace});
+                         {.replace = args.replace});
   print_proposal(proposal);
-  const std::string file = printable(args.output);
-  std::cout << file << ": written. Go through it, then: clast simulate " << file << " --dry-run\n";
+  std::cout << printable(args.output) << ": written. Go through it, then: "
+            << printable(shell_command({"clast", "simulate", args.output, "--dry-run"})) << "\n";
 }
 
 }  // namespace

@@ -104,14 +104,15 @@ std::string value_entry(const std::string& name, const UsualValue& number,
       symbol + ", usual " + with_digits(number.low, 3) + " to " + with_digits(number.high, 3));
 }
 
-std::string ground_text(const std::vector<ProposedGround>& ground) {
+std::string ground_text(const std::vector<ProposedGround>& ground, double rolling_length) {
   std::string text = comment(
       "Ground. energy_restitution is the share of energy that an impact gives back, friction "
       "decides on which slopes blocks slide, rolling_friction how far they roll. All three are "
       "usual values of kinds of ground and not of this site, and decide how far blocks go: "
       "calibrate them on stops seen there, or give ranges, friction = { uniform = [0.5, 0.8] } "
       "with [ensemble] members = 20. How far a block turns before rolling resistance has built up "
-      "matters as much. Sources and effects: docs/parameters.md.");
+      "matters as much: rolling_length_m is half the length of the ground that carries a block, "
+      "here half of S of the middle block. Sources and effects: docs/parameters.md.");
   for (const ProposedGround& zone : ground) {
     text += "\n" +
             comment((zone.by_name ? "By its name: "
@@ -121,7 +122,8 @@ std::string ground_text(const std::vector<ProposedGround>& ground) {
     text += "[ground." + key(zone.zone) + "]\n" +
             value_entry("energy_restitution", zone.type.energy_restitution, "e_n^2") +
             value_entry("friction", zone.type.friction, "mu") +
-            value_entry("rolling_friction", zone.type.rolling_friction, "mu_R");
+            value_entry("rolling_friction", zone.type.rolling_friction, "mu_R") +
+            entry("rolling_length_m", with_digits(rolling_length, 2), "a; calibrate it too");
   }
   return text;
 }
@@ -180,10 +182,12 @@ std::string campaign_text(const CampaignProposal& proposal, const std::string& l
       entry("surface", surface.size() == 1 ? toml_string(surface.front()) : toml_list(surface), "");
   text += entry("border_distance_m", with_digits(places.margin, 2),
                 "releases nearer to the border are warned of");
-  text += "\n" + ground_text(proposal.ground);
+  text += "\n" + ground_text(proposal.ground, 0.5 * proposal.blocks.shortest_side);
   text += "\n" + release_text(proposal);
   text += "\n" + barrier_text(places);
-  text += "\n[run]\n" + entry("max_time_s", "60", "a run that lasts longer is stopped there");
+  text += "\n[run]\n" + entry("max_time_s", with_digits(proposal.max_time, 4),
+                              "a run that lasts longer is stopped there; trial runs took up to " +
+                                  with_digits(proposal.trial.longest, 2) + " s");
   return text + entry("downslope",
                       "[" + with_decimals(places.downslope.x(), 3) + ", " +
                           with_decimals(places.downslope.y(), 3) + "]",

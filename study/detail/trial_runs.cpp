@@ -17,12 +17,16 @@ constexpr double kLeastDistance = 2.0;  ///< L that blocks go at least, for a ba
 struct Trial {
   double distance = 0.0;  ///< along `downslope`, m
   bool passed = false;
+  double duration = 0.0;  ///< s
+  bool moving = false;    ///< still, when its time was up
 };
 
 Trial try_run(const PreparedCampaign& prepared, std::size_t run, const Vec2& downslope) {
   const StoredRun stored = runs_from(prepared, static_cast<std::uint32_t>(run)).front();
   const Vec3 way = stored.record.result.final_state.position - stored.record.start.position;
-  return {way.head<2>().dot(downslope), !stored.crossings.empty()};
+  const ReleaseResult& result = stored.record.result;
+  return {way.head<2>().dot(downslope), !stored.crossings.empty(), result.duration,
+          result.stop_reason == StopReason::kMaxTime};
 }
 
 std::string doubt_of(const TrialRuns& trial, const ProposedPlaces& places) {
@@ -43,8 +47,8 @@ std::string doubt_of(const TrialRuns& trial, const ProposedPlaces& places) {
 
 }  // namespace
 
-void try_campaign(const PreparedCampaign& prepared, CampaignProposal& proposal) {
-  TrialRuns& trial = proposal.trial;
+void run_trials(const PreparedCampaign& prepared, CampaignProposal& proposal) {
+  TrialRuns& trial = proposal.trial = {};
   trial.count = std::min(kTrialRuns, prepared.runs.size());
   std::vector<Trial> trials(trial.count);
   parallel_for(trial.count, 0, [&](std::size_t i) {
@@ -55,8 +59,20 @@ void try_campaign(const PreparedCampaign& prepared, CampaignProposal& proposal) 
   for (const Trial& run : trials) {
     distances.push_back(run.distance);
     trial.passed += run.passed ? 1 : 0;
+    trial.moving += run.moving ? 1 : 0;
+    trial.longest = std::max(trial.longest, run.duration);
   }
   trial.median_distance = summarise(distances).median;
+}
+
+void judge_trials(const PreparedCampaign& prepared, CampaignProposal& proposal) {
+  TrialRuns& trial = proposal.trial;
+  if (trial.moving > 0) {
+    proposal.doubts.push_back(std::to_string(trial.moving) + " of " +
+                              counted(trial.count, "trial run") + " still move after " +
+                              with_decimals(proposal.max_time, 0) +
+                              " s; runs that time ends are in no deposit");
+  }
   if (static_cast<double>(trial.passed) >= kFewPass * static_cast<double>(trial.count)) return;
   ProposedPlaces& places = proposal.places;
   trial.moved_barrier = trial.median_distance > kLeastDistance * places.block_length &&

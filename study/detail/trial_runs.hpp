@@ -5,8 +5,10 @@
 
 namespace clast::study_detail {
 
-/// Runs a few releases of the proposed campaign. Where hardly any passes the barrier, which is its
-/// first, it is placed where half of them have passed; a doubt says what they did.
-void try_campaign(const PreparedCampaign& prepared, CampaignProposal& proposal);
+/// Runs a few releases of the proposed campaign and records what they did.
+void run_trials(const PreparedCampaign& prepared, CampaignProposal& proposal);
+/// Where hardly any of them passes the barrier, which is the campaign's first, it is placed where
+/// half of them have passed; doubts say what they did.
+void judge_trials(const PreparedCampaign& prepared, CampaignProposal& proposal);
 
 }  // namespace clast::study_detail

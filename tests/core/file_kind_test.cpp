@@ -37,6 +37,28 @@ TEST(FileKind, IsSeenFromTheContent) {
   EXPECT_EQ(kind(stl), "binary");
 }
 
+TEST(FileKind, CampaignsAreKnownByTheirTables) {
+  const ScratchFolder folder;
+  const auto kind = [&](const std::string& content) {
+    write_text_file(folder / "a.toml", content);
+    return kind_of_file(folder / "a.toml");
+  };
+  EXPECT_EQ(kind("# mine\n[blocks]\nlibrary = \"b.h5\"\n[terrain]\nsurface = \"s.h5\"\n"),
+            kCampaignKind);
+  EXPECT_EQ(kind(" [ blocks ] # all\r\nlibrary = \"b.h5\"\r\n[\"terrain\"]\r\n"), kCampaignKind);
+  EXPECT_EQ(kind("blocks.library = \"b.h5\"\nterrain = { surface = \"s.h5\" }\n"), kCampaignKind);
+  EXPECT_EQ(
+      kind(std::string(9000, '#') + "\n[blocks]\n" + std::string(9000, '#') + "\n[terrain]\n"),
+      kCampaignKind)
+      << "long comments";
+  for (const char* other :
+       {"# [blocks] and [terrain] in a field book\n", "[project]\nname = \"x\"\n",
+        "[blocks]\nlibrary = \"b.h5\"\n", "[[blocks]]\n[[terrain]]\n", "blocks,terrain\n1,2\n",
+        "site = [{ name = \"quarry\", campaign = \"campaign.toml\" }]\n"}) {
+    EXPECT_EQ(kind(other), "text") << other;
+  }
+}
+
 TEST(FileKind, OfOwnHdf5FilesIsTheirFormat) {
   const ScratchFolder folder;
   Hdf5File::create(folder / "t.h5", "clast terrain", 7);

@@ -105,7 +105,7 @@ class NewCampaigns : public testing::Test {
   }
   CampaignProposal write(const std::string& terrain, const std::string& library = "blocks.h5") {
     return write_new_campaign(folder / library, {folder / terrain}, folder / "campaign.toml",
-                              {.kind = "text", .replace = true});
+                              {.replace = true});
   }
   std::string refusal_of(const std::string& terrain, const std::string& library = "blocks.h5") {
     const std::string text = refusal<Error>([&] { write(terrain, library); });
@@ -151,6 +151,13 @@ TEST_F(NewCampaigns, RunOnALargeSlope) {
   const CampaignResults results = run();
   expect_most_come_down(results);
   EXPECT_FALSE(results.crossings.empty());
+  // Runs have the time they need, and rolling winds up over a length that is written down.
+  EXPECT_GE(proposal.max_time, 2.0 * proposal.trial.longest);
+  EXPECT_EQ(prepared.campaign.max_time, proposal.max_time);
+  for (const RunRecord& record : results.runs) {
+    EXPECT_NE(record.result.stop_reason, StopReason::kMaxTime) << record.run;
+  }
+  for (const GroundParameters& zone : results.ground) EXPECT_GT(zone.rolling_length, 0.0);
 }
 
 // Scree stops blocks on the benches: a barrier at the foot would count none.
@@ -282,13 +289,18 @@ TEST_F(NewCampaigns, AreRefusedWhereNoneMakesSense) {
 
 TEST_F(NewCampaigns, KeepAFileThatIsThere) {
   write_slope(folder / "slope.asc", {});
-  write_text_file(folder / "mine.toml", "# mine\n");
-  const std::string text = refusal<InputError>([&] {
-    write_new_campaign(folder / "blocks.h5", {folder / "slope.asc"}, folder / "mine.toml",
-                       {.kind = "text", .replace = false});
-  });
-  EXPECT_TRUE(contains(text, "mine.toml") && contains(text, "`replace`")) << text;
-  EXPECT_EQ(read_text_file(folder / "mine.toml"), "# mine\n");
+  const std::string campaign = "[blocks]\nlibrary = \"b.h5\"\n[terrain]\nsurface = \"s.h5\"\n";
+  for (const auto& [content, replace, why] :
+       {std::tuple(std::string("# mine\n"), true, "holds \"text\", not \"campaign\""),
+        {campaign, false, "`replace`"}}) {
+    write_text_file(folder / "mine.toml", content);
+    const std::string text = refusal<InputError>([&, with = replace] {
+      write_new_campaign(folder / "blocks.h5", {folder / "slope.asc"}, folder / "mine.toml",
+                         {.replace = with});
+    });
+    EXPECT_TRUE(contains(text, "mine.toml") && contains(text, why)) << text;
+    EXPECT_EQ(read_text_file(folder / "mine.toml"), content);
+  }
 }
 
 TEST_F(NewCampaigns, AreTheSameEveryTime) {
