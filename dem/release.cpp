@@ -9,6 +9,7 @@
 #include "dem/detail/contact_forces.hpp"
 #include "dem/detail/contact_search.hpp"
 #include "dem/detail/free_flight.hpp"
+#include "dem/detail/impact_balance.hpp"
 #include "dem/detail/moving_body.hpp"
 #include "dem/detail/pierced_depth.hpp"
 #include "dem/detail/step_choice.hpp"
@@ -35,6 +36,7 @@ class Release {
           const RigidBody& body, const RigidState& start, const ReleaseSettings& settings,
           const MotionObserver& observe)
       : terrain_(terrain),
+        zones_(zones),
         body_(body),
         settings_(settings),
         observe_(observe),
@@ -51,6 +53,9 @@ class Release {
     update_contacts(moving_.motion(), 0.0);
     result_.energy = {};
     result_.energy.initial = energy();
+    if (std::any_of(zones_.begin(), zones_.end(), ImpactBalance::is_for)) {
+      balance_.emplace(result_.energy.initial);
+    }
     while (true) {
       if (const std::optional<StopReason> reason = stop_reason()) {
         result_.stop_reason = *reason;
@@ -216,17 +221,24 @@ class Release {
       result_.energy.reassigned += kick(dt) - kick(step_length_);
       step_length_ = dt;
     }
+    if (balance_) {
+      balance_->touch(zones_[forces_.deepest()->zone]);
+      balance_->add_load(0.5 * dt, load_);
+    }
     const BodyMotion motion = moving_.begin_step(dt, load_.force, load_.torque, gravity);
     travel_ += dt * moving_.top_speed();
     result_.path_length += dt * motion.velocity.norm();
     update_contacts(motion, dt);
+    if (balance_) balance_->add_load(0.5 * dt, load_);
     moving_.end_step(dt, load_.force, load_.torque, gravity);
     if (load_.event) {
       const EventLoad& event = *load_.event;
       result_.energy.reassigned -= moving_.correct(event.impulse, event.angular_impulse,
                                                    event.moment, event.angular_moment, gravity);
       travel_ += moving_.corrected_by();
+      if (balance_) balance_->add_event(event);
     }
+    if (balance_ && forces_.empty()) end_impact();
     ++result_.contact_steps;
 
     const double specific = moving_.kinetic_energy() / body_.mass;
@@ -234,6 +246,25 @@ class Release {
     const Vec3& position = moving_.state().position;
     if (!terrain_.covers(position.x(), position.y())) left_ = true;
     advance(begin, dt, false);
+  }
+
+  /// What a balanced impact reassigned is what its correction left, and what its steps missed.
+  void end_impact() {
+    if (!balance_->end(moving_, energy() + dissipated_by_law())) return;
+    result_.energy.reassigned = result_.energy.initial - energy() - dissipated_by_law();
+  }
+
+  double dissipated_by_law() const {
+    return result_.energy.normal + result_.energy.friction + result_.energy.rolling;
+  }
+
+  /// The energy at the end. What a balanced impact in progress has still to give or take is stored
+  /// in its contacts.
+  double final_energy() {
+    const std::optional<double> due = balance_ ? balance_->due() : std::nullopt;
+    if (!due) return energy();
+    result_.energy.reassigned = result_.energy.initial - *due;
+    return *due - dissipated_by_law();
   }
 
   void update_contacts(const BodyMotion& motion, double dt) {
@@ -270,7 +301,7 @@ class Release {
     result_.settled_penetration = forces_.max_overlap();
     EnergyLedger& ledger = result_.energy;
     // The potential counts from the end height, so that the scale does not depend on the datum.
-    ledger.close(energy(), ledger.initial - body_.mass * settings_.gravity * place.z());
+    ledger.close(final_energy(), ledger.initial - body_.mass * settings_.gravity * place.z());
     const std::optional<double> ground = terrain_.height(place.x(), place.y(), place.z());
     result_.below_ground = (ground && place.z() < *ground) ||
                            (result_.stop_reason == StopReason::kRest &&
@@ -287,6 +318,7 @@ class Release {
   }
 
   const TerrainSurface& terrain_;
+  std::span<const GroundParameters> zones_;
   const RigidBody& body_;
   const ReleaseSettings& settings_;
   const MotionObserver& observe_;
@@ -299,8 +331,9 @@ class Release {
   double largest_mobility_;
   double radius_;
   ContactLoad load_;
-  std::optional<FreeFlight> flight_;  ///< the one in progress
-  double flown_ = 0.0;                ///< time since it began, s
+  std::optional<ImpactBalance> balance_;  ///< on terrain that has ground for it
+  std::optional<FreeFlight> flight_;      ///< the one in progress
+  double flown_ = 0.0;                    ///< time since it began, s
   double time_ = 0.0;
   double travel_ = 0.0;
   double step_length_ = 0.0;  ///< of the last step, 0 in flight, s

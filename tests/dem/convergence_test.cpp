@@ -92,6 +92,10 @@ TEST_P(Convergence, IsOfSecondOrderOverFourHalvings) {
 // A single clean contact loses nothing to events: what is booked there is an error of the step.
 TEST_P(Convergence, NothingIsReassignedInTheLimit) {
   const double coarse = error_at(GetParam(), 0.5).reassigned;
+  if (GetParam().energy_restitution == 1.0) {  // such impacts are balanced
+    EXPECT_LT(coarse, 1e-12);
+    return;
+  }
   EXPECT_LT(coarse, 0.002 * 0.5);
   EXPECT_GT(std::log2(coarse / error_at(GetParam(), 0.125).reassigned), 2.0 * 1.7);
 }
