@@ -8,6 +8,7 @@
 #include "library/block_ranges.hpp"
 #include "study/block_scale.hpp"
 #include "study/detail/campaign_reading.hpp"
+#include "study/ground_types.hpp"
 #include "terrain/terrain_fit.hpp"
 
 namespace clast::study_detail {
@@ -78,6 +79,11 @@ void tell_of_steps(const PreparedCampaign& prepared, std::vector<std::string>& w
   warnings.push_back(cost + "; runs will take long");
 }
 
+/// Above this e_n^2, single releases have their impacts balanced.
+constexpr double kMostUnbalanced = 0.5;
+/// From this e_n^2 on, an elastic trial is meant.
+constexpr double kElastic = 0.95;
+
 // Friction angles in degrees that stand where coefficients belong.
 void tell_of_friction(const PreparedCampaign& prepared, std::vector<std::string>& warnings) {
   constexpr double kSteepest = 5.0;  // 79 degrees; ground is known up to about 1.2
@@ -92,6 +98,39 @@ void tell_of_friction(const PreparedCampaign& prepared, std::vector<std::string>
                          " degrees is its tangent");
     }
   }
+}
+
+/// A restitution of speeds, R_n, that stands where one of energy belongs.
+void tell_of_restitution(const PreparedCampaign& prepared, std::vector<std::string>& warnings) {
+  double usual = 0.0;
+  for (const GroundType& type : ground_types()) {
+    usual = std::max(usual, type.energy_restitution.high);
+  }
+  const auto question = [&](const std::string& table, double value) {
+    if (!(value > usual) || value > kElastic) return;
+    warnings.push_back("[" + table + "] energy_restitution = " + with_digits(value, 4) +
+                       " is the share of energy that an impact gives back, e_n^2; usual ground "
+                       "gives back up to " +
+                       with_digits(usual, 2) + ". If it is a restitution of speed, R_n, give its " +
+                       "square, " + with_digits(value * value, 2));
+  };
+  const CampaignResults& header = prepared.header;
+  double largest = header.stay ? header.stay->between_blocks.energy_restitution : 0.0;
+  for (std::size_t zone = 0; zone < header.ground.size(); ++zone) {
+    double most = header.ground[zone].energy_restitution;
+    for (const GroundSet& set : header.ground_sets) {
+      most = std::max(most, set.zones[zone].energy_restitution);
+    }
+    question("ground." + header.zone_names[zone], most);
+    largest = std::max(largest, most);
+  }
+  if (header.stay && largest > kMostUnbalanced) {
+    warnings.push_back("energy_restitution = " + with_digits(largest, 4) +
+                       ": blocks that land on several points can gain energy where more than half "
+                       "of it is given back, which is set right for single releases only "
+                       "(docs/theory.md, Weights and energy)");
+  }
+  if (header.stay) question("contact.blocks", header.stay->between_blocks.energy_restitution);
 }
 
 void tell_of_releases(const PreparedCampaign& prepared, std::vector<std::string>& warnings) {
@@ -207,6 +246,7 @@ std::vector<std::string> campaign_warnings(const PreparedCampaign& prepared) {
   tell_of_scales(prepared, warnings);
   tell_of_steps(prepared, warnings);
   tell_of_friction(prepared, warnings);
+  tell_of_restitution(prepared, warnings);
   tell_of_releases(prepared, warnings);
   tell_of_barriers(prepared, warnings);
   const auto warn = [&](const std::optional<std::string>& warning) {

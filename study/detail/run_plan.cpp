@@ -70,12 +70,17 @@ void place_above_ground(const TerrainSurface& surface, const RigidBody& body, do
   if (std::isfinite(clearance)) state.position.z() += drop_height - clearance;
 }
 
-void check_clear_of_ground(const PreparedCampaign& prepared, const MeasuredBody& measured,
-                           const ReleasePlan& release, std::size_t point_of_set,
-                           const RunRecord& run) {
+/// A height of fall is measured under core vertices: on a slope, or over an edge, a rounded block
+/// can be in the ground all the same. It then starts in touch.
+void clear_ground(const PreparedCampaign& prepared, const MeasuredBody& measured,
+                  const ReleasePlan& release, std::size_t point_of_set, RunRecord& run) {
+  const TerrainSurface& surface = *prepared.surface;
   const std::optional<double> depth =
-      depth_in_ground(measured.overlap, *prepared.surface, measured.body, run.start);
+      depth_in_ground(measured.overlap, surface, measured.body, run.start);
   if (!depth) return;
+  if (release.drop_height && lift_to_touch(measured.overlap, surface, measured.body, run.start)) {
+    return;
+  }
   const std::string table = release.name.empty() ? "[release]" : "[[release]] " + release.name;
   throw SimulationError(
       "run " + std::to_string(run.run) + ", block " + prepared.header.blocks[run.block].id + ", " +
@@ -123,7 +128,7 @@ class Planner {
               run = start_of(block, set, of_set, member, orientations[turn]);
               run.point = point;
               run.orientation = turn;
-              check_clear(set, of_set, run);
+              clear(set, of_set, run);
             }
             run.ground_set = static_cast<std::uint32_t>(chosen.group) * members + member;
             add(run);
@@ -159,7 +164,7 @@ class Planner {
     run.point = static_cast<std::uint32_t>(point + of_set);
     run.orientation = static_cast<std::uint32_t>(turn);
     run.ground_set = static_cast<std::uint32_t>(chosen.group * campaign.ensemble.members + member);
-    check_clear_of_ground(prepared_, bodies_.of(block), release, of_set, run);
+    clear_ground(prepared_, bodies_.of(block), release, of_set, run);
     return run;
   }
 
@@ -206,7 +211,7 @@ class Planner {
       run.point = static_cast<std::uint32_t>(point);
       run.orientation = release.fresh_orientations ? 0 : static_cast<std::uint32_t>(turn);
       run.ground_set = member;
-      check_clear(0, point, run);
+      clear(0, point, run);
       add(run);
     }
   }
@@ -247,10 +252,9 @@ class Planner {
            prepared_.campaign.ensemble.members;
   }
 
-  void check_clear(std::size_t set, std::size_t of_set, RunRecord& run) {
+  void clear(std::size_t set, std::size_t of_set, RunRecord& run) {
     run.run = static_cast<std::uint32_t>(prepared_.runs.size());
-    check_clear_of_ground(prepared_, bodies_.of(run.block), prepared_.campaign.releases[set],
-                          of_set, run);
+    clear_ground(prepared_, bodies_.of(run.block), prepared_.campaign.releases[set], of_set, run);
   }
 
   void add(RunRecord run) {

@@ -14,6 +14,12 @@ std::optional<double> depth_in_ground(const GroundOverlap& ground_overlap,
                                       const TerrainSurface& surface, const RigidBody& body,
                                       const RigidState& state);
 
+/// Lifts a block that is in the ground until it just touches it, by no more than four times its
+/// largest diameter.
+/// @return  false if that is not enough, and the state stays as it was
+bool lift_to_touch(const GroundOverlap& ground_overlap, const TerrainSurface& surface,
+                   const RigidBody& body, RigidState& state);
+
 /// Random orientations of one block at one point of a set, or in one realisation. Their seed is
 /// made from names, not from places in the campaign, so that they do not depend on what else runs.
 /// @param where  number of the point, or name of the realisation

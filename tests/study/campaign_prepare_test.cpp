@@ -9,6 +9,7 @@
 
 #include "core/error.hpp"
 #include "core/random.hpp"
+#include "dem/ground_overlap.hpp"
 #include "tests/study/campaign_run.hpp"
 
 namespace clast {
@@ -232,9 +233,40 @@ TEST_F(CampaignRun, StartInsideTheGroundIsRefused) {
   const std::string buried = refusal(with("[-12, 3, 9.5]", "[-12, 3, 2]"));
   EXPECT_TRUE(contains(buried, "run 3, block cube, release point 2, orientation 1: starts 5."))
       << buried;
-  const std::string low = refusal(
-      with("points = [[-12, -3, 9.5], [-12, 3, 9.5]]", "points = [[-12, -3]]\nheight_m = 0.0"));
-  EXPECT_TRUE(contains(low, "raise [release] height_m")) << low;
+}
+
+TEST_F(CampaignRun, ARestitutionOfSpeedIsQuestioned) {
+  const auto with_restitution = [](const std::string& value) {
+    return prepared(with("energy_restitution = 0.1", "energy_restitution = " + value));
+  };
+  EXPECT_TRUE(warns(with_restitution("0.53"),
+                    "[ground.slope] energy_restitution = 0.53 is the share of energy that an "
+                    "impact gives back, e_n^2; usual ground gives back up to 0.28. If it is a "
+                    "restitution of speed, R_n, give its square, 0.28"));
+  EXPECT_TRUE(warns(with_restitution("0.35"), "give its square, 0.12"));
+  for (const char* plain : {"0.01", "0.1", "0.28", "1"}) {
+    EXPECT_FALSE(warns(with_restitution(plain), "give its square")) << plain;
+  }
+}
+
+TEST_F(CampaignRun, AHeightOfZeroStartsInTouch) {
+  const PreparedCampaign low = prepared(
+      with("points = [[-12, -3, 9.5], [-12, 3, 9.5]]", "points = [[-12, -3]]\nheight_m = 0"));
+  const PreparedCampaign high = prepared(
+      with("points = [[-12, -3, 9.5], [-12, 3, 9.5]]", "points = [[-12, -3]]\nheight_m = 2"));
+  ASSERT_EQ(low.runs.size(), high.runs.size());
+  for (std::size_t i = 0; i < low.runs.size(); ++i) {
+    const RigidBody body = low.bodies[low.runs[i].block];
+    const GroundOverlap overlap(*low.surface, body);
+    RigidState start = low.runs[i].start;
+    EXPECT_LT(overlap.deepest(start), 1e-5 * body.smallest_side) << i;
+    start.position.z() -= 1e-4 * body.smallest_side;
+    EXPECT_GT(overlap.deepest(start), 0.0) << i << " is on the ground";
+    const Vec3 lifted = high.runs[i].start.position - low.runs[i].start.position;
+    EXPECT_NEAR(lifted.head<2>().norm(), 0.0, 1e-12);
+    EXPECT_LE(lifted.z(), 2.0 + 1e-9) << "heights are measured under the vertices";
+    EXPECT_GT(lifted.z(), 1.5);
+  }
 }
 
 TEST_F(CampaignRun, BlocksBeyondTheUsualSizesAreRefusedUnlessAllowed) {
