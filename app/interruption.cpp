@@ -1,6 +1,9 @@
 #include "app/interruption.hpp"
 
+#include <unistd.h>
+
 #include <csignal>
+#include <cstring>
 
 namespace clast {
 
@@ -8,17 +11,22 @@ namespace {
 
 // A signal handler can reach nothing else.
 volatile std::sig_atomic_t stop_asked = 0;
+const char* volatile said_first = "";
 
 void ask_to_stop(int) {
   stop_asked = 1;
+  const char* text = said_first;
+  const auto written = ::write(STDERR_FILENO, text, std::strlen(text));
+  static_cast<void>(written);
   std::signal(SIGINT, SIG_DFL);
   std::signal(SIGTERM, SIG_DFL);
 }
 
 }  // namespace
 
-InterruptionWatch::InterruptionWatch() {
+InterruptionWatch::InterruptionWatch(const char* said) {
   stop_asked = 0;
+  said_first = said;
   std::signal(SIGINT, ask_to_stop);
   std::signal(SIGTERM, ask_to_stop);
   hangup_ = std::signal(SIGHUP, ask_to_stop);

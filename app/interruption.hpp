@@ -7,7 +7,9 @@ namespace clast {
 /// back, or of a terminal that is closed, only sets a flag; the second ends the program at once.
 class InterruptionWatch {
  public:
-  InterruptionWatch();
+  /// @param said  written to stderr by the first signal: what the program waits for; nothing where
+  ///              it stops soon. Must outlive the watch
+  explicit InterruptionWatch(const char* said = "");
   ~InterruptionWatch();
   InterruptionWatch(const InterruptionWatch&) = delete;
   InterruptionWatch& operator=(const InterruptionWatch&) = delete;

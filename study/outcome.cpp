@@ -28,6 +28,19 @@ CampaignOutcome outcome_of(const CampaignResults& results) {
   return outcome;
 }
 
+std::vector<std::string> outcome_warnings(const CampaignOutcome& outcome) {
+  std::vector<std::string> warnings;
+  if (outcome.reassigned > 0) {
+    warnings.push_back(
+        counted(outcome.reassigned, "run") +
+        " lose or gain more than 10 % of the energy they dissipate where contacts change, at "
+        "most " +
+        with_digits(100.0 * outcome.largest_reassigned.value_or(0.0), 2) +
+        " %; clast compare says which and what to try");
+  }
+  return warnings;
+}
+
 void check_outcome(const CampaignResults& results, const std::filesystem::path& file) {
   const CampaignOutcome outcome = outcome_of(results);
   if (outcome.errors() == 0) return;

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "study/results.hpp"
 
@@ -25,6 +26,9 @@ struct CampaignOutcome {
 };
 
 CampaignOutcome outcome_of(const CampaignResults& results);
+
+/// What must be known of the runs, in sentences.
+std::vector<std::string> outcome_warnings(const CampaignOutcome& outcome);
 
 /// All runs are kept, but a campaign with failed ones has failed.
 /// @param file  that holds the results

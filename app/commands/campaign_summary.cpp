@@ -127,11 +127,15 @@ TextTable stiffness_table(const PreparedCampaign& prepared) {
 void print_plan(const PreparedCampaign& prepared) {
   std::cout << counted(prepared.runs.size(), "run") << ": "
             << counted(prepared.bodies.size(), "block") << ", " << releases_text(prepared) << "\n"
-            << made_text(prepared) << masses_text(prepared) << memory_line(prepared)
-            << stiffness_table(prepared).text();
+            << made_text(prepared) << masses_text(prepared) << memory_line(prepared);
   for (const std::string& warning : prepared.header.warnings) {
     std::cout << "warning: " << shown(warning) << "\n";
   }
+}
+
+void print_stiffness(const PreparedCampaign& prepared) {
+  std::cout << "\nstiffness and time step of the runs of each block\n"
+            << stiffness_table(prepared).text();
 }
 
 void print_outcome(const CampaignResults& results) {
@@ -145,13 +149,8 @@ void print_outcome(const CampaignResults& results) {
             << (outcome.largest_energy_error ? rounded(*outcome.largest_energy_error, 2)
                                              : std::string("not known"))
             << "\n";
-  if (outcome.reassigned > 0) {
-    std::cout
-        << "warning: " << counted(outcome.reassigned, "run")
-        << " lose or gain more than 10 % of the energy they dissipate where contacts change, at "
-           "most "
-        << rounded(100.0 * outcome.largest_reassigned.value_or(0.0), 2)
-        << " %; clast compare says which and what to try\n";
+  for (const std::string& warning : outcome_warnings(outcome)) {
+    std::cout << "warning: " << warning << "\n";
   }
 }
 

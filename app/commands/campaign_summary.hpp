@@ -5,8 +5,11 @@
 
 namespace clast {
 
-/// Runs, blocks, release points, stiffness by block and warnings, on stdout.
+/// Runs, blocks, release points and warnings, on stdout.
 void print_plan(const PreparedCampaign& prepared);
+
+/// Stiffness and time step by block, on stdout: what the numbers above rest on.
+void print_stiffness(const PreparedCampaign& prepared);
 
 /// Stop reasons, runs below ground, barrier crossings, largest errors of energy, on stdout.
 void print_outcome(const CampaignResults& results);

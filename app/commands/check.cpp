@@ -59,6 +59,7 @@ void check_one_campaign(const CheckArgs& args) {
     print_plan(*check.prepared);
   }
   end_with(args, check.findings, "simulate");
+  if (check.prepared && !args.json) print_stiffness(*check.prepared);
 }
 
 void check_one_study(const CheckArgs& args) {

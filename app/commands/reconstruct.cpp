@@ -85,8 +85,10 @@ void reconstruct(const ReconstructArgs& args) {
   options.scan.columns = split_list(args.columns);
   const std::vector<ScanFile> scans = list_scans(args.scans);
   check_usage([&] { batch.check(scans.size()); });
+  const InterruptionWatch watch(
+      "\nclast: interrupted; waiting for the present step of each scan at work (photographs take "
+      "minutes), then what is finished is kept. Ctrl-C again ends at once\n");
   BatchPrinter printer(scans.size(), batch, args.report, args.json);
-  const InterruptionWatch watch;
   const Progress progress = [&](const ProgressStep& step) {
     if (watch.interrupted()) throw Cancelled();
     printer.show(step);

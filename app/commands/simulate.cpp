@@ -20,6 +20,7 @@
 #include "core/output_file.hpp"
 #include "core/parallel.hpp"
 #include "core/printable.hpp"
+#include "core/shell_words.hpp"
 #include "report/json/campaign_json.hpp"
 #include "report/maps/plan_map.hpp"
 #include "report/text/trends_text.hpp"
@@ -117,6 +118,7 @@ void report_dry_run(const SimulateArgs& args, const PreparedCampaign& prepared, 
             << "\n"
             << (sentence.empty() ? "" : sentence + "\n") << printable(map.string())
             << ": written\n";
+  print_stiffness(prepared);
 }
 
 /// What shapes a run: that it is the same on all processes.
@@ -149,8 +151,7 @@ PreparedCampaign prepared_campaign(const SimulateArgs& args, const ProcessTeam& 
 }
 
 void simulate_with(ProcessTeam& team, const SimulateArgs& args,
-                   const std::optional<Shard>& given_shard) {
-  const InterruptionWatch watch;
+                   const std::optional<Shard>& given_shard, const InterruptionWatch& watch) {
   const Shard shard = given_shard.value_or(Shard());
   std::optional<PreparedCampaign> plan;
   bool finished = false;
@@ -178,9 +179,10 @@ void simulate_with(ProcessTeam& team, const SimulateArgs& args,
     if (team.leads()) print_results(output, args, summary, "nothing to do, has all runs already");
     return;
   }
-  const std::string resume_hint = "clast simulate " + args.campaign + " -o " + args.output +
-                                  (args.shard.empty() ? "" : " --shard " + args.shard) +
-                                  " --resume";
+  std::vector<std::string> resume = {"clast", "simulate", args.campaign, "-o", args.output};
+  if (!args.shard.empty()) resume.insert(resume.end(), {"--shard", args.shard});
+  resume.push_back("--resume");
+  const std::string resume_hint = shell_command(resume);
   std::cout.flush();
   ProgressBar bar("runs", shard.runs_of(prepared));
   RunOptions options;
@@ -203,13 +205,16 @@ void simulate_with(ProcessTeam& team, const SimulateArgs& args,
   };
   run_campaign(prepared, output, options);
   bar.clear();
-  if (team.leads()) print_results(output, args, summary);
+  if (!team.leads()) return;
+  print_results(output, args, summary);
+  if (!args.json) print_stiffness(prepared);
 }
 
 void simulate(const SimulateArgs& args) {
   if (!args.parts.empty()) return join_parts(args);
   const std::optional<Shard> shard = shard_from(args.shard);
-  run_in_team([&](ProcessTeam& team) { simulate_with(team, args, shard); });
+  const InterruptionWatch watch;  // before any file is touched
+  run_in_team([&](ProcessTeam& team) { simulate_with(team, args, shard, watch); });
 }
 
 }  // namespace

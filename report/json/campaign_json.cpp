@@ -72,7 +72,8 @@ nlohmann::ordered_json outcome_json(const CampaignResults& results) {
           {"below_ground", outcome.below_ground},
           {"crossings", results.crossings.size()},
           {"largest_energy_error", or_null(outcome.largest_energy_error)},
-          {"largest_reassigned_share", or_null(outcome.largest_reassigned)}};
+          {"largest_reassigned_share", or_null(outcome.largest_reassigned)},
+          {"outcome_warnings", outcome_warnings(outcome)}};
 }
 
 }  // namespace clast

@@ -189,7 +189,7 @@ TEST_F(SharedCampaign, WhoseBlocksStayGoesOnWithinARealisationAfterCtrlC) {
     while (!program.ended() && !fs::exists(partial_file("cut.h5"))) {
       std::this_thread::sleep_for(std::chrono::milliseconds(1));
     }
-    if (signal == SIGHUP) std::this_thread::sleep_for(std::chrono::milliseconds(200));
+    program.wait_for_handler(signal);  // the file of the first round is there from the start
     program.signal(signal);
     const ProgramRun stopped = program.wait();
     EXPECT_EQ(stopped.exit_code, 1) << signal;

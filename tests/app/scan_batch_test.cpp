@@ -72,6 +72,9 @@ TEST_F(ScanBatch, CtrlCKeepsWhatIsFinished) {
   program.signal(SIGINT);
   const ProgramRun stopped = program.wait();
   EXPECT_EQ(stopped.exit_code, 1);
+  EXPECT_TRUE(
+      contains(stopped.err, "clast: interrupted; waiting for the present step of each scan"))
+      << "at once, before the step ends";
   EXPECT_TRUE(contains(stopped.err,
                        "clast: interrupted; what was finished is in blocks.h5. Give the same "
                        "command with --resume to go on"));

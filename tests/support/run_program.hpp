@@ -6,6 +6,7 @@
 
 #include <cstdio>
 #include <filesystem>
+#include <fstream>
 #include <string>
 #include <vector>
 
@@ -41,6 +42,24 @@ class RunningProgram {
   }
 
   void signal(int number) const { ::kill(child_, number); }
+  /// True once it has a handler of its own for the signal.
+  bool handles(int number) const {
+    std::ifstream status("/proc/" + std::to_string(child_) + "/status");
+    for (std::string line; std::getline(status, line);) {
+      if (!line.starts_with("SigCgt:")) continue;
+      return (std::stoull(line.substr(7), nullptr, 16) >> (number - 1) & 1u) != 0;
+    }
+    return false;
+  }
+  /// Waits until it handles the signal, or has ended.
+  void wait_for_handler(int number) {
+    while (!ended() && !handles(number)) ::usleep(1000);
+  }
+  /// What it has printed to stderr so far.
+  std::string err_so_far() const {
+    const std::filesystem::path file = captured_ / "err";
+    return std::filesystem::exists(file) ? read_text_file(file) : "";
+  }
   bool ended() {
     if (!ended_) ended_ = ::waitpid(child_, &status_, WNOHANG) == child_;
     return ended_;
