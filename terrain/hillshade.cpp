@@ -32,6 +32,36 @@ void check_near(const Vec2& mark, const Window& ground, const std::string& what)
                    "; bring both into one map system");
 }
 
+/// The colour of the palette that is nearest: the palette has no room for many more.
+std::uint8_t nearest_colour(const Picture& picture, const Rgb& rgb) {
+  const auto distance = [&](const Rgb& other) {
+    int sum = 0;
+    for (int i = 0; i < 3; ++i) sum += (rgb[i] - other[i]) * (rgb[i] - other[i]);
+    return sum;
+  };
+  const auto nearest =
+      std::min_element(picture.palette.begin() + 1, picture.palette.end(),
+                       [&](const Rgb& a, const Rgb& b) { return distance(a) < distance(b); });
+  return static_cast<std::uint8_t>(nearest - picture.palette.begin());
+}
+
+std::vector<LegendRow> legend_of(const Terrain& terrain, const MapMarks& marks,
+                                 const Picture& picture, double contours, std::uint8_t ink) {
+  using Mark = LegendRow::Mark;
+  std::vector<LegendRow> rows;
+  if (!marks.releases.empty()) rows.push_back({Mark::kCross, ink, "release point"});
+  if (!marks.barriers.empty()) rows.push_back({Mark::kLine, ink, "barrier"});
+  if (contours > 0.0) {
+    rows.push_back({Mark::kLine, nearest_colour(picture, kContourColour),
+                    "contours every " + with_digits(contours, 3) + " m"});
+  }
+  for (std::size_t zone = 0; zone < terrain.zone_names.size(); ++zone) {
+    const std::string& name = terrain.zone_names[zone];
+    rows.push_back({Mark::kArea, nearest_colour(picture, zone_tint(name, zone)), name});
+  }
+  return rows;
+}
+
 }  // namespace
 
 void write_hillshade(const std::filesystem::path& path, const Terrain& terrain,
@@ -57,8 +87,8 @@ void write_hillshade(const std::filesystem::path& path, const Terrain& terrain,
       static_cast<std::uint32_t>(std::max(1.0, std::round(window.size().x() / cell)));
   const Vec2 origin = terrain.frame.origin.head<2>();
   const Relief relief = sampled(terrain, {window.low - origin, window.high - origin}, columns);
-  Picture picture = relief_picture(relief, terrain.zone_names, terrain.frame.origin.z(),
-                                   round_up_to_nice((high.z() - low.z()) / kContours));
+  const double contours = round_up_to_nice((high.z() - low.z()) / kContours);
+  Picture picture = relief_picture(relief, terrain.zone_names, terrain.frame.origin.z(), contours);
   MapCanvas canvas(picture, window, relief.cell);
   const std::uint8_t halo = canvas.colour(kHalo), ink = canvas.colour(kInk);
   const double stroke = std::max(1.0, pixels / 800.0);
@@ -76,6 +106,9 @@ void write_hillshade(const std::filesystem::path& path, const Terrain& terrain,
     }
   }
   draw_map_furniture(canvas, picture, relief.cell, stroke, ink, halo);
+  draw_map_legend(canvas, picture,
+                  legend_of(terrain, marks, picture, high.z() > low.z() ? contours : 0.0, ink),
+                  stroke, ink, halo);
   write_output(path, palette_png(picture.width, picture.height, picture.pixels, picture.palette),
                rules);
 }

@@ -12,7 +12,6 @@ namespace {
 constexpr double kNoHeight = std::numeric_limits<double>::quiet_NaN();
 constexpr int kShades = 30;        // grey levels per tint
 constexpr double kDarkest = 0.62;  // of the tint, in full shade; marks must stay readable on it
-constexpr Rgb kContour = {122, 98, 69};
 
 /// Pale colours by the word they are called, then a set for other names.
 constexpr std::array<std::pair<const char*, Rgb>, 7> kTints = {{{"blue", {198, 219, 239}},
@@ -149,7 +148,7 @@ Rgb zone_tint(const std::string& name, std::size_t n) {
 Picture relief_picture(const Relief& relief, const std::vector<std::string>& zone_names,
                        double first_height, double contour_interval) {
   // Zones of one tint share palette entries, so that any number of zones fits into 256.
-  std::vector<Rgb> palette = {{255, 255, 255}, kContour};
+  std::vector<Rgb> palette = {{255, 255, 255}, kContourColour};
   std::vector<Rgb> tints;
   std::vector<std::size_t> tint_of_zone;
   constexpr std::size_t kFixedColours = 2;

@@ -28,6 +28,8 @@ struct Relief {
 /// Samples the surface at cell centres of `window` (local frame), `columns` cells wide.
 Relief sampled(const Terrain& terrain, const Window& window, std::uint32_t columns);
 
+inline constexpr Rgb kContourColour = {122, 98, 69};
+
 /// Tint of a zone: the colour that its name says, else the n-th of a pale set.
 Rgb zone_tint(const std::string& name, std::size_t n);
 

@@ -17,10 +17,57 @@ struct Glyph {
   double advance;
   std::string_view lines;
 };
-constexpr Glyph kGlyphs[] = {
-    {'0', 6, "103041453616050110"},     {'1', 4, "012026"},  {'2', 6, "011030414206 0646"},
-    {'5', 6, "400003334445361605"},     {'.', 3, "1616"},    {'k', 5, "0006 320436"},
-    {'m', 6, "0602 03122326 23324346"}, {'N', 6, "06004640"}};
+constexpr Glyph kGlyphs[] = {{'0', 6, "103041453616050110"},
+                             {'1', 4, "012026"},
+                             {'2', 6, "011030414206 0646"},
+                             {'3', 6, "01103041423313 334445361605"},
+                             {'4', 6, "36300444"},
+                             {'5', 6, "400003334445361605"},
+                             {'6', 6, "413010010516364544331304"},
+                             {'7', 6, "004016"},
+                             {'8', 6, "103041423313020110 1304051636454433"},
+                             {'9', 6, "051636454130100102133342"},
+                             {'A', 6, "062046 1434"},
+                             {'B', 6, "06003041423303 334445 3606 4536"},
+                             {'C', 6, "4130100105163645"},
+                             {'D', 6, "00204244260600"},
+                             {'E', 6, "40000646 0333"},
+                             {'F', 6, "400006 0333"},
+                             {'G', 6, "41301001051636454323"},
+                             {'H', 6, "0006 4046 0343"},
+                             {'I', 3, "1016"},
+                             {'J', 6, "4045361605"},
+                             {'K', 6, "0006 400346"},
+                             {'L', 6, "000646"},
+                             {'M', 6, "0600234046"},
+                             {'N', 6, "06004640"},
+                             {'O', 6, "103041453616050110"},
+                             {'P', 6, "06003041423303"},
+                             {'Q', 6, "103041453616050110 2446"},
+                             {'R', 6, "06003041423303 2346"},
+                             {'S', 6, "413010010213334445361605"},
+                             {'T', 6, "0040 2026"},
+                             {'U', 6, "000516364540"},
+                             {'V', 6, "002640"},
+                             {'W', 6, "0016233640"},
+                             {'X', 6, "0046 4006"},
+                             {'Y', 6, "002340 2326"},
+                             {'Z', 6, "00400646"},
+                             {'k', 5, "0006 320436"},
+                             {'m', 6, "0602 03122326 23324346"},
+                             {'.', 3, "1616"},
+                             {',', 3, "1607"},
+                             {':', 3, "1212 1515"},
+                             {'-', 6, "1333"},
+                             {'_', 6, "0646"},
+                             {'+', 6, "2125 0343"},
+                             {'=', 6, "0242 0444"},
+                             {'/', 6, "0640"},
+                             {'>', 6, "014305"},
+                             {'<', 6, "410345"},
+                             {'(', 4, "20111526"},
+                             {')', 4, "00111506"},
+                             {'?', 6, "01103041422324 2626"}};
 constexpr double kBlank = 3.0;
 
 const Glyph* glyph_of(char character) {
@@ -28,6 +75,29 @@ const Glyph* glyph_of(char character) {
     return glyph.character == character;
   });
   return found == std::end(kGlyphs) ? nullptr : found;
+}
+
+/// The text in the capitals and signs that there are: accents are dropped, what is not known
+/// becomes a question mark.
+std::string in_capitals(const std::string& text) {
+  // Letters U+00C0 to U+00FF without their accents.
+  constexpr std::string_view kLatin =
+      "AAAAAAACEEEEIIII?NOOOOO?OUUUUY?SAAAAAAACEEEEIIII?NOOOOO?OUUUUY?Y";
+  std::string capitals;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const auto byte = static_cast<unsigned char>(text[i]);
+    char letter = text[i];
+    if (byte == 0xC3 && i + 1 < text.size()) {
+      letter = kLatin[static_cast<unsigned char>(text[++i]) & 0x3Fu];
+    } else if (byte >= 0x80) {
+      if ((byte & 0xC0u) == 0x80u) continue;  // goes on with the character before
+      letter = '?';
+    } else if (byte >= 'a' && byte <= 'z') {
+      letter = static_cast<char>(byte - 'a' + 'A');
+    }
+    capitals += letter == ' ' || glyph_of(letter) ? letter : '?';
+  }
+  return capitals;
 }
 
 double width_of(const std::string& text) {
@@ -134,6 +204,58 @@ void draw_map_furniture(MapCanvas& canvas, const Picture& picture, double cell, 
     canvas.stroke(tip + Vec2(-0.5 * y, y), tip + Vec2(0.5 * y, y), 0.5, ink);
   }
   canvas.text(tip + Vec2(-2.0 * letter, 18.0 * unit), "N", letter, ink);
+}
+
+void draw_map_legend(MapCanvas& canvas, const Picture& picture, std::span<const LegendRow> rows,
+                     double unit, std::uint8_t ink, std::uint8_t paper) {
+  constexpr double kLargest = 0.45;  // of the picture's width and height
+  constexpr std::size_t kMostCharacters = 28;
+  const double margin = 6.0 * unit, letter = 1.3 * unit, line = 10.0 * letter, mark = 14.0 * unit;
+  const auto fitting =
+      static_cast<std::size_t>(std::max(0.0, kLargest * picture.height / line - 1.0));
+  std::vector<std::string> texts;
+  for (const LegendRow& row : rows) {
+    texts.push_back(in_capitals(row.text));
+    if (texts.back().size() > kMostCharacters)
+      texts.back().replace(kMostCharacters - 2, std::string::npos, "..");
+  }
+  std::size_t shown = rows.size();
+  if (shown > fitting) {
+    if (fitting < 2) return;  // a picture too small for it
+    shown = fitting - 1;
+    texts[shown] = "+ " + std::to_string(rows.size() - shown);
+  }
+  double width = 0.0;
+  for (std::size_t i = 0; i < std::min(rows.size(), shown + 1); ++i) {
+    width = std::max(width, letter * width_of(texts[i]));
+  }
+  width += mark + 3.0 * margin;
+  if (width > kLargest * picture.width) return;
+  const std::size_t lines = std::min(rows.size(), shown + (shown < rows.size() ? 1 : 0));
+  const Vec2 end(picture.width - margin, picture.height - margin);
+  const Vec2 begin = end - Vec2(width, line * static_cast<double>(lines) + margin);
+  canvas.fill(begin, end, paper);
+  for (std::size_t i = 0; i < lines; ++i) {
+    const Vec2 at = begin + Vec2(margin, margin + line * static_cast<double>(i));
+    const Vec2 middle = at + Vec2(0.5 * mark, 3.0 * letter);
+    if (i < shown) {
+      switch (rows[i].mark) {
+        case LegendRow::Mark::kArea:
+          canvas.fill(at, at + Vec2(mark, 6.0 * letter), rows[i].colour);
+          break;
+        case LegendRow::Mark::kCross:
+          for (const Vec2& arm : {Vec2(4.0, 4.0), Vec2(4.0, -4.0)}) {
+            canvas.stroke(middle - unit * arm, middle + unit * arm, unit, rows[i].colour);
+          }
+          break;
+        case LegendRow::Mark::kLine:
+          canvas.stroke(middle - Vec2(0.5 * mark, 0.0), middle + Vec2(0.5 * mark, 0.0), unit,
+                        rows[i].colour);
+          break;
+      }
+    }
+    canvas.text(at + Vec2(mark + margin, 0.0), texts[i], letter, ink);
+  }
 }
 
 }  // namespace clast::terrain_detail

@@ -2,10 +2,14 @@
 #include <gdal_priv.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cstdlib>
 #include <memory>
+#include <set>
 
 #include "core/text_file.hpp"
 #include "terrain/hillshade.hpp"
+#include "terrain/relief.hpp"
 #include "tests/terrain/ground_samples.hpp"
 
 namespace clast {
@@ -115,6 +119,61 @@ TEST_F(Hillshade, HasAScaleBarAndAnArrowToTheNorth) {
   EXPECT_LE(widths.front(), 2u);
   EXPECT_TRUE(std::is_sorted(widths.begin(), widths.begin() + 15));
   EXPECT_GE(widths[14], 12u);
+}
+
+// Two zones, a cross and a line: four rows of ink on a pale panel, with the tints of the zones.
+TEST_F(Hillshade, HasALegendOfZonesAndMarks) {
+  const MapMarks marks{.releases = {Vec2(652003, 5203008)},
+                       .barriers = {{Vec2(652008, 5203001), Vec2(652008, 5203009)}}};
+  const auto rows_of_text = [&](const MapMarks& drawn) {
+    write_hillshade(folder_ / "map.png", ground(), drawn, {}, 1040);
+    const Pixels picture(folder_ / "map.png");
+    std::size_t rows = 0;
+    bool before = false;
+    for (int row = picture.height / 2; row < picture.height; ++row) {
+      bool ink = false;
+      for (int column = picture.width - 120; column < picture.width - 20; ++column) {
+        ink = ink || is_black(picture.at(column, row));
+      }
+      rows += ink && !before;
+      before = ink;
+    }
+    return rows;
+  };
+  EXPECT_EQ(rows_of_text(marks), 4u);
+  EXPECT_EQ(rows_of_text({}), 2u) << "level ground has no contours";
+  // The swatches have the hues of the zones.
+  const Pixels picture(folder_ / "map.png");
+  std::set<std::array<int, 3>> colours;
+  for (int row = picture.height / 2; row < picture.height - 8; ++row) {
+    for (int column = picture.width - 260; column < picture.width - 8; ++column) {
+      colours.insert(picture.at(column, row));
+    }
+  }
+  const auto has = [&](const Rgb& tint) {
+    return std::any_of(colours.begin(), colours.end(), [&](const std::array<int, 3>& colour) {
+      int off = 0;
+      for (int i = 0; i < 3; ++i) off += std::abs(colour[i] - tint[i]);
+      return off < 40;
+    });
+  };
+  EXPECT_TRUE(has(zone_tint("green", 0)));
+  EXPECT_TRUE(has(zone_tint("red", 1)));
+}
+
+// Names in any language and of any length: the panel stays inside its quarter.
+TEST_F(Hillshade, LegendsFitWhateverTheNames) {
+  TriangleMesh mesh = squares(10, 1.0, [](double x, double) { return 500.0 + x; });
+  write_mesh(folder_ / "a.ply", mesh);
+  for (const std::string& name : {std::string("Ger\xC3\xB6ll"), std::string(300, 'x'),
+                                  std::string("\xE5\xB2\xA9"), std::string("rock (wet), 2: a/b")}) {
+    for (const std::uint32_t pixels : {20u, 200u, 900u}) {
+      write_hillshade(folder_ / "map.png",
+                      read_terrain({.surface = {folder_ / "a.ply"}, .zones = {name}}), {}, {},
+                      pixels);
+      EXPECT_EQ(Pixels(folder_ / "map.png").width, static_cast<int>(pixels)) << name;
+    }
+  }
 }
 
 TEST_F(Hillshade, AMarkInAnotherPlaceIsRefused) {
