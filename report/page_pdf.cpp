@@ -2,14 +2,19 @@
 
 #include <unistd.h>
 
+#include <algorithm>
+#include <charconv>
+#include <cstdint>
 #include <cstdlib>
 #include <fstream>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/child_process.hpp"
 #include "core/error.hpp"
 #include "core/number_text.hpp"
+#include "core/text_file.hpp"
 #include "report/html/html_page.hpp"
 
 namespace clast {
@@ -47,6 +52,42 @@ bool is_pdf(const fs::path& file) {
   std::ifstream stream(file, std::ios::binary);
   char start[5] = {};
   return stream.read(start, sizeof start) && std::string(start, sizeof start) == "%PDF-";
+}
+
+/// Replaces what differs from print to print of the same page, which keeps all lengths: the times,
+/// and the numbers of the page's elements, which then begin at 1.
+std::string without_print_marks(std::string pdf) {
+  constexpr std::string_view kNoTime = "19700101000000";
+  for (const std::string_view key : {"/CreationDate (D:", "/ModDate (D:"}) {
+    for (std::size_t at = 0; (at = pdf.find(key, at)) != pdf.npos;) {
+      at += key.size();
+      if (at + kNoTime.size() <= pdf.size()) pdf.replace(at, kNoTime.size(), kNoTime);
+    }
+  }
+  constexpr std::string_view kNode = "(node";
+  constexpr std::size_t kDigits = 8;
+  std::vector<std::size_t> places;
+  std::uint32_t least = UINT32_MAX;
+  const auto number_at = [&](std::size_t at) {
+    std::uint32_t number = 0;
+    std::from_chars(pdf.data() + at, pdf.data() + at + kDigits, number);
+    return number;
+  };
+  for (std::size_t at = 0; (at = pdf.find(kNode, at)) != pdf.npos;) {
+    at += kNode.size();
+    const std::string_view digits = std::string_view(pdf).substr(at, kDigits + 1);
+    if (digits.size() <= kDigits || digits.back() != ')' ||
+        digits.find_first_not_of("0123456789") != kDigits) {
+      continue;
+    }
+    places.push_back(at);
+    least = std::min(least, number_at(at));
+  }
+  for (const std::size_t at : places) {
+    const std::string number = std::to_string(number_at(at) - least + 1);
+    pdf.replace(at, kDigits, std::string(kDigits - number.size(), '0') + number);
+  }
+  return pdf;
 }
 
 }  // namespace
@@ -96,6 +137,7 @@ void print_page(const fs::path& page, const fs::path& pdf, const fs::path& brows
     throw InputError(browser.string() + " wrote no PDF (exit code " +
                      std::to_string(end.exit_code) + "); print report.html by hand");
   }
+  write_text_file(pdf, without_print_marks(read_text_file(pdf)));
 }
 
 }  // namespace clast

@@ -1,17 +1,24 @@
 #include "study/answer.hpp"
 
 #include <algorithm>
+#include <map>
 #include <set>
+#include <utility>
 
-#include "study/ensemble_effects.hpp"
+#include "study/detail/comparison_barriers.hpp"
+#include "study/ground_draws.hpp"
 
 namespace clast {
+
+using namespace study_detail;
 namespace {
 
 constexpr std::uint64_t kAnswerSeed = 20220310;  // any is good; a fixed one repeats the interval
 constexpr std::size_t kMostAnswerDrawn = 20'000'000;  // numbers for one interval
 constexpr double kSameStop = 1e-6;                    // m
-constexpr std::size_t kFewestClustersToDraw = 2;
+/// Where a block is met at this share of the places or realisations or more, the mean over blocks,
+/// the blocks are the same everywhere.
+constexpr double kSameBlocksShare = 0.25;
 
 using File = std::optional<std::uint32_t>;
 
@@ -45,15 +52,27 @@ bool share_points(const CampaignResults& a, const CampaignResults& b) {
                     });
 }
 
-/// Are the runs of a group of one realisation, whose blocks depend on each other?
 bool is_one_realisation(const Comparison& comparison, const std::vector<std::size_t>& rows) {
   RunClusters clusters(comparison.results);
-  bool any = false;
+  for (const std::size_t row : rows) clusters.of(comparison.rows[row]);
+  return clusters.is_one_realisation();
+}
+
+/// Mean runout of the runs at rest; none where none is.
+std::optional<double> mean_at_rest(const Comparison& comparison,
+                                   const std::vector<std::size_t>& rows) {
+  std::vector<double> runouts;
   for (const std::size_t row : rows) {
-    any = any || comparison.results[comparison.rows[row].file].stay.has_value();
-    clusters.of(comparison.rows[row]);
+    const RunRow& run = comparison.rows[row];
+    if (run.record->result.stop_reason == StopReason::kRest) runouts.push_back(run.runout);
   }
-  return any && clusters.count() < kFewestClustersToDraw;
+  if (runouts.empty()) return std::nullopt;
+  return summarise(runouts).mean;
+}
+
+std::optional<Interval> range_of_draws(std::vector<double> values) {
+  if (values.empty()) return std::nullopt;
+  return range_over_draws(std::move(values));
 }
 
 RunoutAnswer runout_of(const Comparison& comparison, std::size_t group) {
@@ -67,6 +86,14 @@ RunoutAnswer runout_of(const Comparison& comparison, std::size_t group) {
   found.p95 = deposit.runout.p95;
   found.farthest = deposit.runout.max;
   const std::vector<std::size_t>& rows = comparison.groups[group].rows;
+  if (const std::vector<RowsOfDraw> draws = rows_by_draw(comparison, rows); !draws.empty()) {
+    std::vector<double> means;
+    for (const RowsOfDraw& draw : draws) {
+      if (const auto mean = mean_at_rest(comparison, draw.rows)) means.push_back(*mean);
+    }
+    found.interval = range_of_draws(std::move(means));
+    return found;
+  }
   if (is_one_realisation(comparison, rows)) return found;
   RunClusters clusters(comparison.results);
   ClusteredValues values;
@@ -89,10 +116,30 @@ Standing standing_of(const Difference& difference) {
       return Standing::kMoreThanChance;
     case Evidence::kOtherSpread:
       return Standing::kOtherSpread;
+    case Evidence::kOneRealisation:
+      return Standing::kOneRealisation;
     case Evidence::kCanBeChance:
       break;
   }
   return Standing::kCanBeChance;
+}
+
+/// Means of the runouts of one group less those of another, in each draw of the ground; draws of
+/// two files are independent, so that each of one is set against all of the other.
+std::vector<double> gaps_by_draw(const Comparison& comparison, std::size_t first,
+                                 std::size_t second) {
+  const std::vector<RowsOfDraw> a = rows_by_draw(comparison, comparison.groups[first].rows);
+  const std::vector<RowsOfDraw> b = rows_by_draw(comparison, comparison.groups[second].rows);
+  std::vector<double> gaps;
+  for (const RowsOfDraw& of_first : a) {
+    const std::optional<double> mean = mean_at_rest(comparison, of_first.rows);
+    for (const RowsOfDraw& of_second : b) {
+      if (of_first.file == of_second.file && of_first.member != of_second.member) continue;
+      const std::optional<double> other = mean_at_rest(comparison, of_second.rows);
+      if (mean && other) gaps.push_back(*mean - *other);
+    }
+  }
+  return gaps;
 }
 
 GapAnswer gap_between(const Comparison& comparison, const RunoutAnswer& a, const RunoutAnswer& b,
@@ -104,16 +151,15 @@ GapAnswer gap_between(const Comparison& comparison, const RunoutAnswer& a, const
   gap.gap = std::abs(a.mean - b.mean);
   gap.of_few = (ahead ? a.median - b.median : b.median - a.median) < kGapOfFew * gap.gap;
   if (!a.stands() || !b.stands() || !difference) return gap;
-  std::vector<std::size_t> rows = comparison.groups[a.group].rows;
-  const std::vector<std::size_t>& others = comparison.groups[b.group].rows;
-  rows.insert(rows.end(), others.begin(), others.end());
-  if (is_one_realisation(comparison, rows) ||
-      (is_one_realisation(comparison, comparison.groups[a.group].rows) &&
-       is_one_realisation(comparison, others))) {
-    gap.standing = Standing::kOneRealisation;
+  gap.standing = standing_of(*difference);
+  if (gap.standing == Standing::kOneRealisation) return gap;
+  if (const auto by_draw = gaps_by_draw(comparison, gap.farther, gap.nearer); !by_draw.empty()) {
+    gap.interval = range_over_draws(by_draw);
+    if (gap.interval->low < 0.0 && gap.interval->high > 0.0) {
+      gap.standing = Standing::kDependsOnGround;
+    }
     return gap;
   }
-  gap.standing = standing_of(*difference);
   if (difference->interval) {
     const Interval& of = *difference->interval;
     gap.interval = gap.farther == difference->first ? of : Interval{-of.high, -of.low};
@@ -130,19 +176,39 @@ std::optional<Difference> class_difference(const Comparison& comparison, std::si
   return runout_difference(comparison, a, b);
 }
 
+/// What 95 % of the passages stay below; the largest, where they are few.
+double limit_of_passages(const Summary& of, bool largest) { return largest ? of.max : of.p95; }
+
+/// Sets the ranges over the draws of the ground.
+void add_draw_ranges(const Comparison& comparison, std::size_t line,
+                     const std::vector<RowsOfDraw>& draws, ShareAnswer& share) {
+  std::vector<double> shares, energies, speeds, tops;
+  for (const BarrierGroup& of_draw : passages_by_draw(comparison, line, draws)) {
+    shares.push_back(of_draw.probability);
+    if (of_draw.crossed == 0) continue;
+    energies.push_back(limit_of_passages(of_draw.total, share.largest));
+    speeds.push_back(limit_of_passages(of_draw.speed, share.largest));
+    tops.push_back(limit_of_passages(of_draw.top, share.largest));
+  }
+  share.interval = range_of_draws(std::move(shares));
+  share.energy_range = range_of_draws(std::move(energies));
+  share.speed_range = range_of_draws(std::move(speeds));
+  share.top_range = range_of_draws(std::move(tops));
+}
+
 ShareAnswer share_of(const Comparison& comparison, const BarrierGroup& group) {
-  ShareAnswer share{group.group_index, group.started, group.crossed, group.probability, {}};
+  ShareAnswer share{group.group_index, group.started, group.crossed, group.probability,
+                    group.interval};
   share.largest = group.crossed < kFewestPassages;
-  const auto below = [&](const Summary& of) { return share.largest ? of.max : of.p95; };
-  share.energy = below(group.total);
-  share.speed = below(group.speed);
-  share.height = below(group.height);
-  share.top = below(group.top);
+  share.energy = limit_of_passages(group.total, share.largest);
+  share.speed = limit_of_passages(group.speed, share.largest);
+  share.height = limit_of_passages(group.height, share.largest);
+  share.top = limit_of_passages(group.top, share.largest);
   share.largest_energy = group.total.max;
   share.largest_top = group.top.max;
-  if (!is_one_realisation(comparison, comparison.groups[group.group_index].rows)) {
-    share.interval = group.interval;
-  }
+  const std::vector<RowsOfDraw> draws =
+      rows_by_draw(comparison, comparison.groups[group.group_index].rows);
+  if (!draws.empty()) add_draw_ranges(comparison, group.line, draws, share);
   return share;
 }
 
@@ -187,18 +253,23 @@ std::vector<PassageAnswer> passages_of(const Comparison& comparison, const State
   return found;
 }
 
-std::vector<GroundBand> ground_of(const Comparison& comparison, const File& file) {
-  std::vector<GroundBand> bands;
-  if (comparison.results.size() > 1 && !file) return bands;
-  for (const ParameterEffect& effect : ensemble_effects(comparison)) {
-    if (effect.file != file.value_or(0) || !effect.group.empty()) continue;
-    const bool known = std::any_of(bands.begin(), bands.end(), [&](const GroundBand& band) {
-      return band.outcome == effect.outcome;
-    });
-    if (known) continue;
-    bands.push_back({effect.outcome, effect.members, effect.outcome_p5, effect.outcome_p95});
+/// True where places or realisations of a file have other blocks each.
+bool samples_blocks(const Comparison& comparison, const std::vector<std::size_t>& rows) {
+  RunClusters clusters(comparison.results);
+  std::map<std::uint32_t, std::set<std::uint32_t>> of_file;
+  std::map<std::pair<std::uint32_t, std::string>, std::set<std::uint32_t>> of_block;
+  for (const std::size_t row : rows) {
+    const RunRow& run = comparison.rows[row];
+    const std::uint32_t cluster = clusters.of(run);
+    of_file[run.file].insert(cluster);
+    of_block[{run.file, run.block->library_block()}].insert(cluster);
   }
-  return bands;
+  std::size_t met = 0, possible = 0;
+  for (const auto& [block, has_block] : of_block) {
+    met += has_block.size();
+    possible += of_file[block.first].size();
+  }
+  return static_cast<double>(met) < kSameBlocksShare * static_cast<double>(possible);
 }
 
 Statement statement_of(const Comparison& comparison, const File& file) {
@@ -222,11 +293,21 @@ Statement statement_of(const Comparison& comparison, const File& file) {
     statement.gap = gap_between(comparison, a, b, class_difference(comparison, a.group, b.group));
   }
   statement.passages = passages_of(comparison, statement);
-  statement.ground = ground_of(comparison, file);
+  const std::vector<std::size_t>& rows = comparison.groups[all].rows;
+  statement.draws = rows_by_draw(comparison, rows).size();
+  std::set<std::string> blocks;
+  for (const std::size_t row : rows) blocks.insert(comparison.rows[row].block->library_block());
+  statement.blocks = blocks.size();
+  statement.samples_blocks = samples_blocks(comparison, rows);
   return statement;
 }
 
 }  // namespace
+
+bool Answer::has_draws() const {
+  return std::any_of(statements.begin(), statements.end(),
+                     [](const Statement& statement) { return statement.draws > 0; });
+}
 
 Answer answer(const Comparison& comparison) {
   Answer answer;

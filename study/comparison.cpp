@@ -282,7 +282,9 @@ std::uint32_t cluster_of(const CampaignResults& results, const RunRecord& run) {
 
 std::uint32_t RunClusters::of(const RunRow& row) {
   const std::pair key(row.file, cluster_of(results_[row.file], *row.record));
-  return numbers_.emplace(key, static_cast<std::uint32_t>(numbers_.size())).first->second;
+  const auto [found, added] = numbers_.emplace(key, static_cast<std::uint32_t>(numbers_.size()));
+  if (added && results_[row.file].stay) ++realisations_;
+  return found->second;
 }
 
 const std::string& release_set_of(const CampaignResults& results, std::uint32_t point) {

@@ -80,7 +80,8 @@ struct BarrierGroup {
   std::size_t crossed = 0;
   std::size_t backward = 0;  ///< runs that passed backward first, counted or not; of a ring none
   double probability = 0.0;
-  Interval interval;                 ///< 95 %, of the probability, as `clustered_share_interval`
+  /// 95 %, of the probability, as `clustered_share_interval`; none of one realisation.
+  std::optional<Interval> interval;
   Summary height, clearance, speed;  ///< m, m, m/s
   Summary top;  ///< no skin point is higher above that ground, m: height and farthest skin point
   Summary translational, rotational, total;  ///< J
@@ -115,9 +116,13 @@ class RunClusters {
 
   std::uint32_t of(const RunRow& row);
   std::size_t count() const { return numbers_.size(); }
+  /// True if blocks that stay are among the runs, of one realisation only. They depend on each
+  /// other, so that nothing is known of chance: neither an interval nor a test can be given.
+  bool is_one_realisation() const { return realisations_ == 1; }
 
  private:
   const std::vector<CampaignResults>& results_;
+  std::size_t realisations_ = 0;
   std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> numbers_;
 };
 

@@ -20,6 +20,12 @@ constexpr double kNotableMassDifference = 0.01;
 /// Share of the dissipated energy that a run's balance may miss before it is named.
 constexpr double kNotableEnergyError = 0.01;
 
+/// p95 of the largest speeds of runs above which they are questioned, m/s.
+constexpr double kSeldomSpeed = 30.0;
+
+/// Energies below this share of all that there is are rounding.
+constexpr double kRoundedEnergy = 1e-9;
+
 /// From this share of the runs on, what happened to them could turn an answer round.
 constexpr double kTurningShare = 0.01;
 /// The same for energy that contacts lose or gain, which cancels in part over the runs.
@@ -107,6 +113,28 @@ void warn_of_reassigned(Comparison& comparison) {
                      " runs lose or gain more than 10 % of their energy by the way contacts are "
                      "computed, as if friction were that much off."
                : "");
+}
+
+/// Speeds that observers of rockfall seldom report.
+void warn_of_speeds(Comparison& comparison) {
+  std::vector<double> speeds;
+  for (const RunRow& row : comparison.rows) {
+    if (row.record->result.stop_reason != StopReason::kError) {
+      speeds.push_back(row.record->result.max_speed);
+    }
+  }
+  if (speeds.empty()) return;
+  const double p95 = summarise(speeds).p95;
+  if (!(p95 > kSeldomSpeed)) return;
+  const std::string fast = "of 100 runs, five are faster than " + with_digits(p95, 3) +
+                           " m/s; blocks on slopes are seldom seen faster than " +
+                           with_digits(kSeldomSpeed, 3) + " m/s";
+  warn(comparison,
+       fast +
+           ". Check units and heights of the terrain, drop heights and velocities of the "
+           "release, and ground parameters (energy_restitution is a share of energy); air "
+           "resistance is not modelled",
+       "O" + fast.substr(1) + ".");
 }
 
 /// Mean mass of the blocks of every Garcia class, each block once.
@@ -340,7 +368,10 @@ void warn_of_directions(Comparison& comparison) {
 
 std::optional<double> reassigned_share(const EnergyLedger& energy) {
   const double dissipated = energy.normal + energy.friction + energy.rolling;
-  if (!(dissipated > 0.0) || !std::isfinite(energy.reassigned)) return std::nullopt;
+  // Where next to nothing is dissipated both are rounding.
+  const double rounding =
+      kRoundedEnergy * std::max(std::abs(energy.initial), std::abs(energy.final));
+  if (!(dissipated > rounding) || !std::isfinite(energy.reassigned)) return std::nullopt;
   return std::abs(energy.reassigned) / dissipated;
 }
 
@@ -349,6 +380,7 @@ void add_warnings(Comparison& comparison) {
   warn_of_unfinished(comparison);
   warn_of_lost_runs(comparison);
   warn_of_reassigned(comparison);
+  warn_of_speeds(comparison);
   warn_of_masses(comparison);
   warn_of_slopes(comparison);
   warn_of_changed_blocks(comparison);

@@ -82,7 +82,7 @@ FabricGroup fabric_of(std::uint32_t file, const std::string& name, const FabricB
     ++cluster;
   }
   group.trend = axial_mean(trends.values);
-  group.rayleigh = rayleigh_p(group.trend);
+  if (realisations.size() > 1) group.rayleigh = rayleigh_p(group.trend);
   group.rayleigh_realisations =
       rayleigh_p_of_clusters(trends, cluster, kFabricSeed, draws_of(realisations.size()));
   group.plunge = summarise(plunges).mean;
@@ -153,6 +153,7 @@ std::optional<NeighbourTest> neighbours_of(const Comparison& comparison, std::ui
   NeighbourTest test = same_class_test(pairs, kFabricSeed);
   test.file = file;
   test.scheme = scheme;
+  if (test.realisations < 2) test.p_value.reset();
   return test;
 }
 

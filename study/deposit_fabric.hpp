@@ -32,8 +32,9 @@ struct FabricGroup {
   RealisationMean aside;  ///< m, to either side
   RealisationMean height;
   RealisationMean relative_height;
-  AxialMean trend;                              ///< of the long axes, from downslope to the right
-  double rayleigh = 1.0;                        ///< p of even trends, blocks independent
+  AxialMean trend;  ///< of the long axes, from downslope to the right
+  /// p of even trends with blocks taken as independent; none below two realisations.
+  std::optional<double> rayleigh;
   std::optional<double> rayleigh_realisations;  ///< ... realisations independent; none below two
   double plunge = NAN;                          ///< mean, rad
   Vec3 eigenvalues = Vec3::Constant(NAN);       ///< of the mean of a a', descending; their sum is 1
@@ -43,12 +44,13 @@ struct FabricGroup {
 /// Whether the nearest neighbour of a block is of its class more often than by chance.
 struct NeighbourTest {
   std::uint32_t file = 0;
-  std::string scheme;            ///< "garcia" or "sneed-folk"
-  std::size_t blocks = 0;        ///< in realisations with two or more
-  std::size_t realisations = 0;  ///< with two or more blocks
-  double share = NAN;            ///< of blocks whose nearest neighbour has the same class
-  double expected = NAN;         ///< where classes are dealt to the places at random
-  double p_value = 1.0;          ///< of a share so far from that, either way
+  std::string scheme;             ///< "garcia" or "sneed-folk"
+  std::size_t blocks = 0;         ///< in realisations with two or more
+  std::size_t realisations = 0;   ///< with two or more blocks
+  double share = NAN;             ///< of blocks whose nearest neighbour has the same class
+  double expected = NAN;          ///< where classes are dealt to the places at random
+  std::optional<double> p_value;  ///< of a share so far from that, either way; none below two
+                                  ///< realisations
 };
 
 /// A class of each block, and the block whose class it is set against.

@@ -64,16 +64,25 @@ std::vector<ComparedQuantity> quantities(const Comparison& comparison) {
   return all;
 }
 
-ClusteredValues values_of(const Comparison& comparison, const Group& group,
-                          const ComparedQuantity& quantity, RunClusters& clusters) {
+/// Values of a group, and whether they are of one realisation.
+struct GroupSample {
   ClusteredValues values;
+  bool one_realisation = false;
+};
+
+GroupSample sample_of(const Comparison& comparison, const Group& group,
+                      const ComparedQuantity& quantity, RunClusters& clusters) {
+  GroupSample sample;
+  RunClusters own(comparison.results);
   for (const std::size_t row : group.rows) {
     const std::optional<double> value = quantity.value(row);
     if (!value || !std::isfinite(*value)) continue;
-    values.values.push_back(*value);
-    values.clusters.push_back(clusters.of(comparison.rows[row]));
+    sample.values.values.push_back(*value);
+    sample.values.clusters.push_back(clusters.of(comparison.rows[row]));
+    own.of(comparison.rows[row]);
   }
-  return values;
+  sample.one_realisation = own.is_one_realisation();
+  return sample;
 }
 
 /// One release point, or one of its own for each group: points say nothing then about how much they
@@ -89,8 +98,11 @@ bool are_points_alone(const ClusteredValues& a, const ClusteredValues& b) {
 std::optional<Difference> difference_between(const Comparison& comparison, std::size_t first,
                                              std::size_t second, const ComparedQuantity& quantity) {
   RunClusters clusters(comparison.results);
-  const ClusteredValues a = values_of(comparison, comparison.groups[first], quantity, clusters);
-  const ClusteredValues b = values_of(comparison, comparison.groups[second], quantity, clusters);
+  const GroupSample first_sample =
+      sample_of(comparison, comparison.groups[first], quantity, clusters);
+  const GroupSample second_sample =
+      sample_of(comparison, comparison.groups[second], quantity, clusters);
+  const ClusteredValues &a = first_sample.values, &b = second_sample.values;
   if (a.values.size() < kFewest || b.values.size() < kFewest) return std::nullopt;
   Difference found;
   found.first = first;
@@ -101,6 +113,12 @@ std::optional<Difference> difference_between(const Comparison& comparison, std::
   found.points = clusters.count();
   found.first_mean = summarise(a.values).mean;
   found.second_mean = summarise(b.values).mean;
+  found.cliffs_delta = *cliffs_delta(a.values, b.values);
+  found.hedges_g = hedges_g(a.values, b.values);
+  if (first_sample.one_realisation || second_sample.one_realisation) {
+    found.ks_distance = two_sample_ks(a.values, b.values)->statistic;
+    return found;
+  }
   found.by_runs = are_points_alone(a, b);
   const std::size_t runs = a.values.size() + b.values.size();
   const std::size_t drawn_from = found.by_runs ? 1 : clusters.count();
@@ -110,12 +128,25 @@ std::optional<Difference> difference_between(const Comparison& comparison, std::
   };
   found.interval = bootstrap_difference(a, b, drawn_from, kDifferenceSeed,
                                         draws(found.by_runs ? runs : clusters.count(), 2000));
-  found.cliffs_delta = *cliffs_delta(a.values, b.values);
-  found.hedges_g = hedges_g(a.values, b.values);
   const TestResult test = *clustered_ks(a, b, drawn_from, kDifferenceSeed, draws(runs, 9999));
   found.ks_distance = test.statistic;
   found.p_value = test.p_value;
   return found;
+}
+
+/// Corrects the p-values of a family for all of its tests.
+void correct_family(std::vector<Difference>& family) {
+  std::vector<double> p_values;
+  for (const Difference& one : family) {
+    if (one.p_value) p_values.push_back(*one.p_value);
+  }
+  const std::vector<double> corrected = holm(p_values);
+  std::size_t next = 0;
+  for (Difference& one : family) {
+    if (!one.p_value) continue;
+    one.p_holm = corrected[next++];
+    one.tests = corrected.size();
+  }
 }
 
 // Groups over all files, of every kind but "all"; those of one column are a kind.
@@ -148,14 +179,8 @@ std::vector<Difference> differences(const Comparison& comparison) {
         }
       }
     }
-    std::vector<double> p_values;
-    for (const Difference& one : family) p_values.push_back(one.p_value);
-    const std::vector<double> corrected = holm(p_values);
-    for (std::size_t i = 0; i < family.size(); ++i) {
-      family[i].p_holm = corrected[i];
-      family[i].tests = family.size();
-      found.push_back(std::move(family[i]));
-    }
+    correct_family(family);
+    for (Difference& one : family) found.push_back(std::move(one));
   }
   return found;
 }
@@ -164,7 +189,7 @@ std::optional<Difference> runout_difference(const Comparison& comparison, std::s
                                             std::size_t second) {
   std::optional<Difference> found =
       difference_between(comparison, first, second, quantities(comparison).front());
-  if (found) {
+  if (found && found->p_value) {
     found->p_holm = found->p_value;
     found->tests = 1;
   }
@@ -172,6 +197,7 @@ std::optional<Difference> runout_difference(const Comparison& comparison, std::s
 }
 
 Evidence evidence_of(const Difference& difference) {
+  if (!difference.p_holm) return Evidence::kOneRealisation;
   if (!difference.found()) return Evidence::kCanBeChance;
   return difference.interval_excludes_zero() ? Evidence::kMoreThanChance : Evidence::kOtherSpread;
 }
@@ -222,6 +248,8 @@ std::string in_words(const Difference& difference, const Comparison& comparison)
                             comparison.groups[difference.second].name + " " +
                             mean(difference.second_mean) + "; " + gap_in_words(difference);
   switch (evidence_of(difference)) {
+    case Evidence::kOneRealisation:
+      return means + "; one realisation can't tell what is chance";
     case Evidence::kMoreThanChance:
       return means;
     case Evidence::kOtherSpread:

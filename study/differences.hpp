@@ -24,15 +24,18 @@ struct Difference {
   bool by_runs = false;
   double first_mean = 0.0;
   double second_mean = 0.0;
-  std::optional<Interval> interval;  ///< 95 %, of first_mean - second_mean
-  double cliffs_delta = 0.0;         ///< first against second
+  /// 95 %, of first_mean - second_mean; none where a group is of one realisation.
+  std::optional<Interval> interval;
+  double cliffs_delta = 0.0;  ///< first against second
   std::optional<double> hedges_g;
   double ks_distance = 0.0;
-  double p_value = 1.0;   ///< of Kolmogorov's and Smirnov's test, clusters kept (clustered_ks)
-  double p_holm = 1.0;    ///< ... corrected for all differences of the same kind of group
-  std::size_t tests = 0;  ///< that it was corrected for
+  /// Of Kolmogorov's and Smirnov's test, clusters kept (clustered_ks); none where a group is of one
+  /// realisation, which gives no test.
+  std::optional<double> p_value;
+  std::optional<double> p_holm;  ///< ... corrected for all differences of the same kind of group
+  std::size_t tests = 0;         ///< that it was corrected for
 
-  bool found() const { return p_holm < 0.05; }
+  bool found() const { return p_holm && *p_holm < 0.05; }
   bool interval_excludes_zero() const {
     return interval && (interval->low > 0.0 || interval->high < 0.0);
   }
@@ -54,13 +57,14 @@ std::optional<Difference> runout_difference(const Comparison& comparison, std::s
 
 /// What a difference means.
 enum class Evidence {
+  kOneRealisation,  ///< a group is of one realisation, which can't tell what is chance
   kMoreThanChance,  ///< the means differ by more than chance gives
   kOtherSpread,  ///< values are distributed in another way, the means do not differ beyond chance
   kCanBeChance,  ///< it can be chance
 };
 
-/// More than chance where the test, corrected for all that were made, is below 5 % and the interval
-/// excludes zero.
+/// One realisation where there is no test; more than chance where the test, corrected for all that
+/// were made, is below 5 % and the interval excludes zero.
 Evidence evidence_of(const Difference& difference);
 
 /// A quantity as readers know it: "EC11 total_energy_j" is "energy at EC11", in kJ.

@@ -172,7 +172,8 @@ BootstrapIntervals bootstrap_intervals(
 constexpr std::size_t kMostCurvePoints = 100;  // of a curve
 
 /// At every value of the sample, or at so many.
-StopCurve curve_of(const ClusteredValues& stops, std::size_t clusters) {
+/// @param banded  with intervals
+StopCurve curve_of(const ClusteredValues& stops, std::size_t clusters, bool banded = true) {
   std::vector<double> sorted = stops.values;
   std::sort(sorted.begin(), sorted.end());
   StopCurve curve;
@@ -182,9 +183,10 @@ StopCurve curve_of(const ClusteredValues& stops, std::size_t clusters) {
     if (!curve.runout.empty() && curve.runout.back() == at) continue;
     ClusteredValues before{{}, stops.clusters};
     for (const double value : stops.values) before.values.push_back(value <= at ? 1.0 : 0.0);
-    const Interval interval = clustered_share_interval(before, clusters);
     curve.runout.push_back(at);
     curve.share.push_back(summarise(before.values).mean);
+    if (!banded) continue;
+    const Interval interval = clustered_share_interval(before, clusters);
     curve.low.push_back(interval.low);
     curve.high.push_back(interval.high);
   }
@@ -195,9 +197,10 @@ StopCurve curve_of(const ClusteredValues& stops, std::size_t clusters) {
 
 Agreement agreement(const MeasuredGroup& group) {
   if (group.measured < kFewestMeasured) return Agreement::kFew;
-  if (group.median_difference.low > 0.0) return Agreement::kFarther;
-  if (group.median_difference.high < 0.0) return Agreement::kNearer;
-  return group.p_holm < 0.05 ? Agreement::kOtherSpread : Agreement::kAgree;
+  if (!group.median_difference) return Agreement::kOneRealisation;
+  if (group.median_difference->low > 0.0) return Agreement::kFarther;
+  if (group.median_difference->high < 0.0) return Agreement::kNearer;
+  return *group.p_holm < 0.05 ? Agreement::kOtherSpread : Agreement::kAgree;
 }
 
 MeasuredStops read_measured_stops(const std::filesystem::path& path) {
@@ -260,17 +263,33 @@ void compare_stops(const Comparison& comparison, MeasuredStops& measured) {
     }
     if (seen.empty() || simulated.empty()) continue;
     const TestResult test = *two_sample_ks(seen, simulated);
-    const BootstrapIntervals intervals = bootstrap_intervals(seen, by_cluster);
-    measured.groups.push_back(
-        {g, seen.size(), simulated.size(), summarise(seen), summarise(lateral), quartiles_of(seen),
-         summarise(simulated).mean, quartiles_of(simulated), intervals.median_difference,
-         *cliffs_delta(seen, simulated), test.statistic, intervals.ks_distance, test.p_value, 1.0,
-         curve_of({seen, std::vector<std::uint32_t>(seen.size(), 0)}, 1),
-         curve_of({simulated, cluster_of_run}, clusters.count())});
-    p_values.push_back(test.p_value);
+    MeasuredGroup found{.group = g,
+                        .measured = seen.size(),
+                        .simulated = simulated.size(),
+                        .runout = summarise(seen),
+                        .lateral = summarise(lateral),
+                        .quartiles = quartiles_of(seen),
+                        .simulated_runout = summarise(simulated).mean,
+                        .simulated_quartiles = quartiles_of(simulated),
+                        .cliffs_delta = *cliffs_delta(seen, simulated),
+                        .ks_distance = test.statistic};
+    const bool tested = !clusters.is_one_realisation();
+    if (tested) {
+      const BootstrapIntervals intervals = bootstrap_intervals(seen, by_cluster);
+      found.median_difference = intervals.median_difference;
+      found.ks_interval = intervals.ks_distance;
+      found.p_value = test.p_value;
+      p_values.push_back(test.p_value);
+    }
+    found.curve = curve_of({seen, std::vector<std::uint32_t>(seen.size(), 0)}, 1);
+    found.simulated_curve = curve_of({simulated, cluster_of_run}, clusters.count(), tested);
+    measured.groups.push_back(std::move(found));
   }
   const std::vector<double> corrected = holm(p_values);
-  for (std::size_t i = 0; i < corrected.size(); ++i) measured.groups[i].p_holm = corrected[i];
+  std::size_t next = 0;
+  for (MeasuredGroup& group : measured.groups) {
+    if (group.p_value) group.p_holm = corrected[next++];
+  }
 }
 
 }  // namespace clast

@@ -29,7 +29,8 @@ struct Quartiles {
   double high = 0.0;
 };
 
-/// Shares of a sample of stops that lie before a runout, with 95 % intervals of each.
+/// Shares of a sample of stops that lie before a runout, with 95 % intervals of each; without them
+/// where all stops are of one realisation.
 struct StopCurve {
   std::vector<double> runout;  ///< m, rising
   std::vector<double> share, low, high;
@@ -44,22 +45,24 @@ struct MeasuredGroup {
   Quartiles quartiles;            ///< of the measured runouts, m
   double simulated_runout = 0.0;  ///< mean, m
   Quartiles simulated_quartiles;
-  Interval median_difference;  ///< 95 %, of measured less simulated median, m
-  double cliffs_delta = 0.0;   ///< measured against simulated runout
+  /// 95 %, of measured less simulated median, m; none where the runs are of one realisation.
+  std::optional<Interval> median_difference;
+  double cliffs_delta = 0.0;  ///< measured against simulated runout
   double ks_distance = 0.0;
-  Interval ks_interval;  ///< 95 %, of the distance
-  double p_value = 1.0;
-  double p_holm = 1.0;  ///< corrected for all groups
+  std::optional<Interval> ks_interval;  ///< 95 %, of the distance; none of one realisation
+  std::optional<double> p_value;        ///< none of one realisation
+  std::optional<double> p_holm;         ///< corrected for all groups
   StopCurve curve, simulated_curve;
 };
 
 /// How field and simulation go together.
 enum class Agreement {
-  kAgree,        ///< no difference is seen
-  kFarther,      ///< the median is farther in the field
-  kNearer,       ///< ... less far in the field
-  kOtherSpread,  ///< medians agree, the distributions do not
-  kFew,          ///< fewer than `kFewestMeasured` stops
+  kAgree,           ///< no difference is seen
+  kFarther,         ///< the median is farther in the field
+  kNearer,          ///< ... less far in the field
+  kOtherSpread,     ///< medians agree, the distributions do not
+  kFew,             ///< fewer than `kFewestMeasured` stops
+  kOneRealisation,  ///< the runs are of one realisation, which can't tell what is chance
 };
 inline constexpr std::size_t kFewestMeasured = 5;
 

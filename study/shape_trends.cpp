@@ -18,7 +18,6 @@ namespace clast {
 using namespace study_detail;
 namespace {
 
-constexpr std::size_t kFewestBlocks = 4;
 constexpr double kSameProperty = 0.01;  ///< absolute of ratios, relative of masses
 constexpr std::uint64_t kTrendSeed = 20;
 
@@ -168,7 +167,7 @@ ShapeTrends trends_of(const Comparison& comparison, std::uint32_t file) {
   const std::vector<const RunRow*> rows = rows_of_file(comparison, file);
   std::set<std::uint32_t> blocks;
   for (const RunRow* row : rows) blocks.insert(row->record->block);
-  if (results.stay || blocks.size() < kFewestBlocks) return result;
+  if (results.stay || blocks.size() < kFewestBlocksOfPower) return result;
   const bool crossed_masses = has_crossed_masses(rows);
   std::vector<std::pair<ShapeProperty, Grouping>> groupings;
   for (const ShapeProperty& property : properties_of(results)) {
@@ -209,7 +208,7 @@ double assumed_design_effect(std::size_t runs, std::size_t blocks) {
 }
 
 bool PlannedPower::known() const {
-  return trial_runs > 1 && blocks >= kFewestBlocks && scatter > 0.0;
+  return trial_runs > 1 && blocks >= kFewestBlocksOfPower && scatter > 0.0;
 }
 
 double PlannedPower::smallest() const {

@@ -50,6 +50,9 @@ inline constexpr double kAssumedBlockShare = 0.1;
 /// that share. @cite kish1965
 double assumed_design_effect(std::size_t runs, std::size_t blocks);
 
+/// Blocks whose halves are compared.
+inline constexpr std::size_t kFewestBlocksOfPower = 4;
+
 /// What a campaign could tell apart, before it runs: a difference in runout between two halves of
 /// its blocks.
 struct PlannedPower {

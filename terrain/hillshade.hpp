@@ -15,8 +15,8 @@ struct MapMarks {
 };
 
 /// Writes a PNG: relief lit from the north-west with contour lines, zones tinted (`zone_tint`),
-/// north up, the longer side `pixels` long, with all marks inside the picture, a scale bar, an arrow
-/// to the north and a legend.
+/// north up, the longer side `pixels` long, with all marks inside the picture, a scale bar, an
+/// arrow to the north and a legend.
 /// @throws InputError  a mark farther off the ground than the ground is large, or as `OutputFile`
 void write_hillshade(const std::filesystem::path& path, const Terrain& terrain,
                      const MapMarks& marks, const OutputRules& rules = {},

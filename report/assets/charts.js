@@ -23,6 +23,25 @@ const clastCharts = (() => {
     const length = ({range}) => Math.abs(range[1] - range[0]);
     return withNames(map, plotWidth, Math.min(plotWidth * length(yaxis) / length(xaxis), highest));
   }
+  // The title below a chart goes on as many lines as its plot is too narrow for it (px).
+  function breakTitle({data, layout}, width) {
+    const {xaxis, yaxis, margin, legend} = layout, title = xaxis && xaxis.title;
+    if (!title || !title.text) return;
+    const names = yaxis.automargin ? data.flatMap(({y}) => y).map((name) => `${name}`.length) : [];
+    const left = Math.max(margin.l, 20 + 6.6 * Math.max(0, ...names));
+    const lines = [''];
+    for (const word of title.text.split(' ')) {
+      const longer = `${lines[lines.length - 1]} ${word}`.trim();
+      if (lines[lines.length - 1] && 7.2 * longer.length > width - left + margin.r) lines.push(word);
+      else lines[lines.length - 1] = longer;
+    }
+    if (lines.length < 2) return;
+    const more = 18 * (lines.length - 1), plotHeight = layout.height - margin.t - margin.b;
+    title.text = lines.join('<br>');
+    margin.b += more;
+    layout.height += more;
+    if (legend) legend.y -= more / plotHeight;
+  }
   const highestMap = () => Math.max(300, Math.min(520, .58 * innerHeight));
 
   async function plot(box) {
@@ -33,6 +52,8 @@ const clastCharts = (() => {
       const {height, 'legend.y': y} = fitted(figure, box.clientWidth, highestMap());
       figure.layout.height = height;
       figure.layout.legend.y = y;
+    } else {
+      breakTitle(figure, box.clientWidth);
     }
     await Plotly.newPlot(box, figure.data, figure.layout, {...settings, ...figure.config});
     box.dispatchEvent(new CustomEvent('drawn', {bubbles: true}));

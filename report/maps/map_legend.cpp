@@ -1,5 +1,8 @@
 #include "report/maps/map_legend.hpp"
 
+#include <set>
+#include <string>
+
 #include "report/charts/palette.hpp"
 #include "report/html/html_page.hpp"
 
@@ -40,10 +43,21 @@ class LegendRows {
 
 }  // namespace
 
-MapLegend map_legend(const Comparison& comparison, const Sheet& sheet, double contour_interval) {
+MapLegend map_legend(const Comparison& comparison, const ReleasePlaces& releases,
+                     const Sheet& sheet, double contour_interval) {
   LegendRows legend(kMapLeft + sheet.width() + 22.0);
   legend.head("Site");
-  legend.row(release_mark(legend.mark_x(), legend.mark_y(), ""), "release point");
+  std::set<std::string> named;
+  for (const ReleaseOutline& outline : releases.outlines) {
+    if (!named.insert(outline.name).second) continue;
+    legend.row(release_outline("M" + fixed(legend.mark_x() - 8, 1) + " " +
+                                   fixed(legend.mark_y() - 5, 1) + "h16v10h-16Z",
+                               ""),
+               outline.name);
+  }
+  if (!releases.places.empty()) {
+    legend.row(release_mark(legend.mark_x(), legend.mark_y(), ""), "release point");
+  }
   if (!comparison.lines.empty()) {
     legend.row(svg_line(legend.mark_x() - 8, legend.mark_y(), legend.mark_x() + 8, legend.mark_y(),
                         "stroke=\"#111\" stroke-width=\"2.2\""),

@@ -3,6 +3,7 @@
 #include <string>
 
 #include "report/maps/map_marks.hpp"
+#include "report/maps/release_places.hpp"
 #include "study/comparison.hpp"
 
 namespace clast::report_detail {
@@ -14,6 +15,7 @@ struct MapLegend {
 
 /// Site and ground zones.
 /// @param contour_interval  m
-MapLegend map_legend(const Comparison& comparison, const Sheet& sheet, double contour_interval);
+MapLegend map_legend(const Comparison& comparison, const ReleasePlaces& releases,
+                     const Sheet& sheet, double contour_interval);
 
 }  // namespace clast::report_detail

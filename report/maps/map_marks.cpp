@@ -13,4 +13,11 @@ std::string release_mark(double x, double y, const std::string& title) {
          (title.empty() ? "" : "<title>" + escaped(title) + "</title>") + "</path>";
 }
 
+std::string release_outline(const std::string& path, const std::string& title) {
+  return "<path fill=\"none\" stroke=\"#fff\" stroke-width=\"4\" d=\"" + path +
+         "\"/><path fill=\"none\" stroke=\"#111\" stroke-width=\"1.8\" "
+         "stroke-dasharray=\"6 4\" d=\"" +
+         path + "\">" + (title.empty() ? "" : "<title>" + escaped(title) + "</title>") + "</path>";
+}
+
 }  // namespace clast::report_detail

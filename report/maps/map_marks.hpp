@@ -24,4 +24,8 @@ struct Sheet {
 /// Cross with a white edge, in px.
 std::string release_mark(double x, double y, const std::string& title);
 
+/// Dashed outline with a white edge.
+/// @param path  of SVG, closed, px
+std::string release_outline(const std::string& path, const std::string& title);
+
 }  // namespace clast::report_detail

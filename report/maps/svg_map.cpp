@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <set>
 
 #include "core/nice_number.hpp"
 #include "report/charts/ticks.hpp"
@@ -10,6 +9,7 @@
 #include "report/maps/map_legend.hpp"
 #include "report/maps/map_marks.hpp"
 #include "report/maps/map_window.hpp"
+#include "report/maps/release_places.hpp"
 
 namespace clast::report_detail {
 namespace {
@@ -89,13 +89,19 @@ std::string barriers(const Comparison& comparison, const Sheet& sheet) {
   return svg;
 }
 
-std::string releases(const Comparison& comparison, const Sheet& sheet) {
+std::string releases(const ReleasePlaces& places, const Sheet& sheet) {
   std::string svg;
-  std::set<std::pair<double, double>> drawn;
-  for (const RunRow& row : comparison.rows) {
-    if (!drawn.emplace(row.start.x(), row.start.y()).second) continue;
-    svg += release_mark(sheet.x(row.start.x()), sheet.y(row.start.y()),
-                        "release point " + std::to_string(row.record->point));
+  for (const ReleaseOutline& outline : places.outlines) {
+    std::string path;
+    for (const Vec2& corner : outline.corners) {
+      path += (path.empty() ? "M" : "L") + fixed(sheet.x(corner.x()), 1) + " " +
+              fixed(sheet.y(corner.y()), 1);
+    }
+    svg += release_outline(path + "Z", outline.name);
+  }
+  for (const ReleasePlace& release : places.places) {
+    svg += release_mark(sheet.x(release.place.x()), sheet.y(release.place.y()),
+                        "release point " + std::to_string(release.point));
   }
   return svg;
 }
@@ -136,7 +142,8 @@ std::string svg_map(const Comparison& comparison) {
   const Vec2 size = sheet.window.size();
   sheet.scale = std::min(kLongest / size.x(), kTallest / size.y());
   const double interval = contour_interval(comparison);
-  const MapLegend keys = map_legend(comparison, sheet, interval);
+  const ReleasePlaces places = release_places(comparison);
+  const MapLegend keys = map_legend(comparison, places, sheet, interval);
 
   const double width = kMapLeft + sheet.width() + kLegendWidth;
   const double height = std::max(kMapTop + sheet.height() + kBelow, keys.bottom);
@@ -147,7 +154,7 @@ std::string svg_map(const Comparison& comparison) {
          "\" preserveAspectRatio=\"none\" href=\"" +
          relief_image(comparison, sheet.window,
                       static_cast<std::uint32_t>(std::lround(sheet.width())), interval) +
-         "\"/>" + axes(sheet) + barriers(comparison, sheet) + releases(comparison, sheet) +
+         "\"/>" + axes(sheet) + barriers(comparison, sheet) + releases(places, sheet) +
          scale_bar(sheet) + north_arrow(sheet) + keys.svg + "</svg>\n";
 }
 

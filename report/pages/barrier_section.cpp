@@ -1,11 +1,13 @@
 #include "report/pages/report_sections.hpp"
 
 #include <algorithm>
+#include <numeric>
 
 #include "report/charts/plotly_chart.hpp"
 #include "report/html/html_page.hpp"
 #include "report/pages/passage_charts.hpp"
 #include "report/pages/report_groups.hpp"
+#include "study/ground_draws.hpp"
 
 namespace clast::report_detail {
 namespace {
@@ -42,11 +44,12 @@ std::string crossing_table(const Comparison& comparison, std::size_t line) {
                    "clearance mean, m", "clearance p95, m", "clearance max, m"},
                   1);
   for (const BarrierGroup* group : shown_groups(comparison, line)) {
-    const Interval& interval = group->interval;
+    const std::optional<Interval>& interval = group->interval;
     std::vector<std::string> cells = {
         short_name(comparison.groups[group->group_index]), std::to_string(group->started),
         std::to_string(group->crossed), percent(group->probability),
-        fixed(100.0 * interval.low, 1) + kDash + fixed(100.0 * interval.high, 1) + " %"};
+        interval ? fixed(100.0 * interval->low, 1) + kDash + fixed(100.0 * interval->high, 1) + " %"
+                 : "-"};
     append_summary(cells, group->height, 2);
     for (const double top : {group->top.p95, group->top.max}) {
       cells.push_back(measured(top, group->top, 2));
@@ -150,6 +153,13 @@ std::string barrier_charts(const Comparison& comparison, std::size_t line) {
                [](const Crossing& c) { return c.velocity.norm(); });
 }
 
+/// How often the ground is drawn, in all files together; 0 where it is not drawn.
+std::size_t draws_of_ground(const Comparison& comparison) {
+  std::vector<std::size_t> all(comparison.rows.size());
+  std::iota(all.begin(), all.end(), std::size_t{0});
+  return rows_by_draw(comparison, all).size();
+}
+
 }  // namespace
 
 std::string barrier_section(const Comparison& comparison) {
@@ -159,6 +169,12 @@ std::string barrier_section(const Comparison& comparison) {
       "the "
       "top is where the block's farthest corner would be if it pointed upwards. Energy is "
       "translational plus rotational.");
+  const std::size_t draws = draws_of_ground(comparison);
+  if (draws > 0) {
+    html += paragraph("Figures are of the runs on all " + std::to_string(draws) +
+                      " draws of the ground together; their intervals come from release points "
+                      "alone. What the ground does is in the ranges at the top.");
+  }
   const std::vector<RealisationPassages> passages = barrier_passages(comparison);
   std::string charts, figures;
   for (std::size_t line = 0; line < comparison.lines.size(); ++line) {

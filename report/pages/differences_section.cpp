@@ -75,13 +75,16 @@ std::string difference_chart(const Comparison& comparison, const Picture& pictur
 
 /// "More than chance: runout 13 m more (10 to 17 m), ..."
 std::string words_for(const Comparison& comparison, const Picture& picture) {
-  std::string clear, spread, chance, open;
+  std::string clear, spread, chance, open, untested;
   const auto add = [](std::string& list, const std::string& item) {
     list += (list.empty() ? "" : "; ") + item;
   };
   for (const Difference* one : picture.rows) {
     const std::string name = row_name(comparison, *one);
     switch (evidence_of(*one)) {
+      case Evidence::kOneRealisation:
+        add(untested, name + " " + gap_in_words(*one));
+        break;
       case Evidence::kMoreThanChance:
         add(clear, name + " " + gap_in_words(*one));
         break;
@@ -99,11 +102,14 @@ std::string words_for(const Comparison& comparison, const Picture& picture) {
   };
   line(escaped(picture.title) + ", more than chance:", clear);
   line("Equal on average, but spread differently:", spread);
-  const std::size_t tests = picture.rows.front()->tests;
-  line("Not clear, since one of " + std::to_string(tests) +
+  const auto most = std::max_element(
+      picture.rows.begin(), picture.rows.end(),
+      [](const Difference* a, const Difference* b) { return a->tests < b->tests; });
+  line("Not clear, since one of " + std::to_string((*most)->tests) +
            " differences tested can be as large by chance:",
        open);
   line("No clear difference:", chance);
+  line(escaped(picture.title) + ", of one realisation, which can't tell what is chance:", untested);
   return html;
 }
 
@@ -122,8 +128,10 @@ std::string table_of(const Comparison& comparison) {
                one.interval ? with_digits(one.interval->low, 3) : "-",
                one.interval ? with_digits(one.interval->high, 3) : "-",
                with_digits(one.cliffs_delta, 3), one.hedges_g ? with_digits(*one.hedges_g, 3) : "-",
-               with_digits(one.ks_distance, 3), with_digits(one.p_holm, 2),
-               one.found() ? "yes" : "no"});
+               with_digits(one.ks_distance, 3), one.p_holm ? with_digits(*one.p_holm, 2) : "-",
+               !one.p_holm   ? "-"
+               : one.found() ? "yes"
+                             : "no"});
   }
   return table.html();
 }
@@ -132,6 +140,13 @@ std::string table_of(const Comparison& comparison) {
 std::string method_of(const Comparison& comparison) {
   const bool stay = std::any_of(comparison.results.begin(), comparison.results.end(),
                                 [](const CampaignResults& results) { return results.stay; });
+  const bool tested = std::any_of(comparison.differences.begin(), comparison.differences.end(),
+                                  [](const Difference& one) { return one.p_holm.has_value(); });
+  if (!tested) {
+    return paragraph(
+        "One realisation can't tell what is chance, so there are neither intervals "
+        "nor tests. Pairs of blocks are in differences.csv.");
+  }
   const bool one_point = !stay && std::all_of(comparison.results.begin(), comparison.results.end(),
                                               [](const CampaignResults& results) {
                                                 return results.release_points.size() == 1;

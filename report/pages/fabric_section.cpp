@@ -17,6 +17,7 @@ constexpr double kFabricLevel = 0.05;    ///< of tests
 constexpr double kAlong = 30.0;          ///< deg from downslope: up to this is along it
 constexpr double kAcross = 60.0;         ///< ... and from this on across it
 constexpr std::size_t kFewestAxes = 10;  ///< of a rose, and of a statement
+constexpr const char* kNoChance = "; one realisation can't tell what is chance";
 
 std::string group_colour(const FabricGroup& group) {
   const std::string prefix = "class ";
@@ -37,13 +38,17 @@ std::string prefix_of(const Comparison& comparison, std::uint32_t file) {
 /// "lie across the slope (axial mean 78 deg to the right of downslope, resultant 0.31)".
 std::string orientation_in_words(const FabricGroup& all) {
   const double degrees = kDegreesPerRadian * all.trend.direction;
-  const double p = all.rayleigh_realisations.value_or(all.rayleigh);
+  const std::optional<double> p =
+      all.rayleigh_realisations ? all.rayleigh_realisations : all.rayleigh;
   const std::string figures =
       "axial mean " + fixed(std::abs(degrees), 0) + "\xC2\xB0 to the " +
       (degrees < 0.0 ? "left" : "right") + " of downslope, resultant " +
-      fixed(all.trend.resultant, 2) + ", p " + with_digits(p, 2) +
-      (all.rayleigh_realisations ? "" : " with blocks taken as independent");
-  if (!(p < kFabricLevel)) return "have no direction beyond chance (" + figures + ")";
+      fixed(all.trend.resultant, 2) +
+      (p ? ", p " + with_digits(*p, 2) +
+               (all.rayleigh_realisations ? "" : " with blocks taken as independent")
+         : std::string());
+  if (!p) return "have " + figures + kNoChance;
+  if (!(*p < kFabricLevel)) return "have no direction beyond chance (" + figures + ")";
   return (std::abs(degrees) <= kAlong    ? "lie along the slope ("
           : std::abs(degrees) >= kAcross ? "lie across the slope ("
                                          : "lie obliquely to the slope (") +
@@ -52,9 +57,10 @@ std::string orientation_in_words(const FabricGroup& all) {
 
 std::string neighbours_in_words(const NeighbourTest& test) {
   const std::string figures = percent(test.share, 0) + " of nearest neighbours against " +
-                              percent(test.expected, 0) + " by chance, p " +
-                              with_digits(test.p_value, 2);
-  if (!(test.p_value < kFabricLevel)) {
+                              percent(test.expected, 0) + " by chance" +
+                              (test.p_value ? ", p " + with_digits(*test.p_value, 2) : "");
+  if (!test.p_value) return "Blocks of a class: " + figures + kNoChance + ".";
+  if (!(*test.p_value < kFabricLevel)) {
     return "Blocks of a class lie neither together nor apart beyond chance (" + figures + ").";
   }
   return std::string("Blocks of a class lie ") +
@@ -135,7 +141,7 @@ std::string fabric_table(const Comparison& comparison, const DepositFabric& fabr
                mean_cell(group.along, 2), mean_cell(group.ahead, 2), mean_cell(group.aside, 2),
                mean_cell(group.height, 2), mean_cell(group.relative_height, 2),
                fixed(kDegreesPerRadian * group.trend.direction, 0), fixed(group.trend.resultant, 2),
-               with_digits(group.rayleigh, 2),
+               group.rayleigh ? with_digits(*group.rayleigh, 2) : "-",
                group.rayleigh_realisations ? with_digits(*group.rayleigh_realisations, 2) : "-",
                fixed(kDegreesPerRadian * group.plunge, 0),
                fixed(values[0], 2) + ", " + fixed(values[1], 2) + ", " + fixed(values[2], 2)});
@@ -148,7 +154,8 @@ std::string sorting_tables(const Comparison& comparison, const DepositFabric& fa
       {"classes", "blocks", "nearest neighbour of the same class", "by chance", "p"}, 1);
   for (const NeighbourTest& test : fabric.neighbours) {
     neighbours.row({prefix_of(comparison, test.file) + test.scheme, std::to_string(test.blocks),
-                    percent(test.share), percent(test.expected), with_digits(test.p_value, 2)});
+                    percent(test.share), percent(test.expected),
+                    test.p_value ? with_digits(*test.p_value, 2) : "-"});
   }
   HtmlTable sorting({"property", "place", "realisations", "rank correlation", "p"}, 2);
   for (const SortingTrend& trend : fabric.sorting) {

@@ -11,16 +11,18 @@ namespace {
 constexpr const char* kSimulatedColour = kDataColours[0];
 constexpr const char* kFieldColour = kDataColours[3];
 
-/// A curve over its band.
+/// A curve over its band, if it has one.
 void add_curve(const StopCurve& curve, const std::string& name, const std::string& colour,
                const std::string& dash, std::vector<Trace>& traces) {
-  Trace low{name, colour, "", Trace::Kind::kSteps, curve.runout, curve.low};
-  low.named = false;
-  Trace high{name, colour, "", Trace::Kind::kSteps, curve.runout, curve.high};
-  high.named = false;
-  high.filled = true;
-  traces.push_back(std::move(low));
-  traces.push_back(std::move(high));
+  if (!curve.low.empty()) {
+    Trace low{name, colour, "", Trace::Kind::kSteps, curve.runout, curve.low};
+    low.named = false;
+    Trace high{name, colour, "", Trace::Kind::kSteps, curve.runout, curve.high};
+    high.named = false;
+    high.filled = true;
+    traces.push_back(std::move(low));
+    traces.push_back(std::move(high));
+  }
   traces.push_back({name, colour, dash, Trace::Kind::kSteps, curve.runout, curve.share});
 }
 
@@ -37,14 +39,15 @@ std::string measured_table(const Comparison& comparison) {
        "95 % to", "Cliff's delta", "KS distance", "p (Holm)"},
       1);
   for (const MeasuredGroup& group : comparison.measured->groups) {
+    const std::optional<Interval>& interval = group.median_difference;
     table.row({comparison.groups[group.group].name, std::to_string(group.measured),
                std::to_string(group.simulated), fixed(group.runout.mean, 1),
                fixed(group.simulated_runout, 1), fixed(group.quartiles.median, 1),
                fixed(group.simulated_quartiles.median, 1),
                fixed(group.quartiles.median - group.simulated_quartiles.median, 1),
-               fixed(group.median_difference.low, 1), fixed(group.median_difference.high, 1),
+               interval ? fixed(interval->low, 1) : "-", interval ? fixed(interval->high, 1) : "-",
                with_digits(group.cliffs_delta, 3), with_digits(group.ks_distance, 3),
-               with_digits(group.p_holm, 2)});
+               group.p_holm ? with_digits(*group.p_holm, 2) : "-"});
   }
   return table.html();
 }

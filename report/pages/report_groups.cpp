@@ -50,6 +50,7 @@ std::pair<std::string, std::string> curve_style(const Comparison& comparison, co
 
 std::string mean_and_std(const Summary& summary, int decimals, double unit) {
   if (summary.count == 0) return "-";
+  if (summary.count == 1) return fixed(summary.mean * unit, decimals);  // one does not scatter
   return fixed(summary.mean * unit, decimals) + " \xC2\xB1 " + fixed(summary.std * unit, decimals);
 }
 

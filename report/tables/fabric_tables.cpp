@@ -74,7 +74,9 @@ const TableColumns<FabricGroup>& report_detail::fabric_columns() {
         {"trend_resultant", "",
          "mean resultant length of the doubled directions: 0 even, 1 parallel",
          [](const Row& row) { return row.trend.resultant; }},
-        {"rayleigh_p", "", "of even directions, blocks taken as independent", &Row::rayleigh},
+        {"rayleigh_p", "",
+         "of even directions, blocks taken as independent; empty below two realisations",
+         [](const Row& row) { return row.rayleigh.value_or(NAN); }},
         {"rayleigh_realisations_p", "",
          "of even directions, where blocks of a realisation depend on each other; empty below two "
          "realisations",
@@ -99,8 +101,9 @@ const TableColumns<NeighbourTest>& report_detail::neighbour_columns() {
        &Row::share},
       {"same_expected", "", "where classes are dealt at random to the places of a realisation",
        &Row::expected},
-      {"p_value", "", "of a share so far from that, from exchanges within realisations",
-       &Row::p_value}};
+      {"p_value", "",
+       "of a share so far from that, from exchanges within realisations; empty below two",
+       [](const Row& row) { return row.p_value.value_or(NAN); }}};
   return columns;
 }
 

@@ -52,6 +52,11 @@ Summary in_degrees(const Summary& angle) {
           angle.max * kDegreesPerRadian};
 }
 
+/// An end of an interval; not a number without one.
+double bound_of(const std::optional<Interval>& interval, double Interval::*end) {
+  return interval ? (*interval).*end : NAN;
+}
+
 template <class Item>
 const std::string& group_name(const ComparisonRow<Item>& row) {
   return row.comparison.groups[row->group].name;
@@ -65,6 +70,7 @@ const TableColumns<BarrierGroup>& report_detail::barrier_columns() {
                              Summary Row::*summary) {
     return summary_columns<Row>(kAllStatistics, name, unit, meaning, summary);
   };
+  const char* interval = "its 95 % confidence interval; empty for one realisation";
   static const auto columns = joined<Row>(
       {{{"barrier", "", "name; of a ring with `(in)` or `(out)`", &Row::barrier},
         {"group", "", "name", &Row::group},
@@ -81,10 +87,10 @@ const TableColumns<BarrierGroup>& report_detail::barrier_columns() {
          "ring 0",
          &Row::backward},
         {"probability", "", "`crossings` / `runs`", &Row::probability},
-        {"probability_low", "", "its 95 % confidence interval",
-         [](const Row& row) { return row.interval.low; }},
-        {"probability_high", "", "its 95 % confidence interval",
-         [](const Row& row) { return row.interval.high; }}},
+        {"probability_low", "", interval,
+         [](const Row& row) { return bound_of(row.interval, &Interval::low); }},
+        {"probability_high", "", interval,
+         [](const Row& row) { return bound_of(row.interval, &Interval::high); }}},
        statistics("height_*_m", "m", "height of the centre of mass above the ground below it",
                   &Row::height),
        statistics("clearance_*_m", "m", "height of the lowest skin point above the ground below it",
@@ -134,10 +140,8 @@ const TableColumns<ComparisonRow<GroupDeposit>>& report_detail::deposit_columns(
 
 const TableColumns<ComparisonRow<Difference>>& report_detail::difference_columns() {
   using Row = ComparisonRow<Difference>;
-  const auto bound = [](const Row& row, double Interval::*end) {
-    return row->interval ? (*row->interval).*end : NAN;
-  };
-  const char* interval = "95 % confidence interval of the difference";
+  const char* interval =
+      "95 % confidence interval of the difference; empty where a group is of one realisation";
   const char* unit = "as `quantity`";
   static const TableColumns<Row> columns = {
       {"first", "", "groups",
@@ -159,18 +163,24 @@ const TableColumns<ComparisonRow<Difference>>& report_detail::difference_columns
       {"difference", unit, "first minus second",
        [](const Row& row) { return row->first_mean - row->second_mean; }},
       {"difference_low", unit, interval,
-       [=](const Row& row) { return bound(row, &Interval::low); }},
+       [](const Row& row) { return bound_of(row->interval, &Interval::low); }},
       {"difference_high", unit, interval,
-       [=](const Row& row) { return bound(row, &Interval::high); }},
+       [](const Row& row) { return bound_of(row->interval, &Interval::high); }},
       {"cliffs_delta", "", "effect sizes", &Difference::cliffs_delta},
       {"hedges_g", "", "effect sizes", [](const Row& row) { return row->hedges_g.value_or(NAN); }},
       {"ks_distance", "", "Kolmogorov-Smirnov distance", &Difference::ks_distance},
-      {"p_value", "", "from random permutations by release point, uncorrected",
-       &Difference::p_value},
-      {"p_holm", "", "... corrected for `tests` tests", &Difference::p_holm},
+      {"p_value", "",
+       "from random permutations by release point, uncorrected; empty where a group is of one "
+       "realisation",
+       [](const Row& row) { return row->p_value.value_or(NAN); }},
+      {"p_holm", "", "... corrected for `tests` tests",
+       [](const Row& row) { return row->p_holm.value_or(NAN); }},
       {"tests", "", "number of tests that `p_holm` is corrected for", &Difference::tests},
-      {"found", "", "1 where `p_holm` is below 0.05",
-       [](const Row& row) { return std::uint64_t{row->found() ? 1u : 0u}; }},
+      {"found", "", "1 where `p_holm` is below 0.05; empty without a test",
+       [](const Row& row) -> TableCell {
+         if (!row->p_holm) return NAN;
+         return std::uint64_t{row->found() ? 1u : 0u};
+       }},
       {"words", "", "a sentence to quote",
        [](const Row& row) { return in_words(row.item, row.comparison); }}};
   return columns;
@@ -180,11 +190,13 @@ const TableColumns<ComparisonRow<MeasuredGroup>>& report_detail::measured_column
   using Row = ComparisonRow<MeasuredGroup>;
   using Measured = MeasuredGroup;
   const auto bounds = [](const char* low, const char* high, const char* unit,
-                         Interval Measured::*interval) {
-    return columns_of_list<Row>({low, high}, unit, "its 95 % confidence interval",
-                                [interval](const Row& row) {
-                                  return Vec2(((*row).*interval).low, ((*row).*interval).high);
-                                });
+                         std::optional<Interval> Measured::*interval) {
+    return columns_of_list<Row>(
+        {low, high}, unit, "its 95 % confidence interval; empty for one realisation",
+        [interval](const Row& row) {
+          const std::optional<Interval>& found = (*row).*interval;
+          return Vec2(bound_of(found, &Interval::low), bound_of(found, &Interval::high));
+        });
   };
   static const auto columns = joined<Row>(
       {{{"group", "", "name", group_name<Measured>},
@@ -199,8 +211,10 @@ const TableColumns<ComparisonRow<MeasuredGroup>>& report_detail::measured_column
          [](const Row& row) { return row->runout.mean - row->simulated_runout; }},
         {"cliffs_delta", "", "measured against simulated runout", &Measured::cliffs_delta},
         {"ks_distance", "", "Kolmogorov-Smirnov distance", &Measured::ks_distance},
-        {"p_value", "", "of the distance, uncorrected", &Measured::p_value},
-        {"p_holm", "", "... corrected for all groups", &Measured::p_holm}},
+        {"p_value", "", "of the distance, uncorrected; empty for one realisation",
+         [](const Row& row) { return row->p_value.value_or(NAN); }},
+        {"p_holm", "", "... corrected for all groups",
+         [](const Row& row) { return row->p_holm.value_or(NAN); }}},
        columns_of_list<Row>(
            {"runout_q25_m", "runout_q75_m"}, "m", "quartiles of measured stops",
            [](const Row& row) { return Vec2(row->quartiles.low, row->quartiles.high); }),

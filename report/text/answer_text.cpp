@@ -30,6 +30,19 @@ std::string blocks_of(const Comparison& comparison, std::size_t group) {
   return runs.kind == GroupKind::kGarcia ? runs.key + " blocks" : "the blocks";
 }
 
+/// "3 to 12 m": " by draw of the ground" where the range is over draws, and "" else.
+std::string by_draw(std::size_t draws) { return draws > 0 ? kByDraw : ""; }
+
+/// What a range covers beyond its numbers: " by draw of the ground, for runs of these 3 blocks
+/// only".
+/// @param named  the sentence names the one block there is
+std::string covered_by(const Statement& statement, bool named) {
+  if (named || statement.samples_blocks) return by_draw(statement.draws);
+  return by_draw(statement.draws) + ", for runs of " +
+         (statement.blocks == 1 ? "this block" : "these " + counted(statement.blocks, "block")) +
+         " only";
+}
+
 /// Why runs have no runout: "12 left the surveyed terrain, 3 were still moving".
 std::string other_ends(const StopCounts& stops) {
   std::string text;
@@ -61,12 +74,14 @@ std::string mean_runout(const Comparison& comparison, const Statement& statement
   const std::size_t shown = statement.classes.size() == 1 ? statement.classes[0].group : all.group;
   const std::string who = blocks_of(comparison, shown);
   const int decimals = decimals_of_length(all.mean, all.interval);
-  const std::string text = at_rest_only(all) + who +
-                           (who.starts_with("block ") ? " runs " : " run ") +
-                           length_in_words(all.mean, decimals);
+  const bool named = who.starts_with("block ");
+  const std::string text =
+      at_rest_only(all) + who + (named ? " runs " : " run ") + length_in_words(all.mean, decimals);
   if (!all.stands()) return text + " (" + counted(all.at_rest, "run") + ")";
   return text + " on average" +
-         (all.interval ? " (" + lengths_in_words(*all.interval, decimals) + ")" : "") +
+         (all.interval ? " (" + lengths_in_words(*all.interval, decimals) +
+                             covered_by(statement, named) + ")"
+                       : "") +
          (all.at_rest < kFewestForShare
               ? ", at most " + length_in_words(all.farthest, decimals)
               : "; 95 % stop before " + length_in_words(all.p95, decimals));
@@ -91,8 +106,9 @@ std::string gap_in_words(const Comparison& comparison, const Statement& statemen
   const RunoutAnswer &farther = of(gap.farther), &nearer = of(gap.nearer);
   const std::string &a = comparison.groups[gap.farther].key, &b = comparison.groups[gap.nearer].key;
   const int decimals = decimals_of_length(gap.gap, gap.interval);
-  const std::string interval =
-      gap.interval ? " (" + lengths_in_words(*gap.interval, decimals) + ")" : "";
+  const std::string interval = gap.interval ? " (" + lengths_in_words(*gap.interval, decimals) +
+                                                  covered_by(statement, false) + ")"
+                                            : "";
   const std::string prefix = at_rest_only(statement.all);
   const std::string means = a + " and " + b + " blocks run " +
                             with_decimals(farther.mean, decimals) + " and " +
@@ -111,6 +127,8 @@ std::string gap_in_words(const Comparison& comparison, const Statement& statemen
                   ? "among all that was compared, a difference like this" + interval +
                         " can be chance"
                   : "the difference can be chance" + interval);
+    case Standing::kDependsOnGround:
+      return prefix + means + "; which of them run farther depends on the ground" + interval;
     case Standing::kOneRealisation:
       return prefix + means + "; one realisation can't tell what is chance";
     case Standing::kFewAtRest:
@@ -126,27 +144,28 @@ std::string gap_in_words(const Comparison& comparison, const Statement& statemen
          " of " + std::to_string(nearer.started) + " " + b + " blocks came to rest (" + ends + ")";
 }
 
-std::string with_interval(const ShareAnswer& share) {
-  return share.interval ? " (" + shares_in_words(*share.interval) + ")" : "";
+std::string with_interval(const ShareAnswer& share, std::size_t draws) {
+  return share.interval ? " (" + shares_in_words(*share.interval) + by_draw(draws) + ")" : "";
 }
 
 /// "34 % of compact and 2 % of elongated blocks pass EC22".
-std::string share_sentence(const Comparison& comparison, const PassageAnswer& passage) {
+std::string share_sentence(const Comparison& comparison, const PassageAnswer& passage,
+                           std::size_t draws) {
   const BarrierWords words = words_of(comparison, passage.line);
   if (passage.all.crossed == 0) {
     const std::string text =
         "none of " + counted(passage.all.started, "run") + " " + words.pass + "es " + words.name;
-    if (!passage.all.interval) return text;
+    if (!passage.all.interval || draws > 0) return text;
     return text + " (with more runs, up to " + share_in_words(passage.all.interval->high) +
            " might)";
   }
   if (passage.all.crossed == passage.all.started) {
     return "all " + counted(passage.all.started, "run") + " " + words.pass + " " + words.name +
-           with_interval(passage.all);
+           with_interval(passage.all, draws);
   }
   if (passage.classes.size() < 2) {
     return share_in_words(passage.all.share) + " of the blocks " + words.pass + " " + words.name +
-           with_interval(passage.all);
+           with_interval(passage.all, draws);
   }
   return share_in_words(passage.classes[0].share) + " of " +
          comparison.groups[passage.classes[0].group].key + " and " +
@@ -158,8 +177,10 @@ std::string share_sentence(const Comparison& comparison, const PassageAnswer& pa
 /// ". Of those that pass, 95 % carry less than 43 kJ, and the tops of 95 % stay below 1.6 m".
 std::string strength_of(const PassageAnswer& passage, const std::string& pass) {
   if (passage.all.crossed == 0) return "";
-  const std::string energy = energy_limit(passage.all.energy);
-  const std::string height = height_limit(passage.all.top);
+  const std::string energy = energy_limit(passage.all.energy) +
+                             in_brackets(range_by_draw(passage.all.energy_range, energy_limit));
+  const std::string height = height_limit(passage.all.top) +
+                             in_brackets(range_by_draw(passage.all.top_range, height_limit));
   if (!passage.all.largest) {
     return ". Of those that " + pass + ", 95 % carry less than " + energy +
            ", and the tops of 95 % stay below " + height;
@@ -173,29 +194,33 @@ std::string strength_of(const PassageAnswer& passage, const std::string& pass) {
 std::string passages_in_words(const Comparison& comparison, const Statement& statement) {
   if (statement.passages.empty()) return "";
   const PassageAnswer& first = statement.passages.front();
-  std::string text = capital(share_sentence(comparison, first)) +
+  std::string text = capital(share_sentence(comparison, first, statement.draws)) +
                      strength_of(first, words_of(comparison, first.line).pass) + ".";
   const std::size_t shown = std::min(statement.passages.size() - 1, kMostOthers);
   for (std::size_t i = 1; i <= shown; ++i) {
-    text += " " + capital(share_sentence(comparison, statement.passages[i])) + ".";
+    text += " " + capital(share_sentence(comparison, statement.passages[i], statement.draws)) + ".";
   }
   const std::size_t left = statement.passages.size() - 1 - shown;
   if (left > 0) text += " " + counted(left, "more barrier") + " below.";
   return text;
 }
 
-std::string ground_in_words(const Statement& statement) {
+/// What the ground does to the runs of all classes together.
+std::string ground_in_words(const Comparison& comparison, const Statement& statement) {
+  if (statement.draws == 0) return "";
   std::string text;
-  for (const GroundBand& band : statement.ground) {
-    const bool runout = band.outcome == "mean runout";
-    const Interval range{band.low, band.high};
-    text +=
-        text.empty() ? " Over " + std::to_string(band.members) + " draws of the ground, " : ", ";
-    text += runout
-                ? "mean runout is " + lengths_in_words(range, decimals_of_length(band.high, range))
-                : shares_in_words(range) + " go " + band.outcome;
+  if (const auto& range = statement.all.interval) {
+    text = "mean runout is " + lengths_in_words(*range, decimals_of_length(range->high, *range));
   }
-  return text.empty() ? "" : text + " (nine draws of ten).";
+  for (const PassageAnswer& passage : statement.passages) {
+    if (!passage.all.interval) continue;
+    const BarrierWords words = words_of(comparison, passage.line);
+    text += (text.empty() ? "" : ", ") + shares_in_words(*passage.all.interval) + " " + words.pass +
+            " " + words.name;
+  }
+  if (text.empty()) return "";
+  return " Over " + std::to_string(statement.draws) + " draws of the ground, " + text +
+         (nine_of_ten(statement.draws) ? " (nine draws of ten)." : ".");
 }
 
 std::string sentence_of(const Comparison& comparison, const Statement& statement) {
@@ -205,20 +230,30 @@ std::string sentence_of(const Comparison& comparison, const Statement& statement
       statement.file ? capital(file_name(comparison, *statement.file)) + ": " : "";
   const std::string passages = passages_in_words(comparison, statement);
   return prefix + (prefix.empty() ? capital(runout) : runout) + "." +
-         (passages.empty() ? "" : " " + passages) + ground_in_words(statement);
+         (passages.empty() ? "" : " " + passages) + ground_in_words(comparison, statement);
 }
 
-std::string files_in_words(const Comparison& comparison, const GapAnswer& gap) {
+std::string files_in_words(const Comparison& comparison, const Answer& answer) {
+  const GapAnswer& gap = *answer.files;
   const std::string a = file_name(comparison, *comparison.groups[gap.farther].file);
   const std::string b = file_name(comparison, *comparison.groups[gap.nearer].file);
   const int decimals = decimals_of_length(gap.gap, gap.interval);
-  const std::string interval =
-      gap.interval ? " (" + lengths_in_words(*gap.interval, decimals) + ")" : "";
+  const std::string interval = gap.interval ? " (" + lengths_in_words(*gap.interval, decimals) +
+                                                  (answer.has_draws() ? kByDraw : "") + ")"
+                                            : "";
   if (gap.standing == Standing::kMoreThanChance) {
     return "Blocks run " + length_in_words(gap.gap, decimals) + " farther in " + a + " than in " +
            b + interval + ".";
   }
   if (gap.standing == Standing::kFewAtRest) return "";
+  if (gap.standing == Standing::kOneRealisation) {
+    return "Blocks run " + length_in_words(gap.gap, decimals) + " farther in " + a + " than in " +
+           b + "; one realisation can't tell what is chance.";
+  }
+  if (gap.standing == Standing::kDependsOnGround) {
+    return "Whether blocks run farther in " + a + " or in " + b + " depends on the ground" +
+           interval + ".";
+  }
   return "Blocks run " + length_in_words(gap.gap, decimals) + " farther in " + a + " than in " + b +
          ", which can be chance" + interval + ".";
 }
@@ -239,7 +274,7 @@ std::string masses_in_words(const Comparison& comparison) {
 std::vector<std::string> answer_sentences(const Comparison& comparison, const Answer& answer) {
   std::vector<std::string> sentences;
   if (answer.files) {
-    const std::string between = files_in_words(comparison, *answer.files);
+    const std::string between = files_in_words(comparison, answer);
     if (!between.empty()) sentences.push_back(between);
   }
   const std::size_t shown = std::min(answer.statements.size(), kMostStatements);
@@ -267,19 +302,32 @@ std::string runs_in_words(const Comparison& comparison) {
 }
 
 std::string intervals_in_words(const Answer& answer) {
-  std::size_t fewest = SIZE_MAX;
-  bool realisations = false;
+  std::size_t fewest = SIZE_MAX, draws = 0;
+  bool realisations = false, all_drawn = true;
   for (const Statement& statement : answer.statements) {
+    draws = std::max(draws, statement.draws);
+    if (statement.draws > 0) continue;
+    all_drawn = false;
     fewest = std::min(fewest, statement.clusters);
     realisations = realisations || statement.of_realisations;
   }
-  const std::string ranges = "Ranges in brackets are 95 % intervals";
-  if (realisations) {
-    return fewest == 1 ? "One realisation: no interval can be given for runouts and shares."
-                       : ranges + ", from " + std::to_string(fewest) + " realisations.";
+  const std::string over_draws =
+      draws == 0
+          ? ""
+          : "Ranges by draw of the ground are what " +
+                std::string(nine_of_ten(draws) ? "nine draws of ten give" : "the draws give") +
+                "; they say nothing about other release points or blocks.";
+  if (all_drawn) return over_draws;
+  std::string ranges = "Ranges in brackets are 95 % intervals, from ";
+  if (realisations && fewest == 1) {
+    ranges = "One realisation: no interval can be given for runouts and shares.";
+  } else if (realisations) {
+    ranges += std::to_string(fewest) + " realisations.";
+  } else {
+    ranges +=
+        fewest == 1 ? "runs of one release point." : std::to_string(fewest) + " release points.";
   }
-  return ranges + ", from " +
-         (fewest == 1 ? "runs of one release point." : std::to_string(fewest) + " release points.");
+  return ranges + (over_draws.empty() ? "" : " " + over_draws);
 }
 
 std::string limits_in_words(const Comparison& comparison, const Answer& answer) {
@@ -288,7 +336,7 @@ std::string limits_in_words(const Comparison& comparison, const Answer& answer) 
   std::string text = "Not run: blocks above " + mass_in_words(heaviest);
   const auto& statements = answer.statements;
   const bool one_ground = std::all_of(statements.begin(), statements.end(),
-                                      [](const Statement& one) { return one.ground.empty(); });
+                                      [](const Statement& one) { return one.draws == 0; });
   const bool one_point =
       std::any_of(statements.begin(), statements.end(),
                   [](const Statement& one) { return one.clusters == 1 && !one.of_realisations; });

@@ -30,6 +30,11 @@ std::string class_names(const Comparison& comparison, const Statement& statement
   return names;
 }
 
+/// Ranges, with what they are over.
+std::string drawn_ranges(const std::string& ranges, const Statement& statement) {
+  return ranges.empty() || statement.draws == 0 ? ranges : ranges + kByDraw;
+}
+
 KeyFigure runout_figure(const Comparison& comparison, const Statement& statement) {
   std::vector<RunoutAnswer> shown = statement.classes;
   if (shown.size() < 2) shown = {statement.all};
@@ -48,7 +53,8 @@ KeyFigure runout_figure(const Comparison& comparison, const Statement& statement
   }
   const bool some =
       std::any_of(shown.begin(), shown.end(), [](const RunoutAnswer& one) { return one.stands(); });
-  return {means.values + " m", "mean runout" + class_names(comparison, statement), means.ranges,
+  return {means.values + " m", "mean runout" + class_names(comparison, statement),
+          drawn_ranges(means.ranges, statement),
           some ? "half stop before " + medians.values + " m, 95 % before " + farthest.values + " m"
                : ""};
 }
@@ -87,14 +93,18 @@ std::vector<KeyFigure> barrier_figures(const Comparison& comparison, const State
       all.largest ? "largest of " + counted(all.crossed, "passage") : "95 % lie below";
   std::vector<KeyFigure> figures = {
       {pair.values + " %", words.pass + " " + words.name + class_names(comparison, statement),
-       pair.ranges,
+       drawn_ranges(pair.ranges, statement),
        std::to_string(all.crossed) + " of " + counted(all.started, "run") +
-           (all.crossed == 0 ? "" : "; speed there: " + limit + " " + speed_limit(all.speed))}};
+           (all.crossed == 0 ? ""
+                             : "; speed there: " + limit + " " + speed_limit(all.speed) +
+                                   in_brackets(range_by_draw(all.speed_range, speed_limit)))}};
   if (all.crossed == 0) return figures;
-  figures.push_back({energy_limit(all.energy), "energy at " + words.name + ": " + limit, "",
+  figures.push_back({energy_limit(all.energy), "energy at " + words.name + ": " + limit,
+                     range_by_draw(all.energy_range, energy_limit),
                      by_class(comparison, passage, &ShareAnswer::energy, energy_limit,
                               &ShareAnswer::largest_energy, energy_in_words)});
-  figures.push_back({height_limit(all.top), "top of the blocks at " + words.name + ": " + limit, "",
+  figures.push_back({height_limit(all.top), "top of the blocks at " + words.name + ": " + limit,
+                     range_by_draw(all.top_range, height_limit),
                      by_class(comparison, passage, &ShareAnswer::top, height_limit,
                               &ShareAnswer::largest_top, height_in_words) +
                          "; centres " + height_limit(all.height)});

@@ -22,11 +22,14 @@ std::vector<std::string> measured_sentences(const Comparison& comparison) {
         "half stopped before " + length_in_words(group.quartiles.median, decimals) +
         " in the field, " + length_in_words(group.simulated_quartiles.median, decimals) +
         " simulated";
-    const Interval& interval = group.median_difference;
+    const Interval interval = group.median_difference.value_or(Interval{});
     std::string verdict;
     switch (agreement(group)) {
       case Agreement::kFew:
         verdict = counted(group.measured, "measured stop") + ", too few to judge by; " + medians;
+        break;
+      case Agreement::kOneRealisation:
+        verdict = medians + "; one realisation can't tell what is chance";
         break;
       case Agreement::kAgree:
         verdict = "field and simulation agree; " + medians + " (a difference of " +

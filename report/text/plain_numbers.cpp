@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "core/number_text.hpp"
+#include "study/ground_draws.hpp"
 
 namespace clast::report_detail {
 namespace {
@@ -71,5 +72,13 @@ std::string height_in_words(double metres) {
 std::string height_limit(double metres) {
   return height_in_words(raised(metres, decimals_of_height(metres)));
 }
+
+bool nine_of_ten(std::size_t draws) { return draws >= kDrawsForTenths; }
+
+std::string range_by_draw(const std::optional<Interval>& range, std::string (*limit)(double)) {
+  return range ? limit(range->low) + " to " + limit(range->high) + kByDraw : "";
+}
+
+std::string in_brackets(const std::string& text) { return text.empty() ? "" : " (" + text + ")"; }
 
 }  // namespace clast::report_detail

@@ -71,6 +71,26 @@ std::string halves_sentence(const ShapeTrend& trend, const std::optional<double>
   return text + ".";
 }
 
+/// Why nothing can be said of a margin that was given.
+std::string why_not_known(const PlannedPower& plan) {
+  const std::string begin = "nothing can be said of a margin of " + trend_value(*plan.margin, "m");
+  if (plan.runs == 0) {
+    return begin +
+           ": blocks stay where they stop, so that runs depend on each other; compare "
+           "the realisations of two campaigns";
+  }
+  if (plan.blocks < kFewestBlocksOfPower) {
+    return begin + " with " + counted(plan.blocks, "block") +
+           ": halves of the blocks are compared, " + "which takes " +
+           std::to_string(kFewestBlocksOfPower) + " or more";
+  }
+  if (plan.trial_runs < 2) {
+    return begin + ": " + (plan.trial_runs == 0 ? "no trial run" : "only one trial run") +
+           " came to rest in the time there was, which does not show how runouts scatter";
+  }
+  return begin + ": the runouts of " + counted(plan.trial_runs, "trial run") + " do not scatter";
+}
+
 }  // namespace
 
 std::vector<std::string> trend_sentences(const std::vector<ShapeTrends>& trends,
@@ -96,7 +116,7 @@ std::vector<std::string> trend_sentences(const std::vector<ShapeTrends>& trends,
 }
 
 std::string planned_power_sentence(const PlannedPower& plan) {
-  if (!plan.known()) return "";
+  if (!plan.known()) return plan.margin ? why_not_known(plan) : "";
   std::string text = "a difference in runout of " + trend_value(plan.smallest(), "m") +
                      " between two halves of the blocks is found in 80 % of such campaigns, if "
                      "the runout scatters by " +

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <map>
+#include <optional>
 #include <utility>
 
 #include "core/error.hpp"
@@ -150,6 +151,67 @@ BarrierGroup measure_crossings(const std::vector<const Crossing*>& crossings,
   return group;
 }
 
+/// Crossings of one line, by row; none where a run has none.
+struct CrossingsOfLine {
+  std::vector<const Crossing*> first;  ///< that counts
+  std::vector<const Crossing*> any;    ///< first, counted or not
+};
+
+CrossingsOfLine first_crossings(const std::vector<CrossingRow>& crossings, std::size_t line,
+                                std::size_t rows) {
+  CrossingsOfLine found{std::vector<const Crossing*>(rows, nullptr),
+                        std::vector<const Crossing*>(rows, nullptr)};
+  for (const CrossingRow& crossing : crossings) {
+    if (crossing.barrier != line) continue;
+    if (crossing.counted) found.first[crossing.row] = crossing.crossing;
+    if (found.any[crossing.row] == nullptr) found.any[crossing.row] = crossing.crossing;
+  }
+  return found;
+}
+
+/// Runs at a barrier; the group's name and index are still to be set.
+/// @param farthest  skin point of the block of every row, m from its centre
+/// @return none where no run met the barrier
+std::optional<BarrierGroup> group_at_line(const std::vector<CampaignResults>& results,
+                                          const std::vector<RunRow>& rows, const BarrierLine& line,
+                                          const CrossingsOfLine& of_line,
+                                          const std::vector<double>& farthest,
+                                          const std::vector<std::size_t>& members) {
+  std::size_t started = 0, backward = 0;
+  std::vector<const Crossing*> crossings;
+  std::vector<double> of_crossings;
+  RunClusters clusters(results);
+  ClusteredValues hits;
+  for (const std::size_t row : members) {
+    if (std::find(line.files.begin(), line.files.end(), rows[row].file) == line.files.end()) {
+      continue;
+    }
+    // Whether a run that failed would have passed is not known.
+    if (rows[row].record->result.stop_reason == StopReason::kError) continue;
+    ++started;
+    const Crossing* first = of_line.first[row];
+    hits.values.push_back(first != nullptr ? 1.0 : 0.0);
+    hits.clusters.push_back(clusters.of(rows[row]));
+    if (first != nullptr) {
+      crossings.push_back(first);
+      of_crossings.push_back(farthest[row]);
+    }
+    backward += !line.of_ring() && of_line.any[row] != nullptr && !of_line.any[row]->forward;
+  }
+  if (started == 0) return std::nullopt;
+  BarrierGroup group = measure_crossings(crossings, of_crossings);
+  group.barrier = line.name;
+  group.counted = line.counted_direction();
+  group.started = started;
+  group.crossed = crossings.size();
+  group.backward = backward;
+  group.probability = static_cast<double>(group.crossed) / static_cast<double>(started);
+  if (!clusters.is_one_realisation()) {
+    group.interval = clustered_share_interval(hits, clusters.count());
+  }
+  return group;
+}
+
 }  // namespace
 
 BarrierComparison compare_barriers(const std::vector<CampaignResults>& results,
@@ -162,50 +224,32 @@ BarrierComparison compare_barriers(const std::vector<CampaignResults>& results,
 
   const std::vector<double> farthest = farthest_skin_points(results, rows);
   for (std::size_t line = 0; line < compared.lines.size(); ++line) {
-    std::vector<const Crossing*> first(rows.size(), nullptr);  // counted, by row
-    std::vector<const Crossing*> any(rows.size(), nullptr);    // counted or not
-    for (const CrossingRow& crossing : compared.crossings) {
-      if (crossing.barrier != line) continue;
-      if (crossing.counted) first[crossing.row] = crossing.crossing;
-      if (any[crossing.row] == nullptr) any[crossing.row] = crossing.crossing;
-    }
-    const std::vector<std::uint32_t>& files = compared.lines[line].files;
+    const CrossingsOfLine of_line = first_crossings(compared.crossings, line, rows.size());
     for (std::size_t g = 0; g < groups.size(); ++g) {
-      std::size_t started = 0, backward = 0;
-      std::vector<const Crossing*> crossings;
-      std::vector<double> of_crossings;
-      RunClusters clusters(results);
-      ClusteredValues hits;
-      for (const std::size_t row : groups[g].rows) {
-        if (std::find(files.begin(), files.end(), rows[row].file) == files.end()) continue;
-        // Whether a run that failed would have passed is not known.
-        if (rows[row].record->result.stop_reason == StopReason::kError) continue;
-        ++started;
-        hits.values.push_back(first[row] != nullptr ? 1.0 : 0.0);
-        hits.clusters.push_back(clusters.of(rows[row]));
-        if (first[row] != nullptr) {
-          crossings.push_back(first[row]);
-          of_crossings.push_back(farthest[row]);
-        }
-        const bool ring = compared.lines[line].of_ring();
-        backward += !ring && any[row] != nullptr && !any[row]->forward;
-      }
-      if (started == 0) continue;
-      BarrierGroup group = measure_crossings(crossings, of_crossings);
-      group.barrier = compared.lines[line].name;
-      group.group = groups[g].name;
-      group.counted = compared.lines[line].counted_direction();
-      group.line = line;
-      group.group_index = g;
-      group.started = started;
-      group.crossed = crossings.size();
-      group.backward = backward;
-      group.probability = static_cast<double>(group.crossed) / static_cast<double>(started);
-      group.interval = clustered_share_interval(hits, clusters.count());
-      compared.groups.push_back(std::move(group));
+      std::optional<BarrierGroup> group =
+          group_at_line(results, rows, compared.lines[line], of_line, farthest, groups[g].rows);
+      if (!group) continue;
+      group->group = groups[g].name;
+      group->line = line;
+      group->group_index = g;
+      compared.groups.push_back(std::move(*group));
     }
   }
   return compared;
+}
+
+std::vector<BarrierGroup> passages_by_draw(const Comparison& comparison, std::size_t line,
+                                           const std::vector<RowsOfDraw>& draws) {
+  const CrossingsOfLine of_line =
+      first_crossings(comparison.crossings, line, comparison.rows.size());
+  const std::vector<double> farthest = farthest_skin_points(comparison.results, comparison.rows);
+  std::vector<BarrierGroup> found;
+  for (const RowsOfDraw& draw : draws) {
+    std::optional<BarrierGroup> group = group_at_line(
+        comparison.results, comparison.rows, comparison.lines[line], of_line, farthest, draw.rows);
+    if (group) found.push_back(std::move(*group));
+  }
+  return found;
 }
 
 }  // namespace clast::study_detail

@@ -1,8 +1,9 @@
 #pragma once
-/// The barrier part of a comparison. Internal to `compare`.
+/// The barrier part of a comparison.
 #include <vector>
 
 #include "study/comparison.hpp"
+#include "study/ground_draws.hpp"
 
 namespace clast::study_detail {
 
@@ -16,5 +17,9 @@ struct BarrierComparison {
 BarrierComparison compare_barriers(const std::vector<CampaignResults>& results,
                                    const std::vector<RunRow>& rows,
                                    const std::vector<Group>& groups);
+
+/// What passes a barrier in each draw of the ground; draws whose runs never met it left out.
+std::vector<BarrierGroup> passages_by_draw(const Comparison& comparison, std::size_t line,
+                                           const std::vector<RowsOfDraw>& draws);
 
 }  // namespace clast::study_detail

@@ -4,6 +4,7 @@
 #include <sys/resource.h>
 #include <sys/stat.h>
 
+#include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <set>
@@ -314,6 +315,96 @@ TEST_F(FileSafety, ADiskThatFillsDuringTheRunsIsReportedAndKeepsThem) {
     EXPECT_TRUE(contains(full.err, "results.h5.part: writing failed; is the disk full?"));
   }
   make({"simulate", "campaign.toml", "--resume"});
+}
+
+TEST_F(FileSafety, OnlyACampaignIsReplacedByACampaign) {
+  make({"terrain", "slope.obj", "-o", "terrain.h5"});
+  const std::vector<std::string> words = {"new",       "campaign",   "--library", "blocks.h5",
+                                          "--terrain", "terrain.h5", "--replace", "-o"};
+  const auto onto = [&](const std::string& file) {
+    std::vector<std::string> all = words;
+    all.push_back(file);
+    return all;
+  };
+  for (const auto& [file, content] :
+       std::map<std::string, std::string>{{"notes.txt", "what the field book says\n"},
+                                          {"talus.csv", "L,I,S\n3,2,1\n"},
+                                          {"study.toml", "design = { members = 8 }\n"},
+                                          {"pyproject.toml", "[project]\nname = \"x\"\n"}}) {
+    write_text_file(folder / file, content);
+    expect_kept(file, onto(file), "holds \"text\", not \"campaign\", so it is not replaced");
+  }
+  expect_kept("slope.obj", onto("slope.obj"), "not \"campaign\"");
+  write_text_file(folder / "mine.toml", read_text_file(folder / "campaign.toml"));
+  make(onto("mine.toml"));
+  EXPECT_TRUE(contains(read_text_file(folder / "mine.toml"), "written by clast new campaign"));
+  make(onto("mine.toml"));
+}
+
+/// Every file of a folder and of those in it.
+std::map<std::string, std::string> contents_of(const fs::path& folder) {
+  std::map<std::string, std::string> contents;
+  for (const auto& entry : fs::recursive_directory_iterator(folder)) {
+    if (!entry.is_regular_file()) continue;
+    contents[entry.path().lexically_relative(folder).string()] = read_text_file(entry.path());
+  }
+  return contents;
+}
+
+// No clock, process number or order of threads is in anything that is written.
+TEST_F(FileSafety, EqualRunsWriteEqualFiles) {
+  write_text_file(folder / "talus.csv", "id,L,I,S\na,1.2,0.9,0.5\nb,0.8,0.7,0.6\nc,2,1,0.8\n");
+  write_text_file(folder / "stops.csv", "x,y\n12,1\n13,0\n14,-1\n15,2\n11,0\n12,3\n");
+  std::map<std::string, std::string> first;
+  for (const int round : {1, 2}) {
+    for (const char* made : {"results.h5", "map.h5", "picture.png", "campaign2.toml"}) {
+      fs::remove(folder / made);
+    }
+    for (const char* made : {"out", "classes", "gallery", "shapes", "scenes"}) {
+      fs::remove_all(folder / made);
+    }
+    make({"terrain", "slope.obj", "-o", "map.h5", "--picture", "picture.png"});
+    make({"new", "campaign", "--library", "blocks.h5", "--terrain", "map.h5", "-o",
+          "campaign2.toml"});
+    make({"simulate", "campaign.toml", "-o", "results.h5", "--threads", round == 1 ? "1" : "2"});
+    make({"compare", "results.h5", "-o", "out", "--measured", "stops.csv"});
+    make({"classify", "talus.csv", "-o", "classes"});
+    make({"show", "blocks.h5", "--report", "gallery"});
+    make({"export", "blocks.h5", "-o", "shapes", "--format", "shp,stl,ply,obj,glb"});
+    make({"export", "campaign.toml", "-o", "scenes", "--to", "rockable"});
+    if (round == 1) {
+      first = contents_of(folder.path());
+      ::sleep(1);  // what counts seconds would show it
+      continue;
+    }
+    const std::map<std::string, std::string> second = contents_of(folder.path());
+    ASSERT_EQ(first.size(), second.size());
+    EXPECT_TRUE(first.contains("out/stops.gpkg"));
+    for (const auto& [file, content] : first) {
+      EXPECT_TRUE(second.contains(file) && second.at(file) == content) << file;
+    }
+  }
+}
+
+// A report killed while it is written leaves a folder, a lock and perhaps files.
+TEST_F(FileSafety, WhatAKillLeavesIsRemovedByTheNextRun) {
+  make({"simulate", "campaign.toml", "-o", "results.h5"});
+  const auto hidden = [&] {
+    std::vector<std::string> names;
+    for (const auto& entry : fs::directory_iterator(folder.path())) {
+      const std::string name = entry.path().filename().string();
+      if (name.starts_with(".")) names.push_back(name);
+    }
+    return names;
+  };
+  const std::vector<std::string> compare = {"compare", "results.h5", "-o", "out", "--replace"};
+  RunningProgram program(clast_words(compare), folder.path());
+  while (!program.ended() && hidden().empty()) ::usleep(500);
+  program.signal(SIGKILL);
+  ASSERT_EQ(program.wait().exit_code, 128 + SIGKILL);
+  ASSERT_FALSE(hidden().empty());
+  make(compare);
+  EXPECT_TRUE(hidden().empty()) << hidden().front();
 }
 
 TEST_F(FileSafety, PipesAndDevicesAreNoInput) {

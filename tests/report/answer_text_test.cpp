@@ -70,8 +70,8 @@ TEST(AnswerText, SaysWhichClassRunsFartherAndWhoPasses) {
   EXPECT_EQ(sentences(comparison),
             "Compact blocks run " + length_in_words(gap.gap, decimals) +
                 " farther than elongated ones (" + lengths_in_words(*gap.interval, decimals) +
-                "). " + share_in_words(passage.classes[0].share) + " of compact and " +
-                share_in_words(passage.classes[1].share) +
+                ", for runs of these 2 blocks only). " + share_in_words(passage.classes[0].share) +
+                " of compact and " + share_in_words(passage.classes[1].share) +
                 " of elongated blocks pass EC22. Of those that pass, 95 % carry less than " +
                 energy_limit(passage.all.energy) + ", and the tops of 95 % stay below " +
                 height_limit(passage.all.top) + ".\n");
@@ -121,8 +121,7 @@ TEST(AnswerText, RunsThatEndEarlyAreSaid) {
 TEST(AnswerText, OneRealisationIsNotEvidence) {
   CampaignResults results = made_up_results();
   add_barrier(results, "foot", 30.0);
-  results.stay = {results.planned_runs, {0.01, 0.5, 0.3}, true};
-  for (const RunRecord& run : results.runs) results.stays.push_back({.run = run.run});
+  let_stay(results, 1);
   const Comparison comparison = compared(std::move(results));
   EXPECT_TRUE(contains(sentences(comparison), "; one realisation can't tell what is chance."));
   EXPECT_FALSE(contains(sentences(comparison), "farther"));
@@ -130,6 +129,47 @@ TEST(AnswerText, OneRealisationIsNotEvidence) {
   for (const KeyFigure& figure : key_figures(comparison, answer(comparison))) {
     EXPECT_EQ(figure.range, "") << figure.label;
   }
+}
+
+// Whatever is asked of one realisation: no page, table or text gives an interval or a p.
+TEST(AnswerText, OneRealisationHasNoIntervalOnItsPage) {
+  CampaignResults results = made_up_results({.compact = 60.0});
+  add_barrier(results, "foot", 30.0);
+  let_stay(results, 1);
+  const Comparison comparison = compared(std::move(results));
+  const std::string differences = differences_section(comparison);
+  EXPECT_FALSE(contains(differences, "more than chance:"));
+  EXPECT_FALSE(contains(differences, "No clear difference"));
+  EXPECT_TRUE(contains(differences, "of one realisation, which can&#39;t tell what is chance:") ||
+              contains(differences, "of one realisation, which can't tell what is chance:"))
+      << differences.substr(0, 800);
+  EXPECT_FALSE(contains(differences, "95 % interval</"));
+  for (const BarrierGroup& group : comparison.barriers) EXPECT_FALSE(group.interval);
+  EXPECT_FALSE(contains(barrier_section(comparison), "\xE2\x80\x93"));
+}
+
+TEST(AnswerText, UncertainGroundIsInTheTiles) {
+  CampaignResults results = made_up_results({.runs_each = 20});
+  draw_ground(results, 5, 3.0);
+  add_barrier(results, "road", 30.0);
+  const Comparison comparison = compared(std::move(results));
+  const Answer found = answer(comparison);
+  const std::vector<KeyFigure> figures = key_figures(comparison, found);
+  ASSERT_EQ(figures.size(), 4u);
+  for (const KeyFigure& figure : figures) {
+    EXPECT_TRUE(contains(figure.range, " by draw of the ground")) << figure.label;
+  }
+  const ShareAnswer& all = found.statements[0].passages[0].all;
+  EXPECT_EQ(figures[2].range, energy_limit(all.energy_range->low) + " to " +
+                                  energy_limit(all.energy_range->high) + " by draw of the ground");
+  const std::string text = sentences(comparison);
+  EXPECT_TRUE(contains(text, " by draw of the ground, for runs of these 2 blocks only).")) << text;
+  EXPECT_TRUE(contains(text, "Over 5 draws of the ground, mean runout is ")) << text;
+  EXPECT_FALSE(contains(text, "nine draws of ten"));
+  EXPECT_TRUE(contains(intervals_in_words(found),
+                       "what the draws give; they say nothing about "
+                       "other release points or blocks."));
+  EXPECT_FALSE(contains(intervals_in_words(found), "95 %"));
 }
 
 // Most runs of both classes stop at the same place, a quarter of one class runs on.

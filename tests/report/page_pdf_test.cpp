@@ -48,6 +48,26 @@ TEST_F(PagePdf, IsWhatTheBrowserWrote) {
   EXPECT_EQ(read_text_file(folder / "a.pdf"), "%PDF-1.4");
 }
 
+// Chromium writes the time, and numbers elements of the page from anywhere.
+TEST_F(PagePdf, EqualPagesGiveEqualFiles) {
+  const auto printed = [&](const std::string& time, int first) {
+    const auto node = [&](int i) {
+      const std::string number = std::to_string(first + i);
+      return "/ID (node" + std::string(8 - number.size(), '0') + number + ")>>";
+    };
+    const std::string content = "%PDF-1.4 /CreationDate (D:" + time + "+00)\n/ModDate (D:" + time +
+                                "+00)\n" + node(1) + node(0) + node(70) + "(node12)(node1234567x)";
+    const fs::path program =
+        browser("for word in \"$@\"; do case $word in --print-to-pdf=*) printf %s '" + content +
+                "' > " + "\"${word#--print-to-pdf=}\";; esac; done\n");
+    print_page(folder / "page.html", folder / "a.pdf", program);
+    return read_text_file(folder / "a.pdf");
+  };
+  const std::string one = printed("20261127110656", 849);
+  EXPECT_EQ(one, printed("20270101000001", 99999));
+  EXPECT_TRUE(contains(one, "(node00000002)>>/ID (node00000001)>>/ID (node00000071)>>(node12)"));
+}
+
 TEST_F(PagePdf, BrowsersThatHangFailOrWriteSomethingElseAreToldOf) {
   EXPECT_TRUE(contains(refused("sleep 60\n", 0.3), "did not print the report within 0.3 s"));
   EXPECT_TRUE(contains(refused("exit 3\n"), "wrote no PDF (exit code 3)"));

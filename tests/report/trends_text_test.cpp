@@ -64,8 +64,33 @@ TEST(TrendsText, SaysBeforeACampaignWhatItCouldTellApart) {
   EXPECT_TRUE(contains(text, "a difference in runout of 2.3 m between two halves")) << text;
   EXPECT_TRUE(contains(text, "scatters by 5 m as in 30 trial runs")) << text;
   EXPECT_TRUE(contains(text, "; 1 m takes 8600 runs")) << text;
-  plan.blocks = 2;
-  EXPECT_EQ(planned_power_sentence(plan), "");
+}
+
+TEST(TrendsText, SaysWhyNothingCanBeSaidOfAMargin) {
+  const PlannedPower known{1600, 16, 30, 5.0, 1.0};
+  const auto said = [&](auto change) {
+    PlannedPower plan = known;
+    change(plan);
+    return planned_power_sentence(plan);
+  };
+  EXPECT_TRUE(contains(said([](PlannedPower& plan) { plan.blocks = 2; }),
+                       "nothing can be said of a margin of 1 m with 2 blocks: halves of the blocks "
+                       "are compared, which takes 4 or more"));
+  EXPECT_TRUE(contains(said([](PlannedPower& plan) { plan.trial_runs = 0; }), "no trial run came"));
+  EXPECT_TRUE(
+      contains(said([](PlannedPower& plan) { plan.trial_runs = 1; }), "only one trial run"));
+  EXPECT_TRUE(contains(said([](PlannedPower& plan) { plan.scatter = 0.0; }), "do not scatter"));
+  EXPECT_TRUE(contains(said([](PlannedPower& plan) {
+                         plan = {};
+                         plan.margin = 2.0;
+                       }),
+                       "blocks stay where they stop"));
+  EXPECT_EQ(said([](PlannedPower& plan) {
+              plan.blocks = 2;
+              plan.margin.reset();
+            }),
+            "")
+      << "nothing was asked";
 }
 
 }  // namespace

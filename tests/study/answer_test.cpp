@@ -3,7 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <optional>
+#include <vector>
 
 #include "tests/study/made_up_runs.hpp"
 
@@ -73,8 +76,7 @@ TEST(Answer, RunsThatLeaveTheTerrainLeaveNothingToCompare) {
 
 TEST(Answer, OneRealisationTellsNothingOfChance) {
   CampaignResults results = made_up_results();
-  results.stay = {results.planned_runs, {0.01, 0.5, 0.3}, true};
-  for (const RunRecord& run : results.runs) results.stays.push_back({.run = run.run});
+  let_stay(results, 1);
   const Comparison comparison = compared(std::move(results));
   const Statement statement = only(answer(comparison));
   EXPECT_EQ(statement.gap->standing, Standing::kOneRealisation);
@@ -172,21 +174,106 @@ TEST(Answer, SitesAreNotMixed) {
   EXPECT_EQ(found.files->standing, Standing::kMoreThanChance);
 }
 
-TEST(Answer, UncertainGroundGivesARange) {
-  CampaignResults results = made_up_results({.runs_each = 20});
-  for (std::uint32_t member = 0; member < 20; ++member) {
-    results.ground_sets.push_back(
-        {"", member, {{0.01, 0.5 + 0.01 * member, 0.35}, {0.01, 0.3, 0.0}}});
+/// Mean runouts of the runs of a draw that are of a block, by counting.
+double mean_of_draw(const CampaignResults& results, std::uint32_t draw,
+                    std::optional<std::uint32_t> block) {
+  double sum = 0.0, count = 0.0;
+  for (const RunRecord& run : results.runs) {
+    if (run.ground_set != draw || (block && run.block != *block)) continue;
+    sum += run.result.final_state.position.x();
+    ++count;
   }
+  return sum / count;
+}
+
+TEST(Answer, UncertainGroundGivesRangesOverItsDraws) {
+  CampaignResults results = made_up_results({.runs_each = 20});
+  draw_ground(results, 5, 4.0);
+  add_barrier(results, "road", 35.0);
+  const Comparison comparison = compared(std::move(results));
+  const CampaignResults& stored = comparison.results[0];
+  const Statement statement = only(answer(comparison));
+  EXPECT_EQ(statement.draws, 5u);
+  std::vector<double> means, gaps, shares, energies;
+  for (std::uint32_t draw = 0; draw < 5; ++draw) {
+    means.push_back(mean_of_draw(stored, draw, std::nullopt));
+    gaps.push_back(mean_of_draw(stored, draw, 0) - mean_of_draw(stored, draw, 1));
+    std::vector<double> of_draw;
+    double runs = 0.0;
+    for (const RunRecord& run : stored.runs) {
+      if (run.ground_set != draw) continue;
+      ++runs;
+      const double beyond = run.result.final_state.position.x() - 35.0;
+      if (beyond > 0.0) of_draw.push_back(1000.0 * beyond);
+    }
+    shares.push_back(static_cast<double>(of_draw.size()) / runs);
+    std::sort(of_draw.begin(), of_draw.end());
+    energies.push_back(quantile(of_draw, 0.95));
+  }
+  const auto expect_range = [](const std::optional<Interval>& found, std::vector<double> values) {
+    ASSERT_TRUE(found);
+    const auto [low, high] = std::minmax_element(values.begin(), values.end());
+    EXPECT_NEAR(found->low, *low, 1e-9);
+    EXPECT_NEAR(found->high, *high, 1e-9);
+  };
+  expect_range(statement.all.interval, means);
+  expect_range(statement.gap->interval, gaps);
+  expect_range(statement.passages[0].all.interval, shares);
+  expect_range(statement.passages[0].all.energy_range, energies);
+  EXPECT_TRUE(statement.passages[0].all.speed_range);
+  EXPECT_TRUE(statement.passages[0].all.top_range);
+  // The pooled limit says nothing of that.
+  EXPECT_GT(statement.passages[0].all.energy_range->high, statement.passages[0].all.energy);
+}
+
+TEST(Answer, ManyDrawsGiveTheRangeOfNineOfTen) {
+  CampaignResults results = made_up_results({.runs_each = 20});
+  draw_ground(results, 20, 1.0);
+  const Comparison comparison = compared(std::move(results));
+  const std::optional<Interval> range = only(answer(comparison)).all.interval;
+  ASSERT_TRUE(range);
+  EXPECT_NEAR(range->high - range->low, 17.1, 4.0) << "19 m from first to last draw";
+}
+
+TEST(Answer, WhichRunsFartherCanDependOnTheDraw) {
+  CampaignResults results = made_up_results({.compact = 40.0, .elongated = 34.0, .runs_each = 20});
+  draw_ground(results, 4, 0.0);
+  // In the last draw elongated blocks run on.
   for (RunRecord& run : results.runs) {
-    run.ground_set = run.run % 20;
-    run.result.final_state.position.x() += run.ground_set;
+    if (run.block == 1 && run.ground_set == 3) run.result.final_state.position.x() += 15.0;
   }
   const Comparison comparison = compared(std::move(results));
-  const std::vector<GroundBand> ground = only(answer(comparison)).ground;
-  ASSERT_EQ(ground.size(), 1u);
-  EXPECT_EQ(ground[0].members, 20u);
-  EXPECT_NEAR(ground[0].high - ground[0].low, 17.1, 4.0) << "19 m from first to last draw";
+  const GapAnswer gap = *only(answer(comparison)).gap;
+  EXPECT_EQ(gap.standing, Standing::kDependsOnGround);
+  EXPECT_LT(gap.interval->low, 0.0);
+  EXPECT_GT(gap.interval->high, 0.0);
+}
+
+TEST(Answer, OneDrawIsNoRange) {
+  const Comparison comparison = compared(made_up_results());
+  const Statement statement = only(answer(comparison));
+  EXPECT_EQ(statement.draws, 0u);
+  EXPECT_FALSE(answer(comparison).has_draws());
+}
+
+TEST(Answer, IntervalsOfTheSameBlocksEverywhereSpeakOfThemAlone) {
+  const Comparison same = compared(made_up_results());
+  EXPECT_EQ(only(answer(same)).blocks, 2u);
+  EXPECT_FALSE(only(answer(same)).samples_blocks);
+  // Each realisation draws its blocks out of many.
+  CampaignResults drawn = made_up_results({.runs_each = 12});
+  let_stay(drawn, 8);
+  for (std::uint32_t block = 2; block < 32; ++block) {
+    drawn.blocks.push_back(drawn.blocks[block % 2]);
+    drawn.blocks.back().id = "drawn" + std::to_string(block);
+  }
+  for (RunRecord& run : drawn.runs) {
+    const std::uint32_t realisation = run.run / drawn.stay->blocks_each;
+    run.block += 2 * (2 * realisation + run.run % 2);
+  }
+  const Comparison sampled = compared(std::move(drawn));
+  EXPECT_TRUE(only(answer(sampled)).samples_blocks);
+  EXPECT_GT(only(answer(sampled)).blocks, 20u);
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/random.hpp"
@@ -394,6 +395,31 @@ TEST(Compare, RecordsThatFitNothingAreRefused) {
   EXPECT_TRUE(contains(refused(barrier), "barrier number 7"));
   twice.runs[1].run = 0;
   EXPECT_TRUE(contains(refused(twice), "run 0 is stored twice"));
+}
+
+TEST(ComparisonWarnings, SpeedsThatAreSeldomSeenAreQuestioned) {
+  for (const auto& [speed, questioned] : {std::pair(28.0, false), {36.0, true}}) {
+    CampaignResults results = hand_made_results();
+    for (RunRecord& run : results.runs) run.result.max_speed = speed;
+    const Comparison comparison = compared(std::move(results));
+    const bool said = std::any_of(
+        comparison.cautions.begin(), comparison.cautions.end(), [](const Caution& caution) {
+          return caution.brief.find("five are faster than 36 m/s") != std::string::npos;
+        });
+    EXPECT_EQ(said, questioned) << speed;
+  }
+  // One fast run of many is no reason.
+  CampaignResults results = hand_made_results();
+  for (RunRecord& run : results.runs) run.result.max_speed = 10.0;
+  for (std::uint32_t i = 6; i < 60; ++i) {
+    results.runs.push_back(results.runs[i % 6]);
+    results.runs.back().run = i;
+  }
+  results.runs[7].result.max_speed = 80.0;
+  results.planned_runs = 60;
+  for (const Caution& caution : compared(std::move(results)).cautions) {
+    EXPECT_EQ(caution.brief.find("faster"), std::string::npos) << caution.brief;
+  }
 }
 
 }  // namespace

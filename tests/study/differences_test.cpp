@@ -89,6 +89,60 @@ TEST(Differences, OneThatIsThereIsFoundWithItsSize) {
   EXPECT_GE(inside, 15);
 }
 
+/// Puts the runs of both blocks into so many realisations.
+CampaignResults in_realisations(CampaignResults results, std::uint32_t realisations) {
+  std::stable_sort(results.runs.begin(), results.runs.end(),
+                   [](const RunRecord& a, const RunRecord& b) { return a.point < b.point; });
+  for (std::uint32_t i = 0; i < results.runs.size(); ++i) results.runs[i].run = i;
+  results.stay = {results.planned_runs / realisations, {0.01, 0.5, 0.3}, true};
+  for (const RunRecord& run : results.runs) results.stays.push_back({.run = run.run});
+  return results;
+}
+
+// Blocks of one realisation depend on each other, however many they are and however far apart.
+TEST(Differences, OneRealisationGivesNeitherIntervalNorTest) {
+  const Comparison one = compared(in_realisations(synthetic_results(3, -30.0), 1));
+  ASSERT_FALSE(one.differences.empty());
+  for (const Difference& difference : one.differences) {
+    EXPECT_FALSE(difference.interval);
+    EXPECT_FALSE(difference.p_value);
+    EXPECT_FALSE(difference.p_holm);
+    EXPECT_FALSE(difference.found());
+    EXPECT_EQ(difference.tests, 0u);
+    EXPECT_EQ(evidence_of(difference), Evidence::kOneRealisation);
+    EXPECT_NE(in_words(difference, one).find("one realisation can't tell what is chance"),
+              std::string::npos);
+    EXPECT_GT(difference.ks_distance, 0.0) << "how far apart they are is known";
+  }
+  const CsvTable table = read_csv(differences_csv(one));
+  for (const auto& row : table.rows) {
+    for (const char* column : {"difference_low", "difference_high", "p_value", "p_holm", "found"}) {
+      EXPECT_EQ(row.at(column), "") << column;
+    }
+  }
+  const Comparison two = compared(in_realisations(synthetic_results(3, -30.0), 2));
+  EXPECT_TRUE(between_classes(two, "runout_m").interval);
+  EXPECT_TRUE(between_classes(two, "runout_m").p_holm);
+}
+
+// A file of one realisation beside one of several: its own scatter is not known.
+TEST(Differences, EachGroupNeedsTwoRealisations) {
+  CampaignResults several = in_realisations(synthetic_results(3, 0.0), 4);
+  CampaignResults one = in_realisations(synthetic_results(4, 0.0), 1);
+  std::erase_if(several.runs, [](const RunRecord& run) { return run.block == 1; });
+  std::erase_if(one.runs, [](const RunRecord& run) { return run.block == 0; });
+  for (CampaignResults* results : {&several, &one}) {
+    results->planned_runs = static_cast<std::uint32_t>(results->runs.size());
+  }
+  one.campaign_sha256 = std::string(64, 'd');
+  std::vector<CampaignResults> files;
+  files.push_back(std::move(several));
+  files.push_back(std::move(one));
+  const Comparison comparison = compare(std::move(files));
+  EXPECT_FALSE(between_classes(comparison, "runout_m").interval);
+  EXPECT_FALSE(between_classes(comparison, "runout_m").p_value);
+}
+
 TEST(Differences, AgreeWithAnIndependentEvaluationOfTheTable) {
   const Comparison comparison = compared(synthetic_results(5, -2.0));
   const CsvTable runs = read_csv(runs_csv(comparison));

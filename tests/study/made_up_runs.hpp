@@ -64,4 +64,24 @@ inline void add_barrier(CampaignResults& results, const std::string& name, doubl
                    [](const Crossing& a, const Crossing& b) { return a.run < b.run; });
 }
 
+/// Makes the runs those of so many realisations of blocks that are released together.
+inline void let_stay(CampaignResults& results, std::uint32_t realisations) {
+  results.stay = {results.planned_runs / realisations, {0.01, 0.5, 0.3}, true};
+  results.stays.clear();
+  for (const RunRecord& run : results.runs) results.stays.push_back({.run = run.run});
+}
+
+/// Draws the ground so many times: run i is of draw i mod `draws`, and stops `farther` m farther
+/// for each draw.
+inline void draw_ground(CampaignResults& results, std::uint32_t draws, double farther) {
+  for (std::uint32_t member = 0; member < draws; ++member) {
+    results.ground_sets.push_back(
+        {"", member, {{0.01, 0.5 + 0.01 * member, 0.35}, {0.01, 0.3, 0.0}}});
+  }
+  for (RunRecord& run : results.runs) {
+    run.ground_set = run.run % draws;
+    run.result.final_state.position.x() += farther * run.ground_set;
+  }
+}
+
 }  // namespace clast

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <set>
 
 #include "core/angle.hpp"
 #include "report/charts/marks.hpp"
@@ -11,6 +10,7 @@
 #include "report/html/html_page.hpp"
 #include "report/maps/map_style.hpp"
 #include "report/maps/map_window.hpp"
+#include "report/maps/release_places.hpp"
 
 namespace clast::report_detail {
 namespace {
@@ -154,11 +154,19 @@ void add_stops(const Comparison& comparison, const Window& window, Json& data) {
 }
 
 void add_releases(const Comparison& comparison, Json& data) {
+  const ReleasePlaces releases = release_places(comparison);
+  for (const ReleaseOutline& outline : releases.outlines) {
+    Json trace = points_trace(outline.name);
+    trace["mode"] = "lines";
+    for (const Vec2& corner : outline.corners) add_point(trace, corner, escaped(outline.name));
+    add_point(trace, outline.corners.front(), escaped(outline.name));
+    trace["line"] = {{"color", "#111"}, {"width", 2}, {"dash", "dash"}};
+    data.push_back(std::move(trace));
+  }
+  if (releases.places.empty()) return;
   Json trace = points_trace("release point");
-  std::set<std::pair<double, double>> drawn;
-  for (const RunRow& row : comparison.rows) {
-    if (!drawn.emplace(row.start.x(), row.start.y()).second) continue;
-    add_point(trace, row.start.head<2>(), "release point " + std::to_string(row.record->point));
+  for (const ReleasePlace& release : releases.places) {
+    add_point(trace, release.place, "release point " + std::to_string(release.point));
   }
   trace["marker"] = {
       {"color", "#111"}, {"symbol", "x-thin-open"}, {"size", 10}, {"line", {{"width", 2.4}}}};
