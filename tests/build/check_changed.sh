@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Checks that each source which recent commits changed compiles alone and without a warning: the build
 # compiles several files as one, where a file may get by with the includes of another. Recent are the
-# commits of the three days before the newest.
+# commits of the day before the newest.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 alone=build/alone
@@ -16,6 +16,6 @@ cmake -S . -B $alone -G Ninja --log-level=WARNING -DCMAKE_BUILD_TYPE=Release -DC
 sources=()
 while read -r source; do
   if grep -qF " $PWD/$source" $alone/build.ninja; then sources+=("$PWD/$source^"); fi
-done < <(git log --since=$((newest - 3 * 86400)) --name-only --diff-filter=d --format= -- '*.cpp' | sort -u)
+done < <(git log --since=$((newest - 86400)) --name-only --diff-filter=d --format= -- '*.cpp' | sort -u)
 echo "== Checking ${#sources[@]} changed sources alone"
 [ ${#sources[@]} -eq 0 ] || ninja -C $alone -k 0 --quiet "${sources[@]}"

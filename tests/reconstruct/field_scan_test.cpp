@@ -339,7 +339,7 @@ TEST(FieldScan, ACloudInFeetIsRefusedOrReadInThem) {
   EXPECT_TRUE(contains(refused(1.01), "its map unit is the US survey foot")) << "a correction";
   const FieldScan scan = read_field_scan(folder / "ball.las", {.scan = {.unit = 0.3048}});
   const double ball = 4.0 / 3.0 * std::acos(-1.0) * 0.42 * 0.42 * 0.42;
-  EXPECT_NEAR(volume(scan.blocks.at(0).scan.mesh), ball, 0.01 * ball);
+  EXPECT_NEAR(solid_volume(scan.blocks.at(0).scan.mesh), ball, 0.01 * ball);
 
   write({{1024, 1}, {3072, 26913}, {4099, 9003}}, 1.0, {500000, 4400000});
   EXPECT_TRUE(contains(refused(1.0), "its heights are in units of the US survey foot"));

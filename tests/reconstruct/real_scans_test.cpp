@@ -7,6 +7,7 @@
 #include "core/error.hpp"
 #include "mesh/self_intersection.hpp"
 #include "reconstruct/scan.hpp"
+#include "reconstruct/simplify.hpp"
 #include "shapes/oriented_box.hpp"
 #include "tests/reconstruct/reference_meshes.hpp"
 #include "tests/shapes/shape_samples.hpp"
@@ -41,6 +42,31 @@ TEST(RealScans, EveryClosedMeshIsReadWithItsReferenceVolume) {
     ++checked;
   }
   EXPECT_GE(checked, 10u);
+}
+
+// At most means at most; where the surface would cross itself, the message says what is enough.
+TEST(RealScans, AreSimplifiedToAtMostTheVerticesAskedFor) {
+  std::size_t made = 0;
+  for (const char* file :
+       {"eesd_stone01.stl", "rockable_rock.stl", "eesd_stone15.stl", "chrono_offroad_rock4.obj"}) {
+    const Scan scan = read_scan(data_file(std::string("meshes/") + file));
+    for (const std::size_t most : {50u, 75u, 100u, 150u, 240u}) {
+      SCOPED_TRACE(std::string(file) + ", " + std::to_string(most));
+      try {
+        const TriangleMesh light = simplified(scan.mesh, {.target_vertices = most});
+        EXPECT_LE(light.vertices.size(), most);
+        EXPECT_TRUE(crossing_triangles(light).empty());
+        ++made;
+      } catch (const GeometryError& error) {
+        const std::string message = error.what();
+        const std::size_t at = message.find("ask for ");
+        ASSERT_NE(at, std::string::npos) << message;
+        const std::size_t enough = std::stoul(message.substr(at + 8));
+        EXPECT_LE(simplified(scan.mesh, {.target_vertices = enough}).vertices.size(), enough);
+      }
+    }
+  }
+  EXPECT_GE(made, 19u);  // of 20
 }
 
 void expect_block_with_box(const Scan& scan, std::map<std::string, std::string>& row) {

@@ -2,9 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <functional>
 
 #include "core/error.hpp"
+#include "core/random.hpp"
 #include "core/text_file.hpp"
 #include "mesh/detail/mesh_writers.hpp"
 #include "mesh/mesh_io.hpp"
@@ -177,6 +179,40 @@ TEST(Scan, InnerShellsAreKeptAsCavitiesOnRequest) {
     EXPECT_HAS(all_notes(scan), "2 inner shells (bubbles) of ");
     EXPECT_HAS(all_notes(scan), "kept as cavities");
     EXPECT_EQ(all_notes(scan).find("tunnel"), std::string::npos) << all_notes(scan);
+  }
+}
+
+// Boxes that share part of a face: vertices of the one lie on the other, any of them first.
+TEST(Scan, ClosedBodiesThatTouchAreNoBubbles) {
+  Random random(12);
+  const TriangleMesh block = box_mesh({1.0, 1.0, 1.0});
+  for (int i = 0; i < 60; ++i) {
+    const Vec3 sides(random.uniform(0.5, 0.95), random.uniform(0.5, 0.95),
+                     random.uniform(0.5, 0.95));
+    // Within the face, over its edges, and flush with them.
+    const double y = i % 3 == 0 ? 0.0 : random.uniform(-0.4, 0.5);
+    const double z = i % 3 == 1 ? 1.0 - sides.z() : random.uniform(-0.4, 0.5);
+    TriangleMesh other = moved_to(box_mesh(sides), {i % 2 == 0 ? 1.0 : -sides.x(), y, z});
+    std::rotate(other.triangles.begin(), other.triangles.begin() + i % 12, other.triangles.end());
+    for (const TriangleMesh& both :
+         {merged(block, other), merged(other, block), merged(block, inverted(other)),
+          merged(inverted(other), block)}) {
+      EXPECT_HAS(scan_refusal(both), "2 separate components") << i;
+    }
+  }
+}
+
+// ... and a hollow that reaches just to the skin, wherever its vertices touch it.
+TEST(Scan, ABubbleThatTouchesTheSkinIsABubble) {
+  Random random(13);
+  const TriangleMesh block = box_mesh({1.0, 1.0, 1.0});
+  for (int i = 0; i < 20; ++i) {
+    const Vec3 sides(random.uniform(0.2, 0.6), random.uniform(0.2, 0.6), random.uniform(0.2, 0.6));
+    const Vec3 at(i % 2 == 0 ? 0.0 : 1.0 - sides.x(), random.uniform(0.1, 0.3),
+                  random.uniform(0.1, 0.3));
+    const Scan scan = clean_scan(merged(block, moved_to(box_mesh(sides), at)), "B017");
+    EXPECT_EQ(scan.report.inner_shells, 1u) << i;
+    EXPECT_NEAR(enclosed_volume(scan.mesh), 1.0, 1e-9) << i;
   }
 }
 
