@@ -197,8 +197,12 @@ void add_draw_ranges(const Comparison& comparison, std::size_t line,
 }
 
 ShareAnswer share_of(const Comparison& comparison, const BarrierGroup& group) {
-  ShareAnswer share{group.group_index, group.started, group.crossed, group.probability,
-                    group.interval};
+  ShareAnswer share;
+  share.group = group.group_index;
+  share.started = group.started;
+  share.crossed = group.crossed;
+  share.share = group.probability;
+  share.interval = group.interval;
   share.largest = group.crossed < kFewestPassages;
   share.energy = limit_of_passages(group.total, share.largest);
   share.speed = limit_of_passages(group.speed, share.largest);
