@@ -25,7 +25,7 @@ constexpr double kSeamReach = 0.2;
 constexpr double kConcaveOutline = 0.7;  ///< share of an outline along which a seam is concave
 /// What the hull of the whole has more than those of the parts, against that of the smaller part.
 constexpr double kLeastHullGain = 0.25;
-constexpr int kRefinements = 10;  ///< planes between two slices
+constexpr int kSeamRefinements = 10;  ///< planes between two slices
 constexpr std::size_t kOutlineSamples = 72;
 
 /// Evenly over the upper half of the sphere, along a spiral.
@@ -136,9 +136,9 @@ class SeamSearch {
   /// Moves the plane to where the section is least between the slices beside it.
   void refine(Neck& neck) const {
     const Neck coarse = neck;
-    for (int k = 1 - kRefinements; k < kRefinements; ++k) {
+    for (int k = 1 - kSeamRefinements; k < kSeamRefinements; ++k) {
       Neck tried = coarse;
-      tried.height += coarse.step * k / kRefinements;
+      tried.height += coarse.step * k / kSeamRefinements;
       double area = 0.0;
       for (const OutlinePiece& piece : outline_at(tried)) {
         area += 0.5 * tried.normal.dot(piece.from.cross(piece.to));

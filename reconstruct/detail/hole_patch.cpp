@@ -16,7 +16,7 @@ namespace {
 
 /// A patch with fewer new vertices than this, or than half the rim has, can't bulge smoothly.
 constexpr std::size_t kFewestNewVertices = 30;
-constexpr int kRefinements = 6;
+constexpr int kPatchRefinements = 6;
 /// Smallest weight of an edge against the largest at its vertex: long obtuse triangles have
 /// negative ones, with which a membrane may leave the hull of its rim.
 constexpr double kSmallestWeight = 1e-3;
@@ -121,7 +121,7 @@ HolePatch star(const TriangleMesh& mesh, const std::vector<std::uint32_t>& loop)
 HolePatch fill_hole(const TriangleMesh& mesh, const std::vector<std::uint32_t>& loop) {
   HolePatch patch;
   double density = std::sqrt(2.0);
-  for (int i = 0; i < kRefinements; ++i, density *= 1.5) {
+  for (int i = 0; i < kPatchRefinements; ++i, density *= 1.5) {
     patch = triangulate(mesh, loop, density);
     if (patch.triangles.empty()) return star(mesh, loop);
     if (patch.vertices.size() >= std::max(kFewestNewVertices, loop.size() / 2)) break;

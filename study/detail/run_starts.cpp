@@ -10,7 +10,7 @@ namespace clast::study_detail {
 namespace {
 
 /// A block that is lifted to its touch is no deeper in the ground than this share of its S.
-constexpr double kTouch = 1e-6;
+constexpr double kStartTouch = 1e-6;
 /// The highest lift, in bounding radii: a ball that touches a slope of 83 degrees under its centre.
 constexpr double kMostLift = 8.0;
 /// The first lift that is tried, share of S; then twice as much, and so on.
@@ -51,7 +51,7 @@ bool lift_to_touch(const GroundOverlap& ground_overlap, const TerrainSurface& su
     below = above;
     above = std::min(2.0 * above, most);
   }
-  while (above - below > kTouch * size) {
+  while (above - below > kStartTouch * size) {
     const double middle = 0.5 * (below + above);
     (in_ground(middle) ? below : above) = middle;
   }

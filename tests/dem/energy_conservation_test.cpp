@@ -50,8 +50,8 @@ struct Energies {
 
 /// Kinetic and potential energy of a block that is thrown from so high, turned and spinning as the
 /// seed says; every other one lands flat.
-Energies bounce(const Elastic& elastic, int kind, std::uint64_t seed, double slope, int cells,
-                double height, double friction = 0.0) {
+Energies bounce_of(const Elastic& elastic, int kind, std::uint64_t seed, double slope, int cells,
+                   double height, double friction = 0.0) {
   Random random(seed);
   const RigidBody body = body_of_kind(kind, seed);
   const TerrainSurface terrain = ground(plane_mesh(200.0, cells, slope, seed));
@@ -98,7 +98,7 @@ TEST_P(EnergyConservation, NoBlockGainsEnergyOnFlatGround) {
   for (int kind = 0; kind < 5; ++kind) {
     for (const auto& [seed, cells, height] :
          {std::tuple(1, 1, 2.0), {2, 40, 2.0}, {3, 7, 0.3}, {4, 1, 10.0}}) {
-      const Energies found = bounce(GetParam(), kind, seed, 0.0, cells, height);
+      const Energies found = bounce_of(GetParam(), kind, seed, 0.0, cells, height);
       ASSERT_TRUE(found.bounced) << kind << " " << seed;
       EXPECT_LT(found.most, found.start * (1.0 + kMostGained)) << kind << " " << seed;
       if (GetParam().energy_restitution == 1.0) {
@@ -112,7 +112,7 @@ TEST_P(EnergyConservation, NoBlockGainsEnergyOnASlope) {
   for (int kind = 0; kind < 5; ++kind) {
     for (const std::uint64_t seed : {1u, 2u}) {
       for (const double friction : {0.0, 0.4}) {
-        const Energies found = bounce(GetParam(), kind, seed, 0.4, 20, 1.0, friction);
+        const Energies found = bounce_of(GetParam(), kind, seed, 0.4, 20, 1.0, friction);
         EXPECT_LT(found.most, found.start * (1.0 + kMostGained)) << kind << " " << seed;
       }
     }

@@ -16,16 +16,16 @@
 namespace clast::reconstruct_detail {
 namespace {
 
-using Kind = FormDoubt::Kind;
+using DoubtKind = FormDoubt::Kind;
 
-std::vector<Kind> doubt_kinds(const TriangleMesh& closed) {
-  std::vector<Kind> kinds;
+std::vector<DoubtKind> doubt_kinds(const TriangleMesh& closed) {
+  std::vector<DoubtKind> kinds;
   for (const FormDoubt& doubt : find_form_doubts(closed)) kinds.push_back(doubt.kind);
   return kinds;
 }
 
-bool has_doubt(const TriangleMesh& closed, Kind kind) {
-  const std::vector<Kind> kinds = doubt_kinds(closed);
+bool has_doubt(const TriangleMesh& closed, DoubtKind kind) {
+  const std::vector<DoubtKind> kinds = doubt_kinds(closed);
   return std::find(kinds.begin(), kinds.end(), kind) != kinds.end();
 }
 
@@ -49,7 +49,7 @@ TEST(DoubtfulForm, ASurfaceThatWasGivenAThicknessIsAShell) {
       ASSERT_GT(signed_volume(shell), 0.0);
       const std::vector<FormDoubt> doubts = find_form_doubts(shell);
       ASSERT_EQ(doubts.size(), 1u) << cut << ", " << thickness;
-      EXPECT_EQ(doubts[0].kind, Kind::kShell);
+      EXPECT_EQ(doubts[0].kind, DoubtKind::kShell);
       EXPECT_NEAR(doubts[0].size / thickness, 1.0, 0.1) << cut << ", " << thickness;
     }
   }
@@ -72,7 +72,7 @@ TEST(DoubtfulForm, BallsThatTouchOrAreJoinedMeetInASeam) {
     }
   }
   for (const double gap : {0.05, 0.3}) {
-    EXPECT_TRUE(has_doubt(two_balls(0.8, 1.8 + gap, 0.08), Kind::kSeam)) << gap;
+    EXPECT_TRUE(has_doubt(two_balls(0.8, 1.8 + gap, 0.08), DoubtKind::kSeam)) << gap;
   }
 }
 
@@ -84,7 +84,7 @@ TEST(DoubtfulForm, AClosedScanOfABlockWithItsGroundIsASlab) {
         const TriangleMesh body = turned_at_random(slab(3.0, depth, rock, rough, 7), random);
         const std::vector<FormDoubt> doubts = find_form_doubts(body);
         ASSERT_FALSE(doubts.empty()) << rock << ", " << depth << ", " << rough;
-        EXPECT_EQ(doubts[0].kind, Kind::kSlab) << rock << ", " << depth << ", " << rough;
+        EXPECT_EQ(doubts[0].kind, DoubtKind::kSlab) << rock << ", " << depth << ", " << rough;
         EXPECT_NEAR(doubts[0].size, 3.0, 0.3);
       }
     }
@@ -96,7 +96,7 @@ TEST(DoubtfulForm, ADeepHollowIsReportedWithItsDepth) {
   const TriangleMesh ring = torus_without_inner_wall(0.3, 0.05, 0.0);
   const std::vector<FormDoubt> doubts = find_form_doubts(ring);
   ASSERT_FALSE(doubts.empty());
-  EXPECT_EQ(doubts[0].kind, Kind::kHollow);
+  EXPECT_EQ(doubts[0].kind, DoubtKind::kHollow);
   EXPECT_NEAR(doubts[0].size, 0.05, 0.005);
   EXPECT_NEAR(doubts[0].fraction, 0.41, 0.03);
 }
