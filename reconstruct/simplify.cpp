@@ -19,7 +19,7 @@ namespace clast {
 namespace {
 
 /// Targets tried in turn, as multiples of the one asked for, when a simplified mesh crosses itself.
-constexpr double kFewer[] = {1.0, 0.9, 0.8, 0.7};
+constexpr double kFewer[] = {1.0, 0.95, 0.9, 0.85, 0.8, 0.75, 0.7, 0.65, 0.6, 0.55, 0.5};
 /// Tunnels of a porous scan need vertices to stay open: with so many times as many the surface may
 /// be sound, or become so by closing a tunnel, and can be simplified from there.
 constexpr double kMore[] = {1.0, 1.25, 1.5, 2.0, 3.0, 4.0};
@@ -106,13 +106,19 @@ TriangleMesh simplified(const TriangleMesh& mesh, const SimplifyOptions& options
     if (!sound || sound->vertices.size() > most) return std::nullopt;
     return sound;
   };
-  for (const double multiple : kFewer) {
-    if (std::optional<TriangleMesh> found = lighter(centred, multiple)) return std::move(*found);
-  }
+  const auto lightest = [&](const TriangleMesh& from) -> std::optional<TriangleMesh> {
+    for (const double multiple : kFewer) {
+      if (std::optional<TriangleMesh> found = lighter(from, multiple)) return found;
+    }
+    return std::nullopt;
+  };
+  if (std::optional<TriangleMesh> found = lighter(centred, 1.0)) return std::move(*found);
+  const TriangleMesh finer = decimated(centred, times(kMore[std::size(kMore) - 1]));
+  if (std::optional<TriangleMesh> found = lightest(finer)) return std::move(*found);
   TriangleMesh first;
   std::optional<std::size_t> fewest;
   for (const double multiple : kMore) {
-    const TriangleMesh tried = decimated(centred, times(multiple));
+    const TriangleMesh tried = decimated(finer, times(multiple));
     if (first.triangles.empty()) first = moved(tried, origin);
     std::optional<TriangleMesh> sound = untangled(moved(tried, origin));
     if (!sound) {
@@ -123,7 +129,7 @@ TriangleMesh simplified(const TriangleMesh& mesh, const SimplifyOptions& options
     if (!sound) continue;
     if (sound->vertices.size() <= most) return std::move(*sound);
     fewest = std::min(fewest.value_or(sound->vertices.size()), sound->vertices.size());
-    if (std::optional<TriangleMesh> found = lighter(moved(*sound, -origin), 1.0)) {
+    if (std::optional<TriangleMesh> found = lightest(moved(*sound, -origin))) {
       return std::move(*found);
     }
   }
