@@ -84,8 +84,8 @@ say "Building with $jobs at a time; the first build takes some minutes"
 # CPU seconds of what this shell has waited for, in `cpu`: of the build, for tests/run.sh.
 read_cpu() {
   times >build/times.txt
-  cpu=$(awk 'NR == 2 { split($1, user, /[ms]/); split($2, system, /[ms]/)
-                       print 60 * (user[1] + system[1]) + user[2] + system[2] }' build/times.txt)
+  cpu=$(awk 'NR == 2 { split($1, user, /[ms]/); split($2, kernel, /[ms]/)
+                       print 60 * (user[1] + kernel[1]) + user[2] + kernel[2] }' build/times.txt)
 }
 read_cpu
 before=$cpu
