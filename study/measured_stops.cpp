@@ -263,16 +263,17 @@ void compare_stops(const Comparison& comparison, MeasuredStops& measured) {
     }
     if (seen.empty() || simulated.empty()) continue;
     const TestResult test = *two_sample_ks(seen, simulated);
-    MeasuredGroup found{.group = g,
-                        .measured = seen.size(),
-                        .simulated = simulated.size(),
-                        .runout = summarise(seen),
-                        .lateral = summarise(lateral),
-                        .quartiles = quartiles_of(seen),
-                        .simulated_runout = summarise(simulated).mean,
-                        .simulated_quartiles = quartiles_of(simulated),
-                        .cliffs_delta = *cliffs_delta(seen, simulated),
-                        .ks_distance = test.statistic};
+    MeasuredGroup found;
+    found.group = g;
+    found.measured = seen.size();
+    found.simulated = simulated.size();
+    found.runout = summarise(seen);
+    found.lateral = summarise(lateral);
+    found.quartiles = quartiles_of(seen);
+    found.simulated_runout = summarise(simulated).mean;
+    found.simulated_quartiles = quartiles_of(simulated);
+    found.cliffs_delta = *cliffs_delta(seen, simulated);
+    found.ks_distance = test.statistic;
     const bool tested = !clusters.is_one_realisation();
     if (tested) {
       const BootstrapIntervals intervals = bootstrap_intervals(seen, by_cluster);
