@@ -24,7 +24,7 @@ done
 
 # With --ci the build may take so many compilations of tests/build/reference.cpp, a fifth more than
 # it does.
-most_compilations=80
+most_compilations=73
 
 # CPU seconds of the reference, two at a time.
 reference_seconds() {
