@@ -19,9 +19,11 @@ TEST(RealBlocks, BecomeRoundedBlocksCloseToTheScan) {
     if (row["kind"] != "mesh" || row["trimesh_watertight"] != "True") continue;
     SCOPED_TRACE(file);
     const TriangleMesh scan = read_scan(data_file("meshes/" + file)).mesh;
-    const TriangleMesh thin = simplified(scan);
     const bool porous = row["euler"] != "2";
-    EXPECT_LE(thin.vertices.size(), porous ? 500u : 250u);
+    // Tunnels need vertices to stay open.
+    const std::size_t most = porous ? 320 : 250;
+    const TriangleMesh thin = simplified(scan, {.target_vertices = most});
+    EXPECT_LE(thin.vertices.size(), most);
     EXPECT_TRUE(crossing_triangles(thin).empty());
     EXPECT_NEAR(enclosed_volume(thin) / enclosed_volume(scan), 1.0, 1e-3);
     const double longest = std::stod(row["L1"]), shortest = std::stod(row["L3"]);
