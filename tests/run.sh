@@ -49,7 +49,6 @@ if [ "$ci" = true ]; then
 fi
 cmake/prepare.sh tests
 if [ "$ci" = true ]; then
-  tests/build/check_changed.sh
   reference=$(reference_seconds)
   hits=$(cache_hits)
   awk -v build="$(cat build/cpu_seconds.txt)" -v reference="$reference" -v hits="$hits" -v most=$most_compilations '
