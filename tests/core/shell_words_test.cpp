@@ -15,7 +15,10 @@ TEST(ShellWords, PlainOnesStayAsTheyAre) {
   EXPECT_EQ(
       shell_command({"clast", "simulate", "a-b_c/1.toml", "-o", "out=2,3.h5", "--shard", "1/4"}),
       "clast simulate a-b_c/1.toml -o out=2,3.h5 --shard 1/4");
-  EXPECT_EQ(shell_command({"\xC3\xA9boulis.toml"}), "\xC3\xA9boulis.toml");
+  EXPECT_EQ(shell_command({"\xC3\xA9"
+                           "boulis.toml"}),
+            "\xC3\xA9"
+            "boulis.toml");
 }
 
 TEST(ShellWords, OthersAreQuoted) {

@@ -57,8 +57,9 @@ class CampaignRun : public testing::Test {
     BlockLibrary library;
     for (const auto& [id, size] :
          {std::pair{"cube", Vec3(0.6, 0.6, 0.6)}, std::pair{"slab", Vec3(1.0, 0.6, 0.3)}}) {
-      const TriangleMesh mesh = transformed(
-          centred_box_mesh(size), Pose{Vec3(5.0, 1.0, 2.0), Quat(Eigen::AngleAxisd(0.4, Vec3::UnitX()))});
+      const TriangleMesh mesh =
+          transformed(centred_box_mesh(size),
+                      Pose{Vec3(5.0, 1.0, 2.0), Quat(Eigen::AngleAxisd(0.4, Vec3::UnitX()))});
       BlockSource source;
       source.file = "box.stl";
       source.sha256 = std::string(64, '0');

@@ -58,8 +58,8 @@ TEST(Profiles, CountEveryRunOncePerBinWithItsLargestValues) {
   EXPECT_EQ(table.rows[all + 6].at("runs"), "1");
   EXPECT_EQ(table.number(all + 6, "from_m"), 3.0);
   // Seen at x = 0 and 0.25 m; the ground falls by one in two.
-  EXPECT_NEAR(table.number(all, "height_max_m"), 2.0 - 0.5 * kTestGravity * 0.025 * 0.025 + 0.5 * 0.25,
-              1e-9);
+  EXPECT_NEAR(table.number(all, "height_max_m"),
+              2.0 - 0.5 * kTestGravity * 0.025 * 0.025 + 0.5 * 0.25, 1e-9);
   EXPECT_GE(table.number(all + 6, "speed_max_m_s"), 10.0);
   EXPECT_LE(table.number(all + 6, "speed_max_m_s"), std::hypot(10.0, kTestGravity * 0.35) + 0.01);
 }
