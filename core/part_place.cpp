@@ -27,7 +27,7 @@ fs::path folder_of(const fs::path& target) {
   return target.has_parent_path() ? target.parent_path() : fs::path(".");
 }
 
-/// What names of parts begin and end with, before and after the numbers.
+/// The beginning and end of the names of parts, around their numbers.
 struct PartNames {
   PartNames(const fs::path& target, PartPlace::Kind kind) {
     const bool file = kind == PartPlace::Kind::kFile;

@@ -248,7 +248,7 @@ class Release {
     advance(begin, dt, false);
   }
 
-  /// What a balanced impact reassigned is what its correction left, and what its steps missed.
+  /// Ends a balanced impact and records the energy that its correction and its steps reassigned.
   void end_impact() {
     if (!balance_->end(moving_, energy() + dissipated_by_law())) return;
     result_.energy.reassigned = result_.energy.initial - energy() - dissipated_by_law();

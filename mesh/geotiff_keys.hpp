@@ -14,7 +14,7 @@ struct GeoTiffKeys {
   std::string texts;      ///< 34737
 };
 
-/// What keys say.
+/// The reference system and the units that GeoTIFF keys declare.
 struct KeyedSystem {
   std::string crs;  ///< "EPSG:25832"; empty: none, or one that the keys define themselves
   std::vector<LengthDeclaration> lengths;

@@ -203,9 +203,9 @@ class Closing {
   }
 
   /// How deep a block is buried does not follow from where the points on its flanks end. Only space
-  /// that was looked through under it shows that it lies on the ground.
+  /// that was seen to be free under it shows that it lies on the ground.
   void bound(double highest) {
-    const std::optional<reconstruct_detail::SpaceBelow> below = space_not_looked_through(highest);
+    const std::optional<reconstruct_detail::SpaceBelow> below = occupiable_space(highest);
     std::optional<double> bottom;
     if (below && foot_share(*below) <= kFootShare) {
       bottom = options_.ground->distance - sunk_depth(highest);
@@ -261,7 +261,7 @@ class Closing {
   /// How deep a block that lies on the ground has sunk into it at most, m.
   double sunk_depth(double highest) const { return kSunk * (highest - options_.ground->distance); }
 
-  std::optional<reconstruct_detail::SpaceBelow> space_not_looked_through(double highest) const {
+  std::optional<reconstruct_detail::SpaceBelow> occupiable_space(double highest) const {
     if (options_.through == nullptr || !(options_.through->side > 0.0) || !faces_ground()) {
       return std::nullopt;
     }
@@ -273,7 +273,7 @@ class Closing {
     return below.foot_area / below.plan_area;
   }
 
-  /// The upper volume is no larger than all that nobody looked through, on a foot that has sunk
+  /// The upper volume is no larger than all that is not free space, on a foot that has sunk
   /// into the ground.
   void look_under(const reconstruct_detail::SpaceBelow& below, double highest) {
     const double share = foot_share(below);

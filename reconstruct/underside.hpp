@@ -18,7 +18,7 @@ namespace clast {
 /// What is known and what is supposed of an underside.
 struct UndersideOptions {
   /// The ground that the block lies on, normal up. It bounds the block from below only if space was
-  /// looked through under more than half of it. If none is given, the rim faces down.
+  /// seen to be free under more than half of it. If none is given, the rim faces down.
   std::optional<Plane> ground = {};
   /// Depth of the best guess below the rim, as a fraction of the height that was seen: a quarter of
   /// the whole height by default. It bounds nothing.

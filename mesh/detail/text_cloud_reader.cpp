@@ -142,7 +142,7 @@ class LinesOfPoints {
     sink_.add(point);
   }
 
-  /// What the headings say of units.
+  /// Returns the units that the headings declare.
   /// @throws InputError  what was taken for x numbers the points
   std::vector<LengthDeclaration> finish() const {
     if (points_ >= kNoChance && counting_ && !named_) {
@@ -160,7 +160,7 @@ class LinesOfPoints {
   }
 
  private:
-  /// What the first values of a column without a heading are.
+  /// Properties of the first values of a column without a heading.
   struct ColumnSurvey {
     bool whole = true;        ///< all
     bool beyond_one = false;  ///< some, so that they are no normals
