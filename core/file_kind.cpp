@@ -62,7 +62,7 @@ bool has_table(const std::string& text, const std::string& name) {
 std::string kind_of_text(const std::string& beginning) {
   const auto holds = [&](const char* word) { return beginning.find(word) != std::string::npos; };
   if (beginning.starts_with("<!doctype html") || beginning.starts_with("<!DOCTYPE html")) {
-    return "HTML";
+    return holds("<meta name=\"generator\" content=\"clast\">") ? kPageKind : "HTML";
   }
   if (holds("<svg")) return "SVG";
   if (holds("<VTKFile")) return "VTK";
@@ -95,7 +95,7 @@ std::string kind_of_file(const fs::path& path) {
 
 std::string kind_by_name(const fs::path& path) {
   static const std::map<std::string, std::string> kKinds = {
-      {".png", "PNG"},   {".svg", "SVG"},     {".html", "HTML"}, {".tif", "TIFF"},
+      {".png", "PNG"},   {".svg", "SVG"},     {".html", kPageKind}, {".tif", "TIFF"},
       {".tiff", "TIFF"}, {".gpkg", "SQLite"}, {".glb", "glTF"},  {".ply", "PLY"},
       {".stl", "STL"},   {".vtp", "VTK"},     {".pvd", "VTK"}};
   const auto kind = kKinds.find(extension_of(path));

@@ -8,10 +8,13 @@ namespace clast {
 /// Of TOML files with the tables that every campaign has.
 inline constexpr const char* kCampaignKind = "campaign";
 
+/// Of HTML pages that clast wrote.
+inline constexpr const char* kPageKind = "page of clast";
+
 /// What the file is by its content: the format of an HDF5 file that clast wrote ("clast terrain"),
-/// else "HDF5", "PNG", "SVG", "HTML", "TIFF", "SQLite" (GeoPackages), "glTF", "PLY", "STL", "VTK",
-/// "origin of coordinates" (beside a mesh), `kCampaignKind`, "text" or "binary". Empty when there
-/// is no such file, or nothing in it.
+/// else "HDF5", "PNG", "SVG", `kPageKind` or "HTML", "TIFF", "SQLite" (GeoPackages), "glTF", "PLY",
+/// "STL", "VTK", "origin of coordinates" (beside a mesh), `kCampaignKind`, "text" or "binary".
+/// Empty when there is no such file, or nothing in it.
 std::string kind_of_file(const std::filesystem::path& path);
 
 /// What a file of this name is when clast writes it, by the extension and in the words of

@@ -7,6 +7,7 @@
 
 #include "core/csv_text.hpp"
 #include "core/error.hpp"
+#include "core/file_kind.hpp"
 #include "core/number_text.hpp"
 #include "core/output_file.hpp"
 #include "core/text_file.hpp"
@@ -62,7 +63,7 @@ ScanReport::ScanReport(fs::path folder, bool replace) : impl_(std::make_unique<I
   }
   impl_->summary_rules = check_output(summary, {.kind = "text", .replace = replace});
   impl_->index_rules =
-      check_output(impl_->folder / "index.html", {.kind = "HTML", .replace = replace});
+      check_output(impl_->folder / "index.html", {.kind = kPageKind, .replace = replace});
   impl_->csv.header(
       "block,outcome,scan,L_m,I_m,S_m,volume_m3,volume_lower_m3,volume_upper_m3,invented_share,"
       "density_kg_m3,mass_kg,weighed_kg,sneed_folk,zingg,shape,vertices,radius_m,scan_to_body_m,"
@@ -81,7 +82,7 @@ void ScanReport::add(const Block& block) {
   std::unique_lock lock(impl_->mutex);
   const auto page = impl_->pages.extract(block.id);
   lock.unlock();
-  write_output(impl_->page_of(block), page.mapped(), {.kind = "HTML", .replace = impl_->replace});
+  write_output(impl_->page_of(block), page.mapped(), {.kind = kPageKind, .replace = impl_->replace});
   ++impl_->made;
   impl_->add_row(block, "made");
 }

@@ -79,7 +79,7 @@ void tell_of_steps(const PreparedCampaign& prepared, std::vector<std::string>& w
   warnings.push_back(cost + "; runs will take long");
 }
 
-/// Above this e_n^2, single releases have their impacts balanced.
+/// Above this e_n^2, single releases have their impacts balanced, and blocks that stay are refused.
 constexpr double kMostUnbalanced = 0.5;
 /// From this e_n^2 on, an elastic trial is meant.
 constexpr double kElastic = 0.95;
@@ -125,10 +125,12 @@ void tell_of_restitution(const PreparedCampaign& prepared, std::vector<std::stri
     largest = std::max(largest, most);
   }
   if (header.stay && largest > kMostUnbalanced) {
-    warnings.push_back("energy_restitution = " + with_digits(largest, 4) +
-                       ": blocks that land on several points can gain energy where more than half "
-                       "of it is given back, which is set right for single releases only "
-                       "(docs/theory.md, Weights and energy)");
+    throw InputError(prepared.campaign.file.string() + ": energy_restitution = " +
+                     with_digits(largest, 4) +
+                     " returns more than half of the energy of an impact; with blocks that stay, "
+                     "blocks could gain energy then (docs/theory.md, Weights and energy). Give at "
+                     "most " +
+                     with_digits(kMostUnbalanced, 2) + ", or release the blocks one at a time");
   }
   if (header.stay) question("contact.blocks", header.stay->between_blocks.energy_restitution);
 }

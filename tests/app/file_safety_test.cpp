@@ -147,6 +147,10 @@ TEST_F(FileSafety, PagesOfScansNeedReplaceOrResume) {
   write_text_file(folder / "q" / "summary.csv", "block,volume\n");
   expect_kept("q/summary.csv", {"reconstruct", "a.obj", "-o", "b.h5", "--report", "q", "--replace"},
               "q/summary.csv: already exists and is not a summary of such pages");
+  fs::remove(folder / "q" / "summary.csv");
+  write_text_file(folder / "q" / "index.html", "<!DOCTYPE html>\n<title>Mine</title>\n");
+  expect_kept("q/index.html", {"reconstruct", "a.obj", "-o", "b.h5", "--report", "q", "--replace"},
+              "q/index.html: already exists and holds \"HTML\", not \"page of clast\"");
 }
 
 TEST_F(FileSafety, FourScansIntoOneLibraryAtOnceAreFourBlocks) {

@@ -24,6 +24,7 @@ TEST(FileKind, IsSeenFromTheContent) {
   EXPECT_EQ(kind("<?xml version=\"1.0\"?>\n<VTKFile type=\"PolyData\">" + std::string(9, '\0')),
             "VTK");
   EXPECT_EQ(kind("<!DOCTYPE html>\n"), "HTML");
+  EXPECT_EQ(kind("<!DOCTYPE html>\n<meta name=\"generator\" content=\"clast\">\n"), kPageKind);
   EXPECT_EQ(kind(std::string("II*\0 and so on", 14)), "TIFF");
   EXPECT_EQ(kind(std::string("SQLite format 3\0", 16)), "SQLite");
   EXPECT_EQ(kind("ply\nformat ascii 1.0\n"), "PLY");

@@ -51,6 +51,14 @@ class StayCampaign : public CampaignRun {
   }
 };
 
+TEST_F(StayCampaign, NeedsContactsThatReturnAtMostHalfOfTheEnergy) {
+  const std::string between = "[contact.blocks]\nenergy_restitution = ";
+  EXPECT_NO_THROW(prepared(changed(between + "0.1", between + "0.5")));
+  const std::string why = refusal(changed(between + "0.1", between + "0.51"));
+  EXPECT_TRUE(contains(why, "energy_restitution = 0.51 returns more than half")) << why;
+  EXPECT_TRUE(contains(why, "Give at most 0.5, or release the blocks one at a time")) << why;
+}
+
 TEST_F(StayCampaign, ReleasesEachBlockOfEachRealisationOntoThoseBeforeIt) {
   const CampaignResults results = run("stay.h5");
   ASSERT_EQ(results.runs.size(), 6u);
