@@ -117,7 +117,7 @@ std::optional<CoordinateColumns> find_coordinate_columns(
   if (degrees >= 2) {
     throw InputError(
         "its columns are longitude and latitude, in degrees; project them to metres first, for "
-        "example with gdaltransform -t_srs EPSG:25832");
+        "example with gdaltransform -t_srs EPSG:CODE");
   }
   return std::nullopt;
 }

@@ -271,6 +271,13 @@ std::string utm_code(const Vec2& degrees) {
   return "EPSG:" + std::to_string((degrees.y() < 0.0 ? 32700 : 32600) + zone);
 }
 
+/// A command for the system with that code.
+std::string with_code(std::string way, const std::string& code) {
+  const std::string place = "EPSG:CODE";
+  const std::size_t at = way.find(place);
+  return at == std::string::npos ? way : way.replace(at, place.size(), code);
+}
+
 }  // namespace
 
 LengthDeclaration describe_system(const std::string& crs, std::string source) {
@@ -358,9 +365,8 @@ void check_map_scale(const std::string& name, const std::string& crs, const Vec2
   if (off.maxCoeff() <= kMostScaleError) return;
   throw InputError(name + ": lengths on its map (" + reference_system_name(crs) + ") are " +
                    with_digits((*scale)[off.x() >= off.y() ? 0 : 1], 4) +
-                   " times those on the ground; project it to a local system in metres first, here "
-                   "for example " +
-                   utm_code(degrees) + " (" + way + ")");
+                   " times those on the ground; project it to a local system in metres first (" +
+                   with_code(way, utm_code(degrees)) + ")");
 }
 
 std::optional<Vec2> map_scale(const std::string& crs, const Vec2& place) {

@@ -47,7 +47,7 @@ struct LengthUse {
   /// True: `unit` is the user's word and holds where declarations contradict each other.
   bool unit_given = false;
   bool needs_up = true;      ///< z must be up: geocentric coordinates are refused
-  std::string way = {};      ///< of bringing the file to metres: "gdalwarp -t_srs EPSG:25832"
+  std::string way = {};      ///< of bringing the file to metres: "gdalwarp -t_srs EPSG:CODE"
   std::string relabel = {};  ///< of correcting its declarations: "pdal translate ..."
   /// True: the unit can be given as `units`, which messages then advise.
   bool has_units_option = false;
@@ -67,6 +67,7 @@ std::vector<std::string> check_lengths(const std::string& name,
 /// the map, counts as local coordinates and is let through.
 /// @param crs    "EPSG:3857" or WKT, plan in metres; empty: none
 /// @param place  plan coordinates in the file
+/// @param way    a command that projects the file, with "EPSG:CODE" for the system
 /// @throws InputError  with the scale and a system that suits the place
 void check_map_scale(const std::string& name, const std::string& crs, const Vec2& place,
                      const std::string& way);

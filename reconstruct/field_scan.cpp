@@ -33,8 +33,8 @@ std::vector<std::string> check_cloud_system(const std::filesystem::path& path,
   const LengthUse use{.unit = metres ? 1.0 : options.unit,
                       .unit_given = !metres,
                       .needs_up = false,
-                      .way = "pdal translate, filters.reprojection, EPSG:25832",
-                      .relabel = "pdal translate, writers.las.a_srs=EPSG:25832",
+                      .way = "pdal translate, filters.reprojection, EPSG:CODE",
+                      .relabel = "pdal translate, writers.las.a_srs=EPSG:CODE",
                       .has_units_option = true};
   std::vector<std::string> notes = check_lengths(path.string(), summary.lengths, use);
   if (summary.points > 0) {

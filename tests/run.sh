@@ -62,6 +62,12 @@ if [ "$ci" = true ]; then
     }'
 fi
 
+status=0
+if [ "$ci" = true ]; then
+  printf '== Compiling the changed files alone\n'
+  tests/build/compile_alone.py || status=1
+fi
+
 data=${CLAST_DATA:-../shared/data}
 if [ -d "$data" ]; then
   # Tests run in other folders, so the path must not depend on this one.
@@ -76,9 +82,8 @@ fi
 if [ $slow = true ]; then cmake --build build/release --target slow_tests -j 2; fi
 
 printf '== Running the tests labelled %s\n' "${labels// /, }"
-status=0
 ctest --test-dir build/release -j2 --output-on-failure --no-tests=error \
-  -L "^(${labels// /|})\$" || status=$?
+  -L "^(${labels// /|})\$" || status=1
 if [ -n "${left_out-}" ]; then printf '== %s\n' "$left_out"; fi
 if [ -s build/release/left_out.txt ]; then sed 's/^/== Left out: /' build/release/left_out.txt; fi
 exit $status

@@ -14,19 +14,38 @@ namespace {
 constexpr int kSeamDirections = 150;  ///< normals of planes, over half a sphere
 constexpr int kSlices = 40;           ///< planes of each normal
 /// Area of the section, against the largest on the side that has less, above which it is no neck.
-constexpr double kWidestNeck = 0.6;
+constexpr double kWidestNeck = 0.85;
 /// A part with less of the volume than this is no second body.
-constexpr double kLeastPart = 0.06;
-constexpr std::size_t kTriedNecks = 16;  ///< of different normals, the narrowest first
+constexpr double kLeastPart = 0.004;
+constexpr double kSamePart = 0.02;       ///< of the volume: planes that differ by less are alike
+constexpr std::size_t kTriedNecks = 12;  ///< of different normals, the narrowest first
+constexpr double kFirstTurn = 0.1, kLastTurn = 0.02, kWidestTurn = 0.25;  ///< of a normal, rad
 /// Sum of the sines by which the surfaces on both sides of a seam face each other.
 constexpr double kFacing = 0.5;
 /// The surfaces are looked at within this share of the cube root of the smaller part's volume.
 constexpr double kSeamReach = 0.2;
-constexpr double kConcaveOutline = 0.7;  ///< share of an outline along which a seam is concave
-/// What the hull of the whole has more than those of the parts, against that of the smaller part.
-constexpr double kLeastHullGain = 0.25;
 constexpr int kSeamRefinements = 10;  ///< planes between two slices
 constexpr std::size_t kOutlineSamples = 72;
+
+/// What makes a neck a seam. One rock of the test data has at most a gain of 0.31, at a ratio of
+/// 0.7.
+struct SeamRule {
+  double widest_neck;      ///< area of the section, against the largest on the side that has less
+  double least_hull_gain;  ///< what the hull of the whole has more than those of the parts, against
+                           ///< that of the smaller part
+  double concave_outline;  ///< share of the outline along which the surface is concave
+};
+/// The narrower the neck or the farther the parts are from one convex body, the less the outline
+/// has to say: bodies can touch in several places, with gaps between them that were not scanned.
+constexpr std::array<SeamRule, 3> kSeamRules = {
+    {{kWidestNeck, 1.0, 0.7}, {0.6, 0.25, 0.7}, {0.4, 0.5, 0.0}}};
+
+bool is_seam(double ratio, double hull_gain, double concave_outline) {
+  return std::any_of(kSeamRules.begin(), kSeamRules.end(), [&](const SeamRule& rule) {
+    return ratio < rule.widest_neck && hull_gain > rule.least_hull_gain &&
+           concave_outline >= rule.concave_outline;
+  });
+}
 
 /// Evenly over the upper half of the sphere, along a spiral.
 Vec3 half_sphere_direction(int i, int count) {
@@ -61,6 +80,7 @@ struct Neck {
   Vec3 normal = Vec3::UnitZ();
   double height = 0.0, step = 0.0;  ///< along the normal; to the next plane
   double ratio = 1.0, area = 0.0, smaller_fraction = 0.0;
+  bool smaller_above = true;
 };
 
 class SeamSearch {
@@ -81,15 +101,28 @@ class SeamSearch {
     }
     std::stable_sort(necks.begin(), necks.end(),
                      [](const Neck& a, const Neck& b) { return a.ratio < b.ratio; });
-    if (necks.size() > kTriedNecks) necks.resize(kTriedNecks);
+    std::vector<Neck> tried;
     std::optional<BodySeam> best;
-    for (Neck& neck : necks) {
+    for (Neck neck : necks) {
+      if (tried.size() == kTriedNecks) break;
+      if (std::any_of(tried.begin(), tried.end(),
+                      [&](const Neck& other) { return is_beside(neck, other); })) {
+        continue;
+      }
+      turn(neck);
+      tried.push_back(neck);
       refine(neck);
+      if (best && neck.ratio >= best->ratio) continue;
+      const double gain = hull_gain(neck);
       const std::vector<OutlinePiece> outline = outline_at(neck);
-      const double concave = concave_fraction(neck, outline);
-      if (concave < kConcaveOutline || (best && concave <= best->concave_fraction)) continue;
-      if (hull_gain(neck) < kLeastHullGain) continue;
-      best = {middle_ + centroid(outline), std::sqrt(neck.area), neck.smaller_fraction, concave};
+      if (!is_seam(neck.ratio, gain, concave_fraction(neck, outline))) continue;
+      const Vec3 towards = neck.smaller_above ? neck.normal : Vec3(-neck.normal);
+      const double height = neck.smaller_above ? neck.height : -neck.height;
+      best = {middle_ + centroid(outline),
+              std::sqrt(neck.area),
+              neck.smaller_fraction,
+              neck.ratio,
+              {towards, height + towards.dot(middle_)}};
     }
     return best;
   }
@@ -116,7 +149,7 @@ class SeamSearch {
     }
     double whole = 0.0;
     for (double& area : areas) whole += (area = std::abs(area));
-    Neck best{normal, 0.0, step, kWidestNeck, 0.0, 0.0};
+    Neck best{.normal = normal, .step = step, .ratio = kWidestNeck};
     double below = 0.0, largest_below = 0.0;
     for (std::size_t k = 0; k < kSlices; ++k) {
       const double largest_above =
@@ -124,13 +157,45 @@ class SeamSearch {
       const double smaller = std::min(below, whole - below) / whole;
       const double ratio = areas[k] / std::min(largest_below, largest_above);
       if (smaller >= kLeastPart && ratio < best.ratio) {
-        best = {normal, first + static_cast<double>(k + 1) * step, step, ratio, areas[k], smaller};
+        best = {normal,
+                first + static_cast<double>(k + 1) * step,
+                step,
+                ratio,
+                areas[k],
+                smaller,
+                below > whole - below};
       }
       below += areas[k];
       largest_below = std::max(largest_below, areas[k]);
     }
     if (!(best.area > 0.0)) return std::nullopt;
     return best;
+  }
+
+  /// True for planes that the turns of one of them reach, at about the same place.
+  static bool is_beside(const Neck& neck, const Neck& other) {
+    return std::abs(neck.normal.dot(other.normal)) > std::cos(2.0 * kWidestTurn) &&
+           std::abs(neck.smaller_fraction - other.smaller_fraction) < kSamePart;
+  }
+
+  /// Turns the plane to where the section is narrowest against the body on both sides.
+  void turn(Neck& neck) const {
+    const Vec3 first = neck.normal;
+    for (double angle = kFirstTurn; angle > kLastTurn; angle *= 0.5) {
+      for (bool turned = true; turned;) {
+        turned = false;
+        const Vec3 across = neck.normal.unitOrthogonal(), along = neck.normal.cross(across);
+        for (const Vec3& side : {across, Vec3(-across), along, Vec3(-along)}) {
+          const Vec3 normal = (neck.normal + std::tan(angle) * side).normalized();
+          if (first.dot(normal) < std::cos(kWidestTurn)) continue;
+          const auto tried = narrowest(normal);
+          if (!tried || tried->ratio >= neck.ratio) continue;
+          neck = *tried;
+          turned = true;
+          break;
+        }
+      }
+    }
   }
 
   /// Moves the plane to where the section is least between the slices beside it.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <memory>
 #include <span>
 #include <utility>
@@ -14,6 +15,7 @@
 #include "reconstruct/detail/doubtful_form.hpp"
 #include "reconstruct/detail/holes.hpp"
 #include "reconstruct/detail/stated_bounds.hpp"
+#include "shapes/oriented_box.hpp"
 
 namespace clast::reconstruct_detail {
 
@@ -180,23 +182,53 @@ std::string format_file_place(const Vec3& point, const FieldBlock& block,
   return place(((in_file / digit).array().round() * digit + 0.0).matrix());  // no "-0"
 }
 
+/// A neighbour with more of the volume than this is refused: either body may be the block.
+constexpr double kSmallNeighbour = 0.06;
+
+/// Lowers the bounds to those of the block without what lies beyond a seam.
+/// @param fraction  of the volume that lies there
+void leave_out_neighbour(FieldBlock& block, const Plane& seam, double fraction) {
+  const std::vector<Vec3>& whole = block.scan.mesh.vertices;
+  if (!block.bounds) {
+    const double volume = signed_volume(block.scan.mesh);
+    const Vec3 sides = smallest_box(whole).lengths;
+    block.bounds = BlockBounds{volume, volume, volume, SideBounds{sides, sides}, 0.0, {}, {}};
+  }
+  block.bounds->lower_volume *= 1.0 - fraction;
+  if (!block.bounds->sides) return;
+  std::vector<Vec3> alone;
+  std::copy_if(whole.begin(), whole.end(), std::back_inserter(alone),
+               [&](const Vec3& vertex) { return seam.height(vertex) <= 0.0; });
+  const Vec3 shrinks =
+      smallest_box(alone).lengths.cwiseQuotient(smallest_box(whole).lengths).cwiseMin(1.0);
+  block.bounds->sides->lower = block.bounds->sides->lower.cwiseProduct(shrinks);
+}
+
 /// Notes what makes the form of a block doubtful.
-/// @param on_ground  then a seam is that of a neighbour, and refused
+/// @param on_ground  then a seam is that of a neighbour: a small one widens the bounds, others are
+///                   refused
 void judge_form(FieldBlock& block, const std::string& name, const ScanOptions& options,
                 bool on_ground) {
   const auto file_place = [&](const Vec3& point) {
     return format_file_place(point, block, options);
   };
   for (const FormDoubt& doubt : find_form_doubts(block.scan.mesh)) {
-    if (on_ground && doubt.kind == FormDoubt::Kind::kSeam) {
-      throw GeometryError(
-          name + ": two bodies that touch in a seam " + with_digits(doubt.size, 2) +
-          " m wide near " + file_place(doubt.place) + ", the smaller with " +
-          with_digits(100.0 * doubt.fraction, 2) +
-          " % of the volume: crop the scan to one of them; if it is one rock with a "
-          "waist, cut the ground away too and give `find_ground = false`");
+    if (!on_ground || doubt.kind != FormDoubt::Kind::kSeam) {
+      block.scan.notes.push_back(format_form_doubt(doubt, file_place));
+      continue;
     }
-    block.scan.notes.push_back(format_form_doubt(doubt, file_place));
+    const std::string seam =
+        " in a seam " + with_digits(doubt.size, 2) + " m wide near " + file_place(doubt.place);
+    const std::string share = with_digits(100.0 * doubt.fraction, 2) + " % of the volume";
+    if (doubt.fraction > kSmallNeighbour) {
+      throw GeometryError(name + ": two bodies that touch" + seam + ", the smaller with " + share +
+                          ": crop the scan to one of them; if it is one rock with a waist, cut "
+                          "the ground away too and give `find_ground = false`");
+    }
+    leave_out_neighbour(block, *doubt.seam, doubt.fraction);
+    block.scan.notes.push_back("a smaller body with " + share + " touches this one" + seam +
+                               "; the lower bounds are those without it: crop it off for "
+                               "narrower ones");
   }
 }
 

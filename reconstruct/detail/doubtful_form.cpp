@@ -176,7 +176,8 @@ std::vector<FormDoubt> find_form_doubts(const TriangleMesh& closed) {
   }
   if (fill < kHollowFill) doubts.push_back(hollow_of(closed, hull, fill));
   if (const auto seam = find_seam(closed)) {
-    doubts.push_back({FormDoubt::Kind::kSeam, seam->place, seam->width, seam->smaller_fraction});
+    doubts.push_back(
+        {FormDoubt::Kind::kSeam, seam->place, seam->width, seam->smaller_fraction, seam->plane});
   }
   return doubts;
 }

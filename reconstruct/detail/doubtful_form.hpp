@@ -1,9 +1,11 @@
 #pragma once
 /// Closed bodies that do not look like one rock.
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "mesh/plane.hpp"
 #include "mesh/triangle_mesh.hpp"
 
 namespace clast::reconstruct_detail {
@@ -21,6 +23,7 @@ struct FormDoubt {
   double size = 0.0;          ///< m
   double fraction = 0.0;  ///< kShell, kHollow: volume over that of the convex hull; kSeam: volume
                           ///< of the smaller body; kSlab: plan area of the ground
+  std::optional<Plane> seam = {};  ///< kSeam: normal towards the smaller body
 };
 
 /// Finds what makes a closed body doubtful, at most one of each kind.

@@ -41,7 +41,7 @@ constexpr double kSmallClosure = 0.2;  ///< width against the root of the body's
 constexpr double kTurnsInward = 0.3, kTurnsOutward = 0.05;
 constexpr double kLeastMouth = 0.002;         ///< of the area of the surface
 constexpr double kLeastLeftByHollows = 0.01;  ///< of the volume
-constexpr double kBefore = 1.0;  ///< a closure is looked through from so many of its widths
+constexpr double kBefore = 1.0;  ///< where rays through a closure begin: before it, in its widths
 
 struct Middle {
   Vec3 place = Vec3::Zero();

@@ -125,8 +125,8 @@ void tell_of_restitution(const PreparedCampaign& prepared, std::vector<std::stri
     largest = std::max(largest, most);
   }
   if (header.stay && largest > kMostUnbalanced) {
-    throw InputError(prepared.campaign.file.string() + ": energy_restitution = " +
-                     with_digits(largest, 4) +
+    throw InputError(prepared.campaign.file.string() +
+                     ": energy_restitution = " + with_digits(largest, 4) +
                      " returns more than half of the energy of an impact; with blocks that stay, "
                      "blocks could gain energy then (docs/theory.md, Weights and energy). Give at "
                      "most " +

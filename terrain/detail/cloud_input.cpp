@@ -151,8 +151,8 @@ std::optional<Classes> ground_classes(const std::vector<ClassSurvey>& by_class,
 /// Refuses a cloud that is not in metres on the map of those before it.
 void check_cloud_map(const fs::path& path, const CloudSummary& summary, const Vec2& centre,
                      CloudGrid& result) {
-  const LengthUse metres{.way = "pdal translate, filters.reprojection, EPSG:25832",
-                         .relabel = "pdal translate, writers.las.a_srs=EPSG:25832"};
+  const LengthUse metres{.way = "pdal translate, filters.reprojection, EPSG:CODE",
+                         .relabel = "pdal translate, writers.las.a_srs=EPSG:CODE"};
   for (const std::string& note : check_lengths(path.string(), summary.lengths, metres)) {
     result.notes.push_back(path.string() + ": " + note);
   }

@@ -172,7 +172,7 @@ void check_zunits(const std::filesystem::path& path) {
 /// @param system  null: GDAL finds none
 std::vector<std::string> check_raster_map(const std::filesystem::path& path,
                                           const OGRSpatialReference* system, const Vec2& middle) {
-  const LengthUse metres{.way = "gdalwarp -t_srs EPSG:25832",
+  const LengthUse metres{.way = "gdalwarp -t_srs EPSG:CODE",
                          .relabel = "gdal_edit.py -a_srs EPSG:CODE " + path.filename().string()};
   std::vector<LengthDeclaration> declared = parse_geotiff_keys(read_tiff_keys(path)).lengths;
   const std::string wkt = system ? full_wkt(*system) : std::string();

@@ -301,14 +301,13 @@ TEST(MapScale, IsTheStretchOfTheProjection) {
 
 TEST(MapScale, OfWorldMapsIsRefusedAndOfSurveyorsMapsIsNot) {
   const auto refused = [](const std::string& crs, const Vec2& place) {
-    return refusal([&] { check_map_scale("a.tif", crs, place, "WAY"); });
+    return refusal([&] { check_map_scale("a.tif", crs, place, "convert EPSG:CODE"); });
   };
   const std::string mercator = refused("EPSG:3857", {1147666, 5903972});
   EXPECT_TRUE(contains(mercator,
                        "a.tif: lengths on its map (WGS 84 / Pseudo-Mercator (EPSG:3857)) are 1."));
   EXPECT_TRUE(contains(mercator,
-                       "project it to a local system in metres first, here for example "
-                       "EPSG:32632 (WAY)"));
+                       "project it to a local system in metres first (convert EPSG:32632)"));
   const Vec2 alps(1147666, 5903972);
   for (const char* crs : {"EPSG:3395", "EPSG:4087", "ESRI:102100", "ESRI:54009", "EPSG:6933"}) {
     EXPECT_TRUE(contains(refused(crs, alps), "those on the ground")) << crs;

@@ -76,6 +76,32 @@ TEST(DoubtfulForm, BallsThatTouchOrAreJoinedMeetInASeam) {
   }
 }
 
+TEST(DoubtfulForm, ASmallBallOnALargerOneIsFoundOnItsSide) {
+  Random random(5);
+  for (const double second : {0.2, 0.3, 0.4}) {
+    const Pose turn{Vec3(3.0, -2.0, 1.0), random.rotation()};
+    const TriangleMesh body = transformed(two_balls(second, 1.0 + 0.95 * second, 0.0), turn);
+    const auto seam = find_seam(body);
+    ASSERT_TRUE(seam) << second;
+    const double cubed = second * second * second;
+    EXPECT_NEAR(seam->smaller_fraction, cubed / (1.0 + cubed), 0.1 * cubed) << second;
+    EXPECT_GT(seam->plane.height(turn * Vec3(1.0 + second, 0.0, 0.0)), 0.0) << second;
+    EXPECT_LT(seam->plane.height(turn * Vec3(0.5, 0.0, 0.0)), 0.0) << second;
+    EXPECT_NEAR(seam->plane.height(seam->place), 0.0, 1e-9) << second;
+  }
+}
+
+TEST(DoubtfulForm, BodiesThatTouchInTwoPlacesMeetInASeam) {
+  // A notched ball beside another: the plane between them cuts two separate outlines.
+  TriangleMesh body = two_balls(0.8, 1.75, 0.3);
+  for (Vec3& vertex : body.vertices) {
+    const double beside = (vertex.x() - 0.98) / 0.25;
+    const double depth = 0.9 * std::exp(-beside * beside);
+    if (std::abs(vertex.y()) < 0.15) vertex.z() *= 1.0 - depth;
+  }
+  EXPECT_TRUE(find_seam(body));
+}
+
 TEST(DoubtfulForm, AClosedScanOfABlockWithItsGroundIsASlab) {
   Random random(3);
   for (const double rock : {0.3, 0.5, 0.8}) {

@@ -281,7 +281,7 @@ TEST_F(RasterGround, MapsThatStretchLengthsAreRefusedWithTheirScale) {
     const std::string message = refused_in(system, alps);
     EXPECT_TRUE(contains(message, "dem.vrt: lengths on its map (")) << system;
     EXPECT_TRUE(contains(message,
-                         "project it to a local system in metres first, here for example "
+                         "project it to a local system in metres first (gdalwarp -t_srs "
                          "EPSG:326"));
   }
   EXPECT_EQ(refused_in("EPSG:32632", "652000, 1, 0, 5203000, 0, -1"), "");
