@@ -11,7 +11,7 @@ namespace clast::reconstruct_detail {
 
 namespace {
 
-constexpr int kSeamDirections = 150;  ///< normals of planes, over half a sphere
+constexpr int kSeamDirections = 400;  ///< normals of planes, over half a sphere
 constexpr int kSlices = 40;           ///< planes of each normal
 /// Area of the section, against the largest on the side that has less, above which it is no neck.
 constexpr double kWidestNeck = 0.85;
@@ -38,7 +38,7 @@ struct SeamRule {
 /// The narrower the neck or the farther the parts are from one convex body, the less the outline
 /// has to say: bodies can touch in several places, with gaps between them that were not scanned.
 constexpr std::array<SeamRule, 3> kSeamRules = {
-    {{kWidestNeck, 1.0, 0.7}, {0.6, 0.25, 0.7}, {0.4, 0.5, 0.0}}};
+    {{kWidestNeck, 1.0, 0.0}, {0.6, 0.25, 0.7}, {0.4, 0.5, 0.0}}};
 
 bool is_seam(double ratio, double hull_gain, double concave_outline) {
   return std::any_of(kSeamRules.begin(), kSeamRules.end(), [&](const SeamRule& rule) {
