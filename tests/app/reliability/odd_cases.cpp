@@ -89,7 +89,7 @@ std::vector<Kind> odd_kinds() {
   return {
       {"a neighbour that touches",
        "% of its size",
-       {60.0, 90.0},
+       {35.0, 60.0, 90.0},
        [](const Body& body, double amount, Random& random) {
          return cloud_with_neighbour(body, kPercent * amount, random);
        },
