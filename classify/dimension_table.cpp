@@ -164,7 +164,7 @@ void note_unnamed_summaries(DimensionTable& table) {
     const std::string& name = table.blocks[i].name;
     if ((mean || sum) && name.starts_with("row ")) {
       notes.push_back(name + " is the " + (mean ? "mean" : "sum") +
-                      " of the rows above: is it a block? Leave it out of the table if it is none");
+                      " of the rows above: is it a block? If not, delete the row");
     }
   }
   table.notes.insert(table.notes.end(), notes.begin(), notes.end());

@@ -96,7 +96,7 @@ std::string kind_of_file(const fs::path& path) {
 std::string kind_by_name(const fs::path& path) {
   static const std::map<std::string, std::string> kKinds = {
       {".png", "PNG"},   {".svg", "SVG"},     {".html", kPageKind}, {".tif", "TIFF"},
-      {".tiff", "TIFF"}, {".gpkg", "SQLite"}, {".glb", "glTF"},  {".ply", "PLY"},
+      {".tiff", "TIFF"}, {".gpkg", "SQLite"}, {".glb", "glTF"},     {".ply", "PLY"},
       {".stl", "STL"},   {".vtp", "VTK"},     {".pvd", "VTK"}};
   const auto kind = kKinds.find(extension_of(path));
   return kind == kKinds.end() ? "text" : kind->second;

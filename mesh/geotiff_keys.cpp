@@ -90,11 +90,11 @@ std::optional<DeclaredUnit> unit_in_key(const KeyDirectory& keys, GeoKey key, do
   if (code == 0) return std::nullopt;
   if (code == kUserDefined) {
     return DeclaredUnit{size > 0.0 ? size : 0.0,
-                        size > 0.0 ? "unit of its own" : "unit of its own, of no stated size"};
+                        size > 0.0 ? "user-defined unit" : "user-defined unit of unstated length"};
   }
   if (const auto unit = epsg_length_unit(code)) return unit;
-  return DeclaredUnit{0.0,
-                      "unit with the code " + std::to_string(code) + ", which is none of length"};
+  return DeclaredUnit{
+      0.0, "unit with the code " + std::to_string(code) + ", which is not a length unit"};
 }
 
 /// A foot that only the text of a citation names: "NAD_1983_..._Feet", "(ftUS)", "LUnits = Foot".

@@ -150,7 +150,7 @@ std::string relabelled(const LengthUse& use) {
 }
 
 /// The one unit that is declared; none where there is none.
-/// @param what  "plan" or "heights"
+/// @param what  "x and y" or "heights"
 std::optional<SourcedUnit> one_unit(const std::string& name, const char* what,
                                     const std::vector<SourcedUnit>& units, const LengthUse& use) {
   if (units.empty()) return std::nullopt;
@@ -163,8 +163,8 @@ std::optional<SourcedUnit> one_unit(const std::string& name, const char* what,
       if (as_given != units.end()) return *as_given;
     }
     throw InputError(name + ": the unit of its " + what + " is the " + unit_text(units[0].unit) +
-                     " by its " + *units[0].source + ", and the " + unit_text(each.unit) +
-                     " by its " + *each.source + "; " + relabelled(use) +
+                     " according to its " + *units[0].source + ", but the " + unit_text(each.unit) +
+                     " according to its " + *each.source + "; " + relabelled(use) +
                      (use.has_units_option ? ", or give `units`" : ""));
   }
   return units[0];
@@ -195,10 +195,11 @@ void refuse_kinds(const std::string& name, const std::vector<LengthDeclaration>&
   }
   for (const LengthDeclaration& each : declared) {
     if (each.world_projection.empty()) continue;
-    throw InputError(name + ": its projection is " + each.world_projection + " (" + each.source +
-                     "), whose lengths are those of the ground only on one parallel; project it to "
-                     "a local system in metres first (" +
-                     use.way + ")");
+    throw InputError(
+        name + ": its projection is " + each.world_projection + " (" + each.source +
+        "), whose lengths differ from those on the ground almost everywhere; project it to "
+        "a local system in metres first (" +
+        use.way + ")");
   }
 }
 
@@ -322,18 +323,20 @@ std::vector<std::string> check_lengths(const std::string& name,
   std::vector<std::string> notes;
   for (const LengthDeclaration& each : declared) {
     if (each.kind != SystemKind::kUnknown) continue;
-    notes.push_back("its " + each.source +
-                    " is a reference system that is not understood; the unit of its coordinates is "
-                    "taken as given");
+    notes.push_back(
+        "its " + each.source +
+        " is a reference system that PROJ does not recognise; its coordinates are assumed to "
+        "be in the stated or default unit");
   }
   refuse_kinds(name, declared, use);
-  const auto plan = one_unit(name, "plan", units_declared(declared, &LengthDeclaration::plan), use);
+  const auto plan =
+      one_unit(name, "x and y", units_declared(declared, &LengthDeclaration::plan), use);
   const auto height =
       one_unit(name, "heights", units_declared(declared, &LengthDeclaration::height), use);
   const DeclaredUnit metre{1.0, "metre"};
   if (plan && height && !same_unit(plan->unit, height->unit)) {
     throw InputError(name + ": its heights are in units of the " + unit_text(height->unit) + " (" +
-                     *height->source + "), its plan in units of the " + unit_text(plan->unit) +
+                     *height->source + "), its x and y in units of the " + unit_text(plan->unit) +
                      " (" + *plan->source +
                      "); bring both to metres first, with a system of heights in metres (" +
                      use.way + "+CODE)");

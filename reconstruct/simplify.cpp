@@ -21,8 +21,10 @@ namespace {
 /// Targets tried in turn, as multiples of the one asked for, when a simplified mesh crosses itself.
 constexpr double kFewer[] = {1.0, 0.95, 0.9, 0.85, 0.8, 0.75, 0.7, 0.65, 0.6, 0.55, 0.5};
 /// Tunnels of a porous scan need vertices to stay open: with so many times as many the surface may
-/// be sound, or become so by closing a tunnel, and can be simplified from there.
-constexpr double kMore[] = {1.0, 1.25, 1.5, 2.0, 3.0, 4.0};
+/// be sound, or become so by closing a tunnel, and can be simplified from there. Closing one takes
+/// vertices, for which fewer than asked for leave room.
+constexpr double kRefilledAt[] = {1.0, 1.25, 1.5, 2.0, 3.0, 4.0, 0.8, 0.6, 0.45};
+constexpr double kMost = 4.0;
 /// So many times the vertices a simplified mesh may have once what crosses was filled anew.
 constexpr double kMostRefill = 2.0;
 /// And so much of its volume may change: the body that is made of it is scaled to the scan's.
@@ -113,11 +115,11 @@ TriangleMesh simplified(const TriangleMesh& mesh, const SimplifyOptions& options
     return std::nullopt;
   };
   if (std::optional<TriangleMesh> found = lighter(centred, 1.0)) return std::move(*found);
-  const TriangleMesh finer = decimated(centred, times(kMore[std::size(kMore) - 1]));
+  const TriangleMesh finer = decimated(centred, times(kMost));
   if (std::optional<TriangleMesh> found = lightest(finer)) return std::move(*found);
   TriangleMesh first;
   std::optional<std::size_t> fewest;
-  for (const double multiple : kMore) {
+  for (const double multiple : kRefilledAt) {
     const TriangleMesh tried = decimated(finer, times(multiple));
     if (first.triangles.empty()) first = moved(tried, origin);
     std::optional<TriangleMesh> sound = untangled(moved(tried, origin));
@@ -136,18 +138,19 @@ TriangleMesh simplified(const TriangleMesh& mesh, const SimplifyOptions& options
   const auto crossings = crossing_triangles(first);
   const auto input_crossings = crossing_triangles(mesh);
   std::string message = "simplified to " + std::to_string(options.target_vertices) +
-                        " vertices the surface passes through itself";
+                        " vertices the surface intersects itself";
   if (!crossings.empty()) {
     message += " near " + place(first.vertices[first.triangles[crossings[0][0]][0]]);
   }
-  message +=
-      input_crossings.empty()
-          ? fewest ? "; ask for " + std::to_string(*fewest) + ", the fewest that were found to do"
-                   : "; ask for more vertices"
-          : "; so does the scan, at " + std::to_string(input_crossings.size()) +
-                " pairs of triangles, the first near " +
-                place(mesh.vertices[mesh.triangles[input_crossings[0][0]][0]]) +
-                ": clean it there, or ask for more vertices";
+  message += input_crossings.empty()
+                 ? fewest ? "; ask for " + std::to_string(*fewest) +
+                                " vertices, the fewest found without self-intersections"
+                          : "; ask for more vertices"
+                 : "; the scan also intersects itself, at " +
+                       std::to_string(input_crossings.size()) +
+                       " pairs of triangles, the first near " +
+                       place(mesh.vertices[mesh.triangles[input_crossings[0][0]][0]]) +
+                       ": repair it there, or ask for more vertices";
   throw GeometryError(message);
 }
 

@@ -126,7 +126,7 @@ void warn_of_speeds(Comparison& comparison) {
   if (speeds.empty()) return;
   const double p95 = summarise(speeds).p95;
   if (!(p95 > kSeldomSpeed)) return;
-  const std::string fast = "of 100 runs, five are faster than " + with_digits(p95, 3) +
+  const std::string fast = "5 % of the runs are faster than " + with_digits(p95, 3) +
                            " m/s; blocks on slopes are seldom seen faster than " +
                            with_digits(kSeldomSpeed, 3) + " m/s";
   warn(comparison,
@@ -134,7 +134,7 @@ void warn_of_speeds(Comparison& comparison) {
            ". Check units and heights of the terrain, drop heights and velocities of the "
            "release, and ground parameters (energy_restitution is a share of energy); air "
            "resistance is not modelled",
-       "O" + fast.substr(1) + ".");
+       fast + ".");
 }
 
 /// Mean mass of the blocks of every Garcia class, each block once.

@@ -249,7 +249,7 @@ std::string in_words(const Difference& difference, const Comparison& comparison)
                             mean(difference.second_mean) + "; " + gap_in_words(difference);
   switch (evidence_of(difference)) {
     case Evidence::kOneRealisation:
-      return means + "; one realisation can't tell what is chance";
+      return means + "; one realisation does not show whether this is chance";
     case Evidence::kMoreThanChance:
       return means;
     case Evidence::kOtherSpread:

@@ -62,7 +62,7 @@ Columns columns_of(const Record& header, const std::string& file) {
            "\"; the first line must name the columns, among them x and y; found " + list);
   }
   if (columns.contains("start_x") != columns.contains("start_y")) {
-    refuse("start_x and start_y come together or not at all");
+    refuse("has only one of start_x and start_y; give both or neither");
   }
   return columns;
 }

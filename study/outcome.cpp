@@ -32,11 +32,10 @@ std::vector<std::string> outcome_warnings(const CampaignOutcome& outcome) {
   std::vector<std::string> warnings;
   if (outcome.reassigned > 0) {
     warnings.push_back(
-        counted(outcome.reassigned, "run") +
-        " lose or gain more than 10 % of the energy they dissipate where contacts change, at "
-        "most " +
+        counted(outcome.reassigned, "run loses or gains", "runs lose or gain") +
+        " more than 10 % of the dissipated energy where contacts change, the largest share being " +
         with_digits(100.0 * outcome.largest_reassigned.value_or(0.0), 2) +
-        " %; clast compare says which and what to try");
+        " %; clast compare names the worst run and says what to try");
   }
   return warnings;
 }

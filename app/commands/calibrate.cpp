@@ -138,7 +138,7 @@ void add_calibrate(CLI::App& app) {
       ->capture_default_str();
   CLI::Option* resume =
       command->add_flag("--resume", args->resume,
-                        "Take over the members that an interrupted calibration, or one with other "
+                        "Reuse the members that an interrupted calibration, or one with other "
                         "observations, has simulated");
   command->add_flag("--replace", args->replace, "Replace the posterior that FILE holds");
   CLI::Option* shard =

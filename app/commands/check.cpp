@@ -89,9 +89,9 @@ void check_one(const CheckArgs& args) {
 
 void add_check(CLI::App& app) {
   const auto args = std::make_shared<CheckArgs>();
-  CLI::App* command = app.add_subcommand(
-      "check",
-      "Say everything that clast simulate or calibrate would refuse in a file, without running it");
+  CLI::App* command = app.add_subcommand("check",
+                                         "List everything that clast simulate or calibrate would "
+                                         "refuse in a file, without running it");
   CLI::Option* file =
       command->add_option("file", args->file, "Campaign, or study of a calibration (TOML)")
           ->type_name("FILE");

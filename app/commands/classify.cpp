@@ -140,8 +140,8 @@ void add_class_options(CLI::App& command, ClassifyArgs& args) {
       ->capture_default_str();
   command
       .add_option("--roundness", args.request.reading.roundness_edge,
-                  "With --json: Wadell roundness of a library's blocks, on their surface cut anew "
-                  "into triangles with edges of so many m")
+                  "With --json: Wadell roundness of a library's blocks, on their surface remeshed "
+                  "with this edge length, m")
       ->check(within(kBlockLength))
       ->type_name("M");
 }

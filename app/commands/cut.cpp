@@ -234,8 +234,10 @@ void add_difference_options(CLI::App& command, CLI::Option* mass, CutArgs& args)
                            ->type_name("FILES");
   before->needs(after);
   command
-      .add_option("--min-thickness", args.difference.min_thickness,
-                  "Upright height of the one above the other from which on it is mass, m; 0: any")
+      .add_option(
+          "--min-thickness", args.difference.min_thickness,
+          "Smallest vertical difference between the two terrains that counts as rock mass, m; 0: "
+          "any")
       ->check(within(kMassThickness))
       ->needs(before)
       ->type_name("M")
@@ -246,16 +248,18 @@ void add_difference_options(CLI::App& command, CLI::Option* mass, CutArgs& args)
       ->needs(before)
       ->type_name("FILE");
   command
-      .add_option("--bodies", args.difference.bodies,
-                  "Of a mass in several bodies: largest, all, or their numbers in the order of "
-                  "volume, as 1,3")
+      .add_option(
+          "--bodies", args.difference.bodies,
+          "Which bodies to take if the mass consists of several: largest, all, or their numbers "
+          "in order of volume, such as 1,3")
       ->needs(before)
       ->type_name("WHICH")
       ->capture_default_str();
   command
-      .add_option("--resolution", args.difference.resolution,
-                  "Make grids of such cells of both terrains first, of their highest points, m; "
-                  "default: both as they are")
+      .add_option(
+          "--resolution", args.difference.resolution,
+          "First convert both terrains to grids with this cell size, using the highest point of "
+          "each cell, m; default: both as they are")
       ->check(within(kCellSize))
       ->needs(before)
       ->type_name("M");
@@ -269,7 +273,7 @@ void add_difference_options(CLI::App& command, CLI::Option* mass, CutArgs& args)
 
 /// How the mass is cut and its blocks are made.
 void add_block_making_options(CLI::App& command, MassBlockOptions& options) {
-  command.add_option("--seed", options.cutting.seed, "Of the places of the joints")
+  command.add_option("--seed", options.cutting.seed, "Random seed of the joint positions")
       ->check(whole_number())
       ->type_name("N")
       ->capture_default_str();
@@ -280,7 +284,8 @@ void add_block_making_options(CLI::App& command, MassBlockOptions& options) {
       ->type_name("M3")
       ->capture_default_str();
   command
-      .add_option("--most-blocks", options.cutting.most_blocks, "Joints that cut more are refused")
+      .add_option("--most-blocks", options.cutting.most_blocks,
+                  "Largest number of blocks; joints that would cut more are refused")
       ->check(whole_number(1, 1'000'000))
       ->type_name("N")
       ->capture_default_str();

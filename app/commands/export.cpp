@@ -83,8 +83,8 @@ void add_format_options(CLI::App& command, ExportArgs& args) {
   command
       .add_option(
           "--segments", args.segments,
-          "Segments of a quarter turn in the skin, 1 to 64; its volume is too small by a "
-          "share that falls with their square. A concave block's skin has no triangles below "
+          "Segments of a quarter turn in the skin, 1 to 64; its volume is too small by a fraction "
+          "that decreases with N squared. A concave block's skin has no triangles below "
           "1/150 of its diagonal")
       ->check(whole_number(1, 64))
       ->type_name("N")
@@ -128,7 +128,7 @@ void add_export(CLI::App& app) {
       "that frame.\n"
       "Scenes (--to) hold blocks, terrain, starts and contact parameters of each run as Rockable "
       "or "
-      "ExaDEM read\nthem; what these can't say is listed.\n"
+      "ExaDEM read\nthem; what their formats can't express is listed.\n"
       "Examples:\n  clast export blocks.h5 SP1A SP3A -o shapes --format shp,stl\n"
       "  clast export campaign.toml --to rockable --runs 0-15 -o scenes");
   command->callback([args, command] {

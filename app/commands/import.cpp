@@ -73,8 +73,10 @@ void add_import(CLI::App& app) {
   command->add_flag("--replace", args->options.replace, "Replace the results that FILE holds");
   command->add_flag("--json", args->json, "Print the summary as JSON");
   command->footer(
-      "Places, speeds, energies and crossings of barriers come from the states in the conf files. "
-      "What takes contacts\nto know (penetration, impacts, dissipation by cause) is left out, and "
+      "Positions, speeds, energies and crossings of barriers come from the states in the conf "
+      "files. "
+      "Quantities that require contact data\n(penetration, impacts, dissipation by cause) is left "
+      "out, and "
       "reports say so.\n"
       "Example:\n"
       "  clast export campaign.toml --to rockable -o scenes\n"

@@ -59,7 +59,7 @@ void write_campaign(const NewCampaignArgs& args) {
 
 void add_new(CLI::App& app) {
   const auto args = std::make_shared<NewCampaignArgs>();
-  CLI::App* parent = app.add_subcommand("new", "Write a file to begin with");
+  CLI::App* parent = app.add_subcommand("new", "Write a first campaign file to edit");
   parent->require_subcommand(1);
   CLI::App* command = parent->add_subcommand(
       "campaign", "Write a commented campaign that runs, from a block library and a terrain");
@@ -76,8 +76,10 @@ void add_new(CLI::App& app) {
   command->add_flag("--replace", args->replace, "Replace an existing campaign file");
   command->footer(
       "Release points are proposed on steep ground in the upper part of the terrain, a barrier "
-      "across the way\ndown at the foot, or higher where few of 16 trial runs get there. Ground "
-      "parameters are usual ones of the\nkind of ground that a zone's name says (rock, talus, "
+      "across the path\nof the blocks at the foot of the slope, or higher up if few of 16 trial "
+      "runs reach "
+      "the foot. Ground parameters are usual ones of the\nkind of ground that a zone's name says "
+      "(rock, talus, "
       "scree, soil hard, soil medium, soil soft), else\nthose of scree: see docs/parameters.md.\n"
       "Example:\n"
       "  clast new campaign --library blocks.h5 --terrain slope.h5 -o campaign.toml");

@@ -39,7 +39,8 @@ void add_camera_options(CLI::App& command, PhotoArgs& args) {
   PhotoScanOptions& options = args.options;
   command
       .add_option("--model", options.model,
-                  "Finished cameras: folder of COLMAP, .xml of Metashape, .sfm or .json of "
+                  "Camera poses computed by another program: folder of COLMAP, .xml of Metashape, "
+                  ".sfm or .json of "
                   "AliceVision, sfm_data.json of OpenMVG, bundle.out; without it one in the folder "
                   "of the photos, else the program colmap is run")
       ->type_name("PATH")

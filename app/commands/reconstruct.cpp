@@ -86,8 +86,8 @@ void reconstruct(const ReconstructArgs& args) {
   const std::vector<ScanFile> scans = list_scans(args.scans);
   check_usage([&] { batch.check(scans.size()); });
   const InterruptionWatch watch(
-      "\nclast: interrupted; waiting for the present step of each scan at work (photographs take "
-      "minutes), then what is finished is kept. Ctrl-C again ends at once\n");
+      "\nclast: interrupted; waiting for the current step of each scan in progress (minutes for "
+      "photographs); finished blocks are kept. Press Ctrl-C again to stop at once\n");
   BatchPrinter printer(scans.size(), batch, args.report, args.json);
   const Progress progress = [&](const ProgressStep& step) {
     if (watch.interrupted()) throw Cancelled();
@@ -124,7 +124,7 @@ void add_scan_options(CLI::App& command, ReconstructArgs& args) {
       .add_option(
           "--up", args.batch.scan.scan.up,
           "Axis of the scans that points up: y or z; without it y of glb and gltf files and "
-          "z of all others, or away from the ground where a scan holds ground")
+          "z of all others, or away from the ground if the scan contains ground")
       ->check(CLI::IsMember({"y", "z"}))
       ->type_name("AXIS");
   command

@@ -55,8 +55,10 @@ void add_scene_options(CLI::App& command, SceneExportArgs& args) {
       ->check(CLI::IsMember(scene_engines()))
       ->type_name("ENGINE");
   command
-      .add_option("--runs", args.runs,
-                  "Of the campaign, or realisations of its mass, for example 0-15,20; without: all")
+      .add_option(
+          "--runs", args.runs,
+          "Runs of the campaign, or realisations of its rock mass, to export, for example 0-15,20; "
+          "default: all")
       ->type_name("LIST");
 }
 

@@ -258,7 +258,8 @@ void add_simulate(CLI::App& app) {
                     "FILE.map.svg, and stop");
   command
       ->add_option("--margin", args->margin,
-                   "Difference in runout that matters: the dry run says how many runs find it")
+                   "Difference in runout that matters: the dry run says how many runs are needed "
+                   "to detect it")
       ->check(within({1e-3, 1e5, "m"}))
       ->type_name("M");
   command->add_flag("--json", args->json, "Print the summary as JSON");

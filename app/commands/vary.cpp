@@ -233,7 +233,7 @@ void add_body_options(CLI::App& command, VaryArgs& args) {
 void add_vary(CLI::App& app) {
   const auto args = std::make_shared<VaryArgs>();
   CLI::App* command =
-      app.add_subcommand("vary", "Make twins and series of blocks that differ in one thing");
+      app.add_subcommand("vary", "Make variants and series of blocks that differ in one property");
   command->add_option("library", args->library, "Block library")->required()->type_name("LIB");
   command->add_option("ids", args->request.ids, "Blocks to vary; default: all")->type_name("ID");
   command->add_option("-o,--output", args->output, "Block library; blocks in it are kept")

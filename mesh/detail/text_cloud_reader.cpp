@@ -147,13 +147,13 @@ class LinesOfPoints {
   std::vector<LengthDeclaration> finish() const {
     if (points_ >= kNoChance && counting_ && !named_) {
       throw InputError("column " + std::to_string(columns_.axes[0] + 1) +
-                       ", which was taken for x, numbers the points; name the columns in a first "
+                       ", which was taken for x, holds point numbers; name the columns in a first "
                        "line, such as \"id x y z\", or give `columns`");
     }
     if (points_ >= kNoChance && !named_ && numbers_come_first()) {
       throw InputError(
-          "column 1 holds whole numbers and three or more behind it do not: is it a "
-          "number of the point and not x? Name the columns in a first line, such as "
+          "column 1 holds whole numbers only, and three or more columns after it do not: does it "
+          "hold point numbers instead of x? Name the columns in a first line, such as "
           "\"id x y z\", or give `columns`");
     }
     return columns_.lengths;
@@ -236,7 +236,7 @@ class LinesOfPoints {
     }
     if (!remark) ++head_lines_;
     if (text.starts_with("ncols") || text.starts_with("NCOLS") || text.starts_with("nrows")) {
-      throw InputError("is an Esri grid of heights, and no cloud; a terrain may be made of it");
+      throw InputError("is an Esri grid of heights, not a point cloud; read it as a terrain");
     }
     if (const auto count = number_in(trimmed_field(text))) set_count(*count);
     const auto keep = [&](std::string_view line) {
@@ -372,10 +372,12 @@ class LinesOfPoints {
       }
       const std::optional<double> value = number_in_field(fields_[column], separator_);
       if (!value) {
-        throw InputError("line " + std::to_string(number) + ": " +
-                         (fields_[column].empty() ? "an empty field" : quoted(fields_[column])) +
-                         " stands where " + "xyz"[axis] + " is needed; a line must be x y z" +
-                         (named_ ? "" : ", or " + std::string(kColumnsAdvice)));
+        throw InputError(
+            "line " + std::to_string(number) + ": " +
+            (fields_[column].empty() ? "the field for " + std::string(1, "xyz"[axis]) + " is empty"
+                                     : quoted(fields_[column]) + " is not a number, where " +
+                                           "xyz"[axis] + " is needed") +
+            "; each line must hold x y z" + (named_ ? "" : ", or " + std::string(kColumnsAdvice)));
       }
       point[static_cast<Eigen::Index>(axis)] = *value;
     }
@@ -413,7 +415,7 @@ CloudSummary read_text_cloud(std::istream& stream, PointSink& sink,
   while (lines.next(line)) {
     if (lines.number() == 1 && line.starts_with("\xEF\xBB\xBF")) line.remove_prefix(3);
     if (lines.number() == 1 && line.find('\0') != std::string_view::npos) {
-      throw InputError("is no text, or text in UTF-16; save it as text in UTF-8");
+      throw InputError("is not plain text, or is text in UTF-16; save it as text in UTF-8");
     }
     points.read(line, lines.number());
   }

@@ -27,16 +27,16 @@ constexpr double kSeamReach = 0.2;
 constexpr int kSeamRefinements = 10;  ///< planes between two slices
 constexpr std::size_t kOutlineSamples = 72;
 
-/// What makes a neck a seam. One rock of the test data has at most a gain of 0.31, at a ratio of
-/// 0.7.
+/// Limits within which a neck is a seam. Single rocks of the test data have a hull gain of at most
+/// 0.31, and that at a ratio of 0.7.
 struct SeamRule {
-  double widest_neck;      ///< area of the section, against the largest on the side that has less
-  double least_hull_gain;  ///< what the hull of the whole has more than those of the parts, against
-                           ///< that of the smaller part
+  double widest_neck;      ///< area of the section over the largest on the side that has less
+  double least_hull_gain;  ///< volume of the hull of the whole beyond those of the parts, over that
+                           ///< of the smaller part's hull
   double concave_outline;  ///< share of the outline along which the surface is concave
 };
-/// The narrower the neck or the farther the parts are from one convex body, the less the outline
-/// has to say: bodies can touch in several places, with gaps between them that were not scanned.
+/// A very narrow neck, or parts that are far from one convex body, are a seam whatever the outline:
+/// bodies can touch in several places, with gaps between them that were not scanned.
 constexpr std::array<SeamRule, 3> kSeamRules = {
     {{kWidestNeck, 1.0, 0.0}, {0.6, 0.25, 0.7}, {0.4, 0.5, 0.0}}};
 
@@ -113,8 +113,8 @@ class SeamSearch {
       tried.push_back(neck);
       refine(neck);
       if (best && neck.ratio >= best->ratio) continue;
-      const double gain = hull_gain(neck);
       const std::vector<OutlinePiece> outline = outline_at(neck);
+      const double gain = hull_gain(neck, outline);
       if (!is_seam(neck.ratio, gain, concave_fraction(neck, outline))) continue;
       const Vec3 towards = neck.smaller_above ? neck.normal : Vec3(-neck.normal);
       const double height = neck.smaller_above ? neck.height : -neck.height;
@@ -311,8 +311,10 @@ class SeamSearch {
                            : static_cast<double>(concave) / static_cast<double>(samples.size());
   }
 
-  double hull_gain(const Neck& neck) const {
+  double hull_gain(const Neck& neck, const std::vector<OutlinePiece>& outline) const {
     std::vector<Vec3> above, below;
+    for (const OutlinePiece& piece : outline) above.push_back(piece.from);
+    below = above;
     for (const Vec3& vertex : mesh_.vertices) {
       (neck.normal.dot(vertex) > neck.height ? above : below).push_back(vertex);
     }

@@ -222,13 +222,13 @@ void judge_form(FieldBlock& block, const std::string& name, const ScanOptions& o
     const std::string share = with_digits(100.0 * doubt.fraction, 2) + " % of the volume";
     if (doubt.fraction > kSmallNeighbour) {
       throw GeometryError(name + ": two bodies that touch" + seam + ", the smaller with " + share +
-                          ": crop the scan to one of them; if it is one rock with a waist, cut "
-                          "the ground away too and give `find_ground = false`");
+                          ": crop the scan to one of them; if it is one rock with a narrow "
+                          "middle, crop the ground off the scan and give `find_ground = false`");
     }
     leave_out_neighbour(block, *doubt.seam, doubt.fraction);
     block.scan.notes.push_back("a smaller body with " + share + " touches this one" + seam +
-                               "; the lower bounds are those without it: crop it off for "
-                               "narrower ones");
+                               "; the lower bounds are those without it: crop it off the scan to "
+                               "narrow the bounds");
   }
 }
 

@@ -191,14 +191,14 @@ std::string format_form_doubt(const FormDoubt& doubt,
     case FormDoubt::Kind::kShell:
       return "this looks like a shell " + size + " thick, not like a rock: it fills " + percent +
              " of its convex hull," + near +
-             "; if a program gave an open scan a thickness, save the scan without that";
+             "; if a program thickened an open scan, export the scan without thickness";
     case FormDoubt::Kind::kHollow:
       return "this fills only " + percent + " of its convex hull, with a hollow " + size + " deep" +
              near + ": check that it is one whole rock";
     case FormDoubt::Kind::kSlab:
       return "this looks like a block with the ground around it, " + size + " across: " + percent +
-             " of its plan is a level rim around what stands" + near +
-             "; cut the ground away, or give the scan as it was before it was closed below";
+             " of its plan is level ground around the block" + near +
+             "; cut the ground away, or use the scan from before its underside was closed";
     case FormDoubt::Kind::kSeam:
       return "this looks like two bodies that meet in a seam " + size + " wide" + near +
              ", the smaller with " + percent + " of the volume: check that it is one rock";

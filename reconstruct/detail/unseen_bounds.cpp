@@ -379,12 +379,13 @@ std::vector<std::string> hollow_notes(const std::vector<PossibleHollow>& hollows
         hollow.beyond
             ? "a tunnel may join the unseen places near " + place(hollow.place) + " and " +
                   place(*hollow.beyond) + ", " + width +
-                  ": the surface turns inwards around both, and the smallest volume is without it; "
+                  ": the surface turns inwards around both, and the lower bound of volume excludes "
+                  "it; "
                   "scan its walls, or weigh the block"
             : "a cavity may lie behind the unseen place near " + place(hollow.place) + ", " +
                   width +
-                  ": the surface turns inwards around it, and the smallest volume is without what "
-                  "is straight behind it; scan its walls, or weigh the block");
+                  ": the surface turns inwards around it, and the lower bound of volume excludes "
+                  "what lies straight behind it; scan its walls, or weigh the block");
   }
   return notes;
 }

@@ -171,9 +171,9 @@ std::string barrier_section(const Comparison& comparison) {
       "translational plus rotational.");
   const std::size_t draws = draws_of_ground(comparison);
   if (draws > 0) {
-    html += paragraph("Figures are of the runs on all " + std::to_string(draws) +
-                      " draws of the ground together; their intervals come from release points "
-                      "alone. What the ground does is in the ranges at the top.");
+    html += paragraph("Figures combine the runs on all " + std::to_string(draws) +
+                      " draws of the ground; their intervals come from release points "
+                      "alone. The ranges at the top of the report show the effect of the ground.");
   }
   const std::vector<RealisationPassages> passages = barrier_passages(comparison);
   std::string charts, figures;

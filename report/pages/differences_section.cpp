@@ -109,7 +109,7 @@ std::string words_for(const Comparison& comparison, const Picture& picture) {
            " differences tested can be as large by chance:",
        open);
   line("No clear difference:", chance);
-  line(escaped(picture.title) + ", of one realisation, which can't tell what is chance:", untested);
+  line(escaped(picture.title) + ", of one realisation, not tested for chance:", untested);
   return html;
 }
 
@@ -144,7 +144,7 @@ std::string method_of(const Comparison& comparison) {
                                   [](const Difference& one) { return one.p_holm.has_value(); });
   if (!tested) {
     return paragraph(
-        "One realisation can't tell what is chance, so there are neither intervals "
+        "One realisation does not show whether this is chance, so there are neither intervals "
         "nor tests. Pairs of blocks are in differences.csv.");
   }
   const bool one_point = !stay && std::all_of(comparison.results.begin(), comparison.results.end(),

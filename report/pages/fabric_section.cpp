@@ -17,7 +17,7 @@ constexpr double kFabricLevel = 0.05;    ///< of tests
 constexpr double kAlong = 30.0;          ///< deg from downslope: up to this is along it
 constexpr double kAcross = 60.0;         ///< ... and from this on across it
 constexpr std::size_t kFewestAxes = 10;  ///< of a rose, and of a statement
-constexpr const char* kNoChance = "; one realisation can't tell what is chance";
+constexpr const char* kNoChance = "; one realisation does not show whether this is chance";
 
 std::string group_colour(const FabricGroup& group) {
   const std::string prefix = "class ";

@@ -30,11 +30,11 @@ std::string blocks_of(const Comparison& comparison, std::size_t group) {
   return runs.kind == GroupKind::kGarcia ? runs.key + " blocks" : "the blocks";
 }
 
-/// "3 to 12 m": " by draw of the ground" where the range is over draws, and "" else.
+/// "3 to 12 m": " over draws of the ground parameters" where the range is over draws, and "" else.
 std::string by_draw(std::size_t draws) { return draws > 0 ? kByDraw : ""; }
 
-/// What a range covers beyond its numbers: " by draw of the ground, for runs of these 3 blocks
-/// only".
+/// What a range covers beyond its numbers: " over draws of the ground parameters, for runs of these
+/// 3 blocks only".
 /// @param named  the sentence names the one block there is
 std::string covered_by(const Statement& statement, bool named) {
   if (named || statement.samples_blocks) return by_draw(statement.draws);
@@ -130,7 +130,7 @@ std::string gap_in_words(const Comparison& comparison, const Statement& statemen
     case Standing::kDependsOnGround:
       return prefix + means + "; which of them run farther depends on the ground" + interval;
     case Standing::kOneRealisation:
-      return prefix + means + "; one realisation can't tell what is chance";
+      return prefix + means + "; one realisation does not show whether this is chance";
     case Standing::kFewAtRest:
       break;
   }
@@ -248,7 +248,7 @@ std::string files_in_words(const Comparison& comparison, const Answer& answer) {
   if (gap.standing == Standing::kFewAtRest) return "";
   if (gap.standing == Standing::kOneRealisation) {
     return "Blocks run " + length_in_words(gap.gap, decimals) + " farther in " + a + " than in " +
-           b + "; one realisation can't tell what is chance.";
+           b + "; one realisation does not show whether this is chance.";
   }
   if (gap.standing == Standing::kDependsOnGround) {
     return "Whether blocks run farther in " + a + " or in " + b + " depends on the ground" +
@@ -312,11 +312,10 @@ std::string intervals_in_words(const Answer& answer) {
     realisations = realisations || statement.of_realisations;
   }
   const std::string over_draws =
-      draws == 0
-          ? ""
-          : "Ranges by draw of the ground are what " +
-                std::string(nine_of_ten(draws) ? "nine draws of ten give" : "the draws give") +
-                "; they say nothing about other release points or blocks.";
+      draws == 0 ? ""
+                 : "Ranges over draws of the ground parameters cover " +
+                       std::string(nine_of_ten(draws) ? "nine draws of ten" : "all draws") +
+                       "; they say nothing about other release points or blocks.";
   if (all_drawn) return over_draws;
   std::string ranges = "Ranges in brackets are 95 % intervals, from ";
   if (realisations && fewest == 1) {
@@ -365,7 +364,7 @@ std::vector<std::string> first_screen(const Comparison& comparison, const Answer
   const std::vector<std::string> measured = measured_sentences(comparison);
   if (!measured.empty()) add({"", "Measured stops against simulated ones:"});
   add(measured);
-  if (!comparison.cautions.empty()) add({"", "What could turn this round:"});
+  if (!comparison.cautions.empty()) add({"", "What could reverse this answer:"});
   for (const Caution& caution : comparison.cautions) lines.push_back("- " + caution.brief);
   return lines;
 }

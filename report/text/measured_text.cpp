@@ -29,7 +29,7 @@ std::vector<std::string> measured_sentences(const Comparison& comparison) {
         verdict = counted(group.measured, "measured stop") + ", too few to judge by; " + medians;
         break;
       case Agreement::kOneRealisation:
-        verdict = medians + "; one realisation can't tell what is chance";
+        verdict = medians + "; one realisation does not show whether this is chance";
         break;
       case Agreement::kAgree:
         verdict = "field and simulation agree; " + medians + " (a difference of " +

@@ -32,10 +32,10 @@ std::string mass_in_words(double kilograms);
 std::string height_in_words(double metres);
 
 /// After a range over the draws of uncertain ground.
-inline constexpr const char* kByDraw = " by draw of the ground";
+inline constexpr const char* kByDraw = " over draws of the ground parameters";
 /// True where a range over so many draws is that of nine draws of ten.
 bool nine_of_ten(std::size_t draws);
-/// "86 kJ to 153 kJ by draw of the ground"; empty without a range.
+/// "86 kJ to 153 kJ over draws of the ground parameters"; empty without a range.
 std::string range_by_draw(const std::optional<Interval>& range, std::string (*limit)(double));
 /// " (86 kJ to 153 kJ)"; empty for an empty text.
 std::string in_brackets(const std::string& text);

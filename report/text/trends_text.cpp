@@ -66,14 +66,15 @@ std::string halves_sentence(const ShapeTrend& trend, const std::optional<double>
           " in 80 % of cases";
   if (trend.runs_needed) {
     text += ", and " + trend_value(*margin, trend.unit) + " with " + about(*trend.runs_needed) +
-            " runs of blocks and points in proportion";
+            " runs, with more blocks and release points in proportion";
   }
   return text + ".";
 }
 
 /// Why nothing can be said of a margin that was given.
 std::string why_not_known(const PlannedPower& plan) {
-  const std::string begin = "nothing can be said of a margin of " + trend_value(*plan.margin, "m");
+  const std::string begin = "the dry run can't say whether this campaign detects a difference of " +
+                            trend_value(*plan.margin, "m");
   if (plan.runs == 0) {
     return begin +
            ": blocks stay where they stop, so that runs depend on each other; compare "
@@ -86,7 +87,7 @@ std::string why_not_known(const PlannedPower& plan) {
   }
   if (plan.trial_runs < 2) {
     return begin + ": " + (plan.trial_runs == 0 ? "no trial run" : "only one trial run") +
-           " came to rest in the time there was, which does not show how runouts scatter";
+           " came to rest within the time limit, too few to estimate the scatter of runouts";
   }
   return begin + ": the runouts of " + counted(plan.trial_runs, "trial run") + " do not scatter";
 }

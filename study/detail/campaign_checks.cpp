@@ -111,25 +111,27 @@ void tell_of_restitution(const PreparedCampaign& prepared, std::vector<std::stri
     warnings.push_back("[" + table + "] energy_restitution = " + with_digits(value, 4) +
                        " is the share of energy that an impact gives back, e_n^2; usual ground "
                        "gives back up to " +
-                       with_digits(usual, 2) + ". If it is a restitution of speed, R_n, give its " +
+                       with_digits(usual, 2) +
+                       ". If it is a coefficient of restitution of velocity, R_n, give its " +
                        "square, " + with_digits(value * value, 2));
   };
   const CampaignResults& header = prepared.header;
-  double largest = header.stay ? header.stay->between_blocks.energy_restitution : 0.0;
+  std::pair<double, std::string> largest{0.0, ""};
+  if (header.stay) largest = {header.stay->between_blocks.energy_restitution, "contact.blocks"};
   for (std::size_t zone = 0; zone < header.ground.size(); ++zone) {
     double most = header.ground[zone].energy_restitution;
     for (const GroundSet& set : header.ground_sets) {
       most = std::max(most, set.zones[zone].energy_restitution);
     }
     question("ground." + header.zone_names[zone], most);
-    largest = std::max(largest, most);
+    largest = std::max(largest, {most, "ground." + header.zone_names[zone]});
   }
-  if (header.stay && largest > kMostUnbalanced) {
-    throw InputError(prepared.campaign.file.string() +
-                     ": energy_restitution = " + with_digits(largest, 4) +
-                     " returns more than half of the energy of an impact; with blocks that stay, "
-                     "blocks could gain energy then (docs/theory.md, Weights and energy). Give at "
-                     "most " +
+  if (header.stay && largest.first > kMostUnbalanced) {
+    throw InputError(prepared.campaign.file.string() + ": [" + largest.second +
+                     "] energy_restitution = " + with_digits(largest.first, 4) +
+                     " returns more than half of the energy of an impact; with blocks that stay or "
+                     "a rock mass, blocks could gain energy then (docs/theory.md, Weights and "
+                     "energy). Give at most " +
                      with_digits(kMostUnbalanced, 2) + ", or release the blocks one at a time");
   }
   if (header.stay) question("contact.blocks", header.stay->between_blocks.energy_restitution);

@@ -71,7 +71,7 @@ void judge_trials(const PreparedCampaign& prepared, CampaignProposal& proposal) 
     proposal.doubts.push_back(std::to_string(trial.moving) + " of " +
                               counted(trial.count, "trial run") + " still move after " +
                               with_decimals(proposal.max_time, 0) +
-                              " s; runs that time ends are in no deposit");
+                              " s; runs stopped by max_time_s are left out of the deposit");
   }
   if (static_cast<double>(trial.passed) >= kFewPass * static_cast<double>(trial.count)) return;
   ProposedPlaces& places = proposal.places;

@@ -134,7 +134,7 @@ void refuse_impossible(const HeightGrid& grid, const std::filesystem::path& path
     }
     const std::string number = with_digits(height, 9);
     throw InputError(path.string() + ": the height at " + cell_place(grid, i) +
-                     " m is none on earth. If " + number + " stands for no data, " +
+                     " m is not a height on Earth. If " + number + " stands for no data, " +
                      with_number(rules.advice, number));
   }
 }
@@ -163,7 +163,7 @@ std::vector<std::string> check_fill_values(const HeightGrid& grid,
         number + " m, " +
         (gap > 0.0 ? with_digits(gap, 4) + " m " + (value < others.low ? "below" : "above") +
                          " all others"
-                   : with_digits(median, 4) + " m off those beside them") +
+                   : with_digits(median, 4) + " m from those of the neighbouring cells") +
         ", one at " + cell_place(grid, cells.first) + ". If " + number + " stands for no data, " +
         with_number(rules.advice, number);
     if (is_usual_fill(value) && far && !rules.declared) throw InputError(text);

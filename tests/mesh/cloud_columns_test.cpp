@@ -220,13 +220,13 @@ TEST_F(Clouds, ANumberOfThePointIsNotTakenForX) {
   std::string text;
   for (int i = 0; i < 200; ++i) text += std::to_string(i + 1) + " 0.5 0.25 0.125\n";
   EXPECT_TRUE(contains(refused("a.xyz", text),
-                       "column 1, which was taken for x, numbers the points; name the columns in "
+                       "column 1, which was taken for x, holds point numbers; name the columns in "
                        "a first line, such as \"id x y z\""));
   EXPECT_EQ(read("b.xyz", "id x y z\n" + text).size(), 200u);
   EXPECT_EQ(read("c.xyz", text + "7 0.5 0.25 0.125\n").size(), 201u) << "a profile may count";
   std::string even;
   for (int i = 0; i < 200; ++i) even += std::to_string(1000 + 2 * i) + " 0.5 0.25 0.125\n";
-  EXPECT_TRUE(contains(refused("d.xyz", even), "numbers the points"));
+  EXPECT_TRUE(contains(refused("d.xyz", even), "holds point numbers"));
 }
 
 // Without a heading: numbers in any order, rows and columns of a scanner, and what only looks so.
@@ -241,7 +241,8 @@ TEST_F(Clouds, WholeNumbersBeforeThreeOthersAreAskedAbout) {
     }
     return text;
   };
-  const char* asked = "column 1 holds whole numbers and three or more behind it do not";
+  const char* asked =
+      "column 1 holds whole numbers only, and three or more columns after it do not";
   const auto shuffled = [](int k) { return std::to_string(k * 7919 % 1000); };
   EXPECT_TRUE(contains(refused("a.xyz", lines(shuffled, "")), asked));
   EXPECT_TRUE(contains(refused("b.xyz", lines(shuffled, " 12 250 3")), asked));

@@ -53,7 +53,7 @@ TEST_F(Clouds, TextThatIsNoneOfPointsIsRefusedByName) {
   using namespace std::string_literals;
   EXPECT_TRUE(contains(
       refused("a.asc", "ncols 3\nnrows 2\nxllcorner 0\nyllcorner 0\ncellsize 1\n1 2 3\n4 5 6\n"),
-      "is an Esri grid of heights, and no cloud"));
+      "is an Esri grid of heights, not a point cloud"));
   EXPECT_TRUE(
       contains(refused("b.csv", "\xFF\xFEX\0;\0Y\0;\0Z\0\r\0\n\0"s), "text in UTF-16; save it as"));
 }
@@ -84,7 +84,8 @@ TEST_F(Clouds, TextLongerThanAReadingBlockLosesNothing) {
 
 TEST_F(Clouds, BadTextIsRefusedByLine) {
   EXPECT_TRUE(contains(refused("a.xyz", "1 2 3\n1 2\n"), "a.xyz: line 2: fewer than three"));
-  EXPECT_TRUE(contains(refused("b.xyz", "1 2 3\n\n1 x 3\n"), "line 3: \"x\" stands where y"));
+  EXPECT_TRUE(contains(refused("b.xyz", "1 2 3\n\n1 x 3\n"),
+                       "line 3: \"x\" is not a number, where y is needed"));
   EXPECT_TRUE(contains(refused("c.xyz", ""), "c.xyz: holds no points: the file is empty"));
   EXPECT_TRUE(contains(refused("n.xyz", "nan 1 2\nnan 1 2\n"),
                        "2 have a coordinate that is not finite; export it again"));
@@ -95,7 +96,7 @@ TEST_F(Clouds, BadTextIsRefusedByLine) {
                        "line 2: has 6 fields, but line 1 has 3; where commas are decimal signs"));
   EXPECT_TRUE(contains(refused("e.csv", "1,2,3\n1,5,2,5,3,5\n"), "line 2: has 6 fields"));
   EXPECT_TRUE(contains(refused("e.csv", "id;x;y;z\n7;1;2;3\n8;;2;3\n"),
-                       "line 3: an empty field stands where x is needed"));
+                       "line 3: the field for x is empty"));
   EXPECT_TRUE(contains(refused("f.xyz", std::string(3 << 20, 'x')), "line 1: has no end"));
   EXPECT_TRUE(contains(refusal([&] { read_cloud(folder / "none.xyz"); }), "no such file"));
   EXPECT_TRUE(contains(refusal([&] { read_cloud(folder.path()); }), "folder"));

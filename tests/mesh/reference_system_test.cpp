@@ -181,7 +181,7 @@ TEST_F(DeclaredLengths, AreReadFromKeysAndWktInEveryCombination) {
       SCOPED_TRACE(std::string(plan.name) + ", heights: " + height.name + ": " + message);
       EXPECT_EQ(message.empty(), metres);
       if (!metres) {
-        EXPECT_TRUE(names_feet(message) || contains(message, "unit of its own"));
+        EXPECT_TRUE(names_feet(message) || contains(message, "user-defined unit"));
       }
       ++(metres ? read_count : refused_count);
     }
@@ -226,17 +226,16 @@ TEST_F(DeclaredLengths, RefusalsNameItemValueAndWay) {
                "first (WAY)"));
   EXPECT_TRUE(contains(
       refused({.keys = {{1024, 1}, {3072, 26913}, {3076, 9003}}}),
-      "the unit of its plan is the metre by its GeoTIFF key 3072 = 26913, NAD83 / UTM zone 13N, "
-      "and "
-      "the US survey foot (0.3048006 m) by its GeoTIFF key 3076 = 9003; correct the one that is "
-      "wrong"));
+      "the unit of its x and y is the metre according to its GeoTIFF key 3072 = 26913, NAD83 / UTM "
+      "zone 13N, but the US survey foot (0.3048006 m) according to its GeoTIFF key 3076 = 9003; "
+      "correct the one that is wrong"));
   EXPECT_TRUE(contains(refused({.keys = {{1024, 1}, {3072, 26913}, {4099, 9003}}}),
                        "its heights are in units of the US survey foot (0.3048006 m) (GeoTIFF key "
-                       "4099 = 9003), its plan in units of the metre"));
+                       "4099 = 9003), its x and y in units of the metre"));
   EXPECT_TRUE(contains(refused({.keys = {{1024, 1}, {3072, 32767}, {3076, 32767}}}),
-                       "unit of its own, of no stated size"));
+                       "user-defined unit of unstated length"));
   EXPECT_TRUE(contains(refused({.keys = {{1024, 1}, {3072, 32767}, {3076, 9102}}}),
-                       "the code 9102, which is none of length"));
+                       "the code 9102, which is not a length unit"));
 }
 
 TEST_F(DeclaredLengths, DegreesAndGeocentricCoordinatesAreRefused) {
@@ -275,9 +274,9 @@ TEST_F(DeclaredLengths, ThatNobodyUnderstandsAreNoted) {
   const std::vector<std::string> notes =
       check_lengths("a.las", read({.keys = {{1024, 1}, {3072, 1}}, .wkt = "nonsense"}).lengths, {});
   ASSERT_EQ(notes.size(), 2u);
-  EXPECT_TRUE(
-      contains(notes[0], "GeoTIFF key 3072 = 1 is a reference system that is not understood"));
-  EXPECT_TRUE(contains(notes[1], "WKT is a reference system that is not understood"));
+  EXPECT_TRUE(contains(notes[0],
+                       "GeoTIFF key 3072 = 1 is a reference system that PROJ does not recognise"));
+  EXPECT_TRUE(contains(notes[1], "WKT is a reference system that PROJ does not recognise"));
 }
 
 // Mercator on a sphere has the scale 1 / cos(latitude); on the ellipsoid of WGS 84 both scales are
@@ -306,8 +305,8 @@ TEST(MapScale, OfWorldMapsIsRefusedAndOfSurveyorsMapsIsNot) {
   const std::string mercator = refused("EPSG:3857", {1147666, 5903972});
   EXPECT_TRUE(contains(mercator,
                        "a.tif: lengths on its map (WGS 84 / Pseudo-Mercator (EPSG:3857)) are 1."));
-  EXPECT_TRUE(contains(mercator,
-                       "project it to a local system in metres first (convert EPSG:32632)"));
+  EXPECT_TRUE(
+      contains(mercator, "project it to a local system in metres first (convert EPSG:32632)"));
   const Vec2 alps(1147666, 5903972);
   for (const char* crs : {"EPSG:3395", "EPSG:4087", "ESRI:102100", "ESRI:54009", "EPSG:6933"}) {
     EXPECT_TRUE(contains(refused(crs, alps), "those on the ground")) << crs;

@@ -74,8 +74,8 @@ TEST(TrendsText, SaysWhyNothingCanBeSaidOfAMargin) {
     return planned_power_sentence(plan);
   };
   EXPECT_TRUE(contains(said([](PlannedPower& plan) { plan.blocks = 2; }),
-                       "nothing can be said of a margin of 1 m with 2 blocks: halves of the blocks "
-                       "are compared, which takes 4 or more"));
+                       "the dry run can't say whether this campaign detects a difference of 1 m "
+                       "with 2 blocks: halves of the blocks are compared, which takes 4 or more"));
   EXPECT_TRUE(contains(said([](PlannedPower& plan) { plan.trial_runs = 0; }), "no trial run came"));
   EXPECT_TRUE(
       contains(said([](PlannedPower& plan) { plan.trial_runs = 1; }), "only one trial run"));

@@ -242,7 +242,7 @@ TEST_F(CampaignRun, ARestitutionOfSpeedIsQuestioned) {
   EXPECT_TRUE(plan_warns(with_restitution("0.53"),
                          "[ground.slope] energy_restitution = 0.53 is the share of energy that an "
                          "impact gives back, e_n^2; usual ground gives back up to 0.28. If it is a "
-                         "restitution of speed, R_n, give its square, 0.28"));
+                         "coefficient of restitution of velocity, R_n, give its square, 0.28"));
   EXPECT_TRUE(plan_warns(with_restitution("0.35"), "give its square, 0.12"));
   for (const char* plain : {"0.01", "0.1", "0.28", "1"}) {
     EXPECT_FALSE(plan_warns(with_restitution(plain), "give its square")) << plain;

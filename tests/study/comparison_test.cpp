@@ -404,7 +404,7 @@ TEST(ComparisonWarnings, SpeedsThatAreSeldomSeenAreQuestioned) {
     const Comparison comparison = compared(std::move(results));
     const bool said = std::any_of(
         comparison.cautions.begin(), comparison.cautions.end(), [](const Caution& caution) {
-          return caution.brief.find("five are faster than 36 m/s") != std::string::npos;
+          return caution.brief.find("5 % of the runs are faster than 36 m/s") != std::string::npos;
         });
     EXPECT_EQ(said, questioned) << speed;
   }

@@ -110,8 +110,9 @@ TEST(Differences, OneRealisationGivesNeitherIntervalNorTest) {
     EXPECT_FALSE(difference.found());
     EXPECT_EQ(difference.tests, 0u);
     EXPECT_EQ(evidence_of(difference), Evidence::kOneRealisation);
-    EXPECT_NE(in_words(difference, one).find("one realisation can't tell what is chance"),
-              std::string::npos);
+    EXPECT_NE(
+        in_words(difference, one).find("one realisation does not show whether this is chance"),
+        std::string::npos);
     EXPECT_GT(difference.ks_distance, 0.0) << "how far apart they are is known";
   }
   const CsvTable table = read_csv(differences_csv(one));

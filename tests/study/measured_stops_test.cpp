@@ -132,7 +132,7 @@ TEST(MeasuredStops, TablesThatAreNoneAreRefused) {
       contains(refused("x,y\n\"900050,5\",6500000\n"), "seen.csv:2: x \"900050,5\" is not a "));
   EXPECT_TRUE(contains(refused("x,y\n"), "holds no stop"));
   EXPECT_TRUE(contains(refused("x,X_m,y\n1,2,3\n"), "seen.csv:1: has two columns \"x\""));
-  EXPECT_TRUE(contains(refused("x,y,start_x\n1,2,3\n"), "start_x and start_y come together"));
+  EXPECT_TRUE(contains(refused("x,y,start_x\n1,2,3\n"), "has only one of start_x and start_y"));
 }
 
 }  // namespace
