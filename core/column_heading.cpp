@@ -37,6 +37,29 @@ constexpr std::array<UnitName, 24> kMoreLengths = {{{"metre", 1.0},
                                                     {"inches", 0.0254},
                                                     {"yd", 0.9144}}};
 
+/// Feet and inches in German, French, Italian and Spanish, and their signs. They count in brackets
+/// alone: "Kote Fuss" is the level of a foot.
+constexpr std::array<UnitName, 20> kBracketedLengths = {{{"'", 0.3048},
+                                                         {"\xE2\x80\xB2", 0.3048},
+                                                         {"fuss", 0.3048},
+                                                         {"fu\xC3\x9F", 0.3048},
+                                                         {"pied", 0.3048},
+                                                         {"pieds", 0.3048},
+                                                         {"piede", 0.3048},
+                                                         {"piedi", 0.3048},
+                                                         {"pie", 0.3048},
+                                                         {"pies", 0.3048},
+                                                         {"''", 0.0254},
+                                                         {"\"", 0.0254},
+                                                         {"\xE2\x80\xB3", 0.0254},
+                                                         {"zoll", 0.0254},
+                                                         {"pouce", 0.0254},
+                                                         {"pouces", 0.0254},
+                                                         {"pollice", 0.0254},
+                                                         {"pollici", 0.0254},
+                                                         {"pulgada", 0.0254},
+                                                         {"pulgadas", 0.0254}}};
+
 const std::set<std::string, std::less<>>& empty_words() {
   static const std::set<std::string, std::less<>> kWords = {
       "coordinate", "coordinates", "coord",       "coords",     "koordinate", "koordinaten",
@@ -88,11 +111,15 @@ std::string_view without(std::string_view text, std::string_view ends) {
   return text.substr(begin, text.find_last_not_of(ends) - begin + 1);
 }
 
-std::optional<UnitName> length_named(std::string_view word) {
+std::optional<UnitName> length_named(std::string_view word, bool in_brackets) {
   for (const UnitName& unit : kLengthUnits) {
     if (word == unit.name) return unit;
   }
   for (const UnitName& unit : kMoreLengths) {
+    if (word == unit.name) return unit;
+  }
+  if (!in_brackets) return std::nullopt;
+  for (const UnitName& unit : kBracketedLengths) {
     if (word == unit.name) return unit;
   }
   return std::nullopt;
@@ -135,14 +162,21 @@ std::vector<std::string> words_of(std::string_view text) {
 ColumnHeading parse_heading(std::string_view field) {
   constexpr std::string_view kBlank = " \t\"'";
   const std::string lower = ascii_lower(without(field, kBlank));
-  ColumnHeading heading{.name = lower, .words = {}, .length = {}, .unit = {}};
+  ColumnHeading heading{.name = lower, .words = {}, .length = {}, .unit = {}, .bracketed = {}};
   std::string_view rest = without(field, kBlank);
   // The unit is what stands in brackets at the end, or behind the last blank, comma, slash or _.
   constexpr std::string_view kBefore = "_([{<,;/ ", kAfter = ")]}> .";
-  const std::size_t cut = lower.find_last_of("_([{<,/ ");
+  const bool closed =
+      std::string_view(")]}>").find(lower.empty() ? ' ' : lower.back()) != std::string_view::npos;
+  const std::size_t cut = lower.find_last_of(closed ? "([{<" : "_([{<,/ ");
   if (cut != std::string::npos && cut > 0) {
     const std::string ending(without(std::string_view(lower).substr(cut + 1), kAfter));
-    heading.length = length_named(ending);
+    const bool in_brackets = std::string_view("([{<").find(lower[cut]) != std::string_view::npos;
+    heading.length = length_named(ending, in_brackets);
+    if (in_brackets && !heading.length) {  // "[m above sea level]"
+      heading.length = length_named(ending.substr(0, ending.find(' ')), true);
+    }
+    if (in_brackets) heading.bracketed = ending;
     if (heading.length || is_other_unit(ending)) {
       heading.unit = ending;
       const std::size_t last = lower.find_last_not_of(kBefore, cut);
@@ -171,6 +205,21 @@ std::string ColumnHeading::joined_words() const {
   return text;
 }
 
+namespace {
+
+/// Signs of means and standard deviations, and "25%" or "75 %".
+bool is_summary_sign(std::string_view text) {
+  const std::string_view sign = without(text, " .:");
+  constexpr std::array<std::string_view, 7> kSigns = {
+      "\xE2\x88\x85", "\xC3\x98", "\xC3\xB8", "\xCF\x83", "\xCE\xA3", "\xCE\xBC", "\xE2\x88\x91"};
+  if (std::find(kSigns.begin(), kSigns.end(), sign) != kSigns.end()) return true;
+  if (!sign.ends_with('%')) return false;
+  const std::string_view number = without(sign.substr(0, sign.size() - 1), " ");
+  return !number.empty() && number.find_first_not_of("0123456789.,") == std::string_view::npos;
+}
+
+}  // namespace
+
 SummaryLabel summary_label(std::string_view text) {
   static const std::set<std::string> kLabels = {
       // number, sum
@@ -188,12 +237,14 @@ SummaryLabel summary_label(std::string_view text) {
       "stabw", "standardabweichung", "std abw", "streuung", "varianz", "variationskoeffizient",
       "ecart type", "ecarttype", "e t", "deviazione standard", "dev st", "dev std", "scarto",
       "scarto quadratico medio", "varianza", "desviacion estandar", "desviacion tipica", "desv est",
-      "desvest", "de",
+      "desvest", "de", "s", "stdev s", "stdev p", "std s", "coef var", "coeff var",
+      "coefficient de variation", "coefficiente di variazione", "coeficiente de variacion",
       // ends
       "min", "minimum", "max", "maximum", "range", "spannweite", "minimo", "massimo", "maximo",
       "mini", "maxi", "etendue", "intervallo", "rango", "kleinstwert", "grosstwert", "groesstwert"};
   constexpr std::size_t kLongest = 60;
   if (text.empty() || text.size() > kLongest) return SummaryLabel::kNone;
+  if (is_summary_sign(text)) return SummaryLabel::kSure;
   const std::string plain = plain_lower(text);
   if (plain.empty() || ((plain[0] < 'a' || plain[0] > 'z') && (plain[0] & 0x80) == 0)) {
     return SummaryLabel::kNone;
@@ -211,6 +262,11 @@ SummaryLabel summary_label(std::string_view text) {
     }
   }
   while (label.ends_with(' ')) label.pop_back();
+  for (const std::string_view whole : {"overall ", "gesamt ", "general "}) {
+    if (label.starts_with(whole) && kLabels.contains(label.substr(whole.size()))) {
+      label = label.substr(whole.size());
+    }
+  }
   if (!kLabels.contains(label)) return SummaryLabel::kNone;
   const auto letters = std::count_if(label.begin(), label.end(), [](char c) { return c != ' '; });
   return letters > 2 ? SummaryLabel::kSure : SummaryLabel::kShort;

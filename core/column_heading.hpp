@@ -17,6 +17,7 @@ struct ColumnHeading {
   std::vector<std::string> words;
   std::optional<UnitName> length;  ///< where the heading names it, in brackets or at its end
   std::string unit;                ///< the same, or another unit, as written; empty: none
+  std::string bracketed;           ///< what stands in brackets at the end, in lower case
 
   /// The only word of the heading; empty where it has several or none.
   std::string only_word() const { return words.size() == 1 ? words.front() : std::string(); }

@@ -20,7 +20,11 @@ bool holds_a_number(std::string_view line) {
     if (begin == std::string_view::npos) return false;
     line.remove_prefix(begin);
     const std::size_t length = std::min(line.find_first_of(kSeparators), line.size());
-    if (number_in(line.substr(0, length))) return true;
+    std::string_view word = line.substr(0, length);
+    if (word.size() > 1 && word.front() == '"' && word.back() == '"') {
+      word = word.substr(1, word.size() - 2);
+    }
+    if (number_in(word)) return true;
     line.remove_prefix(length);
   }
 }

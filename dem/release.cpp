@@ -277,9 +277,14 @@ class Release {
 
   void advance(const RigidState& begin, double duration, bool flight) {
     const double end_time = time_ + duration;
-    result_.max_speed =
-        std::max({result_.max_speed, begin.velocity.norm(), moving_.state().velocity.norm()});
-    if (observe_) observe_({time_, end_time, begin, moving_.state(), flight, touch()});
+    const bool to_be_balanced = balance_ && balance_->due();
+    double& fastest = result_.max_speed;
+    if (!to_be_balanced_) fastest = std::max(fastest, begin.velocity.norm());
+    if (!to_be_balanced) fastest = std::max(fastest, moving_.state().velocity.norm());
+    to_be_balanced_ = to_be_balanced;
+    if (observe_) {
+      observe_({time_, end_time, begin, moving_.state(), flight, touch(), to_be_balanced});
+    }
     time_ = end_time;
   }
 
@@ -332,6 +337,7 @@ class Release {
   double radius_;
   ContactLoad load_;
   std::optional<ImpactBalance> balance_;  ///< on terrain that has ground for it
+  bool to_be_balanced_ = false;           ///< the state: see `MotionStep`
   std::optional<FreeFlight> flight_;      ///< the one in progress
   double flown_ = 0.0;                    ///< time since it began, s
   double time_ = 0.0;

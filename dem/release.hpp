@@ -51,6 +51,9 @@ struct MotionStep {
   /// flight when nothing touches the body as it begins; what touches it within acts in it already.
   bool flight = false;
   Touch touch;  ///< at the end; a flight that ends by a touch has one
+  /// The velocities at the end are those within an impact that is balanced when it ends
+  /// (docs/theory.md, Weights and energy); they can be too large until then.
+  bool to_be_balanced = false;
 };
 
 /// The state inside a step: exact in flight, interpolated (cubic centre, steady turn) else.

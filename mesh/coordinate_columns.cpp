@@ -75,9 +75,11 @@ std::vector<LengthDeclaration> declared_by(const std::vector<std::string_view>& 
   std::vector<LengthDeclaration> lengths;
   for (std::size_t axis = 0; axis < 3 && axes[axis] < headings.size(); ++axis) {
     const ColumnHeading heading = parse_heading(headings[axes[axis]]);
-    if (heading.unit.empty()) continue;
+    if (heading.unit.empty() && heading.bracketed.empty()) continue;
     LengthDeclaration declared{.source = "heading \"" + printable(headings[axes[axis]]) + "\""};
-    if (heading.length) {
+    if (heading.unit.empty()) {
+      declared.kind = SystemKind::kUnknown;
+    } else if (heading.length) {
       (axis < 2 ? declared.plan : declared.height) =
           DeclaredUnit{heading.length->factor, heading.length->name};
     } else {

@@ -71,8 +71,9 @@ CloudSummary read_cloud_by_format(const std::filesystem::path& path, const std::
     check_input_file(path);
     std::ifstream stream(path, std::ios::binary);
     if (!stream) throw InputError("can't be read; check its permissions");
-    return is_text_cloud(extension) ? mesh_detail::read_text_cloud(stream, sink, columns)
-                                    : mesh_detail::read_las(stream, sink);
+    return is_text_cloud(extension)
+               ? mesh_detail::read_text_cloud(stream, sink, columns, extension == ".pts")
+               : mesh_detail::read_las(stream, sink);
   }
   const std::optional<TriangleMesh> mesh =
       extension == ".ply" ? mesh_detail::read_ply(read_text_file(path)) : read_mesh(path);

@@ -325,7 +325,7 @@ std::vector<std::string> check_lengths(const std::string& name,
     if (each.kind != SystemKind::kUnknown) continue;
     notes.push_back(
         "its " + each.source +
-        " is a reference system that PROJ does not recognise; its coordinates are assumed to "
+        " names no unit or reference system that is known; its coordinates are assumed to "
         "be in the stated or default unit");
   }
   refuse_kinds(name, declared, use);

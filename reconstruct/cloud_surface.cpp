@@ -208,12 +208,13 @@ Body body_through(const std::vector<Vec3>& points, std::span<const NormalsBy> wa
     if (defects <= kGood) break;
   }
   if (missed.share > kMostMissed) {
-    throw GeometryError("the surface misses " + std::to_string(missed.count) + " of the " +
-                        std::to_string(points.size()) + " points, " +
-                        with_digits(100.0 * missed.share, 2) + " % of the area they cover, near " +
-                        place(missed.place) +
-                        ": they are too far apart there for the thickness of the block; scan it "
-                        "more densely there, or delete points that do not belong to it");
+    throw GeometryError(
+        "the surface misses " + std::to_string(missed.count) + " of the " +
+        std::to_string(points.size()) + " points, " + with_digits(100.0 * missed.share, 2) +
+        " % of the area they cover, near " + place(missed.place) +
+        ": they belong to a second body that touches this one, or are too far apart "
+        "for the thickness of the block; crop the cloud to one body, or scan it more "
+        "densely there");
   }
   return best;
 }

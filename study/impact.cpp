@@ -42,7 +42,7 @@ void ImpactObserver::see(const MotionStep& step) {
   const double duration = step.end_time - step.begin_time;
   if (first_) see_maxima(step.begin);
   first_ = false;
-  see_maxima(step.end);
+  if (!step.to_be_balanced) see_maxima(step.end);
   statistics.most_points = std::max<std::uint64_t>(statistics.most_points, step.touch.points);
   if (step.flight) {
     if (!take_off_) take_off_ = step.begin.position.head<2>();

@@ -31,8 +31,9 @@ class PointSink {
 
 /// @throws InputError  corrupt or cut short
 /// @param columns  as `stream_cloud` has them
+/// @param counted  the number of points stands before each scan, as in .pts files
 CloudSummary read_text_cloud(std::istream& stream, PointSink& sink,
-                             const std::vector<std::string>& columns);
+                             const std::vector<std::string>& columns, bool counted);
 CloudSummary read_las(std::istream& stream, PointSink& sink);
 CloudSummary read_pcd(std::string_view content, PointSink& sink);
 

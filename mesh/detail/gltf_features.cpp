@@ -63,16 +63,41 @@ void check_extensions(const Json& file) {
   }
 }
 
+Json list_in(const Json& object, const char* key) {
+  const auto found = object.is_object() ? object.find(key) : object.end();
+  return object.is_object() && found != object.end() && found->is_array() ? *found : Json::array();
+}
+
+/// Refuses meshes whose shape depends on bones or on weights: the vertices as stored are not it.
+void check_deformations(const Json& file) {
+  constexpr const char* kApply =
+      "; apply it to the mesh in a 3-D program, and save the file without it";
+  for (const Json& skin : list_in(file, "skins")) {
+    if (!skin.is_object() || !skin.contains("inverseBindMatrices")) {
+      throw InputError(std::string("has a skin (bones that move the vertices) without "
+                                   "inverseBindMatrices") +
+                       kApply);
+    }
+  }
+  const auto is_active = [](const Json& holder) {
+    const Json weights = list_in(holder, "weights");
+    return std::any_of(weights.begin(), weights.end(), [](const Json& weight) {
+      return weight.is_number() && weight.get<double>() != 0.0;
+    });
+  };
+  for (const char* key : {"meshes", "nodes"}) {
+    const Json holders = list_in(file, key);
+    if (std::any_of(holders.begin(), holders.end(), is_active)) {
+      throw InputError(std::string("has a morph target with a weight that is not 0") + kApply);
+    }
+  }
+}
+
 /// Coordinates are floats that are in the file.
 void check_positions(const Json& file) {
   const auto number = [](const Json& object, const char* key) {
     const auto found = object.find(key);
     return found != object.end() && found->is_number_integer() ? found->get<std::int64_t>() : -1;
-  };
-  const auto list_in = [](const Json& object, const char* key) {
-    const auto found = object.is_object() ? object.find(key) : object.end();
-    return object.is_object() && found != object.end() && found->is_array() ? *found
-                                                                            : Json::array();
   };
   const Json accessors = list_in(file, "accessors");
   for (const Json& mesh : list_in(file, "meshes")) {
@@ -99,6 +124,7 @@ void check_gltf_features(std::string_view content) {
   const Json file = Json::parse(json_text(content), nullptr, false);
   if (!file.is_object()) return;  // the reader says what is wrong
   check_extensions(file);
+  check_deformations(file);
   check_positions(file);
 }
 

@@ -70,10 +70,10 @@ class Lines {
   bool at_end_ = false;
 };
 
-/// What a message repeats of a word, which may be bytes of any kind.
-std::string quoted(std::string_view word) {
-  constexpr std::size_t kQuoted = 40;
-  return "\"" + printable(word.substr(0, kQuoted)) + "\"";
+/// What a message repeats of a text, which may be bytes of any kind.
+/// @param most  bytes
+std::string quoted(std::string_view text, std::size_t most = 40) {
+  return "\"" + printable(text.substr(0, most)) + (text.size() > most ? "..." : "") + "\"";
 }
 
 std::string_view trimmed_field(std::string_view text) {
@@ -157,6 +157,13 @@ class LinesOfPoints {
           "\"id x y z\", or give `columns`");
     }
     return columns_.lengths;
+  }
+
+  /// Refuses a scan that holds another number of points than the line before it says.
+  void check_count() const {
+    if (counts_ == 0 || points_of_scan_ == counted_) return;
+    throw InputError(std::to_string(counted_) + " points are announced before a scan, but " +
+                     std::to_string(points_of_scan_) + " follow; the file may be cut short");
   }
 
  private:
@@ -330,6 +337,8 @@ class LinesOfPoints {
     while (fields.size() > 3 && fields.back().empty()) fields.pop_back();
   }
 
+  static constexpr std::size_t kQuotedHeading = 200;
+
   void refuse_unknown(const HeadLine& head, std::size_t count) {
     std::vector<std::string_view> headings;
     split_fields(head.text, separator_, headings);
@@ -343,7 +352,7 @@ class LinesOfPoints {
                                                     may_be_heading(headings, separator_));
     if (!heading) return;
     throw InputError("line " + std::to_string(head.number) + ": the heading " +
-                     quoted(std::string_view(head.text)) + " does not say which of the " +
+                     quoted(head.text, kQuotedHeading) + " does not say which of the " +
                      std::to_string(count) + " columns are x, y and z; " + kColumnsAdvice);
   }
 
@@ -362,7 +371,18 @@ class LinesOfPoints {
                      std::to_string(fields_per_line_) + "; " + kDecimalCommaAdvice);
   }
 
+  /// Refuses a row whose name says that it sums up the others.
+  void refuse_summary(std::size_t number) const {
+    const auto& axes = columns_.axes;
+    if (fields_.empty() || std::find(axes.begin(), axes.end(), 0) != axes.end()) return;
+    const std::string_view name = trimmed_field(fields_[0]);
+    if (number_in(name) || summary_label(name) != SummaryLabel::kSure) return;
+    throw InputError("line " + std::to_string(number) + ": " + quoted(name) +
+                     " sums up the other rows; remove that row");
+  }
+
   Vec3 point_in(std::size_t number) const {
+    refuse_summary(number);
     Vec3 point = Vec3::Zero();
     for (std::size_t axis = 0; axis < 3; ++axis) {
       const std::size_t column = columns_.axes[axis];
@@ -408,7 +428,7 @@ class LinesOfPoints {
 }  // namespace
 
 CloudSummary read_text_cloud(std::istream& stream, PointSink& sink,
-                             const std::vector<std::string>& columns) {
+                             const std::vector<std::string>& columns, bool counted) {
   Lines lines(stream);
   LinesOfPoints points(sink, columns);
   std::string_view line;
@@ -421,6 +441,7 @@ CloudSummary read_text_cloud(std::istream& stream, PointSink& sink,
   }
   CloudSummary summary;
   summary.lengths = points.finish();
+  if (counted) points.check_count();
   return sink.finish(std::move(summary));
 }
 

@@ -82,7 +82,8 @@ void ScanReport::add(const Block& block) {
   std::unique_lock lock(impl_->mutex);
   const auto page = impl_->pages.extract(block.id);
   lock.unlock();
-  write_output(impl_->page_of(block), page.mapped(), {.kind = kPageKind, .replace = impl_->replace});
+  write_output(impl_->page_of(block), page.mapped(),
+               {.kind = kPageKind, .replace = impl_->replace});
   ++impl_->made;
   impl_->add_row(block, "made");
 }

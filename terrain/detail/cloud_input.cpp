@@ -10,6 +10,7 @@
 #include "core/number_text.hpp"
 #include "core/up_axis.hpp"
 #include "mesh/point_cloud.hpp"
+#include "terrain/detail/fill_values.hpp"
 #include "terrain/detail/gdal_raster.hpp"
 #include "terrain/detail/grid_holes.hpp"
 
@@ -90,16 +91,19 @@ struct Survey {
 struct ClassSurvey {
   std::size_t points = 0;
   Bounds box;
+  PointHeights heights = {};
 
   void include(const Vec3& point) {
     ++points;
     box.include(point);
+    heights.include(point.z());
   }
   void include(const ClassSurvey& other) {
     if (other.points == 0) return;
     points += other.points;
     box.include(other.box.low);
     box.include(other.box.high);
+    heights.include(other.heights);
   }
 };
 
@@ -197,6 +201,7 @@ Survey surveyed(const TerrainOptions& options, CloudGrid& result) {
         if ((*cloud.kept)[c]) kept.include(by_class[c]);
       }
     }
+    kept.heights.check(path);
     survey.points += kept.points;
     survey.box.include(kept.box.low);
     survey.box.include(kept.box.high);

@@ -139,7 +139,41 @@ void refuse_impossible(const HeightGrid& grid, const std::filesystem::path& path
   }
 }
 
+/// True if a fill value is too far from all other heights to be one of them.
+/// @param gap  to the nearest of the others, m
+bool is_far(double value, double gap, double span) {
+  return gap > span && (value != 0.0 || gap > kHighestCliff);
+}
+
 }  // namespace
+
+void PointHeights::include(double height) {
+  if (is_usual_fill(height)) {
+    ++fills_[height == 0.0 ? 0.0 : height];
+    return;
+  }
+  low_ = std::min(low_, height);
+  high_ = std::max(high_, height);
+}
+
+void PointHeights::include(const PointHeights& other) {
+  for (const auto& [value, count] : other.fills_) fills_[value] += count;
+  low_ = std::min(low_, other.low_);
+  high_ = std::max(high_, other.high_);
+}
+
+void PointHeights::check(const std::filesystem::path& path) const {
+  if (!(low_ <= high_)) return;
+  for (const auto& [value, count] : fills_) {
+    const double gap = std::max({low_ - value, value - high_, 0.0});
+    if (!is_far(value, gap, high_ - low_)) continue;
+    const std::string number = with_digits(value, 9);
+    throw InputError(path.string() + ": " + counted(count, "point has", "points have") +
+                     " the height " + number + " m, " + with_digits(gap, 4) + " m " +
+                     (value < low_ ? "below" : "above") + " all others. If " + number +
+                     " stands for no data, leave out the points with that height");
+  }
+}
 
 std::vector<std::string> check_fill_values(const HeightGrid& grid,
                                            const std::filesystem::path& path,
@@ -154,7 +188,7 @@ std::vector<std::string> check_fill_values(const HeightGrid& grid,
     std::vector<double>& steps = cells.steps;
     std::sort(steps.begin(), steps.end());
     const double median = steps.empty() ? gap : steps[steps.size() / 2];
-    const bool far = gap > others.high - others.low && (value != 0.0 || gap > kHighestCliff);
+    const bool far = is_far(value, gap, others.high - others.low);
     const bool stepped = cells.count <= others.count && median > kStepRatio * others.mean_step();
     if (!(is_usual_fill(value) && far) && !stepped) continue;
     const std::string number = with_digits(value, 9);

@@ -1,6 +1,9 @@
 #pragma once
 /// Numbers that stand for "no height" in a grid that does not say so.
+#include <cstddef>
 #include <filesystem>
+#include <limits>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -26,5 +29,20 @@ struct FillRules {
 std::vector<std::string> check_fill_values(const HeightGrid& grid,
                                            const std::filesystem::path& path,
                                            const FillRules& rules);
+
+/// The heights of a cloud's points: those of usual fill values, and the range of the others.
+class PointHeights {
+ public:
+  void include(double height);
+  void include(const PointHeights& other);
+  /// Refuses usual fill values that lie farther from all other heights than these span, 0 by more
+  /// than 100 m too.
+  /// @throws InputError  with value and count
+  void check(const std::filesystem::path& path) const;
+
+ private:
+  std::map<double, std::size_t> fills_;  ///< points of each value
+  double low_ = std::numeric_limits<double>::infinity(), high_ = -low_;
+};
 
 }  // namespace clast::terrain_detail

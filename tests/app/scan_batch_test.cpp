@@ -73,7 +73,7 @@ TEST_F(ScanBatch, CtrlCKeepsWhatIsFinished) {
   const ProgramRun stopped = program.wait();
   EXPECT_EQ(stopped.exit_code, 1);
   EXPECT_TRUE(
-      contains(stopped.err, "clast: interrupted; waiting for the present step of each scan"))
+      contains(stopped.err, "clast: interrupted; waiting for the current step of each scan"))
       << "at once, before the step ends";
   EXPECT_TRUE(contains(stopped.err,
                        "clast: interrupted; what was finished is in blocks.h5. Give the same "

@@ -26,6 +26,11 @@ TEST(ColumnHeadings, NameWordsAndUnitAreTakenApart) {
       {" Z , mm", "z", {"z"}, 0.001},
       {"Coord. X / ft", "coord. x", {"x"}, 0.3048},
       {"X in m", "x", {"x"}, 1},
+      {"X (pieds)", "x", {"x"}, 0.3048},
+      {"Y (')", "y", {"y"}, 0.3048},
+      {"H\xC3\xB6he [Zoll]", "h\xC3\xB6he", {"hohe"}, 0.0254},
+      {"Z [m \xC3\xBC.M.]", "z", {"z"}, 1},
+      {"Kote Fuss", "kote fuss", {"kote", "fuss"}, 0},
       {"H\xC3\xB6he (m)", "h\xC3\xB6he", {"hohe"}, 1},
       {"H\xC3\x96HE", "h\xC3\x96he", {"hohe"}, 0},
       {"Ho\xCC\x88he", "ho\xCC\x88he", {"hohe"}, 0},  // an accent of its own
@@ -98,7 +103,11 @@ TEST(SummaryLabels, AreKnownInFiveLanguages) {
                            "Variance"}) {
     EXPECT_EQ(summary_label(text), SummaryLabel::kSure) << text;
   }
-  for (const char* text : {"SD", "n", "N", "CV", "s.d.", "SE"}) {
+  for (const char* text : {"\xE2\x88\x85", "\xC3\x98", "\xCF\x83", "25%", "75 %", "Overall mean",
+                           "Coef. var.", "STDEV.S"}) {
+    EXPECT_EQ(summary_label(text), SummaryLabel::kSure) << text;
+  }
+  for (const char* text : {"SD", "n", "N", "CV", "s.d.", "SE", "s"}) {
     EXPECT_EQ(summary_label(text), SummaryLabel::kShort) << text;
   }
   for (const char* text : {"", "B1", "Max 3", "Meander", "Total station", "rock", "12", "-",

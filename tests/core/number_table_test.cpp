@@ -38,6 +38,7 @@ TEST_F(NumberTables, EveryTableOfTheSamePointsIsReadAlike) {
         "\xef\xbb\xbfx;y;z\r\n1,5;2;3,25\r\n4;5,5;6\r\n",
         "x y z\n# May\n\n1.5 2 3.25 # edge\n4 5.5\t6\n",
         "\"X_m\",\"Y_m\",\"Height\"\n\"1.5\",2,3.25\n4,5.5,6\n",
+        "\"x\",\"y\",\"z\"\n\"1.5\",\"2\",\"3.25\"\n\"4\",\"5.5\",\"6\"\n",
         "points, as surveyed\n1.5 2 3.25\n4 5.5 6\n", "id,z,y,x\nP1,3.25,2,1.5\nP2,6,5.5,4\n",
         "Point id\tx\ty\tz\nP 1\t1,5\t2\t3,25\nP 2\t4\t5,5\t6\n"}) {
     EXPECT_EQ(read(text), points) << text;

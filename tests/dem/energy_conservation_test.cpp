@@ -83,6 +83,7 @@ Energies bounce_of(const Elastic& elastic, int kind, std::uint64_t seed, double 
   found.start = energy(start);
   simulate_release(terrain, zones, body, start, settings, [&](const MotionStep& step) {
     if (!step.flight) found.bounced = true;
+    if (!step.to_be_balanced) found.most = std::max(found.most, energy(step.end));
     if (!step.flight || !found.bounced) return;
     found.last = energy(step.begin);
     found.most = std::max(found.most, found.last);

@@ -203,6 +203,22 @@ TEST_F(Clouds, UnitsOfHeadingsAreDeclared) {
   EXPECT_TRUE(check_lengths("d.csv", metres.lengths, {}).empty());
 }
 
+TEST_F(Clouds, RowsThatSumUpTheOthersAreRefused) {
+  for (const char* name : {"Mean", "Std. dev.", "Mittelwert", "\xC3\x98", "75%"}) {
+    EXPECT_TRUE(contains(refused("a.csv", std::string("Nr,X,Y,Z\nP1,1,2,3\n") + name + ",1,2,3\n"),
+                         "line 3: \"" + std::string(name) + "\" sums up the other rows"));
+  }
+}
+
+TEST_F(Clouds, UnitsThatAreNotUnderstoodAreNoted) {
+  write_text_file(folder / "a.csv", "X (el);Y (el);Z (el)\n1;2;3\n");
+  const CloudSummary els =
+      stream_cloud(folder / "a.csv", [](const PointBatch&) {}, {"1", "2", "3"});
+  const std::vector<std::string> notes = check_lengths("a.csv", els.lengths, {});
+  ASSERT_EQ(notes.size(), 3u);
+  EXPECT_TRUE(contains(notes[0], "its heading \"X (el)\" names no unit or reference system"));
+}
+
 TEST_F(Clouds, TheSeparatorDecidesTheColumns) {
   const std::vector<Vec3> one = {{1, 2, 3}};
   expect_points("a.csv", "time,X,Y,Z\n2024-05-03 12:00:00,1,2,3\n", one);

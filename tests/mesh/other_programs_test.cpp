@@ -348,5 +348,16 @@ TEST_F(OtherGltf, ExtensionsThatShapesNeedAreRefusedByName) {
       "has coordinates in compressed form only"));
 }
 
+TEST_F(OtherGltf, MeshesThatBonesOrWeightsDeformAreRefused) {
+  EXPECT_TRUE(contains(refused("a.glb", glb({.extensions = R"("skins":[{"joints":[0]}],)"})),
+                       "has a skin (bones that move the vertices) without inverseBindMatrices"));
+  const auto weighted = [&](const std::string& weights) {
+    return refused("b.gltf", R"({"asset":{"version":"2.0"},"meshes":[{"weights":[)" + weights +
+                                 R"(],"primitives":[]}]})");
+  };
+  EXPECT_TRUE(contains(weighted("0,1"), "has a morph target with a weight that is not 0"));
+  EXPECT_FALSE(contains(weighted("0,0"), "morph target"));
+}
+
 }  // namespace
 }  // namespace clast

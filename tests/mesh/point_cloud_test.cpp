@@ -62,6 +62,10 @@ TEST_F(Clouds, SeveralScansOfAFileFollowEachOther) {
   expect_points("a.pts", "2\n1 2 3 17\n4 5 6 17\n1\n7 8 9 17\n", {{1, 2, 3}, {4, 5, 6}, {7, 8, 9}});
   expect_points("b.pts", "1\r\n1 2 3 -5 1 2 3\r\n2 \r\n4 5 6 -5 1 2 3\r\n7 8 9 1 2 3 4\r\n",
                 {{1, 2, 3}, {4, 5, 6}, {7, 8, 9}});
+  EXPECT_TRUE(contains(refused("f.pts", "5\n1 2 3\n4 5 6\n"),
+                       "5 points are announced before a scan, but 2 follow"));
+  EXPECT_TRUE(contains(refused("g.pts", "1\n1 2 3\n4 5 6\n"), "but 2 follow"));
+  EXPECT_EQ(read("g.xyz", "2024\n1 2 3\n4 5 6\n").size(), 2u) << "a title";
   // A number alone that counts nothing is a line cut short.
   EXPECT_TRUE(
       contains(refused("c.pts", "3\n1 2 3\n4 5 6\n1\n7 8 9\n"), "line 4: fewer than three"));

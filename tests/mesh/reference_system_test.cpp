@@ -274,9 +274,9 @@ TEST_F(DeclaredLengths, ThatNobodyUnderstandsAreNoted) {
   const std::vector<std::string> notes =
       check_lengths("a.las", read({.keys = {{1024, 1}, {3072, 1}}, .wkt = "nonsense"}).lengths, {});
   ASSERT_EQ(notes.size(), 2u);
-  EXPECT_TRUE(contains(notes[0],
-                       "GeoTIFF key 3072 = 1 is a reference system that PROJ does not recognise"));
-  EXPECT_TRUE(contains(notes[1], "WKT is a reference system that PROJ does not recognise"));
+  EXPECT_TRUE(
+      contains(notes[0], "GeoTIFF key 3072 = 1 names no unit or reference system that is known"));
+  EXPECT_TRUE(contains(notes[1], "WKT names no unit or reference system that is known"));
 }
 
 // Mercator on a sphere has the scale 1 / cos(latitude); on the ellipsoid of WGS 84 both scales are

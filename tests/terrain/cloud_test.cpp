@@ -426,6 +426,23 @@ TEST_F(CloudGround, HeightsThatStandForNoneAreRefused) {
   }
 }
 
+// Cells of several points hide single fill values in their means.
+TEST_F(CloudGround, FillValuesBetweenOtherPointsOfACellAreRefused) {
+  for (const char* fill : {"-9999", "-999", "9999", "0"}) {
+    std::ostringstream text;
+    for (int i = 0; i < 400; ++i) {
+      text << i % 20 << ' ' << i / 20 << ' ';
+      if (i % 10 == 0) {
+        text << fill << '\n';
+      } else {
+        text << 500 + 0.5 * (i % 20) << '\n';
+      }
+    }
+    const std::string message = refused(text.str());
+    EXPECT_TRUE(contains(message, "40 points have the height " + std::string(fill) + " m")) << fill;
+  }
+}
+
 TEST_F(CloudGround, LinesThatAreNoPointsAreRefusedWithTheirNumber) {
   EXPECT_TRUE(contains(refused("0 0 0\n1 2\n"), "cloud.xyz: line 2: fewer than three numbers"));
   EXPECT_TRUE(contains(refused("0 0 0\n1 2 wet\n"), "cloud.xyz: line 2: \"wet\""));
