@@ -7,7 +7,7 @@ from populations_test import same_as_csv
 TABLES = [
     "runs", "barriers", "crossings", "deposits", "impacts", "ground_sets", "effects", "ensemble", "stays",
     "realisations", "realisation_figures", "realisation_differences", "passages",
-    "passage_curves", "energies", "fabric", "neighbours", "sorting", "mobility", "differences", "profiles",
+    "passage_curves", "energies", "mobility", "differences", "profiles",
 ]  # fmt: skip
 
 

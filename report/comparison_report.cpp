@@ -45,13 +45,14 @@ FolderKind comparison_folder() {
                                                  "responses.csv",
                                                  "realisation_figures.csv",
                                                  "realisation_differences.csv",
-                                                 "fabric.csv",
-                                                 "neighbours.csv",
                                                  "mobility.csv",
-                                                 "sorting.csv",
                                                  "passages.csv",
                                                  "passage_curves.csv",
-                                                 "energies.csv"};
+                                                 "energies.csv",
+                                                 // of clast 0.2 and before
+                                                 "fabric.csv",
+                                                 "neighbours.csv",
+                                                 "sorting.csv"};
     const std::string folder = file.parent_path().string(), extension = file.extension().string();
     if (folder == "rasters") return extension == ".tif" || extension == ".qml";
     if (folder == "animation") return extension == ".vtp" || extension == ".pvd";
@@ -95,10 +96,6 @@ std::vector<std::filesystem::path> write_comparison(const Comparison& comparison
   write("passages.csv", passages_csv(comparison));
   write("passage_curves.csv", passage_curves_csv(comparison));
   write("energies.csv", energies_csv(comparison));
-  const DepositFabric fabric = deposit_fabric(comparison);
-  write("fabric.csv", fabric_csv(fabric));
-  write("neighbours.csv", neighbours_csv(fabric));
-  write("sorting.csv", sorting_csv(fabric));
   write("mobility.csv", mobility_csv(comparison));
   write("differences.csv", differences_csv(comparison));
   const std::vector<ProfileBin> bins = profiles(comparison);
@@ -113,7 +110,7 @@ std::vector<std::filesystem::path> write_comparison(const Comparison& comparison
         write_rasters(folder / "rasters", *rasters, comparison.results.front().frame.crs);
     written.insert(written.end(), files.begin(), files.end());
   }
-  write("report.html", comparison_page(comparison, bins, paths, deposits, fabric));
+  write("report.html", comparison_page(comparison, bins, paths, deposits));
   return written;
 }
 

@@ -123,21 +123,6 @@ class _Tables:
         return self.table("energies")
 
     @property
-    def fabric(self) -> Table:
-        """A row per file and group of blocks that stayed: fabric.csv."""
-        return self.table("fabric")
-
-    @property
-    def neighbours(self) -> Table:
-        """A row per file and scheme of classes: neighbours.csv."""
-        return self.table("neighbours")
-
-    @property
-    def sorting(self) -> Table:
-        """A row per file, property of blocks and place in the deposit: sorting.csv."""
-        return self.table("sorting")
-
-    @property
     def mobility(self) -> Table:
         """A row per file of blocks that stay and file of single runs of the same: mobility.csv."""
         return self.table("mobility")

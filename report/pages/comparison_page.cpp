@@ -12,8 +12,7 @@
 namespace clast::report_detail {
 
 std::string comparison_page(const Comparison& comparison, const std::vector<ProfileBin>& bins,
-                            const MapRasters& paths, const RealisationDeposits& deposits,
-                            const DepositFabric& fabric) {
+                            const MapRasters& paths, const RealisationDeposits& deposits) {
   std::string title = "Rockfall report";
   const std::string file = comparison.results.front().file.stem().string();
   if (!file.empty()) title += ": " + file;
@@ -26,7 +25,7 @@ std::string comparison_page(const Comparison& comparison, const std::vector<Prof
       differences_section(comparison) + measured_section(comparison) + runout_section(comparison) +
       barrier_section(comparison) + slope_section(comparison, bins) +
       deposit_section(comparison, deposits) + energy_section(comparison) +
-      fabric_section(comparison, fabric) + stay_section(comparison) + ensemble_section(comparison) +
+      stay_section(comparison) + ensemble_section(comparison) +
       effects_section(comparison) + scene_section(comparison) + block_section(comparison) +
       quality_section(comparison) + provenance_section(comparison));
   return report_page(

@@ -2,7 +2,6 @@
 /// The comparison as one self-contained HTML page: no script or picture from elsewhere.
 #include <string>
 
-#include "study/deposit_fabric.hpp"
 #include "study/map_rasters.hpp"
 #include "study/profiles.hpp"
 #include "study/realisation_deposits.hpp"
@@ -12,9 +11,7 @@ namespace clast::report_detail {
 /// @param bins      `profiles` of the comparison
 /// @param paths     `path_rasters` of it
 /// @param deposits  `realisation_deposits` of it
-/// @param fabric    `deposit_fabric` of it
 std::string comparison_page(const Comparison& comparison, const std::vector<ProfileBin>& bins,
-                            const MapRasters& paths, const RealisationDeposits& deposits,
-                            const DepositFabric& fabric);
+                            const MapRasters& paths, const RealisationDeposits& deposits);
 
 }  // namespace clast::report_detail

@@ -4,7 +4,6 @@
 
 #include "study/answer.hpp"
 #include "study/comparison.hpp"
-#include "study/deposit_fabric.hpp"
 #include "study/profiles.hpp"
 #include "study/realisation_deposits.hpp"
 
@@ -22,9 +21,6 @@ std::string deposit_section(const Comparison& comparison, const RealisationDepos
 /// Kinetic energy and what it becomes, against time, of blocks that stay; empty where the results
 /// don't know.
 std::string energy_section(const Comparison& comparison);
-/// Which way long axes point, whether classes lie together, which blocks went far; empty where no
-/// block stayed.
-std::string fabric_section(const Comparison& comparison, const DepositFabric& fabric);
 /// How blocks that stay were hit and moved on by later ones, by class; empty where none was
 /// released after another.
 std::string stay_section(const Comparison& comparison);

@@ -5,7 +5,6 @@
 
 #include "report/charts/form_responses.hpp"
 #include "study/barrier_passages.hpp"
-#include "study/deposit_fabric.hpp"
 #include "study/design_effects.hpp"
 #include "study/ensemble_effects.hpp"
 #include "study/mass_mobility.hpp"
@@ -85,12 +84,10 @@ const TableColumns<ComparisonRow<Difference>>& difference_columns();
 const TableColumns<EffectShare>& effect_columns();
 const TableColumns<EnergyOfFile>& energy_columns();
 const TableColumns<ComparisonRow<ParameterEffect>>& ensemble_columns();
-const TableColumns<FabricGroup>& fabric_columns();
 const TableColumns<ComparisonRow<ZoneOfSet>>& ground_set_columns();
 const TableColumns<ComparisonRow<RunImpact>>& impact_columns();
 const TableColumns<ComparisonRow<MeasuredGroup>>& measured_columns();
 const TableColumns<Mobility>& mobility_columns();
-const TableColumns<NeighbourTest>& neighbour_columns();
 const TableColumns<ComparisonRow<PassedSoFar>>& passage_curve_columns();
 const TableColumns<ComparisonRow<RealisationPassages>>& passage_columns();
 const TableColumns<ComparisonRow<ProfileBin>>& profile_columns();
@@ -98,7 +95,6 @@ const TableColumns<RealisationDeposit>& realisation_columns();
 const TableColumns<FigureDifference>& realisation_difference_columns();
 const TableColumns<FigureOfFile>& realisation_figure_columns();
 const TableColumns<ResponseOfForm>& response_columns();
-const TableColumns<SortingTrend>& sorting_columns();
 const TableColumns<ComparisonRow<RunStay>>& stay_columns();
 const TableColumns<TrendOfFile>& trend_columns();
 

@@ -4,7 +4,6 @@
 #include <vector>
 
 #include "study/comparison.hpp"
-#include "study/deposit_fabric.hpp"
 #include "study/profiles.hpp"
 #include "study/realisation_deposits.hpp"
 #include "study/realisation_figures.hpp"
@@ -43,13 +42,6 @@ std::string realisation_figures_csv(const FiguresOfFiles& figures);
 std::string realisation_differences_csv(const FiguresOfFiles& figures);
 /// A row for each file of realisations, file of single runs of the same blocks, and class.
 std::string mobility_csv(const Comparison& comparison);
-/// A row for each file and group of blocks that lie; the header alone where no block stayed.
-/// @param fabric  `deposit_fabric` of the comparison
-std::string fabric_csv(const DepositFabric& fabric);
-/// A row for each file and scheme of classes.
-std::string neighbours_csv(const DepositFabric& fabric);
-/// A row for each file, property of blocks and place.
-std::string sorting_csv(const DepositFabric& fabric);
 /// The ground parameters of every ground set, by zone.
 std::string ground_sets_csv(const Comparison& comparison);
 

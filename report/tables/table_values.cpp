@@ -74,14 +74,6 @@ const NamedTables<Comparison>& comparison_tables() {
       {"energies", [](const auto& all) { return values_of(energy_columns(), energy_rows(all)); }},
       {"mobility",
        [](const auto& all) { return values_of(mobility_columns(), mass_mobility(all)); }},
-      {"fabric",
-       [](const auto& all) { return values_of(fabric_columns(), deposit_fabric(all).groups); }},
-      {"neighbours",
-       [](const auto& all) {
-         return values_of(neighbour_columns(), deposit_fabric(all).neighbours);
-       }},
-      {"sorting",
-       [](const auto& all) { return values_of(sorting_columns(), deposit_fabric(all).sorting); }},
       {"differences",
        [](const auto& all) {
          return values_of(difference_columns(), rows_of(all, all.differences));

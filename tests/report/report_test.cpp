@@ -30,7 +30,7 @@ using namespace report_detail;
 
 std::string comparison_report(const Comparison& comparison) {
   return comparison_page(comparison, profiles(comparison), path_rasters(comparison),
-                         realisation_deposits(comparison), deposit_fabric(comparison));
+                         realisation_deposits(comparison));
 }
 
 TEST(HtmlReport, TagsAreBalanced) {

@@ -159,54 +159,6 @@ TEST(DepositSection, SetsBlocksTogetherAgainstTheSameAlone) {
   EXPECT_TRUE(contains(html, ">class elongated<"));
 }
 
-/// Four realisations of six boxes, their long sides turned by `degrees` from downslope.
-CampaignResults many_boxes(double degrees) {
-  CampaignResults results = boxes_that_stay();
-  const RunRecord first = results.runs.front();
-  results.runs.clear();
-  results.stays.clear();
-  results.crossings.clear();
-  results.stay->blocks_each = 6;
-  results.planned_runs = 24;
-  for (std::uint32_t run = 0; run < 24; ++run) {
-    RunRecord record = first;
-    record.run = run;
-    record.block = run % 6 / 3;
-    record.start.orientation = Quat(Eigen::AngleAxisd(0.1 * run, Vec3::UnitZ()));
-    record.result.final_state.position = {4.0 * (run % 6 / 2), 1.5 * (run % 2), 0.25};
-    record.result.final_state.orientation =
-        Quat(Eigen::AngleAxisd(-degrees * kPi / 180.0, Vec3::UnitZ()));
-    results.runs.push_back(record);
-    results.stays.push_back({.run = run});
-  }
-  return results;
-}
-
-TEST(FabricSection, SaysWhichWayLongAxesPointAndHowClassesLie) {
-  const Comparison comparison = compared(many_boxes(10.0));
-  const std::string html = fabric_section(comparison, deposit_fabric(comparison));
-  EXPECT_EQ(unbalanced(html), "");
-  EXPECT_TRUE(contains(html,
-                       "Long axes lie along the slope (axial mean 10\xC2\xB0 to the right of "
-                       "downslope, resultant 1.00, p "));
-  EXPECT_TRUE(contains(html, "of nearest neighbours against 40 % by chance"));
-  EXPECT_TRUE(contains(html, ">all (24)<"));
-  EXPECT_TRUE(contains(html, ": 24 blocks, 100.0 %<"));
-  const Comparison across = compared(many_boxes(-75.0));
-  EXPECT_TRUE(contains(fabric_section(across, deposit_fabric(across)),
-                       "Long axes lie across the slope (axial mean 75\xC2\xB0 to the left"));
-}
-
-TEST(FabricSection, MakesNoStatementOfAFewBlocks) {
-  const Comparison few = compared(boxes_that_stay());
-  const std::string html = fabric_section(few, deposit_fabric(few));
-  EXPECT_FALSE(html.empty());
-  EXPECT_EQ(html.find("Long axes lie"), std::string::npos);
-  EXPECT_EQ(html.find("<svg"), std::string::npos);
-  const Comparison single = compared(hand_made_results());
-  EXPECT_EQ(fabric_section(single, deposit_fabric(single)), "");
-}
-
 TEST(BarrierSection, SaysWhatPassesTogether) {
   EXPECT_EQ(barrier_section(compared(hand_made_results())).find("within 1 s"), std::string::npos);
   CampaignResults results = hand_made_results();
