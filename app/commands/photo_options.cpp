@@ -38,11 +38,11 @@ constexpr const char* kGroup = "Photographs";  ///< of the options, in the help
 void add_camera_options(CLI::App& command, PhotoArgs& args) {
   PhotoScanOptions& options = args.options;
   command
-      .add_option("--model", options.model,
-                  "Camera poses computed by another program: folder of COLMAP, .xml of Metashape, "
-                  ".sfm or .json of "
-                  "AliceVision, sfm_data.json of OpenMVG, bundle.out; without it one in the folder "
-                  "of the photos, else the program colmap is run")
+      .add_option(
+          "--model", options.model,
+          "Camera poses computed by another program: folder of COLMAP, .xml of Metashape, "
+          ".sfm or .json of AliceVision; without it one in the folder of the photos, else the "
+          "program colmap is run")
       ->type_name("PATH")
       ->group(kGroup);
   command

@@ -7,8 +7,8 @@
 
 namespace clast {
 
-/// A central projection with distortion, wide enough to hold the lens models of COLMAP, Metashape,
-/// AliceVision, OpenMVG and Bundler.
+/// A central projection with distortion, wide enough to hold the lens models of COLMAP, Metashape
+/// and AliceVision.
 ///
 /// Frame of the camera: x to the right of the photo, y down, z forward. Pixels: x to the right, y
 /// down, and the centre of the first pixel is (0, 0), as in OpenCV; programs that put it at

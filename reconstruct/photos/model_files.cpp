@@ -31,36 +31,29 @@ fs::path model_at(const fs::path& path) {
     const fs::path folder = *inner == '\0' ? path : path / inner;
     if (holds_colmap(folder, ".txt") || holds_colmap(folder, ".bin")) return folder;
   }
-  for (const char* name :
-       {"cameras.xml", "cameras.sfm", "sfm.json", "sfm_data.json", "bundle.out", "bundler.out"}) {
+  for (const char* name : {"cameras.xml", "cameras.sfm", "sfm.json"}) {
     if (is_file(path / name)) return path / name;
   }
   return {};
 }
 
-PhotoModel read_at(const fs::path& path, const fs::path& photos) {
+PhotoModel read_at(const fs::path& path) {
   if (holds_colmap(path, ".txt")) return photos_detail::read_colmap_text(path);
   if (holds_colmap(path, ".bin")) return photos_detail::read_colmap_binary(path);
   const std::string extension = extension_of(path);
   if (extension == ".xml") return photos_detail::read_metashape(path);
-  if (extension == ".out") return photos_detail::read_bundler(path, photos);
-  if (extension == ".sfm") return photos_detail::read_alicevision(path);
-  if (extension == ".json") {
-    // Both programs use the extension; only OpenMVG has a root_path.
-    const bool openmvg = read_text_file(path).find("\"root_path\"") != std::string::npos;
-    return openmvg ? photos_detail::read_openmvg(path) : photos_detail::read_alicevision(path);
-  }
-  throw InputError(path.string() +
-                   ": not a camera model; known are folders of COLMAP (cameras, images and "
-                   "points3D as .txt or .bin), .xml of Metashape, .sfm and .json of AliceVision, "
-                   "sfm_data.json of OpenMVG, and bundle.out");
+  if (extension == ".sfm" || extension == ".json") return photos_detail::read_alicevision(path);
+  throw InputError(
+      path.string() +
+      ": not a camera model; known are folders of COLMAP (cameras, images and "
+      "points3D as .txt or .bin), .xml of Metashape, and .sfm and .json of AliceVision");
 }
 
 }  // namespace
 
 bool holds_photo_model(const fs::path& folder) { return !model_at(folder).empty(); }
 
-PhotoModel read_photo_model(const fs::path& path, const fs::path& photos) {
+PhotoModel read_photo_model(const fs::path& path) {
   std::error_code code;
   if (!fs::exists(path, code)) {
     throw InputError(path.string() + ": no such file or folder; check the path");
@@ -73,7 +66,7 @@ PhotoModel read_photo_model(const fs::path& path, const fs::path& photos) {
   }
   if (!fs::is_directory(found, code)) check_input_file(found);
   try {
-    PhotoModel model = photos_detail::in_order_of_names(read_at(found, photos));
+    PhotoModel model = photos_detail::in_order_of_names(read_at(found));
     model.check();
     return model;
   } catch (const InputError& error) {

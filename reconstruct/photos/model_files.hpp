@@ -10,15 +10,11 @@ namespace clast {
 /// - COLMAP: a folder with cameras, images and points3D as .txt or .bin
 /// - Metashape: the .xml that "Export cameras" writes; a scale of the chunk makes it metric
 /// - AliceVision or Meshroom: .sfm or .json with "views" and "poses"
-/// - OpenMVG: sfm_data.json
-/// - Bundler: bundle.out, with list.txt beside it that names the photos
 ///
 /// A folder may also hold one of these files, or a model in `sparse/0`, `sparse` or `colmap`.
-/// Bundler's file has no sizes of photos: those are read from the photos, which must lie in
-/// `photos`. Photos without a pose are counted and left out.
+/// Photos without a pose are counted and left out.
 /// @throws InputError  no model there; a file cut short, damaged or of a lens that isn't known
-PhotoModel read_photo_model(const std::filesystem::path& path,
-                            const std::filesystem::path& photos = {});
+PhotoModel read_photo_model(const std::filesystem::path& path);
 
 /// Whether a folder holds a model that `read_photo_model` would read.
 bool holds_photo_model(const std::filesystem::path& folder);

@@ -63,7 +63,7 @@ PhotoModel find_cameras(const fs::path& folder, const fs::path& photos,
                         const std::function<void(const std::string&)>& stage) {
   for (const fs::path& place : {options.model, folder}) {
     if (place.empty() || (place == folder && !holds_photo_model(folder))) continue;
-    PhotoModel model = read_photo_model(place, photos);
+    PhotoModel model = read_photo_model(place);
     if (model.photos.empty()) {
       throw InputError(place.string() + ": none of its photos has a camera; align them first");
     }

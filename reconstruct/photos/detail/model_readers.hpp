@@ -12,8 +12,6 @@ PhotoModel read_colmap_text(const std::filesystem::path& folder);
 PhotoModel read_colmap_binary(const std::filesystem::path& folder);
 PhotoModel read_metashape(const std::filesystem::path& file);
 PhotoModel read_alicevision(const std::filesystem::path& file);
-PhotoModel read_openmvg(const std::filesystem::path& file);
-PhotoModel read_bundler(const std::filesystem::path& file, const std::filesystem::path& photos);
 
 /// Lens of COLMAP's camera `model` ("SIMPLE_RADIAL"); pixels are moved by half a pixel.
 /// @throws InputError  a model that isn't known, or a wrong number of parameters

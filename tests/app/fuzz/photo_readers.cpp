@@ -1,4 +1,3 @@
-#include "core/png.hpp"
 #include "reconstruct/photos/model_files.hpp"
 #include "reconstruct/photos/photo_masks.hpp"
 #include "tests/app/fuzz/readers.hpp"
@@ -12,7 +11,7 @@ namespace {
 using Files = std::map<std::string, std::string>;
 
 void read_model(const std::filesystem::path& folder) {
-  const PhotoModel model = read_photo_model(folder, folder);
+  const PhotoModel model = read_photo_model(folder);
   for (const SparsePoint& point : model.points) ASSERT_TRUE(point.place.allFinite());
 }
 
@@ -30,21 +29,6 @@ Files colmap_binary() {
   const ColmapBinary model{TwoViews()};
   return {
       {"cameras.bin", model.cameras}, {"images.bin", model.images}, {"points3D.bin", model.points}};
-}
-
-std::string png() {
-  std::vector<Rgb> pixels;
-  for (std::size_t i = 0; i < 160 * 120; ++i) {
-    pixels.push_back({static_cast<std::uint8_t>(i * 37 % 251), 128, 200});
-  }
-  return rgb_png(160, 120, pixels);
-}
-
-Files bundler() {
-  return {{"bundle.out", bundler_text(TwoViews())},
-          {"list.txt", "./p0.png 0 150\n./p1.png\nlost.png\n"},
-          {"p0.png", png()},
-          {"p1.png", png()}};
 }
 
 std::string bmp() {
@@ -72,9 +56,6 @@ std::vector<NamedReader> photo_readers() {
   for (const char* file : {"cameras.bin", "images.bin", "points3D.bin"}) {
     readers.push_back(model_reader(file, colmap_binary));
   }
-  for (const char* file : {"bundle.out", "list.txt", "p0.png"}) {
-    readers.push_back(model_reader(file, bundler));
-  }
   readers.push_back(model_reader("cameras.xml", [] {
     return Files{{"cameras.xml", metashape_xml(TwoViews(), "")}};
   }));
@@ -83,9 +64,6 @@ std::vector<NamedReader> photo_readers() {
         {"cameras.sfm", alicevision_json(TwoViews(), "\"1\", \"2\", \"6\"",
                                          "\"focalLength\": \"33.75\", \"sensorWidth\": \"36\"",
                                          "\"10\", \"-5\"")}};
-  }));
-  readers.push_back(model_reader("sfm_data.json", [] {
-    return Files{{"sfm_data.json", openmvg_json(TwoViews())}};
   }));
   readers.push_back(mask_reader());
   return readers;

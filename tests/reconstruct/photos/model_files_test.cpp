@@ -6,7 +6,6 @@
 
 #include <cmath>
 #include <fstream>
-#include <opencv2/imgcodecs.hpp>
 
 #include "core/text_file.hpp"
 #include "tests/reconstruct/photos/model_texts.hpp"
@@ -114,42 +113,6 @@ TEST(ModelFiles, AliceVisionIsReadInEveryLayoutOfItsFocalLength) {
     EXPECT_EQ(model.points[0].photos, (std::vector<std::uint32_t>{0, 1}));
     expect_pixels(model, 0.0, expected);
   }
-}
-
-TEST(ModelFiles, OpenMvgIsRead) {
-  const TwoViews views;
-  const ScratchFolder folder;
-  write(folder / "sfm_data.json", openmvg_json(views));
-  const PhotoModel model = read_photo_model(folder.path());
-  EXPECT_EQ(model.source, "OpenMVG");
-  ASSERT_EQ(model.points.size(), 1u);
-  expect_pixels(model, 0.0, [&](int i, const Vec3& p) {
-    const Vec3 c = views.in_camera(i, p);
-    const double x = c.x() / c.z(), y = c.y() / c.z(), r2 = x * x + y * y;
-    const double g = Radial{-0.04, 0.02, -0.003}.at(r2), t1 = 0.001, t2 = -0.002;
-    return Vec2(1500.0 * (x * g + t2 * (r2 + 2.0 * x * x) + 2.0 * t1 * x * y) + 810.0,
-                1500.0 * (y * g + t1 * (r2 + 2.0 * y * y) + 2.0 * t2 * x * y) + 595.0);
-  });
-}
-
-TEST(ModelFiles, BundlerIsReadWithItsAxesAndTheSizesOfItsPhotos) {
-  const TwoViews views;
-  const ScratchFolder folder;
-  write(folder / "bundle.out", bundler_text(views));
-  write(folder / "list.txt", "./p0.png 0 150\n./p1.png\nlost.png\n");
-  for (const char* name : {"p0.png", "p1.png"}) {
-    cv::imwrite((folder / name).string(), cv::Mat(120, 160, CV_8UC1, cv::Scalar(90)));
-  }
-  const PhotoModel model = read_photo_model(folder.path());
-  EXPECT_EQ(model.unplaced, 1u);
-  ASSERT_EQ(model.points.size(), 1u);
-  EXPECT_EQ(model.points[0].photos, (std::vector<std::uint32_t>{0, 1}));
-  expect_pixels(model, 0.5, [&](int i, const Vec3& p) {
-    const Vec3 c = views.in_camera(i, p);
-    const Vec2 q(c.x() / c.z(), -c.y() / c.z());  // Bundler's -P / P.z
-    const double g = 1.0 - 0.04 * q.squaredNorm() + 0.02 * q.squaredNorm() * q.squaredNorm();
-    return Vec2(80.0 + 150.0 * g * q.x(), 60.0 - 150.0 * g * q.y());
-  });
 }
 
 TEST(ModelFiles, WhatIsNoModelIsRefusedInWords) {

@@ -80,56 +80,6 @@ inline std::string alicevision_json(const TwoViews& views, const std::string& ve
          "\"observations\": [{\"observationId\": \"70\"}, {\"observationId\": \"69\"}]}]}";
 }
 
-inline std::string openmvg_json(const TwoViews& views) {
-  std::string json = "{\"sfm_data_version\": \"0.3\", \"root_path\": \"/far\", \"views\": [";
-  for (int i = 0; i < 2; ++i) {
-    json += std::string(i > 0 ? "," : "") + "{\"key\": " + std::to_string(i) +
-            ", \"value\": {\"polymorphic_id\": 1073741824, \"ptr_wrapper\": {\"id\": 1, \"data\": "
-            "{\"local_path\": \"\", \"filename\": \"p" +
-            std::to_string(i) +
-            ".jpg\", \"width\": 1600, \"height\": 1200, \"id_view\": " + std::to_string(i) +
-            ", \"id_intrinsic\": 0, \"id_pose\": " + std::to_string(i) + "}}}}";
-  }
-  json +=
-      "], \"intrinsics\": [{\"key\": 0, \"value\": {\"polymorphic_id\": 2147483649, "
-      "\"polymorphic_name\": \"pinhole_brown_t2\", \"ptr_wrapper\": {\"id\": 2147483660, \"data\": "
-      "{\"value0\": {\"width\": 1600, \"height\": 1200, \"focal_length\": 1500.0, "
-      "\"principal_point\": [810.0, 595.0]}, \"disto_t2\": [-0.04, 0.02, -0.003, 0.001, -0.002]}}}"
-      "}], \"extrinsics\": [";
-  for (int i = 0; i < 2; ++i) {
-    json += std::string(i > 0 ? "," : "") + "{\"key\": " + std::to_string(i) +
-            ", \"value\": {\"rotation\": [";
-    for (int row = 0; row < 3; ++row) {
-      json += std::string(row > 0 ? "," : "") + "[" + text(views.rotation[i](row, 0)) + "," +
-              text(views.rotation[i](row, 1)) + "," + text(views.rotation[i](row, 2)) + "]";
-    }
-    json += "], \"center\": [" + text(views.centre[i].x()) + "," + text(views.centre[i].y()) + "," +
-            text(views.centre[i].z()) + "]}}";
-  }
-  return json +
-         "], \"structure\": [{\"key\": 0, \"value\": {\"X\": [0.1, 0.2, 0.3], \"observations\": "
-         "[{\"key\": 0, \"value\": {\"id_feat\": 1, \"x\": [1, 2]}}]}}]}";
-}
-
-/// Of the photos p0.png, p1.png of 160 x 120 pixels and of one that is lost.
-inline std::string bundler_text(const TwoViews& views) {
-  std::string bundle = "# Bundle file v0.3\n3 1\n";
-  for (int i = 0; i < 2; ++i) {
-    // x right, y up, looking along -z.
-    const Mat3 turn = Vec3(1.0, -1.0, -1.0).asDiagonal();
-    const Mat3 rotation = turn * views.rotation[i];
-    const Vec3 t = -(rotation * views.centre[i]);
-    bundle += "150 -0.04 0.02\n";
-    for (int row = 0; row < 3; ++row) {
-      for (int column = 0; column < 3; ++column) bundle += text(rotation(row, column)) + " ";
-      bundle += "\n";
-    }
-    bundle += text(t.x()) + " " + text(t.y()) + " " + text(t.z()) + "\n";
-  }
-  bundle += "0 0 0\n0 0 0\n0 0 0\n0 0 0\n0 0 0\n0.1 0.2 0.3\n1 2 3\n2 0 5 1.5 2.5 1 6 1.5 2.5\n";
-  return bundle;
-}
-
 template <class T>
 void put_bytes(std::string& bytes, T value) {
   char raw[sizeof(T)];
