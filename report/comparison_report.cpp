@@ -24,35 +24,15 @@ using namespace report_detail;
 
 FolderKind comparison_folder() {
   const auto owns = [](const std::filesystem::path& file) {
-    static const std::set<std::string> kFiles = {"runs.csv",
-                                                 "barriers.csv",
-                                                 "crossings.csv",
-                                                 "deposits.csv",
-                                                 "impacts.csv",
-                                                 "ground_sets.csv",
-                                                 "profiles.csv",
-                                                 "measured.csv",
-                                                 "stops.gpkg",
-                                                 "differences.csv",
-                                                 "provenance.json",
-                                                 "report.html",
-                                                 "report.pdf",
-                                                 "ensemble.csv",
-                                                 "stays.csv",
-                                                 "realisations.csv",
-                                                 "effects.csv",
-                                                 "trends.csv",
-                                                 "responses.csv",
-                                                 "realisation_figures.csv",
-                                                 "realisation_differences.csv",
-                                                 "mobility.csv",
-                                                 "passages.csv",
-                                                 "passage_curves.csv",
-                                                 "energies.csv",
-                                                 // of clast 0.2 and before
-                                                 "fabric.csv",
-                                                 "neighbours.csv",
-                                                 "sorting.csv"};
+    static const std::set<std::string> kFiles = {
+        "runs.csv", "barriers.csv", "crossings.csv", "deposits.csv", "impacts.csv",
+        "ground_sets.csv", "profiles.csv", "measured.csv", "stops.gpkg", "differences.csv",
+        "provenance.json", "report.html", "report.pdf", "ensemble.csv", "stays.csv",
+        "realisations.csv", "effects.csv", "trends.csv", "responses.csv", "realisation_figures.csv",
+        "realisation_differences.csv", "mobility.csv", "passages.csv", "passage_curves.csv",
+        "energies.csv",
+        // of clast 0.2 and before
+        "fabric.csv", "neighbours.csv", "sorting.csv"};
     const std::string folder = file.parent_path().string(), extension = file.extension().string();
     if (folder == "rasters") return extension == ".tif" || extension == ".qml";
     if (folder == "animation") return extension == ".vtp" || extension == ".pvd";

@@ -25,9 +25,9 @@ std::string comparison_page(const Comparison& comparison, const std::vector<Prof
       differences_section(comparison) + measured_section(comparison) + runout_section(comparison) +
       barrier_section(comparison) + slope_section(comparison, bins) +
       deposit_section(comparison, deposits) + energy_section(comparison) +
-      stay_section(comparison) + ensemble_section(comparison) +
-      effects_section(comparison) + scene_section(comparison) + block_section(comparison) +
-      quality_section(comparison) + provenance_section(comparison));
+      stay_section(comparison) + ensemble_section(comparison) + effects_section(comparison) +
+      scene_section(comparison) + block_section(comparison) + quality_section(comparison) +
+      provenance_section(comparison));
   return report_page(
       title, script_element(assets::unpack_js) + contents(sections) + sections + charts_script());
 }
