@@ -70,7 +70,7 @@ class Lines {
   bool at_end_ = false;
 };
 
-/// What a message repeats of a text, which may be bytes of any kind.
+/// Formats a text, which may hold bytes of any kind, in quotes for a message.
 /// @param most  bytes
 std::string quoted(std::string_view text, std::size_t most = 40) {
   return "\"" + printable(text.substr(0, most)) + (text.size() > most ? "..." : "") + "\"";
