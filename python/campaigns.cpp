@@ -17,7 +17,7 @@
 #include "report/json/key_schema.hpp"
 #include "report/maps/plan_map.hpp"
 #include "study/campaign_keys.hpp"
-#include "study/campaign_text.hpp"
+#include "study/campaign_check.hpp"
 #include "study/engine_results.hpp"
 #include "study/engine_scene.hpp"
 #include "study/new_campaign.hpp"

@@ -9,7 +9,6 @@
 #include "core/up_axis.hpp"
 #include "study/barrier_line.hpp"
 #include "study/campaign_keys.hpp"
-#include "study/campaign_text.hpp"
 #include "study/detail/campaign_ranges.hpp"
 #include "study/detail/campaign_reading.hpp"
 

@@ -176,6 +176,11 @@ struct Campaign {
 ///                     line, key, value and what was expected; or a file it names that can't be
 ///                     read
 Campaign read_campaign(const std::filesystem::path& file);
+/// Reads a campaign from text that a program made or changed.
+/// @param file  paths in the text are relative to the folder of this file, and messages name it; it
+///              need not exist
+/// @throws InputError  as `read_campaign`
+Campaign parse_campaign(const std::string& text, const std::filesystem::path& file);
 
 /// The 4^3 rotations by 45 degrees: qz(c) qy(b) qx(a), a, b, c in 0, 45, 90, 135 degrees, c
 /// fastest.

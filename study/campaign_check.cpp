@@ -1,7 +1,6 @@
 #include "study/campaign_check.hpp"
 
 #include "core/error.hpp"
-#include "study/campaign_text.hpp"
 #include "study/detail/campaign_reading.hpp"
 #include "study/detail/ground_sets.hpp"
 

@@ -19,5 +19,8 @@ struct CampaignCheck {
 
 /// Never throws for what is wrong with the campaign or with the files it names.
 CampaignCheck check_campaign(const std::filesystem::path& file);
+/// Checks a campaign that is not in a file.
+/// @param text, file  as `parse_campaign`
+CampaignCheck check_campaign_text(const std::string& text, const std::filesystem::path& file);
 
 }  // namespace clast

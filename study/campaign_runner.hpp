@@ -10,7 +10,7 @@
 #include "study/campaign.hpp"
 #include "study/process_team.hpp"
 #include "study/results.hpp"
-#include "study/shape_trends.hpp"
+#include "study/planned_power.hpp"
 
 namespace clast {
 

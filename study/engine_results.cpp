@@ -8,7 +8,6 @@
 #include "core/error.hpp"
 #include "core/number_text.hpp"
 #include "core/text_file.hpp"
-#include "study/campaign_text.hpp"
 #include "study/detail/results_file.hpp"
 #include "study/detail/rockable_conf.hpp"
 #include "study/detail/run_of_states.hpp"

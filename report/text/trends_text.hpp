@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "study/planned_power.hpp"
 #include "study/shape_trends.hpp"
 
 namespace clast {

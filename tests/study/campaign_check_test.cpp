@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 
 #include "study/campaign_keys.hpp"
-#include "study/campaign_text.hpp"
 #include "tests/study/campaign_run.hpp"
 
 namespace clast {
