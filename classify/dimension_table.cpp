@@ -7,12 +7,12 @@
 #include <utility>
 
 #include "classify/detail/table_layout.hpp"
-#include "core/column_heading.hpp"
-#include "core/delimited_text.hpp"
 #include "core/error.hpp"
+#include "core/files/column_heading.hpp"
+#include "core/files/delimited_text.hpp"
+#include "core/files/text_file.hpp"
 #include "core/length_unit.hpp"
 #include "core/number_text.hpp"
-#include "core/text_file.hpp"
 
 namespace clast {
 

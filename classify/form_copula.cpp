@@ -6,9 +6,9 @@
 
 #include "core/error.hpp"
 #include "core/number_text.hpp"
-#include "core/probability.hpp"
-#include "core/sample_tests.hpp"
-#include "core/statistics.hpp"
+#include "core/statistics/probability.hpp"
+#include "core/statistics/sample_tests.hpp"
+#include "core/statistics/statistics.hpp"
 
 namespace clast {
 namespace {

@@ -4,7 +4,7 @@
 #include <cassert>
 #include <cmath>
 
-#include "core/statistics.hpp"
+#include "core/statistics/statistics.hpp"
 
 namespace clast {
 namespace {

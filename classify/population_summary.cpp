@@ -5,7 +5,7 @@
 
 #include "core/error.hpp"
 #include "core/number_text.hpp"
-#include "core/statistics.hpp"
+#include "core/statistics/statistics.hpp"
 
 namespace clast {
 namespace {

@@ -8,7 +8,7 @@
 #include "classify/population.hpp"
 #include "classify/shape_measures.hpp"
 #include "classify/size_distribution.hpp"
-#include "core/sample_tests.hpp"
+#include "core/statistics/sample_tests.hpp"
 
 namespace clast {
 

@@ -5,9 +5,9 @@
 #include <cmath>
 #include <numeric>
 
-#include "core/probability.hpp"
 #include "core/random.hpp"
-#include "core/statistics.hpp"
+#include "core/statistics/probability.hpp"
+#include "core/statistics/statistics.hpp"
 
 namespace clast {
 namespace {

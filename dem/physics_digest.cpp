@@ -3,7 +3,7 @@
 #include <span>
 #include <vector>
 
-#include "core/digest.hpp"
+#include "core/files/digest.hpp"
 #include "core/number_text.hpp"
 #include "dem/box_body.hpp"
 #include "dem/release.hpp"

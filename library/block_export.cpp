@@ -5,10 +5,10 @@
 #include <utility>
 
 #include "core/error.hpp"
-#include "core/file_kind.hpp"
+#include "core/files/file_kind.hpp"
+#include "core/files/output_file.hpp"
+#include "core/files/up_axis.hpp"
 #include "core/number_text.hpp"
-#include "core/output_file.hpp"
-#include "core/up_axis.hpp"
 #include "library/unscaled.hpp"
 #include "mesh/mesh_io.hpp"
 #include "shapes/coplanar_faces.hpp"

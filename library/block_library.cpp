@@ -4,9 +4,9 @@
 #include <cmath>
 
 #include "core/error.hpp"
-#include "core/hdf5_file.hpp"
+#include "core/files/hdf5_file.hpp"
+#include "core/files/output_file.hpp"
 #include "core/number_text.hpp"
-#include "core/output_file.hpp"
 #include "core/utf8.hpp"
 #include "library/body_record.hpp"
 #include "library/detail/block_checks.hpp"

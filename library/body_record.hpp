@@ -2,7 +2,7 @@
 /// A sphero-polyhedron as a group of an HDF5 file: `core` of a block in docs/formats.md.
 #include <string>
 
-#include "core/hdf5_file.hpp"
+#include "core/files/hdf5_file.hpp"
 #include "shapes/sphero_polyhedron.hpp"
 
 namespace clast {

@@ -1,7 +1,7 @@
 #include "library/library_update.hpp"
 
-#include "core/file_lock.hpp"
-#include "core/output_file.hpp"
+#include "core/files/file_lock.hpp"
+#include "core/files/output_file.hpp"
 
 namespace clast {
 

@@ -14,8 +14,8 @@ struct LibraryUpdate {
   std::function<void()> waiting = {};
 };
 
-/// Locks the library (core/file_lock.hpp), reads it, lets `change` change it, writes it whole and
-/// releases the lock. `change` receives what others wrote meanwhile, so none of it is lost.
+/// Locks the library (core/files/file_lock.hpp), reads it, lets `change` change it, writes it whole
+/// and releases the lock. `change` receives what others wrote meanwhile, so none of it is lost.
 /// @return what was written
 /// @throws InputError  as `BlockLibrary::read`, `BlockLibrary::write` and `FileLock`, and whatever
 ///                     `change` throws: the file is then as it was

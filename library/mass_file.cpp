@@ -2,10 +2,10 @@
 
 #include <utility>
 
-#include "core/digest.hpp"
 #include "core/error.hpp"
+#include "core/files/digest.hpp"
+#include "core/files/up_axis.hpp"
 #include "core/length_unit.hpp"
-#include "core/up_axis.hpp"
 #include "core/utf8.hpp"
 #include "mesh/mesh_io.hpp"
 #include "mesh/weld.hpp"

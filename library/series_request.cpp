@@ -4,8 +4,8 @@
 #include <utility>
 
 #include "classify/dimension_table.hpp"
-#include "core/digest.hpp"
 #include "core/error.hpp"
+#include "core/files/digest.hpp"
 #include "core/length_unit.hpp"
 #include "core/number_text.hpp"
 #include "core/utf8.hpp"

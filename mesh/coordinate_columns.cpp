@@ -4,8 +4,8 @@
 #include <charconv>
 #include <set>
 
-#include "core/column_heading.hpp"
 #include "core/error.hpp"
+#include "core/files/column_heading.hpp"
 #include "core/printable.hpp"
 
 namespace clast {

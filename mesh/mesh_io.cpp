@@ -4,9 +4,9 @@
 #include <optional>
 
 #include "core/error.hpp"
+#include "core/files/text_file.hpp"
 #include "core/listed.hpp"
 #include "core/number_text.hpp"
-#include "core/text_file.hpp"
 #include "mesh/detail/mesh_readers.hpp"
 #include "mesh/detail/mesh_writers.hpp"
 

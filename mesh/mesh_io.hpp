@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "core/output_file.hpp"
+#include "core/files/output_file.hpp"
 #include "mesh/triangle_mesh.hpp"
 
 namespace clast {

@@ -4,8 +4,8 @@
 #include <fstream>
 
 #include "core/error.hpp"
-#include "core/input_file.hpp"
-#include "core/text_file.hpp"
+#include "core/files/input_file.hpp"
+#include "core/files/text_file.hpp"
 #include "mesh/detail/cloud_readers.hpp"
 #include "mesh/detail/mesh_readers.hpp"
 #include "mesh/mesh_io.hpp"

@@ -1,8 +1,8 @@
 #include "pipeline/board_file.hpp"
 
 #include "core/error.hpp"
-#include "core/text_file.hpp"
-#include "core/toml_reader.hpp"
+#include "core/files/text_file.hpp"
+#include "core/files/toml_reader.hpp"
 
 namespace clast {
 

@@ -7,9 +7,9 @@
 #include <set>
 #include <utility>
 
-#include "core/digest.hpp"
 #include "core/error.hpp"
 #include "core/fields.hpp"
+#include "core/files/digest.hpp"
 #include "core/number_text.hpp"
 #include "core/ordered_jobs.hpp"
 #include "library/library_update.hpp"

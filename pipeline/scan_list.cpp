@@ -5,7 +5,7 @@
 #include <set>
 
 #include "core/error.hpp"
-#include "core/text_file.hpp"
+#include "core/files/text_file.hpp"
 #include "core/utf8.hpp"
 #include "mesh/mesh_io.hpp"
 #include "reconstruct/photos/photo_scan.hpp"

@@ -3,10 +3,10 @@
 #include <string_view>
 #include <utility>
 
-#include "core/digest.hpp"
 #include "core/error.hpp"
+#include "core/files/digest.hpp"
+#include "core/files/up_axis.hpp"
 #include "core/number_text.hpp"
-#include "core/up_axis.hpp"
 #include "core/utf8.hpp"
 #include "library/unseen_range.hpp"
 #include "massprops/solid.hpp"

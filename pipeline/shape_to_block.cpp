@@ -4,10 +4,10 @@
 #include <cmath>
 #include <utility>
 
-#include "core/digest.hpp"
 #include "core/error.hpp"
+#include "core/files/digest.hpp"
+#include "core/files/up_axis.hpp"
 #include "core/number_text.hpp"
-#include "core/up_axis.hpp"
 #include "core/utf8.hpp"
 #include "pipeline/detail/crossing_warning.hpp"
 #include "pipeline/detail/scan_scale.hpp"

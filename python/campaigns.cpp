@@ -5,10 +5,10 @@
 #include <nlohmann/json.hpp>
 
 #include "core/error.hpp"
-#include "core/file_kind.hpp"
+#include "core/files/file_kind.hpp"
+#include "core/files/text_file.hpp"
+#include "core/files/toml_reader.hpp"
 #include "core/parallel.hpp"
-#include "core/text_file.hpp"
-#include "core/toml_reader.hpp"
 #include "python/bindings.hpp"
 #include "python/options.hpp"
 #include "python/values.hpp"
@@ -16,8 +16,8 @@
 #include "report/json/campaign_json.hpp"
 #include "report/json/key_schema.hpp"
 #include "report/maps/plan_map.hpp"
-#include "study/campaign_keys.hpp"
 #include "study/campaign_check.hpp"
+#include "study/campaign_keys.hpp"
 #include "study/engine_results.hpp"
 #include "study/engine_scene.hpp"
 #include "study/new_campaign.hpp"

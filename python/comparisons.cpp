@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/error.hpp"
-#include "core/output_folder.hpp"
+#include "core/files/output_folder.hpp"
 #include "python/arrays.hpp"
 #include "python/bindings.hpp"
 #include "python/options.hpp"

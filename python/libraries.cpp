@@ -5,8 +5,8 @@
 #include <map>
 
 #include "core/error.hpp"
+#include "core/files/output_folder.hpp"
 #include "core/number_text.hpp"
-#include "core/output_folder.hpp"
 #include "core/utf8.hpp"
 #include "library/block_export.hpp"
 #include "library/block_ranges.hpp"

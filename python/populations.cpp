@@ -6,9 +6,9 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "core/csv_text.hpp"
 #include "core/error.hpp"
-#include "core/output_folder.hpp"
+#include "core/files/csv_text.hpp"
+#include "core/files/output_folder.hpp"
 #include "python/bindings.hpp"
 #include "python/options.hpp"
 #include "python/values.hpp"

@@ -3,7 +3,7 @@
 #include <pybind11/stl/filesystem.h>
 
 #include "core/error.hpp"
-#include "core/file_kind.hpp"
+#include "core/files/file_kind.hpp"
 #include "library/library_update.hpp"
 #include "library/mass_file.hpp"
 #include "mesh/mesh_io.hpp"

@@ -5,10 +5,10 @@
 #include <cmath>
 #include <memory>
 
-#include "core/csv_text.hpp"
 #include "core/error.hpp"
-#include "core/file_kind.hpp"
-#include "core/up_axis.hpp"
+#include "core/files/csv_text.hpp"
+#include "core/files/file_kind.hpp"
+#include "core/files/up_axis.hpp"
 #include "python/arrays.hpp"
 #include "python/bindings.hpp"
 #include "python/options.hpp"

@@ -4,7 +4,7 @@
 
 #include <nlohmann/json_fwd.hpp>
 
-#include "core/table_values.hpp"
+#include "core/files/table_values.hpp"
 #include "study/key_table.hpp"
 
 namespace clast::python_detail {

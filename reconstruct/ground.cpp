@@ -10,7 +10,7 @@
 #include "core/error.hpp"
 #include "core/number_text.hpp"
 #include "core/random.hpp"
-#include "core/statistics.hpp"
+#include "core/statistics/statistics.hpp"
 #include "reconstruct/detail/cloud.hpp"
 #include "reconstruct/detail/height_grid.hpp"
 

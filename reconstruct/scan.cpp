@@ -3,8 +3,8 @@
 #include <cmath>
 
 #include "core/error.hpp"
+#include "core/files/up_axis.hpp"
 #include "core/number_text.hpp"
-#include "core/up_axis.hpp"
 #include "mesh/mesh_io.hpp"
 #include "reconstruct/detail/stored_digits.hpp"
 

@@ -1,8 +1,8 @@
 #include "report/calibration_report.hpp"
 
 #include "core/error.hpp"
-#include "core/file_kind.hpp"
-#include "core/output_file.hpp"
+#include "core/files/file_kind.hpp"
+#include "core/files/output_file.hpp"
 #include "report/pages/calibration_page.hpp"
 
 namespace clast {

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "core/error.hpp"
-#include "core/text_file.hpp"
+#include "core/files/text_file.hpp"
 #include "report/charts/form_responses.hpp"
 #include "report/html/html_page.hpp"
 #include "report/maps/gis_layers.hpp"

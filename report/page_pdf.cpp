@@ -11,10 +11,10 @@
 #include <string_view>
 #include <vector>
 
-#include "core/child_process.hpp"
 #include "core/error.hpp"
+#include "core/files/child_process.hpp"
+#include "core/files/text_file.hpp"
 #include "core/number_text.hpp"
-#include "core/text_file.hpp"
 #include "report/html/html_page.hpp"
 
 namespace clast {

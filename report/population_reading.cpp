@@ -7,9 +7,9 @@
 
 #include "classify/certainty.hpp"
 #include "classify/population_notes.hpp"
-#include "core/csv_text.hpp"
-#include "core/digest.hpp"
 #include "core/error.hpp"
+#include "core/files/csv_text.hpp"
+#include "core/files/digest.hpp"
 #include "core/length_unit.hpp"
 #include "core/listed.hpp"
 #include "core/number_text.hpp"

@@ -4,7 +4,7 @@
 #include <set>
 
 #include "core/error.hpp"
-#include "core/text_file.hpp"
+#include "core/files/text_file.hpp"
 #include "core/version.hpp"
 #include "report/html/html_page.hpp"
 #include "report/pages/population_page.hpp"

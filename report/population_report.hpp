@@ -3,7 +3,7 @@
 /// page.
 #include <filesystem>
 
-#include "core/output_folder.hpp"
+#include "core/files/output_folder.hpp"
 #include "report/reported_population.hpp"
 
 namespace clast {

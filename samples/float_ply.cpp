@@ -4,7 +4,7 @@
 #include <cmath>
 #include <cstdint>
 
-#include "core/text_file.hpp"
+#include "core/files/text_file.hpp"
 
 namespace clast {
 namespace {

@@ -4,7 +4,7 @@
 #include <iostream>
 
 #include "core/error.hpp"
-#include "core/text_file.hpp"
+#include "core/files/text_file.hpp"
 #include "samples/dirty_scans.hpp"
 #include "samples/float_ply.hpp"
 #include "samples/quarry.hpp"

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "core/output_file.hpp"
+#include "core/files/output_file.hpp"
 #include "shapes/oriented_box.hpp"
 
 namespace clast {

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <utility>
 
-#include "core/digest.hpp"
 #include "core/error.hpp"
-#include "core/text_file.hpp"
-#include "core/up_axis.hpp"
+#include "core/files/digest.hpp"
+#include "core/files/text_file.hpp"
+#include "core/files/up_axis.hpp"
 #include "study/barrier_line.hpp"
 #include "study/campaign_keys.hpp"
 #include "study/detail/campaign_ranges.hpp"

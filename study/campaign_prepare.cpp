@@ -1,8 +1,8 @@
 #include <utility>
 
 #include "classify/schemes.hpp"
-#include "core/digest.hpp"
 #include "core/error.hpp"
+#include "core/files/digest.hpp"
 #include "core/version.hpp"
 #include "dem/physics_digest.hpp"
 #include "study/campaign_runner.hpp"

@@ -11,7 +11,7 @@
 #include "core/machine.hpp"
 #include "core/number_text.hpp"
 #include "core/parallel.hpp"
-#include "core/statistics.hpp"
+#include "core/statistics/statistics.hpp"
 #include "study/detail/checkpoint_file.hpp"
 #include "study/detail/realisation.hpp"
 #include "study/detail/results_journal.hpp"

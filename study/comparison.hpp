@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/statistics.hpp"
+#include "core/statistics/statistics.hpp"
 #include "study/differences.hpp"
 #include "study/measured_stops.hpp"
 #include "study/results.hpp"

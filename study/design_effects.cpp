@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "core/number_text.hpp"
-#include "core/unbalanced_shares.hpp"
+#include "core/statistics/unbalanced_shares.hpp"
 #include "study/detail/run_outcomes.hpp"
 
 namespace clast {

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "core/variance_shares.hpp"
+#include "core/statistics/variance_shares.hpp"
 #include "study/comparison.hpp"
 
 namespace clast {
@@ -40,9 +40,9 @@ struct DesignEffects {
 /// For every file of the comparison. Blocks are form and mass where each block of the library has
 /// each mass (to 0.5 %), form alone where all have one mass, and else one factor, "block". Where a
 /// combination is missing or comes twice, and where orientations are drawn anew for each point and
-/// thus are no factor, shares are estimated (core/unbalanced_shares.hpp). A campaign in which
-/// blocks stay and one with nothing but one level have no effects, and `refusal` says why. A run
-/// counts where it ended, also if it left the terrain.
+/// thus are no factor, shares are estimated (core/statistics/unbalanced_shares.hpp). A campaign in
+/// which blocks stay and one with nothing but one level have no effects, and `refusal` says why. A
+/// run counts where it ended, also if it left the terrain.
 std::vector<DesignEffects> design_effects(const Comparison& comparison);
 
 }  // namespace clast

@@ -6,8 +6,8 @@
 #include <map>
 
 #include "core/angle.hpp"
-#include "core/clustered_test.hpp"
 #include "core/number_text.hpp"
+#include "core/statistics/clustered_test.hpp"
 #include "study/comparison.hpp"
 
 namespace clast {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "core/group_differences.hpp"
+#include "core/statistics/group_differences.hpp"
 
 namespace clast {
 

@@ -4,10 +4,10 @@
 #include <cmath>
 #include <sstream>
 
-#include "core/digest.hpp"
 #include "core/error.hpp"
+#include "core/files/digest.hpp"
+#include "core/files/text_file.hpp"
 #include "core/number_text.hpp"
-#include "core/text_file.hpp"
 #include "study/detail/results_file.hpp"
 #include "study/detail/rockable_conf.hpp"
 #include "study/detail/run_of_states.hpp"

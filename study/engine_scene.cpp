@@ -4,9 +4,9 @@
 #include <fstream>
 
 #include "core/error.hpp"
+#include "core/files/output_file.hpp"
 #include "core/listed.hpp"
 #include "core/number_text.hpp"
-#include "core/output_file.hpp"
 #include "shapes/shp_file.hpp"
 #include "study/detail/scene.hpp"
 #include "study/detail/scene_text.hpp"

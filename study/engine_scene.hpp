@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "core/output_folder.hpp"
+#include "core/files/output_folder.hpp"
 #include "study/campaign_runner.hpp"
 
 namespace clast {

@@ -4,7 +4,7 @@
 #include <array>
 #include <numeric>
 
-#include "core/statistics.hpp"
+#include "core/statistics/statistics.hpp"
 #include "study/ground_fields.hpp"
 
 namespace clast {

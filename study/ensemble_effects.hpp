@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "core/sample_tests.hpp"
+#include "core/statistics/sample_tests.hpp"
 #include "study/comparison.hpp"
 
 namespace clast {

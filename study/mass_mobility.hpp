@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "core/mean_intervals.hpp"
+#include "core/statistics/mean_intervals.hpp"
 #include "study/comparison.hpp"
 
 namespace clast {

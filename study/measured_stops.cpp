@@ -4,16 +4,16 @@
 #include <cmath>
 #include <map>
 
-#include "core/column_heading.hpp"
-#include "core/delimited_text.hpp"
-#include "core/digest.hpp"
 #include "core/error.hpp"
-#include "core/group_differences.hpp"
+#include "core/files/column_heading.hpp"
+#include "core/files/delimited_text.hpp"
+#include "core/files/digest.hpp"
+#include "core/files/text_file.hpp"
 #include "core/number_text.hpp"
 #include "core/printable.hpp"
 #include "core/random.hpp"
-#include "core/sample_tests.hpp"
-#include "core/text_file.hpp"
+#include "core/statistics/group_differences.hpp"
+#include "core/statistics/sample_tests.hpp"
 #include "mesh/coordinate_columns.hpp"
 #include "study/comparison.hpp"
 #include "study/detail/campaign_ranges.hpp"

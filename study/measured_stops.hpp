@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "core/statistics.hpp"
+#include "core/statistics/statistics.hpp"
 #include "core/types.hpp"
 
 namespace clast {

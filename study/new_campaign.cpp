@@ -7,9 +7,9 @@
 
 #include "core/angle.hpp"
 #include "core/error.hpp"
-#include "core/file_kind.hpp"
+#include "core/files/file_kind.hpp"
 #include "core/number_text.hpp"
-#include "core/statistics.hpp"
+#include "core/statistics/statistics.hpp"
 #include "library/block_ranges.hpp"
 #include "library/unscaled.hpp"
 #include "study/campaign_runner.hpp"

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "core/output_file.hpp"
+#include "core/files/output_file.hpp"
 #include "library/block_library.hpp"
 #include "study/ground_types.hpp"
 #include "terrain/terrain.hpp"

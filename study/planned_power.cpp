@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "core/group_differences.hpp"
+#include "core/statistics/group_differences.hpp"
 
 namespace clast {
 

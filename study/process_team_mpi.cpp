@@ -4,8 +4,8 @@
 #include <cstdlib>
 #include <vector>
 
-#include "core/digest.hpp"
 #include "core/error.hpp"
+#include "core/files/digest.hpp"
 #include "study/process_team.hpp"
 
 namespace clast {

@@ -3,8 +3,8 @@
 #include <cmath>
 
 #include "core/angle.hpp"
-#include "core/group_differences.hpp"
 #include "core/number_text.hpp"
+#include "core/statistics/group_differences.hpp"
 #include "study/differences.hpp"
 
 namespace clast {

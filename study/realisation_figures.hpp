@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "core/mean_intervals.hpp"
+#include "core/statistics/mean_intervals.hpp"
 #include "study/realisation_deposits.hpp"
 
 namespace clast {

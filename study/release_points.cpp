@@ -5,7 +5,7 @@
 #include <string>
 
 #include "core/error.hpp"
-#include "core/number_table.hpp"
+#include "core/files/number_table.hpp"
 #include "core/number_text.hpp"
 #include "mesh/coordinate_columns.hpp"
 #include "mesh/triangle_mesh.hpp"

@@ -10,8 +10,8 @@
 
 namespace clast {
 
-/// A table of points, "x y z" in m (`core/number_table.hpp`): columns by the names of a heading (x
-/// or easting, y or northing, z, height or elevation), else three a row.
+/// A table of points, "x y z" in m (`core/files/number_table.hpp`): columns by the names of a
+/// heading (x or easting, y or northing, z, height or elevation), else three a row.
 /// @throws InputError  missing or empty file, or a bad line: file, line and what was found
 std::vector<Vec3> read_points(const std::filesystem::path& file);
 
@@ -20,7 +20,7 @@ std::vector<Vec3> read_points(const std::filesystem::path& file);
 /// @throws InputError  as `read_points`, or a norm further from 1
 std::vector<Quat> read_orientations(const std::filesystem::path& file);
 
-/// A rotation world_from_source whose world has y up, in one with z up (`core/up_axis.hpp`).
+/// A rotation world_from_source whose world has y up, in one with z up (`core/files/up_axis.hpp`).
 Quat turned_z_up(const Quat& orientation);
 
 /// `count` points at equal distances along a polyline, both ends included; the middle for one.

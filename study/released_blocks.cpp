@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "core/digest.hpp"
+#include "core/files/digest.hpp"
 #include "core/number_text.hpp"
 #include "core/utf8.hpp"
 

@@ -6,10 +6,10 @@
 #include <numeric>
 
 #include "core/error.hpp"
-#include "core/file_kind.hpp"
-#include "core/file_lock.hpp"
+#include "core/files/file_kind.hpp"
+#include "core/files/file_lock.hpp"
+#include "core/files/output_file.hpp"
 #include "core/number_text.hpp"
-#include "core/output_file.hpp"
 #include "study/detail/results_file.hpp"
 #include "study/detail/results_layout.hpp"
 

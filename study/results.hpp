@@ -198,7 +198,7 @@ bool is_finished(const std::filesystem::path& target, const CampaignResults& hea
 std::filesystem::path partial_results(const std::filesystem::path& target);
 
 /// Keeps results run by run, so that a kill costs no run that was added, and writes the file when
-/// all are done. Until then it holds the lock on the target (core/file_lock.hpp).
+/// all are done. Until then it holds the lock on the target (core/files/file_lock.hpp).
 class ResultsWriter {
  public:
   /// Starts anew, in place of what an interrupted campaign left. Makes missing parent folders.

@@ -1,7 +1,7 @@
 #include "study/results_place.hpp"
 
 #include "core/error.hpp"
-#include "core/file_lock.hpp"
+#include "core/files/file_lock.hpp"
 
 namespace clast {
 

@@ -4,7 +4,7 @@
 #include <map>
 
 #include "core/error.hpp"
-#include "core/hdf5_file.hpp"
+#include "core/files/hdf5_file.hpp"
 #include "core/number_text.hpp"
 #include "library/body_record.hpp"
 #include "study/detail/checked_group.hpp"

@@ -2,7 +2,7 @@
 /// The columns of the table of runs, and groups of runs by their values.
 #include <string>
 
-#include "core/table.hpp"
+#include "core/files/table.hpp"
 #include "study/comparison.hpp"
 
 namespace clast {

@@ -8,9 +8,9 @@
 #include <utility>
 
 #include "classify/surface_indices.hpp"
-#include "core/clustered_trend.hpp"
 #include "core/error.hpp"
-#include "core/group_differences.hpp"
+#include "core/statistics/clustered_trend.hpp"
+#include "core/statistics/group_differences.hpp"
 #include "study/detail/run_outcomes.hpp"
 #include "study/planned_power.hpp"
 

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "core/crossed_difference.hpp"
-#include "core/sample_tests.hpp"
+#include "core/statistics/crossed_difference.hpp"
+#include "core/statistics/sample_tests.hpp"
 #include "study/comparison.hpp"
 
 namespace clast {

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <string_view>
 
-#include "core/table.hpp"
+#include "core/files/table.hpp"
 #include "study/results.hpp"
 
 namespace clast {

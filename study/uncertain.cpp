@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/probability.hpp"
+#include "core/statistics/probability.hpp"
 
 namespace clast {
 namespace {

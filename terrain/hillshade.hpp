@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <vector>
 
-#include "core/output_file.hpp"
+#include "core/files/output_file.hpp"
 #include "terrain/terrain.hpp"
 
 namespace clast {

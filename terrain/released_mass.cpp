@@ -5,8 +5,8 @@
 #include <numeric>
 #include <set>
 
-#include "core/csv_text.hpp"
 #include "core/error.hpp"
+#include "core/files/csv_text.hpp"
 #include "core/number_text.hpp"
 #include "mesh/mesh_topology.hpp"
 #include "mesh/reference_system.hpp"

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "core/png.hpp"
+#include "core/files/png.hpp"
 #include "terrain/terrain.hpp"
 
 namespace clast {

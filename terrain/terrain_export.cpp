@@ -2,9 +2,9 @@
 #include <cmath>
 
 #include "core/error.hpp"
+#include "core/files/text_file.hpp"
+#include "core/files/up_axis.hpp"
 #include "core/number_text.hpp"
-#include "core/text_file.hpp"
-#include "core/up_axis.hpp"
 #include "mesh/mesh_io.hpp"
 #include "terrain/detail/gdal_raster.hpp"
 #include "terrain/detail/raw_surface.hpp"

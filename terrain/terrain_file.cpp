@@ -6,8 +6,8 @@
 #include <string_view>
 
 #include "core/error.hpp"
-#include "core/hdf5_file.hpp"
-#include "core/output_file.hpp"
+#include "core/files/hdf5_file.hpp"
+#include "core/files/output_file.hpp"
 
 namespace clast {
 namespace {

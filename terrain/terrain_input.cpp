@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/digest.hpp"
 #include "core/error.hpp"
-#include "core/input_file.hpp"
+#include "core/files/digest.hpp"
+#include "core/files/input_file.hpp"
+#include "core/files/up_axis.hpp"
 #include "core/number_text.hpp"
-#include "core/up_axis.hpp"
 #include "mesh/sub_mesh.hpp"
 #include "mesh/triangle_geometry.hpp"
 #include "terrain/detail/breaklines.hpp"

@@ -10,7 +10,7 @@
 #include "app/option_flags.hpp"
 #include "app/option_values.hpp"
 #include "core/error.hpp"
-#include "core/output_folder.hpp"
+#include "core/files/output_folder.hpp"
 #include "core/printable.hpp"
 #include "report/comparison_report.hpp"
 #include "report/page_pdf.hpp"

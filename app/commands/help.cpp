@@ -6,9 +6,9 @@
 #include "app/manual_page.hpp"
 #include "app/program.hpp"
 #include "app/shell_completion.hpp"
+#include "core/files/output_file.hpp"
 #include "core/listed.hpp"
 #include "core/number_text.hpp"
-#include "core/output_file.hpp"
 #include "core/printable.hpp"
 #include "core/version.hpp"
 

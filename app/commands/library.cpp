@@ -5,8 +5,8 @@
 
 #include "app/commands/commands.hpp"
 #include "app/option_values.hpp"
-#include "core/csv_text.hpp"
 #include "core/error.hpp"
+#include "core/files/csv_text.hpp"
 #include "core/number_text.hpp"
 #include "core/printable.hpp"
 #include "core/utf8.hpp"

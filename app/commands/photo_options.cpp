@@ -1,7 +1,7 @@
 #include "app/commands/photo_options.hpp"
 
 #include "app/option_values.hpp"
-#include "core/csv_text.hpp"
+#include "core/files/csv_text.hpp"
 #include "core/number_text.hpp"
 #include "pipeline/board_file.hpp"
 

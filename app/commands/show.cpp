@@ -7,7 +7,7 @@
 
 #include "app/commands/commands.hpp"
 #include "app/option_flags.hpp"
-#include "core/output_folder.hpp"
+#include "core/files/output_folder.hpp"
 #include "core/printable.hpp"
 #include "library/block_library.hpp"
 #include "report/blocks/gallery.hpp"

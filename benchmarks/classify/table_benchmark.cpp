@@ -9,8 +9,8 @@
 
 #include "classify/dimension_table.hpp"
 #include "classify/population_summary.hpp"
+#include "core/files/text_file.hpp"
 #include "core/random.hpp"
-#include "core/text_file.hpp"
 #include "report/population_report.hpp"
 
 namespace clast {

@@ -6,8 +6,8 @@
 #include <string_view>
 #include <utility>
 
-#include "core/column_heading.hpp"
 #include "core/error.hpp"
+#include "core/files/column_heading.hpp"
 #include "core/length_unit.hpp"
 #include "core/number_text.hpp"
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "classify/dimension_table.hpp"
-#include "core/delimited_text.hpp"
+#include "core/files/delimited_text.hpp"
 
 namespace clast::classify_detail {
 

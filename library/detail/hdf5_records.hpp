@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "core/hdf5_file.hpp"
+#include "core/files/hdf5_file.hpp"
 #include "core/types.hpp"
 
 namespace clast::library_detail {

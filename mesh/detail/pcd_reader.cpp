@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "core/error.hpp"
-#include "core/text_scanner.hpp"
+#include "core/files/text_scanner.hpp"
 #include "mesh/detail/cloud_readers.hpp"
 
 namespace clast::mesh_detail {

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "core/error.hpp"
-#include "core/text_scanner.hpp"
+#include "core/files/text_scanner.hpp"
 #include "mesh/detail/mesh_readers.hpp"
 
 namespace clast::mesh_detail {

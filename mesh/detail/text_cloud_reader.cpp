@@ -4,9 +4,9 @@
 #include <utility>
 #include <vector>
 
-#include "core/column_heading.hpp"
-#include "core/delimited_text.hpp"
 #include "core/error.hpp"
+#include "core/files/column_heading.hpp"
+#include "core/files/delimited_text.hpp"
 #include "core/number_text.hpp"
 #include "core/printable.hpp"
 #include "core/utf8.hpp"

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "core/error.hpp"
-#include "core/text_scanner.hpp"
+#include "core/files/text_scanner.hpp"
 #include "mesh/detail/mesh_readers.hpp"
 #include "mesh/polygon.hpp"
 

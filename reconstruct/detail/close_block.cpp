@@ -9,8 +9,8 @@
 
 #include "core/angle.hpp"
 #include "core/error.hpp"
+#include "core/files/up_axis.hpp"
 #include "core/number_text.hpp"
-#include "core/up_axis.hpp"
 #include "mesh/triangle_neighbours.hpp"
 #include "reconstruct/detail/doubtful_form.hpp"
 #include "reconstruct/detail/holes.hpp"

@@ -6,7 +6,7 @@
 #include <numeric>
 #include <utility>
 
-#include "core/statistics.hpp"
+#include "core/statistics/statistics.hpp"
 #include "reconstruct/detail/cloud.hpp"
 
 namespace clast::reconstruct_detail {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <cstdint>
 
-#include "core/statistics.hpp"
+#include "core/statistics/statistics.hpp"
 #include "mesh/mesh_topology.hpp"
 #include "mesh/sub_mesh.hpp"
 

@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/statistics.hpp"
+#include "core/statistics/statistics.hpp"
 #include "core/types.hpp"
 #include "mesh/half_edges.hpp"
 #include "mesh/vertex_corners.hpp"

@@ -6,8 +6,8 @@
 #include <cstdint>
 
 #include "core/error.hpp"
+#include "core/files/text_file.hpp"
 #include "core/number_text.hpp"
-#include "core/text_file.hpp"
 
 namespace clast::reconstruct_detail {
 

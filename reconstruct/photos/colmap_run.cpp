@@ -7,12 +7,12 @@
 #include <set>
 #include <sstream>
 
-#include "core/child_process.hpp"
-#include "core/digest.hpp"
 #include "core/error.hpp"
+#include "core/files/child_process.hpp"
+#include "core/files/digest.hpp"
+#include "core/files/part_place.hpp"
+#include "core/files/text_file.hpp"
 #include "core/number_text.hpp"
-#include "core/part_place.hpp"
-#include "core/text_file.hpp"
 #include "reconstruct/photos/detail/photo_image.hpp"
 #include "reconstruct/photos/model_files.hpp"
 #include "reconstruct/photos/photo_masks.hpp"

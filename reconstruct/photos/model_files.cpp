@@ -5,8 +5,8 @@
 #include <numeric>
 
 #include "core/error.hpp"
-#include "core/input_file.hpp"
-#include "core/text_file.hpp"
+#include "core/files/input_file.hpp"
+#include "core/files/text_file.hpp"
 #include "reconstruct/photos/detail/model_readers.hpp"
 
 namespace clast {

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "core/error.hpp"
-#include "core/statistics.hpp"
+#include "core/statistics/statistics.hpp"
 #include "reconstruct/detail/cloud.hpp"
 #include "reconstruct/ground.hpp"
 #include "reconstruct/standing_blocks.hpp"

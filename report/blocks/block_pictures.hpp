@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <string>
 
-#include "core/png.hpp"
+#include "core/files/png.hpp"
 #include "mesh/triangle_mesh.hpp"
 
 namespace clast::report_detail {

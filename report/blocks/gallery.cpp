@@ -7,8 +7,8 @@
 
 #include "classify/form.hpp"
 #include "classify/schemes.hpp"
+#include "core/files/text_file.hpp"
 #include "core/number_text.hpp"
-#include "core/text_file.hpp"
 #include "core/version.hpp"
 #include "library/unscaled.hpp"
 #include "report/blocks/block_pictures.hpp"

@@ -4,7 +4,7 @@
 #include <span>
 #include <string>
 
-#include "core/output_folder.hpp"
+#include "core/files/output_folder.hpp"
 #include "library/block.hpp"
 
 namespace clast {

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "core/png.hpp"
+#include "core/files/png.hpp"
 #include "mesh/triangle_mesh.hpp"
 
 namespace clast::report_detail {

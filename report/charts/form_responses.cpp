@@ -4,7 +4,7 @@
 #include <cctype>
 #include <map>
 
-#include "core/statistics.hpp"
+#include "core/statistics/statistics.hpp"
 #include "report/charts/response_triangle.hpp"
 #include "report/text/capital.hpp"
 

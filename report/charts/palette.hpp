@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <string>
 
-#include "core/png.hpp"
+#include "core/files/png.hpp"
 
 namespace clast::report_detail {
 

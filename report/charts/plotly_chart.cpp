@@ -4,7 +4,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "core/text_file.hpp"
+#include "core/files/text_file.hpp"
 #include "report/charts/bins.hpp"
 #include "report/html/assets.hpp"
 #include "report/html/html_page.hpp"

@@ -7,8 +7,8 @@
 #include <optional>
 #include <vector>
 
+#include "core/files/png.hpp"
 #include "core/nice_number.hpp"
-#include "core/png.hpp"
 #include "report/charts/contour_field.hpp"
 #include "report/charts/palette.hpp"
 #include "report/html/html_page.hpp"

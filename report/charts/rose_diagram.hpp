@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "core/axial_statistics.hpp"
+#include "core/statistics/axial_statistics.hpp"
 
 namespace clast::report_detail {
 

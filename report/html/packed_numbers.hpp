@@ -4,7 +4,7 @@
 #include <span>
 #include <string>
 
-#include "core/png.hpp"
+#include "core/files/png.hpp"
 
 namespace clast::report_detail {
 

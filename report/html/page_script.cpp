@@ -2,7 +2,7 @@
 
 #include <cstdlib>
 
-#include "core/png.hpp"
+#include "core/files/png.hpp"
 
 namespace clast::report_detail {
 namespace {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "core/angle.hpp"
-#include "core/output_file.hpp"
+#include "core/files/output_file.hpp"
 #include "core/version.hpp"
 #include "report/maps/detail/gdal_output.hpp"
 #include "report/maps/detail/style_table.hpp"

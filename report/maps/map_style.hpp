@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "core/png.hpp"
+#include "core/files/png.hpp"
 #include "study/comparison.hpp"
 #include "study/map_rasters.hpp"
 

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/files/png.hpp"
 #include "core/nice_number.hpp"
-#include "core/png.hpp"
 #include "study/barrier_line.hpp"
 
 namespace clast::report_detail {

@@ -2,8 +2,8 @@
 
 #include <cmath>
 
-#include "core/output_file.hpp"
-#include "core/text_file.hpp"
+#include "core/files/output_file.hpp"
+#include "core/files/text_file.hpp"
 #include "core/version.hpp"
 #include "report/maps/detail/gdal_output.hpp"
 #include "report/maps/qgis_styles.hpp"

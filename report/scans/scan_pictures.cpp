@@ -5,9 +5,9 @@
 #include <memory>
 #include <optional>
 
+#include "core/files/up_axis.hpp"
 #include "core/nice_number.hpp"
 #include "core/number_text.hpp"
-#include "core/up_axis.hpp"
 #include "mesh/half_edges.hpp"
 #include "mesh/triangle_tree.hpp"
 #include "mesh/weld.hpp"

@@ -5,12 +5,12 @@
 #include <mutex>
 #include <utility>
 
-#include "core/csv_text.hpp"
 #include "core/error.hpp"
-#include "core/file_kind.hpp"
+#include "core/files/csv_text.hpp"
+#include "core/files/file_kind.hpp"
+#include "core/files/output_file.hpp"
+#include "core/files/text_file.hpp"
 #include "core/number_text.hpp"
-#include "core/output_file.hpp"
-#include "core/text_file.hpp"
 #include "core/utf8.hpp"
 #include "core/version.hpp"
 #include "library/unscaled.hpp"

@@ -1,6 +1,6 @@
 #include "report/scene/three_library.hpp"
 
-#include "core/text_file.hpp"
+#include "core/files/text_file.hpp"
 #include "report/html/page_script.hpp"
 
 namespace clast::report_detail {

@@ -7,8 +7,8 @@
 #include <span>
 #include <string>
 
+#include "core/files/text_file.hpp"
 #include "core/number_text.hpp"
-#include "core/text_file.hpp"
 #include "mesh/mesh_io.hpp"
 #include "study/path_samples.hpp"
 

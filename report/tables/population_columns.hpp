@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "core/table.hpp"
+#include "core/files/table.hpp"
 #include "report/reported_population.hpp"
 
 namespace clast::report_detail {

@@ -5,7 +5,7 @@
 #include <fstream>
 
 #include "core/error.hpp"
-#include "core/output_file.hpp"
+#include "core/files/output_file.hpp"
 #include "core/parallel.hpp"
 #include "report/tables/population_columns.hpp"
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "core/table_values.hpp"
+#include "core/files/table_values.hpp"
 #include "report/reported_population.hpp"
 #include "study/comparison.hpp"
 

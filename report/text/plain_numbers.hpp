@@ -3,7 +3,7 @@
 #include <optional>
 #include <string>
 
-#include "core/statistics.hpp"
+#include "core/statistics/statistics.hpp"
 
 namespace clast::report_detail {
 

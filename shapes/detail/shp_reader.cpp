@@ -5,8 +5,8 @@
 #include <set>
 
 #include "core/error.hpp"
+#include "core/files/text_scanner.hpp"
 #include "core/number_text.hpp"
-#include "core/text_scanner.hpp"
 #include "mesh/half_edges.hpp"
 
 namespace clast::shapes_detail {

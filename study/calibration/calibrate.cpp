@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <optional>
 
-#include "core/digest.hpp"
 #include "core/error.hpp"
-#include "core/file_lock.hpp"
+#include "core/files/digest.hpp"
+#include "core/files/file_lock.hpp"
 #include "core/number_text.hpp"
 #include "core/parallel.hpp"
 #include "core/version.hpp"

@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <set>
 
-#include "core/digest.hpp"
 #include "core/error.hpp"
+#include "core/files/digest.hpp"
+#include "core/files/text_file.hpp"
 #include "core/listed.hpp"
 #include "core/number_text.hpp"
-#include "core/sobol.hpp"
-#include "core/text_file.hpp"
+#include "core/statistics/sobol.hpp"
 #include "study/calibration/observation_reading.hpp"
 #include "study/calibration/study_keys.hpp"
 #include "study/detail/study_reading.hpp"

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "core/gaussian_process.hpp"
+#include "core/statistics/gaussian_process.hpp"
 #include "study/calibration/observation.hpp"
 #include "study/calibration/unknown.hpp"
 #include "study/campaign.hpp"

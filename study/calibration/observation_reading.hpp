@@ -2,7 +2,7 @@
 /// Observations of a study file, read and checked.
 #include <vector>
 
-#include "core/toml_reader.hpp"
+#include "core/files/toml_reader.hpp"
 #include "study/calibration/calibration_study.hpp"
 
 namespace clast::study_detail {

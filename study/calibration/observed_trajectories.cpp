@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <map>
 
-#include "core/digest.hpp"
 #include "core/error.hpp"
-#include "core/number_table.hpp"
-#include "core/text_file.hpp"
+#include "core/files/digest.hpp"
+#include "core/files/number_table.hpp"
+#include "core/files/text_file.hpp"
 
 namespace clast::study_detail {
 

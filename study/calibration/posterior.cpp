@@ -7,12 +7,12 @@
 
 #include "core/error.hpp"
 #include "core/parallel.hpp"
-#include "core/probability.hpp"
 #include "core/random.hpp"
-#include "core/sample_tests.hpp"
-#include "core/sobol.hpp"
-#include "core/statistics.hpp"
-#include "core/tempered_sampling.hpp"
+#include "core/statistics/probability.hpp"
+#include "core/statistics/sample_tests.hpp"
+#include "core/statistics/sobol.hpp"
+#include "core/statistics/statistics.hpp"
+#include "core/statistics/tempered_sampling.hpp"
 #include "study/calibration/synthetic_likelihood.hpp"
 #include "study/detail/named_seed.hpp"
 

@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "core/sensitivity.hpp"
+#include "core/statistics/sensitivity.hpp"
 #include "study/calibration/calibration_study.hpp"
 #include "study/calibration/surrogate.hpp"
 

@@ -1,7 +1,7 @@
 #include "study/calibration/posterior_draws.hpp"
 
 #include "core/error.hpp"
-#include "core/hdf5_file.hpp"
+#include "core/files/hdf5_file.hpp"
 #include "study/detail/checked_group.hpp"
 
 namespace clast {

@@ -2,9 +2,9 @@
 
 #include <cmath>
 
-#include "core/digest.hpp"
 #include "core/error.hpp"
-#include "core/hdf5_file.hpp"
+#include "core/files/digest.hpp"
+#include "core/files/hdf5_file.hpp"
 #include "study/detail/site_outcomes.hpp"
 
 namespace clast {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "core/output_file.hpp"
+#include "core/files/output_file.hpp"
 #include "study/calibration/calibration_study.hpp"
 #include "study/calibration/posterior.hpp"
 #include "study/calibration/posterior_draws.hpp"

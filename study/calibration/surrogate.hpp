@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "core/gaussian_process.hpp"
+#include "core/statistics/gaussian_process.hpp"
 
 namespace clast {
 

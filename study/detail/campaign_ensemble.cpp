@@ -5,7 +5,7 @@
 #include "core/error.hpp"
 #include "core/listed.hpp"
 #include "core/number_text.hpp"
-#include "core/sobol.hpp"
+#include "core/statistics/sobol.hpp"
 #include "study/calibration/unknown.hpp"
 #include "study/campaign_keys.hpp"
 #include "study/detail/campaign_reading.hpp"

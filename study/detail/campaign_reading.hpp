@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "core/toml_reader.hpp"
+#include "core/files/toml_reader.hpp"
 #include "study/campaign.hpp"
 
 namespace clast::study_detail {

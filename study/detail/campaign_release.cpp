@@ -2,8 +2,8 @@
 #include <algorithm>
 
 #include "core/error.hpp"
+#include "core/files/up_axis.hpp"
 #include "core/number_text.hpp"
-#include "core/up_axis.hpp"
 #include "study/campaign_keys.hpp"
 #include "study/detail/campaign_ranges.hpp"
 #include "study/detail/campaign_reading.hpp"

@@ -6,9 +6,9 @@
 #include <system_error>
 #include <vector>
 
-#include "core/digest.hpp"
 #include "core/error.hpp"
-#include "core/text_file.hpp"
+#include "core/files/digest.hpp"
+#include "core/files/text_file.hpp"
 #include "study/detail/results_journal.hpp"
 
 namespace clast::study_detail {

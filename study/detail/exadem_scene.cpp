@@ -2,8 +2,8 @@
 // file.
 #include <cmath>
 
+#include "core/files/output_file.hpp"
 #include "core/number_text.hpp"
-#include "core/output_file.hpp"
 #include "mesh/mesh_io.hpp"
 #include "study/detail/scene.hpp"
 #include "study/detail/scene_text.hpp"

@@ -7,7 +7,7 @@
 #include "core/error.hpp"
 #include "core/listed.hpp"
 #include "core/random.hpp"
-#include "core/sobol.hpp"
+#include "core/statistics/sobol.hpp"
 #include "study/detail/member_settings.hpp"
 #include "study/detail/named_seed.hpp"
 #include "study/ground_fields.hpp"

@@ -4,7 +4,7 @@
 #include <numeric>
 
 #include "core/random.hpp"
-#include "core/statistics.hpp"
+#include "core/statistics/statistics.hpp"
 #include "study/calibration/unknown.hpp"
 #include "study/detail/named_seed.hpp"
 

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "core/digest.hpp"
+#include "core/files/digest.hpp"
 
 namespace clast::study_detail {
 

@@ -2,8 +2,8 @@
 
 #include <cstdio>
 
-#include "core/hdf5_file.hpp"
-#include "core/output_file.hpp"
+#include "core/files/hdf5_file.hpp"
+#include "core/files/output_file.hpp"
 #include "library/body_record.hpp"
 #include "study/detail/results_layout.hpp"
 #include "study/ground_fields.hpp"

@@ -6,9 +6,9 @@
 #include <sstream>
 
 #include "core/byte_archive.hpp"
-#include "core/digest.hpp"
 #include "core/error.hpp"
-#include "core/text_file.hpp"
+#include "core/files/digest.hpp"
+#include "core/files/text_file.hpp"
 #include "dem/physics_digest.hpp"
 #include "study/detail/results_layout.hpp"
 

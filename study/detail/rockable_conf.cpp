@@ -6,8 +6,8 @@
 #include <string_view>
 
 #include "core/error.hpp"
+#include "core/files/text_file.hpp"
 #include "core/number_text.hpp"
-#include "core/text_file.hpp"
 
 namespace clast::study_detail {
 namespace {

@@ -1,8 +1,8 @@
 // Scenes for Rockable: one file of shapes for all, a folder with input.txt for each.
 #include <cmath>
 
+#include "core/files/output_file.hpp"
 #include "core/number_text.hpp"
-#include "core/output_file.hpp"
 #include "study/detail/scene.hpp"
 #include "study/detail/scene_text.hpp"
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "core/toml_reader.hpp"
+#include "core/files/toml_reader.hpp"
 #include "study/calibration/calibration_study.hpp"
 #include "study/detail/campaign_reading.hpp"
 #include "study/key_table.hpp"

@@ -4,7 +4,7 @@
 
 #include "core/number_text.hpp"
 #include "core/parallel.hpp"
-#include "core/statistics.hpp"
+#include "core/statistics/statistics.hpp"
 #include "study/detail/realisation.hpp"
 
 namespace clast::study_detail {

@@ -7,8 +7,8 @@
 #include <optional>
 
 #include "core/error.hpp"
+#include "core/files/up_axis.hpp"
 #include "core/number_text.hpp"
-#include "core/up_axis.hpp"
 #include "mesh/point_cloud.hpp"
 #include "terrain/detail/fill_values.hpp"
 #include "terrain/detail/gdal_raster.hpp"

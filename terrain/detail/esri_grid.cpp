@@ -10,8 +10,8 @@
 #include <string_view>
 
 #include "core/error.hpp"
+#include "core/files/text_file.hpp"
 #include "core/printable.hpp"
-#include "core/text_file.hpp"
 
 namespace clast::terrain_detail {
 namespace {

@@ -11,10 +11,10 @@
 #include <string_view>
 
 #include "core/error.hpp"
+#include "core/files/output_file.hpp"
+#include "core/files/text_file.hpp"
 #include "core/number_text.hpp"
-#include "core/output_file.hpp"
 #include "core/printable.hpp"
-#include "core/text_file.hpp"
 #include "mesh/reference_system.hpp"
 #include "terrain/detail/esri_grid.hpp"
 #include "terrain/detail/gdal_session.hpp"

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "core/output_file.hpp"
+#include "core/files/output_file.hpp"
 #include "terrain/detail/raw_surface.hpp"
 
 namespace clast::terrain_detail {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "core/error.hpp"
-#include "core/input_file.hpp"
+#include "core/files/input_file.hpp"
 #include "mesh/reference_system.hpp"
 
 namespace clast::terrain_detail {

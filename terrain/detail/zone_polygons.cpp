@@ -5,8 +5,8 @@
 #include <set>
 
 #include "core/error.hpp"
+#include "core/files/text_file.hpp"
 #include "core/number_text.hpp"
-#include "core/text_file.hpp"
 #include "terrain/detail/plan_clip.hpp"
 #include "terrain/detail/raw_surface.hpp"
 #include "terrain/detail/vector_layer.hpp"

@@ -7,7 +7,7 @@
 #include <set>
 #include <sstream>
 
-#include "core/text_file.hpp"
+#include "core/files/text_file.hpp"
 #include "library/block_library.hpp"
 #include "study/results.hpp"
 #include "tests/study/csv_reader.hpp"

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cstdlib>
 
-#include "core/statistics.hpp"
+#include "core/statistics/statistics.hpp"
 #include "study/calibration/calibration_study.hpp"
 #include "study/calibration/posterior_draws.hpp"
 #include "tests/study/campaign_run.hpp"

@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "core/text_file.hpp"
+#include "core/files/text_file.hpp"
 #include "core/version.hpp"
 #include "library/block_library.hpp"
 #include "library/library_update.hpp"

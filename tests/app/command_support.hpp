@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "core/text_file.hpp"
+#include "core/files/text_file.hpp"
 #include "tests/support/refusal.hpp"
 #include "tests/support/run_program.hpp"
 #include "tests/support/scan_files.hpp"

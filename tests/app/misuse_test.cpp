@@ -7,7 +7,7 @@
 
 #include "app/commands/commands.hpp"
 #include "app/program.hpp"
-#include "core/text_file.hpp"
+#include "core/files/text_file.hpp"
 #include "tests/support/refusal.hpp"
 #include "tests/support/working_folder.hpp"
 

@@ -1,7 +1,7 @@
 /// `clast reconstruct` on folders of photographs: what is taken for one, and what is refused.
 #include <gtest/gtest.h>
 
-#include "core/text_file.hpp"
+#include "core/files/text_file.hpp"
 #include "tests/support/plain_photo.hpp"
 #include "tests/support/refusal.hpp"
 #include "tests/support/run_program.hpp"

@@ -6,7 +6,7 @@
 #include <set>
 #include <sstream>
 
-#include "core/text_file.hpp"
+#include "core/files/text_file.hpp"
 #include "library/block_library.hpp"
 #include "study/calibration/posterior_file.hpp"
 #include "tests/study/csv_reader.hpp"

@@ -1,6 +1,6 @@
 // Text that people and spreadsheets read: tables that are split wrongly, names that a terminal or a
 // spreadsheet would obey, numbers that make no sense.
-#include "core/delimited_text.hpp"
+#include "core/files/delimited_text.hpp"
 #include "tests/app/command_support.hpp"
 #include "tests/app/slope_campaign.hpp"
 #include "tests/shapes/shape_samples.hpp"

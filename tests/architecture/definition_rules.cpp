@@ -7,6 +7,8 @@
 #include <regex>
 #include <set>
 
+#include "tests/architecture/include_rules.hpp"
+
 namespace clast::architecture {
 namespace {
 
@@ -113,10 +115,7 @@ std::string library_of(const SourceFile& file) {
     const std::size_t folder = file.path.find('/') + 1;
     return file.path.substr(0, file.path.find('/', folder));
   }
-  for (const std::string inner : {"reconstruct/photos/", "report/scans/"}) {
-    if (file.path.starts_with(inner)) return inner;
-  }
-  return file.folder();
+  return part_of(file.path);
 }
 
 }  // namespace

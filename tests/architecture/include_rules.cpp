@@ -11,11 +11,13 @@ namespace {
 
 using Folders = std::set<std::string>;
 
-/// The arrows: a part of the project, which is a folder or the place of a second library inside
-/// one, may include these and what follows them.
+/// The arrows: a part of the project, which is a folder of one library or program, may include
+/// these parts and what follows them.
 const std::map<std::string, Folders> kArrows = {
     {"core", {}},
-    {"mesh", {"core"}},
+    {"core/files", {"core"}},
+    {"core/statistics", {"core"}},
+    {"mesh", {"core/files", "core/statistics"}},
     {"shapes", {"mesh"}},
     {"reconstruct", {"shapes"}},
     {"massprops", {"shapes"}},
@@ -32,23 +34,17 @@ const std::map<std::string, Folders> kArrows = {
     {"python", {"report/scans", "pipeline"}},
 };
 
-/// Targets that are not named for their part.
-const std::map<std::string, std::string> kInnerLibraries = {{"photos", "reconstruct/photos"},
-                                                            {"scan_report", "report/scans"}};
-
-/// The part of a library or program, by the target's name after "clast::".
+/// The part of a library or program, by the target's name after "clast::": its folder's name, or
+/// "scan_report" for `report/scans`.
 std::string part_of_target(const std::string& target) {
-  const auto inner = kInnerLibraries.find(target);
-  return inner == kInnerLibraries.end() ? target : inner->second;
+  if (target == "scan_report") return "report/scans";
+  for (const auto& [part, arrows] : kArrows) {
+    if (part.substr(part.find('/') + 1) == target) return part;
+  }
+  return target;
 }
 
-/// The part that a file is in: its folder where that is no other.
-std::string part_of(const std::string& path) {
-  const std::string inner = path.substr(0, path.find('/', path.find('/') + 1));
-  return kArrows.contains(inner) ? inner : path.substr(0, path.find('/'));
-}
-
-/// A package: how its headers and its CMake targets begin, and the folders that it is for.
+/// A package: how its headers and its CMake targets begin, and the parts that it is for.
 struct Package {
   std::string name;
   std::vector<std::string> headers;
@@ -60,23 +56,24 @@ const std::vector<Package> kHeavyPackages = {
     {"CGAL", {"CGAL/"}, {"CGAL::"}, {"mesh", "shapes", "reconstruct", "terrain"}},
     {"assimp", {"assimp/"}, {"assimp::"}, {"mesh"}},
     {"PCL", {"pcl/"}, {"pcl"}, {"reconstruct"}},
-    {"OpenCV", {"opencv2/"}, {"opencv"}, {"reconstruct"}},
-    {"Boost.Math", {"boost/"}, {"Boost::"}, {"core"}},
-    {"HDF5", {"hdf5", "H5"}, {"hdf5::", "HDF5::"}, {"core"}},
-    {"OpenSSL", {"openssl/"}, {"OpenSSL::"}, {"core"}},
-    {"libpng", {"png.h"}, {"PNG::"}, {"core"}},
-    {"zlib", {"zlib.h"}, {"ZLIB::"}, {"core"}},
+    {"OpenCV", {"opencv2/"}, {"opencv"}, {"reconstruct/photos"}},
+    {"Boost.Math", {"boost/"}, {"Boost::"}, {"core/statistics"}},
+    {"HDF5", {"hdf5", "H5"}, {"hdf5::", "HDF5::"}, {"core/files"}},
+    {"OpenSSL", {"openssl/"}, {"OpenSSL::"}, {"core/files"}},
+    {"libpng", {"png.h"}, {"PNG::"}, {"core/files"}},
+    {"zlib", {"zlib.h"}, {"ZLIB::"}, {"core/files"}},
     {"GDAL", {"gdal", "ogr", "cpl_"}, {"GDAL::"}, {"terrain", "report"}},
     {"PROJ", {"proj.h"}, {"PROJ::"}, {"mesh"}},
     {"MPI", {"mpi.h"}, {"MPI::"}, {"study"}},
-    {"toml++", {"toml++/"}, {"tomlplusplus::"}, {"core"}},
+    {"toml++", {"toml++/"}, {"tomlplusplus::"}, {"core/files"}},
     {"CLI11", {"CLI/"}, {"CLI11::"}, {"app"}},
     {"nlohmann_json",
      {"nlohmann/"},
      {"nlohmann_json::"},
-     {"mesh", "reconstruct", "library", "terrain", "report", "app", "python"}},
+     {"mesh", "reconstruct/photos", "library", "terrain", "report", "report/scans", "app",
+      "python"}},
     {"pybind11", {"pybind11/"}, {"pybind11::"}, {"python"}},
-    {"pugixml", {"pugixml"}, {"pugixml::"}, {"reconstruct"}},
+    {"pugixml", {"pugixml"}, {"pugixml::"}, {"reconstruct/photos"}},
 };
 
 /// `dem` opens no file and prints nothing.
@@ -119,33 +116,39 @@ std::optional<std::string> project_part(const std::string& header) {
   return part;
 }
 
-/// A target named in a CMakeLists.txt, and the part of the library or program it is named for.
+/// A target named in a CMakeLists.txt.
 struct Link {
   std::size_t line;
   std::string target;
-  std::string part;
 };
 
 std::vector<Link> links_of(const SourceFile& cmake_lists) {
   static const std::regex kTarget(R"([A-Za-z_0-9]+(::[A-Za-z_0-9+]+)+|\b(pcl|opencv)_\w+)");
-  static const std::regex kLibrary(R"(\bclast_library\((\w+))");
   std::vector<Link> links;
-  std::string part = cmake_lists.folder();
   for (std::size_t i = 0; i < cmake_lists.lines.size(); ++i) {
     const std::string line = cmake_lists.lines[i].substr(0, cmake_lists.lines[i].find('#'));
-    std::smatch library;
-    if (std::regex_search(line, library, kLibrary)) part = part_of_target(library[1]);
     for (std::sregex_iterator it(line.begin(), line.end(), kTarget), end; it != end; ++it) {
-      links.push_back({i + 1, it->str(), part});
+      links.push_back({i + 1, it->str()});
     }
   }
   return links;
 }
 
+/// True if the file is in a part of the project, and not in tests, samples, benchmarks or docs.
+bool is_in_a_part(const SourceFile& file) { return kArrows.contains(part_of(file.path)); }
+
+/// The CMakeLists.txt of the part that a file is in.
+std::string lists_of(const SourceFile& file) { return part_of(file.path) + "/CMakeLists.txt"; }
+
 }  // namespace
 
+std::string part_of(const std::string& path) {
+  const std::string inner = path.substr(0, path.find('/', path.find('/') + 1));
+  return kArrows.contains(inner) ? inner : path.substr(0, path.find('/'));
+}
+
 bool is_public_header(const SourceFile& file) {
-  return file.is_header() && kArrows.contains(file.folder()) && file.folder() != "app" &&
+  return file.is_header() && is_in_a_part(file) && file.folder() != "app" &&
          file.folder() != "python" && file.path.find("/detail/") == std::string::npos &&
          file.path.find("/scans/json/") == std::string::npos;  // not installed either
 }
@@ -158,7 +161,7 @@ Folders reachable(const std::string& part) {
 
 Findings include_findings(const SourceFile& file) {
   Findings findings;
-  if (!file.is_source() || !kArrows.contains(file.folder())) return findings;
+  if (!file.is_source() || !is_in_a_part(file)) return findings;
   const std::string own = part_of(file.path);
   const Folders allowed = reachable(own);
   for (const Include& include : includes_of(file)) {
@@ -186,7 +189,7 @@ Findings include_findings(const SourceFile& file) {
 
 Findings package_findings(const SourceFile& file) {
   Findings findings;
-  if (!file.is_source() || !kArrows.contains(file.folder())) return findings;
+  if (!file.is_source() || !is_in_a_part(file)) return findings;
   for (const Include& include : includes_of(file)) {
     if (project_part(include.header)) continue;
     for (const Package& package : kHeavyPackages) {
@@ -199,10 +202,10 @@ Findings package_findings(const SourceFile& file) {
                                    "public header includes " + include.header + " of " +
                                        package.name + "; convert at the edge of the .cpp"));
       }
-      if (!package.folders.contains(file.folder())) {
+      if (!package.folders.contains(part_of(file.path))) {
         findings.push_back(finding(file, include.line,
-                                   package.name + " is not for " + file.folder() + ", only for " +
-                                       listed(package.folders)));
+                                   package.name + " is not for " + part_of(file.path) +
+                                       ", only for " + listed(package.folders)));
       }
     }
     if (file.folder() == "dem" && kNotForDem.contains(include.header)) {
@@ -216,21 +219,21 @@ Findings package_findings(const SourceFile& file) {
 
 Findings link_findings(const SourceFile& cmake_lists) {
   Findings findings;
-  const std::string folder = cmake_lists.folder();
-  if (cmake_lists.path != folder + "/CMakeLists.txt" || !kArrows.contains(folder)) return findings;
+  const std::string part = part_of(cmake_lists.path);
+  if (!is_in_a_part(cmake_lists) || cmake_lists.path != lists_of(cmake_lists)) return findings;
+  const Folders allowed = reachable(part);
   for (const Link& link : links_of(cmake_lists)) {
-    const Folders allowed = reachable(link.part);
     if (link.target.starts_with("clast::") &&
         !allowed.contains(part_of_target(link.target.substr(7)))) {
       findings.push_back(
           finding(cmake_lists, link.line,
-                  link.part + " may not link " + link.target + ", only " + listed(allowed)));
+                  part + " may not link " + link.target + ", only " + listed(allowed)));
     }
     for (const Package& package : kHeavyPackages) {
-      if (starts_with_any(link.target, package.targets) && !package.folders.contains(folder)) {
+      if (starts_with_any(link.target, package.targets) && !package.folders.contains(part)) {
         findings.push_back(finding(
             cmake_lists, link.line,
-            package.name + " is not for " + folder + ", only for " + listed(package.folders)));
+            package.name + " is not for " + part + ", only for " + listed(package.folders)));
       }
     }
   }
@@ -240,10 +243,10 @@ Findings link_findings(const SourceFile& cmake_lists) {
 Findings unlinked_findings(const std::vector<SourceFile>& tree) {
   std::map<std::string, Folders> linked;
   for (const SourceFile& file : tree) {
-    if (file.path != file.folder() + "/CMakeLists.txt") continue;
+    if (file.path != lists_of(file)) continue;
     for (const Link& link : links_of(file)) {
       if (link.target.starts_with("clast::"))
-        linked[link.part].insert(part_of_target(link.target.substr(7)));
+        linked[part_of(file.path)].insert(part_of_target(link.target.substr(7)));
     }
   }
   // Links of links, until nothing is added; the folders are few.
@@ -259,14 +262,15 @@ Findings unlinked_findings(const std::vector<SourceFile>& tree) {
   }
   Findings findings;
   for (const SourceFile& file : tree) {
-    if (!file.is_source() || !kArrows.contains(file.folder())) continue;
+    if (!file.is_source() || !is_in_a_part(file)) continue;
     for (const Include& include : includes_of(file)) {
       const std::string own = part_of(file.path);
       const std::optional<std::string> part = project_part(include.header);
       if (part && *part != own && !linked[own].contains(*part)) {
-        findings.push_back(finding(file, include.line,
-                                   "includes " + include.header + ", but " + file.folder() +
-                                       "/CMakeLists.txt does not link clast::" + *part));
+        findings.push_back(
+            finding(file, include.line,
+                    "includes " + include.header + ", but " + lists_of(file) +
+                        " does not link clast::" + part->substr(part->find('/') + 1)));
       }
     }
   }
@@ -276,20 +280,21 @@ Findings unlinked_findings(const std::vector<SourceFile>& tree) {
 Findings unlisted_findings(const std::vector<SourceFile>& tree) {
   std::map<std::string, Folders> listed_files;
   for (const SourceFile& file : tree) {
-    if (file.path != file.folder() + "/CMakeLists.txt") continue;
+    if (file.path != lists_of(file)) continue;
+    const std::string part = part_of(file.path);
     for (const std::string& line : file.lines) {
       std::istringstream words(std::regex_replace(line, std::regex("[()]"), " "));
       for (std::string word; words >> word && word[0] != '#';) {
-        listed_files[file.folder()].insert(file.folder() + "/" + word);
+        listed_files[part].insert(part + "/" + word);
       }
     }
   }
   Findings findings;
   for (const SourceFile& file : tree) {
-    if (!kArrows.contains(file.folder())) continue;
+    if (!is_in_a_part(file)) continue;
     const bool must_be_listed = file.path.ends_with(".cpp") || is_public_header(file);
-    if (must_be_listed && !listed_files[file.folder()].contains(file.path)) {
-      findings.push_back(finding(file, 1, "not listed in " + file.folder() + "/CMakeLists.txt"));
+    if (must_be_listed && !listed_files[part_of(file.path)].contains(file.path)) {
+      findings.push_back(finding(file, 1, "not listed in " + lists_of(file)));
     }
   }
   return findings;

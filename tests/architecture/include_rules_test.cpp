@@ -50,9 +50,9 @@ TEST(IncludeRules, IncludeAgainstAnArrowIsFoundWithItsLine) {
   const SourceFile file =
       source_file("shapes/bad.cpp", "// A comment.\n#include \"dem/release.hpp\"\n");
   ASSERT_EQ(include_findings(file).size(), 1u);
-  EXPECT_EQ(
-      include_findings(file)[0],
-      "shapes/bad.cpp:2: shapes may not include dem/release.hpp, only from core, mesh, shapes");
+  EXPECT_EQ(include_findings(file)[0],
+            "shapes/bad.cpp:2: shapes may not include dem/release.hpp, only from core, core/files, "
+            "core/statistics, mesh, shapes");
 }
 
 TEST(IncludeRules, ArrowsReachWhatFollows) {
@@ -83,7 +83,7 @@ TEST(IncludeRules, AnInnerLibraryIsBuiltOnItsFoldersAndNotTheOtherWayRound) {
   }
   const std::string lists = "clast_library(report PUBLIC clast::photos)\n";
   EXPECT_EQ(link_findings(source_file("report/CMakeLists.txt", lists)).size(), 1u);
-  EXPECT_TRUE(link_findings(source_file("report/CMakeLists.txt",
+  EXPECT_TRUE(link_findings(source_file("report/scans/CMakeLists.txt",
                                         "clast_library(scan_report PUBLIC clast::photos)\n"))
                   .empty());
   EXPECT_TRUE(link_findings(source_file("app/CMakeLists.txt", "LINK clast::study clast::photos\n"))
@@ -114,8 +114,9 @@ class HeavyHeader : public testing::TestWithParam<const char*> {};
 TEST_P(HeavyHeader, InPublicHeaderIsFound) {
   const std::string text = std::string("#include <") + GetParam() + ">\n";
   // Some folder may use each of them, but none in a public header.
-  for (const std::string folder : {"core", "mesh", "shapes", "reconstruct", "massprops", "classify",
-                                   "dem", "terrain", "library", "study", "pipeline", "report"}) {
+  for (const std::string folder :
+       {"core", "core/files", "mesh", "shapes", "reconstruct", "massprops", "classify", "dem",
+        "terrain", "library", "study", "pipeline", "report"}) {
     EXPECT_FALSE(package_findings(source_file(folder + "/a.hpp", text)).empty()) << folder;
   }
 }
@@ -137,8 +138,9 @@ TEST(IncludeRules, PackagesAreOnlyForTheirFolders) {
   const SourceFile hdf5_in_study = source_file("study/results.cpp", "#include <hdf5.h>\n");
   ASSERT_EQ(package_findings(hdf5_in_study).size(), 1u);
   EXPECT_EQ(package_findings(hdf5_in_study)[0],
-            "study/results.cpp:1: HDF5 is not for study, only for core");
-  EXPECT_TRUE(package_findings(source_file("core/hdf5_file.cpp", "#include <hdf5.h>\n")).empty());
+            "study/results.cpp:1: HDF5 is not for study, only for core/files");
+  EXPECT_TRUE(
+      package_findings(source_file("core/files/hdf5_file.cpp", "#include <hdf5.h>\n")).empty());
   EXPECT_TRUE(
       package_findings(source_file("shapes/detail/a.hpp", "#include <CGAL/a.h>\n")).empty());
   EXPECT_EQ(package_findings(source_file("dem/a.cpp", "#include <CGAL/a.h>\n")).size(), 1u);
@@ -156,8 +158,8 @@ TEST(IncludeRules, LinkAgainstAnArrowIsFound) {
                                        "  PUBLIC clast::massprops clast::terrain\n"
                                        "  PRIVATE CGAL::CGAL)\n");
   EXPECT_EQ(link_findings(lists),
-            (Findings{"dem/CMakeLists.txt:3: dem may not link clast::terrain, only core, dem, "
-                      "massprops, mesh, shapes",
+            (Findings{"dem/CMakeLists.txt:3: dem may not link clast::terrain, only core, "
+                      "core/files, core/statistics, dem, massprops, mesh, shapes",
                       "dem/CMakeLists.txt:4: CGAL is not for dem, only for mesh, reconstruct, "
                       "shapes, terrain"}));
 }

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <sstream>
 
-#include "core/text_file.hpp"
+#include "core/files/text_file.hpp"
 
 namespace clast::architecture {
 namespace {

@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "core/csv_text.hpp"
 #include "core/error.hpp"
-#include "core/text_file.hpp"
+#include "core/files/csv_text.hpp"
+#include "core/files/text_file.hpp"
 #include "tests/support/refusal.hpp"
 #include "tests/support/scratch_folder.hpp"
 

@@ -10,7 +10,7 @@
 #include "classify/form_grid.hpp"
 #include "classify/schemes.hpp"
 #include "core/error.hpp"
-#include "core/sample_tests.hpp"
+#include "core/statistics/sample_tests.hpp"
 #include "tests/support/refusal.hpp"
 
 namespace clast {

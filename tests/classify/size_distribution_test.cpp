@@ -6,8 +6,8 @@
 #include <cmath>
 #include <random>
 
-#include "core/probability.hpp"
 #include "core/random.hpp"
+#include "core/statistics/probability.hpp"
 
 namespace clast {
 

@@ -8,7 +8,7 @@
 #include <cstdio>
 #include <fstream>
 
-#include "core/statistics.hpp"
+#include "core/statistics/statistics.hpp"
 #include "dem/ground_overlap.hpp"
 #include "dem/stiffness.hpp"
 #include "massprops/principal_frame.hpp"

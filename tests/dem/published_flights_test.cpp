@@ -4,7 +4,7 @@
 #include <map>
 
 #include "core/angle.hpp"
-#include "core/text_file.hpp"
+#include "core/files/text_file.hpp"
 #include "dem/rigid_body.hpp"
 #include "tests/support/reference_data.hpp"
 

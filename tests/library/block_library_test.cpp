@@ -5,9 +5,9 @@
 #include <unistd.h>
 
 #include "core/error.hpp"
-#include "core/hdf5_file.hpp"
+#include "core/files/hdf5_file.hpp"
+#include "core/files/text_file.hpp"
 #include "core/random.hpp"
-#include "core/text_file.hpp"
 #include "library/library_update.hpp"
 #include "library/unscaled.hpp"
 #include "tests/library/block_samples.hpp"

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "core/text_file.hpp"
+#include "core/files/text_file.hpp"
 #include "mesh/point_cloud.hpp"
 #include "tests/support/refusal.hpp"
 #include "tests/support/scratch_folder.hpp"

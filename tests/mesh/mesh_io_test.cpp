@@ -5,7 +5,7 @@
 #include <cstring>
 
 #include "core/error.hpp"
-#include "core/text_file.hpp"
+#include "core/files/text_file.hpp"
 #include "mesh/mesh_topology.hpp"
 #include "tests/shapes/shape_samples.hpp"
 #include "tests/support/refusal.hpp"

@@ -5,8 +5,8 @@
 #include <array>
 #include <fstream>
 
+#include "core/files/text_file.hpp"
 #include "core/random.hpp"
-#include "core/text_file.hpp"
 #include "tests/mesh/cloud_files.hpp"
 #include "tests/support/cloud_bytes.hpp"
 

@@ -5,7 +5,7 @@
 #include <array>
 #include <cmath>
 
-#include "core/text_file.hpp"
+#include "core/files/text_file.hpp"
 #include "mesh/point_cloud.hpp"
 #include "tests/support/declared_las.hpp"
 #include "tests/support/refusal.hpp"

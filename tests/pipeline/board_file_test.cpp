@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "core/text_file.hpp"
+#include "core/files/text_file.hpp"
 #include "tests/support/refusal.hpp"
 #include "tests/support/scratch_folder.hpp"
 

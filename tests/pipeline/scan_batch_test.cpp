@@ -5,7 +5,7 @@
 
 #include <mutex>
 
-#include "core/text_file.hpp"
+#include "core/files/text_file.hpp"
 #include "library/block_library.hpp"
 #include "tests/library/block_samples.hpp"
 #include "tests/support/cut_mesh.hpp"

@@ -7,7 +7,7 @@
 #include <cstdio>
 
 #include "core/error.hpp"
-#include "core/text_file.hpp"
+#include "core/files/text_file.hpp"
 #include "mesh/mesh_io.hpp"
 #include "mesh/mesh_topology.hpp"
 #include "shapes/oriented_box.hpp"

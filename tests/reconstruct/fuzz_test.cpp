@@ -7,7 +7,7 @@
 #include <iostream>
 
 #include "core/error.hpp"
-#include "core/text_file.hpp"
+#include "core/files/text_file.hpp"
 #include "mesh/self_intersection.hpp"
 #include "reconstruct/field_scan.hpp"
 #include "tests/shapes/shape_samples.hpp"

@@ -6,8 +6,8 @@
 #include <functional>
 
 #include "core/error.hpp"
+#include "core/files/text_file.hpp"
 #include "core/random.hpp"
-#include "core/text_file.hpp"
 #include "mesh/detail/mesh_writers.hpp"
 #include "mesh/mesh_io.hpp"
 #include "tests/shapes/shape_samples.hpp"

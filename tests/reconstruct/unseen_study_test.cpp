@@ -9,7 +9,7 @@
 #include "classify/possible_classes.hpp"
 #include "core/error.hpp"
 #include "core/parallel.hpp"
-#include "core/statistics.hpp"
+#include "core/statistics/statistics.hpp"
 #include "massprops/solid.hpp"
 #include "mesh/mesh_topology.hpp"
 #include "shapes/oriented_box.hpp"

@@ -8,8 +8,8 @@
 #include <cmath>
 #include <map>
 
+#include "core/files/text_file.hpp"
 #include "core/number_text.hpp"
-#include "core/text_file.hpp"
 #include "report/pages/report_sections.hpp"
 #include "report/text/plain_numbers.hpp"
 #include "study/block_scale.hpp"

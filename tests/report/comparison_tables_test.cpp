@@ -6,8 +6,8 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
+#include "core/files/text_file.hpp"
 #include "core/random.hpp"
-#include "core/text_file.hpp"
 #include "report/comparison_report.hpp"
 #include "report/tables/comparison_provenance.hpp"
 #include "report/tables/group_tables.hpp"

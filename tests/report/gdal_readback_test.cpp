@@ -6,9 +6,9 @@
 #include <memory>
 
 #include "core/error.hpp"
-#include "core/png.hpp"
+#include "core/files/png.hpp"
+#include "core/files/text_file.hpp"
 #include "core/random.hpp"
-#include "core/text_file.hpp"
 #include "report/maps/gis_layers.hpp"
 #include "tests/study/hand_made_results.hpp"
 #include "tests/support/scratch_folder.hpp"

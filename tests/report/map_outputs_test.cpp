@@ -8,7 +8,7 @@
 #include <cstring>
 #include <regex>
 
-#include "core/text_file.hpp"
+#include "core/files/text_file.hpp"
 #include "report/maps/gis_layers.hpp"
 #include "report/maps/raster_files.hpp"
 #include "report/scene/vtk_animation.hpp"

@@ -8,8 +8,8 @@
 #include <regex>
 #include <set>
 
+#include "core/files/text_file.hpp"
 #include "core/random.hpp"
-#include "core/text_file.hpp"
 #include "report/maps/gis_layers.hpp"
 #include "report/maps/map_style.hpp"
 #include "report/maps/qgis_styles.hpp"

@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "core/text_file.hpp"
+#include "core/files/text_file.hpp"
 #include "core/utf8.hpp"
 #include "report/json/population_json.hpp"
 #include "report/population_report.hpp"

@@ -8,8 +8,8 @@
 #include <set>
 #include <sstream>
 
+#include "core/files/text_file.hpp"
 #include "core/random.hpp"
-#include "core/text_file.hpp"
 #include "core/utf8.hpp"
 #include "report/charts/form_diagram.hpp"
 #include "report/charts/share_chart.hpp"

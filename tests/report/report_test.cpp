@@ -5,8 +5,8 @@
 #include <nlohmann/json.hpp>
 
 #include "core/error.hpp"
+#include "core/files/text_file.hpp"
 #include "core/random.hpp"
-#include "core/text_file.hpp"
 #include "report/charts/plotly_chart.hpp"
 #include "report/charts/ticks.hpp"
 #include "report/html/html_page.hpp"

@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "core/text_file.hpp"
+#include "core/files/text_file.hpp"
 #include "report/tables/comparison_columns.hpp"
 #include "report/tables/population_columns.hpp"
 #include "study/detail/results_layout.hpp"

@@ -1,8 +1,8 @@
 // What the pages hold deflated is unpacked by their script, here in node.
 #include <gtest/gtest.h>
 
+#include "core/files/text_file.hpp"
 #include "core/random.hpp"
-#include "core/text_file.hpp"
 #include "report/html/assets.hpp"
 #include "report/html/page_script.hpp"
 #include "tests/support/run_program.hpp"

@@ -2,7 +2,7 @@
 
 #include <sstream>
 
-#include "core/text_file.hpp"
+#include "core/files/text_file.hpp"
 #include "mesh/mesh_io.hpp"
 #include "shapes/oriented_box.hpp"
 #include "tests/support/reference_data.hpp"

@@ -6,8 +6,8 @@
 #include <sstream>
 
 #include "core/error.hpp"
+#include "core/files/text_file.hpp"
 #include "core/random.hpp"
-#include "core/text_file.hpp"
 #include "shapes/detail/shp_reader.hpp"
 #include "tests/shapes/shape_samples.hpp"
 #include "tests/support/refusal.hpp"

@@ -5,7 +5,7 @@
 #include <map>
 #include <set>
 
-#include "core/probability.hpp"
+#include "core/statistics/probability.hpp"
 #include "study/block_stiffness.hpp"
 #include "tests/study/campaign_run.hpp"
 

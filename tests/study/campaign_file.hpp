@@ -5,7 +5,7 @@
 #include <string>
 
 #include "core/error.hpp"
-#include "core/text_file.hpp"
+#include "core/files/text_file.hpp"
 #include "study/campaign.hpp"
 #include "tests/support/scratch_folder.hpp"
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "core/error.hpp"
-#include "core/text_file.hpp"
+#include "core/files/text_file.hpp"
 #include "library/make_block.hpp"
 #include "study/campaign_runner.hpp"
 #include "tests/support/refusal.hpp"

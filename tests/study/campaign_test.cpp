@@ -5,7 +5,7 @@
 #include <cmath>
 #include <cstdlib>
 
-#include "core/digest.hpp"
+#include "core/files/digest.hpp"
 #include "study/release_points.hpp"
 #include "tests/study/campaign_file.hpp"
 

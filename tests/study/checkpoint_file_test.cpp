@@ -3,9 +3,9 @@
 
 #include <gtest/gtest.h>
 
-#include "core/digest.hpp"
 #include "core/error.hpp"
-#include "core/text_file.hpp"
+#include "core/files/digest.hpp"
+#include "core/files/text_file.hpp"
 #include "tests/study/hand_made_results.hpp"
 #include "tests/support/refusal.hpp"
 #include "tests/support/scratch_folder.hpp"

@@ -10,7 +10,7 @@
 #include "core/error.hpp"
 #include "core/number_text.hpp"
 #include "core/random.hpp"
-#include "core/sample_tests.hpp"
+#include "core/statistics/sample_tests.hpp"
 #include "report/tables/group_tables.hpp"
 #include "report/tables/run_tables.hpp"
 #include "study/comparison.hpp"

@@ -5,9 +5,9 @@
 #include <string>
 
 #include "core/angle.hpp"
+#include "core/files/text_file.hpp"
 #include "core/number_text.hpp"
 #include "core/random.hpp"
-#include "core/text_file.hpp"
 
 namespace clast {
 

@@ -4,8 +4,8 @@
 
 #include <ctime>
 
+#include "core/files/text_file.hpp"
 #include "core/random.hpp"
-#include "core/text_file.hpp"
 #include "report/comparison_report.hpp"
 #include "tests/study/hand_made_results.hpp"
 #include "tests/support/refusal.hpp"

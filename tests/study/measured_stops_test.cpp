@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-#include "core/text_file.hpp"
+#include "core/files/text_file.hpp"
 #include "report/tables/comparison_provenance.hpp"
 #include "report/tables/group_tables.hpp"
 #include "tests/study/csv_reader.hpp"

@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
-#include "core/hdf5_file.hpp"
-#include "core/text_file.hpp"
+#include "core/files/hdf5_file.hpp"
+#include "core/files/text_file.hpp"
 #include "tests/study/sample_results.hpp"
 #include "tests/support/flipped_bits.hpp"
 #include "tests/support/refusal.hpp"

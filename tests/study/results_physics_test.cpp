@@ -1,8 +1,8 @@
 // Runs of programs that move blocks differently do not mix.
 #include <gtest/gtest.h>
 
-#include "core/digest.hpp"
-#include "core/text_file.hpp"
+#include "core/files/digest.hpp"
+#include "core/files/text_file.hpp"
 #include "study/results.hpp"
 #include "tests/study/sample_results.hpp"
 #include "tests/support/refusal.hpp"

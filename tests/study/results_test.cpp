@@ -8,8 +8,8 @@
 #include <cmath>
 #include <fstream>
 
-#include "core/hdf5_file.hpp"
-#include "core/text_file.hpp"
+#include "core/files/hdf5_file.hpp"
+#include "core/files/text_file.hpp"
 #include "study/block_stiffness.hpp"
 #include "study/detail/results_journal.hpp"
 #include "tests/study/sample_results.hpp"

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <map>
 
-#include "core/text_file.hpp"
+#include "core/files/text_file.hpp"
 #include "library/block_library.hpp"
 #include "library/make_block.hpp"
 #include "report/tables/run_tables.hpp"

@@ -9,8 +9,8 @@
 #include <sstream>
 #include <vector>
 
-#include "core/statistics.hpp"
-#include "core/text_file.hpp"
+#include "core/files/text_file.hpp"
+#include "core/statistics/statistics.hpp"
 #include "core/types.hpp"
 #include "tests/study/csv_reader.hpp"
 

@@ -7,8 +7,8 @@
 #include <string>
 
 #include "core/error.hpp"
+#include "core/files/text_file.hpp"
 #include "core/random.hpp"
-#include "core/text_file.hpp"
 #include "tests/support/refusal.hpp"
 
 namespace clast {

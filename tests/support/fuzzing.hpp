@@ -20,7 +20,7 @@
 #include <vector>
 
 #include "core/error.hpp"
-#include "core/text_file.hpp"
+#include "core/files/text_file.hpp"
 #include "tests/support/mutated_bytes.hpp"
 #include "tests/support/scratch_folder.hpp"
 #include "tests/support/setting.hpp"

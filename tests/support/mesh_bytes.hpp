@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "core/text_file.hpp"
+#include "core/files/text_file.hpp"
 #include "mesh/mesh_io.hpp"
 #include "tests/support/scratch_folder.hpp"
 

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "core/text_file.hpp"
+#include "core/files/text_file.hpp"
 #include "tests/support/scratch_folder.hpp"
 
 namespace clast {

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "core/files/text_file.hpp"
 #include "core/random.hpp"
-#include "core/text_file.hpp"
 #include "mesh/triangle_mesh.hpp"
 #include "shapes/convex_hull.hpp"
 

@@ -6,7 +6,7 @@
 #include <cstring>
 #include <sstream>
 
-#include "core/text_file.hpp"
+#include "core/files/text_file.hpp"
 #include "tests/support/declared_las.hpp"
 #include "tests/terrain/ground_samples.hpp"
 

@@ -7,7 +7,7 @@
 #include <memory>
 #include <set>
 
-#include "core/text_file.hpp"
+#include "core/files/text_file.hpp"
 #include "terrain/hillshade.hpp"
 #include "terrain/relief.hpp"
 #include "tests/terrain/ground_samples.hpp"

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <limits>
 
+#include "core/files/text_file.hpp"
 #include "core/random.hpp"
-#include "core/text_file.hpp"
 #include "tests/terrain/ground_samples.hpp"
 
 namespace clast {

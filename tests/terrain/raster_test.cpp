@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "core/text_file.hpp"
+#include "core/files/text_file.hpp"
 #include "tests/terrain/geotiff_bytes.hpp"
 #include "tests/terrain/ground_samples.hpp"
 

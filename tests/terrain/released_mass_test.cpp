@@ -6,8 +6,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/files/text_file.hpp"
 #include "core/random.hpp"
-#include "core/text_file.hpp"
 #include "mesh/mesh_topology.hpp"
 #include "mesh/self_intersection.hpp"
 #include "tests/terrain/ground_samples.hpp"

@@ -8,7 +8,7 @@
 #include <set>
 
 #include "classify/schemes.hpp"
-#include "core/text_file.hpp"
+#include "core/files/text_file.hpp"
 #include "massprops/solid.hpp"
 #include "mesh/mesh_io.hpp"
 #include "mesh/mesh_topology.hpp"

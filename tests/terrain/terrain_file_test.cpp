@@ -3,8 +3,8 @@
 
 #include <cmath>
 
-#include "core/hdf5_file.hpp"
-#include "core/text_file.hpp"
+#include "core/files/hdf5_file.hpp"
+#include "core/files/text_file.hpp"
 #include "terrain/terrain_file.hpp"
 #include "tests/support/flipped_bits.hpp"
 #include "tests/support/without_checksums.hpp"

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <map>
 
-#include "core/text_file.hpp"
+#include "core/files/text_file.hpp"
 #include "terrain/terrain_file.hpp"
 #include "tests/terrain/ground_samples.hpp"
 

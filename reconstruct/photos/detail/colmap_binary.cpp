@@ -4,7 +4,7 @@
 #include <map>
 
 #include "core/error.hpp"
-#include "core/text_file.hpp"
+#include "core/files/text_file.hpp"
 #include "reconstruct/photos/detail/model_readers.hpp"
 
 namespace clast::photos_detail {

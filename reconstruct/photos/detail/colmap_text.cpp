@@ -2,8 +2,8 @@
 #include <sstream>
 
 #include "core/error.hpp"
+#include "core/files/text_file.hpp"
 #include "core/number_text.hpp"
-#include "core/text_file.hpp"
 #include "reconstruct/photos/detail/model_readers.hpp"
 
 namespace clast::photos_detail {

@@ -1,7 +1,7 @@
 #include "reconstruct/photos/detail/json_model.hpp"
 
+#include "core/files/text_file.hpp"
 #include "core/number_text.hpp"
-#include "core/text_file.hpp"
 
 namespace clast::photos_detail {
 

@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "core/angle.hpp"
-#include "core/digest.hpp"
+#include "core/files/digest.hpp"
 #include "core/number_text.hpp"
 #include "tests/app/reliability/odd_cases.hpp"
 #include "tests/app/reliability/right_answer.hpp"

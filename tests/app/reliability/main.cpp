@@ -5,9 +5,9 @@
 #include <mutex>
 #include <utility>
 
+#include "core/files/text_file.hpp"
 #include "core/number_text.hpp"
 #include "core/parallel.hpp"
-#include "core/text_file.hpp"
 #include "mesh/mesh_io.hpp"
 #include "tests/app/reliability/cases.hpp"
 #include "tests/app/reliability/table.hpp"

@@ -5,7 +5,7 @@
 
 #include <chrono>
 
-#include "core/text_file.hpp"
+#include "core/files/text_file.hpp"
 #include "tests/support/plain_photo.hpp"
 #include "tests/support/refusal.hpp"
 #include "tests/support/scratch_folder.hpp"

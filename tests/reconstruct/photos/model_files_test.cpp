@@ -7,7 +7,7 @@
 #include <cmath>
 #include <fstream>
 
-#include "core/text_file.hpp"
+#include "core/files/text_file.hpp"
 #include "tests/reconstruct/photos/model_texts.hpp"
 #include "tests/reconstruct/photos/two_views.hpp"
 #include "tests/support/refusal.hpp"

@@ -3,7 +3,7 @@
 #include <cstring>
 #include <string>
 
-#include "core/text_file.hpp"
+#include "core/files/text_file.hpp"
 #include "tests/reconstruct/photos/two_views.hpp"
 #include "tests/support/scratch_folder.hpp"
 

@@ -5,7 +5,7 @@
 #include <sstream>
 #include <string>
 
-#include "core/text_file.hpp"
+#include "core/files/text_file.hpp"
 #include "reconstruct/photos/model_files.hpp"
 #include "tests/support/reference_data.hpp"
 

@@ -4,9 +4,9 @@
 
 #include <functional>
 
+#include "core/files/text_file.hpp"
 #include "core/number_text.hpp"
 #include "core/random.hpp"
-#include "core/text_file.hpp"
 #include "reconstruct/photos/model_files.hpp"
 
 namespace clast {

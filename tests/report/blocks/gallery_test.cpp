@@ -1,7 +1,7 @@
 // The gallery of a library as text; tests/app/gallery_page_test.cpp uses it in a browser.
 #include <gtest/gtest.h>
 
-#include "core/text_file.hpp"
+#include "core/files/text_file.hpp"
 #include "report/blocks/gallery.hpp"
 #include "tests/library/block_samples.hpp"
 #include "tests/support/markup.hpp"

@@ -2,9 +2,9 @@
 #include <gtest/gtest.h>
 
 #include "core/error.hpp"
-#include "core/hdf5_file.hpp"
+#include "core/files/hdf5_file.hpp"
+#include "core/files/text_file.hpp"
 #include "core/progress.hpp"
-#include "core/text_file.hpp"
 #include "study/calibration/calibrate.hpp"
 #include "tests/study/calibration/made_up_site.hpp"
 #include "tests/support/refusal.hpp"

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "core/error.hpp"
-#include "core/statistics.hpp"
+#include "core/statistics/statistics.hpp"
 #include "study/calibration/calibrate.hpp"
 #include "study/calibration/member_runs.hpp"
 #include "tests/study/calibration/made_up_site.hpp"

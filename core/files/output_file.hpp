@@ -1,0 +1,99 @@
+#pragma once
+/// Output files that appear whole or not at all, and never replace something else.
+#include <cstdint>
+#include <filesystem>
+#include <initializer_list>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <system_error>
+
+#include "core/files/part_place.hpp"
+
+namespace clast {
+
+/// What an output may replace.
+struct OutputRules {
+  /// As `kind_of_file` has it: a target of any other kind is refused. Empty: any kind will do, for
+  /// files that only clast uses. An empty file, as a shell or a queue makes beforehand, is of every
+  /// kind.
+  std::string kind = {};
+  /// Takes the place of a file of its own kind. False: nothing that is there is written over.
+  bool replace = true;
+  /// `check_output` found the target fit before the work began. What the rules keep by now was then
+  /// written by another program meanwhile, and the result is not lost: see `OutputFile::commit`.
+  bool checked = false;
+};
+
+/// A file that is written beside its target and renamed over it by `commit`, with the permissions
+/// of the file it replaces. Without `commit` the temporary file is removed and the target stays as
+/// it was. Links are followed.
+class OutputFile {
+ public:
+  /// Makes missing parent folders.
+  /// @throws InputError  the target is empty, a folder, a device, write-protected, a link that
+  ///                     leads nowhere or in a circle, or something that the rules keep; or its
+  ///                     folder can't be made or written to
+  explicit OutputFile(std::filesystem::path target, const OutputRules& rules = {});
+  ~OutputFile();
+  OutputFile(const OutputFile&) = delete;
+  OutputFile& operator=(const OutputFile&) = delete;
+
+  /// Where to write. Same extension as the target, so that writers that go by it still work.
+  const std::filesystem::path& temporary() const { return part_->path(); }
+  const std::filesystem::path& target() const { return target_; }
+  /// Writes the whole content to `temporary`.
+  /// @throws InputError  the disk is full, or the file too large
+  void write(std::string_view content);
+  /// The rules are checked once more; where nothing may be replaced, in one step with the rename.
+  /// @throws InputError  the rename failed; or another program wrote meanwhile what the rules keep:
+  ///                     the result is then at `kept`, which the message names
+  void commit();
+  /// Where a result is that must not take the place of the target: "NAME.2.EXTENSION" beside it, or
+  /// the next free number. Empty until `commit` needed it.
+  const std::filesystem::path& kept() const { return kept_; }
+
+ private:
+  std::filesystem::path target_;
+  std::unique_ptr<PartPlace> part_;
+  std::filesystem::path kept_;
+  OutputRules rules_;
+  bool absent_ = false;  ///< nothing was there at the start
+  bool committed_ = false;
+};
+
+/// Writes a whole file through an `OutputFile`.
+/// @throws InputError  as its members
+void write_output(const std::filesystem::path& target, std::string_view content,
+                  const OutputRules& rules);
+
+/// Checks that the target could be written, before the work starts. Missing parent folders are
+/// made.
+/// @return the rules, `checked`, to write the file with
+/// @throws InputError  as `OutputFile`
+OutputRules check_output(const std::filesystem::path& target, const OutputRules& rules);
+
+/// Checks that files of so many bytes fit beside the target: together by the free space of the
+/// disk, each by the largest file that the shell allows.
+/// @throws InputError  they could not; gives what is needed and what there is
+void check_room(const std::filesystem::path& target, std::initializer_list<std::uint64_t> files);
+
+/// The file that a link leads to, there or not, and any other path as it is.
+/// @throws InputError  a link that leads in a circle
+std::filesystem::path linked_target(const std::filesystem::path& target);
+
+/// Renames a file or a folder unless something has the new name (`file_exists`): in one step where
+/// the file system has one.
+std::error_code rename_to_free(const std::filesystem::path& from, const std::filesystem::path& to);
+
+/// Renames a file or a folder to the first of "NAME.2.EXTENSION", "NAME.3.EXTENSION", ... beside
+/// `target` that is free, and reports it.
+/// @return the name
+/// @throws InputError  the rename failed; the message says so
+std::filesystem::path keep_beside(const std::filesystem::path& from,
+                                  const std::filesystem::path& target);
+
+/// That another program wrote the target meanwhile, and where the result is.
+std::string taken_meanwhile(const std::filesystem::path& target, const std::filesystem::path& kept);
+
+}  // namespace clast

@@ -1,0 +1,193 @@
+#include "core/files/output_folder.hpp"
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <utility>
+#include <vector>
+
+#include "core/error.hpp"
+#include "core/files/output_file.hpp"
+#include "core/files/text_file.hpp"
+
+namespace clast {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+/// Files of a folder and of those in it, relative to it.
+std::vector<fs::path> files_in(const fs::path& folder) {
+  std::vector<fs::path> files;
+  std::error_code code;
+  for (fs::recursive_directory_iterator at(folder, code), end; !code && at != end;
+       at.increment(code)) {
+    std::error_code unseen;
+    if (!at->is_directory(unseen) || at->is_symlink(unseen)) {
+      files.push_back(at->path().lexically_relative(folder));
+    }
+  }
+  if (code) {
+    throw InputError(folder.string() + ": can't be read (" + code.message() +
+                     "); check the permissions of what is in it, or name another folder");
+  }
+  return files;
+}
+
+bool is_marked(const fs::path& folder, const FolderKind& kind) {
+  std::error_code code;
+  const fs::path file = folder / kind.mark_file;
+  return fs::is_regular_file(file, code) &&
+         read_text_file(file).find(kind.mark) != std::string::npos;
+}
+
+/// Why what is there is kept; empty when the folder may be written.
+std::string why_folder_is_kept(const fs::path& target, const FolderKind& kind, bool replace) {
+  std::error_code code;
+  if (!fs::exists(target, code)) return "";
+  if (!fs::is_directory(target, code)) {
+    return target.string() + ": is a file; name a folder for the tables and the report";
+  }
+  const std::vector<fs::path> files = files_in(target);
+  const auto first = std::find_if(files.begin(), files.end(), kind.owns);
+  if (first == files.end()) return "";
+  if (!is_marked(target, kind)) {
+    return target.string() + ": holds " + first->string() + ", but is not a " + kind.name +
+           " of clast, so it is not replaced; name another folder";
+  }
+  if (replace) return "";
+  return target.string() + ": holds a " + kind.name +
+         " already; `replace` replaces it, or name another folder";
+}
+
+/// The folder itself, by an absolute name that ends with its own.
+fs::path resolved(const fs::path& target) {
+  std::error_code code;
+  if (fs::exists(target, code)) return fs::canonical(target);
+  const fs::path named = fs::absolute(target).lexically_normal();
+  return linked_target(named.has_filename() ? named : named.parent_path());
+}
+
+[[noreturn]] void refuse_exchange(const fs::path& target, const std::error_code& code) {
+  throw InputError(
+      target.string() + ": can't be replaced (" + code.message() +
+      "), so it is as it was; check the permissions of the folder and of the one it is "
+      "in, or name another");
+}
+
+/// Exchanges two folders: in one step where the file system can.
+/// @param between  the name that one has meanwhile where it can't
+void exchange_folders(const fs::path& made, const fs::path& target, const fs::path& between) {
+  if (::renameat2(AT_FDCWD, made.c_str(), AT_FDCWD, target.c_str(), RENAME_EXCHANGE) == 0) return;
+  std::error_code code, back;
+  fs::rename(target, between, code);
+  if (code) refuse_exchange(target, code);
+  fs::rename(made, target, code);
+  if (code) {
+    fs::rename(between, target, back);
+    refuse_exchange(target, code);
+  }
+  fs::rename(between, made, back);
+}
+
+/// Adds files to a folder, where `replace` in place of those of the kind; the rest is not touched.
+void exchange_files(const fs::path& made, const fs::path& target, const fs::path& former,
+                    const FolderKind& kind, bool replace) {
+  std::vector<std::pair<fs::path, fs::path>> moved;
+  const auto move = [&](const fs::path& from, const fs::path& to) {
+    std::error_code code, back;
+    fs::create_directories(to.parent_path(), code);
+    code = rename_to_free(from, to);
+    if (code) {
+      for (auto pair = moved.rbegin(); pair != moved.rend(); ++pair) {
+        fs::rename(pair->second, pair->first, back);
+      }
+      refuse_exchange(target, code);
+    }
+    moved.emplace_back(from, to);
+  };
+  for (const fs::path& file : files_in(target)) {
+    if (!replace || !kind.owns(file)) continue;
+    move(target / file, former / file);
+    std::error_code not_empty;
+    if (file.has_parent_path()) fs::remove(target / file.parent_path(), not_empty);
+  }
+  for (const fs::path& file : files_in(made)) move(made / file, target / file);
+}
+
+}  // namespace
+
+OutputFolder::OutputFolder(const fs::path& target, FolderKind kind, bool replace)
+    : kind_(std::move(kind)), replace_(replace) {
+  if (target.empty()) throw InputError("the name of the folder to write is empty; name one");
+  target_ = resolved(target);
+  // An exchange that was killed may have left what is to be replaced under another name.
+  if (target_.has_parent_path()) remove_left_parts(target_, PartPlace::Kind::kFolder);
+  if (const std::string why = why_folder_is_kept(target_, kind_, replace_); !why.empty()) {
+    throw InputError(why);
+  }
+  const fs::path beside = target_.parent_path();
+  if (target_ == beside) {
+    throw InputError(beside.string() + ": is the root of a disk; name a folder in it");
+  }
+  std::error_code code;
+  fs::create_directories(beside, code);
+  if (code) {
+    throw InputError(beside.string() + ": can't make this folder (" + code.message() +
+                     "); check the permissions of the one it is in, or name another place");
+  }
+  part_ = std::make_unique<PartPlace>(target_, PartPlace::Kind::kFolder);
+  if (fs::exists(target_, code)) {
+    fs::permissions(temporary(), fs::status(target_, code).permissions(), code);
+  }
+}
+
+OutputFolder::~OutputFolder() {
+  if (committed_) return;
+  std::error_code ignored;
+  fs::remove_all(temporary(), ignored);
+}
+
+void OutputFolder::commit() {
+  const fs::path former = part_->former();
+  std::error_code code = rename_to_free(temporary(), target_);
+  if (!code) {
+    committed_ = true;
+    part_->release();
+    return;
+  }
+  if (code != std::errc::file_exists) refuse_exchange(target_, code);
+  const auto check_taken = [&](const fs::path& there) {
+    if (why_folder_is_kept(there, kind_, replace_).empty()) return;
+    if (there != target_) exchange_folders(temporary(), target_, former);
+    const fs::path kept = keep_beside(temporary(), target_);
+    committed_ = true;
+    part_->release();
+    throw InputError(taken_meanwhile(target_, kept));
+  };
+  check_taken(target_);
+  // With files of another kind, or it is a working directory.
+  bool shared = fs::equivalent(target_, fs::current_path(), code);
+  for (const fs::path& file : files_in(target_)) {
+    if (kind_.owns(file)) continue;
+    shared = true;
+    if (!fs::exists(temporary() / file, code)) continue;
+    throw InputError((target_ / file).string() + ": does not belong to the existing " + kind_.name +
+                     ", and would be overwritten; move it elsewhere");
+  }
+  if (shared) {
+    exchange_files(temporary(), target_, former, kind_, replace_);
+  } else {
+    exchange_folders(temporary(), target_, former);
+    // Only what was taken out in one step is known to be what is lost.
+    check_taken(temporary());
+  }
+  committed_ = true;
+  fs::remove_all(temporary(), code);
+  fs::remove_all(former, code);
+  part_->release();
+}
+
+}  // namespace clast

@@ -1,0 +1,107 @@
+#pragma once
+/// Tables whose columns are declared once: for CSV, for the fields of map layers, for groups of
+/// rows, and for their part of docs/formats.md, which a test compares.
+#include <cstdint>
+#include <functional>
+#include <initializer_list>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "core/files/csv_text.hpp"
+
+namespace clast {
+
+/// A count, a number (not finite where nothing is known), or a text.
+using TableCell = std::variant<std::uint64_t, double, std::string>;
+
+template <class Row>
+struct TableColumn {
+  std::string name;     ///< with its unit: "speed_m_s"
+  std::string unit;     ///< "m/s"; empty for what has none
+  std::string meaning;  ///< Markdown; neighbours with one unit and meaning share a line of the page
+  std::function<TableCell(const Row&)> value;
+};
+
+template <class Row>
+using TableColumns = std::vector<TableColumn<Row>>;
+
+/// @throws std::out_of_range  no such column, which is our own mistake
+template <class Row>
+const TableColumn<Row>& column_named(const TableColumns<Row>& columns, const std::string& name) {
+  for (const TableColumn<Row>& column : columns) {
+    if (column.name == name) return column;
+  }
+  throw std::out_of_range("no column " + name);
+}
+
+/// The columns of these names, in their order.
+template <class Row>
+TableColumns<Row> chosen(const TableColumns<Row>& columns, const std::vector<std::string>& names) {
+  TableColumns<Row> result;
+  for (const std::string& name : names) result.push_back(column_named(columns, name));
+  return result;
+}
+
+/// The columns of a part of every row, which is `part(row)`.
+template <class Row, class PartRow, class Part>
+TableColumns<Row> columns_of_part(const TableColumns<PartRow>& columns, const Part& part) {
+  TableColumns<Row> result;
+  for (const TableColumn<PartRow>& column : columns) {
+    result.push_back({column.name, column.unit, column.meaning,
+                      [part, value = column.value](const Row& row) { return value(part(row)); }});
+  }
+  return result;
+}
+
+/// Columns of one unit and meaning: `values(row)[i]` stands in column `names[i]`.
+template <class Row, class Values>
+TableColumns<Row> columns_of_list(const std::vector<std::string>& names, const std::string& unit,
+                                  const std::string& meaning, const Values& values) {
+  TableColumns<Row> columns;
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    columns.push_back({names[i], unit, meaning,
+                       [values, i](const Row& row) { return std::invoke(values, row)[i]; }});
+  }
+  return columns;
+}
+
+template <class Row>
+TableColumns<Row> joined(std::initializer_list<TableColumns<Row>> parts) {
+  TableColumns<Row> all;
+  for (const TableColumns<Row>& part : parts) all.insert(all.end(), part.begin(), part.end());
+  return all;
+}
+
+template <class Row>
+std::string csv_header(const TableColumns<Row>& columns) {
+  std::string header;
+  for (const TableColumn<Row>& column : columns) {
+    header += (header.empty() ? "" : ",") + column.name;
+  }
+  return header;
+}
+
+template <class Row>
+void append_row(CsvText& csv, const TableColumns<Row>& columns, const Row& row) {
+  for (const TableColumn<Row>& column : columns) {
+    const TableCell cell = column.value(row);
+    if (const auto* count = std::get_if<std::uint64_t>(&cell)) csv.count(*count);
+    if (const auto* number = std::get_if<double>(&cell)) csv.cell(*number);
+    if (const auto* text = std::get_if<std::string>(&cell)) csv.cell(*text);
+  }
+  csv.end_row();
+}
+
+/// The whole table, as `CsvText` writes it.
+template <class Row>
+std::string csv_of(const TableColumns<Row>& columns, const std::vector<Row>& rows) {
+  CsvText csv;
+  csv.header(csv_header(columns));
+  for (const Row& row : rows) append_row(csv, columns, row);
+  return csv.take();
+}
+
+}  // namespace clast

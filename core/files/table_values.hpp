@@ -1,0 +1,66 @@
+#pragma once
+/// Tables as columns of plain values, for programs that have arrays where others read CSV.
+#include <cstdint>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "core/files/table.hpp"
+
+namespace clast {
+
+/// One column with the value of every row. Numbers are doubles where any of them is, not a number
+/// where nothing is known.
+struct ColumnValues {
+  std::string name;     ///< with its unit: "speed_m_s"
+  std::string unit;     ///< "m/s"; empty for what has none
+  std::string meaning;  ///< Markdown
+  std::variant<std::vector<std::uint64_t>, std::vector<double>, std::vector<std::string>> values;
+};
+
+using TableValues = std::vector<ColumnValues>;
+
+namespace core_detail {
+
+/// The cells of one column in the narrowest type that holds them all; of a table without rows,
+/// doubles.
+inline auto column_values(const std::vector<TableCell>& cells) {
+  decltype(ColumnValues::values) values = std::vector<double>();
+  const auto any = [&]<class T>(T) {
+    for (const TableCell& cell : cells) {
+      if (std::holds_alternative<T>(cell)) return true;
+    }
+    return false;
+  };
+  if (any(std::string())) {
+    std::vector<std::string>& texts = values.emplace<std::vector<std::string>>();
+    for (const TableCell& cell : cells) texts.push_back(std::get<std::string>(cell));
+  } else if (cells.empty() || any(0.0)) {
+    std::vector<double>& numbers = std::get<std::vector<double>>(values);
+    for (const TableCell& cell : cells) {
+      const auto* count = std::get_if<std::uint64_t>(&cell);
+      numbers.push_back(count ? static_cast<double>(*count) : std::get<double>(cell));
+    }
+  } else {
+    std::vector<std::uint64_t>& counts = values.emplace<std::vector<std::uint64_t>>();
+    for (const TableCell& cell : cells) counts.push_back(std::get<std::uint64_t>(cell));
+  }
+  return values;
+}
+
+}  // namespace core_detail
+
+/// The whole table.
+template <class Row>
+TableValues values_of(const TableColumns<Row>& columns, const std::vector<Row>& rows) {
+  TableValues table;
+  for (const TableColumn<Row>& column : columns) {
+    std::vector<TableCell> cells;
+    cells.reserve(rows.size());
+    for (const Row& row : rows) cells.push_back(column.value(row));
+    table.push_back({column.name, column.unit, column.meaning, core_detail::column_values(cells)});
+  }
+  return table;
+}
+
+}  // namespace clast

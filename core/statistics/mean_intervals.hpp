@@ -1,0 +1,35 @@
+#pragma once
+/// Means of independent values, and the difference of two, with intervals of Student's t.
+#include <cmath>
+#include <optional>
+
+#include "core/statistics/statistics.hpp"
+
+namespace clast {
+
+/// A standard deviation up to this share of the mean is rounding, and the values are equal.
+inline constexpr double kRoundingShare = 1e-9;
+
+/// 95 % interval of the mean: t s/sqrt(n) to either side, with n - 1 degrees of freedom.
+/// @return none below two values, or where they are equal, which does not show how they scatter
+/// @param possible  that no mean can lie outside of, as 0 to 1 of a share; the interval is cut
+/// there
+/// @cite student1908
+std::optional<Interval> mean_interval(const Summary& values,
+                                      const Interval& possible = {-INFINITY, INFINITY});
+
+/// The mean of one group less that of another.
+struct MeanDifference {
+  double difference = 0.0;
+  double standard_error = 0.0;
+  double freedom = 1.0;  ///< degrees of freedom of the standard error
+  Interval interval;     ///< 95 %
+  double p_value = 1.0;  ///< of no difference, two-sided
+};
+
+/// Welch's t: each group has a spread of its own, the degrees of freedom are Satterthwaite's.
+/// @return none below two values of either, or where those of each are equal
+/// @cite welch1947 @cite satterthwaite1946
+std::optional<MeanDifference> welch_difference(const Summary& first, const Summary& second);
+
+}  // namespace clast
