@@ -12,9 +12,9 @@
 #include "report/json/calibration_json.hpp"
 #include "report/json/key_schema.hpp"
 #include "report/text/calibration_text.hpp"
-#include "study/calibration/study_check.hpp"
-#include "study/calibration/study_keys.hpp"
-#include "study/results_place.hpp"
+#include "study/calibrate/study_check.hpp"
+#include "study/calibrate/study_keys.hpp"
+#include "study/simulate/results_place.hpp"
 
 namespace clast::python_detail {
 

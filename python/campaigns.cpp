@@ -16,13 +16,13 @@
 #include "report/json/campaign_json.hpp"
 #include "report/json/key_schema.hpp"
 #include "report/maps/plan_map.hpp"
-#include "study/campaign_check.hpp"
-#include "study/campaign_keys.hpp"
-#include "study/engine_results.hpp"
-#include "study/engine_scene.hpp"
-#include "study/new_campaign.hpp"
-#include "study/outcome.hpp"
-#include "study/results_place.hpp"
+#include "study/campaign/campaign_keys.hpp"
+#include "study/compare/outcome.hpp"
+#include "study/engines/engine_results.hpp"
+#include "study/engines/engine_scene.hpp"
+#include "study/proposal/new_campaign.hpp"
+#include "study/simulate/campaign_check.hpp"
+#include "study/simulate/results_place.hpp"
 
 namespace clast::python_detail {
 

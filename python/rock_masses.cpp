@@ -10,7 +10,7 @@
 #include "python/bindings.hpp"
 #include "python/options.hpp"
 #include "python/watched_call.hpp"
-#include "study/released_blocks.hpp"
+#include "study/campaign/released_blocks.hpp"
 
 namespace clast::python_detail {
 

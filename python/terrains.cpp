@@ -13,7 +13,7 @@
 #include "python/bindings.hpp"
 #include "python/options.hpp"
 #include "python/watched_call.hpp"
-#include "study/release_points.hpp"
+#include "study/campaign/release_points.hpp"
 #include "terrain/hillshade.hpp"
 #include "terrain/terrain_file.hpp"
 #include "terrain/terrain_fit.hpp"

@@ -5,7 +5,7 @@
 #include <nlohmann/json_fwd.hpp>
 
 #include "core/files/table_values.hpp"
-#include "study/key_table.hpp"
+#include "study/campaign/key_table.hpp"
 
 namespace clast::python_detail {
 

@@ -14,8 +14,8 @@
 #include "python/bindings.hpp"
 #include "python/options.hpp"
 #include "python/watched_call.hpp"
-#include "study/campaign_runner.hpp"
-#include "study/ground_fields.hpp"
+#include "study/campaign/ground_fields.hpp"
+#include "study/simulate/campaign_runner.hpp"
 
 namespace clast::python_detail {
 

@@ -2,7 +2,7 @@
 /// A calibration and the page beside its posterior.
 #include <filesystem>
 
-#include "study/calibration/calibrate.hpp"
+#include "study/calibrate/calibrate.hpp"
 
 namespace clast {
 

@@ -16,7 +16,7 @@
 #include "report/tables/comparison_provenance.hpp"
 #include "report/tables/group_tables.hpp"
 #include "report/tables/run_tables.hpp"
-#include "study/path_rasters.hpp"
+#include "study/compare/path_rasters.hpp"
 
 namespace clast {
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/files/output_folder.hpp"
-#include "study/comparison.hpp"
+#include "study/compare/comparison.hpp"
 
 namespace clast {
 

@@ -20,7 +20,7 @@
 #include "report/calibration_report.hpp"
 #include "report/json/calibration_json.hpp"
 #include "report/text/calibration_text.hpp"
-#include "study/results_place.hpp"
+#include "study/simulate/results_place.hpp"
 
 namespace clast {
 

@@ -10,10 +10,10 @@
 #include "core/number_text.hpp"
 #include "core/printable.hpp"
 #include "core/text_table.hpp"
-#include "study/block_stiffness.hpp"
-#include "study/comparison.hpp"
-#include "study/memory_need.hpp"
-#include "study/outcome.hpp"
+#include "study/compare/comparison.hpp"
+#include "study/compare/outcome.hpp"
+#include "study/results/block_stiffness.hpp"
+#include "study/simulate/memory_need.hpp"
 
 namespace clast {
 

@@ -1,7 +1,7 @@
 #pragma once
 /// What `clast simulate` says about a campaign before its runs, and about their results.
-#include "study/campaign_runner.hpp"
-#include "study/results.hpp"
+#include "study/results/results.hpp"
+#include "study/simulate/campaign_runner.hpp"
 
 namespace clast {
 

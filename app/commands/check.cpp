@@ -14,8 +14,8 @@
 #include "report/json/campaign_json.hpp"
 #include "report/json/key_schema.hpp"
 #include "report/text/calibration_text.hpp"
-#include "study/calibration/study_check.hpp"
-#include "study/campaign_check.hpp"
+#include "study/calibrate/study_check.hpp"
+#include "study/simulate/campaign_check.hpp"
 
 namespace clast {
 

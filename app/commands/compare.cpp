@@ -18,7 +18,7 @@
 #include "report/text/effects_text.hpp"
 #include "report/text/measured_text.hpp"
 #include "report/text/trends_text.hpp"
-#include "study/comparison.hpp"
+#include "study/compare/comparison.hpp"
 
 namespace clast {
 

@@ -27,7 +27,7 @@
 #include "library/library_update.hpp"
 #include "library/mass_file.hpp"
 #include "mesh/mesh_io.hpp"
-#include "study/released_blocks.hpp"
+#include "study/campaign/released_blocks.hpp"
 #include "terrain/terrain_ranges.hpp"
 
 namespace clast {

@@ -11,7 +11,7 @@
 #include "core/number_text.hpp"
 #include "core/printable.hpp"
 #include "report/json/campaign_json.hpp"
-#include "study/engine_results.hpp"
+#include "study/engines/engine_results.hpp"
 
 namespace clast {
 

@@ -11,7 +11,7 @@
 #include "core/printable.hpp"
 #include "core/shell_words.hpp"
 #include "core/text_table.hpp"
-#include "study/new_campaign.hpp"
+#include "study/proposal/new_campaign.hpp"
 
 namespace clast {
 

@@ -6,7 +6,7 @@
 #include "app/option_flags.hpp"
 #include "core/number_text.hpp"
 #include "core/printable.hpp"
-#include "study/engine_scene.hpp"
+#include "study/engines/engine_scene.hpp"
 
 namespace clast {
 

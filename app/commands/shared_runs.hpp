@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "study/campaign_runner.hpp"
+#include "study/simulate/campaign_runner.hpp"
 
 namespace clast {
 

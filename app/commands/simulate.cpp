@@ -24,9 +24,9 @@
 #include "report/json/campaign_json.hpp"
 #include "report/maps/plan_map.hpp"
 #include "report/text/trends_text.hpp"
-#include "study/campaign_runner.hpp"
-#include "study/outcome.hpp"
-#include "study/results_place.hpp"
+#include "study/compare/outcome.hpp"
+#include "study/simulate/campaign_runner.hpp"
+#include "study/simulate/results_place.hpp"
 
 namespace clast {
 

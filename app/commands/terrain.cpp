@@ -21,7 +21,7 @@
 #include "library/block_ranges.hpp"
 #include "mesh/mesh_io.hpp"
 #include "mesh/reference_system.hpp"
-#include "study/release_points.hpp"
+#include "study/campaign/release_points.hpp"
 #include "terrain/hillshade.hpp"
 #include "terrain/terrain_file.hpp"
 #include "terrain/terrain_fit.hpp"

@@ -5,7 +5,7 @@
 #include "core/error.hpp"
 #include "pipeline/scan_batch.hpp"
 #include "report/comparison_report.hpp"
-#include "study/campaign_runner.hpp"
+#include "study/simulate/campaign_runner.hpp"
 
 int main(int argc, char** argv) {
   if (argc != 4) return 2;

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "classify/form.hpp"
-#include "study/comparison.hpp"
+#include "study/compare/comparison.hpp"
 
 namespace clast::report_detail {
 

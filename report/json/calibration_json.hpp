@@ -2,7 +2,7 @@
 /// A calibration, and what it is asked, as JSON.
 #include <nlohmann/json.hpp>
 
-#include "study/calibration/calibrate.hpp"
+#include "study/calibrate/calibrate.hpp"
 
 namespace clast {
 

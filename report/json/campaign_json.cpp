@@ -1,8 +1,8 @@
 #include "report/json/campaign_json.hpp"
 
-#include "study/block_stiffness.hpp"
-#include "study/memory_need.hpp"
-#include "study/outcome.hpp"
+#include "study/compare/outcome.hpp"
+#include "study/results/block_stiffness.hpp"
+#include "study/simulate/memory_need.hpp"
 
 namespace clast {
 

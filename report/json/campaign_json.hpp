@@ -3,8 +3,8 @@
 /// --json`).
 #include <nlohmann/json.hpp>
 
-#include "study/campaign_runner.hpp"
-#include "study/results.hpp"
+#include "study/results/results.hpp"
+#include "study/simulate/campaign_runner.hpp"
 
 namespace clast {
 

@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "core/version.hpp"
-#include "study/calibration/study_keys.hpp"
-#include "study/campaign_keys.hpp"
+#include "study/calibrate/study_keys.hpp"
+#include "study/campaign/campaign_keys.hpp"
 
 namespace clast {
 namespace {

@@ -13,7 +13,7 @@
 #include "report/maps/detail/style_table.hpp"
 #include "report/maps/qgis_styles.hpp"
 #include "report/tables/comparison_columns.hpp"
-#include "study/path_samples.hpp"
+#include "study/compare/path_samples.hpp"
 
 namespace clast {
 

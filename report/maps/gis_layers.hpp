@@ -2,7 +2,7 @@
 /// Map layers for QGIS and its like.
 #include <filesystem>
 
-#include "study/comparison.hpp"
+#include "study/compare/comparison.hpp"
 
 namespace clast {
 

@@ -4,7 +4,7 @@
 
 #include "report/maps/map_marks.hpp"
 #include "report/maps/release_places.hpp"
-#include "study/comparison.hpp"
+#include "study/compare/comparison.hpp"
 
 namespace clast::report_detail {
 

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "core/files/png.hpp"
-#include "study/comparison.hpp"
-#include "study/map_rasters.hpp"
+#include "study/compare/comparison.hpp"
+#include "study/compare/map_rasters.hpp"
 
 namespace clast::report_detail {
 

@@ -5,7 +5,7 @@
 
 #include "core/files/png.hpp"
 #include "core/nice_number.hpp"
-#include "study/barrier_line.hpp"
+#include "study/campaign/barrier_line.hpp"
 
 namespace clast::report_detail {
 namespace {

@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <string>
 
-#include "study/comparison.hpp"
+#include "study/compare/comparison.hpp"
 #include "terrain/relief.hpp"
 
 namespace clast::report_detail {

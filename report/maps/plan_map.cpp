@@ -2,8 +2,8 @@
 
 #include "report/html/html_page.hpp"
 #include "report/maps/svg_map.hpp"
-#include "study/barrier_line.hpp"
-#include "study/comparison.hpp"
+#include "study/campaign/barrier_line.hpp"
+#include "study/compare/comparison.hpp"
 
 namespace clast {
 

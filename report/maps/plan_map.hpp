@@ -2,7 +2,7 @@
 /// The map of a campaign before it runs.
 #include <string>
 
-#include "study/results.hpp"
+#include "study/results/results.hpp"
 
 namespace clast {
 

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "report/maps/map_style.hpp"
-#include "study/comparison.hpp"
+#include "study/compare/comparison.hpp"
 
 namespace clast::report_detail {
 

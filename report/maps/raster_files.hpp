@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "study/map_rasters.hpp"
+#include "study/compare/map_rasters.hpp"
 
 namespace clast::report_detail {
 

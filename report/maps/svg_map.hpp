@@ -2,7 +2,7 @@
 /// The map of a plan: relief, zones, release points and barriers in map coordinates.
 #include <string>
 
-#include "study/comparison.hpp"
+#include "study/compare/comparison.hpp"
 
 namespace clast::report_detail {
 

@@ -7,7 +7,7 @@
 #include "report/html/html_page.hpp"
 #include "report/pages/passage_charts.hpp"
 #include "report/pages/report_groups.hpp"
-#include "study/ground_draws.hpp"
+#include "study/compare/ground_draws.hpp"
 
 namespace clast::report_detail {
 namespace {

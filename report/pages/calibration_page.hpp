@@ -2,7 +2,7 @@
 /// A calibration as one self-contained HTML page.
 #include <string>
 
-#include "study/calibration/calibrate.hpp"
+#include "study/calibrate/calibrate.hpp"
 
 namespace clast {
 

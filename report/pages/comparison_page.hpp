@@ -2,9 +2,9 @@
 /// The comparison as one self-contained HTML page: no script or picture from elsewhere.
 #include <string>
 
-#include "study/map_rasters.hpp"
-#include "study/profiles.hpp"
-#include "study/realisation_deposits.hpp"
+#include "study/compare/map_rasters.hpp"
+#include "study/compare/profiles.hpp"
+#include "study/compare/realisation_deposits.hpp"
 
 namespace clast::report_detail {
 

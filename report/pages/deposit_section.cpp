@@ -6,8 +6,8 @@
 #include "report/pages/report_sections.hpp"
 #include "report/text/capital.hpp"
 #include "report/text/subject_words.hpp"
-#include "study/mass_mobility.hpp"
-#include "study/realisation_figures.hpp"
+#include "study/compare/mass_mobility.hpp"
+#include "study/compare/realisation_figures.hpp"
 
 namespace clast::report_detail {
 namespace {

@@ -9,7 +9,7 @@
 #include "report/pages/report_sections.hpp"
 #include "report/text/plain_numbers.hpp"
 #include "report/text/subject_words.hpp"
-#include "study/realisation_energies.hpp"
+#include "study/compare/realisation_energies.hpp"
 
 namespace clast::report_detail {
 namespace {

@@ -6,8 +6,8 @@
 #include "report/pages/report_groups.hpp"
 #include "report/pages/report_sections.hpp"
 #include "report/text/capital.hpp"
-#include "study/ensemble_effects.hpp"
-#include "study/ground_fields.hpp"
+#include "study/campaign/ground_fields.hpp"
+#include "study/compare/ensemble_effects.hpp"
 
 namespace clast::report_detail {
 namespace {

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "study/barrier_passages.hpp"
+#include "study/compare/barrier_passages.hpp"
 
 namespace clast::report_detail {
 

@@ -7,10 +7,10 @@
 #include "core/version.hpp"
 #include "mesh/reference_system.hpp"
 #include "report/html/html_page.hpp"
-#include "study/block_scale.hpp"
-#include "study/block_stiffness.hpp"
-#include "study/ensemble_effects.hpp"
-#include "study/ground_fields.hpp"
+#include "study/campaign/ground_fields.hpp"
+#include "study/compare/ensemble_effects.hpp"
+#include "study/results/block_scale.hpp"
+#include "study/results/block_stiffness.hpp"
 
 namespace clast::report_detail {
 namespace {

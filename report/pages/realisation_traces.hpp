@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "report/charts/plotly_chart.hpp"
-#include "study/realisation_curve.hpp"
+#include "study/compare/realisation_curve.hpp"
 
 namespace clast::report_detail {
 

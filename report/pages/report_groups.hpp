@@ -8,7 +8,7 @@
 
 #include "report/charts/palette.hpp"
 #include "report/charts/series.hpp"
-#include "study/comparison.hpp"
+#include "study/compare/comparison.hpp"
 
 namespace clast::report_detail {
 

@@ -2,10 +2,10 @@
 /// The sections of the HTML report, in the order they are read.
 #include <string>
 
-#include "study/answer.hpp"
-#include "study/comparison.hpp"
-#include "study/profiles.hpp"
-#include "study/realisation_deposits.hpp"
+#include "study/compare/answer.hpp"
+#include "study/compare/comparison.hpp"
+#include "study/compare/profiles.hpp"
+#include "study/compare/realisation_deposits.hpp"
 
 namespace clast::report_detail {
 

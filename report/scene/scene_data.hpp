@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <string>
 
-#include "study/comparison.hpp"
+#include "study/compare/comparison.hpp"
 
 namespace clast::report_detail {
 

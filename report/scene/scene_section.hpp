@@ -3,7 +3,7 @@
 #include <string>
 
 #include "report/scene/scene_data.hpp"
-#include "study/comparison.hpp"
+#include "study/compare/comparison.hpp"
 
 namespace clast::report_detail {
 

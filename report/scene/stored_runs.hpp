@@ -3,8 +3,8 @@
 #include <optional>
 #include <vector>
 
-#include "study/comparison.hpp"
-#include "study/results.hpp"
+#include "study/compare/comparison.hpp"
+#include "study/results/results.hpp"
 
 namespace clast::report_detail {
 

@@ -10,7 +10,7 @@
 #include "core/files/text_file.hpp"
 #include "core/number_text.hpp"
 #include "mesh/mesh_io.hpp"
-#include "study/path_samples.hpp"
+#include "study/compare/path_samples.hpp"
 
 namespace clast {
 namespace {

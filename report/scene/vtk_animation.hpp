@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <vector>
 
-#include "study/comparison.hpp"
+#include "study/compare/comparison.hpp"
 
 namespace clast {
 

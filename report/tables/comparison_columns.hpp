@@ -4,15 +4,15 @@
 #include <vector>
 
 #include "report/charts/form_responses.hpp"
-#include "study/barrier_passages.hpp"
-#include "study/design_effects.hpp"
-#include "study/ensemble_effects.hpp"
-#include "study/mass_mobility.hpp"
-#include "study/profiles.hpp"
-#include "study/realisation_deposits.hpp"
-#include "study/realisation_figures.hpp"
-#include "study/run_columns.hpp"
-#include "study/shape_trends.hpp"
+#include "study/compare/barrier_passages.hpp"
+#include "study/compare/design_effects.hpp"
+#include "study/compare/ensemble_effects.hpp"
+#include "study/compare/mass_mobility.hpp"
+#include "study/compare/profiles.hpp"
+#include "study/compare/realisation_deposits.hpp"
+#include "study/compare/realisation_figures.hpp"
+#include "study/compare/run_columns.hpp"
+#include "study/compare/shape_trends.hpp"
 
 namespace clast::report_detail {
 

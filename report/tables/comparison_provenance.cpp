@@ -4,7 +4,7 @@
 
 #include "core/version.hpp"
 #include "report/text/answer_text.hpp"
-#include "study/block_stiffness.hpp"
+#include "study/results/block_stiffness.hpp"
 
 namespace clast {
 namespace {

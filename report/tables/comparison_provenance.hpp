@@ -2,7 +2,7 @@
 /// Where the figures of a comparison come from.
 #include <string>
 
-#include "study/comparison.hpp"
+#include "study/compare/comparison.hpp"
 
 namespace clast {
 

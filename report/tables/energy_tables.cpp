@@ -1,7 +1,7 @@
 // The table of where the energy of blocks that stay goes.
 #include "report/tables/comparison_columns.hpp"
 #include "report/tables/group_tables.hpp"
-#include "study/stored_columns.hpp"
+#include "study/results/stored_columns.hpp"
 
 namespace clast {
 

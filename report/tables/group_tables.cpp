@@ -4,7 +4,7 @@
 
 #include "core/angle.hpp"
 #include "report/tables/comparison_columns.hpp"
-#include "study/ground_fields.hpp"
+#include "study/campaign/ground_fields.hpp"
 
 namespace clast {
 

@@ -3,10 +3,10 @@
 #include <string>
 #include <vector>
 
-#include "study/comparison.hpp"
-#include "study/profiles.hpp"
-#include "study/realisation_deposits.hpp"
-#include "study/realisation_figures.hpp"
+#include "study/compare/comparison.hpp"
+#include "study/compare/profiles.hpp"
+#include "study/compare/realisation_deposits.hpp"
+#include "study/compare/realisation_figures.hpp"
 
 namespace clast {
 

@@ -1,7 +1,7 @@
 #include "report/tables/run_tables.hpp"
 
 #include "report/tables/comparison_columns.hpp"
-#include "study/stored_columns.hpp"
+#include "study/results/stored_columns.hpp"
 
 namespace clast {
 

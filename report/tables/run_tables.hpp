@@ -3,7 +3,7 @@
 /// docs/formats.md. Rows are in order of file, run and time.
 #include <string>
 
-#include "study/comparison.hpp"
+#include "study/compare/comparison.hpp"
 
 namespace clast {
 

@@ -6,7 +6,7 @@
 
 #include "core/files/table_values.hpp"
 #include "report/reported_population.hpp"
-#include "study/comparison.hpp"
+#include "study/compare/comparison.hpp"
 
 namespace clast {
 

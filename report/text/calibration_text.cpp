@@ -7,7 +7,7 @@
 #include "core/number_text.hpp"
 #include "core/text_table.hpp"
 #include "report/text/capital.hpp"
-#include "study/ground_fields.hpp"
+#include "study/campaign/ground_fields.hpp"
 
 namespace clast {
 

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "study/calibration/calibrate.hpp"
+#include "study/calibrate/calibrate.hpp"
 
 namespace clast {
 

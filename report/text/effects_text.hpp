@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "study/design_effects.hpp"
+#include "study/compare/design_effects.hpp"
 
 namespace clast {
 

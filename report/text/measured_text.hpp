@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "study/comparison.hpp"
+#include "study/compare/comparison.hpp"
 
 namespace clast {
 

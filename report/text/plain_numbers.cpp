@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "core/number_text.hpp"
-#include "study/ground_draws.hpp"
+#include "study/compare/ground_draws.hpp"
 
 namespace clast::report_detail {
 namespace {

@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <string>
 
-#include "study/comparison.hpp"
+#include "study/compare/comparison.hpp"
 
 namespace clast::report_detail {
 

@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "study/planned_power.hpp"
-#include "study/shape_trends.hpp"
+#include "study/campaign/planned_power.hpp"
+#include "study/compare/shape_trends.hpp"
 
 namespace clast {
 

@@ -9,7 +9,7 @@
 
 #include "core/files/text_file.hpp"
 #include "library/block_library.hpp"
-#include "study/results.hpp"
+#include "study/results/results.hpp"
 #include "tests/study/csv_reader.hpp"
 #include "tests/study/results_equal.hpp"
 #include "tests/support/reference_data.hpp"

@@ -9,7 +9,7 @@
 #include <sstream>
 #include <thread>
 
-#include "study/results.hpp"
+#include "study/results/results.hpp"
 #include "tests/app/mpi_run.hpp"
 #include "tests/support/reference_data.hpp"
 #include "tests/support/run_program.hpp"

@@ -1,7 +1,7 @@
 #include <nlohmann/json.hpp>
 
 #include "dem/physics_digest.hpp"
-#include "study/calibration/posterior_file.hpp"
+#include "study/calibrate/posterior_file.hpp"
 #include "tests/app/mpi_run.hpp"
 #include "tests/app/slope_campaign.hpp"
 

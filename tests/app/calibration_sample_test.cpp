@@ -6,8 +6,8 @@
 #include <cstdlib>
 
 #include "core/statistics/statistics.hpp"
-#include "study/calibration/calibration_study.hpp"
-#include "study/calibration/posterior_draws.hpp"
+#include "study/calibrate/calibration_study.hpp"
+#include "study/campaign/posterior_draws.hpp"
 #include "tests/study/campaign_run.hpp"
 #include "tests/support/run_program.hpp"
 

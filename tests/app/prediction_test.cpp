@@ -8,7 +8,7 @@
 
 #include "core/files/text_file.hpp"
 #include "library/block_library.hpp"
-#include "study/calibration/posterior_file.hpp"
+#include "study/calibrate/posterior_file.hpp"
 #include "tests/study/csv_reader.hpp"
 #include "tests/support/reference_data.hpp"
 #include "tests/support/run_program.hpp"

@@ -2,7 +2,7 @@
 /// A campaign of two blocks on a slope of two zones, in a folder of its own.
 #include "library/block_library.hpp"
 #include "library/make_block.hpp"
-#include "study/campaign_runner.hpp"
+#include "study/simulate/campaign_runner.hpp"
 #include "tests/app/command_support.hpp"
 #include "tests/library/block_samples.hpp"
 #include "tests/library/core_library.hpp"

@@ -95,7 +95,7 @@ const std::set<std::string> kOrdersEnds = {
     "dem/detail/contact_pairs.hpp",         // bodies
     "classify/surface_indices.cpp",         // the same
     "reconstruct/photos/stereo_pairs.cpp",  // photographs
-    "study/barrier_line.cpp",               // corners of a polyline
+    "study/campaign/barrier_line.cpp",      // corners of a polyline
 };
 
 TEST(DefinitionRules, EdgesAreFoundInOnePlace) {

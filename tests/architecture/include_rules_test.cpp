@@ -56,14 +56,15 @@ TEST(IncludeRules, IncludeAgainstAnArrowIsFoundWithItsLine) {
 }
 
 TEST(IncludeRules, ArrowsReachWhatFollows) {
-  EXPECT_TRUE(include_findings(source_file("study/a.cpp", "#include \"core/pose.hpp\"\n")).empty());
+  EXPECT_TRUE(
+      include_findings(source_file("study/results/a.cpp", "#include \"core/pose.hpp\"\n")).empty());
   EXPECT_TRUE(include_findings(source_file("terrain/a.cpp", "#include \"dem/a.hpp\"\n")).empty());
 }
 
 TEST(IncludeRules, SiblingsDoNotKnowEachOther) {
   for (const std::string text :
        {"#include \"reconstruct/scan.hpp\"\n", "# include  <reconstruct/scan.hpp>  // why\n"}) {
-    EXPECT_EQ(include_findings(source_file("study/a.cpp", text)).size(), 1u) << text;
+    EXPECT_EQ(include_findings(source_file("study/results/a.cpp", text)).size(), 1u) << text;
   }
   EXPECT_EQ(include_findings(source_file("dem/a.hpp", "#include \"classify/a.hpp\"\n")).size(), 1u);
   EXPECT_EQ(include_findings(source_file("library/a.cpp", "#include \"dem/a.hpp\"\n")).size(), 1u);
@@ -86,7 +87,7 @@ TEST(IncludeRules, AnInnerLibraryIsBuiltOnItsFoldersAndNotTheOtherWayRound) {
   EXPECT_TRUE(link_findings(source_file("report/scans/CMakeLists.txt",
                                         "clast_library(scan_report PUBLIC clast::photos)\n"))
                   .empty());
-  EXPECT_TRUE(link_findings(source_file("app/CMakeLists.txt", "LINK clast::study clast::photos\n"))
+  EXPECT_TRUE(link_findings(source_file("app/CMakeLists.txt", "LINK clast::compare clast::photos\n"))
                   .empty());
   EXPECT_EQ(link_findings(source_file("dem/CMakeLists.txt", "PUBLIC clast::photos\n")).size(), 1u);
 }
@@ -116,7 +117,7 @@ TEST_P(HeavyHeader, InPublicHeaderIsFound) {
   // Some folder may use each of them, but none in a public header.
   for (const std::string folder :
        {"core", "core/files", "mesh", "shapes", "reconstruct", "massprops", "classify", "dem",
-        "terrain", "library", "study", "pipeline", "report"}) {
+        "terrain", "library", "study/results", "pipeline", "report"}) {
     EXPECT_FALSE(package_findings(source_file(folder + "/a.hpp", text)).empty()) << folder;
   }
 }
@@ -135,10 +136,10 @@ TEST(IncludeRules, JsonIsInPublicHeadersAboutItOnly) {
 }
 
 TEST(IncludeRules, PackagesAreOnlyForTheirFolders) {
-  const SourceFile hdf5_in_study = source_file("study/results.cpp", "#include <hdf5.h>\n");
+  const SourceFile hdf5_in_study = source_file("study/results/results.cpp", "#include <hdf5.h>\n");
   ASSERT_EQ(package_findings(hdf5_in_study).size(), 1u);
   EXPECT_EQ(package_findings(hdf5_in_study)[0],
-            "study/results.cpp:1: HDF5 is not for study, only for core/files");
+            "study/results/results.cpp:1: HDF5 is not for study/results, only for core/files");
   EXPECT_TRUE(
       package_findings(source_file("core/files/hdf5_file.cpp", "#include <hdf5.h>\n")).empty());
   EXPECT_TRUE(
@@ -148,7 +149,7 @@ TEST(IncludeRules, PackagesAreOnlyForTheirFolders) {
 
 TEST(IncludeRules, DemOpensNoFileAndPrintsNothing) {
   EXPECT_EQ(package_findings(source_file("dem/a.cpp", "#include <fstream>\n")).size(), 1u);
-  EXPECT_TRUE(package_findings(source_file("study/a.cpp", "#include <fstream>\n")).empty());
+  EXPECT_TRUE(package_findings(source_file("study/results/a.cpp", "#include <fstream>\n")).empty());
 }
 
 TEST(IncludeRules, LinkAgainstAnArrowIsFound) {

@@ -44,7 +44,8 @@ bool speaks_of_another_program(const SourceFile& file) {
 }
 
 bool declares_columns(const SourceFile& file) {
-  return file.path == "study/run_columns.cpp" || file.path == "study/detail/results_layout.hpp" ||
+  return file.path == "study/compare/run_columns.cpp" ||
+         file.path == "study/results/detail/results_layout.hpp" ||
          file.path.starts_with("report/tables/");
 }
 

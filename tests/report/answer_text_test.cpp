@@ -12,7 +12,7 @@
 #include "core/number_text.hpp"
 #include "report/pages/report_sections.hpp"
 #include "report/text/plain_numbers.hpp"
-#include "study/block_scale.hpp"
+#include "study/results/block_scale.hpp"
 #include "tests/study/made_up_runs.hpp"
 #include "tests/support/markup.hpp"
 #include "tests/support/refusal.hpp"

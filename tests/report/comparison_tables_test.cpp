@@ -12,7 +12,7 @@
 #include "report/tables/comparison_provenance.hpp"
 #include "report/tables/group_tables.hpp"
 #include "report/tables/run_tables.hpp"
-#include "study/comparison.hpp"
+#include "study/compare/comparison.hpp"
 #include "tests/study/csv_reader.hpp"
 #include "tests/study/hand_made_results.hpp"
 #include "tests/support/refusal.hpp"

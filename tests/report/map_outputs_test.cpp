@@ -12,7 +12,7 @@
 #include "report/maps/gis_layers.hpp"
 #include "report/maps/raster_files.hpp"
 #include "report/scene/vtk_animation.hpp"
-#include "study/path_rasters.hpp"
+#include "study/compare/path_rasters.hpp"
 #include "tests/study/thrown_runs.hpp"
 #include "tests/support/scratch_folder.hpp"
 

@@ -15,7 +15,7 @@
 #include "report/pages/comparison_page.hpp"
 #include "report/pages/report_sections.hpp"
 #include "report/text/answer_text.hpp"
-#include "study/path_rasters.hpp"
+#include "study/compare/path_rasters.hpp"
 #include "terrain/relief.hpp"
 #include "tests/study/hand_made_results.hpp"
 #include "tests/study/made_up_runs.hpp"

@@ -6,7 +6,7 @@
 #include "core/number_text.hpp"
 #include "report/charts/plotly_chart.hpp"
 #include "report/pages/report_sections.hpp"
-#include "study/mass_mobility.hpp"
+#include "study/compare/mass_mobility.hpp"
 #include "tests/study/energies_that_are_lost.hpp"
 #include "tests/support/markup.hpp"
 #include "tests/support/refusal.hpp"

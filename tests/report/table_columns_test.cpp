@@ -3,7 +3,7 @@
 #include "core/files/text_file.hpp"
 #include "report/tables/comparison_columns.hpp"
 #include "report/tables/population_columns.hpp"
-#include "study/detail/results_layout.hpp"
+#include "study/results/detail/results_layout.hpp"
 
 namespace clast {
 

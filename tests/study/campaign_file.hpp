@@ -6,7 +6,7 @@
 
 #include "core/error.hpp"
 #include "core/files/text_file.hpp"
-#include "study/campaign.hpp"
+#include "study/campaign/campaign.hpp"
 #include "tests/support/scratch_folder.hpp"
 
 namespace clast {

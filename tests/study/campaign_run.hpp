@@ -9,7 +9,7 @@
 #include "core/error.hpp"
 #include "core/files/text_file.hpp"
 #include "library/make_block.hpp"
-#include "study/campaign_runner.hpp"
+#include "study/simulate/campaign_runner.hpp"
 #include "tests/support/refusal.hpp"
 #include "tests/support/scratch_folder.hpp"
 

@@ -2,8 +2,8 @@
 /// A small campaign written by hand: two blocks of different class on a slope with two zones.
 #include <string>
 
-#include "study/comparison.hpp"
-#include "study/results.hpp"
+#include "study/compare/comparison.hpp"
+#include "study/results/results.hpp"
 #include "tests/shapes/shape_samples.hpp"
 
 namespace clast {

@@ -2,7 +2,7 @@
 /// Bit-for-bit comparison of what results files hold.
 #include <gtest/gtest.h>
 
-#include "study/results.hpp"
+#include "study/results/results.hpp"
 
 namespace clast {
 

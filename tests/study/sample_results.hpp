@@ -6,8 +6,8 @@
 
 #include "core/random.hpp"
 #include "core/version.hpp"
-#include "study/detail/results_journal.hpp"
-#include "study/results.hpp"
+#include "study/results/results.hpp"
+#include "study/results/results_journal.hpp"
 #include "tests/library/block_samples.hpp"
 #include "tests/study/results_equal.hpp"
 

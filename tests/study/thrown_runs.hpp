@@ -1,6 +1,6 @@
 #pragma once
 /// Results with trajectories that are known in closed form.
-#include "study/results.hpp"
+#include "study/results/results.hpp"
 #include "tests/library/block_samples.hpp"
 #include "tests/study/hand_made_results.hpp"
 #include "tests/support/gravity.hpp"

@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "study/comparison.hpp"
-#include "study/map_rasters.hpp"
+#include "study/compare/comparison.hpp"
+#include "study/compare/map_rasters.hpp"
 
 namespace clast::report_detail {
 

@@ -2,7 +2,7 @@
 /// What the map of a page draws over the relief, as traces of plotly.js.
 #include <nlohmann/json.hpp>
 
-#include "study/comparison.hpp"
+#include "study/compare/comparison.hpp"
 #include "terrain/relief.hpp"
 
 namespace clast::report_detail {

@@ -1,5 +1,5 @@
 #include "library/block_library.hpp"
-#include "study/results.hpp"
+#include "study/results/results.hpp"
 #include "terrain/terrain_file.hpp"
 #include "tests/app/fuzz/readers.hpp"
 #include "tests/library/core_library.hpp"

@@ -1,8 +1,8 @@
 #include "classify/dimension_table.hpp"
 #include "pipeline/board_file.hpp"
-#include "study/campaign.hpp"
-#include "study/measured_stops.hpp"
-#include "study/release_points.hpp"
+#include "study/campaign/campaign.hpp"
+#include "study/campaign/release_points.hpp"
+#include "study/compare/measured_stops.hpp"
 #include "tests/app/fuzz/readers.hpp"
 #include "tests/study/campaign_file.hpp"
 

@@ -1,0 +1,180 @@
+#include "study/calibrate/observation.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <set>
+
+#include "core/error.hpp"
+#include "core/listed.hpp"
+#include "core/number_text.hpp"
+#include "core/statistics/statistics.hpp"
+
+namespace clast {
+namespace {
+
+constexpr double kNoFigure = std::numeric_limits<double>::quiet_NaN();
+
+void check_known(const Observation& observation, const SiteFacts& site, const std::string& what,
+                 const std::string& wanted, const std::vector<std::string>& known) {
+  if (wanted.empty() || std::find(known.begin(), known.end(), wanted) != known.end()) return;
+  std::vector<std::string> once = known;
+  std::sort(once.begin(), once.end());
+  once.erase(std::unique(once.begin(), once.end()), once.end());
+  throw InputError("observation " + observation.name + ": the campaign of site " + site.name +
+                   " has no " + what + " \"" + wanted + "\"; it has " +
+                   (once.empty() ? "none" : listed(once)));
+}
+
+std::size_t place_of_moment(const Observation& observation, const SiteFacts& site) {
+  if (!observation.moment) return 0;
+  const auto moment = std::find(site.moments.begin(), site.moments.end(), *observation.moment);
+  if (moment == site.moments.end()) {
+    throw InputError("observation " + observation.name + ": site " + site.name +
+                     " was simulated without " + observation.moment->name() +
+                     "; simulate its members anew");
+  }
+  return static_cast<std::size_t>(moment - site.moments.begin());
+}
+
+double mean_of_values(const std::vector<double>& values) {
+  if (values.empty()) return kNoFigure;
+  return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
+}
+
+/// With n - 1.
+double deviation_of(const std::vector<double>& values) {
+  if (values.size() < 2) return kNoFigure;
+  const double mean = mean_of_values(values);
+  double sum = 0.0;
+  for (const double value : values) sum += (value - mean) * (value - mean);
+  return std::sqrt(sum / static_cast<double>(values.size() - 1));
+}
+
+double figure_of_places(const Figure& figure, std::vector<double> along,
+                        const std::vector<double>& aside) {
+  if (along.empty()) return kNoFigure;
+  switch (figure.kind) {
+    case Figure::Kind::kMeanPlace:
+      return mean_of_values(along);
+    case Figure::Kind::kStdPlace:
+      return deviation_of(along);
+    case Figure::Kind::kPlace:
+      std::sort(along.begin(), along.end());
+      return quantile(along, figure.level);
+    case Figure::Kind::kBeyond: {
+      const auto beyond = std::count_if(along.begin(), along.end(),
+                                        [&](double place) { return place > figure.level; });
+      return static_cast<double>(beyond) / static_cast<double>(along.size());
+    }
+    case Figure::Kind::kMeanAside:
+      return mean_of_values(aside);
+    default:
+      return kNoFigure;
+  }
+}
+
+/// What is measured at barriers and moments; null for other figures.
+double OutcomeAt::*measured_member(Figure::Kind kind) {
+  switch (kind) {
+    case Figure::Kind::kMeanSpeed:
+      return &OutcomeAt::speed;
+    case Figure::Kind::kMeanSpin:
+      return &OutcomeAt::spin;
+    case Figure::Kind::kMeanHeight:
+      return &OutcomeAt::height;
+    case Figure::Kind::kMeanEnergy:
+      return &OutcomeAt::energy;
+    case Figure::Kind::kMeanDepth:
+      return &OutcomeAt::depth;
+    default:
+      return nullptr;
+  }
+}
+
+}  // namespace
+
+std::string Moment::name() const {
+  return kind == Kind::kImpact ? "impact " + with_digits(value, 6) : with_digits(value, 6) + " s";
+}
+
+std::vector<Moment> observed_moments(const std::vector<Observation>& observations,
+                                     std::size_t site) {
+  std::set<Moment> moments;
+  for (const Observation& observation : observations) {
+    if (observation.site == site && observation.moment) moments.insert(*observation.moment);
+  }
+  return {moments.begin(), moments.end()};
+}
+
+ObservedStop place_of(const Observation& observation, const SiteFacts& site, const Vec2& start,
+                      const Vec2& stop) {
+  const Vec2 offset = stop - (observation.from_own_start ? start : site.middle_of_starts);
+  const Vec2 right(site.downslope.y(), -site.downslope.x());
+  return {offset.dot(site.downslope), offset.dot(right)};
+}
+
+std::vector<Seen> seen_by(const Observation& observation, const SiteFacts& site,
+                          std::span<const ReleaseOutcome> outcomes) {
+  check_known(observation, site, "block", observation.block, site.blocks);
+  check_known(observation, site, "block of shape", observation.shape, site.shapes);
+  check_known(observation, site, "barrier", observation.barrier, site.barriers);
+  check_known(observation, site, "release set", observation.release, site.releases);
+  const auto barrier = static_cast<std::size_t>(
+      std::find(site.barriers.begin(), site.barriers.end(), observation.barrier) -
+      site.barriers.begin());
+  const std::size_t moment = place_of_moment(observation, site);
+  std::vector<Seen> seen;
+  for (const ReleaseOutcome& outcome : outcomes) {
+    if (!observation.block.empty() && site.blocks[outcome.block] != observation.block) continue;
+    if (!observation.shape.empty() && site.shapes[outcome.block] != observation.shape) continue;
+    if (!observation.release.empty() && site.releases[outcome.release] != observation.release) {
+      continue;
+    }
+    OutcomeAt at;
+    if (observation.moment) at = outcome.moments[moment];
+    if (!observation.barrier.empty()) at = outcome.barriers[barrier];
+    const ObservedStop place =
+        place_of(observation, site, outcome.start, observation.moment ? at.place : outcome.stop);
+    seen.push_back({outcome.point, place.along, place.aside, at});
+  }
+  return seen;
+}
+
+void check_enough(const Observation& observation, std::span<const Seen> seen) {
+  if (seen.size() >= kFewestSeen) return;
+  throw InputError("observation " + observation.name + ": a member has only " +
+                   std::to_string(seen.size()) + " releases of these blocks, and " +
+                   std::to_string(kFewestSeen) + " are needed; raise [design] releases");
+}
+
+double figure_of(const Figure& figure, std::span<const Seen> seen,
+                 std::span<const std::size_t> sample) {
+  std::vector<double> values, aside;
+  if (figure.kind == Figure::Kind::kPassed) {
+    for (const std::size_t i : sample) values.push_back(seen[i].at.passed() ? 1.0 : 0.0);
+    return mean_of_values(values);
+  }
+  if (double OutcomeAt::*const quantity = measured_member(figure.kind)) {
+    for (const std::size_t i : sample) {
+      if (seen[i].at.passed()) values.push_back(seen[i].at.*quantity);
+    }
+    return mean_of_values(values);
+  }
+  for (const std::size_t i : sample) {
+    values.push_back(seen[i].along);
+    aside.push_back(seen[i].aside);
+  }
+  return figure_of_places(figure, std::move(values), aside);
+}
+
+double figure_of(const Figure& figure, std::span<const ObservedStop> stops) {
+  std::vector<double> along, aside;
+  for (const ObservedStop& stop : stops) {
+    along.push_back(stop.along);
+    aside.push_back(stop.aside);
+  }
+  return figure_of_places(figure, std::move(along), aside);
+}
+
+}  // namespace clast

@@ -1,0 +1,359 @@
+#include "study/calibrate/observation_reading.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <utility>
+
+#include "core/error.hpp"
+#include "core/listed.hpp"
+#include "core/number_text.hpp"
+#include "study/calibrate/detail/study_reading.hpp"
+#include "study/calibrate/observed_trajectories.hpp"
+#include "study/compare/measured_stops.hpp"
+
+namespace clast::study_detail {
+namespace {
+
+constexpr std::size_t kFewestStops = 3;
+
+/// A figure of a barrier or an impact that is given as [value, standard error].
+struct MeasuredQuantity {
+  const char* key;
+  Figure::Kind kind;
+};
+constexpr MeasuredQuantity kQuantities[] = {{"speed_m_s", Figure::Kind::kMeanSpeed},
+                                            {"spin_rad_s", Figure::Kind::kMeanSpin},
+                                            {"height_m", Figure::Kind::kMeanHeight},
+                                            {"energy_j", Figure::Kind::kMeanEnergy},
+                                            {"depth_m", Figure::Kind::kMeanDepth}};
+
+/// "mean", "std", "aside", or "p10" for a percentile.
+Figure figure_named(const TomlTable& table, const TomlNode& node, const std::string& name) {
+  if (name == "mean") return {Figure::Kind::kMeanPlace, 0.0, "mean_place_m", 0.0, {}};
+  if (name == "std") return {Figure::Kind::kStdPlace, 0.0, "std_place_m", 0.0, {}};
+  if (name == "aside") return {Figure::Kind::kMeanAside, 0.0, "mean_aside_m", 0.0, {}};
+  const std::optional<double> level =
+      name.starts_with("p") ? number_in(std::string_view(name).substr(1)) : std::nullopt;
+  if (!level || !(*level >= 1.0 && *level <= 99.0)) {
+    table.refuse("figures", node,
+                 "must be \"mean\", \"std\", \"aside\", or a percentile from \"p1\" to \"p99\"");
+  }
+  return {Figure::Kind::kPlace, *level / 100.0, name + "_place_m", 0.0, {}};
+}
+
+std::vector<Figure> stop_figures(const StudyTable& table) {
+  std::vector<Figure> figures;
+  if (const TomlNode* asked = table.find("figures")) {
+    const std::vector<std::string> names = *table.texts("figures");
+    for (std::size_t i = 0; i < names.size(); ++i) {
+      figures.push_back(figure_named(table, element(*asked, i), names[i]));
+    }
+  } else if (!table.find("beyond_m")) {
+    figures = {{Figure::Kind::kMeanPlace, 0.0, "mean_place_m", 0.0, {}},
+               {Figure::Kind::kStdPlace, 0.0, "std_place_m", 0.0, {}}};
+  }
+  if (table.find("beyond_m")) {
+    for (const double place : table.numbers_of("beyond_m", "a list of places, [m, m, ...]")) {
+      figures.push_back(
+          {Figure::Kind::kBeyond, place, "beyond_" + with_digits(place, 6) + "_m", 0.0, {}});
+    }
+  }
+  return figures;
+}
+
+void check_once(const StudyTable& table, const std::vector<Figure>& figures) {
+  for (std::size_t i = 0; i < figures.size(); ++i) {
+    for (std::size_t k = 0; k < i; ++k) {
+      if (figures[i].name == figures[k].name) table.refuse("names " + figures[i].name + " twice");
+    }
+  }
+}
+
+bool is_of(const MeasuredStop& stop, const Observation& observation) {
+  return (observation.shape.empty() || stop.shape == observation.shape) &&
+         (observation.block.empty() || stop.block == observation.block);
+}
+
+/// Field releases that share a start, and whether all stops have one.
+void read_starts(const std::vector<MeasuredStop>& stops, Observation& observation) {
+  std::map<std::pair<double, double>, std::size_t> starts;
+  for (const MeasuredStop& stop : stops) {
+    if (!stop.start) return;
+    ++starts[{stop.start->x(), stop.start->y()}];
+  }
+  observation.from_own_start = true;
+  for (const auto& [start, count] : starts) observation.clusters.push_back(count);
+}
+
+void read_stops(const StudyTable& table, const SiteFacts& site, Observation& observation) {
+  const TomlNode& file = *table.find("stops");
+  table.text("stops");
+  const MeasuredStops measured = read_measured_stops(input_file(table, "stops", file));
+  observation.table = measured.file;
+  observation.sha256 = measured.sha256;
+  observation.figures = stop_figures(table);
+  check_once(table, observation.figures);
+  std::vector<MeasuredStop> stops;
+  for (const MeasuredStop& stop : measured.stops) {
+    if (is_of(stop, observation)) stops.push_back(stop);
+  }
+  if (stops.size() < kFewestStops) {
+    table.refuse("stops", file,
+                 "has " + counted(stops.size(), "stop") + " of these blocks; " +
+                     std::to_string(kFewestStops) + " are needed at least");
+  }
+  observation.releases = stops.size();
+  read_starts(stops, observation);
+  std::vector<ObservedStop> places;
+  for (const MeasuredStop& stop : stops) {
+    places.push_back(
+        place_of(observation, site, stop.start.value_or(site.middle_of_starts), stop.place));
+  }
+  for (Figure& figure : observation.figures) {
+    figure.observed = figure_of(figure, places);
+  }
+}
+
+/// Quantities that are given as [value, standard error].
+std::vector<Figure> stated_figures(const StudyTable& table) {
+  std::vector<Figure> figures;
+  for (const MeasuredQuantity& quantity : kQuantities) {
+    const TomlNode* node = table.find(quantity.key);
+    if (!node) continue;
+    const std::vector<double> given =
+        table.numbers_of(quantity.key, "two numbers, [mean, its standard error]");
+    if (!(given[1] > 0.0)) table.refuse(quantity.key, *node, "the error must be more than 0");
+    figures.push_back(
+        {quantity.kind, 0.0, std::string("mean_") + quantity.key, given[0], given[1]});
+  }
+  return figures;
+}
+
+/// One impact, or the mean of several: how the blocks hit is known no better than the campaign has
+/// it, so that the scatter of as many simulated ones comes on top of the error of measuring.
+void read_impact(const StudyTable& table, Observation& observation) {
+  observation.moment = {Moment::Kind::kImpact, static_cast<double>(*table.count_of("impact"))};
+  observation.releases = table.count_of("releases").value_or(1);
+  observation.figures = stated_figures(table);
+  for (Figure& figure : observation.figures)
+    figure.measuring_error = *std::exchange(figure.error, {});
+  if (observation.figures.empty()) {
+    table.refuse("names nothing that was observed: speed_m_s, spin_rad_s, energy_j or depth_m");
+  }
+}
+
+/// The figures of trajectories at each time: places along the path, speed and spin.
+std::vector<Figure> trajectory_figures(const StudyTable& table) {
+  std::vector<Figure> figures;
+  const auto add = [&](const std::string& name, const auto& place) {
+    if (name == "speed") {
+      figures.push_back({Figure::Kind::kMeanSpeed, 0.0, "mean_speed_m_s", 0.0, {}});
+    } else if (name == "spin") {
+      figures.push_back({Figure::Kind::kMeanSpin, 0.0, "mean_spin_rad_s", 0.0, {}});
+    } else {
+      figures.push_back(place());
+    }
+  };
+  if (const TomlNode* asked = table.find("figures")) {
+    const std::vector<std::string> names = *table.texts("figures");
+    for (std::size_t i = 0; i < names.size(); ++i) {
+      add(names[i], [&] { return figure_named(table, element(*asked, i), names[i]); });
+    }
+  } else {
+    add("mean", [] { return Figure{Figure::Kind::kMeanPlace, 0.0, "mean_place_m", 0.0, {}}; });
+    add("speed", [] { return Figure(); });
+    add("spin", [] { return Figure(); });
+  }
+  return figures;
+}
+
+/// One observation at each of the times.
+std::vector<Observation> read_followed(const StudyTable& table, const SiteFacts& site,
+                                       Observation common) {
+  const TomlNode& file = *table.find("trajectories");
+  table.text("trajectories");
+  common.table = input_file(table, "trajectories", file);
+  const ObservedTrajectories followed = read_trajectories(common.table);
+  common.sha256 = followed.sha256;
+  common.releases = followed.all.size();
+  if (common.releases < kFewestStops) {
+    table.refuse("trajectories", file,
+                 "has " + std::to_string(common.releases) + " trajectories; " +
+                     std::to_string(kFewestStops) + " are needed at least");
+  }
+  std::vector<MeasuredStop> starts;
+  for (const ObservedTrajectory& one : followed.all) {
+    starts.push_back({one.front().place, one.front().place, {}, {}, 0.0, 0.0});
+  }
+  read_starts(starts, common);
+  common.figures = trajectory_figures(table);
+  check_once(table, common.figures);
+  table.required("times_s", "a list of times since the release");
+  std::vector<Observation> observations;
+  for (const double time :
+       table.numbers_of("times_s", "a list of times since the release, [s, s, ...]")) {
+    if (time > followed.longest()) {
+      table.refuse("times_s", *table.find("times_s"),
+                   "the longest trajectory ends before " + with_digits(time, 6));
+    }
+    Observation own = common;
+    own.moment = {Moment::Kind::kTime, time};
+    own.name += " at " + own.moment->name();
+    std::vector<Seen> seen;
+    std::vector<std::size_t> all;
+    for (const ObservedTrajectory& one : followed.all) {
+      const TrajectoryPoint point = point_at(one, time);
+      const ObservedStop place = place_of(own, site, one.front().place, point.place);
+      OutcomeAt at;
+      at.speed = point.speed;
+      at.spin = point.spin;
+      all.push_back(seen.size());
+      seen.push_back({0, place.along, place.aside, at});
+    }
+    for (Figure& figure : own.figures) figure.observed = figure_of(figure, seen, all);
+    observations.push_back(std::move(own));
+  }
+  return observations;
+}
+
+void read_passages(const StudyTable& table, const SiteFacts& site, Observation& observation) {
+  observation.barrier = *table.text("barrier");
+  if (std::find(site.barriers.begin(), site.barriers.end(), observation.barrier) ==
+      site.barriers.end()) {
+    table.refuse("barrier", *table.find("barrier"),
+                 "the campaign of site " + site.name + " has no such barrier");
+  }
+  const std::optional<std::uint64_t> releases = table.count_of("releases");
+  const std::optional<std::uint64_t> passed = table.count_of("passed");
+  if (passed && !releases) {
+    table.refuse("passed", *table.find("passed"), "needs releases, how many blocks were released");
+  }
+  if (passed && *passed > *releases) {
+    table.refuse("passed", *table.find("passed"),
+                 "is more than the " + std::to_string(*releases) + " releases");
+  }
+  observation.releases = releases.value_or(0);
+  if (passed) {
+    observation.figures.push_back({Figure::Kind::kPassed,
+                                   0.0,
+                                   "passed",
+                                   static_cast<double>(*passed) / static_cast<double>(*releases),
+                                   {}});
+  }
+  const std::vector<Figure> stated = stated_figures(table);
+  observation.figures.insert(observation.figures.end(), stated.begin(), stated.end());
+  if (observation.figures.empty()) {
+    table.refuse(
+        "names nothing that was observed: passed, speed_m_s, spin_rad_s, height_m or energy_j");
+  }
+}
+
+std::size_t site_of(const StudyTable& table, const std::vector<CalibrationSite>& sites) {
+  const std::optional<std::string> name = table.text("site");
+  if (!name && sites.size() == 1) return 0;
+  const TomlNode& node = table.required("site", "the name of a [[site]]");
+  for (std::size_t i = 0; i < sites.size(); ++i) {
+    if (sites[i].name == *name) return i;
+  }
+  table.refuse("site", node, "there is no [[site]] of this name");
+}
+
+void check_release(const StudyTable& table, const SiteFacts& site, const std::string& release) {
+  if (release.empty() ||
+      std::find(site.releases.begin(), site.releases.end(), release) != site.releases.end()) {
+    return;
+  }
+  table.refuse("release", *table.find("release"),
+               "the campaign of site " + site.name + " has no [[release]] of this name");
+}
+
+std::vector<Observation> read_observation(const StudyTable& table,
+                                          const std::vector<CalibrationSite>& sites) {
+  Observation observation;
+  table.required("name", "a text in quotes");
+  observation.name = *table.text("name");
+  table.required("use", "\"fit\", or \"keep\" to judge the prediction by");
+  observation.fitted = table.choice_of("use") == "fit";
+  observation.site = site_of(table, sites);
+  observation.shape = table.choice_of("shape").value_or("");
+  observation.block = table.text("block").value_or("");
+  const SiteFacts site = path_of(sites[observation.site]);
+  observation.release = table.text("release").value_or("");
+  check_release(table, site, observation.release);
+  const std::string source = table.source(
+      "needs stops or trajectories, a table of them, barrier, a name, or impact, a number");
+  if (source == "trajectories") return read_followed(table, site, std::move(observation));
+  if (source == "stops") read_stops(table, site, observation);
+  if (source == "barrier") read_passages(table, site, observation);
+  if (source == "impact") read_impact(table, observation);
+  return {observation};
+}
+
+bool overlap(const std::string& a, const std::string& b) {
+  return a.empty() || b.empty() || a == b;
+}
+
+/// Number of the impact; 0 of what is of none.
+double impact_of(const Observation& observation) {
+  const std::optional<Moment>& moment = observation.moment;
+  return moment && moment->kind == Moment::Kind::kImpact ? moment->value : 0.0;
+}
+
+/// Are the same blocks behind both?
+bool share_blocks(const Observation& a, const Observation& b) {
+  return a.site == b.site && a.barrier == b.barrier && a.sha256 == b.sha256 &&
+         impact_of(a) == impact_of(b) && overlap(a.shape, b.shape) && overlap(a.block, b.block) &&
+         overlap(a.release, b.release);
+}
+
+}  // namespace
+
+SiteFacts path_of(const CalibrationSite& site) {
+  SiteFacts facts;
+  facts.name = site.name;
+  for (const Barrier& barrier : site.campaign.barriers) facts.barriers.push_back(barrier.name);
+  for (const ReleasePlan& release : site.campaign.releases) facts.releases.push_back(release.name);
+  facts.downslope = site.campaign.downslope.value_or(Vec2::UnitX()).normalized();
+  // Summed from the first: map coordinates of 5e6 m would cost digits.
+  const Vec2 first = site.campaign.releases.front().points.front().head<2>();
+  Vec2 sum = Vec2::Zero();
+  std::size_t count = 0;
+  for (const ReleasePlan& release : site.campaign.releases) {
+    for (const Vec3& point : release.points) {
+      sum += point.head<2>() - first;
+      ++count;
+    }
+  }
+  facts.middle_of_starts = first + sum / static_cast<double>(count);
+  return facts;
+}
+
+std::vector<Observation> read_observations(const TomlTable& top,
+                                           const std::vector<CalibrationSite>& sites) {
+  std::vector<Observation> observations;
+  for (const TomlNode* node : tables_of(top, "observation")) {
+    const StudyTable table(*node, top.file(), "observation");
+    for (Observation& observation : read_observation(table, sites)) {
+      for (const Observation& other : observations) {
+        if (other.name == observation.name) {
+          table.refuse("name", *table.find("name"), "another observation has this name");
+        }
+        if (other.fitted != observation.fitted && share_blocks(other, observation)) {
+          table.refuse("use", *table.find("use"),
+                       "observation " + other.name +
+                           " is of the same blocks; what is fitted can't be kept to judge by");
+        }
+      }
+      observations.push_back(std::move(observation));
+    }
+  }
+  if (std::none_of(observations.begin(), observations.end(),
+                   [](const Observation& observation) { return observation.fitted; })) {
+    throw InputError(top.file() +
+                     ": nothing is fitted: write a table [[observation]] with use = \"fit\"");
+  }
+  return observations;
+}
+
+}  // namespace clast::study_detail

@@ -1,0 +1,18 @@
+#pragma once
+/// Observations of a study file, read and checked.
+#include <vector>
+
+#include "core/files/toml_reader.hpp"
+#include "study/calibrate/calibration_study.hpp"
+
+namespace clast::study_detail {
+
+/// What observations need to know of a site before its campaign is prepared: all but its blocks.
+SiteFacts path_of(const CalibrationSite& site);
+
+/// The tables [[observation]], with the figures of the stops that they name.
+/// @throws InputError  as `read_calibration_study`
+std::vector<Observation> read_observations(const TomlTable& top,
+                                           const std::vector<CalibrationSite>& sites);
+
+}  // namespace clast::study_detail

@@ -1,0 +1,278 @@
+#include "study/calibrate/posterior.hpp"
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "core/error.hpp"
+#include "core/parallel.hpp"
+#include "core/random.hpp"
+#include "core/statistics/probability.hpp"
+#include "core/statistics/sample_tests.hpp"
+#include "core/statistics/sobol.hpp"
+#include "core/statistics/statistics.hpp"
+#include "core/statistics/tempered_sampling.hpp"
+#include "study/calibrate/synthetic_likelihood.hpp"
+#include "study/campaign/named_seed.hpp"
+
+namespace clast {
+
+using namespace study_detail;
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+constexpr double kUniformVariance = 1.0 / 12.0;
+
+std::vector<double> sorted_values(std::vector<double> values) {
+  std::sort(values.begin(), values.end());
+  return values;
+}
+
+std::vector<double> row_of(const MatrixXd& matrix, Index row) {
+  std::vector<double> values;
+  for (Index i = 0; i < matrix.cols(); ++i) values.push_back(matrix(row, i));
+  return values;
+}
+
+Marginal marginal_of(const Unknown& unknown, const std::vector<double>& shares) {
+  const double low = quantile(shares, 0.025), high = quantile(shares, 0.975);
+  const auto below = [&](double share) {
+    return static_cast<double>(std::lower_bound(shares.begin(), shares.end(), share) -
+                               shares.begin()) /
+           static_cast<double>(shares.size());
+  };
+  return {unknown.value(quantile(shares, 0.5)),
+          unknown.value(low),
+          unknown.value(high),
+          (high - low) / 0.95,
+          below(0.05),
+          1.0 - below(0.95)};
+}
+
+MatrixXd rank_correlations(const MatrixXd& draws) {
+  const Index count = draws.rows();
+  MatrixXd about(count, draws.cols());
+  for (Index i = 0; i < count; ++i) {
+    const std::vector<double> ranked = ranks(row_of(draws, i));
+    for (Index k = 0; k < draws.cols(); ++k) about(i, k) = ranked[static_cast<std::size_t>(k)];
+    about.row(i).array() -= about.row(i).mean();
+    about.row(i) /= std::max(about.row(i).norm(), 1e-300);
+  }
+  return about * about.transpose();
+}
+
+/// What would be observed: of each known figure a draw for every draw of the unknowns.
+MatrixXd predictive_draws(const SyntheticLikelihood& likelihood, const std::vector<Index>& which,
+                          const MatrixXd& shares, std::uint64_t seed) {
+  const SyntheticLikelihood::Expected expected = likelihood.expected(shares, which);
+  const MatrixXd scatter = likelihood.scatter(which);
+  MatrixXd draws = expected.mean;
+  Random random(seed);
+  for (Index i = 0; i < draws.cols(); ++i) {
+    MatrixXd covariance = scatter;
+    covariance.diagonal() += expected.variance.col(i);
+    VectorXd normal(draws.rows());
+    for (double& value : normal) value = random.normal();
+    draws.col(i) += covariance.llt().matrixL() * normal;
+  }
+  return draws;
+}
+
+/// Where a figure stands among the observations.
+PredictedFigure place_of_figure(const CalibrationStudy& study, std::size_t figure) {
+  PredictedFigure place;
+  while (figure >= study.observations[place.observation].figures.size()) {
+    figure -= study.observations[place.observation++].figures.size();
+  }
+  place.figure = figure;
+  return place;
+}
+
+/// The nearest value that the figure can have: the normal law of the prediction knows no bounds.
+double possible(const Figure& figure, double value) {
+  switch (figure.kind) {
+    case Figure::Kind::kBeyond:
+    case Figure::Kind::kPassed:
+      return std::clamp(value, 0.0, 1.0);
+    case Figure::Kind::kStdPlace:
+    case Figure::Kind::kMeanSpeed:
+    case Figure::Kind::kMeanSpin:
+    case Figure::Kind::kMeanEnergy:
+    case Figure::Kind::kMeanDepth:
+      return std::max(value, 0.0);
+    default:
+      return value;
+  }
+}
+
+/// From the draws of a figure, one row of `draws`.
+PredictedInterval interval_of(const Figure& figure, const MatrixXd& draws, Index row) {
+  const std::vector<double> values = sorted_values(row_of(draws, row));
+  return {possible(figure, quantile(values, 0.5)), possible(figure, quantile(values, 0.025)),
+          possible(figure, quantile(values, 0.975))};
+}
+
+/// As many places all over the ranges as there are draws.
+MatrixXd prior_places(const CalibrationStudy& study) {
+  SobolSequence sequence(study.unknowns.size(), named_seed(study.design.seed, "prior"));
+  MatrixXd places(static_cast<Index>(study.unknowns.size()),
+                  static_cast<Index>(study.design.draws));
+  for (Index i = 0; i < places.cols(); ++i) {
+    const std::vector<double> point = sequence.next();
+    places.col(i) = Eigen::Map<const VectorXd>(point.data(), places.rows());
+  }
+  return places;
+}
+
+/// Adds the predictions of fitted or kept figures, and counts how many cover what was observed.
+PredictiveCheck predict_figures(const CalibrationStudy& study,
+                                const SyntheticLikelihood& likelihood, bool fitted,
+                                CalibrationPosterior& posterior) {
+  const std::vector<Index> which = likelihood.known(fitted);
+  PredictiveCheck check;
+  check.figures = which.size();
+  if (which.empty()) return check;
+  const std::string name = fitted ? "fitted" : "kept";
+  const MatrixXd draws =
+      predictive_draws(likelihood, which, posterior.shares, named_seed(study.design.seed, name));
+  const MatrixXd prior = predictive_draws(likelihood, which, prior_places(study),
+                                          named_seed(study.design.seed, name + " prior"));
+  const VectorXd observed = likelihood.observed(which);
+  for (std::size_t i = 0; i < which.size(); ++i) {
+    PredictedFigure figure = place_of_figure(study, static_cast<std::size_t>(which[i]));
+    const Figure& asked = study.observations[figure.observation].figures[figure.figure];
+    const PredictedInterval found = interval_of(asked, draws, static_cast<Index>(i));
+    figure.median = found.median;
+    figure.low = found.low;
+    figure.high = found.high;
+    figure.prior = interval_of(asked, prior, static_cast<Index>(i));
+    if (figure.covers(observed[static_cast<Index>(i)])) ++check.covered;
+    posterior.predicted.push_back(figure);
+  }
+  if (fitted) return check;
+  // Kept figures had no part in the fit: their distance from what the draws give.
+  const VectorXd mean = draws.rowwise().mean();
+  const MatrixXd about = draws.colwise() - mean;
+  MatrixXd covariance = about * about.transpose() / static_cast<double>(draws.cols() - 1);
+  covariance.diagonal().array() += 1e-12;
+  const VectorXd apart = observed - mean;
+  check.squared = apart.dot(covariance.llt().solve(apart));
+  check.freedom = static_cast<double>(which.size());
+  check.p_value = chi_squared_above(check.squared, check.freedom);
+  return check;
+}
+
+/// The best draw leaves a distance with as many degrees of freedom as there are figures more than
+/// parameters that were determined.
+void check_fit(const SyntheticLikelihood& likelihood, CalibrationPosterior& posterior) {
+  Index best = 0;
+  posterior.log_likelihood.maxCoeff(&best);
+  double determined = 0.0;
+  for (Index i = 0; i < posterior.shares.rows(); ++i) {
+    const double variance =
+        (posterior.shares.row(i).array() - posterior.shares.row(i).mean()).square().mean();
+    determined += std::max(0.0, 1.0 - variance / kUniformVariance);
+  }
+  PredictiveCheck& check = posterior.fitted;
+  check.squared = likelihood.squared_distance(posterior.shares.col(best), true)[0];
+  check.freedom = static_cast<double>(check.figures) - determined;
+  if (check.freedom >= 0.5) {
+    check.p_value = chi_squared_above(check.squared, check.freedom);
+  } else {
+    check.freedom = std::max(0.0, check.freedom);
+  }
+}
+
+std::vector<std::vector<SobolIndices>> sensitivities_of(const CalibrationStudy& study,
+                                                        const SyntheticLikelihood& likelihood,
+                                                        unsigned threads) {
+  constexpr std::size_t kSamples = 2048;
+  std::vector<std::vector<SobolIndices>> all(study.figures());
+  parallel_for(all.size(), threads, [&](std::size_t k) {
+    if (!likelihood.quality(k)) return;
+    all[k] = sobol_indices(
+        study.unknowns.size(), [&](const MatrixXd& places) { return likelihood.mean(k, places); },
+        kSamples, named_seed(study.design.seed, "sensitivity"));
+  });
+  return all;
+}
+
+/// By the distance of the members' own figures, in units of the scatter.
+NearestMembers nearest_members(const CalibrationStudy& study, const MemberFigures& figures,
+                               const SyntheticLikelihood& likelihood) {
+  const std::vector<Index> which = likelihood.known(true);
+  const VectorXd observed = likelihood.observed(which);
+  const Eigen::LLT<MatrixXd> factor(likelihood.scatter(which));
+  const auto members = static_cast<std::size_t>(figures.places.cols());
+  std::vector<std::pair<double, std::size_t>> distances;
+  for (std::size_t m = 0; m < members; ++m) {
+    VectorXd apart(static_cast<Index>(which.size()));
+    for (std::size_t i = 0; i < which.size(); ++i) {
+      apart[static_cast<Index>(i)] =
+          figures.values(which[i], static_cast<Index>(m)) - observed[static_cast<Index>(i)];
+    }
+    const double squared = apart.dot(factor.solve(apart));
+    if (std::isfinite(squared)) distances.emplace_back(squared, m);
+  }
+  std::sort(distances.begin(), distances.end());
+  distances.resize(std::min(distances.size(), std::max<std::size_t>(5, members / 10)));
+  NearestMembers nearest;
+  nearest.members = distances.size();
+  if (distances.empty()) return nearest;
+  for (std::size_t i = 0; i < study.unknowns.size(); ++i) {
+    std::vector<double> shares;
+    for (const auto& [distance, m] : distances) {
+      shares.push_back(figures.places(static_cast<Index>(i), static_cast<Index>(m)));
+    }
+    shares = sorted_values(shares);
+    Marginal marginal = marginal_of(study.unknowns[i], shares);
+    marginal.low = study.unknowns[i].value(shares.front());
+    marginal.high = study.unknowns[i].value(shares.back());
+    nearest.unknowns.push_back(marginal);
+  }
+  return nearest;
+}
+
+}  // namespace
+
+CalibrationPosterior infer_posterior(const CalibrationStudy& study, const CalibrationRuns& runs,
+                                     unsigned threads) {
+  const MemberFigures figures = member_figures(study, runs.sites, runs.outcomes, threads);
+  const SyntheticLikelihood likelihood(study, figures, threads);
+  TemperedSamplingOptions options;
+  options.draws = study.design.draws;
+  options.seed = named_seed(study.design.seed, "posterior");
+  TemperedSample sample = sample_tempered(
+      study.unknowns.size(),
+      [&](const MatrixXd& places) { return likelihood.log_likelihood(places); }, options);
+  CalibrationPosterior posterior;
+  posterior.shares = std::move(sample.places);
+  posterior.log_likelihood = std::move(sample.log_likelihood);
+  posterior.log_evidence = sample.log_evidence;
+  posterior.temperatures = sample.temperatures;
+  posterior.accepted = sample.accepted;
+  posterior.member_figures = figures.values;
+  posterior.draws = posterior.shares;
+  for (std::size_t i = 0; i < study.unknowns.size(); ++i) {
+    const auto row = static_cast<Index>(i);
+    posterior.marginals.push_back(
+        marginal_of(study.unknowns[i], sorted_values(row_of(posterior.shares, row))));
+    for (double& value : posterior.draws.row(row)) value = study.unknowns[i].value(value);
+  }
+  posterior.correlation = rank_correlations(posterior.shares);
+  posterior.fitted = predict_figures(study, likelihood, true, posterior);
+  posterior.kept = predict_figures(study, likelihood, false, posterior);
+  check_fit(likelihood, posterior);
+  for (std::size_t k = 0; k < study.figures(); ++k) {
+    posterior.surrogates.push_back(likelihood.quality(k));
+  }
+  posterior.sensitivities = sensitivities_of(study, likelihood, threads);
+  posterior.nearest = nearest_members(study, figures, likelihood);
+  return posterior;
+}
+
+}  // namespace clast

@@ -1,0 +1,279 @@
+#include "study/calibrate/site_simulator.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "classify/schemes.hpp"
+#include "core/error.hpp"
+#include "core/parallel.hpp"
+#include "core/random.hpp"
+#include "study/calibrate/observation_reading.hpp"
+#include "study/campaign/named_seed.hpp"
+#include "study/simulate/campaign_checks.hpp"
+#include "study/simulate/campaign_runner.hpp"
+#include "study/simulate/ground_sets.hpp"
+#include "study/simulate/realisation.hpp"
+#include "study/simulate/run_plan.hpp"
+#include "study/simulate/run_stiffness.hpp"
+
+namespace clast {
+
+using namespace study_detail;
+namespace {
+
+/// The middle of the ranges, for what must be decided before any member.
+Campaign with_middles(Campaign campaign, const std::vector<Unknown>& unknowns) {
+  for (const Unknown& unknown : unknowns) {
+    if (has_parameter(campaign, unknown.parameter)) {
+      set_parameter(campaign, unknown.parameter, unknown.value(0.5));
+    }
+  }
+  return campaign;
+}
+
+/// Does the campaign have an unknown of this kind?
+bool has_any(const Campaign& campaign, const std::vector<Unknown>& unknowns,
+             bool (*kind)(const std::string&)) {
+  return std::any_of(unknowns.begin(), unknowns.end(), [&](const Unknown& unknown) {
+    return kind(unknown.parameter) && has_parameter(campaign, unknown.parameter);
+  });
+}
+
+/// Sees what a run does at the moments that are observed.
+class MomentObserver {
+ public:
+  MomentObserver(const std::vector<Moment>& moments, const RigidBody& body, const MapFrame& frame,
+                 double gravity)
+      : moments_(moments), body_(body), frame_(frame), gravity_(gravity), impacts_(body, 0) {
+    outcomes_.resize(moments.size());
+  }
+
+  void see(const MotionStep& step) {
+    impacts_.see(step);
+    for (std::size_t i = 0; i < moments_.size(); ++i) {
+      const double time = moments_[i].value;
+      if (moments_[i].kind != Moment::Kind::kTime || outcomes_[i].passed()) continue;
+      if (time <= step.end_time) outcomes_[i] = at(state_at(body_, step, time, gravity_));
+    }
+  }
+
+  /// @param end  of the run
+  std::vector<OutcomeAt> outcomes(const RigidState& end) {
+    impacts_.finish();
+    for (std::size_t i = 0; i < moments_.size(); ++i) {
+      if (moments_[i].kind == Moment::Kind::kTime) {
+        if (!outcomes_[i].passed()) outcomes_[i] = at(end);
+        continue;
+      }
+      const auto number = static_cast<std::size_t>(moments_[i].value);
+      if (number > impacts_.impacts.size()) continue;
+      outcomes_[i] = at(impacts_.last_touches[number - 1]);
+      outcomes_[i].depth = impacts_.impacts[number - 1].depth;
+    }
+    return outcomes_;
+  }
+
+ private:
+  OutcomeAt at(const RigidState& state) const {
+    OutcomeAt outcome;
+    outcome.speed = state.velocity.norm();
+    outcome.spin = state.angular_velocity.norm();
+    outcome.energy = translational_energy(body_, state) + rotational_energy(body_, state);
+    outcome.place = frame_.map(state.position).head<2>();
+    return outcome;
+  }
+
+  const std::vector<Moment>& moments_;
+  const RigidBody& body_;
+  const MapFrame& frame_;
+  double gravity_;
+  ImpactObserver impacts_;
+  std::vector<OutcomeAt> outcomes_;
+};
+
+ReleaseOutcome outcome_of(const StoredRun& run, const PreparedCampaign& prepared) {
+  const MapFrame& frame = prepared.header.frame;
+  ReleaseOutcome outcome;
+  outcome.block = run.record.block;
+  outcome.point = run.record.point;
+  outcome.release = prepared.header.set_of_point[run.record.point];
+  outcome.start = frame.map(run.record.start.position).head<2>();
+  outcome.stop = frame.map(run.record.result.final_state.position).head<2>();
+  outcome.barriers.resize(prepared.header.barriers.size());
+  for (const Crossing& crossing : run.crossings) {
+    OutcomeAt& at = outcome.barriers[crossing.barrier];
+    const bool counts =
+        prepared.header.barriers[crossing.barrier].counted != CountedCrossings::kForward ||
+        crossing.forward;
+    if (at.passed() || !counts) continue;
+    at.speed = crossing.velocity.norm();
+    at.spin = crossing.angular_velocity.norm();
+    at.height = crossing.height;
+    at.energy = crossing.translational_energy + crossing.rotational_energy;
+  }
+  return outcome;
+}
+
+}  // namespace
+
+struct SiteSimulator::Impl {
+  explicit Impl(PreparedCampaign plan) : prepared(std::move(plan)) {}
+
+  std::string name;
+  std::vector<Unknown> unknowns;
+  CalibrationDesign design;
+  bool starts_vary = false;
+  /// Blocks are drawn for each member; outcomes name those that they are drawn from.
+  bool blocks_vary = false;
+  PreparedCampaign prepared;
+  std::vector<RunRecord> planned;  ///< all runs of the campaign, at the middle of the ranges
+  SiteFacts facts;
+  std::vector<std::string> inputs;
+
+  /// So many of the planned runs, one by chance out of each equal part of them.
+  std::vector<RunRecord> chosen_runs(std::uint32_t member) {
+    Random random(named_seed(design.seed, name + " member " + std::to_string(member)));
+    std::vector<std::uint32_t> numbers;
+    const double each = static_cast<double>(planned.size()) / design.releases;
+    for (std::uint32_t i = 0; i < design.releases; ++i) {
+      const auto number = static_cast<std::size_t>((i + random.uniform()) * each);
+      numbers.push_back(static_cast<std::uint32_t>(std::min(number, planned.size() - 1)));
+    }
+    if (starts_vary || blocks_vary) return planned_runs(prepared, numbers);
+    std::vector<RunRecord> runs;
+    for (const std::uint32_t number : numbers) runs.push_back(planned[number]);
+    return runs;
+  }
+
+  /// Other blocks for each member, so that how much a few drawn blocks differ from their law shows
+  /// as scatter.
+  void draw_blocks_of(std::uint32_t member) {
+    const std::uint64_t seed = std::exchange(
+        prepared.campaign.blocks.draw->seed,
+        named_seed(prepared.campaign.blocks.draw->seed, "member " + std::to_string(member)));
+    redraw_blocks(prepared);
+    prepared.campaign.blocks.draw->seed = seed;
+  }
+
+  /// The largest blocks that members may have must not be of unusual size.
+  void check_largest_blocks() {
+    const Campaign middle = prepared.campaign;
+    for (const Unknown& unknown : unknowns) {
+      if (!is_of_blocks(unknown.parameter) || !share_class(unknown.parameter).empty()) continue;
+      if (has_parameter(middle, unknown.parameter)) {
+        set_parameter(prepared.campaign, unknown.parameter, unknown.high);
+      }
+    }
+    draw_blocks_of(0);
+    try {
+      check_sizes(prepared);
+    } catch (const InputError& error) {
+      throw InputError(std::string(error.what()) +
+                       "; blocks are drawn with the masses of [[unknown]] at the upper ends of "
+                       "their ranges");
+    }
+    prepared.campaign = middle;
+  }
+
+  void name_blocks() {
+    if (blocks_vary) {
+      for (const Block& block : prepared.choice.library) {
+        facts.blocks.push_back(block.id);
+        facts.shapes.push_back(garcia_class(block.axes()));
+      }
+      return;
+    }
+    for (const BlockSummary& block : prepared.header.blocks) {
+      facts.blocks.push_back(block.id);
+      facts.shapes.push_back(block.garcia);
+    }
+  }
+};
+
+SiteSimulator::SiteSimulator(const CalibrationSite& site, const std::vector<Unknown>& unknowns,
+                             const CalibrationDesign& design, const std::vector<Moment>& moments)
+    : impl_(std::make_unique<Impl>(prepare_campaign(with_middles(site.campaign, unknowns)))) {
+  Impl& own = *impl_;
+  own.name = site.name;
+  own.design = design;
+  own.unknowns = unknowns;
+  own.starts_vary = has_any(site.campaign, unknowns, is_of_release);
+  own.blocks_vary = has_any(site.campaign, unknowns, is_of_blocks);
+  own.planned = own.prepared.runs;
+  if (own.planned.size() < design.releases) {
+    throw InputError(site.campaign.file.string() + ": plans " + std::to_string(own.planned.size()) +
+                     " runs, fewer than the " + std::to_string(design.releases) +
+                     " releases of each member; add orientations or points, or lower releases");
+  }
+  own.facts = path_of(site);
+  own.facts.moments = moments;
+  if (own.blocks_vary) {
+    own.prepared.choice.library = selected_blocks(own.prepared.campaign);
+    own.check_largest_blocks();
+  }
+  own.name_blocks();
+  own.inputs = own.prepared.header.inputs;
+  own.inputs.insert(own.inputs.begin(), site.campaign.file.string() + " " + site.campaign.sha256);
+}
+
+SiteSimulator::~SiteSimulator() = default;
+SiteSimulator::SiteSimulator(SiteSimulator&&) noexcept = default;
+
+const SiteFacts& SiteSimulator::facts() const { return impl_->facts; }
+const std::vector<std::string>& SiteSimulator::inputs() const { return impl_->inputs; }
+
+std::vector<ReleaseOutcome> SiteSimulator::simulate(std::uint32_t member,
+                                                    const std::vector<double>& values,
+                                                    unsigned threads) {
+  Impl& own = *impl_;
+  PreparedCampaign& prepared = own.prepared;
+  const std::string who = "site " + own.name + ", member " + std::to_string(member + 1) + ": ";
+  try {
+    for (std::size_t i = 0; i < own.unknowns.size(); ++i) {
+      if (has_parameter(prepared.campaign, own.unknowns[i].parameter)) {
+        set_parameter(prepared.campaign, own.unknowns[i].parameter, values[i]);
+      }
+    }
+    prepared.header.ground_sets = ground_sets(prepared.campaign, prepared.header.zone_names);
+    if (own.blocks_vary) own.draw_blocks_of(member);
+    prepared.runs = own.chosen_runs(member);
+    settle_stiffness(prepared);
+  } catch (const Error& error) {
+    throw SimulationError(who + error.what());
+  }
+  std::vector<ReleaseOutcome> outcomes(prepared.runs.size());
+  std::vector<std::string> failures(prepared.runs.size());
+  parallel_for(prepared.runs.size(), threads, [&](std::size_t i) {
+    const RigidBody body = prepared.bodies[prepared.runs[i].block];
+    MomentObserver moments(own.facts.moments, body, prepared.header.frame,
+                           prepared.campaign.gravity);
+    MotionObserver observe;
+    if (!own.facts.moments.empty()) observe = [&](const MotionStep& step) { moments.see(step); };
+    const StoredRun run =
+        runs_from(prepared, static_cast<std::uint32_t>(i), {}, 1, observe).front();
+    outcomes[i] = outcome_of(run, prepared);
+    if (own.blocks_vary) {
+      outcomes[i].block =
+          static_cast<std::uint32_t>(prepared.choice.blocks[outcomes[i].block].library);
+    }
+    outcomes[i].moments = moments.outcomes(run.record.result.final_state);
+    if (run.record.result.stop_reason == StopReason::kError) {
+      failures[i] = run.record.result.message;
+    }
+  });
+  std::vector<ReleaseOutcome> good;
+  std::string failure;
+  for (std::size_t i = 0; i < outcomes.size(); ++i) {
+    failures[i].empty() ? good.push_back(outcomes[i]) : void(failure = failures[i]);
+  }
+  // One run that fails costs no member; many are a fault of it.
+  constexpr double kMostFailed = 0.1;
+  const double failed = static_cast<double>(outcomes.size() - good.size());
+  if (failed > kMostFailed * static_cast<double>(outcomes.size())) {
+    throw SimulationError(who + std::to_string(outcomes.size() - good.size()) + " of " +
+                          std::to_string(outcomes.size()) + " runs failed, the last: " + failure);
+  }
+  return good;
+}
+
+}  // namespace clast

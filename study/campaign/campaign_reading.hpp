@@ -1,0 +1,101 @@
+#pragma once
+/// Parts of a campaign file, read and checked.
+#include <filesystem>
+#include <functional>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/files/toml_reader.hpp"
+#include "study/campaign/campaign.hpp"
+
+namespace clast::study_detail {
+
+/// Far above any study, and low enough that a slip of the keyboard does not fill the memory.
+inline constexpr std::uint64_t kMostPerSet = 1'000'000;
+/// No rock is faster, m/s and rad/s: more is a slip of units, heights or gravity, and its time step
+/// would be so short that the run never ended.
+inline constexpr double kMostSpeed = 1000.0, kMostSpin = 1e4;
+
+/// Schemes whose classes blocks are selected and drawn by.
+inline const std::vector<std::string> kSelectingSchemes = {"garcia", "sneed-folk", "zingg"};
+
+/// Runs what reads a part of a campaign, and says whether that was done.
+using PartReader = std::function<bool(const std::function<void()>&)>;
+
+/// Runs parts, and puts what they refuse into `findings`, each refusal once.
+PartReader findings_into(std::vector<std::string>& findings);
+
+/// A campaign, read part by part through `read`; a part that needs another is left out where that
+/// one was not read.
+/// @param text  what the file holds or could hold; none: it is read
+Campaign read_by_parts(const std::filesystem::path& file, const std::optional<std::string>& text,
+                       const PartReader& read);
+
+/// A file named in the campaign, which must be there. Relative to the campaign file; ${CLAST_DATA}
+/// is replaced.
+/// @param text  the path, when `node` holds more than that
+std::filesystem::path input_file(const TomlTable& table, const std::string& key,
+                                 const TomlNode& node, std::string text);
+std::filesystem::path input_file(const TomlTable& table, const std::string& key,
+                                 const TomlNode& node);
+
+/// The value itself where it is no list.
+const TomlNode& element(const TomlNode& node, std::size_t index);
+
+/// One of the `campaign_words` of a table of the campaign.
+std::optional<std::string> campaign_choice(const TomlTable& table, const std::string& name,
+                                           const std::string& key);
+/// One of a few words.
+std::optional<std::string> choice(const TomlTable& table, const std::string& key,
+                                  const std::vector<std::string>& words);
+
+/// A table with its `campaign_keys`.
+TomlTable required_table(const TomlTable& top, const std::string& name);
+
+/// The nodes of an array of tables [[name]], or of one table [name]; none when it is absent.
+std::vector<const TomlNode*> tables_of(const TomlTable& top, const std::string& name);
+
+/// A number, `{ uniform = [low, high] }`, `{ normal = [mean, std] }` or
+/// `{ log_normal = [median, sigma] }`, where sigma is the standard deviation of the natural
+/// logarithm.
+/// None when the key is absent.
+/// @param range  for the number, both bounds, or mean and median
+/// @throws InputError  anything else; file, line, key and value
+std::optional<Uncertain> read_uncertain(const TomlTable& table, const std::string& key,
+                                        const NumberRange& range);
+
+BlockSelection read_blocks(const TomlTable& top);
+/// `vary` of [blocks], without library and blocks; none where it is absent.
+std::optional<SeriesRequest> read_vary(const TomlTable& blocks);
+/// A message of a library that names its fields between backticks: keys have the same names here.
+std::string in_words_of_campaign(std::string message);
+std::map<std::string, GroundTable> read_ground(const TomlTable& top);
+/// @param campaign  with its ground
+std::vector<BlockGroup> read_block_groups(const TomlTable& top, const Campaign& campaign);
+/// @param campaign  with its ground and groups
+Ensemble read_ensemble(const TomlTable& top, const Campaign& campaign);
+/// Can all releases have the starts that members take from a posterior?
+/// @param campaign  with its ensemble, releases and what stays
+void check_posterior_starts(const TomlTable& top, const Campaign& campaign);
+/// Corners in the plan; heights are left out.
+/// @throws InputError  fewer than three, or no points
+std::vector<Vec2> read_polygon(const TomlTable& table, const std::string& key,
+                               const TomlNode& node);
+/// How often blocks that stay are released: of [release] or the first [[mass]].
+std::uint32_t read_realisations(const TomlTable& table);
+/// [contact.blocks].
+/// @param who  needs it, for the message
+GroundParameters read_between_blocks(const TomlTable& top, const std::string& who);
+/// Names of the masses, seed, and that orientations are random: one to each [[mass]]; none without.
+std::vector<ReleasePlan> read_mass_releases(const TomlTable& top);
+/// All [[mass]]; none without.
+/// @param campaign  with its blocks and groups
+std::optional<StayPlan> read_masses(const TomlTable& top, const Campaign& campaign);
+/// Of [release], or those of [[mass]].
+std::vector<ReleasePlan> read_releases(const TomlTable& top, bool y_up);
+/// @param campaign  with its blocks, groups and releases
+std::optional<StayPlan> read_stay_plan(const TomlTable& top, const Campaign& campaign);
+
+}  // namespace clast::study_detail

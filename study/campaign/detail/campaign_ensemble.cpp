@@ -1,0 +1,199 @@
+// [ensemble] of a campaign file.
+#include <algorithm>
+#include <set>
+
+#include "core/error.hpp"
+#include "core/listed.hpp"
+#include "core/number_text.hpp"
+#include "core/statistics/sobol.hpp"
+#include "study/campaign/campaign_keys.hpp"
+#include "study/campaign/campaign_reading.hpp"
+#include "study/campaign/ground_fields.hpp"
+#include "study/campaign/unknown.hpp"
+
+namespace clast::study_detail {
+namespace {
+
+std::size_t uncertain_numbers(const std::map<std::string, GroundTable>& ground) {
+  std::size_t count = 0;
+  for (const auto& [zone, table] : ground) {
+    for (const GroundField& field : ground_fields()) {
+      const std::optional<Uncertain>& asked = table.*field.asked;
+      if (asked && !asked->fixed()) ++count;
+    }
+  }
+  return count;
+}
+
+std::size_t uncertain_numbers(const Campaign& campaign) {
+  std::size_t count = uncertain_numbers(campaign.ground);
+  for (const BlockGroup& group : campaign.groups) count += uncertain_numbers(group.ground);
+  return count;
+}
+
+/// "release" of "release.height_m".
+std::string table_of(const std::string& parameter) {
+  return parameter.substr(0, parameter.find('.'));
+}
+
+std::vector<std::string> quoted_names(const std::set<std::string>& names) {
+  std::vector<std::string> all;
+  for (const std::string& name : names) all.push_back("\"" + name + "\"");
+  return all;
+}
+
+/// The tables whose values come from the posterior: those of `take`, or the ground where the
+/// posterior has nothing else.
+std::set<std::string> taken_tables(const TomlTable& table, const PosteriorDraws& posterior) {
+  std::set<std::string> there;  // that members can take
+  for (const std::string& parameter : posterior.parameters) {
+    if (!is_of_blocks(parameter)) there.insert(table_of(parameter));
+  }
+  const std::string same_blocks =
+      "members of an ensemble have the same blocks; write the values that were found into [blocks] "
+      "draw, and leave ";
+  if (there.empty()) {
+    table.refuse(
+        "posterior", *table.find("posterior"),
+        "has " + listed(posterior.parameters) + " alone, and " + same_blocks + "posterior out");
+  }
+  const std::optional<std::vector<std::string>> take = table.texts("take");
+  if (!take) {
+    for (const std::string& parameter : posterior.parameters) {
+      if (is_of_ground(parameter)) continue;
+      table.refuse("posterior", *table.find("posterior"),
+                   "was calibrated with " + parameter +
+                       " too; say which tables members have from it: take = [" +
+                       listed(quoted_names(there)) +
+                       "], or fewer, and the others are as the campaign has them");
+    }
+    return there;
+  }
+  const TomlNode& node = *table.find("take");
+  const std::vector<std::string>& known = campaign_words("ensemble", "take");
+  for (const std::string& name : *take) {
+    if (name == "blocks") {
+      table.refuse("take", node, same_blocks + "\"blocks\" out");
+    }
+    if (std::find(known.begin(), known.end(), name) == known.end()) {
+      table.refuse("take", node, "\"" + name + "\" is none of " + listed(known));
+    }
+    if (!there.contains(name)) {
+      table.refuse("take", node,
+                   "the posterior has no parameter of \"" + name + "\", but " +
+                       listed(posterior.parameters));
+    }
+  }
+  return {take->begin(), take->end()};
+}
+
+/// The parameters of these tables alone.
+PosteriorDraws only(const std::set<std::string>& tables, const PosteriorDraws& all) {
+  PosteriorDraws taken{all.file, {}, std::vector<std::vector<double>>(all.draws.size())};
+  for (std::size_t i = 0; i < all.parameters.size(); ++i) {
+    if (!tables.contains(table_of(all.parameters[i]))) continue;
+    taken.parameters.push_back(all.parameters[i]);
+    for (std::size_t draw = 0; draw < all.draws.size(); ++draw) {
+      taken.draws[draw].push_back(all.draws[draw][i]);
+    }
+  }
+  return taken;
+}
+
+/// @throws InputError  a value that no campaign may have
+void check_values(const TomlTable& table, const PosteriorDraws& posterior) {
+  for (std::size_t i = 0; i < posterior.parameters.size(); ++i) {
+    const std::string& parameter = posterior.parameters[i];
+    try {
+      const NumberRange allowed = parameter_range(parameter).allowed;
+      for (const std::vector<double>& draw : posterior.draws) {
+        if (allowed.holds(draw[i])) continue;
+        throw InputError("has a draw of " + with_digits(draw[i], 6) + ", which must be " +
+                         allowed.words());
+      }
+    } catch (const InputError& error) {
+      table.refuse("posterior", *table.find("posterior"), parameter + " " + error.what());
+    }
+  }
+}
+
+PosteriorDraws read_posterior(const TomlTable& table, const Campaign& campaign,
+                              const Ensemble& ensemble) {
+  const TomlNode& node = *table.find("posterior");
+  table.text("posterior");
+  const PosteriorDraws all = read_posterior_draws(input_file(table, "posterior", node));
+  PosteriorDraws taken = only(taken_tables(table, all), all);
+  check_values(table, taken);
+  const auto is_in_campaign = [&](const std::string& parameter) {
+    return !is_of_ground(parameter) || has_parameter(campaign, parameter);
+  };
+  if (std::none_of(taken.parameters.begin(), taken.parameters.end(), is_in_campaign)) {
+    table.refuse("posterior", node,
+                 "has no parameter of this ground, but " + listed(all.parameters));
+  }
+  if (ensemble.members > taken.draws.size()) {
+    table.refuse(
+        "members", *table.find("members"),
+        "is more than the " + std::to_string(taken.draws.size()) + " draws of the posterior");
+  }
+  return taken;
+}
+
+}  // namespace
+
+Ensemble read_ensemble(const TomlTable& top, const Campaign& campaign) {
+  const bool anything = uncertain_numbers(campaign) > 0;
+  const TomlNode* node = top.find("ensemble");
+  if (!node) {
+    if (anything) {
+      throw InputError(top.file() +
+                       ": ground parameters are uncertain; say how often they are drawn, with "
+                       "[ensemble] members = N");
+    }
+    return {};
+  }
+  const TomlTable table(*node, top.file(), "[ensemble]", campaign_keys("ensemble"));
+  table.required("members", "how often the parameters are drawn, a whole number");
+  if (!anything && !table.find("posterior")) {
+    table.refuse(
+        "no ground parameter is uncertain; write for example friction = { uniform = [0.5, 0.8] }");
+  }
+  if (table.find("take") && !table.find("posterior")) {
+    table.refuse("take", *table.find("take"), "is of a posterior; name its file as posterior");
+  }
+  Ensemble ensemble;
+  ensemble.members = static_cast<std::uint32_t>(*table.count("members", 1, kMostPerSet));
+  ensemble.seed = table.count("seed", 0, INT64_MAX).value_or(ensemble.seed);
+  if (campaign_choice(table, "ensemble", "design") == "sobol") {
+    ensemble.design = Ensemble::Design::kSobol;
+    const std::size_t numbers = uncertain_numbers(campaign);
+    if (numbers > kMostSobolDimensions) {
+      table.refuse("design", *table.find("design"),
+                   "fills at most " + std::to_string(kMostSobolDimensions) +
+                       " uncertain parameters evenly, and there are " + std::to_string(numbers) +
+                       "; fix some, or leave design out");
+    }
+  }
+  if (table.find("posterior")) ensemble.posterior = read_posterior(table, campaign, ensemble);
+  return ensemble;
+}
+
+void check_posterior_starts(const TomlTable& top, const Campaign& campaign) {
+  if (!campaign.ensemble.posterior) return;
+  const TomlTable table(*top.find("ensemble"), top.file(), "[ensemble]", campaign_keys("ensemble"));
+  for (const std::string& parameter : campaign.ensemble.posterior->parameters) {
+    if (!is_of_release(parameter)) continue;
+    if (campaign.stay && !campaign.stay->masses.empty()) {
+      table.refuse("take", *table.find("take"),
+                   "the blocks of a mass start at rest where they lie, and the posterior has " +
+                       parameter + "; leave \"release\" out");
+    }
+    if (has_parameter(campaign, parameter)) continue;
+    table.refuse("take", *table.find("take"),
+                 "the posterior has " + parameter +
+                     ", and a release of this campaign starts at given heights; give it height_m, "
+                     "or leave \"release\" out");
+  }
+}
+
+}  // namespace clast::study_detail

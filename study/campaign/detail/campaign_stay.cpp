@@ -1,0 +1,121 @@
+// Blocks that stay: `sequence = "stay"` of [release], and [contact.blocks] of a campaign file.
+#include <algorithm>
+
+#include "core/error.hpp"
+#include "core/listed.hpp"
+#include "study/campaign/campaign_keys.hpp"
+#include "study/campaign/campaign_ranges.hpp"
+#include "study/campaign/campaign_reading.hpp"
+#include "study/campaign/ground_fields.hpp"
+
+namespace clast::study_detail {
+
+namespace {
+
+/// Names of zones in `remove = { zone = ... }`; none without it.
+std::vector<std::string> read_cleared_zones(const TomlTable& table, const Campaign& campaign) {
+  const TomlNode* node = table.find("remove");
+  if (!node) return {};
+  if (node->kind != TomlNode::Kind::kTable) {
+    table.refuse("remove", *node, "must be { zone = \"NAME\" } or { zone = [\"NAME\", ...] }");
+  }
+  const TomlTable rule(*node, table.file(), "[release] remove", {"zone"});
+  const TomlNode& zone = rule.required("zone", "the name of a ground zone, or a list of names");
+  const std::vector<std::string> names = *rule.texts("zone");
+  for (const std::string& name : names) {
+    if (std::count(names.begin(), names.end(), name) > 1) {
+      rule.refuse("zone", zone, "names \"" + name + "\" more than once");
+    }
+    if (campaign.ground.contains(name)) continue;
+    std::vector<std::string> known;
+    for (const auto& [of_table, parameters] : campaign.ground) known.push_back(of_table);
+    rule.refuse("zone", zone, "\"" + name + "\" is no ground zone; zones are " + listed(known));
+  }
+  return names;
+}
+
+/// [contact.blocks]; none when it is absent.
+const TomlNode* contact_of_blocks(const TomlTable& top) {
+  const TomlNode* contact = top.find("contact");
+  return contact ? contact->find("blocks") : nullptr;
+}
+
+}  // namespace
+
+std::uint32_t read_realisations(const TomlTable& table) {
+  return static_cast<std::uint32_t>(table.count("realisations", 1, kMostPerSet).value_or(1));
+}
+
+GroundParameters read_between_blocks(const TomlTable& top, const std::string& who) {
+  const TomlNode* between = contact_of_blocks(top);
+  if (!between) {
+    throw InputError(top.file() + ": " + who +
+                     " hit each other; add [contact.blocks] with energy_restitution, friction and "
+                     "rolling_friction");
+  }
+  const TomlTable parameters(*between, top.file(), "[contact.blocks]",
+                             campaign_keys("contact.blocks"));
+  GroundParameters between_blocks;
+  for (const GroundField& field : ground_fields()) {
+    if (field.of_soil) continue;
+    if (field.required) parameters.required(field.name, field.range.words());
+    between_blocks.*field.value = parameters.number(field.name, field.range).value_or(0.0);
+  }
+  return between_blocks;
+}
+
+std::vector<Vec2> read_polygon(const TomlTable& table, const std::string& key,
+                               const TomlNode& node) {
+  if (node.kind != TomlNode::Kind::kList || node.list.size() < 3) {
+    table.refuse(key, node, "must be a list of at least 3 points");
+  }
+  std::vector<Vec2> corners;
+  for (const TomlNode& row : node.list) {
+    const std::vector<double> values = table.numbers(
+        key, row, 2, 3, "points of finite numbers, [x, y] or [x, y, z]", kMapCoordinate);
+    corners.emplace_back(values[0], values[1]);
+  }
+  return corners;
+}
+
+std::optional<StayPlan> read_stay_plan(const TomlTable& top, const Campaign& campaign) {
+  if (std::optional<StayPlan> masses = read_masses(top, campaign)) return masses;
+  const std::vector<const TomlNode*> nodes = tables_of(top, "release");
+  const TomlTable table(*nodes.front(), top.file(), "[release]", campaign_keys("release"));
+  const bool stay = campaign_choice(table, "release", "sequence") == "stay";
+  if (!stay) {
+    for (const char* key : {"realisations", "order", "remove"}) {
+      if (const TomlNode* node = table.find(key)) {
+        table.refuse(key, *node, "is for blocks that stay; add sequence = \"stay\"");
+      }
+    }
+    if (contact_of_blocks(top)) {
+      throw InputError(top.file() +
+                       ": [contact.blocks] is for blocks that stay; add sequence = "
+                       "\"stay\" to [release], or leave it out");
+    }
+    return std::nullopt;
+  }
+  const TomlNode& sequence = *table.find("sequence");
+  if (nodes.size() > 1) {
+    table.refuse("sequence", sequence,
+                 "blocks that stay come from one [release]; put all points into one");
+  }
+  if (!campaign.groups.empty()) {
+    table.refuse("sequence", sequence,
+                 "blocks that stay share one ground; leave the block groups out");
+  }
+  StayPlan plan;
+  plan.realisations = read_realisations(table);
+  const std::optional<std::string> order = campaign_choice(table, "release", "order");
+  plan.random_order = order != "listed";
+  if (!plan.random_order && campaign.blocks.draw) {
+    table.refuse("order", *table.find("order"),
+                 "drawn blocks are in no order; leave it out, or select blocks by their ids");
+  }
+  plan.cleared_zones = read_cleared_zones(table, campaign);
+  plan.between_blocks = read_between_blocks(top, "blocks that stay");
+  return plan;
+}
+
+}  // namespace clast::study_detail

@@ -1,0 +1,44 @@
+#include "study/campaign/ground_fields.hpp"
+
+#include <array>
+
+#include "study/campaign/campaign_ranges.hpp"
+
+namespace clast {
+
+using namespace study_detail;
+
+std::span<const GroundField> ground_fields() {
+  using Parameters = GroundParameters;
+  using Table = GroundTable;
+  static constexpr std::array<GroundField, 10> kFields{
+      {{"energy_restitution", "", "e_n^2", "e_n\xC2\xB2", "energy restitution", kEnergyRestitution,
+        true, false, &Parameters::energy_restitution, &Table::energy_restitution},
+       {"friction", "", "mu", "friction \xC2\xB5", "friction", kFriction, true, false,
+        &Parameters::friction, &Table::friction},
+       {"rolling_friction", "", "mu_R", "rolling friction \xC2\xB5_R", "rolling friction",
+        kFriction, true, false, &Parameters::rolling_friction, &Table::rolling_friction},
+       {"rolling_length_m", "m", "a, k_r = k_n a^2; 0: not stated", "rolling length a, m",
+        "rolling length", kRollingLength, false, false, &Parameters::rolling_length,
+        &Table::rolling_length},
+       {"friction_min", "", "mu before a block slides, where it grows",
+        "smallest friction \xC2\xB5", "smallest friction", kFriction, false, true,
+        &Parameters::friction_min, &Table::friction_min},
+       {"slip_growth_per_m", "1/m", "kappa, mu grows with slip; 0: it does not",
+        "growth with slip \xCE\xBA, 1/m", "growth of friction with slip", kSlipGrowth, false, true,
+        &Parameters::slip_growth, &Table::slip_growth},
+       {"slip_memory_s", "s", "1/beta, for which slip counts after a contact",
+        "memory of slip 1/\xCE\xB2, s", "memory of slip", kSlipMemory, false, true,
+        &Parameters::slip_memory, &Table::slip_memory},
+       {"scar_drag", "", "C_d of the scar; 0: none", "scar drag C_d", "scar drag", kScarDrag, false,
+        true, &Parameters::scar_drag, &Table::scar_drag},
+       {"soil_density_kg_m3", "kg/m^3", "rho of the soil that scar drag moves",
+        "soil density \xCF\x81, kg/m\xC2\xB3", "soil density", kSoilDensity, false, true,
+        &Parameters::soil_density, &Table::soil_density},
+       {"soil_memory_m", "m", "width of cells that remember dents; 0: none",
+        "cells of soil memory, m", "cells of soil memory", kSoilMemory, false, true,
+        &Parameters::soil_memory, &Table::soil_memory}}};
+  return kFields;
+}
+
+}  // namespace clast

@@ -1,0 +1,37 @@
+#pragma once
+/// Values of keys, for tables of them.
+#include <utility>
+
+#include "study/campaign/key_table.hpp"
+
+namespace clast::study_detail {
+
+using Kind = ValueForm::Kind;
+using Forms = std::vector<ValueForm>;
+
+inline ValueForm text() { return {}; }
+inline ValueForm words(std::vector<std::string> all) { return {.words = std::move(all)}; }
+inline ValueForm fitting(std::string pattern) { return {.pattern = std::move(pattern)}; }
+inline ValueForm flag() { return {.kind = Kind::kFlag}; }
+inline ValueForm count(std::uint64_t least, std::uint64_t most) {
+  return {.kind = Kind::kCount, .least = least, .most = most};
+}
+inline ValueForm seed() { return count(0, INT64_MAX); }
+inline ValueForm number(const NumberRange& range) {
+  return {.kind = Kind::kNumber, .range = range};
+}
+inline ValueForm list(ValueForm item, std::uint64_t least, std::uint64_t most = INT64_MAX) {
+  return {.kind = Kind::kList, .least = least, .most = most, .items = {std::move(item)}};
+}
+inline ValueForm table(std::vector<TableKey> keys) {
+  return {.kind = Kind::kTable, .keys = std::move(keys)};
+}
+inline ValueForm named(ValueForm item) {
+  return {.kind = Kind::kNamed, .items = {std::move(item)}};
+}
+/// A text, or a list of them.
+inline Forms texts() { return {text(), list(text(), 1)}; }
+/// A number, or the law by which it is drawn, as `read_uncertain` takes it.
+Forms uncertain(const NumberRange& range);
+
+}  // namespace clast::study_detail

@@ -1,0 +1,28 @@
+#include "study/campaign/planned_power.hpp"
+
+#include <cmath>
+
+#include "core/statistics/group_differences.hpp"
+
+namespace clast {
+
+double assumed_design_effect(std::size_t runs, std::size_t blocks) {
+  const double each = static_cast<double>(runs) / static_cast<double>(blocks);
+  return 1.0 + (each - 1.0) * kAssumedBlockShare;
+}
+
+bool PlannedPower::known() const {
+  return trial_runs > 1 && blocks >= kFewestBlocksOfPower && scatter > 0.0;
+}
+
+double PlannedPower::smallest() const {
+  // Values needed go with one over the square of the difference.
+  return std::sqrt(values_needed(1.0, scatter, design_effect()) / static_cast<double>(runs));
+}
+
+double PlannedPower::runs_needed() const {
+  const double times = smallest() / *margin;
+  return std::ceil(times * times * static_cast<double>(runs));
+}
+
+}  // namespace clast

@@ -1,0 +1,36 @@
+#include "study/campaign/posterior_draws.hpp"
+
+#include "core/error.hpp"
+#include "core/files/hdf5_file.hpp"
+#include "study/campaign/checked_group.hpp"
+
+namespace clast {
+
+using study_detail::CheckedGroup;
+
+PosteriorDraws read_posterior_draws(const std::filesystem::path& path) {
+  const Hdf5File file = Hdf5File::open(path, kPosteriorFormat, kPosteriorSchema);
+  const Hdf5Group root = file.root();
+  PosteriorDraws draws{path, {}, {}};
+  draws.parameters = root.group("unknowns").read<std::string>("parameter");
+  if (!root.has("posterior")) {
+    throw InputError(
+        path.string() +
+        ": is a calibration without draws, interrupted or one of several shards; go on with "
+        "it, or join the shards first");
+  }
+  const Hdf5Group posterior = root.group("posterior");
+  const std::vector<double> values = posterior.read<double>("draws");
+  const std::size_t each = draws.parameters.size();
+  const CheckedGroup group{path.string(), "/posterior", posterior};
+  if (each == 0 || values.empty() || values.size() % each != 0) {
+    group.damaged("draws", "has no whole number of draws");
+  }
+  for (std::size_t i = 0; i < values.size(); i += each) {
+    draws.draws.emplace_back(values.begin() + static_cast<std::ptrdiff_t>(i),
+                             values.begin() + static_cast<std::ptrdiff_t>(i + each));
+  }
+  return draws;
+}
+
+}  // namespace clast

@@ -1,0 +1,69 @@
+#include "study/campaign/uncertain.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/statistics/probability.hpp"
+
+namespace clast {
+namespace {
+
+double drawn_once(const Uncertain& number, Random& random) {
+  switch (number.law) {
+    case Uncertain::Law::kFixed:
+      return number.first;
+    case Uncertain::Law::kUniform:
+      return random.uniform(number.first, number.second);
+    case Uncertain::Law::kNormal:
+      return number.first + number.second * random.normal();
+    case Uncertain::Law::kLogNormal:
+      return number.first * std::exp(number.second * random.normal());
+  }
+  return number.first;
+}
+
+}  // namespace
+
+double Uncertain::central() const { return law == Law::kUniform ? 0.5 * (first + second) : first; }
+
+double Uncertain::mean() const {
+  if (law == Law::kFixed || law == Law::kUniform) return central();
+  // Of a law cut off at both ends, in standard deviations from its middle.
+  const auto deviations = [&](double value) {
+    if (law == Law::kNormal) return (value - first) / second;
+    return value > 0.0 ? std::log(value / first) / second : -1e300;
+  };
+  const double from = deviations(low), to = deviations(high);
+  const double all = normal_below(to) - normal_below(from);
+  if (law == Law::kLogNormal) {
+    return first * std::exp(0.5 * second * second) *
+           (normal_below(to - second) - normal_below(from - second)) / all;
+  }
+  const auto density = [](double z) { return std::exp(-0.5 * z * z) / std::sqrt(2.0 * kPi); };
+  return first + second * (density(from) - density(to)) / all;
+}
+
+double Uncertain::draw(Random& random) const {
+  // Mean and median lie inside the range, so about every second draw does at worst.
+  while (true) {
+    const double value = drawn_once(*this, random);
+    if (fixed() || (value > low && value <= high)) return value;
+  }
+}
+
+double Uncertain::quantile(double below) const {
+  // Shares of a normal law that no draw in a campaign is beyond.
+  constexpr double kLeast = 1e-12;
+  if (fixed()) return first;
+  if (law == Law::kUniform) return first + (second - first) * below;
+  const auto share_below = [&](double value) {
+    if (law == Law::kNormal) return normal_below((value - first) / second);
+    return value > 0.0 ? normal_below(std::log(value / first) / second) : 0.0;
+  };
+  const double from = share_below(low), to = share_below(high);
+  const double z = normal_quantile(std::clamp(from + (to - from) * below, kLeast, 1.0 - kLeast));
+  const double value = law == Law::kNormal ? first + second * z : first * std::exp(second * z);
+  return std::clamp(value, low, high);
+}
+
+}  // namespace clast

@@ -1,0 +1,222 @@
+#include "study/campaign/unknown.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <span>
+
+#include "classify/schemes.hpp"
+#include "core/error.hpp"
+#include "core/listed.hpp"
+#include "study/campaign/campaign_ranges.hpp"
+#include "study/campaign/campaign_reading.hpp"
+#include "study/campaign/ground_fields.hpp"
+
+namespace clast {
+
+using namespace study_detail;
+namespace {
+
+constexpr const char* kGround = "ground.";
+constexpr const char* kSharePrefix = "blocks.share.";
+
+/// A parameter that is not of a zone or class.
+struct Settable {
+  const char* name;
+  const char* unit;
+  NumberRange range;
+  void (*set)(Campaign& campaign, double value);
+  /// Null: every campaign has it.
+  bool (*has)(const Campaign& campaign) = nullptr;
+  const char* why_not = "";  ///< no campaign has it
+};
+
+template <class Set>
+void in_releases(Campaign& campaign, const Set& set) {
+  for (ReleasePlan& release : campaign.releases) set(release);
+}
+
+template <int axis>
+void set_velocity(Campaign& campaign, double value) {
+  in_releases(campaign, [&](ReleasePlan& release) { release.velocity[axis] = value; });
+}
+template <int axis>
+void set_spin(Campaign& campaign, double value) {
+  in_releases(campaign, [&](ReleasePlan& release) { release.angular_velocity[axis] = value; });
+}
+
+bool has_height(const Campaign& campaign) {
+  return std::all_of(campaign.releases.begin(), campaign.releases.end(),
+                     [](const ReleasePlan& release) { return release.drop_height.has_value(); });
+}
+
+/// Are the masses of drawn blocks of this law?
+template <Uncertain::Law law>
+bool has_mass(const Campaign& campaign) {
+  const std::optional<BlockDraw>& draw = campaign.blocks.draw;
+  return draw && draw->mass && draw->mass->law == law;
+}
+template <double Uncertain::*number>
+void set_mass(Campaign& campaign, double value) {
+  (*campaign.blocks.draw->mass).*number = value;
+}
+
+std::span<const Settable> settables() {
+  using Law = Uncertain::Law;
+  static constexpr NumberRange kSpeed{-kMostSpeed, kMostSpeed, "m/s"};
+  static constexpr NumberRange kSpin{-kMostSpin, kMostSpin, "rad/s"};
+  static constexpr const char* kLogNormal =
+      "no campaign has [blocks] draw with mass_kg = { log_normal = [median, sigma] }";
+  static constexpr const char* kNormal =
+      "no campaign has [blocks] draw with mass_kg = { normal = [mean, std] }";
+  static constexpr std::array<Settable, 15> kSettables{
+      {{"blocks.mass_kg", "kg", kBlockMass, &set_mass<&Uncertain::first>, &has_mass<Law::kFixed>,
+        "no campaign has [blocks] draw with a number as mass_kg"},
+       {"blocks.mass_median_kg", "kg", kBlockMass, &set_mass<&Uncertain::first>,
+        &has_mass<Law::kLogNormal>, kLogNormal},
+       {"blocks.mass_sigma", "", kLogSigma, &set_mass<&Uncertain::second>,
+        &has_mass<Law::kLogNormal>, kLogNormal},
+       {"blocks.mass_mean_kg", "kg", kBlockMass, &set_mass<&Uncertain::first>,
+        &has_mass<Law::kNormal>, kNormal},
+       {"blocks.mass_std_kg", "kg", kBlockMass, &set_mass<&Uncertain::second>,
+        &has_mass<Law::kNormal>, kNormal},
+       {"contact.stiffness_n_m", "N/m", kStiffness,
+        [](Campaign& campaign, double value) { campaign.stiffness.normal = value; }},
+       {"contact.tangential_stiffness_n_m", "N/m", kStiffness,
+        [](Campaign& campaign, double value) { campaign.stiffness.tangential = value; }},
+       {"contact.rolling_stiffness_n_m_rad", "N m/rad", kRollingStiffness,
+        [](Campaign& campaign, double value) { campaign.stiffness.rolling = value; }},
+       {"release.height_m", "m", kDropHeight,
+        [](Campaign& campaign, double value) {
+          in_releases(campaign, [&](ReleasePlan& release) { release.drop_height = value; });
+        },
+        &has_height, "no campaign releases blocks at a height_m"},
+       {"release.velocity_x_m_s", "m/s", kSpeed, &set_velocity<0>},
+       {"release.velocity_y_m_s", "m/s", kSpeed, &set_velocity<1>},
+       {"release.velocity_z_m_s", "m/s", kSpeed, &set_velocity<2>},
+       {"release.spin_x_rad_s", "rad/s", kSpin, &set_spin<0>},
+       {"release.spin_y_rad_s", "rad/s", kSpin, &set_spin<1>},
+       {"release.spin_z_rad_s", "rad/s", kSpin, &set_spin<2>}}};
+  return kSettables;
+}
+
+const Settable* settable(const std::string& parameter) {
+  for (const Settable& one : settables()) {
+    if (parameter == one.name) return &one;
+  }
+  return nullptr;
+}
+
+/// "ground.ZONE.FIELD", where zones may have points in their names; null: no such field.
+struct ZoneField {
+  std::string zone;
+  const GroundField* field = nullptr;
+};
+
+ZoneField zone_field(const std::string& parameter) {
+  ZoneField found;
+  const std::size_t point = parameter.rfind('.');
+  const std::size_t begin = std::string(kGround).size();
+  if (!parameter.starts_with(kGround) || point <= begin) return found;
+  found.zone = parameter.substr(begin, point - begin);
+  for (const GroundField& field : ground_fields()) {
+    if (parameter.substr(point + 1) == field.name) found.field = &field;
+  }
+  return found;
+}
+
+}  // namespace
+
+double Unknown::value(double below) const {
+  if (!logarithmic) return low + (high - low) * below;
+  return low * std::pow(high / low, below);
+}
+
+double Unknown::share_below(double value) const {
+  if (!logarithmic) return (value - low) / (high - low);
+  return std::log(value / low) / std::log(high / low);
+}
+
+std::vector<std::pair<std::string, ParameterRange>> calibrated_parameters() {
+  std::vector<std::pair<std::string, ParameterRange>> all;
+  for (const GroundField& field : ground_fields()) {
+    all.push_back({kGround + std::string("ZONE.") + field.name, {field.unit, field.range}});
+  }
+  all.push_back({kSharePrefix + std::string("CLASS"), {"", kClassShare}});
+  for (const Settable& one : settables()) all.push_back({one.name, {one.unit, one.range}});
+  return all;
+}
+
+ParameterRange parameter_range(const std::string& parameter) {
+  if (const Settable* found = settable(parameter)) return {found->unit, found->range};
+  if (const GroundField* field = zone_field(parameter).field) return {field->unit, field->range};
+  if (!share_class(parameter).empty()) return {"", kClassShare};
+  std::vector<std::string> names;
+  if (parameter.starts_with(kSharePrefix)) {
+    for (const std::string& scheme : kSelectingSchemes) {
+      const std::vector<std::string>& of_scheme = class_names(scheme);
+      names.insert(names.end(), of_scheme.begin(), of_scheme.end());
+    }
+    throw InputError("is the share of no class; classes are " + listed(names));
+  }
+  for (const auto& [name, range] : calibrated_parameters()) names.push_back(name);
+  throw InputError("is no parameter that can be calibrated; these are " + listed(names));
+}
+
+bool has_parameter(const Campaign& campaign, const std::string& parameter) {
+  if (const ZoneField of_zone = zone_field(parameter); of_zone.field) {
+    return campaign.ground.contains(of_zone.zone);
+  }
+  if (const std::string name = share_class(parameter); !name.empty()) {
+    const std::optional<BlockDraw>& draw = campaign.blocks.draw;
+    return draw && std::any_of(draw->shares.begin(), draw->shares.end(),
+                               [&](const auto& share) { return share.first == name; });
+  }
+  const Settable* found = settable(parameter);
+  return found && (!found->has || found->has(campaign));
+}
+
+std::string why_no_campaign_has(const std::string& parameter) {
+  if (!share_class(parameter).empty()) {
+    return "no campaign has [blocks] draw with this class in shares";
+  }
+  const Settable* found = settable(parameter);
+  return found ? found->why_not : "no campaign has this zone";
+}
+
+void set_parameter(Campaign& campaign, const std::string& parameter, double value) {
+  if (const ZoneField of_zone = zone_field(parameter); of_zone.field) {
+    Uncertain number;
+    number.first = value;
+    campaign.ground.at(of_zone.zone).*of_zone.field->asked = number;
+    return;
+  }
+  if (const std::string name = share_class(parameter); !name.empty()) {
+    campaign.blocks.draw->set_shares[name] = value;
+    return;
+  }
+  if (const Settable* found = settable(parameter)) found->set(campaign, value);
+}
+
+bool is_of_ground(const std::string& parameter) { return zone_field(parameter).field != nullptr; }
+
+bool is_of_release(const std::string& parameter) {
+  return parameter.starts_with("release.") && settable(parameter);
+}
+
+bool is_of_blocks(const std::string& parameter) {
+  return !share_class(parameter).empty() ||
+         (parameter.starts_with("blocks.") && settable(parameter));
+}
+
+std::string share_class(const std::string& parameter) {
+  if (!parameter.starts_with(kSharePrefix)) return "";
+  const std::string name = parameter.substr(std::string(kSharePrefix).size());
+  for (const std::string& scheme : kSelectingSchemes) {
+    const std::vector<std::string>& classes = class_names(scheme);
+    if (std::find(classes.begin(), classes.end(), name) != classes.end()) return name;
+  }
+  return "";
+}
+
+}  // namespace clast

@@ -1,0 +1,25 @@
+#pragma once
+/// The barrier part of a comparison.
+#include <vector>
+
+#include "study/compare/comparison.hpp"
+#include "study/compare/ground_draws.hpp"
+
+namespace clast::study_detail {
+
+struct BarrierComparison {
+  std::vector<BarrierLine> lines;
+  std::vector<CrossingRow> crossings;
+  std::vector<BarrierGroup> groups;
+};
+
+/// @throws InputError  a crossing of a run or barrier that is not in its file
+BarrierComparison compare_barriers(const std::vector<CampaignResults>& results,
+                                   const std::vector<RunRow>& rows,
+                                   const std::vector<Group>& groups);
+
+/// What passes a barrier in each draw of the ground; draws whose runs never met it left out.
+std::vector<BarrierGroup> passages_by_draw(const Comparison& comparison, std::size_t line,
+                                           const std::vector<RowsOfDraw>& draws);
+
+}  // namespace clast::study_detail

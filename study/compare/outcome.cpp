@@ -1,0 +1,60 @@
+#include "study/compare/outcome.hpp"
+
+#include <algorithm>
+
+#include "core/error.hpp"
+#include "core/number_text.hpp"
+#include "study/compare/comparison.hpp"
+
+namespace clast {
+
+CampaignOutcome outcome_of(const CampaignResults& results) {
+  CampaignOutcome outcome;
+  for (const RunRecord& run : results.runs) {
+    const auto reason = std::find(kStopReasons.begin(), kStopReasons.end(), run.result.stop_reason);
+    ++outcome.reasons[static_cast<std::size_t>(reason - kStopReasons.begin())];
+    if (run.result.below_ground) ++outcome.below_ground;
+    if (results.has_contacts()) {
+      outcome.largest_energy_error =
+          std::max(outcome.largest_energy_error.value_or(0.0), run.result.energy.error);
+      const double reassigned = reassigned_share(run.result.energy).value_or(0.0);
+      if (reassigned > kNotableReassigned) ++outcome.reassigned;
+      outcome.largest_reassigned = std::max(outcome.largest_reassigned.value_or(0.0), reassigned);
+    }
+    if (run.result.stop_reason == StopReason::kError && outcome.first_error.empty()) {
+      outcome.first_error = "run " + std::to_string(run.run) + ": " + run.result.message;
+    }
+  }
+  return outcome;
+}
+
+std::vector<std::string> outcome_warnings(const CampaignOutcome& outcome) {
+  std::vector<std::string> warnings;
+  if (outcome.reassigned > 0) {
+    warnings.push_back(
+        counted(outcome.reassigned, "run loses or gains", "runs lose or gain") +
+        " more than 10 % of the dissipated energy where contacts change, the largest share being " +
+        with_digits(100.0 * outcome.largest_reassigned.value_or(0.0), 2) +
+        " %; clast compare names the worst run and says what to try");
+  }
+  return warnings;
+}
+
+void check_outcome(const CampaignResults& results, const std::filesystem::path& file) {
+  const CampaignOutcome outcome = outcome_of(results);
+  if (outcome.errors() == 0) return;
+  // A mass that does not settle says itself what to do.
+  const std::string advice = outcome.first_error.find(": [mass]") != std::string::npos
+                                 ? ""
+                                 : ". Try a smaller [contact] time_step_s, or stiffness = "
+                                   "\"auto\", and look at the ground "
+                                   "at the place named";
+  throw SimulationError(std::to_string(outcome.errors()) + " of " +
+                        counted(results.runs.size(), "run") + " ended with an error, the first: " +
+                        outcome.first_error + ". All runs are in " + file.string() +
+                        "; clast compare lists the failed ones and leaves them out of its "
+                        "statistics" +
+                        advice);
+}
+
+}  // namespace clast

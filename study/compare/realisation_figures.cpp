@@ -1,0 +1,188 @@
+#include "study/compare/realisation_figures.hpp"
+
+#include <cmath>
+
+#include "core/angle.hpp"
+#include "core/number_text.hpp"
+#include "core/statistics/group_differences.hpp"
+#include "study/compare/differences.hpp"
+
+namespace clast {
+namespace {
+
+constexpr double kLevel = 0.05;  ///< of tests
+constexpr Interval kPositive{0.0, INFINITY};
+constexpr Interval kPossibleShare{0.0, 1.0};
+
+double plan_distance(const Vec3& from, const Vec3& to) { return (to - from).head<2>().norm(); }
+
+FigureOfFile figure_of_file(const std::vector<RealisationDeposit>& realisations, std::uint32_t file,
+                            std::size_t figure) {
+  FigureOfFile found;
+  found.file = file;
+  found.figure = figure;
+  std::vector<double> values;
+  for (const RealisationDeposit& deposit : realisations) {
+    if (deposit.file != file) continue;
+    const double value = realisation_figures()[figure].value(deposit);
+    if (!std::isfinite(value)) continue;
+    if (!(found.least <= value)) found.least = value;
+    values.push_back(value);
+  }
+  found.summary = summarise(values);
+  found.interval = mean_interval(found.summary, realisation_figures()[figure].possible);
+  return found;
+}
+
+/// The pairs of files in each figure, uncorrected.
+std::vector<FigureDifference> pairs_of(const std::vector<std::vector<FigureOfFile>>& by_file) {
+  std::vector<FigureDifference> pairs;
+  for (std::size_t i = 0; i < by_file.size(); ++i) {
+    for (std::size_t k = i + 1; k < by_file.size(); ++k) {
+      for (std::size_t figure = 0; figure < realisation_figures().size(); ++figure) {
+        FigureDifference pair;
+        pair.first = by_file[i][figure];
+        pair.second = by_file[k][figure];
+        if (pair.first.summary.count == 0 || pair.second.summary.count == 0) continue;
+        pair.welch = welch_difference(pair.first.summary, pair.second.summary);
+        pairs.push_back(pair);
+      }
+    }
+  }
+  return pairs;
+}
+
+void correct_p(std::vector<FigureDifference>& differences) {
+  std::vector<double> p_values;
+  for (const FigureDifference& one : differences) {
+    if (one.welch) p_values.push_back(one.welch->p_value);
+  }
+  const std::vector<double> corrected = holm(p_values);
+  std::size_t next = 0;
+  for (FigureDifference& one : differences) {
+    if (!one.welch) continue;
+    one.p_holm = corrected[next++];
+    one.tests = corrected.size();
+  }
+}
+
+}  // namespace
+
+const std::vector<RealisationFigure>& realisation_figures() {
+  using Row = RealisationDeposit;
+  const auto of_energy = [](auto value) {
+    return [value](const Row& row) { return row.energy ? value(*row.energy) : NAN; };
+  };
+  static const std::vector<RealisationFigure> kFigures = {
+      {"lying", "", "blocks that lie there", 1,
+       [](const Row& row) { return static_cast<double>(row.lying); }, kPositive},
+      {"lying_share", "", "share of blocks that lie there", 3,
+       [](const Row& row) {
+         return static_cast<double>(row.lying) / static_cast<double>(row.blocks);
+       },
+       kPossibleShare},
+      {"left_terrain", "", "blocks that left the terrain", 1,
+       [](const Row& row) { return static_cast<double>(row.left_terrain); }, kPositive},
+      {"volume_m3", "m\xC2\xB3", "volume of the blocks", 2, &Row::volume, kPositive},
+      {"centre_distance_m", "m", "distance of the centre of mass", 2,
+       [](const Row& row) { return plan_distance(row.first_centre, row.centre); }, kPositive},
+      {"centre_drop_m", "m", "drop of the centre of mass", 2,
+       [](const Row& row) { return row.first_centre.z() - row.centre.z(); }},
+      {"centre_drop_ratio", "", "drop / distance of the centre of mass", 3,
+       [](const Row& row) { return drop_ratio(row.first_centre, row.centre); }},
+      {"toe_distance_m", "m", "distance L from crest to toe", 2,
+       [](const Row& row) { return plan_distance(row.crest, row.toe); }, kPositive},
+      {"toe_drop_m", "m", "drop H from crest to toe", 2,
+       [](const Row& row) { return row.crest.z() - row.toe.z(); }},
+      {"toe_drop_ratio", "", "H / L from crest to toe", 3,
+       [](const Row& row) { return drop_ratio(row.crest, row.toe); }},
+      {"travel_angle_deg", "\xC2\xB0", "travel angle", 1,
+       [](const Row& row) {
+         return kDegreesPerRadian * std::atan(drop_ratio(row.crest, row.toe));
+       }},
+      {"area_m2", "m\xC2\xB2", "area", 1, &Row::area, kPositive},
+      {"bulk_volume_m3", "m\xC2\xB3", "bulk volume", 2, &Row::bulk_volume, kPositive},
+      {"solid_share", "", "share of the bulk volume that is rock", 3,
+       [](const Row& row) { return row.volume / row.bulk_volume; }, kPositive},
+      {"first_solid_share", "", "share of the bulk volume that was rock at the start", 3,
+       [](const Row& row) { return row.first_volume / row.first_bulk_volume; }, kPositive},
+      {"mean_thickness_m", "m", "mean thickness", 2,
+       [](const Row& row) { return row.bulk_volume / row.area; }, kPositive},
+      {"thickness_m", "m", "largest thickness", 2, &Row::thickness, kPositive},
+      {"largest_kinetic_j", "J", "largest kinetic energy of all blocks together", 0,
+       of_energy([](const EnergyShares& energy) { return energy.largest_kinetic; }), kPositive},
+      {"dissipated_by_friction", "", "share dissipated by friction", 3,
+       of_energy([](const EnergyShares& energy) {
+         return energy.on_ground.friction + energy.between_blocks.friction;
+       }),
+       kPossibleShare},
+      {"dissipated_by_rolling", "", "share dissipated by rolling resistance", 3,
+       of_energy([](const EnergyShares& energy) {
+         return energy.on_ground.rolling + energy.between_blocks.rolling;
+       }),
+       kPossibleShare},
+      {"dissipated_between_blocks", "", "share dissipated between blocks", 3,
+       of_energy([](const EnergyShares& energy) { return energy.between_blocks.sum(); }),
+       kPossibleShare}};
+  return kFigures;
+}
+
+FiguresOfFiles figures_of_files(const std::vector<RealisationDeposit>& realisations) {
+  FiguresOfFiles found;
+  std::vector<std::vector<FigureOfFile>> by_file;
+  for (const RealisationDeposit& deposit : realisations) {
+    if (!by_file.empty() && by_file.back().front().file == deposit.file) continue;
+    std::vector<FigureOfFile>& of_file = by_file.emplace_back();
+    for (std::size_t figure = 0; figure < realisation_figures().size(); ++figure) {
+      of_file.push_back(figure_of_file(realisations, deposit.file, figure));
+      if (of_file.back().summary.count > 0) found.files.push_back(of_file.back());
+    }
+  }
+  if (by_file.size() > kMostGroups) return found;
+  found.differences = pairs_of(by_file);
+  correct_p(found.differences);
+  return found;
+}
+
+Distinction distinction_of(const FigureDifference& difference) {
+  if (!difference.welch) return Distinction::kUnknown;
+  const Interval& interval = difference.welch->interval;
+  if (interval.low <= 0.0 && interval.high >= 0.0) return Distinction::kNotDistinguished;
+  return difference.p_holm < kLevel ? Distinction::kDistinguished : Distinction::kOneOfMany;
+}
+
+std::string gap_in_words(const FigureDifference& difference) {
+  const std::optional<Interval> interval =
+      difference.welch ? std::optional(difference.welch->interval) : std::nullopt;
+  return gap_in_words(difference.difference(), interval,
+                      realisation_figures()[difference.first.figure].unit);
+}
+
+std::string in_words(const FigureDifference& difference) {
+  const RealisationFigure& figure = realisation_figures()[difference.first.figure];
+  const auto mean = [&](const FigureOfFile& of_file) {
+    return "file " + std::to_string(of_file.file + 1) + " " +
+           with_decimals(of_file.summary.mean, figure.decimals) +
+           (figure.unit.empty() ? "" : " " + figure.unit);
+  };
+  const std::string text = figure.words + ": " + mean(difference.first) + ", " +
+                           mean(difference.second) + "; " + gap_in_words(difference) + ", from " +
+                           std::to_string(difference.first.summary.count) + " and " +
+                           counted(difference.second.summary.count, "realisation");
+  switch (distinction_of(difference)) {
+    case Distinction::kDistinguished:
+      return text;
+    case Distinction::kOneOfMany:
+      return text + "; one of " + std::to_string(difference.tests) +
+             " differences can be as large by chance";
+    case Distinction::kNotDistinguished:
+      return text + "; not distinguished";
+    case Distinction::kUnknown:
+      break;
+  }
+  const bool few = difference.first.summary.count < 2 || difference.second.summary.count < 2;
+  return text + (few ? "; an interval takes two realisations of each file"
+                     : "; no interval, since realisations do not differ");
+}
+
+}  // namespace clast

@@ -1,0 +1,38 @@
+#pragma once
+/// Runs that another engine computed, from the states that it wrote.
+#include <vector>
+
+#include "study/simulate/campaign_runner.hpp"
+
+namespace clast::study_detail {
+
+/// A block at successive times, in the local frame of the terrain.
+struct StateSeries {
+  std::vector<double> time;        ///< s, increasing
+  std::vector<RigidState> states;  ///< finite
+};
+
+/// How a series ended.
+struct SeriesEnd {
+  StopReason reason = StopReason::kError;
+  std::string message = {};  ///< of an error
+};
+
+/// What states tell of a run: duration, place of the end, path, crossings of the barriers, and
+/// energies; speeds and spins are the largest of the states. Between two states the motion is the
+/// exact flight where one leads to the other, else interpolated (`state_at`). What needs contacts
+/// is not a number, or 0 where it is a count: `CampaignResults::engine` says that it is not known.
+/// The trajectory is the series.
+StoredRun run_of_states(const PreparedCampaign& prepared, const RunRecord& planned,
+                        const StateSeries& series, const SeriesEnd& end);
+
+/// Number of the first state whose centre is not over the ground; the number of states where all
+/// are.
+std::size_t first_off_terrain(const PreparedCampaign& prepared, const StateSeries& series);
+
+/// Is the block at rest, as [run] rest_energy_j_kg and rest_duration_s say, at the end of the
+/// series? One state alone can't tell.
+bool rests_at_end(const PreparedCampaign& prepared, const RunRecord& planned,
+                  const StateSeries& series);
+
+}  // namespace clast::study_detail

@@ -1,0 +1,12 @@
+#include "study/results/block_scale.hpp"
+
+#include "core/number_text.hpp"
+
+namespace clast {
+
+std::string scale_in_words(const BlockSummary& block) {
+  return "block " + block.id + " is scaled by " + with_digits(block.scale, 4) + " to " +
+         with_digits(block.mass, 4) + " kg";
+}
+
+}  // namespace clast

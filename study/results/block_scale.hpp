@@ -1,0 +1,12 @@
+#pragma once
+/// Blocks that run at another size than their library has them.
+#include <string>
+
+#include "study/results/results.hpp"
+
+namespace clast {
+
+/// "block B01 is scaled by 1.2 to 430 kg".
+std::string scale_in_words(const BlockSummary& block);
+
+}  // namespace clast

@@ -1,0 +1,278 @@
+#pragma once
+/// The columns of the rows that a results file holds, declared once: for the file, its journal,
+/// the tables and docs/formats.md.
+///
+/// `visit_columns` calls visit(name, unit, meaning, field) for each column, in the order of file
+/// and journal; `std::invoke(field, row)` is its value in a row, and can be assigned to.
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <type_traits>
+
+#include "study/results/results.hpp"
+
+namespace clast::study_detail {
+
+inline constexpr const char* kResultsFormat = "clast results";
+inline constexpr int kResultsSchema = 4;
+inline constexpr int kOldestResultsSchema = 2;  ///< that is read
+
+/// What a value is in a dataset.
+inline std::uint32_t stored(std::uint32_t value) { return value; }
+inline double stored(double value) { return value; }
+inline std::string stored(const std::string& value) { return value; }
+inline std::int64_t stored(std::uint64_t value) { return static_cast<std::int64_t>(value); }
+inline std::uint8_t stored(bool value) { return value ? 1 : 0; }
+inline std::uint8_t stored(StopReason value) { return static_cast<std::uint8_t>(value); }
+template <class Row, class Field>
+using Stored = decltype(stored(std::invoke(std::declval<Field>(), std::declval<const Row&>())));
+
+template <class Row>
+inline constexpr std::type_identity<Row> kRowsOf{};
+
+/// Of "start_x_m", "stop_x_m", and of rows 1 to 13 of a trajectory.
+template <class Visit>
+void visit_columns(std::type_identity<RigidState>, const Visit& visit) {
+  const char* place = "centre of mass";
+  const char* turn = "orientation, world from principal frame";
+  const char* velocity = "velocity of the centre of mass";
+  const char* spin = "angular velocity along the world axes";
+  visit("x_m", "m", place, [](auto& s) -> decltype(auto) { return (s.position.x()); });
+  visit("y_m", "m", place, [](auto& s) -> decltype(auto) { return (s.position.y()); });
+  visit("z_m", "m", place, [](auto& s) -> decltype(auto) { return (s.position.z()); });
+  visit("qw", "", turn, [](auto& s) -> decltype(auto) { return (s.orientation.w()); });
+  visit("qx", "", turn, [](auto& s) -> decltype(auto) { return (s.orientation.x()); });
+  visit("qy", "", turn, [](auto& s) -> decltype(auto) { return (s.orientation.y()); });
+  visit("qz", "", turn, [](auto& s) -> decltype(auto) { return (s.orientation.z()); });
+  visit("vx_m_s", "m/s", velocity, [](auto& s) -> decltype(auto) { return (s.velocity.x()); });
+  visit("vy_m_s", "m/s", velocity, [](auto& s) -> decltype(auto) { return (s.velocity.y()); });
+  visit("vz_m_s", "m/s", velocity, [](auto& s) -> decltype(auto) { return (s.velocity.z()); });
+  visit("wx_rad_s", "rad/s", spin,
+        [](auto& s) -> decltype(auto) { return (s.angular_velocity.x()); });
+  visit("wy_rad_s", "rad/s", spin,
+        [](auto& s) -> decltype(auto) { return (s.angular_velocity.y()); });
+  visit("wz_rad_s", "rad/s", spin,
+        [](auto& s) -> decltype(auto) { return (s.angular_velocity.z()); });
+}
+
+/// How stiff the contacts of a run were. Before schema 4 the first four were attributes of
+/// /contact, one for all runs.
+template <class Visit>
+void visit_stiffness(const Visit& visit) {
+  const char* used = "k_n and k_t as used, determined for the run or given";
+  visit("stiffness_n_m", "N/m", used,
+        [](auto& r) -> decltype(auto) { return (r.stiffness.normal); });
+  visit("tangential_stiffness_n_m", "N/m", used,
+        [](auto& r) -> decltype(auto) { return (r.stiffness.tangential); });
+  visit("rolling_stiffness_n_m_rad", "N m/rad",
+        "k_r on zones that state no rolling length, determined for the run or given; on the others "
+        "it is k_n a^2",
+        [](auto& r) -> decltype(auto) { return (r.stiffness.rolling); });
+  visit("time_step_s", "s", "time step of impacts as used, determined for the run or given",
+        [](auto& r) -> decltype(auto) { return (r.stiffness.time_step); });
+  visit("rest_depth_m", "m",
+        "settled depth of the block under its k_n, on the ground zone with the least "
+        "support; since schema 4",
+        &RunRecord::rest_depth);
+  visit("impact_depth_m", "m",
+        "penetration depth of an impact at the highest speed that its start allows; since schema 4",
+        &RunRecord::impact_depth);
+}
+
+/// A state of a run.
+/// @param prefix  of the names of its columns
+/// @param when    before their meaning: "at the start: "
+/// @param state   of a run
+template <class Visit, class State>
+void visit_state(const Visit& visit, const std::string& prefix, const std::string& when,
+                 const State& state) {
+  visit_columns(kRowsOf<RigidState>, [&](const std::string& name, const char* unit,
+                                         const std::string& meaning, const auto& field) {
+    visit(prefix + name, unit, when + meaning,
+          [state, field](auto& run) -> decltype(auto) { return (field(state(run))); });
+  });
+}
+
+template <class Visit>
+void visit_energies(const Visit& visit) {
+  visit("energy_initial_j", "J", "kinetic + potential + stored, at the start",
+        [](auto& r) -> decltype(auto) { return (r.result.energy.initial); });
+  visit("energy_final_j", "J", "kinetic + potential + stored, at the end",
+        [](auto& r) -> decltype(auto) { return (r.result.energy.final); });
+  visit("energy_normal_j", "J", "dissipated by the normal law",
+        [](auto& r) -> decltype(auto) { return (r.result.energy.normal); });
+  visit("energy_friction_j", "J", "dissipated by sliding",
+        [](auto& r) -> decltype(auto) { return (r.result.energy.friction); });
+  visit("energy_rolling_j", "J", "dissipated by rolling resistance",
+        [](auto& r) -> decltype(auto) { return (r.result.energy.rolling); });
+  visit("energy_reassigned_j", "J", "lost (gained, if negative) where contacts or weights change",
+        [](auto& r) -> decltype(auto) { return (r.result.energy.reassigned); });
+  visit("energy_error", "", "share of the dissipated energy that the balance misses",
+        [](auto& r) -> decltype(auto) { return (r.result.energy.error); });
+}
+
+template <class Visit>
+void visit_columns(std::type_identity<RunRecord>, const Visit& visit) {
+  visit("run", "", "number of the run in its campaign, from 0", &RunRecord::run);
+  visit("block", "", "row of `/blocks`", &RunRecord::block);
+  visit("point", "", "index of the release point, from 0", &RunRecord::point);
+  visit("orientation", "", "index of the orientation in its release set, from 0",
+        &RunRecord::orientation);
+  visit("ground_set", "", "row of `/ground_sets`, from 0", &RunRecord::ground_set);
+  visit_state(visit, "start_",
+              "at the start: ", [](auto& r) -> decltype(auto) { return (r.start); });
+  visit_state(visit, "stop_",
+              "at the end: ", [](auto& r) -> decltype(auto) { return (r.result.final_state); });
+  visit("duration_s", "s", "simulated time",
+        [](auto& r) -> decltype(auto) { return (r.result.duration); });
+  visit("path_length_m", "m", "path of the centre of mass",
+        [](auto& r) -> decltype(auto) { return (r.result.path_length); });
+  visit("max_speed_m_s", "m/s", "largest speed of the centre of mass",
+        [](auto& r) -> decltype(auto) { return (r.result.max_speed); });
+  visit("max_penetration_m", "m", "largest overlap of any contact",
+        [](auto& r) -> decltype(auto) { return (r.result.max_penetration); });
+  visit("settled_penetration_m", "m", "largest overlap at the end",
+        [](auto& r) -> decltype(auto) { return (r.result.settled_penetration); });
+  visit_energies(visit);
+  visit("contact_time_s", "s", "time with a contact",
+        [](auto& r) -> decltype(auto) { return (r.contacts.contact_time); });
+  visit("mean_contact_points", "", "contact points, averaged over the time with a contact",
+        [](auto& r) -> decltype(auto) { return (r.contacts.mean_points); });
+  visit("longest_flight_m", "m", "longest flight, in plan",
+        [](auto& r) -> decltype(auto) { return (r.contacts.longest_flight); });
+  visit("max_energy_j", "J", "largest translational plus rotational kinetic energy",
+        [](auto& r) -> decltype(auto) { return (r.contacts.max_energy); });
+  visit("max_spin_rad_s", "rad/s", "largest magnitude of the angular velocity",
+        [](auto& r) -> decltype(auto) { return (r.contacts.max_spin); });
+  visit_stiffness(visit);
+  visit("contact_steps", "", "time steps with a contact",
+        [](auto& r) -> decltype(auto) { return (r.result.contact_steps); });
+  visit("impacts", "", "flights ended by a contact, however short",
+        [](auto& r) -> decltype(auto) { return (r.result.impacts); });
+  visit("most_contact_points", "", "largest number of simultaneous contact points",
+        [](auto& r) -> decltype(auto) { return (r.contacts.most_points); });
+  visit("stop_reason", "", "0 `rest`, 1 `left_terrain`, 2 `max_time`, 3 `error`",
+        [](auto& r) -> decltype(auto) { return (r.result.stop_reason); });
+  visit("below_ground", "", "1 if the run ended below ground, else 0",
+        [](auto& r) -> decltype(auto) { return (r.result.below_ground); });
+  visit("message", "", "of a run that ended with an error",
+        [](auto& r) -> decltype(auto) { return (r.result.message); });
+}
+
+template <class Visit>
+void visit_columns(std::type_identity<Crossing>, const Visit& visit) {
+  visit("run", "", "number of the run", &Crossing::run);
+  visit("barrier", "", "row of `/barriers`", &Crossing::barrier);
+  visit("time_s", "s", "since release", &Crossing::time);
+  const char* place = "centre of mass";
+  visit("x_m", "m", place, [](auto& c) -> decltype(auto) { return (c.position.x()); });
+  visit("y_m", "m", place, [](auto& c) -> decltype(auto) { return (c.position.y()); });
+  visit("z_m", "m", place, [](auto& c) -> decltype(auto) { return (c.position.z()); });
+  const char* velocity = "velocity of the centre of mass";
+  visit("vx_m_s", "m/s", velocity, [](auto& c) -> decltype(auto) { return (c.velocity.x()); });
+  visit("vy_m_s", "m/s", velocity, [](auto& c) -> decltype(auto) { return (c.velocity.y()); });
+  visit("vz_m_s", "m/s", velocity, [](auto& c) -> decltype(auto) { return (c.velocity.z()); });
+  const char* spin = "angular velocity along the world axes";
+  visit("wx_rad_s", "rad/s", spin,
+        [](auto& c) -> decltype(auto) { return (c.angular_velocity.x()); });
+  visit("wy_rad_s", "rad/s", spin,
+        [](auto& c) -> decltype(auto) { return (c.angular_velocity.y()); });
+  visit("wz_rad_s", "rad/s", spin,
+        [](auto& c) -> decltype(auto) { return (c.angular_velocity.z()); });
+  visit("height_m", "m", "height of the centre of mass above the ground below it",
+        &Crossing::height);
+  visit("clearance_m", "m", "height of the lowest skin point above the ground below it",
+        &Crossing::clearance);
+  visit("translational_energy_j", "J", "kinetic energy of the centre of mass",
+        &Crossing::translational_energy);
+  visit("rotational_energy_j", "J", "kinetic energy of the rotation", &Crossing::rotational_energy);
+  visit("forward", "",
+        "1 from the left of from -> to to its right; so for a ring that runs counter-clockwise 1 "
+        "is out and 0 is in, and for one that runs clockwise 1 is in",
+        &Crossing::forward);
+}
+
+template <class Visit>
+void visit_columns(std::type_identity<Impact>, const Visit& visit) {
+  visit("run", "", "number of the run", &Impact::run);
+  visit("zone", "", "row of `/ground`: the ground zone of the first contact", &Impact::zone);
+  visit("time_s", "s", "first contact, since release", &Impact::time);
+  visit("contact_s", "s",
+        "time until the next flight of 0.01 s or more, or the end of the run; shorter flights do "
+        "not end an impact",
+        &Impact::contact_duration);
+  const char* place = "position at the first contact";
+  visit("x_m", "m", place, [](auto& i) -> decltype(auto) { return (i.place.x()); });
+  visit("y_m", "m", place, [](auto& i) -> decltype(auto) { return (i.place.y()); });
+  visit("z_m", "m", place, [](auto& i) -> decltype(auto) { return (i.place.z()); });
+  const char* speed = "of the centre of mass, at the first and the last contact";
+  visit("speed_before_m_s", "m/s", speed, &Impact::speed_before);
+  visit("speed_after_m_s", "m/s", speed, &Impact::speed_after);
+  const char* energy = "kinetic energy, at the first and the last contact";
+  visit("translational_before_j", "J", energy, &Impact::translational_before);
+  visit("translational_after_j", "J", energy, &Impact::translational_after);
+  visit("rotational_before_j", "J", energy, &Impact::rotational_before);
+  visit("rotational_after_j", "J", energy, &Impact::rotational_after);
+  visit("depth_m", "m", "largest overlap in between", &Impact::depth);
+}
+
+template <class Visit>
+void visit_columns(std::type_identity<StayRecord>, const Visit& visit) {
+  visit("run", "", "number of the run", &StayRecord::run);
+  visit("released_at_s", "s", "since the first release of its realisation",
+        &StayRecord::released_at);
+  visit("raised_m", "m", "by which it started higher than planned, above blocks that lay there",
+        &StayRecord::raised);
+  visit("moved_later_m", "m", "by later blocks, from where it had stopped",
+        &StayRecord::moved_later);
+  visit("blocks_hit", "", "other blocks that it touched during its own release",
+        &StayRecord::blocks_hit);
+  visit("removed_at_s", "s", "when it was removed, likewise; NaN if it stayed",
+        &StayRecord::removed_at);
+}
+
+template <class Visit>
+void visit_columns(std::type_identity<EnergyRecord>, const Visit& visit) {
+  const auto dissipated = [&](const std::string& prefix, const std::string& where,
+                              Dissipation EnergySample::*part) {
+    const auto add = [&](const char* name, const char* by, double Dissipation::*value) {
+      visit(prefix + name, "J", "dissipated " + where + by + ", since the first release",
+            [part, value](auto& e) -> decltype(auto) { return (e.energy.*part.*value); });
+    };
+    add("normal_j", " by normal forces", &Dissipation::normal);
+    add("friction_j", " by friction", &Dissipation::friction);
+    add("rolling_j", " by rolling resistance", &Dissipation::rolling);
+  };
+  visit("run", "", "number of the first run of the realisation", &EnergyRecord::run);
+  visit("time_s", "s", "since the first release",
+        [](auto& e) -> decltype(auto) { return (e.energy.time); });
+  visit("moving", "", "blocks that are neither at rest nor gone",
+        [](auto& e) -> decltype(auto) { return (e.energy.moving); });
+  visit("translational_j", "J", "kinetic energy of the centres of mass of the blocks there",
+        [](auto& e) -> decltype(auto) { return (e.energy.translational); });
+  visit("rotational_j", "J", "kinetic energy of the rotations of the blocks there",
+        [](auto& e) -> decltype(auto) { return (e.energy.rotational); });
+  visit("potential_j", "J", "m g z of the blocks there, z in the local frame",
+        [](auto& e) -> decltype(auto) { return (e.energy.potential); });
+  visit("stored_j", "J", "elastic energy of the contacts",
+        [](auto& e) -> decltype(auto) { return (e.energy.stored); });
+  visit("gone_j", "J", "kinetic and potential energy of blocks that are gone, when they went",
+        [](auto& e) -> decltype(auto) { return (e.energy.gone); });
+  dissipated("ground_", "on the ground", &EnergySample::on_ground);
+  dissipated("blocks_", "between blocks", &EnergySample::between_bodies);
+  visit("reassigned_j", "J",
+        "lost (or gained, below 0) where contacts change, since the first release",
+        [](auto& e) -> decltype(auto) { return (e.energy.reassigned); });
+}
+
+/// Rows of a trajectory dataset: time, then the state.
+inline std::size_t trajectory_rows() {
+  std::size_t rows = 1;
+  visit_columns(kRowsOf<RigidState>, [&](const auto&...) { ++rows; });
+  return rows;
+}
+
+/// "00000012": sorts by name as by number.
+std::string trajectory_name(std::uint32_t run);
+
+}  // namespace clast::study_detail

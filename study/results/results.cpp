@@ -1,0 +1,121 @@
+#include "study/results/results.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <memory>
+#include <numeric>
+
+#include "core/error.hpp"
+#include "core/files/file_kind.hpp"
+#include "core/files/file_lock.hpp"
+#include "core/files/output_file.hpp"
+#include "core/number_text.hpp"
+#include "study/results/detail/results_layout.hpp"
+#include "study/results/results_file.hpp"
+
+namespace clast {
+
+using namespace study_detail;
+namespace fs = std::filesystem;
+
+const StayRecord* CampaignResults::stay_of(std::uint32_t run) const {
+  const auto found = std::lower_bound(
+      stays.begin(), stays.end(), run,
+      [](const StayRecord& record, std::uint32_t other) { return record.run < other; });
+  return found != stays.end() && found->run == run ? &*found : nullptr;
+}
+
+fs::path partial_results(const fs::path& target) {
+  fs::path part = target;
+  part += ".part";
+  return part;
+}
+
+void check_results_place(const fs::path& target, bool replace) {
+  check_output(target, {.kind = kResultsFormat, .replace = replace});
+}
+
+bool is_finished(const fs::path& target, const CampaignResults& header, std::size_t runs) {
+  if (kind_of_file(target) != kResultsFormat) return false;
+  const CampaignResults stored = read_results(target);
+  std::string difference = campaign_difference(stored, header);
+  if (difference.empty() && stored.runs.size() != runs) {
+    difference = counted(stored.runs.size(), "run") + ", where this one has " +
+                 std::to_string(runs) + " (another shard)";
+  }
+  if (difference.empty()) return true;
+  throw InputError(target.string() + ": holds the finished results of " + difference +
+                   "; `replace` replaces them, or give another name");
+}
+
+namespace {
+
+/// Held while the file is being written: two programs would mix their runs.
+std::unique_ptr<FileLock> locked(const fs::path& target) {
+  check_results_place(target, true);
+  return std::make_unique<FileLock>(target,
+                                    FileLockOptions{.longest_wait = std::chrono::milliseconds(0)});
+}
+
+}  // namespace
+
+struct ResultsWriter::Impl {
+  std::unique_ptr<FileLock> lock;
+  fs::path target;
+  CampaignResults header;
+  ResultsJournal journal;
+  std::vector<std::uint32_t> stored;
+};
+
+ResultsWriter::ResultsWriter(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
+ResultsWriter::~ResultsWriter() = default;
+ResultsWriter::ResultsWriter(ResultsWriter&&) noexcept = default;
+
+ResultsWriter ResultsWriter::create(const fs::path& target, const CampaignResults& header,
+                                    std::size_t runs) {
+  std::unique_ptr<FileLock> lock = locked(target);
+  check_room_for(target, header, runs);
+  return ResultsWriter(
+      std::unique_ptr<Impl>(new Impl{std::move(lock),
+                                     target,
+                                     header,
+                                     ResultsJournal::create(partial_results(target), header),
+                                     {}}));
+}
+
+ResultsWriter ResultsWriter::resume(const fs::path& target, const CampaignResults& header,
+                                    std::size_t runs) {
+  std::unique_ptr<FileLock> lock = locked(target);
+  ResultsJournal journal = ResultsJournal::resume(partial_results(target), header);
+  std::vector<std::uint32_t> stored = journal.runs();
+  std::sort(stored.begin(), stored.end());
+  check_room_for(target, header, runs - std::min(runs, stored.size()));
+  CampaignResults with_old_runs = header;
+  with_old_runs.physics_digest = journal.physics();
+  return ResultsWriter(std::unique_ptr<Impl>(new Impl{
+      std::move(lock), target, std::move(with_old_runs), std::move(journal), std::move(stored)}));
+}
+
+const std::vector<std::uint32_t>& ResultsWriter::stored_runs() const { return impl_->stored; }
+
+void ResultsWriter::add(const StoredRun& run) {
+  impl_->journal.add(run);
+  const std::uint32_t number = run.record.run;
+  impl_->stored.insert(std::lower_bound(impl_->stored.begin(), impl_->stored.end(), number),
+                       number);
+}
+
+void ResultsWriter::finish() {
+  const std::vector<std::uint32_t>& runs = impl_->journal.runs();
+  std::vector<std::size_t> order(runs.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::sort(order.begin(), order.end(),
+            [&](std::size_t a, std::size_t b) { return runs[a] < runs[b]; });
+  write_results_file(impl_->target, impl_->header, order.size(),
+                     [&](std::size_t i) { return impl_->journal.read(order[i]); });
+  std::error_code code;  // what is left of it is harmless
+  fs::remove(impl_->journal.path(), code);
+  impl_->lock.reset();
+}
+
+}  // namespace clast

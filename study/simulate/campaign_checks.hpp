@@ -1,0 +1,29 @@
+#pragma once
+/// What is wrong or doubtful about a campaign whose runs are planned.
+#include <string>
+#include <vector>
+
+#include "study/simulate/campaign_runner.hpp"
+
+namespace clast::study_detail {
+
+/// Of the terrain that a block may be long.
+inline constexpr double kLargestShare = 0.1;
+
+/// "release set cliff, " where there are several, else "".
+std::string set_name(const ReleasePlan& release);
+
+/// Refuses releases from heights no slope has.
+/// @throws InputError  a fall to the lowest ground could end faster than `kMostSpeed`
+void check_falls(const PreparedCampaign& prepared);
+
+/// @throws InputError  a block longer than 20 m, heavier than 10,000 t, or longer than a tenth of
+///                     the terrain, unless the campaign allows any size
+void check_sizes(const PreparedCampaign& prepared);
+
+/// What its user should know before anything runs: doubtful inputs in words, none where all is
+/// usual. Stiffness and time step must have been chosen; doubts about these are not reported here.
+/// @throws InputError  a run would take so many steps that it never ends
+std::vector<std::string> campaign_warnings(const PreparedCampaign& prepared);
+
+}  // namespace clast::study_detail

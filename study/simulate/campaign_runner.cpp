@@ -1,0 +1,304 @@
+#include "study/simulate/campaign_runner.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstring>
+#include <exception>
+#include <mutex>
+
+#include "core/error.hpp"
+#include "core/machine.hpp"
+#include "core/number_text.hpp"
+#include "core/parallel.hpp"
+#include "core/statistics/statistics.hpp"
+#include "study/results/results_journal.hpp"
+#include "study/results/runout.hpp"
+#include "study/simulate/detail/checkpoint_file.hpp"
+#include "study/simulate/detail/resumable_runs.hpp"
+#include "study/simulate/memory_need.hpp"
+#include "study/simulate/realisation.hpp"
+#include "study/simulate/team_work.hpp"
+
+namespace clast {
+
+using namespace study_detail;
+namespace {
+
+// Thrown by a probe that is long enough; no error of the run.
+struct ProbeOver {};
+
+// Keeps finished runs, one at a time, and reports progress.
+class Collector {
+ public:
+  Collector(ResultsWriter& writer, std::size_t planned, const RunOptions& options)
+      : writer_(writer),
+        before_(writer.stored_runs()),
+        done_(before_.size()),
+        planned_(planned),
+        options_(options) {}
+
+  /// Runs and keeps those that are computed together from `first` on.
+  /// @param threads  that a realisation may use
+  void compute(const ResumableRuns& runs, std::uint32_t first, unsigned threads = 1) {
+    add(runs.compute(first, threads, [this](const std::string& what) {
+      const std::lock_guard lock(one_at_a_time_);
+      report_progress(what);
+    }));
+    runs.remove_checkpoint(first);
+  }
+
+  /// Of runs that are computed together, some may have been kept before an interruption.
+  void add(const std::vector<StoredRun>& runs) {
+    const std::lock_guard lock(one_at_a_time_);
+    for (const StoredRun& run : runs) {
+      if (std::binary_search(before_.begin(), before_.end(), run.record.run)) continue;
+      writer_.add(run);
+      ++done_;
+    }
+    report_progress();
+  }
+
+ private:
+  void report_progress(const std::string& what = "") const {
+    if (!options_.progress) return;
+    options_.progress({.done = done_, .total = planned_, .before = before_.size(), .what = what});
+  }
+
+  ResultsWriter& writer_;
+  std::vector<std::uint32_t> before_;  ///< runs that were there already
+  std::size_t done_;
+  std::size_t planned_;
+  const RunOptions& options_;
+  std::mutex one_at_a_time_;
+};
+
+// What processes send each other of runs that were computed together.
+std::string packed_together(const std::vector<StoredRun>& runs) {
+  std::string bytes;
+  for (const StoredRun& run : runs) {
+    const std::string one = packed(run);
+    const std::uint64_t length = one.size();
+    bytes.append(reinterpret_cast<const char*>(&length), sizeof length);
+    bytes += one;
+  }
+  return bytes;
+}
+
+std::vector<StoredRun> unpacked_together(const std::string& bytes) {
+  std::vector<StoredRun> runs;
+  for (std::size_t at = 0; at < bytes.size();) {
+    std::uint64_t length = 0;
+    std::memcpy(&length, bytes.data() + at, sizeof length);
+    at += sizeof length;
+    runs.push_back(unpacked(bytes.substr(at, length)));
+    at += length;
+  }
+  return runs;
+}
+
+// The first runs of those that are computed together, of the shard, and not all stored yet.
+std::vector<std::uint32_t> open_runs(const PreparedCampaign& prepared, const Shard& shard,
+                                     const std::filesystem::path& target,
+                                     const std::vector<std::uint32_t>& stored) {
+  const std::uint32_t together = prepared.header.runs_together();
+  for (const std::uint32_t run : stored) {
+    if (shard.has(run / together)) continue;
+    throw InputError(partial_results(target).string() + ": was begun with other runs than shard " +
+                     std::to_string(shard.index) + " of " + std::to_string(shard.count) +
+                     " has; give the shard it was begun with, or delete it");
+  }
+  std::vector<std::uint32_t> open;
+  for (std::uint32_t first = 0; first < prepared.runs.size(); first += together) {
+    if (!shard.has(first / together)) continue;
+    const auto begin = std::lower_bound(stored.begin(), stored.end(), first);
+    const auto end = std::lower_bound(begin, stored.end(), first + together);
+    if (end - begin < static_cast<std::ptrdiff_t>(together)) open.push_back(first);
+  }
+  return open;
+}
+
+}  // namespace
+
+ReleaseSettings release_settings(const Campaign& campaign, const RunRecord& run) {
+  return {.stiffness = run.stiffness,
+          .law = campaign.stiffness.law,
+          .weights = campaign.weights,
+          .gravity = campaign.gravity,
+          .max_time = campaign.max_time,
+          .rest_energy = campaign.rest_energy,
+          .rest_duration = campaign.rest_duration};
+}
+
+namespace {
+
+double probed_runout(const PreparedCampaign& prepared, const StoredRun& run) {
+  const Vec3& start = run.record.start.position;
+  const Vec3& stop = run.record.result.final_state.position;
+  if (!prepared.campaign.downslope) return (stop - start).head<2>().norm();
+  return runout(start, stop, prepared.campaign.downslope->normalized()).along;
+}
+
+}  // namespace
+
+TimeProbe probe_time(const PreparedCampaign& prepared, double budget) {
+  check_memory(prepared, 1, available_memory());
+  // Steps of the golden ratio are spread evenly however many are taken.
+  constexpr double kGoldenRatio = 0.61803398874989485;
+  // A run that takes this many times the budget is not waited for.
+  constexpr double kLongestProbe = 5.0;
+  const std::uint32_t together = prepared.header.runs_together();
+  const bool at_once = prepared.header.stay && prepared.header.stay->at_once;
+  const double max_time = prepared.campaign.max_time;
+  const double longest_run =  // s, simulated
+      at_once ? prepared.campaign.stay->settling_time() + prepared.campaign.stay->last_release() +
+                    max_time
+              : together * max_time;
+  const auto begin = std::chrono::steady_clock::now();
+  const auto spent = [&] {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  };
+  TimeProbe probe;
+  double whole = 0.0;  // time of the runs that were not cut short
+  // Simulated time, s, and what it took, of the run that goes on, halfway to its end and now.
+  double halfway = -1.0, halfway_spent = 0.0, reached = 0.0;
+  std::size_t released = 1;
+  const auto in_time = [&](const SequenceProgress& progress) {
+    const double now = spent() - whole, longest = kLongestProbe * budget - whole;
+    reached = progress.time;
+    released = progress.released;
+    if (halfway < 0.0 && now > 0.5 * longest) {
+      halfway = progress.time;
+      halfway_spent = now;
+    }
+    if (now > longest) throw ProbeOver();
+  };
+  try {
+    while (probe.runs < prepared.runs.size() && (probe.runs == 0 || whole < budget)) {
+      const double share = std::fmod(0.5 + static_cast<double>(probe.runs) * kGoldenRatio, 1.0);
+      const auto items = static_cast<double>(prepared.runs.size() / together);
+      const std::vector<StoredRun> tried =
+          runs_from(prepared, together * static_cast<std::uint32_t>(share * items), in_time);
+      for (const StoredRun& run : tried) {
+        probe.runouts.push_back(probed_runout(prepared, run));
+        const ReleaseResult& result = run.record.result;
+        if (probe.failure.empty() && result.stop_reason == StopReason::kError) {
+          probe.failure = result.message;
+        }
+      }
+      probe.runs += together;
+      whole = spent();
+      halfway = -1.0;
+    }
+  } catch (const ProbeOver&) {
+    probe.cut_short = true;
+    const double taken = spent() - whole;
+    if (!at_once && released > 1) {
+      // Of blocks that follow each other, the next ones take as long as those that have come to
+      // rest.
+      whole += taken * static_cast<double>(together) / static_cast<double>(released - 1);
+    } else {
+      // Flights cost next to nothing: the second half, as a rule without one, shows what is to
+      // come.
+      probe.at_most = true;
+      const double pace = (taken - halfway_spent) / std::max(reached - halfway, 1e-12);
+      whole += taken + pace * (longest_run - reached);
+    }
+    probe.runs += together;
+  }
+  if (probe.runs > 0) probe.each = whole / static_cast<double>(probe.runs);
+  return probe;
+}
+
+PlannedPower planned_power(const PreparedCampaign& prepared, const TimeProbe& probe) {
+  if (prepared.header.stay) return {};
+  return {prepared.runs.size(), prepared.bodies.size(), probe.runouts.size(),
+          summarise(probe.runouts).std, std::nullopt};
+}
+
+double expected_time(const PreparedCampaign& prepared, const TimeProbe& probe, const Shard& shard,
+                     unsigned threads) {
+  // Realisations are computed one by one.
+  const std::size_t together = prepared.header.runs_together();
+  const std::size_t items = shard.runs_of(prepared) / together;
+  return probe.each * static_cast<double>(together) * static_cast<double>(items) /
+         static_cast<double>(std::clamp<std::size_t>(items, 1, threads));
+}
+
+std::size_t Shard::runs_of(const PreparedCampaign& prepared) const {
+  const std::uint32_t together = prepared.header.runs_together();
+  const std::size_t items = prepared.runs.size() / together;
+  return (items / count + (items % count >= index ? 1 : 0)) * together;
+}
+
+void Shard::check() const {
+  if (count == 0 || index == 0 || index > count) {
+    throw InputError("shard " + std::to_string(index) + "/" + std::to_string(count) +
+                     ": must be from 1/n to n/n");
+  }
+}
+
+void run_campaign(const PreparedCampaign& prepared, const std::filesystem::path& target,
+                  const RunOptions& options) {
+  options.shard.check();
+  if (!(options.checkpoint_interval >= 0.0)) {
+    throw InputError("checkpoint_interval = " + with_digits(options.checkpoint_interval, 6) +
+                     " s; must be 0 or more");
+  }
+  const std::size_t runs = options.shard.runs_of(prepared);
+  if (options.resume && !options.replace && !std::filesystem::exists(partial_results(target)) &&
+      is_finished(target, prepared.header, runs)) {
+    return;
+  }
+  ProcessTeam* team = options.team && options.team->size() > 1 ? options.team : nullptr;
+  // Processes are asked for one by one, so each has a core to itself unless another number is
+  // given.
+  const unsigned threads = options.threads == 0 && team ? 1 : thread_count(options.threads);
+  check_memory(prepared,
+               std::clamp<std::size_t>(runs / prepared.header.runs_together(), 1, threads),
+               available_memory());
+  const ResumableRuns resumable(prepared, target, options);
+  std::optional<ResultsWriter> writer;
+  std::vector<std::uint32_t> open;
+  const auto open_results = [&] {
+    if (team && !team->leads()) return std::string();
+    const bool go_on = options.resume && std::filesystem::exists(partial_results(target));
+    if (!go_on) check_results_place(target, options.replace);
+    writer.emplace(go_on ? ResultsWriter::resume(target, prepared.header, runs)
+                         : ResultsWriter::create(target, prepared.header, runs));
+    open = open_runs(prepared, options.shard, target, writer->stored_runs());
+    if (!options.resume) CheckpointFile::remove_all(target);
+    resumable.check_checkpoints(open);
+    return std::string();
+  };
+  if (!team) {
+    open_results();
+    Collector collector(*writer, runs, options);
+    // Fewer realisations than threads share these.
+    const auto each = static_cast<unsigned>(
+        std::max<std::size_t>(1, threads / std::max<std::size_t>(1, open.size())));
+    parallel_for(open.size(), threads,
+                 [&](std::size_t i) { collector.compute(resumable, open[i], each); });
+    CheckpointFile::remove_all(target);
+    writer->finish();
+    return;
+  }
+  team->agree(open_results);
+  if (team->leads()) {
+    Collector collector(*writer, runs, options);
+    lead_work(
+        *team, open, threads, [&](std::uint32_t run) { collector.compute(resumable, run); },
+        [&](const std::string& done) {
+          const std::vector<StoredRun> runs_done = unpacked_together(done);
+          collector.add(runs_done);
+          resumable.remove_checkpoint(runs_done.front().record.run);
+        });
+    CheckpointFile::remove_all(target);
+    writer->finish();
+  } else {
+    follow_work(*team, threads,
+                [&](std::uint32_t run) { return packed_together(resumable.compute(run, 1)); });
+  }
+}
+
+}  // namespace clast

@@ -1,0 +1,153 @@
+#include "study/simulate/detail/holding_faces.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "dem/box_body.hpp"
+#include "study/campaign/plan_polygon.hpp"
+
+namespace clast::study_detail {
+namespace {
+
+/// Places along a side at which the ground is looked for.
+constexpr int kGroundSamples = 65;
+/// Of no matter for a fixed body, but not 0, kg/m^3.
+constexpr double kDensity = 1000.0;
+
+/// A heap at its start and the outline around it.
+struct Heap {
+  std::vector<Vec2> outline;       ///< local frame, as given, no corner twice
+  double sense = 1.0;              ///< 1 where it goes round to the left, else -1
+  std::size_t first = 0, end = 0;  ///< of the runs
+  double thickness = 0.0;          ///< of the faces: no block is larger, m
+  double low = 0.0, high = 0.0;    ///< of the faces, m
+
+  Vec2 corner(std::size_t i) const { return outline[i % outline.size()]; }
+  Vec2 along(std::size_t side) const { return (corner(side + 1) - corner(side)).normalized(); }
+  Vec2 outwards(std::size_t side) const {
+    const Vec2 way = along(side);
+    return sense * Vec2(way.y(), -way.x());
+  }
+};
+
+std::vector<Vec2> local_outline(const MassPlan& mass, const Vec3& origin) {
+  std::vector<Vec2> outline;
+  for (const Vec2& corner : mass.polygon) {
+    const Vec2 local = corner - origin.head<2>();
+    if (outline.empty() || local != outline.back()) outline.push_back(local);
+  }
+  if (outline.front() == outline.back()) outline.pop_back();
+  return outline;
+}
+
+double lowest_ground(const Heap& heap, const TerrainSurface& ground) {
+  double lowest = std::numeric_limits<double>::infinity();
+  const double sky = ground.extent().high.z() + ground.radius() + 1.0;
+  for (std::size_t side = 0; side < heap.outline.size(); ++side) {
+    for (int i = 0; i < kGroundSamples; ++i) {
+      const double share = i / (kGroundSamples - 1.0);
+      const Vec2 place = (1.0 - share) * heap.corner(side) + share * heap.corner(side + 1);
+      const std::optional<double> here = ground.height(place.x(), place.y(), sky);
+      if (here) lowest = std::min(lowest, *here);
+    }
+  }
+  return lowest;
+}
+
+Heap heap_of(const PreparedCampaign& prepared, std::span<const RunRecord> runs,
+             std::uint32_t mass) {
+  Heap heap;
+  heap.outline = local_outline(prepared.campaign.stay->masses[mass], prepared.header.frame.origin);
+  double turn = 0.0;
+  for (std::size_t i = 0; i < heap.outline.size(); ++i) {
+    const Vec2 a = heap.corner(i) - heap.corner(0), b = heap.corner(i + 1) - heap.corner(0);
+    turn += a.x() * b.y() - a.y() * b.x();
+  }
+  heap.sense = turn < 0.0 ? -1.0 : 1.0;
+  const auto is_of_mass = [&](const RunRecord& run) { return run.point == mass; };
+  const auto first = std::find_if(runs.begin(), runs.end(), is_of_mass);
+  const auto end = std::find_if_not(first, runs.end(), is_of_mass);
+  heap.first = static_cast<std::size_t>(first - runs.begin());
+  heap.end = static_cast<std::size_t>(end - runs.begin());
+  heap.low = std::numeric_limits<double>::infinity();
+  heap.high = -heap.low;
+  for (const RunRecord& run : runs.subspan(heap.first, heap.end - heap.first)) {
+    const double radius = prepared.bodies[run.block].bounding_radius();
+    heap.thickness = std::max(heap.thickness, 2.0 * radius);
+    heap.low = std::min(heap.low, run.start.position.z() - radius);
+    heap.high = std::max(heap.high, run.start.position.z() + radius);
+  }
+  heap.low = std::min(heap.low, lowest_ground(heap, *prepared.surface)) - heap.thickness;
+  heap.high += heap.thickness;
+  return heap;
+}
+
+/// How far blocks reach over a side of the outline, m; 0 where none does.
+double reach_over(const PreparedCampaign& prepared, std::span<const RunRecord> runs,
+                  const Heap& heap, std::size_t side) {
+  const Vec2 outwards = heap.outwards(side);
+  double reach = 0.0;
+  for (const RunRecord& run : runs.subspan(heap.first, heap.end - heap.first)) {
+    const SpheroPolyhedron shape = prepared.bodies[run.block].shape;
+    const Pose place = run.start.world_from_body();
+    for (const Vec3& vertex : shape.vertices) {
+      const Vec2 point = (place * vertex).head<2>();
+      reach = std::max(reach, outwards.dot(point - heap.corner(side)) + shape.radius);
+    }
+  }
+  return reach;
+}
+
+/// How far a face goes on beyond a corner, so that it meets the next one, m.
+/// @param reach  that no face is farther out
+double beyond_corner(const Heap& heap, std::size_t corner, double reach) {
+  const std::size_t sides = heap.outline.size();
+  const Vec2 in = heap.along((corner + sides - 1) % sides), out = heap.along(corner);
+  // Tangent of half the angle by which the outline turns there.
+  const double turn =
+      std::sqrt(std::max(0.0, 1.0 - in.dot(out)) / std::max(1e-12, 1.0 + in.dot(out)));
+  return heap.thickness + 2.0 * reach * turn;
+}
+
+void add_faces(const PreparedCampaign& prepared, std::span<const RunRecord> runs,
+               std::uint32_t mass, HoldingFaces& faces) {
+  const Heap heap = heap_of(prepared, runs, mass);
+  const MassPlan& plan = prepared.campaign.stay->masses[mass];
+  std::vector<double> reaches;
+  for (std::size_t side = 0; side < heap.outline.size(); ++side) {
+    reaches.push_back(reach_over(prepared, runs, heap, side));
+  }
+  const double reach = *std::max_element(reaches.begin(), reaches.end());
+  for (std::size_t side = 0; side < heap.outline.size(); ++side) {
+    const Vec2 way = heap.along(side), outwards = heap.outwards(side);
+    const Vec2 from = heap.corner(side) - beyond_corner(heap, side, reach) * way;
+    const Vec2 to =
+        heap.corner(side + 1) + beyond_corner(heap, (side + 1) % heap.outline.size(), reach) * way;
+    const Vec2 middle = 0.5 * (from + to) + (reaches[side] + 0.5 * heap.thickness) * outwards;
+    SequenceForm form;
+    form.shape = faces.shapes.size();
+    form.place.position = {middle.x(), middle.y(), 0.5 * (heap.low + heap.high)};
+    form.place.orientation =
+        Quat(Eigen::AngleAxisd(std::atan2(-outwards.y(), -outwards.x()), Vec3::UnitZ()));
+    form.first = heap.first;
+    form.end = heap.end;
+    form.removed_at = plan.release_time + static_cast<double>(side) * plan.face_interval;
+    faces.forms.push_back(form);
+    const Vec3 sides(heap.thickness, (to - from).norm(), heap.high - heap.low);
+    faces.shapes.push_back(box_body(sides, 0.0, kDensity * sides.prod()));
+  }
+}
+
+}  // namespace
+
+HoldingFaces holding_faces(const PreparedCampaign& prepared, std::span<const RunRecord> runs) {
+  HoldingFaces faces;
+  const std::vector<MassPlan>& masses = prepared.campaign.stay->masses;
+  for (std::uint32_t mass = 0; mass < masses.size(); ++mass) {
+    if (masses[mass].settle) add_faces(prepared, runs, mass, faces);
+  }
+  return faces;
+}
+
+}  // namespace clast::study_detail

@@ -1,0 +1,121 @@
+#include "study/simulate/detail/mass_members.hpp"
+
+#include <cmath>
+#include <numeric>
+#include <optional>
+
+#include "core/error.hpp"
+#include "core/number_text.hpp"
+#include "study/campaign/plan_polygon.hpp"
+
+namespace clast::study_detail {
+namespace {
+
+/// Of the blocks of a realisation: shares that add up to 1 may be written with few digits.
+constexpr double kMemberShareSlack = 1e-6;
+
+/// The mass in place that a block belongs to.
+/// @param centre  of the block, on the map
+std::size_t mass_around(const Campaign& campaign, const std::string& block, const Vec3& centre) {
+  const std::vector<MassPlan>& masses = campaign.stay->masses;
+  if (masses.size() == 1) return 0;
+  std::optional<std::size_t> found;
+  const std::string where = campaign.file.string() + ": block " + block + " in place at x " +
+                            with_decimals(centre.x(), 3) + ", y " + with_decimals(centre.y(), 3) +
+                            " lies in the polygon of ";
+  for (std::size_t i = 0; i < masses.size(); ++i) {
+    if (!is_inside(masses[i].polygon, centre.head<2>())) continue;
+    if (found) {
+      throw InputError(where + mass_name(campaign, *found) + " and of " + mass_name(campaign, i) +
+                       "; they must not overlap");
+    }
+    found = i;
+  }
+  if (found) return *found;
+  throw InputError(where + "no [mass]; widen one, or leave the block out by [blocks] select");
+}
+
+}  // namespace
+
+std::string mass_name(const Campaign& campaign, std::size_t mass) {
+  const std::string& name = campaign.releases[mass].name;
+  return name.empty() ? "[mass]" : "[mass] " + name;
+}
+
+std::vector<std::size_t> heap_counts(const Campaign& campaign, std::size_t blocks) {
+  const std::vector<MassPlan>& masses = campaign.stay->masses;
+  const auto all = static_cast<double>(blocks);
+  double area = 0.0, counted_blocks = 0.0, shared = 0.0;
+  std::string by_area;  // a mass with neither count nor share
+  for (std::size_t i = 0; i < masses.size(); ++i) {
+    if (masses[i].count) {
+      counted_blocks += *masses[i].count;
+    } else if (masses[i].share) {
+      shared += *masses[i].share * all;
+    } else {
+      area += polygon_area(masses[i].polygon);
+      by_area = mass_name(campaign, i);
+    }
+  }
+  const double rest = all - counted_blocks - shared;
+  if (by_area.empty() ? std::abs(rest) > kMemberShareSlack * all : !(rest > 0.0)) {
+    throw InputError(
+        campaign.file.string() + ": count and share of [mass] make " +
+        with_digits(counted_blocks + shared, 6) + " of " + counted(blocks, "block") +
+        (by_area.empty()
+             ? " of a realisation; make it all of them, or leave count and share out "
+               "of one mass"
+             : " of a realisation and leave none to " + by_area + "; give fewer, or draw more"));
+  }
+  std::vector<double> shares;
+  for (const MassPlan& mass : masses) {
+    const double wanted = mass.count   ? 0.0
+                          : mass.share ? *mass.share * all
+                                       : rest * polygon_area(mass.polygon) / area;
+    shares.push_back(wanted);
+  }
+  const double sum = std::accumulate(shares.begin(), shares.end(), 0.0);
+  std::vector<std::size_t> counts(masses.size(), 0);
+  if (sum > 0.0) {
+    for (double& share : shares) share /= sum;
+    counts = quotas(shares, blocks - static_cast<std::size_t>(counted_blocks));
+  }
+  for (std::size_t i = 0; i < masses.size(); ++i) {
+    if (masses[i].count) counts[i] = *masses[i].count;
+    if (counts[i] > 0) continue;
+    throw InputError(campaign.file.string() + ": " + mass_name(campaign, i) + " gets none of the " +
+                     counted(blocks, "block") +
+                     " of a realisation; give it a count or a larger share, or draw more");
+  }
+  return counts;
+}
+
+std::vector<std::vector<std::uint32_t>> blocks_of_masses(const PreparedCampaign& prepared,
+                                                         std::span<const std::uint32_t> order) {
+  const Campaign& campaign = prepared.campaign;
+  std::vector<std::vector<std::uint32_t>> blocks(campaign.stay->masses.size());
+  if (!campaign.stay->masses.front().in_place) {
+    const std::vector<std::size_t> counts = heap_counts(campaign, order.size());
+    auto next = order.begin();
+    for (std::size_t i = 0; i < counts.size(); ++i) {
+      const auto end = next + static_cast<std::ptrdiff_t>(counts[i]);
+      blocks[i].assign(next, end);
+      next = end;
+    }
+    return blocks;
+  }
+  for (const std::uint32_t block : order) {
+    const CampaignBlock& chosen = prepared.choice.blocks[block];
+    const Vec3 centre = prepared.choice.library[chosen.library].source_from_body().translation;
+    blocks[mass_around(campaign, chosen.id, centre)].push_back(block);
+  }
+  for (std::size_t i = 0; i < blocks.size(); ++i) {
+    if (!blocks[i].empty()) continue;
+    throw InputError(campaign.file.string() + ": " + mass_name(campaign, i) +
+                     ": no block in place has its centre in its polygon; check its corners and "
+                     "the map frame");
+  }
+  return blocks;
+}
+
+}  // namespace clast::study_detail

@@ -1,0 +1,159 @@
+#include "study/simulate/detail/mass_starts.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "core/error.hpp"
+#include "core/number_text.hpp"
+#include "study/simulate/detail/mass_members.hpp"
+#include "study/simulate/detail/run_starts.hpp"
+
+namespace clast::study_detail {
+namespace {
+
+/// Width of the cells that a heap is put together in, as a share of the smallest S, unless they
+/// were too many.
+constexpr double kStartCellShare = 1.0 / 6.0;
+constexpr double kMostStartCells = 1e6;
+
+/// Of each mass, local frame.
+std::vector<std::vector<Vec2>> outlines(const PreparedCampaign& prepared) {
+  std::vector<std::vector<Vec2>> outlines;
+  for (const MassPlan& mass : prepared.campaign.stay->masses) {
+    std::vector<Vec2>& outline = outlines.emplace_back(mass.polygon);
+    for (Vec2& corner : outline) corner -= prepared.header.frame.origin.head<2>();
+  }
+  return outlines;
+}
+
+/// One width for all heaps, so that no cell belongs to two of them.
+double width_of_cells(const PreparedCampaign& prepared,
+                      const std::vector<std::vector<Vec2>>& outlines) {
+  double smallest = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < prepared.bodies.size(); ++i) {
+    if (prepared.bodies.first_like(i) < i) continue;
+    smallest = std::min(smallest, prepared.bodies[i].size());
+  }
+  double width = kStartCellShare * smallest;
+  for (const std::vector<Vec2>& outline : outlines) {
+    Bounds box;
+    for (const Vec2& corner : outline) box.include({corner.x(), corner.y(), 0.0});
+    const Vec3 sides = box.high - box.low;
+    width = std::max(width, std::sqrt(sides.x() * sides.y() / kMostStartCells));
+  }
+  return width;
+}
+
+}  // namespace
+
+MassStarts::MassStarts(const PreparedCampaign& prepared)
+    : prepared_(prepared), plans_(prepared.campaign.stay->masses) {
+  if (plans_.front().in_place) return;
+  const std::vector<std::vector<Vec2>> all = outlines(prepared);
+  const double width = width_of_cells(prepared, all);
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    try {
+      packings_.emplace_back(*prepared.surface, all[i], width);
+    } catch (const InputError& error) {
+      throw InputError(prepared.campaign.file.string() + ": " + mass_name(prepared.campaign, i) +
+                       " " + error.what() + "; check its corners and the map frame");
+    }
+  }
+  refuse_common_places();
+}
+
+void MassStarts::refuse_common_places() const {
+  for (std::size_t i = 0; i < packings_.size(); ++i) {
+    for (std::size_t other = 0; other < i; ++other) {
+      const double area = packings_[i].common_area(packings_[other]);
+      if (area == 0.0) continue;
+      throw InputError(prepared_.campaign.file.string() + ": the polygons of " +
+                       mass_name(prepared_.campaign, other) + " and " +
+                       mass_name(prepared_.campaign, i) + " overlap on " + with_digits(area, 3) +
+                       " m^2, where blocks of both would be; move one of them, or draw one "
+                       "polygon around both");
+    }
+  }
+}
+
+void MassStarts::begin(const std::string& name, const std::vector<std::size_t>& blocks) {
+  for (BlockPacking& packing : packings_) packing.clear();
+  name_ = name;
+  expected_ = blocks;
+  placed_.assign(plans_.size(), {});
+}
+
+RigidState MassStarts::place(std::size_t mass, std::uint32_t block, const MeasuredBody& body,
+                             Random& random) {
+  const RigidState state =
+      plans_[mass].in_place ? in_place(mass, block, body) : on_heap(mass, block, body, random);
+  MassStart& placed = placed_[mass];
+  ++placed.blocks;
+  placed.volume += prepared_.header.blocks[block].volume;
+  placed.mass += prepared_.header.blocks[block].mass;
+  return state;
+}
+
+std::vector<MassStart> MassStarts::placed() const {
+  std::vector<MassStart> placed = placed_;
+  for (std::size_t i = 0; i < packings_.size(); ++i) {
+    const Filling filling = packings_[i].filling();
+    placed[i].area = filling.area;
+    placed[i].mean_thickness = filling.mean_thickness;
+    placed[i].largest_thickness = filling.largest_thickness;
+  }
+  return placed;
+}
+
+RigidState MassStarts::in_place(std::size_t mass, std::uint32_t block,
+                                const MeasuredBody& body) const {
+  const BlockChoice& choice = prepared_.choice;
+  const Pose place = choice.library[choice.blocks[block].library].source_from_body();
+  RigidState state;
+  state.position =
+      prepared_.header.frame.local(place.translation) + Vec3(0.0, 0.0, plans_[mass].raised);
+  state.orientation = place.rotation.normalized();
+  const std::string where = prepared_.campaign.file.string() + ": [mass] in_place: block " +
+                            prepared_.header.blocks[block].id + " with its centre at " +
+                            place_on_map(prepared_.header.frame.map(state.position));
+  if (!prepared_.surface->covers(state.position.x(), state.position.y())) {
+    throw InputError(where +
+                     " is off the terrain; check the map frame and the axis that points up");
+  }
+  const std::optional<double> depth =
+      depth_in_ground(body.overlap, *prepared_.surface, body.body, state);
+  if (!depth) return state;
+  throw SimulationError(where + " starts " + with_decimals(*depth, 3) +
+                        " m inside the ground; the terrain must be the one without the mass, or "
+                        "give [mass] height_m");
+}
+
+RigidState MassStarts::on_heap(std::size_t mass, std::uint32_t block, const MeasuredBody& body,
+                               Random& random) {
+  const Quat turn = fresh_orientations(prepared_.campaign.releases.front(),
+                                       prepared_.choice.blocks[block].id, name_, 1)
+                        .front();
+  const std::optional<RigidState> start =
+      packings_[mass].place(body.body, body.overlap, turn, plans_[mass].thickness, random);
+  if (!start) refuse_block(mass, block);
+  return *start;
+}
+
+void MassStarts::refuse_block(std::size_t mass, std::uint32_t block) const {
+  const BlockSummary& summary = prepared_.header.blocks[block];
+  const std::size_t realisation = prepared_.masses.size() / plans_.size() + 1;
+  const std::string text =
+      prepared_.campaign.file.string() + ": " + mass_name(prepared_.campaign, mass) + " holds " +
+      std::to_string(placed_[mass].blocks) + " of " + std::to_string(expected_[mass]) +
+      " blocks of realisation " + std::to_string(realisation) + ", and block " + summary.id +
+      " with L = " + with_decimals(summary.axes.L, 3) + " m fits nowhere";
+  const std::optional<double>& thickness = plans_[mass].thickness;
+  throw InputError(text + (thickness
+                               ? " below thickness_m = " + with_digits(*thickness, 6) +
+                                     "; allow more, widen the polygon, or take fewer or smaller "
+                                     "blocks"
+                               : "; widen the polygon, or take smaller blocks"));
+}
+
+}  // namespace clast::study_detail

@@ -1,0 +1,48 @@
+#pragma once
+/// Bodies of blocks, with what is needed to measure how deep they start in the ground.
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <utility>
+
+#include "dem/ground_overlap.hpp"
+#include "study/simulate/block_bodies.hpp"
+
+namespace clast::study_detail {
+
+struct MeasuredBody {
+  MeasuredBody(const TerrainSurface& ground, RigidBody of_block)
+      : body(std::move(of_block)), overlap(ground, body) {}
+  MeasuredBody(const MeasuredBody&) = delete;
+  MeasuredBody& operator=(const MeasuredBody&) = delete;
+
+  RigidBody body;
+  GroundOverlap overlap;
+};
+
+/// Keeps up to 500 of them, then starts anew: blocks are planned in order, or the same ones in each
+/// realisation, and drawn ones can be too many to keep all.
+class MeasuredBodies {
+ public:
+  /// Both must outlive it.
+  MeasuredBodies(const TerrainSurface& ground, const BlockBodies& bodies)
+      : ground_(ground), bodies_(bodies) {}
+
+  /// Of a block; holds until the next call.
+  const MeasuredBody& of(std::size_t block) {
+    const std::uint32_t first = bodies_.first_like(block);
+    const auto found = kept_.find(first);
+    if (found != kept_.end()) return *found->second;
+    if (kept_.size() == kMostKept) kept_.clear();
+    return *kept_.emplace(first, std::make_unique<MeasuredBody>(ground_, bodies_[block]))
+                .first->second;
+  }
+
+ private:
+  static constexpr std::size_t kMostKept = 500;
+  const TerrainSurface& ground_;
+  const BlockBodies& bodies_;
+  std::map<std::uint32_t, std::unique_ptr<MeasuredBody>> kept_;  ///< by `first_like`
+};
+
+}  // namespace clast::study_detail

@@ -1,0 +1,90 @@
+#include "study/simulate/detail/member_settings.hpp"
+
+#include <algorithm>
+#include <numeric>
+
+#include "core/random.hpp"
+#include "core/statistics/statistics.hpp"
+#include "study/campaign/named_seed.hpp"
+#include "study/campaign/unknown.hpp"
+
+namespace clast::study_detail {
+namespace {
+
+/// Starts and contact of a campaign, without points and orientations.
+Campaign without_points(const Campaign& campaign) {
+  Campaign bare;
+  bare.stiffness = campaign.stiffness;
+  for (const ReleasePlan& release : campaign.releases) {
+    ReleasePlan start;
+    start.drop_height = release.drop_height;
+    start.velocity = release.velocity;
+    start.angular_velocity = release.angular_velocity;
+    bare.releases.push_back(start);
+  }
+  return bare;
+}
+
+MemberSettings settings_of(const Campaign& bare) {
+  MemberSettings settings{{}, bare.stiffness};
+  for (const ReleasePlan& release : bare.releases) {
+    settings.starts.push_back({release.drop_height, release.velocity, release.angular_velocity});
+  }
+  return settings;
+}
+
+bool has_settings(const PosteriorDraws& posterior) {
+  return !std::all_of(posterior.parameters.begin(), posterior.parameters.end(), is_of_ground);
+}
+
+MemberSettings settings_of(Campaign bare, const PosteriorDraws& posterior, std::size_t draw) {
+  for (std::size_t i = 0; i < posterior.parameters.size(); ++i) {
+    if (is_of_ground(posterior.parameters[i])) continue;
+    set_parameter(bare, posterior.parameters[i], posterior.draws[draw][i]);
+  }
+  return settings_of(bare);
+}
+
+}  // namespace
+
+std::vector<std::size_t> chosen_draws(const Ensemble& ensemble) {
+  if (!ensemble.posterior) return {};
+  std::vector<std::size_t> order(ensemble.posterior->draws.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  Random random(named_seed(ensemble.seed, "posterior"));
+  for (std::uint32_t member = 0; member < ensemble.members; ++member) {
+    std::swap(order[member], order[member + random.below(order.size() - member)]);
+  }
+  order.resize(ensemble.members);
+  return order;
+}
+
+PosteriorDraws middle_of(const PosteriorDraws& posterior) {
+  PosteriorDraws middle{posterior.file, posterior.parameters, {{}}};
+  for (std::size_t i = 0; i < posterior.parameters.size(); ++i) {
+    std::vector<double> values;
+    for (const std::vector<double>& draw : posterior.draws) values.push_back(draw[i]);
+    std::sort(values.begin(), values.end());
+    middle.draws.front().push_back(quantile(values, 0.5));
+  }
+  return middle;
+}
+
+std::vector<MemberSettings> member_settings(const Campaign& campaign) {
+  const Campaign bare = without_points(campaign);
+  const std::optional<PosteriorDraws>& posterior = campaign.ensemble.posterior;
+  if (!posterior || !has_settings(*posterior)) return {settings_of(bare)};
+  std::vector<MemberSettings> settings;
+  for (const std::size_t draw : chosen_draws(campaign.ensemble)) {
+    settings.push_back(settings_of(bare, *posterior, draw));
+  }
+  return settings;
+}
+
+MemberSettings central_settings(const Campaign& campaign) {
+  const Campaign bare = without_points(campaign);
+  const std::optional<PosteriorDraws>& posterior = campaign.ensemble.posterior;
+  return posterior ? settings_of(bare, middle_of(*posterior), 0) : settings_of(bare);
+}
+
+}  // namespace clast::study_detail

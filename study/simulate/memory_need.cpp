@@ -1,0 +1,59 @@
+#include "study/simulate/memory_need.hpp"
+
+#include <algorithm>
+
+#include "core/error.hpp"
+#include "core/number_text.hpp"
+
+namespace clast {
+namespace {
+
+/// Bytes of a block, with its contacts, and of each vertex: at least 1.5 times what was measured in
+/// piles of 500 rocks of 12 to 642 vertices (docs/benchmarks.md, Five hundred blocks falling into a
+/// pile).
+constexpr double kOfBlock = 24e3, kOfVertex = 0.19e3;
+/// Of a stored state: a time, a place, an orientation, a velocity and a spin.
+constexpr double kOfState = 14.0 * sizeof(double);
+
+}  // namespace
+
+double realisation_memory(const PreparedCampaign& prepared) {
+  if (!prepared.header.stay) return 0.0;
+  const Campaign& campaign = prepared.campaign;
+  const std::size_t blocks = prepared.header.stay->blocks_each;
+  double bytes = 0.0;
+  for (std::size_t i = 0; i < blocks; ++i) {
+    const CampaignBlock& block = prepared.choice.blocks[prepared.runs[i].block];
+    const std::size_t vertices = prepared.choice.library[block.library].body.vertices.size();
+    bytes += kOfBlock + kOfVertex * static_cast<double>(vertices);
+  }
+  if (campaign.trajectory_interval > 0.0) {
+    const double longest = prepared.header.stay->at_once
+                               ? campaign.max_time + campaign.stay->last_release()
+                               : campaign.max_time;
+    bytes += kOfState * static_cast<double>(blocks) * longest / campaign.trajectory_interval;
+  }
+  return bytes;
+}
+
+void check_memory(const PreparedCampaign& prepared, std::size_t at_a_time,
+                  std::optional<double> available) {
+  const double each = realisation_memory(prepared);
+  const double all = each * static_cast<double>(at_a_time);
+  if (!available || all <= *available) return;
+  const std::string blocks = counted(at_a_time, "realisation") + " of " +
+                             counted(prepared.header.stay->blocks_each, "block") +
+                             (at_a_time > 1 ? " at a time need about " : " needs about ");
+  throw InputError(
+      prepared.campaign.file.string() + ": " + blocks + memory_text(all) + " of memory, and " +
+      memory_text(*available) + " is free; use " +
+      (each <= *available ? "fewer threads" : "fewer blocks, or blocks with fewer vertices") +
+      (prepared.campaign.trajectory_interval > 0.0 ? ", or a longer trajectory_interval_s" : ""));
+}
+
+std::string memory_text(double bytes) {
+  return bytes >= 0.95e9 ? with_digits(bytes / 1e9, 2) + " GB"
+                         : with_decimals(std::max(1.0, bytes / 1e6), 0) + " MB";
+}
+
+}  // namespace clast

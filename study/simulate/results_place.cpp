@@ -1,0 +1,27 @@
+#include "study/simulate/results_place.hpp"
+
+#include "core/error.hpp"
+#include "core/files/file_lock.hpp"
+
+namespace clast {
+
+std::filesystem::path shard_output(std::filesystem::path target,
+                                   const std::optional<Shard>& shard) {
+  if (!shard) return target;
+  const std::string part = "." + std::to_string(shard->index) + "of" + std::to_string(shard->count);
+  target.replace_filename(target.stem().string() + part + target.extension().string());
+  return target;
+}
+
+void refuse_interrupted(const std::filesystem::path& target) {
+  const std::filesystem::path part = partial_results(target);
+  if (!std::filesystem::exists(part)) return;
+  if (std::filesystem::exists(FileLock::lock_file(target))) {
+    const FileLock lock(target, {.longest_wait = {}});  // refused while that campaign runs
+  }
+  throw InputError(part.string() +
+                   ": holds the runs of an interrupted campaign; add `resume` to go on with it, "
+                   "or delete the file to start afresh");
+}
+
+}  // namespace clast

@@ -1,0 +1,139 @@
+#include "study/simulate/run_stiffness.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/error.hpp"
+#include "study/simulate/detail/member_settings.hpp"
+
+namespace clast::study_detail {
+namespace {
+
+/// So many blocks are named in warnings of one campaign; drawn ones can be thousands.
+constexpr std::size_t kMostNamed = 20;
+
+/// All energy of a start, and the fall to the lowest ground, in the speed.
+double fastest_speed(const RunRecord& run, const BlockSummary& block, double lowest,
+                     double gravity) {
+  const double fall = std::max(0.0, run.start.position.z() - lowest);
+  return std::sqrt(run.start.velocity.squaredNorm() +
+                   block.moments.maxCoeff() / block.mass *
+                       run.start.angular_velocity.squaredNorm() +
+                   2.0 * gravity * fall);
+}
+
+/// The worst that the runs of a block meet.
+struct Worst {
+  double fastest = 0.0;
+  ContactGround ground;
+
+  void include(double speed, const ContactGround& other) {
+    fastest = std::max(fastest, speed);
+    ground.include(other);
+  }
+};
+
+/// Blocks that may touch each other share one stiffness: that of the most demanding start, ground
+/// and contact between blocks of their realisation.
+std::vector<std::string> settle_together(PreparedCampaign& prepared,
+                                         const std::vector<ContactBody>& bodies,
+                                         const std::vector<ContactGround>& grounds) {
+  const Campaign& campaign = prepared.campaign;
+  const std::vector<MemberSettings> members = member_settings(campaign);
+  const std::size_t each = prepared.header.stay->blocks_each;
+  const ContactGround between =
+      contact_ground(std::span(&campaign.stay->between_blocks, 1), campaign.stiffness.law);
+  const double lowest = prepared.surface->extent().low.z();
+  std::vector<std::string> warnings;
+  for (std::size_t first = 0; first < prepared.runs.size(); first += each) {
+    const std::span runs(&prepared.runs[first], each);
+    Worst worst;
+    worst.include(0.0, between);
+    std::vector<ContactBody> together;
+    for (const RunRecord& run : runs) {
+      worst.include(fastest_speed(run, prepared.header.blocks[run.block], lowest, campaign.gravity),
+                    grounds[run.ground_set]);
+      together.push_back(bodies[run.block]);
+    }
+    const std::size_t member = std::min<std::size_t>(runs.front().ground_set, members.size() - 1);
+    StiffnessOptions options = members[member].stiffness;
+    options.mass = prepared.header.stay->at_once;
+    const StiffnessChoice choice =
+        choose_stiffness(together, worst.ground, worst.fastest, campaign.gravity, options);
+    for (RunRecord& run : runs) {
+      run.stiffness = choice.stiffness;
+      run.rest_depth = choice.settled_depth;
+      run.impact_depth = choice.impact_depth;
+      release_settings(campaign, run).check();
+    }
+    if (!warnings.empty()) continue;
+    for (const std::string& warning : choice.warnings) {
+      warnings.push_back("realisation " + std::to_string(first / each + 1) + ": " + warning);
+    }
+  }
+  return warnings;
+}
+
+}  // namespace
+
+std::vector<std::string> settle_stiffness(PreparedCampaign& prepared) {
+  const std::vector<MemberSettings> members = member_settings(prepared.campaign);
+  const double gravity = prepared.campaign.gravity;
+  const double lowest = prepared.surface->extent().low.z();
+  std::vector<ContactGround> grounds;
+  for (const GroundSet& set : prepared.header.ground_sets) {
+    grounds.push_back(contact_ground(set.zones, prepared.campaign.stiffness.law));
+  }
+  std::vector<ContactBody> bodies;
+  for (std::size_t i = 0; i < prepared.bodies.size(); ++i) {
+    const std::uint32_t first = prepared.bodies.first_like(i);
+    bodies.push_back(first < i ? bodies[first] : contact_body(prepared.bodies[i]));
+  }
+  if (prepared.header.stay) return settle_together(prepared, bodies, grounds);
+  const auto choose = [&](std::size_t block, const ContactGround& ground, double fastest,
+                          const StiffnessOptions& options) {
+    try {
+      return choose_stiffness(std::span(&bodies[block], 1), ground, fastest, gravity, options);
+    } catch (const SimulationError& error) {
+      throw SimulationError("block " + prepared.header.blocks[block].id + ": " + error.what());
+    }
+  };
+
+  std::vector<Worst> worst(bodies.size());
+  for (RunRecord& run : prepared.runs) {
+    const double fastest = fastest_speed(run, prepared.header.blocks[run.block], lowest, gravity);
+    const std::uint32_t member = prepared.header.ground_sets[run.ground_set].member;
+    const StiffnessChoice choice =
+        choose(run.block, grounds[run.ground_set], fastest,
+               members[std::min<std::size_t>(member, members.size() - 1)].stiffness);
+    run.stiffness = choice.stiffness;
+    run.rest_depth = choice.settled_depth;
+    run.impact_depth = choice.impact_depth;
+    release_settings(prepared.campaign, run).check();
+    worst[run.block].include(fastest, grounds[run.ground_set]);
+  }
+
+  const StiffnessOptions central = central_settings(prepared.campaign).stiffness;
+  std::vector<std::string> warnings;
+  std::size_t named = 0, others = 0;
+  for (std::size_t block = 0; block < bodies.size(); ++block) {
+    const StiffnessChoice choice =
+        choose(block, worst[block].ground, worst[block].fastest, central);
+    if (choice.warnings.empty()) continue;
+    if (named == kMostNamed) {
+      ++others;
+      continue;
+    }
+    ++named;
+    for (const std::string& warning : choice.warnings) {
+      warnings.push_back("block " + prepared.header.blocks[block].id + ": " + warning);
+    }
+  }
+  if (others > 0) {
+    warnings.push_back("the stiffness of " + std::to_string(others) +
+                       " more blocks leads to similar warnings");
+  }
+  return warnings;
+}
+
+}  // namespace clast::study_detail

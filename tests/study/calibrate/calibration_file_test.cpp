@@ -1,0 +1,246 @@
+// Calibrations through their files: what they hold, how they go on, and what they refuse.
+#include <gtest/gtest.h>
+
+#include "core/error.hpp"
+#include "core/files/hdf5_file.hpp"
+#include "core/files/text_file.hpp"
+#include "core/progress.hpp"
+#include "study/calibrate/calibrate.hpp"
+#include "tests/study/calibrate/made_up_site.hpp"
+#include "tests/support/refusal.hpp"
+#include "tests/support/scratch_folder.hpp"
+
+namespace clast {
+namespace {
+
+/// A calibration of a made-up study through its file.
+class CalibrationFile : public testing::Test {
+ protected:
+  CalibrationFile() : made(study_of({1.0, 1.3})) {
+    made.study.design.members = 16;
+    made.study.design.draws = 200;
+    made.study.text = "# made up\n";
+    simulator.sites = made.runs.sites;
+    simulator.inputs = {"made-up.toml 00"};
+    simulator.simulate = [this](std::size_t site, std::uint32_t member,
+                                const std::vector<double>&) {
+      if (++simulated > most) throw Cancelled();
+      return made.runs.outcomes[site][member];
+    };
+  }
+  Calibration run(const CalibrateOptions& options = {}) {
+    return calibrate_with(simulator, made.study, target(), options);
+  }
+  std::filesystem::path target() const { return folder / "posterior.h5"; }
+
+  MadeUpStudy made;
+  CalibrationSimulator simulator;
+  std::size_t simulated = 0, most = 1000;
+  ScratchFolder folder;
+};
+
+TEST_F(CalibrationFile, HoldsRunsAndDraws) {
+  const Calibration calibration = run();
+  EXPECT_EQ(simulated, 32u);
+  const StoredCalibration stored = read_calibration_runs(target());
+  EXPECT_EQ(stored.design_sha256, calibration.stored.design_sha256);
+  ASSERT_EQ(stored.runs.outcomes.size(), 2u);
+  const ReleaseOutcome& kept = stored.runs.outcomes[1][7][3];
+  const ReleaseOutcome& had = made.runs.outcomes[1][7][3];
+  EXPECT_EQ(kept.stop, had.stop);
+  EXPECT_EQ(kept.point, had.point);
+  EXPECT_EQ(kept.barriers[0].passed(), had.barriers[0].passed());
+  const PosteriorDraws draws = read_posterior_draws(target());
+  EXPECT_EQ(draws.parameters[1], "ground.scree.rolling_friction");
+  ASSERT_EQ(draws.draws.size(), 200u);
+  EXPECT_EQ(draws.draws[5][1], calibration.posterior.draws(1, 5));
+}
+
+TEST_F(CalibrationFile, InterruptedGoesOnToTheSameBits) {
+  const Calibration whole = run();
+  std::filesystem::remove(target());
+  simulated = 0;
+  most = 11;
+  EXPECT_THROW(run(), Cancelled);
+  EXPECT_FALSE(std::filesystem::exists(target()));
+  EXPECT_EQ(refusal<InputError>([&] { run(); }),
+            partial_calibration(target()).string() +
+                ": holds the members of an interrupted calibration; `resume` goes on with it, or "
+                "delete the file to start afresh");
+  EXPECT_EQ(
+      refusal<InputError>([&] { read_posterior_draws(partial_calibration(target())); }),
+      partial_calibration(target()).string() +
+          ": is a calibration without draws, interrupted or one of several shards; go on with "
+          "it, or join the shards first");
+  simulated = 0;
+  most = 1000;
+  std::size_t before = 0;
+  CalibrateOptions options;
+  options.resume = true;
+  options.progress = [&](const ProgressStep& step) { before = step.before; };
+  EXPECT_EQ(run(options).posterior.draws, whole.posterior.draws);
+  EXPECT_EQ(simulated, 21u);
+  EXPECT_EQ(before, 11u);
+  EXPECT_FALSE(std::filesystem::exists(partial_calibration(target())));
+}
+
+TEST_F(CalibrationFile, ShardsJoinedAreTheWhole) {
+  const Calibration whole = run();
+  CalibrateOptions join;
+  for (std::uint32_t i = 1; i <= 3; ++i) {
+    simulated = 0;
+    CalibrateOptions options;
+    options.shard = {i, 3};
+    const auto part = folder / ("part" + std::to_string(i) + ".h5");
+    std::size_t total = 0;
+    options.progress = [&](const ProgressStep& step) { total = step.total; };
+    calibrate_with(simulator, made.study, part, options);
+    EXPECT_EQ(simulated, i == 1 ? 12u : 10u);  // 16 members at two sites
+    EXPECT_EQ(total, simulated);
+    EXPECT_NE(refusal<InputError>([&] { read_posterior_draws(part); }), "");
+    join.parts.push_back(part);
+  }
+  simulated = 0;
+  const Calibration joined = calibrate_with(simulator, made.study, folder / "joined.h5", join);
+  EXPECT_EQ(simulated, 0u);
+  EXPECT_EQ(joined.posterior.draws, whole.posterior.draws);
+  join.parts.erase(join.parts.begin() + 1);
+  join.replace = true;
+  const auto refused = [&] {
+    return refusal<InputError>(
+        [&] { calibrate_with(simulator, made.study, folder / "joined.h5", join); });
+  };
+  EXPECT_EQ(refused(),
+            "member 2 of 16 is in none of the parts; give the files of all shards, each finished");
+  EXPECT_EQ(read_posterior_draws(folder / "joined.h5").draws.size(), 200u);  // it is still there
+  made.study.design.seed = 99;
+  EXPECT_EQ(refused(), join.parts[0].string() +
+                           ": was begun with other sites, unknowns, members, inputs or program; "
+                           "simulate that shard of this study");
+}
+
+TEST_F(CalibrationFile, KeepsImpactsAndTimes) {
+  const std::vector<Moment> moments = {{Moment::Kind::kImpact, 2.0}, {Moment::Kind::kTime, 0.5}};
+  for (std::size_t site = 0; site < 2; ++site) {
+    simulator.sites[site].moments = moments;
+    simulator.sites[site].releases = {"low", "high"};
+    for (auto& member : made.runs.outcomes[site]) {
+      for (ReleaseOutcome& outcome : member) {
+        outcome.release = 1;
+        outcome.moments.resize(2);
+        outcome.moments[0].depth = 0.1 * outcome.stop.x();
+        outcome.moments[1].speed = outcome.stop.y();
+        outcome.moments[1].place = outcome.stop;
+      }
+    }
+  }
+  run();
+  const StoredCalibration stored = read_calibration_runs(target());
+  EXPECT_EQ(stored.runs.sites[0].moments, moments);
+  EXPECT_EQ(stored.runs.sites[0].releases, (std::vector<std::string>{"low", "high"}));
+  const ReleaseOutcome& kept = stored.runs.outcomes[1][7][3];
+  const ReleaseOutcome& had = made.runs.outcomes[1][7][3];
+  EXPECT_EQ(kept.release, 1u);
+  EXPECT_EQ(kept.moments[0].depth, had.moments[0].depth);
+  EXPECT_FALSE(kept.moments[0].passed());
+  EXPECT_EQ(kept.moments[1].speed, had.moments[1].speed);
+  EXPECT_EQ(kept.moments[1].place, had.moments[1].place);
+  CalibrateOptions options;
+  options.resume = true;
+  simulated = 0;
+  simulator.sites[0].moments.pop_back();  // fewer are there too
+  run(options);
+  EXPECT_EQ(simulated, 0u);
+  simulator.sites[1].moments.push_back({Moment::Kind::kTime, 0.75});
+  EXPECT_EQ(refusal<InputError>([&] { run(options); }),
+            target().string() +
+                ": the members of site site 2 were simulated to be observed at other impacts or "
+                "times; delete the file, or give another output");
+}
+
+TEST_F(CalibrationFile, OtherObservationsUseTheSameRuns) {
+  run();
+  simulated = 0;
+  made.study.observations.pop_back();
+  CalibrateOptions options;
+  options.resume = true;
+  run(options);
+  EXPECT_EQ(simulated, 0u);
+  made.study.unknowns[0].high = 0.95;
+  EXPECT_EQ(refusal<InputError>([&] { run(options); }),
+            target().string() +
+                ": was begun with other sites, unknowns, members, inputs or program; delete it, or "
+                "give another output");
+}
+
+TEST_F(CalibrationFile, MembersOfOtherPhysicsAreNotTakenOver) {
+  const std::string ours(64, 'a'), other(64, 'b');
+  simulator.physics_digest = ours;
+  EXPECT_EQ(run().stored.physics_digest, ours);
+  EXPECT_EQ(read_calibration_runs(target()).physics_digest, ours);
+  CalibrateOptions resume, join;
+  resume.resume = true;
+  run(resume);
+  join.parts = {target()};
+  const auto joined = [&] {
+    return calibrate_with(simulator, made.study, folder / "joined.h5", join).stored.physics_digest;
+  };
+  EXPECT_EQ(joined(), ours);
+  simulator.physics_digest = other;
+  const std::string differ = target().string() +
+                             ": blocks move differently in this clast (physics digest aaaaaaaaaa, "
+                             "here bbbbbbbbbb) than in the one that simulated its members, which "
+                             "has the same version number; ";
+  EXPECT_EQ(refusal<InputError>([&] { run(resume); }),
+            differ + "delete it, or give another output");
+  join.replace = true;
+  EXPECT_EQ(refusal<InputError>([&] { joined(); }), differ + "simulate that shard of this study");
+}
+
+TEST_F(CalibrationFile, SitesWithoutBarriersGoOnToo) {
+  for (std::size_t site = 0; site < 2; ++site) {
+    simulator.sites[site].barriers.clear();
+    for (auto& member : made.runs.outcomes[site]) {
+      for (ReleaseOutcome& outcome : member) outcome.barriers.clear();
+    }
+  }
+  std::erase_if(made.study.observations,
+                [](const Observation& one) { return !one.barrier.empty(); });
+  const Calibration whole = run();
+  CalibrateOptions options;
+  options.resume = true;
+  simulated = 0;
+  EXPECT_EQ(run(options).posterior.draws, whole.posterior.draws);
+  EXPECT_EQ(simulated, 0u);
+}
+
+// What is not known of their members is not said of the new file.
+TEST_F(CalibrationFile, FilesOfOlderProgramsGoOnWithoutADigest) {
+  run();
+  simulator.physics_digest = std::string(64, 'b');
+  CalibrateOptions options;
+  options.resume = true;
+  simulated = 0;
+  EXPECT_EQ(run(options).stored.physics_digest, "");
+  EXPECT_EQ(simulated, 0u);
+  CalibrateOptions join;
+  join.parts = {target()};
+  EXPECT_EQ(calibrate_with(simulator, made.study, folder / "joined.h5", join).stored.physics_digest,
+            "");
+}
+
+TEST_F(CalibrationFile, APosteriorIsNotReplacedUnasked) {
+  run();
+  EXPECT_NE(refusal<InputError>([&] { run(); }), "");
+  CalibrateOptions options;
+  options.replace = true;
+  run(options);
+  write_text_file(folder / "notes.txt", "mine");
+  EXPECT_NE(refusal<InputError>(
+                [&] { calibrate_with(simulator, made.study, folder / "notes.txt", options); }),
+            "");
+  EXPECT_EQ(read_text_file(folder / "notes.txt"), "mine");
+}
+
+}  // namespace
+}  // namespace clast

@@ -1,0 +1,143 @@
+// Figures of realisations over files and their differences, against values written by hand.
+#include "study/compare/realisation_figures.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+
+#include "tests/support/refusal.hpp"
+
+namespace clast {
+namespace {
+
+std::size_t figure_named(const std::string& name) {
+  for (std::size_t i = 0; i < realisation_figures().size(); ++i) {
+    if (realisation_figures()[i].name == name) return i;
+  }
+  throw std::out_of_range(name);
+}
+
+/// Ten blocks, of which nine lie, at the place where the toe is `length` from the crest and 5
+/// lower.
+RealisationDeposit realisation(std::uint32_t file, std::uint32_t number, double length) {
+  RealisationDeposit deposit;
+  deposit.file = file;
+  deposit.realisation = number;
+  deposit.blocks = 10;
+  deposit.lying = 9;
+  deposit.volume = 6.0;
+  deposit.crest = {1000.0, 2000.0, 50.0};
+  deposit.toe = deposit.crest + Vec3(0.6 * length, 0.8 * length, -5.0);
+  deposit.first_centre = {1000.0, 2000.0, 49.0};
+  deposit.centre = deposit.first_centre + Vec3(3.0, -4.0, -2.0);
+  deposit.area = 8.0;
+  deposit.bulk_volume = 12.0;
+  deposit.first_volume = 10.0;
+  deposit.first_bulk_volume = 16.0;
+  deposit.thickness = 2.5;
+  deposit.energy = {{.normal = 0.3, .friction = 0.4}, {.friction = 0.2, .rolling = 0.1}, 5000.0};
+  return deposit;
+}
+
+const FigureDifference& named(const FiguresOfFiles& figures, const std::string& name) {
+  for (const FigureDifference& one : figures.differences) {
+    if (one.first.figure == figure_named(name)) return one;
+  }
+  throw std::out_of_range(name);
+}
+
+TEST(RealisationFigures, AreThoseOfTheDeposit) {
+  const RealisationDeposit deposit = realisation(0, 0, 10.0);
+  const auto value = [&](const char* name) {
+    return realisation_figures()[figure_named(name)].value(deposit);
+  };
+  EXPECT_DOUBLE_EQ(value("lying"), 9.0);
+  EXPECT_DOUBLE_EQ(value("lying_share"), 0.9);
+  EXPECT_DOUBLE_EQ(value("centre_distance_m"), 5.0);
+  EXPECT_DOUBLE_EQ(value("centre_drop_m"), 2.0);
+  EXPECT_DOUBLE_EQ(value("centre_drop_ratio"), 0.4);
+  EXPECT_NEAR(value("toe_distance_m"), 10.0, 1e-9);
+  EXPECT_NEAR(value("toe_drop_ratio"), 0.5, 1e-9);
+  EXPECT_NEAR(value("travel_angle_deg"), 26.565051177, 1e-6);
+  EXPECT_DOUBLE_EQ(value("solid_share"), 0.5);
+  EXPECT_NEAR(value("first_solid_share"), 10.0 / 16.0, 1e-12);
+  EXPECT_DOUBLE_EQ(value("dissipated_by_friction"), 0.6);
+  EXPECT_DOUBLE_EQ(value("dissipated_between_blocks"), 0.3);
+  EXPECT_DOUBLE_EQ(value("mean_thickness_m"), 1.5);
+}
+
+TEST(RealisationFigures, DifferByFileWithWelchsInterval) {
+  const FiguresOfFiles figures =
+      figures_of_files({realisation(0, 0, 20.0), realisation(0, 1, 22.0), realisation(2, 0, 10.0),
+                        realisation(2, 1, 12.0)});
+  ASSERT_EQ(figures.files.size(), 2 * realisation_figures().size());
+  const FigureDifference& length = named(figures, "toe_distance_m");
+  EXPECT_EQ(length.first.file, 0u);
+  EXPECT_EQ(length.second.file, 2u);
+  EXPECT_EQ(length.first.summary.count, 2u);
+  EXPECT_NEAR(length.first.least, 20.0, 1e-9);
+  EXPECT_NEAR(length.difference(), 10.0, 1e-9);
+  ASSERT_TRUE(length.welch);
+  // 95 % of Student's t with two degrees of freedom; the standard error is sqrt(2).
+  const double half_width = 0.95 * std::sqrt(2.0 / (1.0 - 0.95 * 0.95)) * std::sqrt(2.0);
+  EXPECT_NEAR(length.welch->interval.low, 10.0 - half_width, 1e-7);
+  EXPECT_NEAR(length.welch->interval.high, 10.0 + half_width, 1e-7);
+  // p is 0.0194, and three figures are tested: length, H / L, travel angle.
+  EXPECT_EQ(length.tests, 3u);
+  EXPECT_GT(length.p_holm, length.welch->p_value);
+  // What never differs has neither interval nor verdict.
+  const FigureDifference& area = named(figures, "area_m2");
+  EXPECT_FALSE(area.welch);
+  EXPECT_EQ(distinction_of(area), Distinction::kUnknown);
+  EXPECT_TRUE(contains(in_words(area), "area: file 1 8.0 m\xC2\xB2, file 3 8.0 m\xC2\xB2;"));
+  EXPECT_TRUE(contains(in_words(area), "no interval, since realisations do not differ"));
+}
+
+TEST(RealisationFigures, AreDistinguishedWhereTheIntervalAndTheCorrectedTestSaySo) {
+  const auto compared_lengths = [](const std::vector<double>& first,
+                                   const std::vector<double>& second) {
+    std::vector<RealisationDeposit> all;
+    for (const double length : first) all.push_back(realisation(0, 0, length));
+    for (const double length : second) all.push_back(realisation(1, 0, length));
+    return named(figures_of_files(all), "toe_distance_m");
+  };
+  const FigureDifference clear = compared_lengths({20.0, 21.0, 22.0, 21.0}, {10.0, 11.0, 12.0});
+  EXPECT_EQ(distinction_of(clear), Distinction::kDistinguished);
+  EXPECT_EQ(in_words(clear), "distance L from crest to toe: file 1 21.00 m, file 2 11.00 m; " +
+                                 gap_in_words(clear) + ", from 4 and 3 realisations");
+  EXPECT_TRUE(contains(gap_in_words(clear), "m more (")) << gap_in_words(clear);
+  const FigureDifference open = compared_lengths({20.0, 22.0}, {13.0, 15.0});
+  EXPECT_EQ(distinction_of(open), Distinction::kOneOfMany) << open.p_holm;
+  EXPECT_TRUE(contains(in_words(open), "; one of 3 differences can be as large by chance"));
+  const FigureDifference none = compared_lengths({20.0, 22.0}, {20.5, 22.5});
+  EXPECT_EQ(distinction_of(none), Distinction::kNotDistinguished);
+  EXPECT_TRUE(contains(gap_in_words(none), "m less (")) << gap_in_words(none);
+  EXPECT_TRUE(in_words(none).ends_with("; not distinguished"));
+  const FigureDifference single = compared_lengths({20.0, 22.0}, {10.0});
+  EXPECT_EQ(distinction_of(single), Distinction::kUnknown);
+  EXPECT_TRUE(contains(in_words(single), "an interval takes two realisations of each file"));
+}
+
+TEST(RealisationFigures, WithoutADepositAreLeftOut) {
+  RealisationDeposit empty;
+  empty.blocks = 10;
+  RealisationDeposit other = empty;
+  other.file = 1;
+  const FiguresOfFiles figures = figures_of_files({empty, other});
+  for (const FigureOfFile& one : figures.files) {
+    EXPECT_TRUE(std::isfinite(one.summary.mean)) << realisation_figures()[one.figure].name;
+  }
+  EXPECT_THROW(named(figures, "area_m2"), std::out_of_range);
+}
+
+TEST(RealisationFigures, OfManyFilesAreNotComparedPairByPair) {
+  std::vector<RealisationDeposit> all;
+  for (std::uint32_t file = 0; file < 13; ++file) all.push_back(realisation(file, 0, 20.0));
+  EXPECT_TRUE(figures_of_files(all).differences.empty());
+  all.pop_back();
+  EXPECT_EQ(figures_of_files(all).differences.size(), 66 * realisation_figures().size());
+}
+
+}  // namespace
+}  // namespace clast
