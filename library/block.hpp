@@ -39,7 +39,7 @@ struct AxesRange {
 };
 
 /// What is not known of a block: the side it lies on, what lies behind filled holes and between
-/// points. The block is made of the likeliest shape (reconstruct/block_bounds.hpp).
+/// points. The block is made of the likeliest shape (reconstruct/underside/block_bounds.hpp).
 struct UnseenPart {
   double lower_volume = 0.0;  ///< m^3
   double best_volume = 0.0;   ///< m^3, of the closed scan the block was made from

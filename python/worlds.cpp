@@ -8,8 +8,8 @@
 
 #include "core/error.hpp"
 #include "core/number_text.hpp"
-#include "dem/stiffness.hpp"
-#include "dem/world.hpp"
+#include "dem/contact/stiffness.hpp"
+#include "dem/simulation/world.hpp"
 #include "python/arrays.hpp"
 #include "python/bindings.hpp"
 #include "python/options.hpp"

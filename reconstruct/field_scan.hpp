@@ -6,11 +6,11 @@
 #include <vector>
 
 #include "core/pose.hpp"
-#include "reconstruct/block_bounds.hpp"
-#include "reconstruct/cloud_surface.hpp"
-#include "reconstruct/ground.hpp"
+#include "reconstruct/cloud/cloud_surface.hpp"
+#include "reconstruct/ground/ground.hpp"
 #include "reconstruct/scan.hpp"
-#include "reconstruct/underside.hpp"
+#include "reconstruct/underside/block_bounds.hpp"
+#include "reconstruct/underside/underside.hpp"
 
 namespace clast {
 

@@ -8,7 +8,7 @@
 #include "core/fields.hpp"
 #include "core/pose.hpp"
 #include "mesh/triangle_mesh.hpp"
-#include "reconstruct/repair.hpp"
+#include "reconstruct/repair/repair.hpp"
 
 namespace clast {
 

@@ -11,8 +11,8 @@
 #include "mesh/decimation.hpp"
 #include "mesh/mesh_topology.hpp"
 #include "mesh/self_intersection.hpp"
-#include "reconstruct/detail/components.hpp"
-#include "reconstruct/detail/crossing_repair.hpp"
+#include "reconstruct/repair/components.hpp"
+#include "reconstruct/repair/crossing_repair.hpp"
 
 namespace clast {
 

@@ -7,8 +7,8 @@
 #include "core/nice_number.hpp"
 #include "core/number_text.hpp"
 #include "terrain/detail/map_canvas.hpp"
-#include "terrain/detail/map_lines.hpp"
-#include "terrain/detail/raw_surface.hpp"
+#include "terrain/gdal/map_lines.hpp"
+#include "terrain/raw_surface.hpp"
 #include "terrain/relief.hpp"
 
 namespace clast {

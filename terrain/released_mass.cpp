@@ -12,10 +12,10 @@
 #include "mesh/reference_system.hpp"
 #include "mesh/self_intersection.hpp"
 #include "mesh/triangle_geometry.hpp"
-#include "terrain/detail/gdal_raster.hpp"
-#include "terrain/detail/plan_index.hpp"
-#include "terrain/detail/resampling.hpp"
 #include "terrain/detail/surface_pair.hpp"
+#include "terrain/gdal/gdal_raster.hpp"
+#include "terrain/input/resampling.hpp"
+#include "terrain/plan_index.hpp"
 #include "terrain/terrain_ranges.hpp"
 
 namespace clast {

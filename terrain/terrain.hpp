@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "dem/terrain_surface.hpp"
+#include "dem/surface/terrain_surface.hpp"
 #include "mesh/triangle_mesh.hpp"
 
 namespace clast {

@@ -6,8 +6,8 @@
 #include "core/files/up_axis.hpp"
 #include "core/number_text.hpp"
 #include "mesh/mesh_io.hpp"
-#include "terrain/detail/gdal_raster.hpp"
-#include "terrain/detail/raw_surface.hpp"
+#include "terrain/gdal/gdal_raster.hpp"
+#include "terrain/raw_surface.hpp"
 #include "terrain/relief.hpp"
 #include "terrain/terrain_file.hpp"
 

@@ -6,8 +6,8 @@
 #include "core/number_text.hpp"
 #include "mesh/triangle_geometry.hpp"
 #include "mesh/triangle_neighbours.hpp"
-#include "terrain/detail/plan_index.hpp"
-#include "terrain/detail/raw_surface.hpp"
+#include "terrain/plan_index.hpp"
+#include "terrain/raw_surface.hpp"
 
 namespace clast {
 namespace {

@@ -4,7 +4,7 @@
 #include <benchmark/benchmark.h>
 #include <sys/resource.h>
 
-#include "reconstruct/repair.hpp"
+#include "reconstruct/repair/repair.hpp"
 #include "tests/support/damage.hpp"
 #include "tests/support/rock_mesh.hpp"
 

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "reconstruct/field_scan.hpp"
-#include "reconstruct/standing_blocks.hpp"
+#include "reconstruct/ground/standing_blocks.hpp"
 
 namespace clast::reconstruct_detail {
 

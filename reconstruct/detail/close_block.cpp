@@ -13,8 +13,8 @@
 #include "core/number_text.hpp"
 #include "mesh/triangle_neighbours.hpp"
 #include "reconstruct/detail/doubtful_form.hpp"
-#include "reconstruct/detail/holes.hpp"
-#include "reconstruct/detail/stated_bounds.hpp"
+#include "reconstruct/repair/holes.hpp"
+#include "reconstruct/underside/stated_bounds.hpp"
 #include "shapes/oriented_box.hpp"
 
 namespace clast::reconstruct_detail {

@@ -5,11 +5,11 @@
 
 #include "core/error.hpp"
 #include "core/number_text.hpp"
+#include "reconstruct/cloud/cloud.hpp"
+#include "reconstruct/cloud/outliers.hpp"
+#include "reconstruct/cloud/separate_sets.hpp"
 #include "reconstruct/detail/choose_standing.hpp"
 #include "reconstruct/detail/close_block.hpp"
-#include "reconstruct/detail/cloud.hpp"
-#include "reconstruct/detail/outliers.hpp"
-#include "reconstruct/detail/separate_sets.hpp"
 
 namespace clast::reconstruct_detail {
 

@@ -9,7 +9,7 @@
 
 #include "core/fields.hpp"
 #include "reconstruct/photos/stereo_pairs.hpp"
-#include "reconstruct/seen_through.hpp"
+#include "reconstruct/underside/seen_through.hpp"
 
 namespace clast {
 

@@ -7,9 +7,9 @@
 
 #include "core/error.hpp"
 #include "core/statistics/statistics.hpp"
-#include "reconstruct/detail/cloud.hpp"
-#include "reconstruct/ground.hpp"
-#include "reconstruct/standing_blocks.hpp"
+#include "reconstruct/cloud/cloud.hpp"
+#include "reconstruct/ground/ground.hpp"
+#include "reconstruct/ground/standing_blocks.hpp"
 
 namespace clast {
 

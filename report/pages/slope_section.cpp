@@ -1,6 +1,6 @@
 #include <cmath>
 
-#include "dem/terrain_surface.hpp"
+#include "dem/surface/terrain_surface.hpp"
 #include "report/charts/plotly_chart.hpp"
 #include "report/html/html_page.hpp"
 #include "report/pages/report_groups.hpp"

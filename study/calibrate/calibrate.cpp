@@ -9,7 +9,7 @@
 #include "core/number_text.hpp"
 #include "core/parallel.hpp"
 #include "core/version.hpp"
-#include "dem/physics_digest.hpp"
+#include "dem/simulation/physics_digest.hpp"
 #include "study/calibrate/member_runs.hpp"
 #include "study/calibrate/site_simulator.hpp"
 

@@ -8,7 +8,7 @@
 #include "core/files/text_file.hpp"
 #include "core/listed.hpp"
 #include "core/number_text.hpp"
-#include "core/statistics/sobol.hpp"
+#include "core/statistics/sobol_sequence.hpp"
 #include "study/calibrate/detail/study_reading.hpp"
 #include "study/calibrate/observation_reading.hpp"
 #include "study/calibrate/study_keys.hpp"

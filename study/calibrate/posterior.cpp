@@ -10,7 +10,7 @@
 #include "core/random.hpp"
 #include "core/statistics/probability.hpp"
 #include "core/statistics/sample_tests.hpp"
-#include "core/statistics/sobol.hpp"
+#include "core/statistics/sobol_sequence.hpp"
 #include "core/statistics/statistics.hpp"
 #include "core/statistics/tempered_sampling.hpp"
 #include "study/calibrate/synthetic_likelihood.hpp"

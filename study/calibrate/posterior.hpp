@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "core/statistics/sensitivity.hpp"
+#include "core/statistics/sobol_indices.hpp"
 #include "study/calibrate/calibration_study.hpp"
 #include "study/calibrate/surrogate.hpp"
 

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "dem/release.hpp"
+#include "dem/simulation/release.hpp"
 
 namespace clast {
 

@@ -8,8 +8,8 @@
 #include <utility>
 #include <vector>
 
-#include "dem/release.hpp"
-#include "dem/stiffness.hpp"
+#include "dem/contact/stiffness.hpp"
+#include "dem/simulation/release.hpp"
 #include "library/series_request.hpp"
 #include "study/campaign/barrier.hpp"
 #include "study/campaign/posterior_draws.hpp"

@@ -2,7 +2,7 @@
 /// The way of a run over the ground, in steps short enough for maps and profiles.
 #include <functional>
 
-#include "dem/terrain_surface.hpp"
+#include "dem/surface/terrain_surface.hpp"
 #include "study/compare/comparison.hpp"
 
 namespace clast {

@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "dem/release.hpp"
+#include "dem/simulation/release.hpp"
 
 namespace clast {
 

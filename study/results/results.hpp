@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "classify/form.hpp"
-#include "dem/energy_sample.hpp"
-#include "dem/release.hpp"
+#include "dem/simulation/energy_sample.hpp"
+#include "dem/simulation/release.hpp"
 #include "shapes/sphero_polyhedron.hpp"
 #include "study/campaign/barrier.hpp"
 #include "study/results/impact.hpp"

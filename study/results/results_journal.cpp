@@ -9,7 +9,7 @@
 #include "core/error.hpp"
 #include "core/files/digest.hpp"
 #include "core/files/text_file.hpp"
-#include "dem/physics_digest.hpp"
+#include "dem/simulation/physics_digest.hpp"
 #include "study/results/detail/results_layout.hpp"
 
 namespace clast::study_detail {

@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "dem/rigid_body.hpp"
+#include "dem/motion/rigid_body.hpp"
 #include "study/simulate/block_choice.hpp"
 
 namespace clast {

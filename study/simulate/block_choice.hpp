@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "core/progress.hpp"
-#include "dem/rigid_body.hpp"
+#include "dem/motion/rigid_body.hpp"
 #include "library/block.hpp"
 #include "study/campaign/campaign.hpp"
 

@@ -4,7 +4,7 @@
 #include "core/error.hpp"
 #include "core/files/digest.hpp"
 #include "core/version.hpp"
-#include "dem/physics_digest.hpp"
+#include "dem/simulation/physics_digest.hpp"
 #include "study/simulate/campaign_checks.hpp"
 #include "study/simulate/campaign_runner.hpp"
 #include "study/simulate/ground_sets.hpp"

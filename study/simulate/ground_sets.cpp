@@ -7,7 +7,7 @@
 #include "core/error.hpp"
 #include "core/listed.hpp"
 #include "core/random.hpp"
-#include "core/statistics/sobol.hpp"
+#include "core/statistics/sobol_sequence.hpp"
 #include "study/campaign/ground_fields.hpp"
 #include "study/campaign/named_seed.hpp"
 #include "study/simulate/detail/member_settings.hpp"

@@ -13,7 +13,7 @@
 #include "core/byte_archive.hpp"
 #include "core/error.hpp"
 #include "core/number_text.hpp"
-#include "dem/sequence.hpp"
+#include "dem/simulation/sequence.hpp"
 #include "mesh/triangle_tree.hpp"
 #include "study/simulate/detail/holding_faces.hpp"
 

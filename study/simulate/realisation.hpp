@@ -2,7 +2,7 @@
 /// Runs of a campaign that are computed together.
 #include <vector>
 
-#include "dem/sequence.hpp"
+#include "dem/simulation/sequence.hpp"
 #include "study/simulate/campaign_runner.hpp"
 
 namespace clast::study_detail {

@@ -7,9 +7,9 @@
 #include "mesh/half_edges.hpp"
 #include "mesh/sub_mesh.hpp"
 #include "mesh/triangle_geometry.hpp"
-#include "terrain/detail/plan_clip.hpp"
-#include "terrain/detail/plan_index.hpp"
-#include "terrain/detail/zone_cut.hpp"
+#include "terrain/plan_clip.hpp"
+#include "terrain/plan_index.hpp"
+#include "terrain/zones/zone_cut.hpp"
 
 namespace clast::terrain_detail {
 namespace {

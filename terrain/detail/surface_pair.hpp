@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "mesh/triangle_mesh.hpp"
-#include "terrain/detail/zone_polygons.hpp"
+#include "terrain/gdal/zone_polygons.hpp"
 
 namespace clast::terrain_detail {
 

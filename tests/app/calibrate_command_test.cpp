@@ -1,6 +1,6 @@
 #include <nlohmann/json.hpp>
 
-#include "dem/physics_digest.hpp"
+#include "dem/simulation/physics_digest.hpp"
 #include "study/calibrate/posterior_file.hpp"
 #include "tests/app/mpi_run.hpp"
 #include "tests/app/slope_campaign.hpp"

@@ -40,6 +40,42 @@ const std::map<std::string, Folders> kArrows = {
     {"python", {"report/scans", "pipeline"}},
 };
 
+/// Rooms of a library, which are folders inside its folder, and the rooms of the same library that
+/// each may include. Files of the library outside its rooms may include all of them.
+const std::map<std::string, Folders> kRooms = {
+    {"dem/surface", {}},
+    {"dem/motion", {}},
+    {"dem/search", {"dem/surface", "dem/motion"}},
+    {"dem/contact", {"dem/surface", "dem/motion", "dem/search"}},
+    {"dem/simulation", {"dem/surface", "dem/motion", "dem/search", "dem/contact"}},
+    {"reconstruct/repair", {}},
+    {"reconstruct/cloud", {"reconstruct/repair"}},
+    {"reconstruct/underside", {"reconstruct/repair", "reconstruct/cloud"}},
+    {"reconstruct/ground", {"reconstruct/cloud", "reconstruct/underside"}},
+    {"terrain/gdal", {}},
+    {"terrain/zones", {"terrain/gdal"}},
+    {"terrain/repair", {"terrain/gdal", "terrain/zones"}},
+    {"terrain/input", {"terrain/gdal", "terrain/repair"}},
+};
+
+/// The first two folders of a path, "dem/surface" of "dem/surface/detail/a.hpp".
+std::string room_of(const std::string& path) {
+  return path.substr(0, path.find('/', path.find('/') + 1));
+}
+
+/// What an include breaks of the order of rooms, empty where it breaks nothing.
+std::string room_breach(const std::string& path, const std::string& header) {
+  const std::string from = room_of(path), to = room_of(header);
+  if (from == to || !kRooms.contains(to)) return "";
+  if (header.find("/detail/") != std::string::npos) {
+    return header + " is private to " + to;
+  }
+  if (kRooms.contains(from) && part_of(from) == part_of(to) && !kRooms.at(from).contains(to)) {
+    return from + " may not include " + header + ", which is in a room above it";
+  }
+  return "";
+}
+
 /// The part of a library or program, by the target's name after "clast::": its folder's name, or
 /// "scan_report" for `report/scans`.
 std::string part_of_target(const std::string& target) {
@@ -184,6 +220,8 @@ Findings include_findings(const SourceFile& file) {
           finding(file, include.line,
                   own + " may not include " + include.header + ", only from " + listed(allowed)));
     }
+    const std::string breach = room_breach(file.path, include.header);
+    if (!breach.empty()) findings.push_back(finding(file, include.line, breach));
     if (is_public_header(file) && include.header.find("/detail/") != std::string::npos) {
       findings.push_back(
           finding(file, include.line,

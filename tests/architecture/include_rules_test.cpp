@@ -48,10 +48,11 @@ TEST(IncludeRules, EverySourceAndPublicHeaderIsListed) {
 
 TEST(IncludeRules, IncludeAgainstAnArrowIsFoundWithItsLine) {
   const SourceFile file =
-      source_file("shapes/bad.cpp", "// A comment.\n#include \"dem/release.hpp\"\n");
+      source_file("shapes/bad.cpp", "// A comment.\n#include \"dem/simulation/release.hpp\"\n");
   ASSERT_EQ(include_findings(file).size(), 1u);
   EXPECT_EQ(include_findings(file)[0],
-            "shapes/bad.cpp:2: shapes may not include dem/release.hpp, only from core, core/files, "
+            "shapes/bad.cpp:2: shapes may not include dem/simulation/release.hpp, only from core, "
+            "core/files, "
             "core/statistics, mesh, shapes");
 }
 
@@ -87,9 +88,26 @@ TEST(IncludeRules, AnInnerLibraryIsBuiltOnItsFoldersAndNotTheOtherWayRound) {
   EXPECT_TRUE(link_findings(source_file("report/scans/CMakeLists.txt",
                                         "clast_library(scan_report PUBLIC clast::photos)\n"))
                   .empty());
-  EXPECT_TRUE(link_findings(source_file("app/CMakeLists.txt", "LINK clast::compare clast::photos\n"))
-                  .empty());
+  EXPECT_TRUE(
+      link_findings(source_file("app/CMakeLists.txt", "LINK clast::compare clast::photos\n"))
+          .empty());
   EXPECT_EQ(link_findings(source_file("dem/CMakeLists.txt", "PUBLIC clast::photos\n")).size(), 1u);
+}
+
+TEST(IncludeRules, RoomsAreInOrderAndKeepWhatIsPrivate) {
+  const auto findings = [](const std::string& path, const std::string& header) {
+    return include_findings(source_file(path, "#include \"" + header + "\"\n"));
+  };
+  EXPECT_EQ(findings("dem/surface/a.cpp", "dem/contact/b.hpp"),
+            Findings{"dem/surface/a.cpp:1: dem/surface may not include dem/contact/b.hpp, which is "
+                     "in a room above it"});
+  EXPECT_TRUE(findings("dem/contact/a.cpp", "dem/surface/b.hpp").empty());
+  EXPECT_EQ(findings("reconstruct/scan.cpp", "reconstruct/repair/detail/b.hpp"),
+            Findings{"reconstruct/scan.cpp:1: reconstruct/repair/detail/b.hpp is private to "
+                     "reconstruct/repair"});
+  EXPECT_TRUE(findings("reconstruct/scan.cpp", "reconstruct/repair/b.hpp").empty());
+  EXPECT_TRUE(
+      findings("reconstruct/repair/detail/a.cpp", "reconstruct/repair/detail/b.hpp").empty());
 }
 
 TEST(IncludeRules, LibrariesDoNotIncludeTests) {

@@ -1,5 +1,5 @@
 // The neighbour list of two blocks against all their features, one by one.
-#include "dem/detail/block_contacts.hpp"
+#include "dem/search/block_contacts.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 #include <tuple>
 #include <vector>
 
-#include "dem/detail/deep_contacts.hpp"
+#include "dem/search/detail/deep_contacts.hpp"
 #include "tests/support/test_worlds.hpp"
 
 namespace clast {

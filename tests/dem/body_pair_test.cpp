@@ -1,13 +1,13 @@
 // Which bodies are near, and the contacts of two bodies that both move.
-#include "dem/detail/body_pair.hpp"
+#include "dem/contact/body_pair.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "dem/detail/broad_phase.hpp"
-#include "dem/detail/deep_contacts.hpp"
+#include "dem/search/broad_phase.hpp"
+#include "dem/search/detail/deep_contacts.hpp"
 #include "tests/support/test_worlds.hpp"
 
 namespace clast {

@@ -9,8 +9,8 @@
 #include <fstream>
 
 #include "core/statistics/statistics.hpp"
-#include "dem/ground_overlap.hpp"
-#include "dem/stiffness.hpp"
+#include "dem/contact/stiffness.hpp"
+#include "dem/search/ground_overlap.hpp"
 #include "massprops/principal_frame.hpp"
 #include "massprops/solid.hpp"
 #include "tests/support/chant_sura.hpp"

@@ -6,10 +6,10 @@
 #include "core/byte_archive.hpp"
 #include "core/error.hpp"
 #include "core/random.hpp"
-#include "dem/elastoplastic_law.hpp"
-#include "dem/energy_restitution_law.hpp"
-#include "dem/sequence.hpp"
-#include "dem/spring_dashpot_law.hpp"
+#include "dem/contact/elastoplastic_law.hpp"
+#include "dem/contact/energy_restitution_law.hpp"
+#include "dem/contact/spring_dashpot_law.hpp"
+#include "dem/simulation/sequence.hpp"
 #include "tests/support/test_worlds.hpp"
 
 namespace clast {

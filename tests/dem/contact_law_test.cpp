@@ -1,5 +1,5 @@
 // The normal laws alone, along given paths of the overlap.
-#include "dem/contact_law.hpp"
+#include "dem/contact/contact_law.hpp"
 
 #include <gtest/gtest.h>
 

@@ -2,8 +2,8 @@
 #include <gtest/gtest.h>
 
 #include "core/random.hpp"
-#include "dem/detail/block_surface.hpp"
-#include "dem/detail/contact_patches.hpp"
+#include "dem/contact/contact_patches.hpp"
+#include "dem/surface/block_surface.hpp"
 #include "tests/support/test_bodies.hpp"
 
 namespace clast {

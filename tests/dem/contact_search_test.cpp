@@ -1,12 +1,12 @@
 // The sleeping candidates against a search that has forgotten everything.
-#include "dem/detail/contact_search.hpp"
+#include "dem/search/contact_search.hpp"
 
 #include <gtest/gtest.h>
 
-#include "dem/detail/flying_ball.hpp"
-#include "dem/detail/segment_distance.hpp"
-#include "dem/detail/terrain_impl.hpp"
-#include "dem/release.hpp"
+#include "dem/search/detail/flying_ball.hpp"
+#include "dem/simulation/release.hpp"
+#include "dem/surface/segment_distance.hpp"
+#include "dem/surface/terrain_impl.hpp"
 #include "tests/support/ground_gap.hpp"
 #include "tests/support/test_rock.hpp"
 

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <vector>
 
-#include "dem/stiffness.hpp"
+#include "dem/contact/stiffness.hpp"
 #include "tests/support/gravity.hpp"
 #include "tests/support/refusal.hpp"
 #include "tests/support/test_worlds.hpp"

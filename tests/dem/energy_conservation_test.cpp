@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "dem/stiffness.hpp"
+#include "dem/contact/stiffness.hpp"
 #include "tests/support/test_bodies.hpp"
 #include "tests/support/test_rock.hpp"
 

@@ -5,8 +5,8 @@
 
 #include "core/error.hpp"
 #include "core/random.hpp"
-#include "dem/sequence.hpp"
-#include "dem/spring_dashpot_law.hpp"
+#include "dem/contact/spring_dashpot_law.hpp"
+#include "dem/simulation/sequence.hpp"
 #include "tests/support/gravity.hpp"
 #include "tests/support/refusal.hpp"
 #include "tests/support/test_worlds.hpp"

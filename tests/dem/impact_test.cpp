@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/error.hpp"
-#include "dem/stiffness.hpp"
+#include "dem/contact/stiffness.hpp"
 #include "tests/support/test_bodies.hpp"
 
 namespace clast {

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "dem/stiffness.hpp"
+#include "dem/contact/stiffness.hpp"
 #include "tests/support/gravity.hpp"
 #include "tests/support/test_rock.hpp"
 

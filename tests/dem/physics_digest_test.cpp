@@ -1,4 +1,4 @@
-#include "dem/physics_digest.hpp"
+#include "dem/simulation/physics_digest.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <ctime>
 #include <sstream>
 
-#include "dem/contact_law.hpp"
+#include "dem/contact/contact_law.hpp"
 
 namespace clast {
 namespace {

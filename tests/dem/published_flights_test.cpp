@@ -5,7 +5,7 @@
 
 #include "core/angle.hpp"
 #include "core/files/text_file.hpp"
-#include "dem/rigid_body.hpp"
+#include "dem/motion/rigid_body.hpp"
 #include "tests/support/reference_data.hpp"
 
 namespace clast {

@@ -1,5 +1,5 @@
 // Blocks released one after the other that stay.
-#include "dem/sequence.hpp"
+#include "dem/simulation/sequence.hpp"
 
 #include <gtest/gtest.h>
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "core/parallel.hpp"
-#include "dem/stiffness.hpp"
+#include "dem/contact/stiffness.hpp"
 #include "tests/support/test_rock.hpp"
 
 namespace clast {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/error.hpp"
-#include "dem/detail/scar_drag.hpp"
+#include "dem/contact/scar_drag.hpp"
 #include "tests/support/gravity.hpp"
 #include "tests/support/refusal.hpp"
 #include "tests/support/test_worlds.hpp"

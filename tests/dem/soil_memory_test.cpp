@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "core/error.hpp"
-#include "dem/detail/soil_memory.hpp"
-#include "dem/elastoplastic_law.hpp"
+#include "dem/contact/elastoplastic_law.hpp"
+#include "dem/contact/soil_memory.hpp"
 #include "tests/support/refusal.hpp"
 #include "tests/support/test_worlds.hpp"
 

@@ -1,7 +1,7 @@
 // What tangential springs carry when weights move from one point of a patch to another.
 #include <gtest/gtest.h>
 
-#include "dem/detail/contact_forces.hpp"
+#include "dem/contact/contact_forces.hpp"
 #include "tests/support/test_bodies.hpp"
 
 namespace clast {

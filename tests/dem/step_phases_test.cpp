@@ -6,7 +6,7 @@
 
 #include <Eigen/Eigenvalues>
 
-#include "dem/stiffness.hpp"
+#include "dem/contact/stiffness.hpp"
 #include "tests/support/gravity.hpp"
 #include "tests/support/test_bodies.hpp"
 

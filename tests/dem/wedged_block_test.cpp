@@ -2,8 +2,8 @@
 // to rest, and what changes of contacts dissipate or add stays small.
 #include <gtest/gtest.h>
 
-#include "dem/release.hpp"
-#include "dem/stiffness.hpp"
+#include "dem/contact/stiffness.hpp"
+#include "dem/simulation/release.hpp"
 #include "tests/support/ground_gap.hpp"
 #include "tests/support/test_bodies.hpp"
 

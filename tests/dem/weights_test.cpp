@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "core/error.hpp"
-#include "dem/stiffness.hpp"
+#include "dem/contact/stiffness.hpp"
 #include "tests/support/gravity.hpp"
 #include "tests/support/refusal.hpp"
 #include "tests/support/test_rock.hpp"

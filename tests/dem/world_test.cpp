@@ -1,5 +1,5 @@
 // Bodies that hit each other, against closed forms.
-#include "dem/world.hpp"
+#include "dem/simulation/world.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "reconstruct/cloud_surface.hpp"
+#include "reconstruct/cloud/cloud_surface.hpp"
 
 #include <gtest/gtest.h>
 
@@ -11,10 +11,10 @@
 #include "core/random.hpp"
 #include "massprops/solid.hpp"
 #include "mesh/mesh_topology.hpp"
-#include "reconstruct/detail/cloud.hpp"
-#include "reconstruct/detail/cloud_normals.hpp"
-#include "reconstruct/detail/outliers.hpp"
-#include "reconstruct/detail/poisson.hpp"
+#include "reconstruct/cloud/cloud.hpp"
+#include "reconstruct/cloud/detail/cloud_normals.hpp"
+#include "reconstruct/cloud/detail/poisson.hpp"
+#include "reconstruct/cloud/outliers.hpp"
 #include "tests/support/field_scene.hpp"
 #include "tests/support/refusal.hpp"
 #include "tests/support/rock_mesh.hpp"

@@ -7,7 +7,7 @@
 #include "core/error.hpp"
 #include "mesh/self_intersection.hpp"
 #include "mesh/triangle_tree.hpp"
-#include "reconstruct/repair.hpp"
+#include "reconstruct/repair/repair.hpp"
 #include "tests/shapes/shape_samples.hpp"
 #include "tests/support/damage.hpp"
 

@@ -1,10 +1,10 @@
-#include "reconstruct/ground.hpp"
+#include "reconstruct/ground/ground.hpp"
 
 #include <gtest/gtest.h>
 
 #include <iostream>
 
-#include "reconstruct/standing_blocks.hpp"
+#include "reconstruct/ground/standing_blocks.hpp"
 #include "tests/support/field_scene.hpp"
 #include "tests/support/refusal.hpp"
 #include "tests/support/rock_mesh.hpp"

@@ -9,9 +9,9 @@
 #include "massprops/solid.hpp"
 #include "mesh/sub_mesh.hpp"
 #include "mesh/triangle_tree.hpp"
-#include "reconstruct/detail/components.hpp"
-#include "reconstruct/detail/touching_sheets.hpp"
-#include "reconstruct/underside.hpp"
+#include "reconstruct/repair/components.hpp"
+#include "reconstruct/repair/touching_sheets.hpp"
+#include "reconstruct/underside/underside.hpp"
 #include "shapes/oriented_box.hpp"
 #include "tests/support/rock_mesh.hpp"
 

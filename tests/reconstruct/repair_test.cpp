@@ -1,4 +1,4 @@
-#include "reconstruct/repair.hpp"
+#include "reconstruct/repair/repair.hpp"
 
 #include <gtest/gtest.h>
 

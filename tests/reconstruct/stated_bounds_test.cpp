@@ -6,10 +6,10 @@
 
 #include "massprops/solid.hpp"
 #include "mesh/mesh_topology.hpp"
-#include "reconstruct/cloud_surface.hpp"
-#include "reconstruct/detail/poisson.hpp"
-#include "reconstruct/detail/stated_bounds.hpp"
+#include "reconstruct/cloud/cloud_surface.hpp"
+#include "reconstruct/cloud/detail/poisson.hpp"
 #include "reconstruct/field_scan.hpp"
+#include "reconstruct/underside/stated_bounds.hpp"
 #include "shapes/oriented_box.hpp"
 #include "tests/support/rock_mesh.hpp"
 #include "tests/support/sampled_cloud.hpp"

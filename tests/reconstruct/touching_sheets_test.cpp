@@ -1,4 +1,4 @@
-#include "reconstruct/detail/touching_sheets.hpp"
+#include "reconstruct/repair/touching_sheets.hpp"
 
 #include <gtest/gtest.h>
 

@@ -6,7 +6,7 @@
 
 #include "core/number_text.hpp"
 #include "reconstruct/scan.hpp"
-#include "reconstruct/underside.hpp"
+#include "reconstruct/underside/underside.hpp"
 #include "samples/rock_shapes.hpp"
 #include "tests/support/cut_blocks.hpp"
 #include "tests/support/reference_data.hpp"

@@ -1,4 +1,4 @@
-#include "reconstruct/underside.hpp"
+#include "reconstruct/underside/underside.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,8 +8,8 @@
 #include "mesh/mesh_topology.hpp"
 #include "mesh/self_intersection.hpp"
 #include "mesh/sub_mesh.hpp"
-#include "reconstruct/detail/components.hpp"
-#include "reconstruct/detail/touching_sheets.hpp"
+#include "reconstruct/repair/components.hpp"
+#include "reconstruct/repair/touching_sheets.hpp"
 #include "shapes/oriented_box.hpp"
 #include "tests/support/cut_blocks.hpp"
 #include "tests/support/odd_bodies.hpp"

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <vector>
 
-#include "dem/world.hpp"
+#include "dem/simulation/world.hpp"
 
 namespace clast {
 

@@ -5,10 +5,10 @@
 #include <set>
 #include <vector>
 
-#include "dem/detail/contact_search.hpp"
-#include "dem/detail/segment_distance.hpp"
-#include "dem/detail/terrain_impl.hpp"
-#include "dem/ground_overlap.hpp"
+#include "dem/search/contact_search.hpp"
+#include "dem/search/ground_overlap.hpp"
+#include "dem/surface/segment_distance.hpp"
+#include "dem/surface/terrain_impl.hpp"
 
 namespace clast {
 

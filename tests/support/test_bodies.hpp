@@ -4,9 +4,9 @@
 #include <ostream>
 
 #include "core/random.hpp"
-#include "dem/release.hpp"
-#include "dem/rigid_body.hpp"
-#include "dem/terrain_surface.hpp"
+#include "dem/motion/rigid_body.hpp"
+#include "dem/simulation/release.hpp"
+#include "dem/surface/terrain_surface.hpp"
 
 namespace clast {
 

@@ -1,7 +1,7 @@
 #pragma once
 /// Scenes of several bodies.
-#include "dem/stiffness.hpp"
-#include "dem/world.hpp"
+#include "dem/contact/stiffness.hpp"
+#include "dem/simulation/world.hpp"
 #include "tests/support/test_rock.hpp"
 
 namespace clast {

@@ -7,7 +7,7 @@
 
 #include "core/angle.hpp"
 #include "core/random.hpp"
-#include "dem/stiffness.hpp"
+#include "dem/contact/stiffness.hpp"
 #include "tests/support/test_bodies.hpp"
 #include "tests/support/test_rock.hpp"
 

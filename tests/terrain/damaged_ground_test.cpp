@@ -3,7 +3,7 @@
 // leaving where the sound ground has no border.
 #include <gtest/gtest.h>
 
-#include "dem/stiffness.hpp"
+#include "dem/contact/stiffness.hpp"
 #include "tests/support/setting.hpp"
 #include "tests/support/test_rock.hpp"
 #include "tests/terrain/ground_damage.hpp"

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "reconstruct/photos/detail/pair_view.hpp"
-#include "reconstruct/seen_through.hpp"
+#include "reconstruct/underside/seen_through.hpp"
 
 namespace clast::photos_detail {
 

@@ -5,7 +5,7 @@
 #include "core/error.hpp"
 #include "core/listed.hpp"
 #include "core/number_text.hpp"
-#include "core/statistics/sobol.hpp"
+#include "core/statistics/sobol_sequence.hpp"
 #include "study/campaign/campaign_keys.hpp"
 #include "study/campaign/campaign_reading.hpp"
 #include "study/campaign/ground_fields.hpp"

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "dem/rigid_body.hpp"
+#include "dem/motion/rigid_body.hpp"
 
 namespace clast::study_detail {
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "core/random.hpp"
-#include "dem/ground_overlap.hpp"
+#include "dem/search/ground_overlap.hpp"
 #include "study/simulate/detail/covered_cells.hpp"
 
 namespace clast::study_detail {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "dem/box_body.hpp"
+#include "dem/motion/box_body.hpp"
 #include "study/campaign/plan_polygon.hpp"
 
 namespace clast::study_detail {

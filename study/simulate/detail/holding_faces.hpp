@@ -3,7 +3,7 @@
 #include <span>
 #include <vector>
 
-#include "dem/sequence.hpp"
+#include "dem/simulation/sequence.hpp"
 #include "study/simulate/campaign_runner.hpp"
 
 namespace clast::study_detail {

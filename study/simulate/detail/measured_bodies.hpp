@@ -5,7 +5,7 @@
 #include <memory>
 #include <utility>
 
-#include "dem/ground_overlap.hpp"
+#include "dem/search/ground_overlap.hpp"
 #include "study/simulate/block_bodies.hpp"
 
 namespace clast::study_detail {

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "dem/release.hpp"
+#include "dem/simulation/release.hpp"
 #include "study/campaign/named_seed.hpp"
 #include "study/campaign/release_points.hpp"
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "dem/ground_overlap.hpp"
+#include "dem/search/ground_overlap.hpp"
 #include "study/campaign/campaign.hpp"
 
 namespace clast::study_detail {

@@ -7,7 +7,7 @@
 
 #include "core/error.hpp"
 #include "core/random.hpp"
-#include "core/statistics/sobol.hpp"
+#include "core/statistics/sobol_sequence.hpp"
 #include "core/types.hpp"
 #include "tests/support/refusal.hpp"
 

@@ -9,7 +9,7 @@
 
 #include "mesh/mesh_io.hpp"
 #include "mesh/triangle_tree.hpp"
-#include "reconstruct/detail/cloud.hpp"
+#include "reconstruct/cloud/cloud.hpp"
 #include "reconstruct/photos/dense_cloud.hpp"
 #include "tests/reconstruct/photos/synthetic_rock.hpp"
 

@@ -7,7 +7,7 @@
 #include <map>
 
 #include "core/error.hpp"
-#include "dem/ground_parameters.hpp"
+#include "dem/contact/ground_parameters.hpp"
 #include "tests/support/refusal.hpp"
 
 namespace clast {

@@ -9,7 +9,7 @@
 
 #include "core/error.hpp"
 #include "core/random.hpp"
-#include "dem/ground_overlap.hpp"
+#include "dem/search/ground_overlap.hpp"
 #include "tests/study/campaign_run.hpp"
 
 namespace clast {

@@ -1,0 +1,187 @@
+#pragma once
+/// Forces of the contact points of one pair of bodies by Eqs. 2-8 of the paper: normal force,
+/// friction and rolling resistance of each, shared out within the contact patches.
+/// @cite garcia2022
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "dem/contact/contact_history.hpp"
+#include "dem/contact/contact_rules.hpp"
+#include "dem/contact/energy_ledger.hpp"
+#include "dem/contact/scar_drag.hpp"
+#include "dem/motion/body_motion.hpp"
+
+namespace clast::dem_detail {
+
+/// What contacts that begin, reverse or end inside a step add to it, in world axes.
+struct EventLoad {
+  Vec3 impulse = Vec3::Zero();          ///< on the block, N s
+  Vec3 angular_impulse = Vec3::Zero();  ///< about its centre of mass, N m s
+  Vec3 angular_impulse_on_other = Vec3::Zero();
+  // Only against what does not move; zero between two moving bodies.
+  Vec3 moment = Vec3::Zero();          ///< mass times shift of the centre, N s^2
+  Vec3 angular_moment = Vec3::Zero();  ///< inertia times turn, N m s^2
+
+  template <class Bytes>
+  void serialize(Bytes& bytes) {
+    bytes(impulse, angular_impulse, angular_impulse_on_other, moment, angular_moment);
+  }
+};
+
+/// What the contacts of a pair do to its bodies, in world axes. The other body gets -force.
+struct ContactLoad {
+  Vec3 force = Vec3::Zero();            ///< on the block
+  Vec3 torque = Vec3::Zero();           ///< on the block about its centre of mass
+  Vec3 torque_on_other = Vec3::Zero();  ///< on the other body about its own
+  /// Energy that the contacts are about to take up, are giving back, or will drop when they turn,
+  /// per mass of the block, J/kg (docs/theory.md, Time step).
+  double impact = 0.0;
+  /// To be applied once, at the end of this step (`MovingBody::correct`).
+  std::unique_ptr<EventLoad> event;
+
+  template <class Bytes>
+  void serialize(Bytes& bytes) {
+    bytes(force, torque, torque_on_other, impact, event);
+  }
+};
+
+/// The contacts of a block with the ground, or with another block, over time: matched with those of
+/// the step before, weighted within their patches, loaded by the constitutive law.
+class ContactForces {
+ public:
+  /// @param rules  they and the block must outlive the forces
+  /// @param size   smallest side of the block, m
+  ContactForces(const ContactRules& rules, const BlockSurface& block, double size);
+
+  /// Loads at the present contacts after a step of `duration`. Books every joule of the step in
+  /// `ledger`.
+  /// @param points  in world axes
+  /// @param other   the ground does not move
+  ContactLoad update(const std::vector<ContactPoint>& points, const BodyMotion& block,
+                     const BodyMotion& other, double duration, EnergyLedger& ledger);
+
+  /// Presses the dents of the present contacts into `soil`.
+  void leave_dents_in(SoilMemory& soil) const;
+
+  /// Time that has passed without contact and without an `update`, s.
+  void wait(double duration) { apart_ += duration; }
+
+  bool empty() const { return contacts_.empty(); }
+  std::size_t count() const { return contacts_.size(); }
+  /// Of all contacts together, 1/kg: with springs of stiffness k at each, weighted, the block has
+  /// no frequency above the root of k times this.
+  /// @param of_vertices  of the block (`vertex_mobilities`)
+  double mobility(std::span<const double> of_vertices) const;
+  /// Sum of the weights of all contacts.
+  double weight() const;
+  double stored_energy() const;  ///< what unloading would give back, J
+  double max_overlap() const { return contacts_.empty() ? 0.0 : contacts_[deepest_].point.overlap; }
+  struct Deepest {
+    std::uint32_t points = 0;  ///< all there are
+    double overlap = 0.0;      ///< m
+    Vec3 place = Vec3::Zero();
+    std::uint16_t zone = 0;
+  };
+  /// The contact with the largest overlap; none without contacts.
+  std::optional<Deepest> deepest() const;
+  /// Deepest of the patches that carry the block, vertically, m: a wedge between steep walls is
+  /// tight but not deep.
+  double settled_depth();
+  /// Whether the law leaves dents: then impacts decide how deep a body rests, not its weight.
+  bool keeps_dents() const;
+  /// Smallest stiffness with which a present contact carries a body at rest; k_n without any, N/m.
+  double rest_stiffness() const;
+
+  /// All that the loads to come depend on.
+  template <class Bytes>
+  void serialize(Bytes& bytes) {
+    bytes(patches_, contacts_, deepest_, acted_, slip_, slipped_, apart_);
+    if (drag_) bytes(*drag_);
+  }
+
+ private:
+  /// What the unit force of one patch does through all its points.
+  struct PatchAction {
+    Vec3 force = Vec3::Zero();
+    Vec3 torque = Vec3::Zero();
+    Vec3 torque_on_other = Vec3::Zero();
+  };
+
+  /// What all contacts together did at the end of the last step, in world axes: `force` on the
+  /// block and the opposite on the other body.
+  struct Action {
+    Action() = default;
+    Action(const ContactLoad& load, const PairMotion& motion);
+    /// Power that it takes from the bodies in their mean motion over the step that it ends, W ...
+    double power_at(const PairMotion& motion) const;
+    /// ... and over the one that it begins.
+    double power_from(const PairMotion& motion) const;
+
+    Vec3 force = Vec3::Zero();
+    Vec3 torque = Vec3::Zero();           ///< on the block about its centre of mass
+    Vec3 torque_on_other = Vec3::Zero();  ///< the opposite of that on the other body, about its own
+    Vec3 centre = Vec3::Zero(), centre_of_other = Vec3::Zero();
+
+    template <class Bytes>
+    void serialize(Bytes& bytes) {
+      bytes(force, torque, torque_on_other, centre, centre_of_other);
+    }
+  };
+
+  /// Of one update, shared by all pairs of a thread.
+  struct Scratch {
+    std::vector<Contact> now;
+    ContactHistory history;
+    std::vector<PatchAction> patch_action;
+  };
+  static Scratch& scratch();
+
+  template <class Law>
+  ContactLoad apply(const std::vector<Law>& laws, const std::vector<ContactPoint>& points,
+                    const PairMotion& motion, Scratch& scratch, EnergyLedger& ledger);
+  /// Forgets the slip of earlier contacts as the ground that is touched now does.
+  void forget_slip(std::uint16_t zone);
+  /// Adds how far the block slid in this step, mean over its contacts.
+  void add_slip();
+  void add_drag(const PairMotion& motion, ContactLoad& load, EnergyLedger& ledger);
+  /// Stores `now` as the present contacts, with little spare capacity: buffers that were swapped
+  /// from pair to pair would each grow to the longest list of all.
+  void keep(std::vector<Contact>& now);
+  /// Lists the present contacts with their weights (Eqs. 6-8).
+  void distribute(const std::vector<ContactPoint>& points, const PairMotion& motion,
+                  std::vector<Contact>& now);
+  void find_effective_masses(const PairMotion& motion, Scratch& scratch) const;
+  /// Gives contacts without a past the mean force of those that go on in their patch.
+  void spread_forces(Scratch& scratch) const;
+  /// Loads a present contact (Eqs. 2, 4, 5) and adds what it does to both bodies.
+  template <class Law>
+  void load_contact(Contact& contact, const Contact* previous, const Law& law,
+                    const PairMotion& motion, ContactLoad& load, EnergyLedger& ledger);
+  /// Ends a contact of the step before that no present one continues.
+  template <class Law>
+  void end_contact(const Contact& contact, const Law& law, const PairMotion& motion,
+                   ContactLoad& load, EnergyLedger& ledger) const;
+  template <class Law>
+  void shift_overlaps(const std::vector<Law>& laws, const EventLoad& event, const BodyMotion& block,
+                      EnergyLedger& ledger);
+  void find_deepest();
+  /// Energy in all springs of the contact, with its weight, J.
+  template <class Law>
+  double stored_in(const Contact& contact, const Law& law) const;
+
+  const ContactRules& rules_;
+  const SurfaceFeatures& block_;
+  double near_;  ///< contacts closer than this may continue each other on other features, m
+  ContactPatches patches_;
+  std::vector<Contact> contacts_;
+  std::size_t deepest_ = 0;  ///< contact with the largest overlap, the first of such
+  Action acted_;
+  std::unique_ptr<ScarDrag> drag_;  ///< where the ground has one
+  double slip_ = 0.0;               ///< how far the block has slid lately, m
+  double slipped_ = 0.0;  ///< in this step, summed over the contacts with their weights, m
+  double apart_ = 0.0;    ///< since its last contact, s
+};
+
+}  // namespace clast::dem_detail

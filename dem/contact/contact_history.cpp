@@ -1,0 +1,120 @@
+#include "dem/contact/contact_history.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+namespace clast::dem_detail {
+namespace {
+
+/// A contact continues another only when their normals are within 45 degrees.
+constexpr double kContinuesCosine = 0.7071067811865476;
+
+/// A vector perpendicular to `before` turned to be perpendicular to `normal`, as long as it was.
+Vec3 turned_into_plane(const Vec3& vector, const Vec3& before, const Vec3& normal) {
+  if (normal == before) return vector;
+  const double length = vector.norm();
+  const Vec3 flat = vector - vector.dot(normal) * normal;
+  const double flat_length = flat.norm();
+  return flat_length > 1e-300 ? Vec3(flat * (length / flat_length)) : Vec3(Vec3::Zero());
+}
+
+}  // namespace
+
+void ContactHistory::match(const std::vector<ContactPoint>& points,
+                           const std::vector<Contact>& before, double near) {
+  previous_of_.assign(points.size(), -1);
+  continues_.assign(before.size(), 0);
+  if (match_features(points, before) == points.size()) return;
+  // The same block feature on the next ground feature, or the same ground feature under the next
+  // block feature; then whatever continues at the same place.
+  match_related(points, before, [](const ContactPoint& a, const ContactPoint& b) {
+    return a.kind == b.kind &&
+           (a.block_feature == b.block_feature ||
+            (a.kind != ContactKind::kVertexGround && a.ground_feature == b.ground_feature));
+  });
+  match_related(points, before, [&](const ContactPoint& a, const ContactPoint& b) {
+    return (a.foot - b.foot).squaredNorm() < near * near;
+  });
+}
+
+std::size_t ContactHistory::match_features(const std::vector<ContactPoint>& points,
+                                           const std::vector<Contact>& before) {
+  // Both lists are in the same order, so the search goes on where the last one ended.
+  std::size_t next = 0, found = 0;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    for (std::size_t tried = 0; tried < before.size(); ++tried) {
+      if (next == before.size()) next = 0;
+      const std::size_t j = next++;
+      const ContactPoint& a = points[i];
+      const ContactPoint& b = before[j].point;
+      if (continues_[j] || a.kind != b.kind || a.block_feature != b.block_feature ||
+          a.ground_feature != b.ground_feature || a.normal.dot(b.normal) < kContinuesCosine) {
+        continue;
+      }
+      link(i, j);
+      ++found;
+      break;
+    }
+  }
+  return found;
+}
+
+template <class Related>
+void ContactHistory::match_related(const std::vector<ContactPoint>& points,
+                                   const std::vector<Contact>& before, const Related& related) {
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (previous_of_[i] >= 0) continue;
+    std::optional<std::size_t> best;
+    double best_cosine = kContinuesCosine;
+    for (std::size_t j = 0; j < before.size(); ++j) {
+      if (continues_[j] || !related(points[i], before[j].point)) continue;
+      const double cosine = points[i].normal.dot(before[j].point.normal);
+      if (cosine > best_cosine) {
+        best_cosine = cosine;
+        best = j;
+      }
+    }
+    if (best) link(i, *best);
+  }
+}
+
+void ContactHistory::transfer_springs(std::vector<Contact>& now, const std::vector<Contact>& before,
+                                      const ContactPatches& patches) {
+  transfers_.assign(now.size(), {});
+  gained_.resize(now.size());
+  for (std::size_t i = 0; i < now.size(); ++i) {
+    Contact& contact = now[i];
+    double more = contact.weight;
+    if (const Contact* previous = this->previous(i, before)) {
+      contact.tangential =
+          turned_into_plane(previous->tangential, previous->point.normal, contact.point.normal);
+      contact.rolling = previous->rolling;
+      more -= previous->weight;
+    }
+    gained_[i] = more;
+    Transfer& transfer = transfers_[patches.patch_of(i)];
+    if (more > 0.0) {
+      transfer.gained += more;
+    } else {
+      transfer.lost -= more;
+      transfer.tangential -= more * contact.tangential;
+      transfer.rolling -= more * contact.rolling;
+    }
+  }
+  for (std::size_t i = 0; i < now.size(); ++i) {
+    const double more = gained_[i];
+    if (!(more > 0.0)) continue;
+    const Transfer& transfer = transfers_[patches.patch_of(i)];
+    if (!(transfer.lost > 0.0)) continue;
+    Contact& contact = now[i];
+    // What more is gained than lost keeps the point's own springs.
+    const double taken = more / std::max(transfer.gained, transfer.lost);
+    const double own = 1.0 - taken * transfer.lost / contact.weight;
+    const Vec3 tangential = own * contact.tangential + taken / contact.weight * transfer.tangential;
+    contact.tangential = tangential - tangential.dot(contact.point.normal) * contact.point.normal;
+    contact.rolling = own * contact.rolling + taken / contact.weight * transfer.rolling;
+  }
+}
+
+}  // namespace clast::dem_detail

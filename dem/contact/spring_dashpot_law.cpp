@@ -1,0 +1,92 @@
+#include "dem/contact/spring_dashpot_law.hpp"
+
+namespace clast {
+namespace {
+
+/// Halvings that place an event within a step to rounding.
+constexpr int kBisections = 50;
+
+/// -ln(e_n) of a damping ratio.
+double decay(double ratio) {
+  if (ratio < 1.0) {
+    const double theta = std::acos(ratio);
+    return theta > 1e-6 ? 2.0 * theta / std::tan(theta) : 2.0;
+  }
+  const double eta = std::acosh(ratio);
+  return eta > 1e-6 ? 2.0 * eta / std::tanh(eta) : 2.0;
+}
+
+}  // namespace
+
+double damping_ratio(double energy_restitution) {
+  const double wanted = -0.5 * std::log(energy_restitution);
+  // The decay grows with the ratio, and a ratio of exp(decay / 2) is always enough.
+  double low = 0.0, high = std::exp(0.5 * wanted);
+  while (high - low > 1e-16 * high) {
+    const double middle = 0.5 * (low + high);
+    if (middle == low || middle == high) break;
+    (decay(middle) < wanted ? low : high) = middle;
+  }
+  return energy_restitution < 1.0 ? 0.5 * (low + high) : 0.0;
+}
+
+SpringDashpotLaw SpringDashpotLaw::of(double stiffness, const GroundParameters& ground) {
+  return {stiffness, clast::damping_ratio(ground.energy_restitution)};
+}
+
+double SpringDashpotLaw::stepping_rate(double frequency) const {
+  const double over = damping_ratio * damping_ratio - 1.0;
+  return frequency * (over > 0.0 ? damping_ratio + std::sqrt(over) : 1.0);
+}
+
+NormalResponse SpringDashpotLaw::along(const OverlapPath& path, const NormalState& past,
+                                       double effective_mass) const {
+  const double force = past.force;
+  const double c = damping(effective_mass);
+  const double step = path.duration;
+  const auto law = [&](double time) { return stiffness * path.at(time) + c * path.rate_at(time); };
+  const double end = path.after > 0.0 ? law(step) : 0.0;
+  if (force > 0.0 && end > 0.0) {
+    // Smooth all along: the parabola gives the work, the scheme's own mean the impulse.
+    PathIntegral integral(path, force);
+    integral.add(0.0, step, law);
+    return {end, integral.ending_with(end).work, 0.0, 0.0};
+  }
+
+  PathIntegral integral(path, force);
+  if (path.before <= 0.0 && path.after > 0.0 && force == 0.0) {
+    // Starts inside: the path knows nothing yet of the braking by the dashpot.
+    const double touch = path.zero_between(path.turn() < step ? path.turn() : 0.0, step);
+    const double rate = path.rate_at(touch);
+    const double brake = c / effective_mass;
+    const auto braked = [&](double time) {
+      const double since = time - touch;
+      return std::max(0.0,
+                      stiffness * path.at(time) + c * (path.rate_at(time) - brake * rate * since));
+    };
+    integral.add(touch, step, braked);
+    return integral.ending_with(braked(step));
+  }
+  // Ends or begins to press inside: the force is a parabola in time, taken piece by piece.
+  const double turn = path.turn();
+  const auto follow = [&](double from, double to) {
+    if (!(to > from)) return;
+    const double first = law(from), last = law(to);
+    if (first <= 0.0 && last <= 0.0) return;
+    if (first > 0.0 && last > 0.0) {
+      integral.add(from, to, law);
+      return;
+    }
+    double pressing = first > 0.0 ? from : to, slack = first > 0.0 ? to : from;
+    for (int i = 0; i < kBisections; ++i) {
+      const double middle = 0.5 * (pressing + slack);
+      (law(middle) > 0.0 ? pressing : slack) = middle;
+    }
+    first > 0.0 ? integral.add(from, pressing, law) : integral.add(pressing, to, law);
+  };
+  follow(0.0, turn);
+  follow(turn, step);
+  return integral.ending_with(std::max(0.0, end));
+}
+
+}  // namespace clast

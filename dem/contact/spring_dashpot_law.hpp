@@ -1,0 +1,46 @@
+#pragma once
+/// Linear spring and dashpot that never pulls, for comparison with studies that use it.
+/// @cite schwager2007
+#include "dem/contact/ground_parameters.hpp"
+#include "dem/contact/overlap_path.hpp"
+
+namespace clast {
+
+/// Normal force on one ground zone: f = max(0, k_n h + c dh/dt), with c such that a contact alone
+/// returns e_n^2 of its energy.
+struct SpringDashpotLaw {
+  static constexpr const char* kName = "spring-dashpot";
+  static constexpr bool kNeedsEffectiveMass = true;
+  static constexpr bool kKeepsDent = false;
+
+  double stiffness = 0.0;      ///< k_n, N/m
+  double damping_ratio = 0.0;  ///< c / (2 sqrt(k_n m)), m the effective mass of the contact
+
+  static SpringDashpotLaw of(double stiffness, const GroundParameters& ground);
+
+  double rest_stiffness() const { return stiffness; }
+  double stored(double overlap, double /*dent*/) const {
+    return 0.5 * stiffness * overlap * overlap;
+  }
+  NormalState first(double overlap, double rate, double effective_mass, double /*of_patch*/) const {
+    return {std::max(0.0, stiffness * overlap + damping(effective_mass) * rate), 0.0};
+  }
+  /// The fastest rate, rad/s, of a contact whose spring alone has the given frequency.
+  double stepping_rate(double frequency) const;
+  double drop(double overlap, double force) const { return force - stiffness * overlap; }
+  double returning_share(double of) const { return stiffness / of; }
+
+  NormalResponse along(const OverlapPath& path, const NormalState& past,
+                       double effective_mass) const;
+
+  double damping(double effective_mass) const {
+    return 2.0 * damping_ratio * std::sqrt(stiffness * effective_mass);
+  }
+};
+
+/// Damping ratio at which a contact that ends when its force vanishes, not when its overlap does,
+/// returns the share `energy_restitution` of its energy: with theta = acos(ratio),
+/// e_n = exp(-2 theta / tan theta); above 1, with eta = acosh(ratio), e_n = exp(-2 eta / tanh eta).
+double damping_ratio(double energy_restitution);
+
+}  // namespace clast

@@ -1,0 +1,48 @@
+#include "dem/motion/free_flight.hpp"
+
+#include <cmath>
+
+#include "dem/motion/rotation.hpp"
+
+namespace clast::dem_detail {
+namespace {
+
+/// Turns below this, rad, take a single Runge-Kutta step, which errs by 2e-15 rad there and is
+/// cheaper than elliptic functions.
+constexpr double kSmallTurn = 0.003;
+
+}  // namespace
+
+double time_over(double distance, double speed, double acceleration) {
+  if (!(distance > 0.0)) return 0.0;
+  // From distance = speed t + acceleration t^2/2, in the form that keeps its digits.
+  return 2.0 * distance / (speed + std::sqrt(speed * speed + 2.0 * acceleration * distance));
+}
+
+FreeFlight::FreeFlight(const RigidBody& body, const RigidState& begin, double gravity)
+    : body_(body),
+      begin_(begin),
+      gravity_(gravity),
+      momentum_(angular_momentum(body.moments, begin.orientation, begin.angular_velocity)),
+      top_spin_(std::sqrt(2.0 * rotational_energy(body, begin) / body.moments.minCoeff())),
+      last_orientation_(begin.orientation) {}
+
+RigidState FreeFlight::after(double duration) {
+  RigidState state = begin_;
+  state.position += duration * begin_.velocity;
+  state.position.z() -= 0.5 * gravity_ * duration * duration;
+  state.velocity.z() -= gravity_ * duration;
+  if (top_spin_ * std::abs(duration - last_time_) < kSmallTurn) {
+    state.orientation =
+        freely_turned(body_.moments, last_orientation_, momentum_, duration - last_time_);
+  } else {
+    if (!rotation_) rotation_.emplace(body_.moments, begin_.orientation, momentum_);
+    state.orientation = rotation_->after(duration);
+  }
+  last_time_ = duration;
+  last_orientation_ = state.orientation;
+  state.angular_velocity = angular_velocity(body_.moments, state.orientation, momentum_);
+  return state;
+}
+
+}  // namespace clast::dem_detail

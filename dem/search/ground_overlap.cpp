@@ -1,0 +1,36 @@
+#include "dem/search/ground_overlap.hpp"
+
+#include <algorithm>
+
+#include "dem/search/contact_search.hpp"
+#include "dem/search/pierced_depth.hpp"
+#include "dem/surface/terrain_impl.hpp"
+
+namespace clast {
+
+using namespace dem_detail;
+
+struct GroundOverlap::Impl {
+  Impl(const TerrainSurface& terrain, const RigidBody& of)
+      : ground(terrain.impl().surface), body(of), surface(of.shape) {}
+  const IndexedSurface& ground;
+  const RigidBody& body;
+  BlockSurface surface;
+};
+
+GroundOverlap::GroundOverlap(const TerrainSurface& terrain, const RigidBody& body)
+    : impl_(std::make_unique<Impl>(terrain, body)) {}
+GroundOverlap::~GroundOverlap() = default;
+
+double GroundOverlap::deepest(const RigidState& state) const {
+  const auto& [ground, body, surface] = *impl_;
+  if (!ground.nearest(state.position, body.bounding_radius() + ground.radius)) return 0.0;
+  ContactSearch search(ground, surface, body.size());
+  double deepest = 0.0;
+  for (const ContactPoint& contact : search.contacts(state.world_from_body(), 0.0)) {
+    deepest = std::max(deepest, contact.overlap);
+  }
+  return std::max(deepest, pierced_depth(ground, surface, state.world_from_body()));
+}
+
+}  // namespace clast

@@ -1,0 +1,163 @@
+#pragma once
+/// The contact pairs of a world: bodies that the broad phase finds near each other or the terrain,
+/// with their contacts from step to step.
+#include <algorithm>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "core/parallel.hpp"
+#include "dem/contact/body_pair.hpp"
+#include "dem/search/broad_phase.hpp"
+#include "dem/simulation/detail/world_body.hpp"
+#include "dem/surface/terrain_surface.hpp"
+
+namespace clast::dem_detail {
+
+/// Two bodies, or a body and the terrain.
+struct ContactPair {
+  /// The terrain's number in a pair of bodies.
+  static constexpr std::uint32_t kTerrain = 0xffffffffu;
+
+  std::uint32_t reference;  ///< kTerrain, or the body in whose frame contacts are searched
+  std::uint32_t block;
+  std::unique_ptr<BodyPair> contacts;
+  // Kept here, where they are read for many pairs that do nothing:
+  bool loads = false;            ///< do the contacts do anything to the two?
+  double asleep_until = -1e300;  ///< `way` before which they cannot touch, m
+  double arm = 0.0;              ///< farthest that the block reached from the reference's centre, m
+  double waited = 0.0;           ///< time since the last update, s
+
+  template <class Bytes>
+  void serialize(Bytes& bytes) {
+    bytes(*contacts, loads, asleep_until, arm, waited);
+  }
+
+  BroadPhase::Pair key() const { return {std::min(reference, block), std::max(reference, block)}; }
+  /// True when no body of it has a number from `end` on.
+  bool between(std::size_t end) const {
+    return block < end && (reference == kTerrain || reference < end);
+  }
+};
+
+/// All pairs, each kept as long as the two stay near. Loops write only what belongs to one pair, so
+/// that the number of threads changes no bit.
+class ContactPairs {
+ public:
+  /// @param terrain         none, or it must outlive the pairs
+  /// @param between_bodies  rules of two bodies; what they refer to must outlive the pairs
+  /// @param on_forms        rules of a form and a body that it holds, likewise
+  /// @param on_terrain      rules of a body on the terrain, likewise
+  ContactPairs(const TerrainSurface* terrain, const ContactRules& between_bodies,
+               const ContactRules& on_forms, const ContactRules& on_terrain)
+      : terrain_(terrain),
+        between_bodies_(between_bodies),
+        on_forms_(on_forms),
+        on_terrain_(on_terrain) {}
+
+  /// How far bounding spheres may be apart to be listed follows from the bodies that move.
+  void set_slack(std::span<const WorldBody> bodies);
+  /// Runs the broad phase where that is due, and ends pairs that are no longer near.
+  /// @param moved  bodies that may have moved since the last call; none given: all
+  void refresh(std::span<const WorldBody> bodies,
+               std::optional<std::span<const std::uint32_t>> moved = {});
+  /// Lists the pairs that take part in the motion; to be called whenever the set of moving bodies
+  /// or the list of pairs has changed.
+  void list_active(std::span<const WorldBody> bodies);
+  /// Runs the narrow phase and the contact law of the active pairs at the places that the bodies
+  /// have moved to in a step of `duration`; the loads of all others stay.
+  void update(std::span<const WorldBody> bodies, double duration, ThreadTeam& team);
+  /// The same, without a step, for pairs that are new.
+  void begin(std::span<const WorldBody> bodies,
+             const std::function<bool(const ContactPair&)>& is_new);
+  /// Has the broad phase run at the next `refresh`: the bodies that may move are other ones.
+  void list_anew() { broad_phase_ = {}; }
+  /// Lets the soil remember the dents of bodies that have parted from the ground, fallen asleep or
+  /// left the world.
+  void remember_dents(std::span<const WorldBody> bodies, SoilMemory& soil);
+  /// Ends the contacts of a body that leaves the world.
+  void end_contacts_of(std::uint32_t body, std::span<const WorldBody> bodies);
+
+  /// How far the bodies of a pair may move against each other before they can touch, m.
+  double clearance(const ContactPair& pair, std::span<const WorldBody> bodies) const {
+    return pair.contacts->clearance(motion_of(pair.reference, bodies),
+                                    motion_of(pair.block, bodies));
+  }
+  /// How far a body may move before it can touch one with which it makes no pair, m.
+  double way_left(std::size_t body, const Vec3& centre) const {
+    return broad_phase_.way_left(body, centre, slack_);
+  }
+
+  /// First a body's with the terrain, then by the other body; sorted by the smaller number.
+  std::span<const ContactPair> all() const { return pairs_; }
+  /// Places in `all` of those that take part in the motion, by the last `list_active`; ascending.
+  std::span<const std::uint32_t> active() const { return active_; }
+  /// Places in `all` of the pairs of a body, ascending.
+  std::span<const std::uint32_t> of(std::size_t body) const { return of_body_[body]; }
+
+  /// What contacts dissipated or reassigned, also those that have ended, J.
+  struct Losses {
+    EnergyLedger on_ground, between_bodies;
+    EnergyLedger& of(const ContactPair& pair) {
+      return pair.reference == ContactPair::kTerrain ? on_ground : between_bodies;
+    }
+    EnergyLedger sum() const {
+      EnergyLedger sum = on_ground;
+      return sum += between_bodies;
+    }
+  };
+  Losses losses() const;
+  double stored_energy() const;  ///< J
+  /// Has the pair a body that takes part in the motion?
+  static bool is_active(const ContactPair& pair, std::span<const WorldBody> bodies) {
+    return !bodies[pair.block].idle() ||
+           (pair.reference != ContactPair::kTerrain && !bodies[pair.reference].idle());
+  }
+  std::uint64_t broad_phases() const { return broad_phases_; }
+
+  /// All that the motion to come depends on.
+  /// @param bodies  those of the pairs
+  template <class Bytes>
+  void serialize(Bytes& bytes, std::span<const WorldBody> bodies) {
+    std::vector<BroadPhase::Pair> keys;
+    for (const ContactPair& pair : pairs_) keys.push_back(pair.key());
+    bytes(broad_phase_, slack_, keys, ended_.on_ground, ended_.between_bodies, broad_phases_);
+    if constexpr (Bytes::kReads) {
+      pairs_.clear();
+      for (const BroadPhase::Pair& key : keys) {
+        pairs_.push_back(contact_pair(key[0], key[1], bodies));
+      }
+      list_pairs_of_bodies(bodies.size());
+    }
+    for (ContactPair& pair : pairs_) bytes(pair);
+  }
+
+ private:
+  const BodyMotion& motion_of(std::uint32_t body, std::span<const WorldBody> bodies) const {
+    return body == ContactPair::kTerrain ? still_ground_ : bodies[body].motion;
+  }
+  void update(ContactPair& pair, std::span<const WorldBody> bodies, double duration);
+  /// Bounds how far any point of the block has moved as the reference sees it, m: only its growth
+  /// means something.
+  static double way(const ContactPair& pair, std::span<const WorldBody> bodies);
+  std::vector<BroadPhase::Pair> pairs_to_keep(std::span<const WorldBody> bodies) const;
+  ContactPair contact_pair(std::uint32_t first, std::uint32_t second,
+                           std::span<const WorldBody> bodies) const;
+  void list_pairs_of_bodies(std::size_t bodies);
+
+  const TerrainSurface* terrain_;
+  ContactRules between_bodies_, on_forms_, on_terrain_;
+  BodyMotion still_ground_;
+  BroadPhase broad_phase_;
+  double slack_ = 0.0;  ///< of the broad phase, m
+  std::vector<BoundingSphere> spheres_;
+  std::vector<ContactPair> pairs_;
+  std::vector<std::uint32_t> active_;
+  std::vector<std::vector<std::uint32_t>> of_body_;
+  Losses ended_;  ///< of pairs that have ended
+  std::uint64_t broad_phases_ = 0;
+};
+
+}  // namespace clast::dem_detail

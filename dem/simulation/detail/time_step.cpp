@@ -1,0 +1,94 @@
+#include "dem/simulation/detail/time_step.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "dem/motion/free_flight.hpp"
+
+namespace clast::dem_detail {
+namespace {
+
+/// Is more than a small share of the body's energy in an impact?
+/// @param energy  that passes through the contact, J
+bool in_impact(const WorldBody& body, double energy, double rest_energy) {
+  if (body.idle()) return false;
+  const double floor = kRocking * rest_energy * body.shape->body.mass;
+  return energy > kImpactShare * std::max(body.moving.kinetic_energy(), floor);
+}
+
+/// 1/s^2 over k: with springs of stiffness k at its contacts, weighted, the body has no frequency
+/// above the root of k times this. Both ends of a spring between two bodies that move give way.
+double mobility_of(std::uint32_t number, std::span<const WorldBody> bodies,
+                   const ContactPairs& pairs) {
+  const Shape& shape = *bodies[number].shape;
+  double sum = 0.0;
+  for (const std::uint32_t e : pairs.of(number)) {
+    const ContactPair& pair = pairs.all()[e];
+    if (!pair.contacts->touching()) continue;
+    const bool is_block = pair.block == number;
+    const std::uint32_t other = is_block ? pair.reference : pair.block;
+    const double ends = other == ContactPair::kTerrain || bodies[other].idle() ? 1.0 : 2.0;
+    sum += ends * (is_block ? pair.contacts->mobility(shape.mobilities)
+                            : pair.contacts->weight() * shape.largest_mobility);
+  }
+  return sum;
+}
+
+/// How long a pair that does not touch needs at least until it does, s.
+double time_apart(const ContactPair& pair, std::span<const WorldBody> bodies,
+                  const ContactPairs& pairs, double gravity) {
+  const WorldBody& block = bodies[pair.block];
+  const double clear = pairs.clearance(pair, bodies);
+  if (!(clear > 0.0)) return 0.0;
+  Vec3 velocity = block.idle() ? Vec3::Zero() : block.moving.state().velocity;
+  double turning = block.idle() ? 0.0 : block.moving.top_spin() * block.shape->radius;
+  if (pair.reference != ContactPair::kTerrain && !bodies[pair.reference].idle()) {
+    const MovingBody& reference = bodies[pair.reference].moving;
+    velocity -= reference.state().velocity;
+    // Seen from a body that turns, all around it turns.
+    const double arm = (block.moving.state().position - reference.state().position).norm();
+    turning += reference.top_spin() * (arm + block.shape->radius);
+  }
+  return time_over(clear, velocity.norm() + turning, gravity);
+}
+
+}  // namespace
+
+StepChoice choose_step(std::span<const WorldBody> bodies, std::span<const std::uint32_t> moving,
+                       const ContactPairs& pairs, const WorldSettings& settings) {
+  const ContactStiffness& contact = settings.stiffness;
+  const StepChoice shortest{contact.time_step, false};
+  if (!(contact.longest_step >= contact.time_step)) return shortest;
+  bool touching = false;
+  for (const std::uint32_t e : pairs.active()) {
+    const ContactPair& pair = pairs.all()[e];
+    if (!pair.loads || !pair.contacts->touching()) continue;
+    touching = true;
+    const WorldBody& block = bodies[pair.block];
+    const double energy = pair.contacts->load().impact * block.shape->body.mass;
+    if (in_impact(block, energy, settings.rest_energy) ||
+        (pair.reference != ContactPair::kTerrain &&
+         in_impact(bodies[pair.reference], energy, settings.rest_energy))) {
+      return shortest;
+    }
+  }
+  double length = touching ? kHardlyMobile * contact.longest_step : 1e300;
+  for (const std::uint32_t i : moving) {
+    const WorldBody& body = bodies[i];
+    const double stiffer = mobility_of(i, bodies, pairs) / body.shape->largest_mobility;
+    if (stiffer > 0.0) length = std::min(length, contact.longest_step / std::sqrt(stiffer));
+    if (touching) continue;
+    length = std::min(length, time_over(pairs.way_left(i, body.moving.state().position),
+                                        body.moving.state().velocity.norm(), settings.gravity));
+  }
+  for (const std::uint32_t e : pairs.active()) {
+    const ContactPair& pair = pairs.all()[e];
+    if (length <= contact.time_step) return shortest;
+    if (pair.contacts->touching()) continue;
+    length = std::min(length, time_apart(pair, bodies, pairs, settings.gravity));
+  }
+  if (length <= contact.time_step || length >= 1e300) return shortest;
+  return {length, !touching};
+}
+
+}  // namespace clast::dem_detail

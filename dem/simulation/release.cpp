@@ -1,0 +1,434 @@
+#include "dem/simulation/release.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "core/error.hpp"
+#include "core/number_text.hpp"
+#include "dem/contact/contact_forces.hpp"
+#include "dem/contact/impact_balance.hpp"
+#include "dem/contact/stiffness.hpp"
+#include "dem/motion/free_flight.hpp"
+#include "dem/motion/moving_body.hpp"
+#include "dem/search/contact_search.hpp"
+#include "dem/search/pierced_depth.hpp"
+#include "dem/simulation/detail/time_step.hpp"
+#include "dem/surface/terrain_impl.hpp"
+
+namespace clast {
+
+using namespace dem_detail;
+
+namespace {
+
+/// A flight ends this close to the first touch, s.
+constexpr double kLandingTime = 5e-10;
+/// Growth of the stride of the search for the first touch after one that fell short of it.
+constexpr double kLookFarther = 8.0;
+/// A block at rest may lie deeper than its settled depth by this factor before it counts as lost.
+constexpr double kSettledSlack = 1.1;
+
+/// The run in progress.
+class Release {
+ public:
+  Release(const TerrainSurface& terrain, std::span<const GroundParameters> zones,
+          const RigidBody& body, const RigidState& start, const ReleaseSettings& settings,
+          const MotionObserver& observe)
+      : terrain_(terrain),
+        zones_(zones),
+        body_(body),
+        settings_(settings),
+        observe_(observe),
+        surface_(body.shape),
+        search_(terrain.impl().surface, surface_, body.size()),
+        rules_(zones, terrain.impl().zones, settings.stiffness, settings.weights, settings.law),
+        forces_(rules_, surface_, body.size()),
+        moving_(body, start),
+        mobilities_(vertex_mobilities(body)),
+        largest_mobility_(*std::max_element(mobilities_.begin(), mobilities_.end())),
+        radius_(body.bounding_radius()) {}
+
+  ReleaseResult run() {
+    update_contacts(moving_.motion(), 0.0);
+    result_.energy = {};
+    result_.energy.initial = energy();
+    if (std::any_of(zones_.begin(), zones_.end(), ImpactBalance::is_for)) {
+      balance_.emplace(result_.energy.initial);
+    }
+    while (true) {
+      if (const std::optional<StopReason> reason = stop_reason()) {
+        result_.stop_reason = *reason;
+        break;
+      }
+      if (forces_.empty()) {
+        fly();
+      } else {
+        step();
+      }
+    }
+    finish();
+    return result_;
+  }
+
+  double start_overlap() {
+    update_contacts(moving_.motion(), 0.0);
+    return std::max(forces_.max_overlap(), pierced_depth(terrain_.impl().surface, surface_,
+                                                         moving_.state().world_from_body()));
+  }
+
+ private:
+  std::optional<StopReason> stop_reason() {
+    if (!moving_.finite()) {
+      result_.message = "the motion is not finite any more at " + with_digits(time_, 6) + " s";
+      return StopReason::kError;
+    }
+    if (left_) return StopReason::kLeftTerrain;
+    if (resting_ >= settings_.rest_duration) return StopReason::kRest;
+    if (time_ >= settings_.max_time) return StopReason::kMaxTime;
+    return std::nullopt;
+  }
+
+  /// How long the block flies without contact: the time in which no point of it can travel farther
+  /// than the nearest thing it might touch.
+  double safe_time() {
+    const double spin = flight_->top_spin(), g = settings_.gravity;
+    // Of a point that turns with the body: centripetal, and from the change of the spin (Euler).
+    const double uneven = body_.moments.maxCoeff() / body_.moments.minCoeff();
+    return search_.safe_time({.velocity = moving_.state().velocity,
+                              .spin = moving_.state().angular_velocity,
+                              .turning = uneven * spin * spin,
+                              .acceleration = g + uneven * spin * spin * radius_,
+                              .top_speed = moving_.state().velocity.norm() + spin * radius_,
+                              .gravity = g},
+                             longest_step());
+  }
+
+  /// Moves to another time of the flight and searches for contacts there.
+  const std::vector<ContactPoint>& look_at(double flown) {
+    const double g = settings_.gravity, time = std::abs(flown - flown_);
+    travel_ += (moving_.state().velocity.norm() + flight_->top_spin() * radius_) * time +
+               0.5 * g * time * time;
+    flown_ = flown;
+    moving_.place(flight_->after(flown));
+    return search_.contacts(moving_.state().world_from_body(), travel_);
+  }
+
+  /// Flies as far as no contact can come, at least the longest step, and never beyond the first
+  /// touch.
+  void fly() {
+    const RigidState begin = moving_.state();
+    if (!flight_) {
+      flight_.emplace(body_, begin, settings_.gravity);
+      flown_ = 0.0;
+    }
+    const double before = flown_;
+    double end =
+        before + std::min(std::max(safe_time(), longest_step()), settings_.max_time - time_);
+    const auto inside = [&](double flown) {
+      const RigidState& from = flight_->begin();
+      return terrain_.covers(from.position.x() + flown * from.velocity.x(),
+                             from.position.y() + flown * from.velocity.y());
+    };
+    if (!inside(end)) {
+      // The run ends where the centre passes the border of the survey.
+      double within = before;
+      while (end - within > 1e-9) {
+        const double middle = 0.5 * (within + end);
+        (inside(middle) ? within : end) = middle;
+      }
+      left_ = true;
+    }
+    if (!look_at(end).empty()) {
+      land(before);
+      left_ = left_ && !inside(flown_);
+    }
+    const double duration = flown_ - before;
+    forces_.wait(duration);
+    const double middle_speed =
+        (begin.velocity - Vec3(0.0, 0.0, 0.5 * settings_.gravity * duration)).norm();
+    result_.path_length +=
+        duration / 6.0 *
+        (begin.velocity.norm() + 4.0 * middle_speed + moving_.state().velocity.norm());
+    resting_ = 0.0;
+    ++result_.flight_pieces;
+    update_contacts(moving_.motion(), 0.0);
+    step_length_ = 0.0;
+    advance(begin, duration, true);
+  }
+
+  /// Goes back from a time with contact to the first touch: Newton's method on the overlap from the
+  /// side of contact, with a bracket.
+  /// @param clear  a time of the flight without contact
+  void land(double clear) {
+    double touching = flown_, look_farther = kLandingTime;
+    const std::vector<ContactPoint>* contacts =
+        &search_.contacts(moving_.state().world_from_body(), travel_);
+    while (touching - clear > kLandingTime) {
+      double next = 0.5 * (clear + touching);
+      if (!contacts->empty()) {
+        const double since = time_since_touch(*contacts);
+        if (since <= kLandingTime) return;
+        next = std::max(touching - since + 0.5 * kLandingTime, clear + 0.5 * kLandingTime);
+        if (!(next < touching)) next = 0.5 * (clear + touching);
+      } else {
+        next = std::min(clear + look_farther, next);
+        look_farther *= kLookFarther;
+      }
+      contacts = &look_at(next);
+      (contacts->empty() ? clear : touching) = next;
+    }
+    if (contacts->empty()) look_at(touching);
+  }
+
+  /// How long ago the deepest of the contacts began, to first order, s.
+  double time_since_touch(const std::vector<ContactPoint>& contacts) const {
+    const BodyMotion motion = moving_.motion();
+    double longest = 0.0;
+    for (const ContactPoint& contact : contacts) {
+      const double closing = -motion.velocity_at(contact.point()).dot(contact.normal);
+      longest = std::max(longest, closing > 0.0 ? contact.overlap / closing : 1e300);
+    }
+    return longest;
+  }
+
+  double longest_step() const {
+    return std::max(settings_.stiffness.time_step, settings_.stiffness.longest_step);
+  }
+  /// What the present contacts need: steps follow the frequency of all of them together, and
+  /// resolve an impact (docs/theory.md, Time step).
+  double needed_step() const {
+    const ContactStiffness& contact = settings_.stiffness;
+    if (!(contact.longest_step >= contact.time_step)) return contact.time_step;
+    const double stiffer = forces_.mobility(mobilities_) / largest_mobility_;
+    const double together =
+        contact.longest_step * std::min(1.0 / std::sqrt(stiffer), kHardlyMobile);
+    const double specific = std::max(moving_.kinetic_energy() / body_.mass, settings_.rest_energy);
+    const bool impact = load_.impact > kImpactShare * specific;
+    return impact ? std::min(contact.time_step, together) : together;
+  }
+
+  void step() {
+    flight_.reset();
+    const RigidState begin = moving_.state();
+    const Vec3 gravity(0.0, 0.0, -settings_.gravity);
+    const double dt = std::min(needed_step(), settings_.max_time - time_);
+    if (dt != step_length_) {
+      // What Verlet steps conserve depends on their length.
+      const auto kick = [&](double length) {
+        return moving_.first_kick(length, load_.force, load_.torque, gravity);
+      };
+      result_.energy.reassigned += kick(dt) - kick(step_length_);
+      step_length_ = dt;
+    }
+    if (balance_) {
+      balance_->touch(zones_[forces_.deepest()->zone]);
+      balance_->add_load(0.5 * dt, load_);
+    }
+    const BodyMotion motion = moving_.begin_step(dt, load_.force, load_.torque, gravity);
+    travel_ += dt * moving_.top_speed();
+    result_.path_length += dt * motion.velocity.norm();
+    update_contacts(motion, dt);
+    if (balance_) balance_->add_load(0.5 * dt, load_);
+    moving_.end_step(dt, load_.force, load_.torque, gravity);
+    if (load_.event) {
+      const EventLoad& event = *load_.event;
+      result_.energy.reassigned -= moving_.correct(event.impulse, event.angular_impulse,
+                                                   event.moment, event.angular_moment, gravity);
+      travel_ += moving_.corrected_by();
+      if (balance_) balance_->add_event(event);
+    }
+    if (balance_ && forces_.empty()) end_impact();
+    ++result_.contact_steps;
+
+    const double specific = moving_.kinetic_energy() / body_.mass;
+    resting_ = !forces_.empty() && specific < settings_.rest_energy ? resting_ + dt : 0.0;
+    const Vec3& position = moving_.state().position;
+    if (!terrain_.covers(position.x(), position.y())) left_ = true;
+    advance(begin, dt, false);
+  }
+
+  /// Ends a balanced impact and records the energy that its correction and its steps reassigned.
+  void end_impact() {
+    if (!balance_->end(moving_, energy() + dissipated_by_law())) return;
+    result_.energy.reassigned = result_.energy.initial - energy() - dissipated_by_law();
+  }
+
+  double dissipated_by_law() const {
+    return result_.energy.normal + result_.energy.friction + result_.energy.rolling;
+  }
+
+  /// The energy at the end. What a balanced impact in progress has still to give or take is stored
+  /// in its contacts.
+  double final_energy() {
+    const std::optional<double> due = balance_ ? balance_->due() : std::nullopt;
+    if (!due) return energy();
+    result_.energy.reassigned = result_.energy.initial - *due;
+    return *due - dissipated_by_law();
+  }
+
+  void update_contacts(const BodyMotion& motion, double dt) {
+    const bool flying = forces_.empty();
+    load_ = forces_.update(search_.contacts(motion.world_from_body, travel_), motion, {}, dt,
+                           result_.energy);
+    if (flying && !forces_.empty() && time_ > 0.0) ++result_.impacts;
+    result_.max_penetration = std::max(result_.max_penetration, forces_.max_overlap());
+  }
+
+  void advance(const RigidState& begin, double duration, bool flight) {
+    const double end_time = time_ + duration;
+    const bool to_be_balanced = balance_ && balance_->due();
+    double& fastest = result_.max_speed;
+    if (!to_be_balanced_) fastest = std::max(fastest, begin.velocity.norm());
+    if (!to_be_balanced) fastest = std::max(fastest, moving_.state().velocity.norm());
+    to_be_balanced_ = to_be_balanced;
+    if (observe_) {
+      observe_({time_, end_time, begin, moving_.state(), flight, touch(), to_be_balanced});
+    }
+    time_ = end_time;
+  }
+
+  Touch touch() const {
+    const std::optional<ContactForces::Deepest> deepest = forces_.deepest();
+    if (!deepest) return {};
+    return {deepest->points, deepest->overlap, deepest->place, deepest->zone};
+  }
+
+  double energy() const {
+    return moving_.kinetic_energy() +
+           body_.mass * settings_.gravity * moving_.state().position.z() + forces_.stored_energy();
+  }
+
+  void finish() {
+    result_.duration = time_;
+    result_.final_state = moving_.state();
+    const Vec3& place = moving_.state().position;
+    result_.settled_penetration = forces_.max_overlap();
+    EnergyLedger& ledger = result_.energy;
+    // The potential counts from the end height, so that the scale does not depend on the datum.
+    ledger.close(final_energy(), ledger.initial - body_.mass * settings_.gravity * place.z());
+    const std::optional<double> ground = terrain_.height(place.x(), place.y(), place.z());
+    result_.below_ground = (ground && place.z() < *ground) ||
+                           (result_.stop_reason == StopReason::kRest &&
+                            forces_.settled_depth() > kSettledSlack * deepest_rest());
+  }
+
+  /// How deep a block can have come to rest, m: by its weight, or in the dent of an impact that
+  /// took all the energy there was.
+  double deepest_rest() const {
+    const double weight = body_.mass * settings_.gravity;
+    if (!forces_.keeps_dents()) return weight / forces_.rest_stiffness();
+    const double drop = result_.energy.initial - weight * moving_.state().position.z();
+    return std::sqrt(2.0 * std::max(0.0, drop) / settings_.stiffness.normal);
+  }
+
+  const TerrainSurface& terrain_;
+  std::span<const GroundParameters> zones_;
+  const RigidBody& body_;
+  const ReleaseSettings& settings_;
+  const MotionObserver& observe_;
+  BlockSurface surface_;
+  ContactSearch search_;
+  ContactRules rules_;
+  ContactForces forces_;
+  MovingBody moving_;
+  std::vector<double> mobilities_;  ///< of the block's vertices, 1/kg
+  double largest_mobility_;
+  double radius_;
+  ContactLoad load_;
+  std::optional<ImpactBalance> balance_;  ///< on terrain that has ground for it
+  bool to_be_balanced_ = false;           ///< the state: see `MotionStep`
+  std::optional<FreeFlight> flight_;      ///< the one in progress
+  double flown_ = 0.0;                    ///< time since it began, s
+  double time_ = 0.0;
+  double travel_ = 0.0;
+  double step_length_ = 0.0;  ///< of the last step, 0 in flight, s
+  double resting_ = 0.0;
+  bool left_ = false;
+  ReleaseResult result_;
+};
+
+}  // namespace
+
+std::string name_of(StopReason reason) {
+  switch (reason) {
+    case StopReason::kRest:
+      return "rest";
+    case StopReason::kLeftTerrain:
+      return "left_terrain";
+    case StopReason::kMaxTime:
+      return "max_time";
+    case StopReason::kError:
+      return "error";
+  }
+  return "error";
+}
+
+void ReleaseSettings::check() const {
+  const auto positive = [](const char* field, double value) {
+    if (!(value > 0.0 && std::isfinite(value))) {
+      throw InputError(std::string(field) + " = " + with_digits(value, 6) + "; must be above 0");
+    }
+  };
+  positive("normal stiffness", stiffness.normal);
+  positive("tangential stiffness", stiffness.tangential);
+  positive("rolling stiffness", stiffness.rolling);
+  positive("time step", stiffness.time_step);
+  positive("max_time", max_time);
+  positive("rest_energy", rest_energy);
+  positive("rest_duration", rest_duration);
+  if (!(gravity >= 0.0 && std::isfinite(gravity))) {
+    throw InputError("gravity = " + with_digits(gravity, 6) + "; must be 0 or more");
+  }
+}
+
+RigidState state_at(const RigidBody& body, const MotionStep& step, double time, double gravity) {
+  if (step.flight) return free_flight(body, step.begin, time - step.begin_time, gravity);
+  const double duration = step.end_time - step.begin_time;
+  const double share = duration > 0.0 ? (time - step.begin_time) / duration : 1.0;
+  const double s2 = share * share, s3 = s2 * share;
+  RigidState state;
+  state.position = (2 * s3 - 3 * s2 + 1) * step.begin.position +
+                   (s3 - 2 * s2 + share) * duration * step.begin.velocity +
+                   (3 * s2 - 2 * s3) * step.end.position + (s3 - s2) * duration * step.end.velocity;
+  state.velocity = (1.0 - share) * step.begin.velocity + share * step.end.velocity;
+  state.orientation = step.begin.orientation.slerp(share, step.end.orientation);
+  state.angular_velocity =
+      (1.0 - share) * step.begin.angular_velocity + share * step.end.angular_velocity;
+  return state;
+}
+
+ReleaseResult simulate_release(const TerrainSurface& terrain,
+                               std::span<const GroundParameters> zones, const RigidBody& body,
+                               const RigidState& start, const ReleaseSettings& settings,
+                               const MotionObserver& observe) {
+  settings.check();
+  body.check("block");
+  for (const GroundParameters& zone : zones) {
+    if (zone.soil_memory > 0.0) {
+      throw InputError("soil_memory = " + with_digits(zone.soil_memory, 6) +
+                       ": a single release has no later ones that could find its dents; 0 here");
+    }
+  }
+  if (zones.size() < terrain.zone_count()) {
+    throw SimulationError("terrain has " + std::to_string(terrain.zone_count()) +
+                          " ground zones but parameters are given for " +
+                          std::to_string(zones.size()) + "; give them for each zone");
+  }
+  if (!terrain.covers(start.position.x(), start.position.y())) {
+    throw SimulationError("the start (" + with_digits(start.position.x(), 9) + ", " +
+                          with_digits(start.position.y(), 9) +
+                          ") is not on the terrain; move it onto the ground");
+  }
+  const double overlap = Release(terrain, zones, body, start, settings, observe).start_overlap();
+  const std::optional<double> ground =
+      terrain.height(start.position.x(), start.position.y(), start.position.z());
+  if ((ground && start.position.z() < *ground) ||
+      overlap > settings.start_overlap * body.smallest_side) {
+    throw SimulationError("the block starts inside the ground, " + with_digits(overlap, 6) +
+                          " m deep; raise the release point or give height_m");
+  }
+  return Release(terrain, zones, body, start, settings, observe).run();
+}
+
+}  // namespace clast

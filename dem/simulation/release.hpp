@@ -1,0 +1,98 @@
+#pragma once
+/// One block released on one terrain, until it stops.
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "dem/contact/contact_law.hpp"
+#include "dem/contact/energy_ledger.hpp"
+#include "dem/motion/rigid_body.hpp"
+#include "dem/surface/terrain_surface.hpp"
+
+namespace clast {
+
+/// Why a run ended. There is always one reason.
+enum class StopReason { kRest, kLeftTerrain, kMaxTime, kError };
+/// "rest", "left_terrain", "max_time", "error".
+std::string name_of(StopReason reason);
+
+/// Everything about a release that is not block, terrain or start.
+struct ReleaseSettings {
+  ContactStiffness stiffness;
+  ContactLaw law;  ///< energy-restitution unless chosen otherwise
+  ContactWeights weights = ContactWeights::kPatch;
+  double gravity = 9.81;        ///< m/s^2, along -z
+  double max_time = 60.0;       ///< s
+  double rest_energy = 2e-4;    ///< J/kg: v^2/2 + w.J.w/(2 m) below this ...
+  double rest_duration = 0.5;   ///< ... for so long, s, with a contact throughout, is rest
+  double start_overlap = 1e-3;  ///< largest overlap with the ground at the start, share of S
+
+  void check() const;  ///< throws InputError naming the field and its value
+};
+
+/// The contacts of an instant, summed up.
+struct Touch {
+  std::uint32_t points = 0;   ///< contact points; 0 in flight, where the rest means nothing
+  double overlap = 0.0;       ///< of the deepest, m
+  Vec3 place = Vec3::Zero();  ///< of the deepest
+  std::uint16_t zone = 0;     ///< of the ground there
+};
+
+/// The motion between two instants, passed to observers in order of time.
+struct MotionStep {
+  double begin_time = 0.0;  ///< s
+  double end_time = 0.0;
+  RigidState begin;
+  RigidState end;
+  /// No contact: `free_flight` gives every state between exactly. A step of a body of a world is a
+  /// flight when nothing touches the body as it begins; what touches it within acts in it already.
+  bool flight = false;
+  Touch touch;  ///< at the end; a flight that ends by a touch has one
+  /// The velocities at the end are those within an impact that is balanced when it ends
+  /// (docs/theory.md, Weights and energy); they can be too large until then.
+  bool to_be_balanced = false;
+};
+
+/// The state inside a step: exact in flight, interpolated (cubic centre, steady turn) else.
+RigidState state_at(const RigidBody& body, const MotionStep& step, double time, double gravity);
+
+using MotionObserver = std::function<void(const MotionStep&)>;
+
+/// The result of a run.
+struct ReleaseResult {
+  StopReason stop_reason = StopReason::kError;
+  std::string message;    ///< of an error, else empty
+  double duration = 0.0;  ///< simulated, s
+  RigidState final_state;
+  double path_length = 0.0;          ///< of the centre, m
+  double max_speed = 0.0;            ///< of the centre, m/s
+  double max_penetration = 0.0;      ///< largest overlap of any contact, m
+  double settled_penetration = 0.0;  ///< largest overlap at the end, m
+  bool below_ground = false;         ///< as docs/theory.md defines it
+  EnergyLedger energy;
+  std::uint64_t contact_steps = 0;
+  std::uint64_t flight_pieces = 0;  ///< parts of flights between two contact searches
+  std::uint64_t impacts = 0;        ///< flights ended by a contact
+
+  template <class Bytes>
+  void serialize(Bytes& bytes) {
+    bytes(stop_reason, message, duration, final_state, path_length, max_speed, max_penetration,
+          settled_penetration, below_ground, energy, contact_steps, flight_pieces, impacts);
+  }
+};
+
+/// Runs one release.
+///
+/// @param zones  parameters of each ground zone of the terrain, by zone number
+/// @param start  at rest or moving
+/// @throws SimulationError  the start lies off the terrain or deeper in the ground than allowed;
+///                          anything later is a stop reason, not an exception
+ReleaseResult simulate_release(const TerrainSurface& terrain,
+                               std::span<const GroundParameters> zones, const RigidBody& body,
+                               const RigidState& start, const ReleaseSettings& settings,
+                               const MotionObserver& observe = {});
+
+}  // namespace clast

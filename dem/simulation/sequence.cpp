@@ -1,0 +1,395 @@
+#include "dem/simulation/sequence.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <iterator>
+#include <map>
+#include <string>
+
+#include "core/byte_archive.hpp"
+#include "core/error.hpp"
+#include "core/number_text.hpp"
+#include "dem/simulation/detail/release_schedule.hpp"
+#include "dem/simulation/detail/watched_block.hpp"
+
+namespace clast {
+
+using dem_detail::ReleaseSchedule;
+using dem_detail::WatchedBlock;
+
+namespace {
+
+class Sequence {
+ public:
+  Sequence(const TerrainSurface& terrain, std::span<const GroundParameters> zones,
+           std::span<const RigidBody> shapes, std::span<const SequenceBlock> blocks,
+           const SequenceSettings& settings, const SequenceObservers& observers)
+      : terrain_(terrain),
+        shapes_(shapes),
+        blocks_(blocks),
+        settings_(settings),
+        observers_(observers),
+        schedule_(blocks, settings),
+        world_({shapes.begin(), shapes.end()}, settings.world, terrain,
+               {zones.begin(), zones.end()}) {}
+
+  /// To be called before `run`.
+  void restore(ByteReader& from) {
+    serialize(from);
+    world_.restore(from);
+    if (!from.at_end()) throw InputError("the saved state is of another sequence");
+    observe_blocks();
+    count_released();
+  }
+
+  std::vector<SequenceResult> run() {
+    const std::size_t together = settings_.at_once ? blocks_.size() : 1;
+    while (phase_ != Phase::kFinished || watched_.size() < blocks_.size()) {
+      if (phase_ == Phase::kFinished) add_blocks(watched_.size(), watched_.size() + together);
+      finish_release();
+    }
+    std::vector<SequenceResult> results;
+    for (std::size_t block = 0; block < blocks_.size(); ++block) results.push_back(finished(block));
+    return results;
+  }
+
+ private:
+  /// What the newest blocks do. Each phase can be entered again where a checkpoint was taken.
+  enum class Phase : std::uint8_t {
+    kSettling,  ///< behind forms
+    kHeld,      ///< until the last of them is released
+    kMoving,    ///< until all blocks rest
+    kFinished,  ///< all rest
+  };
+
+  template <class Bytes>
+  void serialize(Bytes& bytes) {
+    bytes(phase_, changes_done_, energy_before_, watched_, forms_, released_at_, newest_, begin_,
+          energy_intervals_);
+  }
+
+  const RigidBody& body_of(std::size_t block) const { return shapes_[blocks_[block].shape]; }
+
+  /// The lowest height from `start` on at which the bounding sphere of the block is clear of those
+  /// of all others.
+  double clear_height(const RigidBody& body, const Vec3& start) const {
+    const double radius = body.bounding_radius();
+    double height = start.z();
+    for (bool raised = true; raised;) {
+      raised = false;
+      for (std::size_t other = 0; other < world_.body_count(); ++other) {
+        if (world_.gone(other)) continue;
+        const Vec3& place = world_.state(other).position;
+        const double apart = radius + body_of(other).bounding_radius();
+        const double squared = apart * apart - (place - start).head<2>().squaredNorm();
+        if (squared <= 0.0 || std::abs(height - place.z()) >= std::sqrt(squared)) continue;
+        const double clear = place.z() + std::sqrt(squared);
+        raised |= clear > height;
+        height = std::max(height, clear);
+      }
+    }
+    return height;
+  }
+
+  /// Blocks from `first` to before `end`.
+  void add_blocks(std::size_t first, std::size_t end) {
+    energy_before_ = world_.energy();
+    released_at_ = world_.time();
+    for (std::size_t block = first; block < end; ++block) add(block);
+    newest_ = first;
+    for (const SequenceForm& form : settings_.forms) {
+      forms_.push_back(world_.add_form(form.shape, form.place, form.first, form.end));
+    }
+    phase_ = Phase::kSettling;
+    if (forms_.empty()) {
+      begin_release();
+    } else {
+      count_released();
+    }
+  }
+
+  void begin_release() {
+    phase_ = Phase::kHeld;
+    count_released();
+    observe_blocks();
+    if (newest_ == 0) begin_ = world_.energy_sample();
+    take_energy();
+  }
+
+  void observe_blocks() {
+    if (phase_ == Phase::kSettling) return;
+    world_.observe([this](std::size_t block, const MotionStep& step) { see(block, step); });
+  }
+
+  /// Runs until all blocks that lie there rest.
+  void finish_release() {
+    if (phase_ == Phase::kSettling) settle();
+    const double last = released_at_ + release_held();
+    do {
+      world_.run_until(last + settings_.max_time, after_step());
+    } while (clear_zones());
+    take_energy();
+    const EnergyLedger energy = of_release(energy_before_, world_.energy());
+    for (std::size_t block = newest_; block < watched_.size(); ++block) {
+      SequenceResult& result = watched_[block].result;
+      result.release.duration = world_.time() - released_at_;
+      result.release.energy = energy;
+      result.blocks_hit = static_cast<std::uint32_t>(watched_[block].hit.size());
+      watched_[block].first_rest = world_.state(block).position;
+    }
+    phase_ = Phase::kFinished;
+  }
+
+  /// Lets the blocks that forms hold come to rest.
+  void settle() {
+    world_.run_until(settings_.settle_time, after_step());
+    refuse_settled(true, [&](std::size_t block) {
+      return world_.gone(block) ||
+             std::any_of(settings_.forms.begin(), settings_.forms.end(), [&](const auto& form) {
+               const Vec3 inwards = form.place.orientation * Vec3::UnitX();
+               const Vec3 way = world_.state(block).position - form.place.position;
+               return block >= form.first && block < form.end && inwards.dot(way) <= 0.0;
+             });
+    });
+    refuse_settled(false, [&](std::size_t block) { return !world_.resting(block); });
+    for (std::size_t block = 0; block < blocks_.size(); ++block) {
+      if (schedule_.settles(block)) watched_[block].result.settled = world_.state(block);
+    }
+    energy_before_ = world_.energy();
+    released_at_ = world_.time();
+    begin_release();
+  }
+
+  /// @param is_bad  of a block that settles: it left its form, or still moves
+  void refuse_settled(bool left, const std::function<bool(std::size_t)>& is_bad) const {
+    std::size_t all = 0, bad = 0, first = 0;
+    for (std::size_t block = 0; block < blocks_.size(); ++block) {
+      if (!schedule_.settles(block)) continue;
+      ++all;
+      if (is_bad(block) && bad++ == 0) first = block;
+    }
+    if (bad == 0) return;
+    const std::string problem =
+        left ? "left their form; place them deeper in it"
+             : "still move after settle_time = " + with_digits(settings_.settle_time, 6) +
+                   " s; give them more time";
+    throw SettlingError(std::to_string(bad) + " of " + std::to_string(all) +
+                            " blocks that settle, body " + std::to_string(first) + " the first, " +
+                            problem,
+                        first, bad, left);
+  }
+
+  /// Lets go what is held and removes the forms, each at its time.
+  /// @return  time from the first release to the last, s
+  double release_held() {
+    struct Change {
+      std::vector<std::size_t> freed, removed;
+    };
+    std::map<double, Change> changes;  // by time since the first release
+    for (std::size_t block = newest_; block < watched_.size(); ++block) {
+      if (schedule_.is_held(block)) changes[blocks_[block].held].freed.push_back(block);
+    }
+    for (std::size_t form = 0; form < forms_.size(); ++form) {
+      changes[settings_.forms[form].removed_at].removed.push_back(forms_[form]);
+    }
+    if (phase_ == Phase::kHeld) {
+      auto next = std::next(changes.begin(), static_cast<std::ptrdiff_t>(changes_done_));
+      for (; next != changes.end(); ++next, ++changes_done_) {
+        const auto& [time, change] = *next;
+        world_.run_to(released_at_ + time, after_step());
+        if (!change.freed.empty()) world_.free_bodies(change.freed);
+        count_released();
+        for (const std::size_t form : change.removed) world_.remove_body(form);
+        take_energy();
+      }
+      phase_ = Phase::kMoving;
+    }
+    return changes.empty() ? 0.0 : changes.rbegin()->first;
+  }
+
+  void take_energy() {
+    if (observers_.energy) observers_.energy(world_.energy_sample().since(begin_));
+  }
+
+  /// What is to be done after each step; empty where that is nothing.
+  std::function<void()> after_step() {
+    const bool sample = observers_.energy && settings_.energy_interval > 0.0 && !settling();
+    if (!sample && !observers_.progress) return {};
+    return [this, sample] {
+      if (sample) take_energy_when_due();
+      if (observers_.progress) observers_.progress(progress());
+    };
+  }
+
+  void take_energy_when_due() {
+    const double intervals = std::floor((world_.time() - begin_.time) / settings_.energy_interval);
+    if (intervals <= energy_intervals_) return;
+    energy_intervals_ = intervals;
+    take_energy();
+  }
+
+  bool is_released(std::size_t block) const {
+    return settling() ? schedule_.settles(block) : !world_.fixed(block);
+  }
+
+  /// Counts the released blocks only when their number changes, since progress is reported after
+  /// every step.
+  void count_released() {
+    released_ = 0;
+    for (std::size_t block = 0; block < watched_.size(); ++block) {
+      if (is_released(block)) ++released_;
+    }
+  }
+
+  bool settling() const { return phase_ == Phase::kSettling; }
+
+  SequenceProgress progress() {
+    const auto resting = [this] {
+      std::size_t count = 0;
+      for (std::size_t block = 0; block < watched_.size(); ++block) {
+        if (is_released(block) && (world_.gone(block) || world_.resting(block))) ++count;
+      }
+      return count;
+    };
+    const auto save = [this](ByteWriter& to) {
+      serialize(to);
+      world_.save(to);
+    };
+    return {world_.time(), released_, settling(), resting, save};
+  }
+
+  void add(std::size_t block) {
+    SequenceResult& result = watched_.emplace_back().result;
+    RigidState start = blocks_[block].start;
+    if (!settings_.at_once) {
+      const double height = clear_height(body_of(block), start.position);
+      result.raised = height - start.position.z();
+      start.position.z() = height;
+    }
+    result.released_at = settings_.at_once ? schedule_.release_time(block) : released_at_;
+    world_.add_body(blocks_[block].shape, start, schedule_.is_held(block));
+  }
+
+  /// Removes the blocks that rest where blocks are cleared away.
+  /// @return  were there any?
+  bool clear_zones() {
+    bool any = false;
+    for (std::size_t block = 0; block < watched_.size(); ++block) {
+      if (world_.gone(block) || !world_.resting(block) || !lies_in_cleared_zone(block)) continue;
+      watched_[block].result.release.settled_penetration = world_.touch(block).overlap;
+      watched_[block].result.removed_at = world_.time();
+      world_.remove_body(block);
+      any = true;
+    }
+    return any;
+  }
+
+  bool lies_in_cleared_zone(std::size_t block) const {
+    const std::vector<std::uint16_t>& cleared = settings_.cleared_zones;
+    if (cleared.empty()) return false;
+    const Vec3& place = world_.state(block).position;
+    const std::optional<std::uint16_t> zone = terrain_.zone(place.x(), place.y(), place.z());
+    return zone && std::find(cleared.begin(), cleared.end(), *zone) != cleared.end();
+  }
+
+  /// What happened to the energy of all blocks between two balances.
+  EnergyLedger of_release(const EnergyLedger& before, const EnergyLedger& after) const {
+    EnergyLedger part;
+    part.initial = before.final + (after.initial - before.initial);
+    part.normal = after.normal - before.normal;
+    part.friction = after.friction - before.friction;
+    part.rolling = after.rolling - before.rolling;
+    part.reassigned = after.reassigned - before.reassigned;
+    double potential = 0.0;
+    for (std::size_t i = 0; i < watched_.size(); ++i) {
+      potential += body_of(i).mass * settings_.world.gravity * world_.state(i).position.z();
+    }
+    part.close(after.final, part.initial - potential);
+    return part;
+  }
+
+  void see(std::size_t block, const MotionStep& step) {
+    WatchedBlock& watched = watched_[block];
+    watched.see(step);
+    if (block >= newest_ && watched.touching) {
+      std::vector<std::size_t> touched = world_.touched_bodies(block);
+      std::erase_if(touched, [&](std::size_t other) { return other >= blocks_.size(); });  // forms
+      watched.note_hits(touched);
+    }
+    if (!observers_.motion) return;
+    MotionStep since_release = step;
+    const double release = settings_.at_once ? released_at_ : watched.result.released_at;
+    since_release.begin_time -= release;
+    since_release.end_time -= release;
+    observers_.motion(block, since_release);
+  }
+
+  SequenceResult finished(std::size_t block) const {
+    SequenceResult result = watched_[block].result;
+    ReleaseResult& release = result.release;
+    release.final_state = world_.state(block);
+    if (!result.removed_at) release.settled_penetration = world_.touch(block).overlap;
+    release.stop_reason = world_.left_terrain(block)                   ? StopReason::kLeftTerrain
+                          : result.removed_at || world_.resting(block) ? StopReason::kRest
+                                                                       : StopReason::kMaxTime;
+    const Vec3& place = release.final_state.position;
+    const std::optional<double> ground = terrain_.height(place.x(), place.y(), place.z());
+    release.below_ground = ground && place.z() < *ground;
+    result.moved_later = (place - watched_[block].first_rest).norm();
+    return result;
+  }
+
+  const TerrainSurface& terrain_;
+  std::span<const RigidBody> shapes_;
+  std::span<const SequenceBlock> blocks_;
+  const SequenceSettings& settings_;
+  const SequenceObservers& observers_;
+  ReleaseSchedule schedule_;
+  World world_;
+  std::vector<WatchedBlock> watched_;
+  std::vector<std::size_t> forms_;  ///< their numbers as bodies
+  double released_at_ = 0.0;        ///< when the newest blocks were, s
+  std::size_t newest_ = 0;          ///< the first of them
+  Phase phase_ = Phase::kFinished;
+  std::size_t changes_done_ = 0;   ///< of what is held, in order of time
+  EnergyLedger energy_before_;     ///< just before the newest blocks were released
+  std::size_t released_ = 0;       ///< blocks, so far
+  EnergySample begin_;             ///< at the first release
+  double energy_intervals_ = 0.0;  ///< that have passed since then at the last sample
+};
+
+}  // namespace
+
+void SequenceSettings::check() const {
+  world.check();
+  if (!(max_time > 0.0)) {
+    throw InputError("max_time = " + with_digits(max_time, 6) + "; must be above 0");
+  }
+  if (!(energy_interval >= 0.0)) {
+    throw InputError("energy_interval = " + with_digits(energy_interval, 6) +
+                     "; must be 0 or more");
+  }
+  if (!(settle_time > 0.0)) {
+    throw InputError("settle_time = " + with_digits(settle_time, 6) + "; must be above 0");
+  }
+  if (!forms.empty() && !at_once) {
+    throw InputError("forms hold blocks that are released at once; give at_once too");
+  }
+}
+
+std::vector<SequenceResult> simulate_sequence(
+    const TerrainSurface& terrain, std::span<const GroundParameters> zones,
+    std::span<const RigidBody> shapes, std::span<const SequenceBlock> blocks,
+    const SequenceSettings& settings, const SequenceObservers& observers, ByteReader* from) {
+  settings.check();
+  for (const SequenceBlock& block : blocks) {
+    if (block.held >= 0.0) continue;
+    throw InputError("held = " + with_digits(block.held, 6) + "; must be 0 or more");
+  }
+  Sequence sequence(terrain, zones, shapes, blocks, settings, observers);
+  if (from) sequence.restore(*from);
+  return sequence.run();
+}
+
+}  // namespace clast

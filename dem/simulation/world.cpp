@@ -1,0 +1,244 @@
+#include "dem/simulation/world.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "core/byte_archive.hpp"
+#include "core/error.hpp"
+#include "core/number_text.hpp"
+#include "dem/motion/rotation.hpp"
+#include "dem/simulation/detail/world_motion.hpp"
+
+namespace clast {
+
+using namespace dem_detail;
+
+namespace {
+
+/// How far an orientation's norm may be from 1 before it counts as a mistake.
+constexpr double kUnitSlack = 1e-6;
+
+/// @throws SimulationError  a start off the terrain or below it
+void check_start(const TerrainSurface& terrain, const Vec3& place, const std::string& name) {
+  const std::optional<double> ground = terrain.height(place.x(), place.y(), place.z());
+  if (!terrain.covers(place.x(), place.y())) {
+    throw SimulationError(name + " starts at (" + with_digits(place.x(), 9) + ", " +
+                          with_digits(place.y(), 9) +
+                          "), which is not on the terrain; move it onto the ground");
+  }
+  if (ground && place.z() < *ground) {
+    throw SimulationError(name + " starts below the ground, " +
+                          with_digits(*ground - place.z(), 6) + " m deep; raise it");
+  }
+}
+
+}  // namespace
+
+struct World::Impl : WorldMotion {
+  using WorldMotion::WorldMotion;
+};
+
+void WorldSettings::check() const {
+  ReleaseSettings same;
+  same.stiffness = stiffness;
+  same.gravity = gravity;
+  same.rest_energy = rest_energy;
+  same.rest_duration = rest_duration;
+  same.check();
+  between_bodies.check("between bodies");
+  on_forms.check("on forms");
+  const auto require = [](bool fine, const char* name, double value, const char* range) {
+    if (fine) return;
+    throw InputError(std::string(name) + " = " + with_digits(value, 6) + "; must be " + range);
+  };
+  require(sleep_drift >= 0.0, "sleep_drift", sleep_drift, "0 or more");
+  require(sleep_duration > 0.0, "sleep_duration", sleep_duration, "more than 0");
+  require(start_overlap >= 0.0, "start_overlap", start_overlap, "0 or more");
+}
+
+World::World(std::vector<RigidBody> shapes, const WorldSettings& settings)
+    : impl_(std::make_unique<Impl>(std::move(shapes), settings, nullptr,
+                                   std::vector<GroundParameters>())) {}
+
+World::World(std::vector<RigidBody> shapes, const WorldSettings& settings,
+             const TerrainSurface& terrain, std::vector<GroundParameters> zones)
+    : impl_(std::make_unique<Impl>(std::move(shapes), settings, &terrain, std::move(zones))) {}
+
+World::~World() = default;
+World::World(World&&) noexcept = default;
+
+void World::observe(BodyObserver observer) { impl_->observe(std::move(observer)); }
+
+std::size_t World::add_body(std::size_t shape, const RigidState& state, bool fixed) {
+  const std::string name = name_of_body(body_count());
+  if (shape >= impl_->shapes().size()) {
+    throw SimulationError(name + " has shape " + std::to_string(shape) + " but there are " +
+                          std::to_string(impl_->shapes().size()));
+  }
+  if (!state.position.allFinite() || !state.velocity.allFinite() ||
+      !state.angular_velocity.allFinite() ||
+      !(std::abs(state.orientation.norm() - 1.0) < kUnitSlack)) {
+    throw SimulationError(name +
+                          ": position, velocity and spin must be finite and the orientation "
+                          "a unit quaternion");
+  }
+  if (impl_->terrain() && !fixed) check_start(*impl_->terrain(), state.position, name);
+  RigidState start = state;
+  start.orientation.normalize();
+  if (fixed) start.velocity = start.angular_velocity = Vec3::Zero();
+  impl_->add(shape, start, fixed);
+  return body_count() - 1;
+}
+
+std::size_t World::add_form(std::size_t shape, const RigidState& state, std::size_t first,
+                            std::size_t end) {
+  const std::size_t form = add_body(shape, state, true);
+  impl_->hold(form, {first, end});
+  return form;
+}
+
+void World::remove_body(std::size_t body) {
+  if (body >= body_count()) {
+    throw SimulationError("there is no " + name_of_body(body) + " to remove, only " +
+                          std::to_string(body_count()) + " bodies");
+  }
+  impl_->remove(body);
+}
+
+void World::free_bodies(std::span<const std::size_t> bodies) {
+  for (const std::size_t body : bodies) {
+    const std::string name = name_of_body(body);
+    if (body >= body_count()) {
+      throw SimulationError("there is no " + name + " to free, only " +
+                            std::to_string(body_count()) + " bodies");
+    }
+    if (!fixed(body) || gone(body)) {
+      throw SimulationError(name + (gone(body) ? " is gone" : " moves already") +
+                            "; only fixed bodies that are there can be freed");
+    }
+    if (impl_->terrain()) check_start(*impl_->terrain(), state(body).position, name);
+  }
+  impl_->free(bodies);
+}
+
+void World::step() { impl_->advance(1e300); }
+
+StopReason World::run_until(double time, const std::function<void()>& after_step) {
+  const std::vector<WorldBody>& bodies = impl_->bodies();
+  const auto all_rest = [&] {
+    const std::span<const std::uint32_t> moving = impl_->moving();
+    return std::all_of(moving.begin(), moving.end(),
+                       [&](std::uint32_t i) { return impl_->resting(bodies[i]); });
+  };
+  while (!all_rest()) {
+    const double left = time - impl_->time();
+    if (!(left > 0.0)) return StopReason::kMaxTime;
+    impl_->advance(left);
+    if (after_step) after_step();
+  }
+  const bool any_here = std::any_of(bodies.begin(), bodies.end(),
+                                    [](const WorldBody& body) { return !body.still(); });
+  return any_here ? StopReason::kRest : StopReason::kLeftTerrain;
+}
+
+void World::run_to(double time, const std::function<void()>& after_step) {
+  for (double left; (left = time - impl_->time()) > 0.0;) {
+    if (impl_->moving().empty()) {
+      impl_->wait(left);
+    } else {
+      impl_->advance(left);
+    }
+    if (after_step) after_step();
+  }
+}
+
+double World::time() const { return impl_->time(); }
+std::size_t World::body_count() const { return impl_->bodies().size(); }
+const RigidState& World::state(std::size_t body) const {
+  return impl_->bodies().at(body).moving.state();
+}
+bool World::fixed(std::size_t body) const { return impl_->bodies().at(body).fixed; }
+bool World::resting(std::size_t body) const {
+  const WorldBody& asked = impl_->bodies().at(body);
+  return asked.fixed || asked.asleep || asked.resting >= impl_->settings().rest_duration;
+}
+bool World::asleep(std::size_t body) const { return impl_->bodies().at(body).asleep; }
+bool World::gone(std::size_t body) const { return impl_->bodies().at(body).gone; }
+bool World::left_terrain(std::size_t body) const {
+  const WorldBody& asked = impl_->bodies().at(body);
+  return asked.gone && asked.off_terrain;
+}
+Vec3 World::contact_force(std::size_t body) const { return impl_->bodies().at(body).force; }
+Touch World::touch(std::size_t body) const { return impl_->touch(body); }
+
+std::vector<std::size_t> World::touched_bodies(std::size_t body) const {
+  std::vector<std::size_t> touched;
+  if (!impl_->prepared(body)) return touched;
+  for (const std::uint32_t e : impl_->pairs().of(body)) {
+    const ContactPair& pair = impl_->pairs().all()[e];
+    if (!pair.loads || pair.reference == ContactPair::kTerrain || !pair.contacts->touching()) {
+      continue;
+    }
+    touched.push_back(pair.block == body ? pair.reference : pair.block);
+  }
+  std::sort(touched.begin(), touched.end());
+  return touched;
+}
+
+double World::overlap(std::size_t body, std::size_t other) const {
+  for (const ContactPair& pair : impl_->pairs().all()) {
+    if ((pair.block == body && pair.reference == other) ||
+        (pair.block == other && pair.reference == body)) {
+      return pair.contacts->max_overlap();
+    }
+  }
+  return 0.0;
+}
+
+Vec3 World::linear_momentum() const {
+  Vec3 sum = Vec3::Zero();
+  for (const WorldBody& body : impl_->bodies()) {
+    if (!body.fixed) sum += body.shape->body.mass * body.moving.state().velocity;
+  }
+  return sum;
+}
+
+Vec3 World::angular_momentum() const {
+  Vec3 sum = Vec3::Zero();
+  for (const WorldBody& body : impl_->bodies()) {
+    if (body.fixed) continue;
+    const RigidState& state = body.moving.state();
+    const RigidBody& rigid = body.shape->body;
+    sum += state.position.cross(rigid.mass * state.velocity) +
+           dem_detail::angular_momentum(rigid.moments, state.orientation, state.angular_velocity);
+  }
+  return sum;
+}
+
+EnergyLedger World::energy() const { return impl_->energy(); }
+EnergySample World::energy_sample() const { return impl_->energy_sample(); }
+
+WorldStatistics World::statistics() const {
+  WorldStatistics statistics;
+  statistics.steps = impl_->steps();
+  statistics.broad_phases = impl_->pairs().broad_phases();
+  statistics.sleeping_bodies = impl_->sleeping_count();
+  for (const WorldBody& body : impl_->bodies()) statistics.pair_steps += body.pair_steps;
+  for (const ContactPair& pair : impl_->pairs().all()) {
+    ++statistics.near_pairs;
+    if (pair.contacts->near()) ++statistics.searched_pairs;
+    if (ContactPairs::is_active(pair, impl_->bodies())) ++statistics.active_pairs;
+    if (pair.contacts->touching()) ++statistics.touching_pairs;
+    statistics.contact_points += pair.contacts->contact_count();
+    statistics.max_overlap = std::max(statistics.max_overlap, pair.contacts->max_overlap());
+  }
+  return statistics;
+}
+
+void World::save(ByteWriter& to) const { to(*impl_); }
+void World::restore(ByteReader& from) { from(*impl_); }
+
+}  // namespace clast

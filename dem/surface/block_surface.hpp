@@ -1,0 +1,32 @@
+#pragma once
+/// The surface of a block with what every contact search needs of it.
+#include "dem/surface/block_joints.hpp"
+#include "dem/surface/block_parts.hpp"
+#include "dem/surface/local_ground.hpp"
+
+namespace clast::dem_detail {
+
+/// Along which normals an edge may touch: those between the normals of its faces, and a little
+/// beyond (`near_arc`).
+struct EdgeArc {
+  EdgeArc() = default;
+  EdgeArc(const SurfaceFeatures& surface, const SurfaceEdge& edge);
+  Vec3 first = Vec3::Zero(), second = Vec3::Zero();  ///< normals of its faces, unit
+  double slack = 0.0;                                ///< a sine
+  bool any = false;                                  ///< along any: an edge without two faces
+};
+
+/// One per shape: in a pile thousands of pairs refer to a few of these, so that they stay in the
+/// caches.
+struct BlockSurface : IndexedSurface {
+  explicit BlockSurface(const SpheroPolyhedron& body);
+  BlockParts parts;
+  BlockJoints joints;
+  // All of them, by number.
+  std::vector<LocalFaces::Face> local_faces;
+  std::vector<EdgeArc> arcs;        ///< of the edges
+  std::vector<double> cone_slacks;  ///< of the vertices, sines
+  double bounding_radius = 0.0;     ///< of the rounded block about its origin, m
+};
+
+}  // namespace clast::dem_detail

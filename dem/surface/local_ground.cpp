@@ -1,0 +1,110 @@
+#include "dem/surface/local_ground.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "dem/surface/trim.hpp"
+
+namespace clast::dem_detail {
+
+LocalFaces::Face local_face(const SurfaceFeatures& features, std::uint32_t number) {
+  const SurfaceFace& face = features.faces[number];
+  const Vec3& a = features.vertices[face.vertices[0]];
+  const Vec3& b = features.vertices[face.vertices[1]];
+  const Vec3& c = features.vertices[face.vertices[2]];
+  const Vec3 middle = (a + b + c) / 3.0;
+  const double radius = std::sqrt(std::max(
+      {(a - middle).squaredNorm(), (b - middle).squaredNorm(), (c - middle).squaredNorm()}));
+  return {face.normal, face.normal.dot(a), middle, radius, number};
+}
+
+void LocalGround::gather(const IndexedSurface& ground, const Vec3& centre, double reach) {
+  const SurfaceFeatures& features = ground.features;
+  faces.clear();
+  edges.clear();
+  corners.clear();
+  Bounds box;
+  box.include(centre);
+  for (const std::uint32_t f : ground.faces_near(box, reach)) {
+    const Face found = local_face(features, f);
+    if ((centre - found.middle).norm() > reach + found.radius) continue;
+    faces.push_back(found);
+    const SurfaceFace& face = features.faces[f];
+    for (int k = 0; k < 3; ++k) {
+      if (features.edges[face.edges[k]].convex()) edges.push_back(face.edges[k]);
+      if (features.pointed[face.vertices[k]]) corners.push_back(face.vertices[k]);
+    }
+  }
+  const auto each_once = [](std::vector<std::uint32_t>& numbers) {
+    std::sort(numbers.begin(), numbers.end());
+    numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
+  };
+  each_once(edges);
+  each_once(corners);
+  trim(faces, edges, corners);
+  fit_plane(features);
+}
+
+void LocalFaces::gather(const SurfaceFeatures& features, const LocalFaces& from, const Vec3& centre,
+                        double reach) {
+  faces.clear();
+  for (const Face& face : from.faces) {
+    const double near = reach + face.radius;
+    if ((centre - face.middle).squaredNorm() <= near * near) faces.push_back(face);
+  }
+  trim(faces);
+  fit_plane(features);
+}
+
+void LocalFaces::fit_plane(const SurfaceFeatures& features) {
+  Vec3 sum = Vec3::Zero();
+  for (const Face& face : faces) sum += face.normal;
+  const double length = sum.norm();
+  plane.normal = length > 0.0 ? Vec3(sum / length) : Vec3(Vec3::UnitZ());
+  plane.top = -1e300;
+  for (const Face& face : faces) {
+    for (const std::uint32_t v : features.faces[face.face].vertices) {
+      plane.top = std::max(plane.top, plane.normal.dot(features.vertices[v]));
+    }
+  }
+}
+
+LocalFaces::Nearest LocalFaces::nearest(const SurfaceFeatures& features, const Vec3& query,
+                                        double limit, double beyond, std::uint32_t guess) const {
+  return nearest_of(faces, features, query, limit, beyond, guess);
+}
+
+LocalFaces::Nearest nearest_of(std::span<const LocalFaces::Face> faces,
+                               const SurfaceFeatures& features, const Vec3& query, double limit,
+                               double beyond, std::uint32_t guess) {
+  LocalFaces::Nearest found;
+  found.nearest.distance = 1e300;
+  found.second = limit;
+  const auto measure = [&](std::uint32_t i) {
+    const LocalFaces::Face& face = faces[i];
+    const double best = std::abs(found.nearest.distance);
+    const double distinguished = std::min(best, limit) + beyond;
+    if (std::abs(face.normal.dot(query) - face.offset) > distinguished) return;
+    const double near = distinguished + face.radius;
+    if ((query - face.middle).squaredNorm() > near * near) return;
+    const NearestPoint candidate = foot_on_face(features, face.face, query);
+    const double distance = std::abs(candidate.distance);
+    // Ties go to the smaller face number, so that the order of looking does not matter.
+    const bool nearer =
+        distance < best || (distance == best && candidate.face < found.nearest.face);
+    found.second = std::min(found.second, nearer ? best : distance);
+    if (nearer) {
+      found.nearest = candidate;
+      found.entry = i;
+    }
+  };
+  if (guess < faces.size()) measure(guess);
+  for (std::uint32_t i = 0; i < faces.size(); ++i) {
+    if (i != guess) measure(i);
+  }
+  found.second = std::min(found.second, std::abs(found.nearest.distance) + beyond);
+  if (found.nearest.face != kNoFeature) find_side(features, query, found.nearest);
+  return found;
+}
+
+}  // namespace clast::dem_detail

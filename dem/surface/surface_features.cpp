@@ -1,0 +1,258 @@
+#include "dem/surface/surface_features.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <string>
+
+#include "core/error.hpp"
+#include "core/number_text.hpp"
+#include "mesh/half_edges.hpp"
+
+namespace clast::dem_detail {
+namespace {
+
+/// Sine of the angle between faces below which an edge counts as flat: single-precision files leave
+/// less than this on a true plane of metre-sized triangles, and no contact is lost by it.
+constexpr double kFlatSine = 1e-7;
+/// Slack of the arc and cone tests, a sine.
+constexpr double kConeSlack = 1e-9;
+/// What the turn at an edge or vertex adds to the slack, as a share of the distance between the
+/// normals: 3 degrees at a right angle, as much as a block of the settled depth tilts.
+constexpr double kGiveShare = 0.037;
+/// The most that gives, for faces back to back. Few directions are so near the limit that their own
+/// give must be computed.
+constexpr double kMostGive = 2.0 * kGiveShare;
+
+double give_of(const Vec3& normal, const Vec3& other) {
+  return kGiveShare * (normal - other).norm();
+}
+
+/// In the plane of the face, perpendicular to its edge, into the face; unit when the edge is.
+Vec3 into_face(const SurfaceFace& face, const Vec3& edge_direction, bool along) {
+  return along ? face.normal.cross(edge_direction) : edge_direction.cross(face.normal);
+}
+
+bool within_arc(const SurfaceFeatures& surface, const SurfaceEdge& edge, const Vec3& direction,
+                double slack) {
+  for (std::size_t i = 0; i < 2; ++i) {
+    if (edge.faces[i] == kNoFeature) return true;
+    const SurfaceFace& face = surface.faces[edge.faces[i]];
+    if (direction.dot(into_face(face, edge.direction, edge.along[i])) > slack) return false;
+  }
+  return true;
+}
+
+bool within_cone(const SurfaceFeatures& surface, std::uint32_t vertex, const Vec3& direction,
+                 double slack) {
+  for (const std::uint32_t e : surface.edges_at(vertex)) {
+    if (direction.dot(surface.ray(e, vertex)) > slack) return false;
+  }
+  // At the bottom of a pit all edges rise away from a direction into the solid, too. The
+  // angle-weighted normal distinguishes the two without exception (Baerentzen & Aanaes 2005).
+  return !(direction.dot(surface.vertex_normals[vertex]) < 0.0);
+}
+
+void make_faces(SurfaceFeatures& surface, const TriangleMesh& mesh) {
+  surface.faces.reserve(mesh.triangles.size());
+  for (const TriangleMesh::Triangle& triangle : mesh.triangles) {
+    SurfaceFace face{triangle, {}, Vec3::Zero()};
+    const Vec3& a = mesh.vertices[triangle[0]];
+    const Vec3& b = mesh.vertices[triangle[1]];
+    const Vec3& c = mesh.vertices[triangle[2]];
+    const Vec3 area = (b - a).cross(c - a);
+    if (!(area.norm() > 0.0)) {
+      throw GeometryError("triangle at " + place(a) + " has no area; remove degenerate triangles");
+    }
+    face.normal = area.normalized();
+    surface.faces.push_back(face);
+  }
+}
+
+EdgeKind kind_of(const SurfaceFace& first, const SurfaceFace& second, const Vec3& into_second) {
+  const double rise = first.normal.dot(into_second);
+  if (rise > kFlatSine) return EdgeKind::kValley;
+  if (rise < -kFlatSine || first.normal.dot(second.normal) < 0.0) return EdgeKind::kRidge;
+  return EdgeKind::kFlat;
+}
+
+/// Adds the edge on which these sides of faces lie.
+void add_edge(SurfaceFeatures& surface, std::span<const HalfEdge> sides) {
+  const std::uint32_t low = sides[0].low, high = sides[0].high;
+  if (sides.size() > 2) {
+    throw GeometryError(std::to_string(sides.size()) + " triangles meet in the edge at " +
+                        place(surface.vertices[low]) + "; the surface must be manifold");
+  }
+  SurfaceEdge edge;
+  edge.vertices = {low, high};
+  const Vec3 reach = surface.vertices[high] - surface.vertices[low];
+  edge.length = reach.norm();
+  edge.direction = reach / edge.length;
+  edge.faces = {kNoFeature, kNoFeature};
+  edge.kind = EdgeKind::kBorder;
+  for (std::size_t i = 0; i < sides.size(); ++i) {
+    SurfaceFace& face = surface.faces[sides[i].triangle];
+    const auto corner = std::find(face.vertices.begin(), face.vertices.end(), sides[i].from());
+    face.edges[corner - face.vertices.begin()] = static_cast<std::uint32_t>(surface.edges.size());
+    edge.faces[i] = sides[i].triangle;
+    edge.along[i] = sides[i].forward;
+  }
+  if (sides.size() == 2) {
+    const SurfaceFace& second = surface.faces[edge.faces[1]];
+    edge.kind = kind_of(surface.faces[edge.faces[0]], second,
+                        into_face(second, edge.direction, edge.along[1]));
+  }
+  surface.edges.push_back(edge);
+}
+
+void make_edges(SurfaceFeatures& surface, const TriangleMesh& mesh, std::size_t wires) {
+  const std::vector<HalfEdge> sides = sorted_half_edges(mesh);
+  std::size_t count = wires;
+  for_each_edge(sides, [&](std::span<const HalfEdge>) { ++count; });
+  surface.edges.reserve(count);
+  for_each_edge(sides, [&](std::span<const HalfEdge> edge) { add_edge(surface, edge); });
+}
+
+void add_wires(SurfaceFeatures& surface, std::span<const std::array<std::uint32_t, 2>> wires) {
+  for (const auto& [a, b] : wires) {
+    SurfaceEdge edge;
+    edge.vertices = {a, b};
+    edge.faces = {kNoFeature, kNoFeature};
+    const Vec3 reach = surface.vertices[b] - surface.vertices[a];
+    edge.length = reach.norm();
+    edge.direction = reach / edge.length;
+    edge.kind = EdgeKind::kWire;
+    surface.edges.push_back(edge);
+  }
+}
+
+void index_edges(SurfaceFeatures& surface) {
+  surface.edge_offsets.assign(surface.vertices.size() + 1, 0);
+  for (const SurfaceEdge& edge : surface.edges) {
+    for (const std::uint32_t v : edge.vertices) ++surface.edge_offsets[v + 1];
+  }
+  std::partial_sum(surface.edge_offsets.begin(), surface.edge_offsets.end(),
+                   surface.edge_offsets.begin());
+  surface.edges_at_vertex.resize(surface.edge_offsets.back());
+  std::vector<std::uint32_t> next(surface.edge_offsets.begin(), surface.edge_offsets.end() - 1);
+  for (std::uint32_t e = 0; e < surface.edges.size(); ++e) {
+    for (const std::uint32_t v : surface.edges[e].vertices) surface.edges_at_vertex[next[v]++] = e;
+  }
+}
+
+void find_pointed(SurfaceFeatures& surface) {
+  surface.pointed.assign(surface.vertices.size(), 0);
+  for (std::uint32_t v = 0; v < surface.vertices.size(); ++v) {
+    const std::span<const std::uint32_t> edges = surface.edges_at(v);
+    bool convex = edges.empty();  // a lone ball
+    std::array<std::uint32_t, 2> sharp{};
+    std::size_t sharp_count = 0;
+    for (const std::uint32_t e : edges) {
+      convex = convex || surface.edges[e].convex();
+      if (surface.edges[e].kind == EdgeKind::kFlat) continue;
+      if (sharp_count < 2) sharp[sharp_count] = e;
+      ++sharp_count;
+    }
+    const bool goes_on =
+        sharp_count == 2 && straight_on(surface.ray(sharp[0], v), surface.ray(sharp[1], v));
+    surface.pointed[v] = convex && !goes_on;
+  }
+}
+
+void make_vertex_normals(SurfaceFeatures& surface) {
+  surface.vertex_normals.assign(surface.vertices.size(), Vec3::Zero());
+  for (const SurfaceFace& face : surface.faces) {
+    for (int k = 0; k < 3; ++k) {
+      const Vec3& here = surface.vertices[face.vertices[k]];
+      const Vec3 out = surface.vertices[face.vertices[(k + 1) % 3]] - here;
+      const Vec3 back = surface.vertices[face.vertices[(k + 2) % 3]] - here;
+      const double angle = std::atan2(out.cross(back).norm(), out.dot(back));
+      surface.vertex_normals[face.vertices[k]] += angle * face.normal;
+    }
+  }
+  for (Vec3& normal : surface.vertex_normals) {
+    if (normal.norm() > 0.0) normal.normalize();
+  }
+}
+
+}  // namespace
+
+SurfaceFeatures surface_features(const TriangleMesh& mesh,
+                                 std::span<const std::array<std::uint32_t, 2>> wires) {
+  SurfaceFeatures surface;
+  surface.vertices = mesh.vertices;
+  make_faces(surface, mesh);
+  make_edges(surface, mesh, wires.size());
+  add_wires(surface, wires);
+  make_vertex_normals(surface);
+  index_edges(surface);
+  find_pointed(surface);
+  return surface;
+}
+
+Vec3 SurfaceFeatures::edge_normal(const SurfaceEdge& edge) const {
+  if (edge.faces[0] == kNoFeature) return Vec3::UnitZ();
+  const Vec3& first = faces[edge.faces[0]].normal;
+  if (edge.faces[1] == kNoFeature) return first;
+  const Vec3 sum = first + faces[edge.faces[1]].normal;
+  const double length = sum.norm();
+  return length > kFlatSine ? Vec3(sum / length) : first;
+}
+
+double depth_in_face(const SurfaceFeatures& surface, const SurfaceFace& face, const Vec3& point) {
+  double depth = 1e300;
+  for (int k = 0; k < 3; ++k) {
+    const Vec3& corner = surface.vertices[face.vertices[k]];
+    const Vec3 along = surface.vertices[face.vertices[(k + 1) % 3]] - corner;
+    const double twice_area = face.normal.cross(along).dot(point - corner);
+    if (twice_area < 0.0) return -1.0;
+    depth = std::min(depth, twice_area / along.norm());
+  }
+  return depth;
+}
+
+bool in_arc(const SurfaceFeatures& surface, const SurfaceEdge& edge, const Vec3& direction) {
+  return within_arc(surface, edge, direction, kConeSlack);
+}
+
+double arc_slack(const SurfaceFeatures& surface, const SurfaceEdge& edge) {
+  if (edge.kind != EdgeKind::kRidge) return kConeSlack;
+  return kConeSlack +
+         give_of(surface.faces[edge.faces[0]].normal, surface.faces[edge.faces[1]].normal);
+}
+
+bool near_arc(const SurfaceFeatures& surface, const SurfaceEdge& edge, const Vec3& direction) {
+  if (in_arc(surface, edge, direction)) return true;
+  if (edge.kind != EdgeKind::kRidge ||
+      !within_arc(surface, edge, direction, kConeSlack + kMostGive)) {
+    return false;
+  }
+  return within_arc(surface, edge, direction, arc_slack(surface, edge));
+}
+
+bool in_cone(const SurfaceFeatures& surface, std::uint32_t vertex, const Vec3& direction) {
+  return within_cone(surface, vertex, direction, kConeSlack);
+}
+
+double cone_slack(const SurfaceFeatures& surface, std::uint32_t vertex) {
+  double give = 0.0;
+  for (const std::uint32_t e : surface.edges_at(vertex)) {
+    for (const std::uint32_t f : surface.edges[e].faces) {
+      if (f == kNoFeature) continue;
+      give = std::max(give, 2.0 * give_of(surface.vertex_normals[vertex], surface.faces[f].normal));
+    }
+  }
+  return kConeSlack + give;
+}
+
+bool near_cone(const SurfaceFeatures& surface, std::uint32_t vertex, const Vec3& direction) {
+  if (in_cone(surface, vertex, direction)) return true;
+  if (!within_cone(surface, vertex, direction, kConeSlack + 2.0 * kMostGive)) return false;
+  return within_cone(surface, vertex, direction, cone_slack(surface, vertex));
+}
+
+bool straight_on(const Vec3& first_ray, const Vec3& second_ray) {
+  return first_ray.cross(second_ray).norm() < kFlatSine && first_ray.dot(second_ray) < 0.0;
+}
+
+}  // namespace clast::dem_detail

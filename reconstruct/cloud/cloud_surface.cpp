@@ -1,0 +1,296 @@
+#include "reconstruct/cloud/cloud_surface.hpp"
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <memory>
+#include <string>
+
+#include "core/error.hpp"
+#include "core/number_text.hpp"
+#include "core/random.hpp"
+#include "mesh/mesh_topology.hpp"
+#include "mesh/sub_mesh.hpp"
+#include "mesh/triangle_tree.hpp"
+#include "reconstruct/cloud/cloud.hpp"
+#include "reconstruct/cloud/detail/cloud_margin.hpp"
+#include "reconstruct/cloud/detail/cloud_normals.hpp"
+#include "reconstruct/cloud/detail/local_surface.hpp"
+#include "reconstruct/cloud/detail/poisson.hpp"
+#include "reconstruct/cloud/detail/seen_surface.hpp"
+#include "reconstruct/cloud/outliers.hpp"
+#include "reconstruct/repair/components.hpp"
+#include "reconstruct/repair/touching_sheets.hpp"
+
+namespace clast {
+
+namespace {
+
+constexpr double kClean = 0.05;  ///< noise over the distance of points that does not matter
+using reconstruct_detail::Propagation;
+
+/// A way to normals that face outward.
+struct NormalsBy {
+  int neighbours = 0;
+  Propagation propagation = Propagation::kAlike;
+};
+
+/// Of averaged points and of others: what to try first.
+constexpr std::array<NormalsBy, 4> kManyFirst = {{{18}, {10}, {30}, {10, Propagation::kAlongArcs}}};
+constexpr std::array<NormalsBy, 4> kFewFirst = {{{10}, {10, Propagation::kAlongArcs}, {18}, {30}}};
+/// Share of touching edges and of missed points for a surface through well-oriented points.
+constexpr double kGood = 5e-4;
+/// A point is missed where the surface is so many spacings away; where missed points stand for more
+/// than this share of the area, the surface found is not that of the block.
+constexpr double kMissed = 1.5, kMostMissed = 0.01;
+constexpr int kSurfaceRounds = 3;      ///< of surface and normals
+constexpr double kCellSpacings = 2.0;  ///< a cell holds about four points at least
+/// Points that lie closer about a plane than this share of their diagonal bound no body.
+constexpr double kFlatCloud = 1e-3;
+
+/// The volume is uncertain by so many times what halves of the points lack, by so many times what
+/// the halves differ by, and by this share of the noise on all of the area.
+constexpr double kSafety = 2.5, kScatters = 2.0, kNoiseShare = 0.25;
+/// Standard deviations of the noise by which each end of each side may be off.
+constexpr double kExtremes = 2.0;
+constexpr std::uint64_t kSeed = 1;
+
+/// Standard deviation of the points about the plane, and about the line, that fits them best, m.
+std::array<double, 2> thicknesses(std::span<const Vec3> points) {
+  const auto count = static_cast<double>(points.size());
+  Vec3 centre = Vec3::Zero();
+  for (const Vec3& p : points) centre += p / count;
+  Mat3 scatter = Mat3::Zero();
+  for (const Vec3& p : points) scatter += (p - centre) * (p - centre).transpose() / count;
+  const Eigen::SelfAdjointEigenSolver<Mat3> solver(scatter, Eigen::EigenvaluesOnly);
+  const Vec3 squares = solver.eigenvalues().cwiseMax(0.0);
+  return {std::sqrt(squares[0]), std::sqrt(squares[1])};
+}
+
+/// The solver for the surface fails on points without volume.
+void refuse_flat(std::span<const Vec3> points, double diagonal) {
+  const auto [plane, line] = thicknesses(points);
+  if (plane > kFlatCloud * diagonal) return;
+  const char* const what = !(diagonal > 0.0)              ? "at one place"
+                           : line > kFlatCloud * diagonal ? "in a plane"
+                                                          : "on a line";
+  throw GeometryError("all " + std::to_string(points.size()) + " points lie " + what +
+                      " and bound no block; scan the block from all sides, and check which columns "
+                      "of the file are x, y and z");
+}
+
+/// Points about a body, and the closed surface through them.
+struct Body {
+  std::vector<Vec3> points;
+  std::vector<Vec3> normals;
+  TriangleMesh surface;  ///< its vertices are the points
+  std::size_t off = 0;   ///< points left out, which lay off the surface
+  double noise = 0.0;    ///< standard deviation that was smoothed away, m
+  std::unique_ptr<reconstruct_detail::Indicator> indicator;  ///< that gave the surface
+  std::vector<double> spacings;                              ///< of the points, m
+  reconstruct_detail::SeenSurface seen;  ///< which part of the surface the points explain
+};
+
+[[noreturn]] void refuse_no_surface(std::size_t points) {
+  throw GeometryError("no surface was found through the " + std::to_string(points) +
+                      " points; check that all lie on the surface of one block");
+}
+
+/// Alternates between both: the surface shows which normals are wrong, and corrected normals
+/// improve the surface.
+/// @param spacings  of points without noise, to take in thin parts; else empty
+void find_surface(Body& body, std::span<const double> spacings = {}) {
+  for (int round = 0; round < kSurfaceRounds; ++round) {
+    body.indicator = std::make_unique<reconstruct_detail::Indicator>(body.points, body.normals);
+    if (!body.indicator->found()) refuse_no_surface(body.points.size());
+    body.surface = reconstruct_detail::surface_between(body.points, *body.indicator, spacings);
+    if (body.surface.triangles.empty()) refuse_no_surface(body.points.size());
+    if (reconstruct_detail::correct_normals(body.normals, body.surface) == 0) return;
+  }
+}
+
+/// Leaves out the points that lie off the surface.
+void remove_off_surface(Body& body) {
+  const reconstruct_detail::LocalSurface local(body.points, body.normals);
+  const std::vector<bool> off = local.off_surface(reconstruct_detail::local_spacings(body.points));
+  Body kept;
+  for (std::size_t i = 0; i < body.points.size(); ++i) {
+    if (off[i]) continue;
+    kept.points.push_back(body.points[i]);
+    kept.normals.push_back(body.normals[i]);
+  }
+  kept.off = body.points.size() - kept.points.size();
+  body = std::move(kept);
+}
+
+/// Removes noise that is visible between neighbours, and with it real roughness of that size.
+void smooth(Body& body) {
+  const reconstruct_detail::LocalSurface local(body.points, body.normals);
+  const double noise = local.noise();
+  if (noise < kClean * reconstruct_detail::spacing(body.points)) return;
+  std::vector<Vec3> points = local.smoothed(noise);
+  body.points = std::move(points);
+  body.noise = noise;
+}
+
+/// Edges where the surface touches itself, as a share of all. Where some normals face in, the
+/// surface continues inside the body, and touches itself in many places.
+double touching_share(const TriangleMesh& surface) {
+  const MeshReport report = inspect(surface);
+  return static_cast<double>(report.non_manifold_edges) / static_cast<double>(report.edges);
+}
+
+/// Points that the surface misses.
+struct Missed {
+  std::size_t count = 0;
+  double share = 0.0;  ///< of the area that all points stand for
+  Vec3 place = Vec3::Zero();
+};
+
+/// @param points  all, also those that were left out: where the surface is not the block's, these
+///                are many and lie far apart
+Missed missed_points(const TriangleMesh& surface, std::span<const Vec3> points) {
+  const TriangleTree tree(surface);
+  const std::vector<double> spacings = reconstruct_detail::local_spacings(points);
+  Missed missed;
+  double all = 0.0, area = 0.0, largest = 0.0;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const double own = spacings[i] * spacings[i];
+    all += own;
+    if (std::sqrt(tree.closest(points[i]).squared_distance) < kMissed * spacings[i]) continue;
+    ++missed.count;
+    area += own;
+    if (own <= largest) continue;
+    largest = own;
+    missed.place = points[i];
+  }
+  missed.share = area / all;
+  return missed;
+}
+
+/// How much of the surface the points do not explain, as a share of its area.
+double unseen_share(const Body& body) {
+  double area = 0.0;
+  for (std::size_t t = 0; t < body.seen.seen.size(); ++t) {
+    if (!body.seen.seen[t]) area += triangle_area(body.surface, body.surface.triangles[t]);
+  }
+  return area / surface_area(body.surface);
+}
+
+/// The surface through the points with their noise smoothed; of those that the ways to normals
+/// give, the first that is as good as a surface, or the best.
+/// @param trim  as `CloudSurfaceOptions::trim`
+Body body_through(const std::vector<Vec3>& points, std::span<const NormalsBy> ways, double trim) {
+  Body best;
+  Missed missed;
+  double least = std::numeric_limits<double>::infinity();
+  for (const NormalsBy& way : ways) {
+    std::vector<Vec3> normals = reconstruct_detail::plane_normals(points, way.neighbours);
+    reconstruct_detail::turn_outward(normals, points, way.propagation);
+    Body body{points, std::move(normals), {}, 0, 0.0, {}, {}, {}};
+    find_surface(body);
+    remove_off_surface(body);
+    smooth(body);
+    body.spacings = reconstruct_detail::local_spacings(body.points);
+    find_surface(body, body.spacings);
+    body.seen = reconstruct_detail::seen_surface(body.surface, body.spacings, trim);
+    const Missed left = missed_points(body.surface, points);
+    const double defects = touching_share(body.surface) + left.share;
+    // Where normals are wrong the surface may also span what it should follow.
+    const double worse = defects + unseen_share(body);
+    if (worse >= least) continue;
+    least = worse;
+    missed = left;
+    best = std::move(body);
+    if (defects <= kGood) break;
+  }
+  if (missed.share > kMostMissed) {
+    throw GeometryError(
+        "the surface misses " + std::to_string(missed.count) + " of the " +
+        std::to_string(points.size()) + " points, " + with_digits(100.0 * missed.share, 2) +
+        " % of the area they cover, near " + place(missed.place) +
+        ": they belong to a second body that touches this one, or are too far apart "
+        "for the thickness of the block; crop the cloud to one body, or scan it more "
+        "densely there");
+  }
+  return best;
+}
+
+/// Adds to a margin how far the volume is uncertain. What triangles cut off between points, on
+/// edges as on rounds, is to first order inversely proportional to the number of points: surfaces
+/// through halves of them, drawn at random, lack as much again [richardson1911].
+void add_volumes(SurfaceMargin& margin, const Body& body) {
+  Random random(kSeed);
+  std::array<std::vector<Vec3>, 2> halves;
+  for (const Vec3& p : body.points) halves[random.below(2)].push_back(p);
+  const double whole = signed_volume(body.surface);
+  std::array<double, 2> less{};
+  for (std::size_t k = 0; k < 2; ++k) {
+    const TriangleMesh surface = reconstruct_detail::surface_between(
+        halves[k], *body.indicator, reconstruct_detail::local_spacings(halves[k]));
+    less[k] = whole - signed_volume(surface);
+  }
+  const double mean = 0.5 * (less[0] + less[1]), apart = 0.5 * std::abs(less[0] - less[1]);
+  const double rough = kNoiseShare * body.noise * surface_area(body.surface);
+  margin.extremes = kExtremes * body.noise;
+  margin.volume_above = kSafety * std::max(0.0, mean) + kScatters * apart + rough;
+  margin.volume_below = kSafety * std::max(0.0, -mean) + kScatters * apart + rough;
+}
+
+/// The largest component of what was seen; no triangles where nothing was.
+TriangleMesh seen_part(const Body& body) {
+  // Parted while it is closed: an edge of which both sheets lose a side would join the wrong ones.
+  TriangleMesh closed = body.surface;
+  const std::vector<std::uint32_t> source = reconstruct_detail::cut_touching_edges(closed).source;
+  std::vector<bool> seen;
+  for (const std::uint32_t t : source) seen.push_back(body.seen.seen[t]);
+  TriangleMesh open = with_triangles(closed, seen);
+  reconstruct_detail::split_pinched_vertices(open);
+  std::vector<reconstruct_detail::Component> components = reconstruct_detail::components_of(open);
+  return components.empty() ? TriangleMesh() : std::move(components.front().mesh);
+}
+
+}  // namespace
+
+void CloudSurfaceOptions::check() const {
+  const auto require = [](bool fine, const char* name, double value, const char* range) {
+    if (fine) return;
+    throw InputError(std::string(name) + " = " + with_digits(value, 4) + "; must be " + range);
+  };
+  require(cell > 0.0 && cell <= 0.1, "cell", cell, "above 0 and at most 0.1");
+  require(trim > 0.0, "trim", trim, "above 0");
+}
+
+CloudSurface cloud_surface(std::span<const Vec3> points, const CloudSurfaceOptions& options) {
+  options.check();
+  if (points.size() < options.fewest) {
+    throw InputError(std::to_string(points.size()) + " points are too few for a block; at least " +
+                     std::to_string(options.fewest) + " are needed");
+  }
+  Bounds box;
+  for (const Vec3& p : points) box.include(p);
+  refuse_flat(points, box.diagonal());
+  const double cell = options.cell * box.diagonal();
+  const bool dense = cell > kCellSpacings * reconstruct_detail::spacing(points);
+  const Body body = body_through(
+      dense ? reconstruct_detail::decimated(points, cell)
+            : std::vector<Vec3>(points.begin(), points.end()),
+      dense ? std::span<const NormalsBy>(kManyFirst) : std::span<const NormalsBy>(kFewFirst),
+      options.trim);
+  const reconstruct_detail::SeenSurface& seen = body.seen;
+  TriangleMesh open = seen_part(body);
+  if (open.triangles.empty()) {
+    throw GeometryError("the surface found does not follow the " + std::to_string(points.size()) +
+                        " points; check that all lie on the surface of one block, and clean the "
+                        "cloud in CloudCompare");
+  }
+  SurfaceMargin margin =
+      reconstruct_detail::cloud_margin(body.surface, {body.normals, body.spacings, body.noise});
+  add_volumes(margin, body);
+  return {std::move(open), std::move(margin), body.off, seen.gaps, seen.gap_share, seen.gap_place};
+}
+
+}  // namespace clast

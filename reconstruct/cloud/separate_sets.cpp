@@ -1,0 +1,74 @@
+#include "reconstruct/cloud/separate_sets.hpp"
+
+#include <algorithm>
+#include <cstdint>
+
+#include "mesh/triangle_mesh.hpp"
+#include "reconstruct/cloud/cloud.hpp"
+#include "reconstruct/cloud/outliers.hpp"
+
+namespace clast::reconstruct_detail {
+
+namespace {
+
+/// Of the diagonal: sets are separated on fewer points.
+constexpr double kSetDecimationCell = 1.0 / 150.0;
+constexpr double kSetReach = 3.0;  ///< cells from one point of a set to the next,
+/// or so many spacings of the sparsest points: this quantile of all.
+constexpr double kSetSpacings = 4.0, kThinnestSet = 0.98;
+constexpr double kNear = 0.25;  ///< of the largest set's diagonal
+
+bool meet(const Bounds& a, const Bounds& b) {
+  return (a.low.array() <= b.high.array()).all() && (b.low.array() <= a.high.array()).all();
+}
+
+}  // namespace
+
+NearAndFar near_and_far(std::span<const Vec3> points) {
+  NearAndFar result;
+  result.near.assign(points.begin(), points.end());
+  Bounds box;
+  for (const Vec3& p : points) box.include(p);
+  const double cell = kSetDecimationCell * box.diagonal();
+  if (points.empty() || !(cell > 0.0)) return result;
+  const std::vector<Vec3> sparse = decimated(points, cell);
+  if (sparse.size() < 8) return result;
+  std::vector<double> spacings = local_spacings(sparse);
+  const auto sparsest = spacings.begin() + static_cast<std::ptrdiff_t>(
+                                               kThinnestSet * static_cast<double>(spacings.size()));
+  std::nth_element(spacings.begin(), sparsest, spacings.end());
+  const double reach = std::max(kSetReach * cell, kSetSpacings * *sparsest);
+  const std::vector<std::vector<std::uint32_t>> sets = clusters(sparse, reach, 1);
+  if (sets.size() < 2) return result;
+
+  Bounds around;
+  for (const std::uint32_t i : sets[0]) around.include(sparse[i]);
+  const Vec3 margin = Vec3::Constant(kNear * around.diagonal());
+  around.low -= margin;
+  around.high += margin;
+  std::vector<bool> is_far(sparse.size(), false);
+  bool any = false;
+  for (std::size_t s = 1; s < sets.size(); ++s) {
+    Bounds own;
+    for (const std::uint32_t i : sets[s]) own.include(sparse[i]);
+    if (meet(own, around)) continue;
+    for (const std::uint32_t i : sets[s]) is_far[i] = true;
+    if (any) continue;  // the largest far set comes first
+    any = true;
+    result.far_share = static_cast<double>(sets[s].size()) / static_cast<double>(sets[0].size());
+    result.far_place = sparse[sets[s].front()];
+  }
+  if (!any) return result;
+  result.near.clear();
+  const NearestPoints tree(sparse);
+  for (const Vec3& p : points) {
+    if (is_far[tree.nearest(p, 1).front().point]) {
+      ++result.far;
+    } else {
+      result.near.push_back(p);
+    }
+  }
+  return result;
+}
+
+}  // namespace clast::reconstruct_detail

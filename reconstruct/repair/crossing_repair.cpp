@@ -1,0 +1,140 @@
+#include "reconstruct/repair/crossing_repair.hpp"
+
+#include <cmath>
+#include <utility>
+#include <vector>
+
+#include "mesh/mesh_topology.hpp"
+#include "mesh/self_intersection.hpp"
+#include "mesh/triangle_neighbours.hpp"
+#include "reconstruct/repair/components.hpp"
+#include "reconstruct/repair/detail/crossings.hpp"
+#include "reconstruct/repair/detail/wrap.hpp"
+#include "reconstruct/repair/holes.hpp"
+#include "reconstruct/repair/touching_sheets.hpp"
+
+namespace clast::reconstruct_detail {
+
+namespace {
+
+/// Share of the diagonal by which vertices that lie on one another are moved apart.
+constexpr double kPartedBy = 1e-6;
+/// Rings of triangles around crossings that are cut out at most.
+constexpr int kCutRings = 5;
+/// Relative change of the volume by a wrap, whose own bias is a few per cent, that is scaled back.
+constexpr double kWrapVolume = 0.08;
+/// And by a coarse wrap, tried first: around a tangle the fine one costs seconds and is refused.
+constexpr double kCoarseWrapVolume = 0.5;
+
+/// The strategies, each from the surface that the one before left.
+class CrossingRepair {
+ public:
+  CrossingRepair(TriangleMesh mesh, const Vec3& origin)
+      : mesh_(std::move(mesh)), origin_(origin), volume_(std::abs(signed_volume(mesh_))) {}
+
+  std::optional<FreedSurface> free_surface() {
+    if (auto free = by_parting()) return FreedSurface{std::move(*free), {}};
+    if (auto free = by_smoothing()) return FreedSurface{std::move(*free), {}};
+    if (auto free = by_cutting()) return FreedSurface{std::move(*free), {}};
+    return by_wrapping();
+  }
+
+ private:
+  /// `mesh` when it is what is wanted, and its volume is about that of the surface.
+  std::optional<TriangleMesh> if_sound(TriangleMesh mesh, double change) const {
+    mesh = on_grid(std::move(mesh), origin_);
+    const MeshReport report = inspect(mesh);
+    if (!report.closed() || !report.oriented() || report.pinched_vertices > 0 ||
+        report.components != 1) {
+      return std::nullopt;
+    }
+    const double ratio = std::abs(signed_volume(mesh)) / volume_;
+    if (!(std::abs(ratio - 1.0) <= change) || !crossing_triangles(mesh).empty()) {
+      return std::nullopt;
+    }
+    return mesh;
+  }
+
+  /// Where the surface only touches itself, a hair's breadth is enough. Facing inwards as it may,
+  /// it is turned for the while. The vertices stay parted for what is tried next.
+  std::optional<TriangleMesh> by_parting() {
+    const bool inward = signed_volume(mesh_) < 0.0;
+    if (inward) turn_over(mesh_);
+    part_touching_vertices(mesh_, kPartedBy * bounds(mesh_).diagonal());
+    if (inward) turn_over(mesh_);
+    return if_sound(mesh_, kCrossingVolume);
+  }
+
+  std::optional<TriangleMesh> by_smoothing() const {
+    TriangleMesh trial = mesh_;
+    if (!remove_crossings(trial)) return std::nullopt;
+    return if_sound(std::move(trial), kCrossingVolume);
+  }
+
+  /// Cuts the crossing triangles out with more and more rings around them, and fills anew.
+  std::optional<TriangleMesh> by_cutting() const {
+    TriangleMesh trial = mesh_;
+    for (int rings = 0; rings < kCutRings; ++rings) {
+      std::vector<bool> near(trial.vertices.size(), false);
+      for (const auto& pair : crossing_triangles(trial)) {
+        for (const std::uint32_t t : pair) {
+          for (const std::uint32_t v : trial.triangles[t]) near[v] = true;
+        }
+      }
+      const auto touched = [&](const TriangleMesh::Triangle& t) {
+        return near[t[0]] || near[t[1]] || near[t[2]];
+      };
+      for (int ring = 0; ring < rings; ++ring) {
+        std::vector<bool> wider = near;
+        for (const TriangleMesh::Triangle& t : trial.triangles) {
+          if (touched(t)) wider[t[0]] = wider[t[1]] = wider[t[2]] = true;
+        }
+        near = std::move(wider);
+      }
+      std::erase_if(trial.triangles, touched);
+      if (trial.triangles.empty()) return std::nullopt;
+      trial = std::move(components_of(trial).front().mesh);
+      split_pinched_vertices(trial);
+      close_by_fans(trial, kFanEdges);
+      if (inspect(trial).boundary_edges > 0) fill_holes(trial);
+      if (!inspect(trial).closed()) return std::nullopt;
+      if (auto sound = if_sound(trial, kCrossingVolume)) return sound;
+    }
+    return std::nullopt;
+  }
+
+  std::optional<FreedSurface> by_wrapping() const {
+    const TriangleMesh coarse = wrapped(mesh_, kCoarseWrap);
+    const double coarse_ratio = std::abs(signed_volume(coarse)) / volume_;
+    if (!(std::abs(coarse_ratio - 1.0) <= kCoarseWrapVolume)) return std::nullopt;
+    std::optional<TriangleMesh> sound = if_sound(wrapped(mesh_, kFineWrap), kWrapVolume);
+    if (!sound) return std::nullopt;
+    const double ratio = signed_volume(*sound) / volume_;
+    const Bounds box = bounds(*sound);
+    const Vec3 middle = 0.5 * (box.low + box.high);
+    for (Vec3& v : sound->vertices) v = middle + (v - middle) / std::cbrt(ratio);
+    sound = if_sound(std::move(*sound), kCrossingVolume);
+    if (!sound) return std::nullopt;
+    return FreedSurface{std::move(*sound), ratio - 1.0};
+  }
+
+  TriangleMesh mesh_;
+  const Vec3 origin_;
+  const double volume_;
+};
+
+}  // namespace
+
+TriangleMesh on_grid(TriangleMesh mesh, const Vec3& origin) {
+  for (Vec3& v : mesh.vertices) {
+    const Vec3 there = v + origin;
+    v = there - origin;
+  }
+  return mesh;
+}
+
+std::optional<FreedSurface> free_of_crossings(const TriangleMesh& mesh, const Vec3& origin) {
+  return CrossingRepair(mesh, origin).free_surface();
+}
+
+}  // namespace clast::reconstruct_detail

@@ -1,0 +1,105 @@
+#include "reconstruct/repair/detail/other_components.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+#include "core/error.hpp"
+#include "core/number_text.hpp"
+#include "mesh/mesh_topology.hpp"
+#include "mesh/triangle_neighbours.hpp"
+#include "reconstruct/repair/surface_copy.hpp"
+#include "reconstruct/repair/touching_sheets.hpp"
+
+namespace clast::reconstruct_detail {
+
+namespace {
+
+/// A component with less of the block's area than this is no block: dust, a scrap of ground.
+constexpr double kIslandArea = 0.05;
+/// Share of the diagonal within which an open component lies on the block: a part scanned twice.
+constexpr double kDoubleSheet = 0.02;
+
+void add(Change& dropped, const Component& component) {
+  if (dropped.count++ == 0) dropped.place = component.mesh.vertices[0];
+  dropped.area += component.area;
+}
+
+[[noreturn]] void refuse_components(std::size_t others, bool open, double share) {
+  throw GeometryError(
+      std::to_string(others + 1) + " separate components, the second with " +
+      with_digits(100.0 * share, 4) + " % of the area of the first; " +
+      (open ? "if they are parts of one block, align and merge them first (CloudCompare: Fine "
+              "registration, then Merge); otherwise "
+            : "") +
+      "save each block to a file of its own, or delete what does not belong to it");
+}
+
+/// Counts the shells; where they are to be kept, adds them facing the other way than the block.
+void take_shells(TriangleMesh& block, const std::vector<const TriangleMesh*>& shells, bool keep,
+                 RepairLog& log) {
+  if (shells.empty()) return;
+  const bool block_outward = signed_volume(block) > 0.0;
+  log.report.inner_shells = shells.size();
+  log.report.inner_shells_kept = keep;
+  double area = 0.0;
+  for (const TriangleMesh* shell : shells) {
+    const double volume = signed_volume(*shell);
+    log.report.inner_shell_volume += std::abs(volume);
+    area += surface_area(*shell);
+    if (!keep) continue;
+    TriangleMesh cavity = *shell;
+    split_pinched_vertices(cavity);
+    if ((volume > 0.0) == block_outward) turn_over(cavity);
+    block = merged(std::move(block), cavity);
+  }
+  log.note(DefectKind::kInnerShell, shells.size(), area, shells[0]->vertices[0]);
+}
+
+}  // namespace
+
+void sort_out_components(TriangleMesh& block, std::span<const Component> components,
+                         const RepairOptions& options, RepairLog& log) {
+  if (components.size() == 1) return;
+  const TriangleTree tree(block);
+  const double diagonal = bounds(block).diagonal(), on_block = kDoubleSheet * diagonal;
+  std::vector<const TriangleMesh*> shells;
+  Change islands, sheets, copies;
+  std::size_t others = 0;
+  bool open = false;
+  for (const Component& component : components.subspan(1)) {
+    const TriangleMesh& mesh = component.mesh;
+    const bool closed = inspect(mesh).closed();
+    const bool small = component.area < kIslandArea * components[0].area;
+    if (!small) {
+      if (const auto copy = copy_of_surface(mesh, tree, diagonal)) {
+        add(closed ? copies : sheets, component);
+        log.note(describe_copy(*copy, component, block, tree));
+        continue;
+      }
+    }
+    const bool inside = lies_inside(mesh, block, tree);
+    const auto holds_it = [&](const TriangleMesh* shell) {
+      return lies_inside(mesh, *shell, TriangleTree(*shell));
+    };
+    // What lies in a bubble has less area than the bubble, so that one comes first.
+    if (inside && closed && std::none_of(shells.begin(), shells.end(), holds_it)) {
+      shells.push_back(&mesh);
+    } else if (options.invent && !closed && lies_on(mesh, tree, on_block)) {
+      add(sheets, component);
+    } else if (inside || small) {
+      add(islands, component);
+    } else {
+      ++others;
+      open |= !closed;
+    }
+  }
+  if (others > 0) refuse_components(others, open, components[1].area / components[0].area);
+  log.note(DefectKind::kDoubleSheet, sheets);
+  log.note(DefectKind::kDoubledShell, copies);
+  log.note(DefectKind::kIsland, islands);
+  take_shells(block, shells, options.keep_inner_shells, log);
+}
+
+}  // namespace clast::reconstruct_detail

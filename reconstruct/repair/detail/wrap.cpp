@@ -1,0 +1,19 @@
+#include "reconstruct/repair/detail/wrap.hpp"
+
+#include "core/error.hpp"
+#include "mesh/alpha_wrap.hpp"
+#include "mesh/mesh_topology.hpp"
+
+namespace clast::reconstruct_detail {
+
+TriangleMesh wrapped(const TriangleMesh& closed, const WrapShares& shares) {
+  const MeshReport report = inspect(closed);
+  if (!report.closed()) {
+    throw GeometryError("only a closed surface can be wrapped, this one has " + report.summary() +
+                        "; repair it first");
+  }
+  const double diagonal = bounds(closed).diagonal();
+  return alpha_wrap(closed, shares.bridged * diagonal, shares.distance * diagonal);
+}
+
+}  // namespace clast::reconstruct_detail

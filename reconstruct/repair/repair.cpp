@@ -1,0 +1,221 @@
+#include "reconstruct/repair/repair.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "core/error.hpp"
+#include "core/number_text.hpp"
+#include "mesh/self_intersection.hpp"
+#include "mesh/triangle_neighbours.hpp"
+#include "mesh/weld.hpp"
+#include "reconstruct/repair/components.hpp"
+#include "reconstruct/repair/crossing_repair.hpp"
+#include "reconstruct/repair/detail/other_components.hpp"
+#include "reconstruct/repair/detail/repair_log.hpp"
+#include "reconstruct/repair/detail/unsound_surface.hpp"
+#include "reconstruct/repair/hole_loops.hpp"
+#include "reconstruct/repair/holes.hpp"
+#include "reconstruct/repair/ragged_holes.hpp"
+#include "reconstruct/repair/soup.hpp"
+#include "reconstruct/repair/spikes.hpp"
+#include "reconstruct/repair/surface_copy.hpp"
+#include "reconstruct/repair/touching_sheets.hpp"
+
+namespace clast {
+
+namespace {
+
+using reconstruct_detail::Change;
+using reconstruct_detail::Component;
+using reconstruct_detail::RepairLog;
+using reconstruct_detail::Spikes;
+
+/// Welds tried on an open surface, as multiples of the tolerance, while each halves its borders.
+constexpr double kWelds[] = {1.0, 10.0, 100.0};
+/// ... and joins no more vertices than so many for each open edge.
+constexpr std::size_t kJoinedPerOpenEdge = 8;
+/// Above this many diagonals from the origin, the work is done about a nearer one.
+constexpr double kFarAway = 10.0;
+
+/// Near the middle of a mesh that lies far from the origin, and such that taking it from the
+/// coordinates and adding it again loses no bit of them; zero for other meshes.
+Vec3 local_origin(const Bounds& box) {
+  const double diagonal = box.diagonal();
+  Vec3 origin = Vec3::Zero();
+  if (!(diagonal > 0.0)) return origin;
+  const double step = std::exp2(std::floor(std::log2(diagonal)));
+  for (int axis = 0; axis < 3; ++axis) {
+    const double middle = 0.5 * (box.low[axis] + box.high[axis]);
+    if (std::abs(middle) > kFarAway * diagonal) origin[axis] = std::round(middle / step) * step;
+  }
+  return origin;
+}
+
+/// Vertices that are equal are joined first; near ones only if that leaves the surface unsound, so
+/// that a sound mesh keeps its volume to the last digit.
+/// @param weld_tolerance  share of the diagonal
+TriangleMesh weld_as_needed(const TriangleMesh& raw, double weld_tolerance, RepairLog& log) {
+  const double diagonal = bounds(raw).diagonal();
+  TriangleMesh mesh = welded(raw, 0.0);
+  reconstruct_detail::check_not_empty(mesh);
+  MeshReport& as_read = log.report.as_read;
+  as_read = inspect(mesh);
+  const std::size_t vertices = mesh.vertices.size();
+  double tolerance = 0.0;
+  for (const double multiple : kWelds) {
+    if (as_read.closed()) break;
+    const double trial = multiple * weld_tolerance * diagonal;
+    TriangleMesh joined = welded(raw, trial);
+    const MeshReport report = inspect(joined);
+    const std::size_t before = as_read.boundary_edges;
+    const bool better =
+        multiple == 1.0 ? report.boundary_edges < before : 2 * report.boundary_edges < before;
+    // Vertices that lie close together because the mesh is fine are not torn apart.
+    const bool only_borders = multiple == 1.0 || mesh.vertices.size() - joined.vertices.size() <=
+                                                     kJoinedPerOpenEdge * before;
+    if (report.triangles == 0 || !only_borders || !(report.closed() || better)) continue;
+    mesh = std::move(joined);
+    as_read = report;
+    tolerance = trial;
+  }
+  log.area_as_read = surface_area(mesh);
+  log.note(DefectKind::kNearVertices, vertices - mesh.vertices.size(), 0.0, {}, tolerance);
+  log.note(DefectKind::kNoArea, raw.triangles.size() - mesh.triangles.size());
+  return mesh;
+}
+
+/// After this every edge has one triangle or two, and neighbours face the same way.
+void repair_soup(TriangleMesh& mesh, bool invent, RepairLog& log) {
+  reconstruct_detail::SoupRepair repair;
+  if (invent) {
+    repair = reconstruct_detail::repair_soup(mesh, reconstruct_detail::kFinArea);
+  } else {
+    repair.folded = reconstruct_detail::drop_opposite_pairs(mesh);
+    repair.orientation = reconstruct_detail::orient_consistently(mesh);
+  }
+  reconstruct_detail::check_not_empty(mesh);
+  reconstruct_detail::check_orientable(mesh, repair.orientation, log);
+  log.note(DefectKind::kFolded, repair.folded);
+  log.note(DefectKind::kFin, repair.fins);
+  log.note(DefectKind::kTouchingEdge, repair.touching);
+  std::size_t turned = repair.orientation.turned;
+  if (invent) {
+    turned += reconstruct_detail::turn_hanging_scraps(mesh);
+    log.report.holes = reconstruct_detail::close_ragged_holes(mesh);
+  }
+  if (turned > 0) {
+    log.note(DefectKind::kMixedWinding, turned, 0.0, mesh.vertices[repair.orientation.first]);
+  }
+}
+
+void fill_remaining_holes(TriangleMesh& mesh, const TriangleMesh& welded_mesh,
+                          const RepairOptions& options, RepairLog& log) {
+  std::vector<FilledHole>& holes = log.report.holes;
+  for (const FilledHole& hole :
+       reconstruct_detail::close_by_fans(mesh, reconstruct_detail::kFanEdges)) {
+    holes.push_back(hole);
+  }
+  if (options.invent && inspect(mesh).boundary_edges > 0) {
+    for (const FilledHole& hole : reconstruct_detail::fill_holes(mesh)) holes.push_back(hole);
+  }
+  const double area = surface_area(mesh);
+  for (FilledHole& hole : holes) {
+    hole.area_share = hole.area / area;
+    log.report.invented_share += hole.area_share;
+    log.report.volume_below += hole.volume_below;
+    log.report.volume_above += hole.volume_above;
+    reconstruct_detail::check_hole(hole, options.largest_hole, welded_mesh, log);
+  }
+  std::stable_sort(holes.begin(), holes.end(),
+                   [](const FilledHole& a, const FilledHole& b) { return a.area > b.area; });
+  for (FilledHole& hole : holes) hole.centre = log.reported(hole.centre);
+}
+
+/// Triangles that cross are replaced.
+void replace_crossings(TriangleMesh& mesh, const Vec3& origin, RepairLog& log) {
+  mesh = reconstruct_detail::on_grid(std::move(mesh), origin);
+  const auto crossings = crossing_triangles(mesh);
+  if (crossings.empty()) return;
+  const Vec3 where = mesh.vertices[mesh.triangles[crossings[0][0]][0]];
+  std::optional<reconstruct_detail::FreedSurface> freed =
+      reconstruct_detail::free_of_crossings(mesh, origin);
+  if (!freed) {
+    throw GeometryError("the surface passes through itself at " + std::to_string(crossings.size()) +
+                        " pairs of triangles, the first near " + log.at(where) +
+                        ", and can't be freed of that without changing its volume by more than " +
+                        with_digits(100.0 * reconstruct_detail::kCrossingVolume, 2) + " %" +
+                        reconstruct_detail::kRepairAdvice);
+  }
+  log.report.crossing_volume_change =
+      std::abs(signed_volume(freed->mesh)) / std::abs(signed_volume(mesh)) - 1.0;
+  log.report.wrap_bias = freed->wrap_bias;
+  log.note(DefectKind::kCrossing, crossings.size(), 0.0, where);
+  mesh = std::move(freed->mesh);
+}
+
+/// The largest component becomes closed and free of crossings.
+void repair_block(TriangleMesh& mesh, const TriangleMesh& welded_mesh, const Vec3& origin,
+                  const RepairOptions& options, RepairLog& log) {
+  const Change split = reconstruct_detail::split_pinched_vertices(mesh);
+  const Spikes first = options.invent ? reconstruct_detail::flatten_spikes(mesh) : Spikes{};
+  fill_remaining_holes(mesh, welded_mesh, options, log);
+  reconstruct_detail::check_closed(mesh, welded_mesh, log);
+  const Spikes second = options.invent ? reconstruct_detail::flatten_spikes(mesh) : Spikes{};
+  log.note(DefectKind::kPinchedVertex, split);
+  const Spikes& highest = first.highest > second.highest ? first : second;
+  log.note(DefectKind::kSpike, first.count + second.count, 0.0, highest.place, highest.highest);
+  reconstruct_detail::check_volume(mesh);
+  if (options.invent) replace_crossings(mesh, origin, log);
+}
+
+void turn_solid_outward(TriangleMesh& mesh, RepairLog& log) {
+  if (signed_volume(mesh) > 0.0) return;
+  turn_over(mesh);
+  log.swap_sides();
+  log.note(DefectKind::kInward, 1);
+}
+
+void note_tunnels(const TriangleMesh& mesh, RepairLog& log) {
+  const MeshReport report = inspect(mesh);
+  const long handles = static_cast<long>(report.components) - report.euler_characteristic / 2;
+  if (handles > 0) log.note(DefectKind::kTunnel, static_cast<std::size_t>(handles));
+}
+
+}  // namespace
+
+void RepairOptions::check() const {
+  if (!(weld_tolerance >= 0.0 && weld_tolerance <= 0.01)) {
+    throw InputError("weld_tolerance = " + with_digits(weld_tolerance, 6) +
+                     ": a share of the diagonal between 0 and 0.01 is needed");
+  }
+  if (!(largest_hole > 0.0 && largest_hole < 1.0)) {
+    throw InputError("largest_hole = " + with_digits(largest_hole, 6) +
+                     ": a share of the surface between 0 and 1 is needed");
+  }
+}
+
+RepairedMesh repair_mesh(const TriangleMesh& dirty, const RepairOptions& options) {
+  options.check();
+  reconstruct_detail::check_coordinates(dirty);
+  const Vec3 origin = local_origin(bounds(dirty));
+  TriangleMesh local = dirty;
+  for (Vec3& v : local.vertices) v -= origin;
+  RepairLog log(origin, options.reported_place);
+  const TriangleMesh welded_mesh = weld_as_needed(local, options.weld_tolerance, log);
+  TriangleMesh mesh = welded_mesh;
+  repair_soup(mesh, options.invent, log);
+  std::vector<Component> components = reconstruct_detail::components_of(mesh);
+  reconstruct_detail::put_best_copy_first(components);
+  mesh = std::move(components.front().mesh);
+  reconstruct_detail::check_extent(mesh);
+  repair_block(mesh, welded_mesh, origin, options, log);
+  turn_solid_outward(mesh, log);
+  reconstruct_detail::sort_out_components(mesh, components, options, log);
+  note_tunnels(mesh, log);
+  log.finish();
+  for (Vec3& v : mesh.vertices) v += origin;
+  return {std::move(mesh), std::move(log.report)};
+}
+
+}  // namespace clast

@@ -1,0 +1,273 @@
+#include "reconstruct/repair/repair_report.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/number_text.hpp"
+#include "reconstruct/repair/holes.hpp"
+
+namespace clast {
+
+namespace {
+
+/// A share of the surface below which it isn't worth a word.
+constexpr double kWorthNoting = 1e-3;
+
+std::string in_percent(double share) { return with_digits(100.0 * share, 3) + " %"; }
+
+std::string change(double relative) {
+  return std::abs(relative) < 1e-5 ? "less than 0.001 %" : in_percent(relative);
+}
+
+class Sentences {
+ public:
+  explicit Sentences(const RepairReport& report) : report_(report) {}
+
+  std::vector<std::string> all() const {
+    std::vector<std::string> notes;
+    for (const Defect& defect : report_.defects) {
+      if (defect.kind == DefectKind::kHole) {
+        for (std::string& note : of_holes()) notes.push_back(std::move(note));
+      } else if (defect.kind == DefectKind::kDoubledShell) {
+        continue;  // one by one below
+      } else {
+        notes.push_back(of(defect));
+      }
+    }
+    for (const DoubledSurface& copy : report_.doubled) notes.push_back(of(copy));
+    if (report_.wrap_bias) {
+      notes.push_back(
+          "the surface could not be freed of its crossings and was wrapped anew: hollows narrower "
+          "than a sixtieth of its diagonal are bridged, and the " +
+          in_percent(*report_.wrap_bias) + " of volume that added is scaled away");
+    }
+    return notes;
+  }
+
+ private:
+  static std::string metres(double length) { return with_digits(length, 3) + " m"; }
+
+  static std::string near(const Defect& defect) {
+    return defect.place ? " near " + place(*defect.place) : "";
+  }
+
+  static std::string worth_of(const Defect& defect) {
+    if (defect.area_share < kWorthNoting) return "";
+    return ", " + in_percent(defect.area_share) + " of the surface";
+  }
+
+  static std::string of(const DoubledSurface& copy) {
+    std::string text = copy.closed
+                           ? "a second copy of the block's whole surface, "
+                           : "a second copy of " + in_percent(std::min(1.0, copy.area_share)) +
+                                 " of the block's surface, ";
+    text += with_digits(100.0 * copy.scale, 4) + " % of its size, " + metres(copy.distance) +
+            " away from it and on average " + metres(std::abs(copy.offset)) +
+            (copy.offset < 0.0 ? " inside" : " outside") +
+            ", was dropped: not a bubble but the same rock, scanned or stored twice and not "
+            "registered. ";
+    switch (copy.kept_for) {
+      case KeptFor::kClosed:
+        text += "The kept copy is closed";
+        break;
+      case KeptFor::kWhole:
+        text += "The kept copy covers the whole block";
+        break;
+      case KeptFor::kFiner:
+        text += "The kept copy has more triangles";
+        break;
+      case KeptFor::kSize:
+        text += "Neither is more complete or finer, so the larger one was kept";
+        break;
+    }
+    const double volume = copy.kept_volume, change = copy.volume_change;
+    text += volume > 0.0
+                ? "; it has a volume of " + with_digits(volume, 4) +
+                      " m3, with the other one it would be " + with_digits(volume + change, 4) +
+                      " m3"
+                : "; with the other one the volume would be " + with_digits(std::abs(change), 3) +
+                      " m3 " + (change < 0.0 ? "smaller" : "larger");
+    return text + ". Register the scans again, or delete one";
+  }
+
+  std::string of(const Defect& d) const {
+    switch (d.kind) {
+      case DefectKind::kNearVertices:
+        return counted(d.count, "vertex", "vertices") + " joined to a neighbour closer than " +
+               with_digits(d.size, 4) + " m";
+      case DefectKind::kNoArea:
+        return counted(d.count, "triangle", "triangles") + " without area or stored twice dropped";
+      case DefectKind::kFolded:
+        return counted(d.count, "triangle", "triangles") + " back to back with another dropped" +
+               worth_of(d);
+      case DefectKind::kFin:
+        return counted(d.count, "triangle that stands", "triangles that stand") +
+               " on the surface or double it dropped" + worth_of(d) + ", the first" + near(d);
+      case DefectKind::kTouchingEdge:
+        return counted(d.count, "edge", "edges") +
+               " shared by more than two triangles cut apart, the first" + near(d);
+      case DefectKind::kMixedWinding:
+        return counted(d.count, "triangle", "triangles") + " turned to agree with neighbours";
+      case DefectKind::kPinchedVertex:
+        return counted(d.count, "vertex", "vertices") + " where the surface touches itself split";
+      case DefectKind::kDoubleSheet:
+        return counted(d.count, "sheet that lies", "sheets that lie") +
+               " on the block dropped (a part scanned twice)" + worth_of(d) + ", the largest" +
+               near(d);
+      case DefectKind::kIsland:
+        return counted(d.count, "loose scrap", "loose scraps") + " dropped" + worth_of(d);
+      case DefectKind::kInnerShell:
+        return counted(d.count, "inner shell", "inner shells") + " (bubbles) of " +
+               with_digits(report_.inner_shell_volume, 4) + " m3 in all " +
+               (report_.inner_shells_kept ? "kept as cavities" : "dropped");
+      case DefectKind::kSpike:
+        return counted(d.count, "spike", "spikes") + " of up to " + metres(d.size) +
+               " put back into the surface, the highest" + near(d);
+      case DefectKind::kCrossing:
+        return counted(d.count, "pair", "pairs") +
+               " of triangles that touched or passed through each other parted or replaced" +
+               near(d) + ", which changed the volume by " + change(report_.crossing_volume_change);
+      case DefectKind::kInward:
+        return "the surface faced inwards and was turned";
+      case DefectKind::kTunnel:
+        return counted(d.count, "tunnel goes through the block and stays",
+                       "tunnels go through the block and stay") +
+               " open; if the rock has none, fill in the scan what makes one";
+      case DefectKind::kHole:
+      case DefectKind::kDoubledShell:
+        break;
+    }
+    return "";
+  }
+
+  /// Tiny ones together, the others together, and each large one by itself.
+  std::vector<std::string> of_holes() const {
+    std::vector<std::string> notes;
+    std::size_t fans = 0, fan_edges = 0, fillings = 0, largest_fan = 0;
+    const FilledHole* largest = nullptr;
+    for (const FilledHole& hole : report_.holes) {
+      if (hole.fan) {
+        ++fans;
+        largest_fan = std::max(largest_fan, hole.border_edges);
+        fan_edges += hole.border_edges;
+      } else {
+        ++fillings;
+        if (largest == nullptr) largest = &hole;
+      }
+    }
+    if (fans > 0) {
+      notes.push_back(counted(fans, "hole", "holes") + " with " +
+                      counted(fan_edges, "border edge", "border edges") + " in all closed by " +
+                      (largest_fan <= reconstruct_detail::kFanEdges
+                           ? "a fan"
+                           : "triangles between their corners"));
+    }
+    if (largest != nullptr) {
+      notes.push_back(counted(fillings, "hole", "holes") + " filled; the largest has " +
+                      std::to_string(largest->border_edges) + " border edges, is " +
+                      metres(largest->perimeter) + " round and reaches " + metres(largest->radius) +
+                      " from its middle at " + place(largest->centre));
+    }
+    if (report_.invented_share >= kWorthNoting) {
+      std::string open;
+      if (report_.volume_below + report_.volume_above > 0.0) {
+        open = "; the volume may be up to " + with_digits(report_.volume_below, 2) +
+               " m3 smaller or " + with_digits(report_.volume_above, 2) + " m3 larger";
+      }
+      notes.push_back(with_digits(100.0 * report_.invented_share, 2) + " %" +
+                      " of the surface is invented: no scan saw what fills the holes" + open);
+    }
+    for (const FilledHole& hole : report_.holes) {
+      if (hole.area_share <= kLargeHole) continue;
+      notes.push_back("the filling at " + place(hole.centre) + " is " +
+                      in_percent(hole.area_share) +
+                      " of the surface: a guess that volume and axes depend on; scan that side, "
+                      "or check the volume by weighing (`mass` with `density`)");
+    }
+    return notes;
+  }
+
+  const RepairReport& report_;
+};
+
+}  // namespace
+
+const Defect* RepairReport::find(DefectKind kind) const {
+  const auto found = std::find_if(defects.begin(), defects.end(),
+                                  [&](const Defect& defect) { return defect.kind == kind; });
+  return found == defects.end() ? nullptr : &*found;
+}
+
+RepairReport joined(RepairReport first, RepairReport second) {
+  if (first.as_read.triangles > 0) second.as_read = first.as_read;
+  for (const Defect& defect : first.defects) {
+    const auto same = std::find_if(second.defects.begin(), second.defects.end(),
+                                   [&](const Defect& other) { return other.kind == defect.kind; });
+    if (same == second.defects.end()) {
+      second.defects.push_back(defect);
+      continue;
+    }
+    same->count += defect.count;
+    same->area_share += defect.area_share;
+    if (defect.size >= same->size && defect.place) same->place = defect.place;
+    same->size = std::max(same->size, defect.size);
+  }
+  std::stable_sort(second.defects.begin(), second.defects.end(),
+                   [](const Defect& a, const Defect& b) { return a.kind < b.kind; });
+  for (const FilledHole& hole : first.holes) {
+    second.holes.push_back(hole);
+    second.invented_share += hole.area_share;
+  }
+  second.volume_below += first.volume_below;
+  second.volume_above += first.volume_above;
+  std::stable_sort(second.holes.begin(), second.holes.end(),
+                   [](const FilledHole& a, const FilledHole& b) { return a.area > b.area; });
+  second.doubled.insert(second.doubled.begin(), first.doubled.begin(), first.doubled.end());
+  second.inner_shells += first.inner_shells;
+  second.inner_shell_volume += first.inner_shell_volume;
+  return second;
+}
+
+const char* name_of(DefectKind kind) {
+  switch (kind) {
+    case DefectKind::kNearVertices:
+      return "vertices stored more than once, joined";
+    case DefectKind::kNoArea:
+      return "triangles without area or stored twice, dropped";
+    case DefectKind::kFolded:
+      return "triangles back to back with another, dropped";
+    case DefectKind::kFin:
+      return "triangles that stand on the surface or double it, dropped";
+    case DefectKind::kTouchingEdge:
+      return "edges of more than two triangles, cut apart";
+    case DefectKind::kMixedWinding:
+      return "triangles that face the other way, turned";
+    case DefectKind::kPinchedVertex:
+      return "vertices where the surface touches itself, split";
+    case DefectKind::kDoubleSheet:
+      return "sheets that lie on the block, dropped";
+    case DefectKind::kDoubledShell:
+      return "second copies of the whole surface, dropped";
+    case DefectKind::kIsland:
+      return "loose scraps, dropped";
+    case DefectKind::kInnerShell:
+      return "closed shells inside (bubbles)";
+    case DefectKind::kSpike:
+      return "spikes, put back into the surface";
+    case DefectKind::kHole:
+      return "holes, filled";
+    case DefectKind::kCrossing:
+      return "pairs of triangles through each other, replaced";
+    case DefectKind::kInward:
+      return "surface that faced inwards, turned";
+    case DefectKind::kTunnel:
+      return "tunnels through the block, left open";
+  }
+  return "";
+}
+
+std::vector<std::string> repair_notes(const RepairReport& report) {
+  return Sentences(report).all();
+}
+
+}  // namespace clast

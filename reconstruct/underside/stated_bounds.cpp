@@ -1,0 +1,120 @@
+#include "reconstruct/underside/stated_bounds.hpp"
+
+#include <algorithm>
+#include <vector>
+
+#include "mesh/weld.hpp"
+#include "reconstruct/cloud/outliers.hpp"
+#include "reconstruct/underside/detail/unseen_bounds.hpp"
+#include "shapes/oriented_box.hpp"
+
+namespace clast::reconstruct_detail {
+
+namespace {
+
+/// A place farther off the surface as read than this share of its diagonal was not scanned.
+constexpr double kOnSurface = 1e-3;
+/// A place between points that is farther from the nearest than so many spacings was not scanned:
+/// the narrow end that a cloud has no points of may be closed by a few triangles hardly larger.
+constexpr double kGap = 1.5;
+/// A volume has no lower bound below this share of the best one.
+constexpr double kLeastVolumeLeft = 0.01;
+/// Bounds closer to the volume, and to all sides, than these shares are not stated.
+constexpr double kWorthStating = 0.005, kSidesWorthStating = 0.0075;
+/// A cone on a whole side is three times as high as a slab of the same volume.
+constexpr double kPointed = 3.0;
+
+/// By the volume that a copy of the surface has more or less.
+void widen_for_copies(BlockBounds& bounds, const RepairReport& report) {
+  if (!bounds.sides || report.doubled.empty()) return;
+  const double below = report.volume_below / bounds.best_volume,
+               above = report.volume_above / bounds.best_volume;
+  bounds.sides->lower *= std::max(kLeastVolumeLeft, 1.0 - kPointed * below);
+  bounds.sides->upper *= 1.0 + kPointed * above;
+}
+
+bool worth_stating(const BlockBounds& bounds, const Vec3& sides) {
+  if (!bounds.upper_volume || !bounds.sides) return true;
+  const double open = kWorthStating * bounds.best_volume;
+  return bounds.best_volume - bounds.lower_volume > open ||
+         *bounds.upper_volume - bounds.best_volume > open ||
+         ((sides - bounds.sides->lower).array() > kSidesWorthStating * sides.array()).any() ||
+         ((bounds.sides->upper - sides).array() > kSidesWorthStating * sides.array()).any();
+}
+
+std::vector<bool> mark_closures(const ClosedScan& scan) {
+  std::vector<bool> closure(scan.surface.triangles.size(), false);
+  if (scan.scanned == nullptr) return closure;
+  for (std::size_t t = 0; t < closure.size(); ++t) {
+    const auto& [a, b, c] = scan.surface.triangles[t];
+    const std::vector<Vec3>& at = scan.surface.vertices;
+    closure[t] = !scan.scanned->holds((at[a] + at[b] + at[c]) / 3.0);
+  }
+  return closure;
+}
+
+std::string assumption_of(const ClosedScan& scan, const RepairReport& report) {
+  if (!report.doubled.empty()) return "one of the copies of the surface is the rock";
+  if (scan.margin != nullptr) return "between the points the surface continues as it does around";
+  return "behind a filled gap the surface continues as it does around it";
+}
+
+}  // namespace
+
+ScannedSurface::ScannedSurface(const TriangleMesh& raw) : surface_(welded(raw, 0.0)) {
+  if (!surface_.triangles.empty()) tree_.emplace(surface_);
+  reach_ = kOnSurface * bounds(surface_).diagonal();
+}
+
+ScannedSurface::ScannedSurface(std::span<const Vec3> points)
+    : points_(points), spacings_(local_spacings(points)) {}
+
+bool ScannedSurface::holds(const Vec3& place) const {
+  if (points_) {
+    const NearestPoints::Near near = points_->nearest(place, 1)[0];
+    return near.distance <= kGap * spacings_[near.point];
+  }
+  return tree_ && tree_->closest(place).squared_distance <= reach_ * reach_;
+}
+
+std::optional<BlockBounds> closed_bounds(const ClosedScan& scan, const RepairReport& report) {
+  const std::vector<bool> closure = mark_closures(scan);
+  const bool exact = std::find(closure.begin(), closure.end(), true) == closure.end();
+  if (exact && scan.margin == nullptr && report.doubled.empty()) return std::nullopt;
+  const UnseenBounds found = unseen_bounds(scan.surface, {closure, {}, false, scan.margin});
+  const double unit = scan.unit, cubed = unit * unit * unit;
+  BlockBounds bounds;
+  bounds.best_volume = cubed * found.best_volume;
+  bounds.lower_volume =
+      std::max(std::min(cubed * found.lower_volume, bounds.best_volume - report.volume_below),
+               kLeastVolumeLeft * bounds.best_volume);
+  if (found.upper_volume) {
+    bounds.upper_volume =
+        std::max(cubed * *found.upper_volume, bounds.best_volume + report.volume_above);
+  }
+  if (found.sides) bounds.sides = SideBounds{unit * found.sides->lower, unit * found.sides->upper};
+  bounds.invented_share = report.invented_share;
+  bounds.assumption = assumption_of(scan, report);
+  bounds.notes = hollow_notes(found.hollows, unit);
+  widen_for_copies(bounds, report);
+  if (!worth_stating(bounds, unit * smallest_box(scan.surface.vertices).lengths)) {
+    return std::nullopt;
+  }
+  return bounds;
+}
+
+BlockBounds underside_bounds(const Underside& side, const RepairReport& report) {
+  BlockBounds bounds;
+  bounds.best_volume = side.best_volume;
+  bounds.lower_volume =
+      std::max(side.lower_volume - report.volume_below, kLeastVolumeLeft * side.best_volume);
+  bounds.upper_volume = side.upper_volume;
+  if (bounds.upper_volume) *bounds.upper_volume += report.volume_above;
+  bounds.sides = side.sides;
+  bounds.invented_share = side.invented_share;
+  bounds.assumption = side.assumption;
+  widen_for_copies(bounds, report);
+  return bounds;
+}
+
+}  // namespace clast::reconstruct_detail

@@ -1,0 +1,52 @@
+#pragma once
+/// The bounds that are stated with a block: what its scan leaves open of volume and sides.
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "mesh/triangle_tree.hpp"
+#include "reconstruct/cloud/cloud.hpp"
+#include "reconstruct/cloud/surface_margin.hpp"
+#include "reconstruct/repair/repair_report.hpp"
+#include "reconstruct/underside/block_bounds.hpp"
+#include "reconstruct/underside/underside.hpp"
+
+namespace clast::reconstruct_detail {
+
+/// What was scanned of a surface that was repaired since.
+class ScannedSurface {
+ public:
+  /// @param raw  as read; its faces may be of any kind
+  explicit ScannedSurface(const TriangleMesh& raw);
+  /// @param points  of a cloud, on its surface; more than six
+  explicit ScannedSurface(std::span<const Vec3> points);
+
+  /// Is the place on a triangle as read, or between points as near as others are? Fillings,
+  /// replaced spikes and the like are not.
+  bool holds(const Vec3& place) const;
+
+ private:
+  TriangleMesh surface_;
+  std::optional<TriangleTree> tree_;
+  double reach_ = 0.0;
+  std::optional<NearestPoints> points_;
+  std::vector<double> spacings_;
+};
+
+/// A closed surface and what is known of it; lengths in units of the file.
+struct ClosedScan {
+  const TriangleMesh& surface;
+  double unit = 1.0;                        ///< m
+  const ScannedSurface* scanned = nullptr;  ///< null: all of the surface was
+  const SurfaceMargin* margin = nullptr;    ///< null: the surface is exact
+};
+
+/// @param report  of the repair, in metres
+/// @returns m, m^3; none where the bounds are so narrow that they say nothing
+std::optional<BlockBounds> closed_bounds(const ClosedScan& scan, const RepairReport& report);
+
+/// @param side    m
+/// @param report  of the repair, in metres: copies of the surface widen the bounds
+BlockBounds underside_bounds(const Underside& side, const RepairReport& report);
+
+}  // namespace clast::reconstruct_detail

@@ -1,0 +1,408 @@
+#include "reconstruct/underside/underside.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "core/error.hpp"
+#include "core/number_text.hpp"
+#include "mesh/mesh_topology.hpp"
+#include "mesh/self_intersection.hpp"
+#include "mesh/triangle_geometry.hpp"
+#include "reconstruct/underside/detail/bottom_closure.hpp"
+#include "reconstruct/underside/detail/hole_patch.hpp"
+#include "reconstruct/underside/detail/sections.hpp"
+#include "reconstruct/underside/detail/space_below.hpp"
+#include "reconstruct/underside/detail/unseen_bounds.hpp"
+
+namespace clast {
+
+namespace {
+
+/// Holes whose flat filling has this share of the surface are bracketed beside the largest one.
+constexpr double kBracketed = 0.003;
+/// The narrowing at the rim is taken over these shares of the height that was seen: over the longer
+/// one for the largest cone below an uneven rim, over the shorter for the likeliest shape.
+constexpr double kLargestBand = 0.2, kBestBand = 0.1;
+/// Share of its cone that a cap fills. A ball's fills 3/4 when it is shallow and 0.6 when a fifth
+/// of the surface is unseen; where walls go straight down, any depth up to the deepest is as
+/// likely. See docs/benchmarks.md for how far off this is.
+constexpr double kBestShare = 0.6;
+/// The cap of the best shape is bulge^(2/3): of a round rim, 0.6 of the cylinder around it.
+constexpr double kBestPower = 2.0 / 3.0;
+constexpr double kMostPointedBest = 3.0;  ///< ... and may rise to this power
+/// Heights of the rim, as shares of it that lie lower, from which the sections are continued: under
+/// an uneven rim each stands for a part, and the largest volume counts.
+constexpr std::array<double, 3> kRimShares = {0.25, 0.5, 0.75};
+/// The likeliest shape goes no deeper below the rim than so many times its width.
+constexpr double kDeepestBelowRim = 1.5;
+/// A rim is uneven where its heights spread over more than this share of the whole. The sections do
+/// not say then what hangs beside them, and the best shape is put at this share between the closure
+/// and the largest cone: the median of 100 blocks of which what faces down steeply was removed.
+constexpr double kEven = 0.05, kUnevenShare = 0.35;
+/// A rim hangs down to the ground where it is no farther above it than the first share of the
+/// height, and does not from the second share on.
+constexpr double kAtGround = 0.02, kClearOfGround = 0.06;
+/// Where up to the first share of the rim hangs, the best shape sinks into the ground by `kSunk` of
+/// its height at most; where the second share and more does, it goes as deep as `deepest`.
+constexpr double kFewHang = 0.05, kManyHang = 0.15;
+constexpr double kSunk = 0.05;
+/// A block stands on a foot where photos looked under it but for this share of its plan; where all
+/// of it meets the ground, nothing says how deep it goes.
+constexpr double kFootShare = 0.5;
+/// A hole that faces within this of straight down is the ground's side.
+constexpr double kFacesDown = 0.5;  // cos 60 degrees
+constexpr int kWithdrawals = 6;     ///< halvings of a cap that meets the walls
+
+struct Rim {
+  std::vector<std::uint32_t> loop;
+  Vec3 area = Vec3::Zero();  ///< vector, along the outward normal of the filling
+  Vec3 centre = Vec3::Zero();
+  double length = 0.0;
+};
+
+Rim measure_rim(const TriangleMesh& mesh, std::vector<std::uint32_t> loop) {
+  Rim rim;
+  const Vec3 origin = mesh.vertices[loop[0]];
+  for (std::size_t i = 0; i < loop.size(); ++i) {
+    const Vec3 p = mesh.vertices[loop[i]] - origin;
+    const Vec3 q = mesh.vertices[loop[(i + 1) % loop.size()]] - origin;
+    const double side = (q - p).norm();
+    rim.area += 0.5 * p.cross(q);
+    rim.centre += 0.5 * side * (p + q);
+    rim.length += side;
+  }
+  rim.centre = origin + rim.centre / rim.length;
+  rim.loop = std::move(loop);
+  return rim;
+}
+
+double area_from(const TriangleMesh& mesh, std::size_t first) {
+  double doubled = 0.0;
+  for (std::size_t i = first; i < mesh.triangles.size(); ++i) {
+    doubled += area_vector(mesh, mesh.triangles[i]).norm();
+  }
+  return 0.5 * doubled;
+}
+
+/// Volume below a section of a body whose sqrt(A) falls evenly with depth, cut off at a depth.
+/// @param root       sqrt of the area on top
+/// @param narrowing  decrease of the root per depth; negative where walls lean out
+double cone_below(double root, double narrowing, double deepest) {
+  const double depth = narrowing > 0.0 ? std::min(deepest, root / narrowing) : deepest;
+  return root * root * depth - root * narrowing * depth * depth +
+         narrowing * narrowing * depth * depth * depth / 3.0;
+}
+
+class Closing {
+ public:
+  Closing(const TriangleMesh& open, const UndersideOptions& options) : options_(options) {
+    result_.lower = open;
+  }
+
+  std::optional<Underside> run() {
+    const MeshReport report = inspect(result_.lower);
+    if (report.non_manifold_edges > 0 || !report.oriented() || report.pinched_vertices > 0) {
+      throw GeometryError("the surface is not a simple sheet: " + report.summary() +
+                          "; repair it in MeshLab or CloudCompare first");
+    }
+    std::vector<Rim> rims;
+    for (std::vector<std::uint32_t>& loop : boundary_loops(result_.lower)) {
+      rims.push_back(measure_rim(result_.lower, std::move(loop)));
+    }
+    if (rims.empty()) return std::nullopt;
+    std::stable_sort(rims.begin(), rims.end(), [](const Rim& a, const Rim& b) {
+      return a.area.squaredNorm() > b.area.squaredNorm();
+    });
+    const double seen_area = surface_area(result_.lower);
+    const double flat = rims[0].area.norm();
+    if (flat < options_.smallest_share * (seen_area + flat)) return std::nullopt;
+    refuse_sheet(rims[0], flat / (seen_area + flat));
+
+    const auto bracketed = [&](const Rim& rim) {
+      return &rim == &rims[0] || rim.area.norm() >= kBracketed * (seen_area + flat);
+    };
+    const auto count = std::count_if(rims.begin(), rims.end(), bracketed);
+    result_.open_sides = static_cast<std::size_t>(count);
+    for (std::size_t i = result_.open_sides; i < rims.size(); ++i) fill(rims[i]);
+    note_filled(rims.size() - result_.open_sides);
+    result_.first_invented = result_.lower.triangles.size();
+    for (std::size_t i = 1; i < result_.open_sides; ++i) fill(rims[i]);
+    first_vertex_ = result_.lower.vertices.size();
+    reconstruct_detail::HolePatch patch = fill(rims[0]);
+    describe(rims[0]);
+    bracket(rims, reconstruct_detail::BottomClosure(result_.lower, std::move(patch), first_vertex_,
+                                                    result_.down));
+    return std::move(result_);
+  }
+
+ private:
+  void refuse_sheet(const Rim& rim, double share) const {
+    if (share <= options_.largest_share) return;
+    throw GeometryError(
+        "the largest component is the ground, or one side of a block: a sheet whose "
+        "border of " +
+        std::to_string(rim.loop.size()) + " edges near " +
+        place(result_.lower.vertices[rim.loop[0]]) + " spans " + with_digits(100.0 * share, 3) +
+        " % of what a closed surface would have; scan the block from all sides");
+  }
+
+  void note_filled(std::size_t small) {
+    if (small == 0) return;
+    result_.notes.push_back(std::to_string(small) + (small == 1 ? " other hole" : " other holes") +
+                            " filled straight across");
+  }
+
+  reconstruct_detail::HolePatch fill(const Rim& rim) {
+    reconstruct_detail::HolePatch patch = reconstruct_detail::fill_hole(result_.lower, rim.loop);
+    TriangleMesh& mesh = result_.lower;
+    mesh.vertices.insert(mesh.vertices.end(), patch.vertices.begin(), patch.vertices.end());
+    mesh.triangles.insert(mesh.triangles.end(), patch.triangles.begin(), patch.triangles.end());
+    return patch;
+  }
+
+  void describe(const Rim& rim) {
+    result_.down = rim.area.normalized();
+    if (options_.ground && -options_.ground->normal.dot(result_.down) > kFacesDown) {
+      result_.down = -options_.ground->normal;
+    }
+    result_.rim_centre = rim.centre;
+    result_.rim_edges = rim.loop.size();
+    result_.rim_length = rim.length;
+  }
+
+  void bracket(const std::vector<Rim>& rims, const reconstruct_detail::BottomClosure& closure) {
+    const reconstruct_detail::Sections sections(result_.lower, -result_.down);
+    closure_volume_ = sections.volume_above(sections.lowest());
+    if (!(closure_volume_ > 0.0)) {
+      throw GeometryError("the surface faces inwards, or encloses nothing once it is closed (" +
+                          with_digits(closure_volume_, 3) +
+                          " m3); turn its faces outward, and check that it is one side of a block");
+    }
+    const std::vector<double> heights = rim_heights(rims[0]);
+    const double bottom =
+        likely_bottom(heights, heights[(heights.size() - 1) / 2], sections.highest());
+    bound(sections.highest());
+    rim_root_ = std::sqrt(std::abs(rims[0].area.dot(result_.down)));
+    guess(heights, sections, bottom, closure);
+    const double filling = area_from(result_.best, result_.first_invented);
+    result_.invented_share = filling / surface_area(result_.best);
+  }
+
+  /// Which triangles of `lower` were not scanned.
+  std::vector<bool> closures() const {
+    std::vector<bool> closure(result_.lower.triangles.size(), false);
+    for (std::size_t t = 0; t < closure.size(); ++t) {
+      closure[t] = t >= result_.first_invented;
+      if (closure[t] || !options_.was_seen) continue;
+      const auto& [a, b, c] = result_.lower.triangles[t];
+      const std::vector<Vec3>& at = result_.lower.vertices;
+      closure[t] = !options_.was_seen((at[a] + at[b] + at[c]) / 3.0);
+    }
+    return closure;
+  }
+
+  /// How deep a block is buried does not follow from where the points on its flanks end. Only space
+  /// that was seen to be free under it shows that it lies on the ground.
+  void bound(double highest) {
+    const std::optional<reconstruct_detail::SpaceBelow> below = occupiable_space(highest);
+    std::optional<double> bottom;
+    if (below && foot_share(*below) <= kFootShare) {
+      bottom = options_.ground->distance - sunk_depth(highest);
+    }
+    reconstruct_detail::UnseenParts parts{closures(), {}, faces_ground(), options_.margin};
+    result_.assumption = "the unseen part lies within the planes of the flanks that were seen";
+    if (bottom) {
+      parts.floor = Plane{options_.ground->normal, *bottom};
+      const double depth = (options_.ground->distance - *bottom) / (highest - *bottom);
+      result_.assumption += " and reaches into the ground by no more than " +
+                            with_digits(100.0 * std::max(0.0, depth), 2) + " % of its height";
+    }
+    const reconstruct_detail::UnseenBounds bounds =
+        reconstruct_detail::unseen_bounds(result_.lower, parts);
+    result_.lower_volume = bounds.lower_volume;
+    result_.upper_volume = bounds.upper_volume;
+    result_.sides = bounds.sides;
+    for (std::string& note : reconstruct_detail::hollow_notes(bounds.hollows, options_.unit)) {
+      result_.notes.push_back(std::move(note));
+    }
+    if (result_.upper_volume) {
+      if (bottom) look_under(*below, highest);
+    } else {
+      result_.assumption.clear();
+    }
+  }
+
+  /// The shape that the sections make likeliest, no larger than the upper one.
+  void guess(const std::vector<double>& heights, const reconstruct_detail::Sections& sections,
+             double bottom, const reconstruct_detail::BottomClosure& closure) {
+    const auto quantile = [&](double share) {
+      return heights[static_cast<std::size_t>(share * static_cast<double>(heights.size() - 1))];
+    };
+    double largest = closure_volume_, deepest = 0.0;
+    result_.best_volume = closure_volume_;
+    for (const double share : kRimShares) {
+      const double level = quantile(share);
+      const Continued below = continued(sections, level, bottom);
+      if (below.largest_volume > largest) {
+        largest = below.largest_volume;
+        deepest = level - bottom;
+      }
+      result_.best_volume = std::max(result_.best_volume, below.best_volume);
+    }
+    const bool uneven = quantile(0.9) - quantile(0.1) > kEven * (sections.highest() - bottom);
+    if (uneven) result_.best_volume = std::lerp(closure_volume_, largest, kUnevenShare);
+    if (result_.upper_volume) {
+      result_.best_volume = std::min(result_.best_volume, *result_.upper_volume);
+    }
+    settle_best(closure, deepest);
+  }
+
+  /// How deep a block that lies on the ground has sunk into it at most, m.
+  double sunk_depth(double highest) const { return kSunk * (highest - options_.ground->distance); }
+
+  std::optional<reconstruct_detail::SpaceBelow> occupiable_space(double highest) const {
+    if (options_.through == nullptr || !(options_.through->side > 0.0) || !faces_ground()) {
+      return std::nullopt;
+    }
+    return reconstruct_detail::space_below(result_.lower, *options_.ground, sunk_depth(highest),
+                                           *options_.through);
+  }
+
+  static double foot_share(const reconstruct_detail::SpaceBelow& below) {
+    return below.foot_area / below.plan_area;
+  }
+
+  /// The upper volume is no larger than all that is not free space, on a foot that has sunk
+  /// into the ground.
+  void look_under(const reconstruct_detail::SpaceBelow& below, double highest) {
+    const double share = foot_share(below);
+    const double hull = closure_volume_ + below.volume + below.foot_area * sunk_depth(highest);
+    if (hull >= *result_.upper_volume) return;
+    result_.notes.push_back("photos show " + with_digits(100.0 * (1.0 - share), 3) +
+                            " % of its plan to be clear of the ground: that takes " +
+                            with_digits(100.0 * (1.0 - hull / *result_.upper_volume), 3) +
+                            " % off the largest volume");
+    result_.upper_volume = hull;
+  }
+
+  /// Volumes with the sections continued below a level.
+  struct Continued {
+    double largest_volume = 0.0, best_volume = 0.0;
+  };
+
+  Continued continued(const reconstruct_detail::Sections& sections, double level,
+                      double bottom) const {
+    const double height = sections.highest() - level;
+    // Just above the level, where a flat filling does not count any more.
+    const double root = std::sqrt(std::max(0.0, sections.area(level + 1e-6 * height)));
+    const auto narrowing = [&](double band) {
+      const double higher = std::sqrt(std::max(0.0, sections.area(level + band * height)));
+      return (higher - root) / (band * height);
+    };
+    const double above = sections.volume_above(level);
+    // A section may go through much more of the block than what ends at the rim.
+    const double rim = std::min(root, rim_root_);
+    const double deepest = std::min(level - bottom, kDeepestBelowRim * rim_root_);
+    return {above + cone_below(rim, narrowing(kLargestBand), deepest),
+            above + kBestShare * cone_below(rim, narrowing(kBestBand), deepest)};
+  }
+
+  /// Ascending.
+  std::vector<double> rim_heights(const Rim& rim) const {
+    std::vector<double> heights;
+    for (const std::uint32_t v : rim.loop) {
+      heights.push_back(-result_.down.dot(result_.lower.vertices[v]));
+    }
+    std::sort(heights.begin(), heights.end());
+    return heights;
+  }
+
+  bool faces_ground() const { return options_.ground && result_.down == -options_.ground->normal; }
+
+  /// Height below which the best shape goes nowhere. A rim that is clear of the ground nearly all
+  /// around suggests that the block lies on the ground; in between it is in between, so that a
+  /// hair's breadth of the rim decides nothing.
+  /// @param rim  heights, ascending
+  double likely_bottom(const std::vector<double>& rim, double mean_rim, double highest) {
+    const double below = mean_rim - options_.deepest * (highest - mean_rim);
+    if (!faces_ground()) return below;
+    const double ground = options_.ground->distance, height = highest - mean_rim;
+    result_.gap = mean_rim - ground;
+    double hanging = 0.0;
+    for (const double z : rim) {
+      const double above = (z - ground) / height;
+      hanging += std::clamp((kClearOfGround - above) / (kClearOfGround - kAtGround), 0.0, 1.0);
+    }
+    hanging /= static_cast<double>(rim.size());
+    const double share = std::clamp((hanging - kFewHang) / (kManyHang - kFewHang), 0.0, 1.0);
+    // Something holds it up: under an overhang it reaches the ground however far below that is.
+    const double sunk = ground - kSunk * height;
+    return std::lerp(sunk, std::min(below, sunk), share);
+  }
+
+  /// The best shape lies on the ground. A cap under an uneven rim may meet the walls: it is made
+  /// more pointed, then drawn back, until it does not.
+  void settle_best(const reconstruct_detail::BottomClosure& closure, double deepest) {
+    const double added = result_.best_volume - closure_volume_;
+    reconstruct_detail::Move start = closure.holding(added, kBestPower, deepest);
+    if (faces_ground()) start = closure.lying(*options_.ground, start, added, kMostPointedBest);
+    deepest = std::max(deepest, start.depth);
+    const std::size_t crossings = crossing_triangles(result_.lower).size();
+    const auto fits = [&] { return crossing_triangles(result_.best).size() <= crossings; };
+    for (double power = start.power; power <= kMostPointedBest; power *= 1.5) {
+      result_.best = closure.lowered(closure.holding(added, power, deepest));
+      if (fits()) break;
+    }
+    double share = 1.0;
+    const TriangleMesh whole = result_.best;
+    for (int i = 0; i < kWithdrawals && !fits(); ++i) {
+      share = i + 1 < kWithdrawals ? 0.5 * share : 0.0;
+      for (std::size_t v = first_vertex_; v < whole.vertices.size(); ++v) {
+        result_.best.vertices[v] =
+            result_.lower.vertices[v] + share * (whole.vertices[v] - result_.lower.vertices[v]);
+      }
+    }
+    if (share < 1.0) {
+      result_.notes.push_back("the filling was drawn back to " + with_digits(100.0 * share, 3) +
+                              " % of its depth, where it does not meet the walls");
+    }
+    const reconstruct_detail::Sections sections(result_.best, -result_.down);
+    result_.best_volume = sections.volume_above(sections.lowest());
+    if (result_.upper_volume) {
+      result_.best_volume = std::min(result_.best_volume, *result_.upper_volume);
+    }
+  }
+
+  const UndersideOptions& options_;
+  Underside result_;
+  std::size_t first_vertex_ = 0;
+  double closure_volume_ = 0.0;  ///< of `lower`, m^3
+  double rim_root_ = 0.0;        ///< square root of the area of the rim, seen from below, m
+};
+
+}  // namespace
+
+void UndersideOptions::check() const {
+  if (ground && !(std::abs(ground->normal.norm() - 1.0) < 1e-6)) {
+    throw InputError("ground normal has length " + with_digits(ground->normal.norm(), 3) +
+                     "; it must be 1");
+  }
+  if (!(deepest > 0.0 && deepest <= 10.0)) {
+    throw InputError("deepest = " + with_digits(deepest, 3) +
+                     ": the share of the seen height that may be buried must be above 0, up to 10");
+  }
+  if (!(smallest_share > 0.0 && smallest_share < largest_share && largest_share < 1.0)) {
+    throw InputError("smallest_share = " + with_digits(smallest_share, 3) +
+                     " and largest_share = " + with_digits(largest_share, 3) +
+                     ": shares between 0 and 1 in that order are needed");
+  }
+}
+
+std::optional<Underside> close_underside(const TriangleMesh& open,
+                                         const UndersideOptions& options) {
+  options.check();
+  return Closing(open, options).run();
+}
+
+}  // namespace clast

@@ -1,0 +1,232 @@
+#include "terrain/repair/spikes.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <span>
+
+#include "core/number_text.hpp"
+#include "mesh/triangle_geometry.hpp"
+#include "mesh/triangle_neighbours.hpp"
+#include "terrain/repair/detail/ring_plane.hpp"
+
+namespace clast::terrain_detail {
+namespace {
+
+constexpr double kSuspect = 0.5;  // of the steepness, from which a vertex is looked at closely
+// Times the farthest of the vertices around from the same plane: a crest is no row of spikes.
+constexpr double kAlone = 3.0;
+constexpr double kSliverHeight = 1e-3;  // m
+constexpr int kSpikeRounds = 3;
+constexpr double kSmoothing = 0.5;  // share of the way in one round
+
+/// Ends of the edges at every vertex.
+struct Rings {
+  std::vector<std::uint32_t> offsets;
+  std::vector<std::uint32_t> ends;
+  std::vector<bool> on_border;
+  std::vector<bool> overhung;  ///< some triangle there is upright or faces down
+
+  std::span<const std::uint32_t> at(std::size_t vertex) const {
+    return {ends.data() + offsets[vertex], ends.data() + offsets[vertex + 1]};
+  }
+};
+
+Rings rings_of(const TriangleMesh& mesh) {
+  const TriangleNeighbours links = triangle_neighbours(mesh);
+  Rings rings;
+  rings.offsets.assign(mesh.vertices.size() + 1, 0);
+  rings.on_border.assign(mesh.vertices.size(), false);
+  rings.overhung.assign(mesh.vertices.size(), false);
+  // Every inner edge is seen from both sides: the lower triangle files it.
+  const auto each_end = [&](const auto& visit) {
+    for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
+      for (std::size_t k = 0; k < 3; ++k) {
+        const std::uint32_t other = links.across[t][k];
+        if (other != kNoIndex && other < t) continue;
+        const std::uint32_t a = mesh.triangles[t][k], b = mesh.triangles[t][(k + 1) % 3];
+        visit(a, b, other == kNoIndex);
+        visit(b, a, other == kNoIndex);
+      }
+    }
+  };
+  each_end([&](std::uint32_t from, std::uint32_t, bool border) {
+    ++rings.offsets[from + 1];
+    if (border) rings.on_border[from] = true;
+  });
+  for (std::size_t v = 0; v < mesh.vertices.size(); ++v) rings.offsets[v + 1] += rings.offsets[v];
+  rings.ends.resize(rings.offsets.back());
+  std::vector<std::uint32_t> next(rings.offsets.begin(), rings.offsets.end() - 1);
+  each_end([&](std::uint32_t from, std::uint32_t to, bool) { rings.ends[next[from]++] = to; });
+  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
+    const Vec3 area = area_vector(mesh, mesh.triangles[t]);
+    if (area.z() > 0.0) continue;
+    for (const std::uint32_t v : mesh.triangles[t]) rings.overhung[v] = true;
+  }
+  return rings;
+}
+
+/// How far the neighbours and their neighbours are from the plane, the farthest of them left out:
+/// it may be a spike as well, m.
+double farthest_around(const TriangleMesh& mesh, const Rings& rings, std::uint32_t vertex,
+                       const RingPlane& plane) {
+  std::vector<std::uint32_t> around(rings.at(vertex).begin(), rings.at(vertex).end());
+  for (const std::uint32_t v : rings.at(vertex)) {
+    around.insert(around.end(), rings.at(v).begin(), rings.at(v).end());
+  }
+  std::sort(around.begin(), around.end());
+  around.erase(std::unique(around.begin(), around.end()), around.end());
+  double first = 0.0, second = 0.0;
+  for (const std::uint32_t v : around) {
+    if (v == vertex) continue;
+    const Vec3 d = mesh.vertices[v] - mesh.vertices[vertex];
+    const double on_plane = plane.at(d.head<2>());
+    const double off = std::abs(mesh.vertices[v].z() - on_plane);
+    second = std::max(second, std::min(first, off));
+    first = std::max(first, off);
+  }
+  return second;
+}
+
+/// The plane through all neighbours but the one without which they are flattest.
+std::optional<RingPlane> plane_without_one(const TriangleMesh& mesh, const Rings& rings,
+                                           std::uint32_t vertex) {
+  std::optional<RingPlane> best;
+  double flattest = 0.0;
+  const std::span<const std::uint32_t> ring = rings.at(vertex);
+  for (std::size_t left_out = 0; left_out < ring.size(); ++left_out) {
+    std::vector<std::uint32_t> others(ring.begin(), ring.end());
+    others.erase(others.begin() + static_cast<std::ptrdiff_t>(left_out));
+    const std::optional<RingPlane> plane = ring_plane(mesh, others, vertex);
+    if (!plane) continue;
+    double farthest = 0.0;
+    for (const std::uint32_t v : others) {
+      const Vec3 d = mesh.vertices[v] - mesh.vertices[vertex];
+      const double on_plane = plane->at(d.head<2>());
+      farthest = std::max(farthest, std::abs(mesh.vertices[v].z() - on_plane));
+    }
+    if (best && farthest >= flattest) continue;
+    best = plane;
+    flattest = farthest;
+  }
+  return best;
+}
+
+struct Spikes {
+  std::size_t levelled = 0, left = 0;
+  double farthest = 0.0;  ///< m
+  Vec3 farthest_at = Vec3::Zero(), left_at = Vec3::Zero();
+};
+
+void level_once(TriangleMesh& mesh, const Rings& rings, double steepness, Spikes& spikes) {
+  std::vector<std::pair<double, std::uint32_t>> suspects;
+  for (std::uint32_t v = 0; v < mesh.vertices.size(); ++v) {
+    if (rings.on_border[v] || rings.overhung[v]) continue;
+    const std::optional<RingPlane> plane = ring_plane(mesh, rings.at(v), v);
+    if (!plane) continue;
+    const double off = std::abs(mesh.vertices[v].z() - plane->height);
+    if (off > kSuspect * steepness * plane->distance) suspects.emplace_back(-off, v);
+  }
+  // The farthest first: what stands beside a spike is only suspect as long as that is there.
+  std::sort(suspects.begin(), suspects.end());
+  for (const auto& [unused, v] : suspects) {
+    // A second spike beside it would pull the plane along.
+    const std::optional<RingPlane> plane = rings.at(v).size() > 4
+                                               ? plane_without_one(mesh, rings, v)
+                                               : ring_plane(mesh, rings.at(v), v);
+    if (!plane) continue;
+    const double off = std::abs(mesh.vertices[v].z() - plane->height);
+    if (off <= steepness * plane->distance) continue;
+    if (off <= kAlone * farthest_around(mesh, rings, v, *plane)) {
+      if (spikes.left++ == 0) spikes.left_at = mesh.vertices[v];
+      continue;
+    }
+    ++spikes.levelled;
+    if (off > spikes.farthest) {
+      spikes.farthest = off;
+      spikes.farthest_at = mesh.vertices[v];
+    }
+    mesh.vertices[v].z() = plane->height;
+  }
+}
+
+}  // namespace
+
+void level_spikes(RawSurface& surface, double steepness, TerrainReport& report) {
+  if (!(steepness > 0.0)) return;
+  TriangleMesh& mesh = surface.mesh;
+  const Rings rings = rings_of(mesh);
+  Spikes spikes;
+  // What was level with a spike stands out when that is gone.
+  for (int round = 0; round < kSpikeRounds; ++round) {
+    const std::size_t before = spikes.levelled;
+    spikes.left = 0;
+    level_once(mesh, rings, steepness, spikes);
+    if (spikes.levelled == before) break;
+  }
+  report.levelled_spikes += spikes.levelled;
+  if (spikes.left > 0) {
+    report.notes.push_back(std::to_string(spikes.left) +
+                           (spikes.left == 1 ? " vertex stands" : " vertices stand") +
+                           " far above or below the ground around, but not alone, as on crests and "
+                           "walls, kept as measured; the first at " +
+                           place_on_map(spikes.left_at));
+  }
+  if (spikes.levelled == 0) return;
+  report.notes.push_back(std::to_string(spikes.levelled) +
+                         " single vertices far above or below all their neighbours were brought "
+                         "to the plane through these, the farthest, by " +
+                         with_digits(spikes.farthest, 3) + " m, at " +
+                         place_on_map(spikes.farthest_at));
+}
+
+void note_slivers(const RawSurface& surface, TerrainReport& report) {
+  const TriangleMesh& mesh = surface.mesh;
+  double lowest = kSliverHeight;
+  Vec3 lowest_at = Vec3::Zero();
+  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
+    const auto& [a, b, c] = mesh.triangles[t];
+    const std::vector<Vec3>& v = mesh.vertices;
+    const double longest = std::sqrt(std::max(
+        {(v[b] - v[a]).squaredNorm(), (v[c] - v[b]).squaredNorm(), (v[a] - v[c]).squaredNorm()}));
+    const double height = area_vector(mesh, mesh.triangles[t]).norm() / longest;
+    if (height >= kSliverHeight) continue;
+    ++report.slivers;
+    if (height >= lowest) continue;
+    lowest = height;
+    lowest_at = centroid(mesh, mesh.triangles[t]);
+  }
+  if (report.slivers == 0) return;
+  report.notes.push_back(std::to_string(report.slivers) +
+                         " slivers, triangles less than 1 mm high, were kept; the lowest, " +
+                         with_digits(lowest, 2) + " m, at " + place_on_map(lowest_at));
+}
+
+void smooth(TriangleMesh& mesh, int rounds, TerrainReport& report) {
+  if (rounds == 0) return;
+  const Rings rings = rings_of(mesh);
+  std::vector<double> heights(mesh.vertices.size());
+  std::vector<double> before;
+  for (const Vec3& vertex : mesh.vertices) before.push_back(vertex.z());
+  for (int round = 0; round < rounds; ++round) {
+    for (std::uint32_t v = 0; v < mesh.vertices.size(); ++v) {
+      heights[v] = mesh.vertices[v].z();
+      if (rings.on_border[v] || rings.overhung[v]) continue;
+      const std::optional<RingPlane> plane = ring_plane(mesh, rings.at(v), v);
+      if (plane) heights[v] += kSmoothing * (plane->height - heights[v]);
+    }
+    for (std::size_t v = 0; v < heights.size(); ++v) mesh.vertices[v].z() = heights[v];
+  }
+  double largest = 0.0;
+  Vec3 largest_at = mesh.vertices.front();
+  for (std::size_t v = 0; v < before.size(); ++v) {
+    const double change = std::abs(mesh.vertices[v].z() - before[v]);
+    if (change <= largest) continue;
+    largest = change;
+    largest_at = mesh.vertices[v];
+  }
+  report.notes.push_back("smoothed " + std::to_string(rounds) + " times; the largest change, " +
+                         with_digits(largest, 3) + " m, is at " + place_on_map(largest_at));
+}
+
+}  // namespace clast::terrain_detail

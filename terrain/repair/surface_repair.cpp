@@ -1,0 +1,148 @@
+#include "terrain/repair/surface_repair.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/error.hpp"
+#include "core/number_text.hpp"
+#include "mesh/sub_mesh.hpp"
+#include "mesh/triangle_geometry.hpp"
+#include "mesh/triangle_neighbours.hpp"
+#include "mesh/weld.hpp"
+#include "terrain/repair/detail/fins.hpp"
+
+namespace clast::terrain_detail {
+namespace {
+
+constexpr double kWeldDistance = 1e-6;  // m
+constexpr double kLeastHeight = 1e-9;   // m, of a triangle over its longest edge
+constexpr double kWallShare = 1e-6;     // of plan area in area, under which a component is a wall
+
+using Triangle = TriangleMesh::Triangle;
+
+bool is_degenerate(const TriangleMesh& mesh, const Triangle& t) {
+  const Vec3 &a = mesh.vertices[t[0]], &b = mesh.vertices[t[1]], &c = mesh.vertices[t[2]];
+  const double longest = std::max({(b - a).norm(), (c - b).norm(), (a - c).norm()});
+  return !(area_vector(mesh, t).norm() >= kLeastHeight * longest) || longest == 0.0;
+}
+
+/// Marks all but the first of triangles with the same corners.
+/// @throws GeometryError  two of them have different zones
+std::vector<bool> copies_of_triangles(const RawSurface& surface,
+                                      const std::vector<std::string>& files,
+                                      const std::vector<std::uint16_t>& zone_of_file) {
+  const TriangleMesh& mesh = surface.mesh;
+  std::vector<bool> is_copy(mesh.triangles.size(), false);
+  for (const auto& [one, two] : repeated_triangles(mesh.triangles, CopyTurn::kEither)) {
+    is_copy[two] = true;
+    const std::uint16_t file = surface.source[one], other = surface.source[two];
+    if (zone_of_file[file] != zone_of_file[other] && !is_degenerate(mesh, mesh.triangles[one])) {
+      throw GeometryError(files[file] + " and " + files[other] + " both hold the triangle at " +
+                          place_on_map(centroid(mesh, mesh.triangles[one])) +
+                          " under different zones; cut it out of one of them");
+    }
+  }
+  return is_copy;
+}
+
+/// Does the component face up over most of its plan area, once its triangles agree? None: it is
+/// upright.
+std::optional<bool> faces_up(const TriangleMesh& mesh, const std::vector<std::uint32_t>& component,
+                             const std::vector<bool>& against) {
+  double plan = 0.0, area = 0.0;
+  for (const std::uint32_t t : component) {
+    const Vec3 normal = area_vector(mesh, mesh.triangles[t]);
+    plan += against[t] ? -normal.z() : normal.z();
+    area += normal.norm();
+  }
+  if (std::abs(plan) < kWallShare * area) return std::nullopt;
+  return plan >= 0.0;
+}
+
+}  // namespace
+
+void weld(RawSurface& surface, TerrainReport& report) {
+  TriangleMesh& mesh = surface.mesh;
+  const std::vector<std::uint32_t> target = weld_targets(mesh.vertices, kWeldDistance);
+  for (std::uint32_t v = 0; v < target.size(); ++v) report.welded_vertices += target[v] != v;
+  for (Triangle& t : mesh.triangles) {
+    for (std::uint32_t& corner : t) corner = target[corner];
+  }
+}
+
+void drop_useless_triangles(RawSurface& surface, const std::vector<std::string>& files,
+                            const std::vector<std::uint16_t>& zone_of_file, TerrainReport& report) {
+  TriangleMesh& mesh = surface.mesh;
+  const std::vector<bool> is_copy = copies_of_triangles(surface, files, zone_of_file);
+  std::vector<bool> keep(mesh.triangles.size(), true);
+  Vec3 degenerate_at = Vec3::Zero(), copy_at = Vec3::Zero();
+  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
+    const Triangle& triangle = mesh.triangles[t];
+    const bool degenerate = is_degenerate(mesh, triangle);
+    keep[t] = !degenerate && !is_copy[t];
+    if (degenerate) {
+      if (report.dropped_degenerate++ == 0) degenerate_at = centroid(mesh, triangle);
+    } else if (is_copy[t]) {
+      if (report.dropped_duplicates++ == 0) copy_at = centroid(mesh, triangle);
+    }
+  }
+  keep_triangles(surface, keep);
+  if (mesh.triangles.empty()) {
+    throw GeometryError(files[0] + ": no triangle has an area; there is no ground");
+  }
+  const auto note = [&](std::size_t dropped, const std::string& what, const Vec3& at) {
+    if (dropped == 0) return;
+    report.notes.push_back(std::to_string(dropped) + what + " were dropped, the first at " +
+                           place_on_map(at));
+  };
+  note(report.dropped_degenerate, " triangles without an area", degenerate_at);
+  note(report.dropped_duplicates, " copies of triangles", copy_at);
+}
+
+void orient_upwards(RawSurface& surface, TerrainReport& report) {
+  TriangleMesh& mesh = surface.mesh;
+  TriangleNeighbours links = triangle_neighbours(mesh);
+  if (links.non_manifold_edges > 0 && drop_fins(surface, links, report)) {
+    links = triangle_neighbours(mesh);
+  }
+  report.boundary_edges = links.border_edges;
+  if (links.non_manifold_edges > 0) {
+    const auto& [low, high] = links.first_non_manifold;
+    throw GeometryError("the ground has " + std::to_string(links.non_manifold_edges) +
+                        " edges where more than two triangles meet, the first at " +
+                        place_on_map((mesh.vertices[low] + mesh.vertices[high]) / 2.0) +
+                        "; surfaces overlap or cross there, remove one of them");
+  }
+  const RelativeFacing facing = relative_facing(mesh, links);
+  if (facing.conflict) {
+    throw GeometryError("the ground at " + place_on_map(mesh.vertices[*facing.conflict]) +
+                        " is twisted into itself and has no upper side; cut it there");
+  }
+  report.components += facing.components.size();
+  std::vector<bool> turn = facing.against;
+  for (const std::vector<std::uint32_t>& component : facing.components) {
+    const std::optional<bool> up = faces_up(mesh, component, facing.against);
+    if (!up) {
+      report.notes.push_back("a component of " + std::to_string(component.size()) +
+                             " triangles at " +
+                             place_on_map(centroid(mesh, mesh.triangles[component.front()])) +
+                             " stands upright and touches no other ground; which side is rock was "
+                             "taken as in the file");
+    } else if (!*up) {
+      for (const std::uint32_t t : component) turn[t] = !turn[t];
+    }
+  }
+  Vec3 first_turned = Vec3::Zero();
+  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
+    if (!turn[t]) continue;
+    if (report.turned_triangles++ == 0) first_turned = centroid(mesh, mesh.triangles[t]);
+    std::swap(mesh.triangles[t][1], mesh.triangles[t][2]);
+  }
+  if (report.turned_triangles > 0) {
+    report.notes.push_back(std::to_string(report.turned_triangles) +
+                           " triangles faced into the ground and were turned, the first at " +
+                           place_on_map(first_turned));
+  }
+}
+
+}  // namespace clast::terrain_detail
