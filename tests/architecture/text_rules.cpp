@@ -143,4 +143,20 @@ Findings repeated_key_findings(const SourceFile& references) {
   return findings;
 }
 
+Findings named_file_findings(const SourceFile& document, const std::vector<SourceFile>& tree) {
+  static const std::regex kSource(R"(`([\w/.-]+\.[ch]pp)`)");
+  Findings findings;
+  if (!document.path.ends_with(".md")) return findings;
+  for (std::size_t i = 0; i < document.lines.size(); ++i) {
+    for (const std::smatch& match : matches(document.lines[i], kSource)) {
+      const std::string name = match[1].str();
+      const bool exists = std::any_of(tree.begin(), tree.end(),
+                                      [&](const SourceFile& file) { return file.path == name; });
+      if (!exists)
+        findings.push_back(finding(document, i + 1, "names " + name + ", which is gone"));
+    }
+  }
+  return findings;
+}
+
 }  // namespace clast::architecture

@@ -1,5 +1,7 @@
 #pragma once
 /// Rules for the text of the project's files, as functions that list what breaks them.
+#include <vector>
+
 #include "tests/architecture/source_tree.hpp"
 
 namespace clast::architecture {
@@ -23,5 +25,8 @@ Findings flag_findings(const SourceFile& file);
 /// Fields that texts of the libraries name between backticks and that `flags`, the program's table,
 /// does not translate.
 Findings field_findings(const SourceFile& file, const SourceFile& flags);
+
+/// Sources and headers that a document names between backticks and that `tree` lacks.
+Findings named_file_findings(const SourceFile& document, const std::vector<SourceFile>& tree);
 
 }  // namespace clast::architecture

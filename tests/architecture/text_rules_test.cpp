@@ -48,7 +48,19 @@ TEST(TextRules, NoReferenceStandsTwice) {
   EXPECT_TRUE(findings.empty()) << lines(findings);
 }
 
+TEST(TextRules, SourcesThatDocumentsNameExist) {
+  const Findings findings =
+      in_every_file([](const SourceFile& file) { return named_file_findings(file, project()); });
+  EXPECT_TRUE(findings.empty()) << lines(findings);
+}
+
 // The rules, applied to made-up files.
+
+TEST(TextRules, ASourceThatIsGoneIsFoundInTheDocumentThatNamesIt) {
+  const std::string text = "See `dem/a.hpp`\nand `dem/b.hpp`.\n";
+  EXPECT_EQ(named_file_findings(source_file("docs/a.md", text), {source_file("dem/a.hpp", "")}),
+            Findings{"docs/a.md:2: names dem/b.hpp, which is gone"});
+}
 
 TEST(TextRules, OptionOfTheCommandLineInALibraryIsFound) {
   const std::string text = "// --up\nthrow InputError(\"use --up\");\nint i = 1; --i;\n";
