@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/error.hpp"
+#include "core/in_context.hpp"
 #include "core/number_text.hpp"
 #include "core/statistics/statistics.hpp"
 
@@ -115,11 +116,7 @@ const std::vector<std::string>& PopulationOptions::chosen_schemes() const {
 void PopulationOptions::check() const {
   limits.check();
   for (const std::string& scheme : schemes) {
-    try {
-      class_names(scheme);
-    } catch (const InputError& error) {
-      throw InputError("`schemes`: " + std::string(error.what()));
-    }
+    in_context("`schemes`", [&] { class_names(scheme); });
     if (std::count(schemes.begin(), schemes.end(), scheme) > 1) {
       throw InputError("`schemes`: names " + scheme + " more than once");
     }

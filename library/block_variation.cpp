@@ -8,6 +8,7 @@
 
 #include "classify/surface_indices.hpp"
 #include "core/error.hpp"
+#include "core/in_context.hpp"
 #include "core/number_text.hpp"
 #include "library/detail/roundness_search.hpp"
 #include "library/detail/varied_body.hpp"
@@ -174,12 +175,6 @@ Block varied_block(const std::string& id, const Block& parent, const Variation& 
   return block;
 }
 
-/// What refuses to vary a block names it.
-template <class Caught>
-[[noreturn]] void rethrow_named(const std::string& parent, const Caught& error) {
-  throw Caught("block " + parent + ": " + error.what());
-}
-
 }  // namespace
 
 std::string kind_of(const Variation& variation) {
@@ -235,13 +230,9 @@ void VariationOptions::check() const {
 
 Block vary_block(const std::string& id, const Block& parent, const Variation& variation,
                  BlockSource source, const VariationOptions& options) {
-  try {
+  return in_context("block " + parent.id, [&] {
     return varied_block(id, parent, variation, std::move(source), options);
-  } catch (const GeometryError& error) {
-    rethrow_named(parent.id, error);
-  } catch (const InputError& error) {
-    rethrow_named(parent.id, error);
-  }
+  });
 }
 
 std::optional<VariationRecord> read_variation(const Block& block) {

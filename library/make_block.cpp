@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/error.hpp"
+#include "core/in_context.hpp"
 #include "core/number_text.hpp"
 #include "core/version.hpp"
 #include "library/unscaled.hpp"
@@ -271,15 +272,11 @@ Block checked_block(Block block, const TriangleMesh& surface, const ScanSurface&
 /// Runs `make` with an empty block of that id, and puts the id before what it refuses.
 template <class Make>
 Block named_block(const std::string& id, Make&& make) {
-  try {
+  return in_context("block " + id, [&] {
     Block block;
     block.id = id;
     return make(std::move(block));
-  } catch (const GeometryError& error) {
-    throw GeometryError("block " + id + ": " + error.what());
-  } catch (const InputError& error) {
-    throw InputError("block " + id + ": " + error.what());
-  }
+  });
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include "core/error.hpp"
 #include "core/files/digest.hpp"
 #include "core/files/up_axis.hpp"
+#include "core/in_context.hpp"
 #include "core/length_unit.hpp"
 #include "core/utf8.hpp"
 #include "mesh/mesh_io.hpp"
@@ -39,13 +40,7 @@ MassBlocks blocks_of_mass_file(const MassFile& file, const MassBlockOptions& opt
   const BlockSource source{as_utf8(name), sha256_of_file(file.path),
                            "units=" + file.units + " up=" + up_axis(file.up, file.path), ""};
   const TriangleMesh mass = read_mass(file);
-  try {
-    return blocks_of_mass(mass, source, options);
-  } catch (const GeometryError& error) {
-    throw GeometryError(name + ": " + error.what());
-  } catch (const InputError& error) {
-    throw InputError(name + ": " + error.what());
-  }
+  return in_context(name, [&] { return blocks_of_mass(mass, source, options); });
 }
 
 }  // namespace clast

@@ -5,6 +5,7 @@
 
 #include "core/error.hpp"
 #include "core/files/text_file.hpp"
+#include "core/in_context.hpp"
 #include "core/listed.hpp"
 #include "core/number_text.hpp"
 #include "mesh/detail/mesh_readers.hpp"
@@ -134,7 +135,7 @@ TriangleMesh read_any(const std::filesystem::path& path, bool points_will_do) {
   if (content.empty()) {
     throw InputError(path.string() + ": the file is empty; copy or export it again");
   }
-  try {
+  return in_context(path.string(), [&] {
     TriangleMesh mesh = read_mesh_by_format(path, extension, content);
     // Cameras write a point that has no place as one that is not finite.
     if (points_will_do && mesh.triangles.empty()) {
@@ -142,9 +143,7 @@ TriangleMesh read_any(const std::filesystem::path& path, bool points_will_do) {
     }
     check_usable(mesh, points_will_do);
     return mesh;
-  } catch (const InputError& error) {
-    throw InputError(path.string() + ": " + error.what());
-  }
+  });
 }
 
 }  // namespace

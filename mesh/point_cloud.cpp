@@ -6,6 +6,7 @@
 #include "core/error.hpp"
 #include "core/files/input_file.hpp"
 #include "core/files/text_file.hpp"
+#include "core/in_context.hpp"
 #include "mesh/detail/cloud_readers.hpp"
 #include "mesh/detail/mesh_readers.hpp"
 #include "mesh/mesh_io.hpp"
@@ -101,18 +102,13 @@ CloudSummary stream_cloud(const std::filesystem::path& path,
                           const std::function<void(const PointBatch&)>& take,
                           const std::vector<std::string>& columns) {
   mesh_detail::PointSink sink(take);
-  CloudSummary summary;
-  try {
+  const CloudSummary summary = in_file(path.string(), [&] {
     std::error_code code;
     if (std::filesystem::is_regular_file(path, code) && std::filesystem::is_empty(path, code)) {
       throw InputError("holds no points: the file is empty; copy or export it again");
     }
-    summary = read_cloud_by_format(path, extension_of(path), sink, columns);
-  } catch (const InputError& error) {
-    const std::string message = error.what();
-    const std::string name = path.string() + ": ";
-    throw InputError(message.starts_with(name) ? message : name + message);
-  }
+    return read_cloud_by_format(path, extension_of(path), sink, columns);
+  });
   if (summary.points == 0) throw InputError(path.string() + ": " + nothing_in(summary));
   return summary;
 }

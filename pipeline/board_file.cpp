@@ -3,6 +3,7 @@
 #include "core/error.hpp"
 #include "core/files/text_file.hpp"
 #include "core/files/toml_reader.hpp"
+#include "core/in_context.hpp"
 
 namespace clast {
 
@@ -59,11 +60,7 @@ ScaleBoard read_board(const std::filesystem::path& file) {
     }
     for (const TomlNode& marker : markers->list) board.markers.push_back(read_marker(marker, name));
   }
-  try {
-    board.check();
-  } catch (const InputError& error) {
-    throw InputError(name + ": " + error.what());
-  }
+  in_context(name, [&] { board.check(); });
   return board;
 }
 

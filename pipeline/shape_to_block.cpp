@@ -7,6 +7,7 @@
 #include "core/error.hpp"
 #include "core/files/digest.hpp"
 #include "core/files/up_axis.hpp"
+#include "core/in_context.hpp"
 #include "core/number_text.hpp"
 #include "core/utf8.hpp"
 #include "pipeline/detail/crossing_warning.hpp"
@@ -101,7 +102,10 @@ Block make_shape_block(const ShpShape& shape, const std::filesystem::path& path,
                        const std::string& id, const ScanToBlockOptions& options,
                        const ScanCallbacks& callbacks) {
   const std::string where = path.string() + ": shape " + shape.name;
-  try {
+  const auto in_shape = [&](const std::string& message) {
+    return message.find(path.string()) == std::string::npos ? where + ": " + message : message;
+  };
+  return with_message(in_shape, [&] {
     if (shape.is_surface) {
       throw InputError(
           "is a surface (isSurface) and no block; a ground goes to clast terrain as "
@@ -131,13 +135,7 @@ Block make_shape_block(const ShpShape& shape, const std::filesystem::path& path,
     compare_with_file(block, shape, options.scan.unit);
     if (callbacks.made) callbacks.made(block, {});
     return block;
-  } catch (const GeometryError& error) {
-    const std::string reason = error.what();
-    if (reason.find(path.string()) != std::string::npos) throw;
-    throw GeometryError(where + ": " + reason);
-  } catch (const InputError& error) {
-    throw InputError(where + ": " + error.what());
-  }
+  });
 }
 
 }  // namespace clast

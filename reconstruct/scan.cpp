@@ -4,6 +4,7 @@
 
 #include "core/error.hpp"
 #include "core/files/up_axis.hpp"
+#include "core/in_context.hpp"
 #include "core/number_text.hpp"
 #include "mesh/mesh_io.hpp"
 #include "reconstruct/detail/stored_digits.hpp"
@@ -48,13 +49,11 @@ Scan clean_scan(const TriangleMesh& raw, const std::string& name, const ScanOpti
     const Vec3 metres = turn ? turn->inverse() * there : there;
     return (y_up ? turned_y_up(metres) : metres) / options.unit;
   };
-  try {
+  return in_context(name, [&]() -> Scan {
     RepairedMesh result = repair_mesh(mesh, repair);
     std::vector<std::string> notes = repair_notes(result.report);
     return {std::move(result.mesh), std::move(result.report), std::move(notes)};
-  } catch (const GeometryError& error) {
-    throw GeometryError(name + ": " + error.what());
-  }
+  });
 }
 
 }  // namespace clast

@@ -8,6 +8,7 @@
 
 #include "core/error.hpp"
 #include "core/files/text_file.hpp"
+#include "core/in_context.hpp"
 #include "shapes/detail/shp_reader.hpp"
 
 namespace clast {
@@ -72,13 +73,7 @@ void write_shp(const std::filesystem::path& path, std::span<const ShpShape> shap
 }
 
 std::vector<ShpShape> read_shp(const std::filesystem::path& path) {
-  try {
-    return shapes_detail::shp_shapes(read_text_file(path));
-  } catch (const InputError& error) {
-    const std::string reason = error.what();
-    if (reason.find(path.string()) != std::string::npos) throw;
-    throw InputError(path.string() + ": " + reason);
-  }
+  return in_file(path.string(), [&] { return shapes_detail::shp_shapes(read_text_file(path)); });
 }
 
 bool is_map_file(const std::filesystem::path& path) {

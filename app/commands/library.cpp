@@ -7,6 +7,7 @@
 #include "app/option_values.hpp"
 #include "core/error.hpp"
 #include "core/files/csv_text.hpp"
+#include "core/in_context.hpp"
 #include "core/number_text.hpp"
 #include "core/printable.hpp"
 #include "core/utf8.hpp"
@@ -33,11 +34,7 @@ std::function<void()> say_waiting(const std::string& library) {
 void add_part(BlockLibrary& library, const BlockLibrary& part, const std::string& name,
               bool replace) {
   for (const Block& block : part.blocks()) {
-    try {
-      library.add(block, replace);
-    } catch (const InputError& error) {
-      throw InputError(name + ": " + error.what());
-    }
+    in_context(name, [&] { library.add(block, replace); });
   }
 }
 

@@ -9,6 +9,7 @@
 
 #include "core/error.hpp"
 #include "core/files/text_scanner.hpp"
+#include "core/in_context.hpp"
 #include "mesh/detail/mesh_readers.hpp"
 #include "mesh/polygon.hpp"
 
@@ -315,11 +316,7 @@ std::optional<TriangleMesh> read_ply(std::string_view content) {
     }
   }
   for (std::size_t f = 0; f < faces.size(); ++f) {
-    try {
-      append_polygon(mesh, faces[f]);
-    } catch (const InputError& error) {
-      throw InputError("face " + std::to_string(f + 1) + ": " + error.what());
-    }
+    in_context("face " + std::to_string(f + 1), [&] { append_polygon(mesh, faces[f]); });
   }
   return mesh;
 }

@@ -5,6 +5,7 @@
 
 #include "core/error.hpp"
 #include "core/files/text_scanner.hpp"
+#include "core/in_context.hpp"
 #include "mesh/detail/mesh_readers.hpp"
 #include "mesh/polygon.hpp"
 
@@ -25,11 +26,7 @@ struct PendingFace {
 
 void append_pending(TriangleMesh& mesh, const std::vector<PendingFace>& faces) {
   for (const PendingFace& face : faces) {
-    try {
-      append_polygon(mesh, face.corners);
-    } catch (const InputError& error) {
-      throw InputError("line " + std::to_string(face.line) + ": " + error.what());
-    }
+    in_context("line " + std::to_string(face.line), [&] { append_polygon(mesh, face.corners); });
   }
 }
 

@@ -10,6 +10,7 @@
 #include "core/angle.hpp"
 #include "core/error.hpp"
 #include "core/files/up_axis.hpp"
+#include "core/in_context.hpp"
 #include "core/number_text.hpp"
 #include "mesh/triangle_neighbours.hpp"
 #include "reconstruct/detail/doubtful_form.hpp"
@@ -106,11 +107,7 @@ void swap_sides(RepairReport& report) {
 /// a pocket is small.
 std::vector<FilledHole> close_small_holes(OpenBlock& open, const std::string& name) {
   if (open.margin != nullptr) return close_by_fans(open.surface, kFanEdges);
-  try {
-    return fill_holes(open.surface, false);
-  } catch (const GeometryError& error) {
-    throw GeometryError(name + ": " + error.what());
-  }
+  return in_context(name, [&] { return fill_holes(open.surface, false); });
 }
 
 /// What was scanned, where the surface has other parts too; null where it has not.
@@ -130,11 +127,7 @@ std::optional<Underside> close_unseen_side(const OpenBlock& open, const ScannedS
   if (scanned) closing.was_seen = [&](const Vec3& place) { return scanned->holds(place); };
   closing.margin = open.margin;
   closing.unit = unit;
-  try {
-    return close_underside(open.surface, closing);
-  } catch (const GeometryError& error) {
-    throw GeometryError(name + ": " + error.what());
-  }
+  return in_context(name, [&] { return close_underside(open.surface, closing); });
 }
 
 /// The turn about the place where the block stands after which z points up from its ground.

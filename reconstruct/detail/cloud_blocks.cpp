@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "core/error.hpp"
+#include "core/in_context.hpp"
 #include "core/number_text.hpp"
 #include "reconstruct/cloud/cloud.hpp"
 #include "reconstruct/cloud/outliers.hpp"
@@ -57,7 +58,7 @@ void refuse_separate_sets(const NearAndFar& found, const std::string& name) {
 /// Also notes what the surface leaves out and fills.
 CloudSurface surface_of(const std::vector<Vec3>& points, const std::string& name,
                         const CloudSurfaceOptions& options, std::vector<std::string>& notes) {
-  try {
+  return in_context(name, [&] {
     CloudSurface surface = cloud_surface(points, options);
     if (surface.outliers > 0) {
       notes.push_back(std::to_string(surface.outliers) +
@@ -69,11 +70,7 @@ CloudSurface surface_of(const std::vector<Vec3>& points, const std::string& name
                       " % of the surface, the largest near " + place(surface.gap_place));
     }
     return surface;
-  } catch (const GeometryError& error) {
-    throw GeometryError(name + ": " + error.what());
-  } catch (const InputError& error) {
-    throw InputError(name + ": " + error.what());
-  }
+  });
 }
 
 /// A block scanned without the ground around it.

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "core/error.hpp"
+#include "core/in_context.hpp"
 #include "core/number_text.hpp"
 #include "core/parallel.hpp"
 #include "reconstruct/photos/detail/marker_corners.hpp"
@@ -25,11 +26,8 @@ using photos_detail::MarkerInPhoto;
 
 Lens lens_for(const PhotoModel& model, std::size_t photo, const cv::Mat& image) {
   const Photo& p = model.photos[photo];
-  try {
-    return resized(model.lenses[p.lens], image.cols, image.rows);
-  } catch (const InputError& error) {
-    throw InputError("photo " + p.name + ": " + error.what());
-  }
+  return in_context("photo " + p.name,
+                    [&] { return resized(model.lenses[p.lens], image.cols, image.rows); });
 }
 
 /// The dictionary with the most markers on some photos; empty when none has enough.

@@ -6,6 +6,7 @@
 
 #include "classify/schemes.hpp"
 #include "core/error.hpp"
+#include "core/in_context.hpp"
 #include "core/number_text.hpp"
 #include "library/block_library.hpp"
 #include "library/unscaled.hpp"
@@ -40,13 +41,6 @@ std::vector<Block> selected_from(const BlockLibrary& library, const Campaign& ca
   return blocks;
 }
 
-/// What the library refuses to make names the campaign.
-template <class Caught>
-[[noreturn]] void refuse_to_vary(const Campaign& campaign, const std::string& what) {
-  throw Caught(campaign.file.string() +
-               ": [blocks] vary: " + study_detail::in_words_of_campaign(what));
-}
-
 /// The bodies that are made of the blocks, in place of them.
 void vary(const Campaign& campaign, const BlockLibrary& library, const BlockMaking& making,
           BlockChoice& choice) {
@@ -55,22 +49,20 @@ void vary(const Campaign& campaign, const BlockLibrary& library, const BlockMaki
   for (const Block& block : choice.library) request.ids.push_back(block.id);
   request.options.threads = making.threads;
   request.options.progress = making.progress;
-  RequestedSeries made;
-  try {
-    made = make_series(request, library);
-  } catch (const GeometryError& error) {
-    refuse_to_vary<GeometryError>(campaign, error.what());
-  } catch (const InputError& error) {
-    refuse_to_vary<InputError>(campaign, error.what());
-  }
-  const std::vector<std::string>& failed = made.series.failed;
-  if (!failed.empty()) {
-    refuse_to_vary<GeometryError>(campaign, std::to_string(failed.size()) + " of " +
-                                                counted(made.wanted, "body", "bodies") +
-                                                " can't be made; leave out what asks for them. The "
-                                                "first: " +
-                                                failed.front());
-  }
+  const auto of_campaign = [&](const std::string& message) {
+    return campaign.file.string() +
+           ": [blocks] vary: " + study_detail::in_words_of_campaign(message);
+  };
+  RequestedSeries made = with_message(of_campaign, [&] {
+    RequestedSeries series = make_series(request, library);
+    const std::vector<std::string>& failed = series.series.failed;
+    if (!failed.empty()) {
+      throw GeometryError(
+          std::to_string(failed.size()) + " of " + counted(series.wanted, "body", "bodies") +
+          " can't be made; leave out what asks for them. The first: " + failed.front());
+    }
+    return series;
+  });
   BlockLibrary bodies;
   for (Block& block : made.series.blocks) bodies.add(std::move(block));
   choice.parents = std::move(request.ids);

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "core/error.hpp"
+#include "core/in_context.hpp"
 #include "core/listed.hpp"
 #include "core/random.hpp"
 #include "core/statistics/sobol_sequence.hpp"
@@ -88,12 +89,10 @@ std::vector<GroundParameters> in_order(const Campaign& campaign, const Values& v
                                        const std::vector<std::string>& zones) {
   std::vector<GroundParameters> ordered;
   for (const std::string& zone : zones) {
-    try {
+    in_context(campaign.file.string(), [&] {
       values.at(zone).check(zone);
       if (values.at(zone).soil_memory > 0.0) check_soil_memory(campaign);
-    } catch (const InputError& error) {
-      throw InputError(campaign.file.string() + ": " + error.what());
-    }
+    });
     ordered.push_back(values.at(zone));
   }
   return ordered;

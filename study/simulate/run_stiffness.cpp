@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/error.hpp"
+#include "core/in_context.hpp"
 #include "study/simulate/detail/member_settings.hpp"
 
 namespace clast::study_detail {
@@ -92,11 +93,9 @@ std::vector<std::string> settle_stiffness(PreparedCampaign& prepared) {
   if (prepared.header.stay) return settle_together(prepared, bodies, grounds);
   const auto choose = [&](std::size_t block, const ContactGround& ground, double fastest,
                           const StiffnessOptions& options) {
-    try {
+    return in_context("block " + prepared.header.blocks[block].id, [&] {
       return choose_stiffness(std::span(&bodies[block], 1), ground, fastest, gravity, options);
-    } catch (const SimulationError& error) {
-      throw SimulationError("block " + prepared.header.blocks[block].id + ": " + error.what());
-    }
+    });
   };
 
   std::vector<Worst> worst(bodies.size());

@@ -5,6 +5,7 @@
 #include <functional>
 
 #include "core/error.hpp"
+#include "core/in_context.hpp"
 #include "core/number_text.hpp"
 #include "mesh/reference_system.hpp"
 #include "mesh/triangle_geometry.hpp"
@@ -241,11 +242,7 @@ void number_zones(Terrain& terrain, const std::vector<std::string>& labels,
   std::vector<std::uint16_t> number(labels.size(), 0);
   for (std::size_t i = 0; i < labels.size(); ++i) {
     if (!used[i]) continue;
-    try {
-      check_zone_name(labels[i]);
-    } catch (const InputError& error) {
-      throw InputError(who + ": " + error.what());
-    }
+    in_context(who, [&] { check_zone_name(labels[i]); });
     number[i] = static_cast<std::uint16_t>(terrain.zone_names.size());
     terrain.zone_names.push_back(labels[i]);
   }

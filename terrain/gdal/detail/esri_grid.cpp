@@ -11,6 +11,7 @@
 
 #include "core/error.hpp"
 #include "core/files/text_file.hpp"
+#include "core/in_context.hpp"
 #include "core/printable.hpp"
 
 namespace clast::terrain_detail {
@@ -86,11 +87,7 @@ EsriGrid::EsriGrid(const std::filesystem::path& path) : path_(path.string()) {
   std::string text = read_text_file(path);
   const std::size_t heights = find_heights(text);
   if (heights == std::string::npos) return;
-  try {
-    check_words(text, heights);
-  } catch (const InputError& error) {
-    throw InputError(path.string() + ": " + error.what());
-  }
+  in_context(path.string(), [&] { check_words(text, heights); });
   if (std::isalpha(static_cast<unsigned char>(text[heights])) == 0) return;
   text.insert(heights, " ");
   static std::atomic<unsigned> number{0};
