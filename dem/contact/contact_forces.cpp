@@ -4,7 +4,7 @@
 #include <cmath>
 #include <optional>
 
-#include "dem/contact/detail/contact_point_load.hpp"
+#include "dem/contact/detail/rolling_resistance.hpp"
 
 namespace clast::dem_detail {
 namespace {
@@ -84,7 +84,7 @@ ContactLoad ContactForces::update(const std::vector<ContactPoint>& points, const
       [&](const auto& laws) { return apply(laws, points, motion, scratch(), ledger); });
 }
 
-template <class Law>
+template <NormalLaw Law>
 ContactLoad ContactForces::apply(const std::vector<Law>& laws,
                                  const std::vector<ContactPoint>& points, const PairMotion& motion,
                                  Scratch& scratch, EnergyLedger& ledger) {
@@ -94,7 +94,7 @@ ContactLoad ContactForces::apply(const std::vector<Law>& laws,
   distribute(points, motion, now);
   history.transfer_springs(now, contacts_, patches_);
   if constexpr (Law::kNeedsEffectiveMass) find_effective_masses(motion, scratch);
-  if constexpr (Law::kKeepsDent) spread_forces(scratch);
+  if constexpr (Law::kIsPlastic) spread_forces(scratch);
 
   if (rules_.slip_grows && contacts_.empty() && !now.empty()) forget_slip(now.front().zone);
 
@@ -180,7 +180,7 @@ void ContactForces::spread_forces(Scratch& scratch) const {
   }
 }
 
-template <class Law>
+template <NormalLaw Law>
 void ContactForces::load_contact(Contact& contact, const Contact* previous, const Law& law,
                                  const PairMotion& motion, ContactLoad& load,
                                  EnergyLedger& ledger) {
@@ -189,10 +189,10 @@ void ContactForces::load_contact(Contact& contact, const Contact* previous, cons
   const double w = contact.weight;
   Past past =
       previous ? past_of(contact, *previous, motion) : past_of_new(contact, slip, law, motion);
-  if constexpr (Law::kKeepsDent) {
+  if constexpr (Law::kIsPlastic) {
     // On ground that unloads otherwise the force goes on, and with it the dent that it stands for.
     if (previous && previous->zone != contact.zone && previous->normal > 0.0) {
-      past.normal = law.first(past.path.before, 0.0, 0.0, previous->normal);
+      past.normal = law.initial_state(past.path.before, 0.0, 0.0, previous->normal);
     }
     if (rules_.soil && !previous && past.continuous) {
       past.normal.dent = rules_.soil->dent(contact.place, contact.zone);
@@ -217,8 +217,8 @@ void ContactForces::load_contact(Contact& contact, const Contact* previous, cons
   contact.rolling = rolling.load;
 
   // Eq. 6: the loads of a point count by its weight.
-  const double drop = law.drop(contact.point.overlap, contact.normal);
-  const double share = slip.closing > 0.0 ? 1.0 : law.returning_share(rules_.stiffness.normal);
+  const double drop = law.force_drop(contact.point.overlap, contact.normal);
+  const double share = slip.closing > 0.0 ? 1.0 : law.unloading_ratio(rules_.stiffness.normal);
   load.impact += 0.5 * w *
                  (share * slip.closing * slip.closing +
                   drop * drop * motion.block.inverse_mass / rules_.stiffness.normal);
@@ -230,10 +230,10 @@ void ContactForces::load_contact(Contact& contact, const Contact* previous, cons
   // With the mean weight of the step. What the forces took beyond these losses and what is stored,
   // because weights, zones, normals or the contacts changed, is booked apart.
   const double mean_weight = 0.5 * (past.weight + w);
-  const double stored_by_normal = law.stored(contact.point.overlap, contact.dent);
+  const double stored_by_normal = law.stored_energy(contact.point.overlap, contact.dent);
   const double by_normal =
       mean_weight * (response.work - stored_by_normal +
-                     law.stored(std::max(0.0, past.path.before), past.normal.dent));
+                     law.stored_energy(std::max(0.0, past.path.before), past.normal.dent));
   const double by_friction = mean_weight * rules_.tangential_give * sliding.loss;
   const double by_rolling = mean_weight * rules_.rolling_give[contact.zone] * rolling.loss;
   contact.stored =
@@ -245,7 +245,7 @@ void ContactForces::load_contact(Contact& contact, const Contact* previous, cons
   ledger.reassigned -= by_normal + by_friction + by_rolling + (contact.stored - past.stored);
 }
 
-template <class Law>
+template <NormalLaw Law>
 void ContactForces::end_contact(const Contact& contact, const Law& law, const PairMotion& motion,
                                 ContactLoad& load, EnergyLedger& ledger) const {
   const double duration = motion.duration, w = contact.weight;
@@ -257,9 +257,9 @@ void ContactForces::end_contact(const Contact& contact, const Law& law, const Pa
   double own = 0.0;
   if (path.after <= 0.0) {  // parted; else it slid off and its law never came to an end
     const NormalResponse response =
-        law.along(path, {contact.normal, contact.dent}, contact.effective_mass);
+        law.integrate(path, {contact.normal, contact.dent}, contact.effective_mass);
     if (is_event(response)) add_law_event(load, response, contact, motion);
-    const double by_normal = w * (response.work + law.stored(overlap, contact.dent));
+    const double by_normal = w * (response.work + law.stored_energy(overlap, contact.dent));
     const double by_friction =
         end_of_spring(w, rules_.tangential_give, contact.tangential, velocity, duration);
     const double by_rolling =
@@ -272,7 +272,7 @@ void ContactForces::end_contact(const Contact& contact, const Law& law, const Pa
   ledger.reassigned += contact.stored - own;
 }
 
-template <class Law>
+template <NormalLaw Law>
 void ContactForces::shift_overlaps(const std::vector<Law>& laws, const EventLoad& event,
                                    const BodyMotion& block, EnergyLedger& ledger) {
   const Vec3 shift = block.inverse_mass * event.moment;
@@ -283,16 +283,16 @@ void ContactForces::shift_overlaps(const std::vector<Law>& laws, const EventLoad
     const double overlap = contact.point.overlap;
     contact.point.overlap = std::max(0.0, overlap - moved.dot(contact.point.normal));
     // The force stays, and with it what is pressed beyond the dent.
-    if constexpr (Law::kKeepsDent) contact.dent += contact.point.overlap - overlap;
+    if constexpr (Law::kIsPlastic) contact.dent += contact.point.overlap - overlap;
     contact.stored = stored_in(contact, laws[contact.zone]);
     ledger.reassigned -= contact.stored - before;
   }
 }
 
-template <class Law>
+template <NormalLaw Law>
 double ContactForces::stored_in(const Contact& contact, const Law& law) const {
   return contact.weight *
-         (law.stored(contact.point.overlap, contact.dent) +
+         (law.stored_energy(contact.point.overlap, contact.dent) +
           0.5 * (contact.tangential.squaredNorm() * rules_.tangential_give +
                  contact.rolling.squaredNorm() * rules_.rolling_give[contact.zone]));
 }
@@ -378,7 +378,7 @@ double ContactForces::settled_depth() {
 }
 
 bool ContactForces::keeps_dents() const {
-  return rules_.with_laws([]<class Law>(const std::vector<Law>&) { return Law::kKeepsDent; });
+  return rules_.with_laws([]<NormalLaw Law>(const std::vector<Law>&) { return Law::kIsPlastic; });
 }
 
 double ContactForces::rest_stiffness() const {

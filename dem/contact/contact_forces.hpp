@@ -138,7 +138,7 @@ class ContactForces {
   };
   static Scratch& scratch();
 
-  template <class Law>
+  template <NormalLaw Law>
   ContactLoad apply(const std::vector<Law>& laws, const std::vector<ContactPoint>& points,
                     const PairMotion& motion, Scratch& scratch, EnergyLedger& ledger);
   /// Forgets the slip of earlier contacts as the ground that is touched now does.
@@ -156,19 +156,19 @@ class ContactForces {
   /// Gives contacts without a past the mean force of those that go on in their patch.
   void spread_forces(Scratch& scratch) const;
   /// Loads a present contact (Eqs. 2, 4, 5) and adds what it does to both bodies.
-  template <class Law>
+  template <NormalLaw Law>
   void load_contact(Contact& contact, const Contact* previous, const Law& law,
                     const PairMotion& motion, ContactLoad& load, EnergyLedger& ledger);
   /// Ends a contact of the step before that no present one continues.
-  template <class Law>
+  template <NormalLaw Law>
   void end_contact(const Contact& contact, const Law& law, const PairMotion& motion,
                    ContactLoad& load, EnergyLedger& ledger) const;
-  template <class Law>
+  template <NormalLaw Law>
   void shift_overlaps(const std::vector<Law>& laws, const EventLoad& event, const BodyMotion& block,
                       EnergyLedger& ledger);
   void find_deepest();
   /// Energy in all springs of the contact, with its weight, J.
-  template <class Law>
+  template <NormalLaw Law>
   double stored_in(const Contact& contact, const Law& law) const;
 
   const ContactRules& rules_;

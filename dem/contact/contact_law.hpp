@@ -9,13 +9,16 @@
 #include "dem/contact/elastoplastic_law.hpp"
 #include "dem/contact/energy_restitution_law.hpp"
 #include "dem/contact/ground_parameters.hpp"
+#include "dem/contact/normal_law.hpp"
 #include "dem/contact/spring_dashpot_law.hpp"
 
 namespace clast {
 
 /// The normal laws to choose from; friction and rolling resistance are the same under all of them.
-/// Another law is one struct with the members of these, in a file of its own, named here.
-using ContactLaw = std::variant<EnergyRestitutionLaw, SpringDashpotLaw, ElastoplasticLaw>;
+/// Another law is one struct that is a `NormalLaw`, in a file of its own, named here.
+template <NormalLaw... Laws>
+using OneOf = std::variant<Laws...>;
+using ContactLaw = OneOf<EnergyRestitutionLaw, SpringDashpotLaw, ElastoplasticLaw>;
 
 /// A law by name, "energy-restitution", "spring-dashpot" or "elastoplastic".
 /// @throws InputError  unknown name; the message lists the laws

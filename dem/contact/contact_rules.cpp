@@ -20,10 +20,10 @@ ContactRules::ContactRules(std::span<const GroundParameters> of_zones,
     drags = drags || drag_strength.back() > 0.0;
   }
   std::visit(
-      [&]<class Law>(const Law&) {
+      [&]<NormalLaw Law>(const Law&) {
         ByZone<Law> by_zone;
         for (const GroundParameters& zone : zones) {
-          by_zone.laws.push_back(Law::of(stiffness.normal, zone));
+          by_zone.laws.push_back(Law::on_ground(stiffness.normal, zone));
         }
         laws_ = std::move(by_zone);
       },

@@ -79,14 +79,14 @@ class Follower {
 
 }  // namespace
 
-ElastoplasticLaw ElastoplasticLaw::of(double stiffness, const GroundParameters& ground) {
+ElastoplasticLaw ElastoplasticLaw::on_ground(double stiffness, const GroundParameters& ground) {
   const double unloading = stiffness / ground.energy_restitution;
   const double reloading = ground.energy_restitution < 1.0 ? kReloading * unloading : unloading;
   return {stiffness, unloading, reloading};
 }
 
-NormalResponse ElastoplasticLaw::along(const OverlapPath& path, const NormalState& past,
-                                       double /*effective_mass*/) const {
+NormalResponse ElastoplasticLaw::integrate(const OverlapPath& path, const NormalState& past,
+                                           double /*effective_mass*/) const {
   const double force = past.force, dent = past.dent;
   const double deeper = path.after - path.before;
   const auto smooth = [&](double end, double new_dent) {

@@ -12,7 +12,7 @@ namespace clast {
 struct ElastoplasticLaw {
   static constexpr const char* kName = "elastoplastic";
   static constexpr bool kNeedsEffectiveMass = false;
-  static constexpr bool kKeepsDent = true;
+  static constexpr bool kIsPlastic = true;
   /// k_3/k_2: an impact inside the dent that does not deepen it returns the inverse of its energy.
   static constexpr double kReloading = 2.0;
 
@@ -20,30 +20,30 @@ struct ElastoplasticLaw {
   double unloading = 0.0;  ///< k_2 = k_n/e_n^2, N/m
   double reloading = 0.0;  ///< k_3, N/m; k_1 where nothing stays
 
-  static ElastoplasticLaw of(double stiffness, const GroundParameters& ground);
+  static ElastoplasticLaw on_ground(double stiffness, const GroundParameters& ground);
 
   /// A load that is put on slowly, m g, reaches its depth by this. The dent of an impact is deeper.
   double rest_stiffness() const { return loading; }
-  double stored(double overlap, double dent) const {
+  double stored_energy(double overlap, double dent) const {
     const double pressed = std::max(0.0, overlap - dent);
     return 0.5 * unloading * pressed * pressed;
   }
   /// With the force that its patch has already; all of the overlap that this does not explain
   /// counts as dent.
-  NormalState first(double overlap, double /*rate*/, double /*effective_mass*/,
-                    double of_patch) const {
+  NormalState initial_state(double overlap, double /*rate*/, double /*effective_mass*/,
+                            double of_patch) const {
     const double force = std::min(of_patch, loading * overlap);
     return {force, overlap - force / unloading};
   }
-  double stepping_rate(double frequency) const {
+  double highest_frequency(double frequency) const {
     return frequency * std::sqrt(reloading / loading);
   }
   /// The force has no drop to speak of in an impact, and gives back what it stores at any speed.
-  double drop(double /*overlap*/, double /*force*/) const { return 0.0; }
-  double returning_share(double /*stiffness*/) const { return 1.0; }
+  double force_drop(double /*overlap*/, double /*force*/) const { return 0.0; }
+  double unloading_ratio(double /*stiffness*/) const { return 1.0; }
 
-  NormalResponse along(const OverlapPath& path, const NormalState& past,
-                       double effective_mass) const;
+  NormalResponse integrate(const OverlapPath& path, const NormalState& past,
+                           double effective_mass) const;
 };
 
 }  // namespace clast

@@ -10,29 +10,29 @@ namespace clast {
 struct EnergyRestitutionLaw {
   static constexpr const char* kName = "energy-restitution";
   static constexpr bool kNeedsEffectiveMass = false;
-  static constexpr bool kKeepsDent = false;
+  static constexpr bool kIsPlastic = false;
 
   double loading = 0.0;    ///< k_n, N/m
   double unloading = 0.0;  ///< k_n e_n^2, N/m
 
-  static EnergyRestitutionLaw of(double stiffness, const GroundParameters& ground) {
+  static EnergyRestitutionLaw on_ground(double stiffness, const GroundParameters& ground) {
     return {stiffness, stiffness * ground.energy_restitution};
   }
 
   double rest_stiffness() const { return unloading; }
-  double stored(double overlap, double /*dent*/) const {
+  double stored_energy(double overlap, double /*dent*/) const {
     return 0.5 * unloading * overlap * overlap;
   }
-  NormalState first(double overlap, double /*rate*/, double /*effective_mass*/,
-                    double /*of_patch*/) const {
+  NormalState initial_state(double overlap, double /*rate*/, double /*effective_mass*/,
+                            double /*of_patch*/) const {
     return {unloading * overlap, 0.0};
   }
-  double stepping_rate(double frequency) const { return frequency; }
-  double drop(double overlap, double force) const { return force - unloading * overlap; }
-  double returning_share(double stiffness) const { return unloading / stiffness; }
+  double highest_frequency(double frequency) const { return frequency; }
+  double force_drop(double overlap, double force) const { return force - unloading * overlap; }
+  double unloading_ratio(double stiffness) const { return unloading / stiffness; }
 
-  NormalResponse along(const OverlapPath& path, const NormalState& past,
-                       double /*effective_mass*/) const {
+  NormalResponse integrate(const OverlapPath& path, const NormalState& past,
+                           double /*effective_mass*/) const {
     double force = past.force;
     const double turn = path.turn();
     const bool growing = path.rate > 0.0 || (path.rate == 0.0 && path.bend() > 0.0);

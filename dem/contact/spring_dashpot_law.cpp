@@ -30,17 +30,17 @@ double damping_ratio(double energy_restitution) {
   return energy_restitution < 1.0 ? 0.5 * (low + high) : 0.0;
 }
 
-SpringDashpotLaw SpringDashpotLaw::of(double stiffness, const GroundParameters& ground) {
+SpringDashpotLaw SpringDashpotLaw::on_ground(double stiffness, const GroundParameters& ground) {
   return {stiffness, clast::damping_ratio(ground.energy_restitution)};
 }
 
-double SpringDashpotLaw::stepping_rate(double frequency) const {
+double SpringDashpotLaw::highest_frequency(double frequency) const {
   const double over = damping_ratio * damping_ratio - 1.0;
   return frequency * (over > 0.0 ? damping_ratio + std::sqrt(over) : 1.0);
 }
 
-NormalResponse SpringDashpotLaw::along(const OverlapPath& path, const NormalState& past,
-                                       double effective_mass) const {
+NormalResponse SpringDashpotLaw::integrate(const OverlapPath& path, const NormalState& past,
+                                           double effective_mass) const {
   const double force = past.force;
   const double c = damping(effective_mass);
   const double step = path.duration;

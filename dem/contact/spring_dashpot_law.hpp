@@ -11,27 +11,28 @@ namespace clast {
 struct SpringDashpotLaw {
   static constexpr const char* kName = "spring-dashpot";
   static constexpr bool kNeedsEffectiveMass = true;
-  static constexpr bool kKeepsDent = false;
+  static constexpr bool kIsPlastic = false;
 
   double stiffness = 0.0;      ///< k_n, N/m
   double damping_ratio = 0.0;  ///< c / (2 sqrt(k_n m)), m the effective mass of the contact
 
-  static SpringDashpotLaw of(double stiffness, const GroundParameters& ground);
+  static SpringDashpotLaw on_ground(double stiffness, const GroundParameters& ground);
 
   double rest_stiffness() const { return stiffness; }
-  double stored(double overlap, double /*dent*/) const {
+  double stored_energy(double overlap, double /*dent*/) const {
     return 0.5 * stiffness * overlap * overlap;
   }
-  NormalState first(double overlap, double rate, double effective_mass, double /*of_patch*/) const {
+  NormalState initial_state(double overlap, double rate, double effective_mass,
+                            double /*of_patch*/) const {
     return {std::max(0.0, stiffness * overlap + damping(effective_mass) * rate), 0.0};
   }
   /// The fastest rate, rad/s, of a contact whose spring alone has the given frequency.
-  double stepping_rate(double frequency) const;
-  double drop(double overlap, double force) const { return force - stiffness * overlap; }
-  double returning_share(double of) const { return stiffness / of; }
+  double highest_frequency(double frequency) const;
+  double force_drop(double overlap, double force) const { return force - stiffness * overlap; }
+  double unloading_ratio(double of) const { return stiffness / of; }
 
-  NormalResponse along(const OverlapPath& path, const NormalState& past,
-                       double effective_mass) const;
+  NormalResponse integrate(const OverlapPath& path, const NormalState& past,
+                           double effective_mass) const;
 
   double damping(double effective_mass) const {
     return 2.0 * damping_ratio * std::sqrt(stiffness * effective_mass);

@@ -137,13 +137,13 @@ ContactGround contact_ground(std::span<const GroundParameters> zones, const Cont
   }
   ContactGround ground;
   std::visit(
-      [&]<class Law>(const Law&) {
+      [&]<NormalLaw Law>(const Law&) {
         for (const GroundParameters& zone : zones) {
           // The law's result for a stiffness of 1 N/m and a frequency of 1 rad/s.
-          const Law unit = Law::of(1.0, zone);
-          ground.include({unit.rest_stiffness(), unit.stepping_rate(1.0), zone.rolling_length,
+          const Law unit = Law::on_ground(1.0, zone);
+          ground.include({unit.rest_stiffness(), unit.highest_frequency(1.0), zone.rolling_length,
                           zone.rolling_length > 0.0,
-                          Law::kKeepsDent ? 1.0 - zone.energy_restitution : 0.0});
+                          Law::kIsPlastic ? 1.0 - zone.energy_restitution : 0.0});
         }
       },
       law);

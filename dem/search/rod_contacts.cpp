@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "dem/surface/ghost_edges.hpp"
 #include "dem/surface/segment_distance.hpp"
 
 namespace clast::dem_detail {

@@ -195,17 +195,14 @@ class Release {
   double longest_step() const {
     return std::max(settings_.stiffness.time_step, settings_.stiffness.longest_step);
   }
-  /// What the present contacts need: steps follow the frequency of all of them together, and
-  /// resolve an impact (docs/theory.md, Time step).
+
+  /// What the present contacts need, s.
   double needed_step() const {
     const ContactStiffness& contact = settings_.stiffness;
-    if (!(contact.longest_step >= contact.time_step)) return contact.time_step;
-    const double stiffer = forces_.mobility(mobilities_) / largest_mobility_;
-    const double together =
-        contact.longest_step * std::min(1.0 / std::sqrt(stiffer), kHardlyMobile);
+    if (!has_longer_steps(contact)) return contact.time_step;
     const double specific = std::max(moving_.kinetic_energy() / body_.mass, settings_.rest_energy);
-    const bool impact = load_.impact > kImpactShare * specific;
-    return impact ? std::min(contact.time_step, together) : together;
+    return step_of_contacts(contact, forces_.mobility(mobilities_) / largest_mobility_,
+                            is_impact(load_.impact, specific));
   }
 
   void step() {
@@ -365,20 +362,9 @@ std::string name_of(StopReason reason) {
 }
 
 void ReleaseSettings::check() const {
-  const auto positive = [](const char* field, double value) {
-    if (!(value > 0.0 && std::isfinite(value))) {
-      throw InputError(std::string(field) + " = " + with_digits(value, 6) + "; must be above 0");
-    }
-  };
-  positive("normal stiffness", stiffness.normal);
-  positive("tangential stiffness", stiffness.tangential);
-  positive("rolling stiffness", stiffness.rolling);
-  positive("time step", stiffness.time_step);
-  positive("max_time", max_time);
-  positive("rest_energy", rest_energy);
-  positive("rest_duration", rest_duration);
-  if (!(gravity >= 0.0 && std::isfinite(gravity))) {
-    throw InputError("gravity = " + with_digits(gravity, 6) + "; must be 0 or more");
+  MotionSettings::check();
+  if (!(max_time > 0.0 && std::isfinite(max_time))) {
+    throw InputError("max_time = " + with_digits(max_time, 6) + "; must be above 0");
   }
 }
 
@@ -410,21 +396,10 @@ ReleaseResult simulate_release(const TerrainSurface& terrain,
                        ": a single release has no later ones that could find its dents; 0 here");
     }
   }
-  if (zones.size() < terrain.zone_count()) {
-    throw SimulationError("terrain has " + std::to_string(terrain.zone_count()) +
-                          " ground zones but parameters are given for " +
-                          std::to_string(zones.size()) + "; give them for each zone");
-  }
-  if (!terrain.covers(start.position.x(), start.position.y())) {
-    throw SimulationError("the start (" + with_digits(start.position.x(), 9) + ", " +
-                          with_digits(start.position.y(), 9) +
-                          ") is not on the terrain; move it onto the ground");
-  }
+  check_zones(terrain, zones);
+  check_start(terrain, start.position, "the block");
   const double overlap = Release(terrain, zones, body, start, settings, observe).start_overlap();
-  const std::optional<double> ground =
-      terrain.height(start.position.x(), start.position.y(), start.position.z());
-  if ((ground && start.position.z() < *ground) ||
-      overlap > settings.start_overlap * body.smallest_side) {
+  if (overlap > settings.start_overlap * body.smallest_side) {
     throw SimulationError("the block starts inside the ground, " + with_digits(overlap, 6) +
                           " m deep; raise the release point or give height_m");
   }

@@ -7,10 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "dem/contact/contact_law.hpp"
 #include "dem/contact/energy_ledger.hpp"
 #include "dem/motion/rigid_body.hpp"
-#include "dem/surface/terrain_surface.hpp"
+#include "dem/simulation/motion_settings.hpp"
 
 namespace clast {
 
@@ -20,15 +19,8 @@ enum class StopReason { kRest, kLeftTerrain, kMaxTime, kError };
 std::string name_of(StopReason reason);
 
 /// Everything about a release that is not block, terrain or start.
-struct ReleaseSettings {
-  ContactStiffness stiffness;
-  ContactLaw law;  ///< energy-restitution unless chosen otherwise
-  ContactWeights weights = ContactWeights::kPatch;
-  double gravity = 9.81;        ///< m/s^2, along -z
-  double max_time = 60.0;       ///< s
-  double rest_energy = 2e-4;    ///< J/kg: v^2/2 + w.J.w/(2 m) below this ...
-  double rest_duration = 0.5;   ///< ... for so long, s, with a contact throughout, is rest
-  double start_overlap = 1e-3;  ///< largest overlap with the ground at the start, share of S
+struct ReleaseSettings : MotionSettings {
+  double max_time = 60.0;  ///< s
 
   void check() const;  ///< throws InputError naming the field and its value
 };

@@ -21,20 +21,6 @@ namespace {
 /// How far an orientation's norm may be from 1 before it counts as a mistake.
 constexpr double kUnitSlack = 1e-6;
 
-/// @throws SimulationError  a start off the terrain or below it
-void check_start(const TerrainSurface& terrain, const Vec3& place, const std::string& name) {
-  const std::optional<double> ground = terrain.height(place.x(), place.y(), place.z());
-  if (!terrain.covers(place.x(), place.y())) {
-    throw SimulationError(name + " starts at (" + with_digits(place.x(), 9) + ", " +
-                          with_digits(place.y(), 9) +
-                          "), which is not on the terrain; move it onto the ground");
-  }
-  if (ground && place.z() < *ground) {
-    throw SimulationError(name + " starts below the ground, " +
-                          with_digits(*ground - place.z(), 6) + " m deep; raise it");
-  }
-}
-
 }  // namespace
 
 struct World::Impl : WorldMotion {
@@ -42,12 +28,7 @@ struct World::Impl : WorldMotion {
 };
 
 void WorldSettings::check() const {
-  ReleaseSettings same;
-  same.stiffness = stiffness;
-  same.gravity = gravity;
-  same.rest_energy = rest_energy;
-  same.rest_duration = rest_duration;
-  same.check();
+  MotionSettings::check();
   between_bodies.check("between bodies");
   on_forms.check("on forms");
   const auto require = [](bool fine, const char* name, double value, const char* range) {
@@ -56,7 +37,6 @@ void WorldSettings::check() const {
   };
   require(sleep_drift >= 0.0, "sleep_drift", sleep_drift, "0 or more");
   require(sleep_duration > 0.0, "sleep_duration", sleep_duration, "more than 0");
-  require(start_overlap >= 0.0, "start_overlap", start_overlap, "0 or more");
 }
 
 World::World(std::vector<RigidBody> shapes, const WorldSettings& settings)

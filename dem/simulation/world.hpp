@@ -16,15 +16,9 @@ class ByteReader;
 class ByteWriter;
 
 /// Everything about a world that is not bodies or terrain.
-struct WorldSettings {
-  ContactStiffness stiffness;  ///< of all contacts
-  ContactLaw law;              ///< likewise
-  ContactWeights weights = ContactWeights::kPatch;
+struct WorldSettings : MotionSettings {
   GroundParameters between_bodies;             ///< what two bodies do to each other
   GroundParameters on_forms{.friction = 0.0};  ///< what a form and a body that it holds do
-  double gravity = 9.81;                       ///< m/s^2, along -z
-  double rest_energy = 2e-4;                   ///< J/kg: v^2/2 + w.J.w/(2 m) below this ...
-  double rest_duration = 0.5;  ///< ... for so long, s, with a contact throughout, is rest
   /// A body stays where it is when it was in contact and had less than ten times `rest_energy` for
   /// twice `sleep_duration`, s, and its mean places in the first and the second half differ by no
   /// more than this share of S. It falls asleep when all that touches it stays too: it is at rest
@@ -32,8 +26,7 @@ struct WorldSettings {
   /// one asleep that it touches. 0: none ever sleeps.
   double sleep_drift = 1e-3;
   double sleep_duration = 0.5;
-  double start_overlap = 1e-3;  ///< largest overlap that a body may start with, share of its S
-  unsigned threads = 1;         ///< 0: one per core; changes no bit of the result
+  unsigned threads = 1;  ///< 0: one per core; changes no bit of the result
 
   void check() const;  ///< throws InputError naming the field and its value
 };

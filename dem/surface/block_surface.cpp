@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "dem/surface/ghost_edges.hpp"
+
 namespace clast::dem_detail {
 
 EdgeArc::EdgeArc(const SurfaceFeatures& surface, const SurfaceEdge& edge)

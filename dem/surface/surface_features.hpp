@@ -75,23 +75,12 @@ SurfaceFeatures surface_features(const TriangleMesh& mesh,
 /// How far inside the face the foot of the point on its plane lies, m; -1 when outside.
 double depth_in_face(const SurfaceFeatures& surface, const SurfaceFace& face, const Vec3& point);
 
-/// True when `direction` points out of the solid at the edge: within the arc between the normals
-/// of its faces (to 1e-9).
-bool in_arc(const SurfaceFeatures& surface, const SurfaceEdge& edge, const Vec3& direction);
-/// The same, and beyond it 3 degrees where the edge's faces stand at a right angle and nothing
-/// where they are smooth. Where a flat face of one body lies partly over another, the edges that
-/// bound the overlap then carry their share whichever way the two are tilted a little.
-bool near_arc(const SurfaceFeatures& surface, const SurfaceEdge& edge, const Vec3& direction);
-
-/// How far beyond the arc or the cone `near_arc` and `near_cone` go, a sine.
-double arc_slack(const SurfaceFeatures& surface, const SurfaceEdge& edge);
-double cone_slack(const SurfaceFeatures& surface, std::uint32_t vertex);
-
-/// True when no edge leaving the vertex rises along `direction`, and it points out of the solid: it
-/// lies in the normal cone.
-bool in_cone(const SurfaceFeatures& surface, std::uint32_t vertex, const Vec3& direction);
-/// The same with such a slack, from the largest angle between the vertex's faces and its normal.
-bool near_cone(const SurfaceFeatures& surface, std::uint32_t vertex, const Vec3& direction);
+/// The direction in the plane of a face that is perpendicular to its edge and points into the face;
+/// unit if `edge_direction` is.
+/// @param along  true if the face runs along the direction of the edge, `SurfaceEdge::along`
+inline Vec3 into_face(const SurfaceFace& face, const Vec3& edge_direction, bool along) {
+  return along ? face.normal.cross(edge_direction) : edge_direction.cross(face.normal);
+}
 
 /// True when two edges that leave a vertex along these rays go straight on into each other.
 bool straight_on(const Vec3& first_ray, const Vec3& second_ray);

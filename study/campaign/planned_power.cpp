@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "core/statistics/group_differences.hpp"
+#include "core/statistics/crossed_difference.hpp"
 
 namespace clast {
 

@@ -120,14 +120,17 @@ std::vector<std::uint32_t> open_runs(const PreparedCampaign& prepared, const Sha
 
 }  // namespace
 
-ReleaseSettings release_settings(const Campaign& campaign, const RunRecord& run) {
+MotionSettings motion_settings(const Campaign& campaign, const RunRecord& run) {
   return {.stiffness = run.stiffness,
           .law = campaign.stiffness.law,
           .weights = campaign.weights,
           .gravity = campaign.gravity,
-          .max_time = campaign.max_time,
           .rest_energy = campaign.rest_energy,
           .rest_duration = campaign.rest_duration};
+}
+
+ReleaseSettings release_settings(const Campaign& campaign, const RunRecord& run) {
+  return {motion_settings(campaign, run), campaign.max_time};
 }
 
 namespace {

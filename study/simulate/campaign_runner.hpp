@@ -41,6 +41,7 @@ struct PreparedCampaign {
 };
 
 /// What the campaign and the run itself, its stiffness and time step, ask of the dynamics.
+MotionSettings motion_settings(const Campaign& campaign, const RunRecord& run);
 ReleaseSettings release_settings(const Campaign& campaign, const RunRecord& run);
 
 /// Loads library and terrain, makes bodies where blocks are varied, places every block and checks

@@ -142,13 +142,8 @@ SequenceSettings sequence_settings(const PreparedCampaign& prepared, const RunRe
   const Campaign& campaign = prepared.campaign;
   SequenceSettings sequence;
   WorldSettings& settings = sequence.world;
-  settings.stiffness = run.stiffness;
-  settings.law = campaign.stiffness.law;
-  settings.weights = campaign.weights;
+  static_cast<MotionSettings&>(settings) = motion_settings(campaign, run);
   settings.between_bodies = campaign.stay->between_blocks;
-  settings.gravity = campaign.gravity;
-  settings.rest_energy = campaign.rest_energy;
-  settings.rest_duration = campaign.rest_duration;
   sequence.at_once = !campaign.stay->masses.empty();
   sequence.max_time = campaign.max_time;
   sequence.energy_interval =

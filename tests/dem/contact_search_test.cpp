@@ -5,6 +5,7 @@
 
 #include "dem/search/detail/flying_ball.hpp"
 #include "dem/simulation/release.hpp"
+#include "dem/surface/ghost_edges.hpp"
 #include "dem/surface/segment_distance.hpp"
 #include "dem/surface/terrain_impl.hpp"
 #include "tests/support/ground_gap.hpp"

@@ -26,7 +26,7 @@ import numpy
 ROOT = Path(__file__).resolve().parents[2]
 DATA = Path(os.environ.get("CLAST_DATA", ROOT / "../shared/data")).resolve()
 SCANS = ["eesd_S02.stl", "eesd_stone14.stl", "eesd_stone15.stl", "eesd_test_stone.stl",
-         "ibois_stone_0.stl", "chrono_curiosity_rock1.obj", "chrono_offroad_rock4.obj",
+         "ibois_stone_0.ply", "chrono_curiosity_rock1.obj", "chrono_offroad_rock4.obj",
          "eesd_iphone_lidar.stl"]
 # Radii and masses of the published blocks, samples/authume/README.md.
 AUTHUME_BLOCKS = {"SP1A": ("0.027", "343.5"), "SP2A": ("0.049", "1472.5"),

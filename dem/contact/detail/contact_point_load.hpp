@@ -1,7 +1,6 @@
 #pragma once
-/// What one contact point brings into a step, and its normal force, friction and rolling resistance
-/// by Eqs. 2, 4 and 5, before they are weighted. All inline: these are the innermost lines of a
-/// simulation.
+/// What one contact point brings into a step, and its normal force by Eq. 2, before it is weighted.
+/// All inline: these are the innermost lines of a simulation.
 /// @cite garcia2022
 #include <algorithm>
 #include <cmath>
@@ -58,7 +57,7 @@ inline Past past_of(const Contact& contact, const Contact& previous, const PairM
 
 /// Of a contact that continues none: it has come from as far as its speed allows; an overlap that
 /// this does not explain begins as the law lets a contact without a past begin.
-template <class Law>
+template <NormalLaw Law>
 Past past_of_new(const Contact& contact, const Slip& slip, const Law& law,
                  const PairMotion& motion) {
   const double overlap = contact.point.overlap;
@@ -71,64 +70,19 @@ Past past_of_new(const Contact& contact, const Slip& slip, const Law& law,
     past.path.before = std::min(0.0, past.path.before);
   } else {
     past.normal =
-        law.first(past.path.before, past.path.rate, contact.effective_mass, contact.normal);
+        law.initial_state(past.path.before, past.path.rate, contact.effective_mass, contact.normal);
   }
   return past;
 }
 
 /// Eq. 2, or what another law has in its place.
-template <class Law>
+template <NormalLaw Law>
 NormalResponse normal_response(const Contact& contact, const Past& past, const Law& law) {
   const double mass = contact.effective_mass;
-  if (past.path.duration > 0.0) return law.along(past.path, past.normal, mass);
+  if (past.path.duration > 0.0) return law.integrate(past.path, past.normal, mass);
   const NormalState first =
-      law.first(contact.point.overlap, past.path.rate, mass, past.normal.force);
+      law.initial_state(contact.point.overlap, past.path.rate, mass, past.normal.force);
   return {.force = first.force, .dent = first.dent};
-}
-
-/// A spring of friction or rolling resistance after a step, and what it gave up to its limit.
-struct SpringResponse {
-  Vec3 load;          ///< N, or N m
-  double squared;     ///< of its length
-  double loss = 0.0;  ///< dissipated, times k_t or k_r and per unit of weight
-};
-
-/// Of the spring that would have become `trial` without a limit, and becomes `share` of it.
-inline SpringResponse limited(const Vec3& before, const Vec3& trial, double squared, double share) {
-  // The slip of the step winds the spring up by trial - before: its work less what is stored more.
-  return {share * trial, share * share * squared,
-          0.5 * (1.0 - share) * (before.dot(trial) + share * squared)};
-}
-
-/// Eq. 4: the tangential spring follows the slip up to mu f.
-inline SpringResponse friction(const Contact& contact, const Slip& slip, double stiffness,
-                               double duration, double friction_coefficient) {
-  const Vec3 trial = contact.tangential - stiffness * duration * slip.sliding;
-  const double largest = friction_coefficient * contact.normal;
-  const double squared = trial.squaredNorm();
-  if (!(squared > largest * largest)) return {trial, squared};
-  return limited(contact.tangential, trial, squared, largest / std::sqrt(squared));
-}
-
-/// Eq. 5: the rolling spring follows the spin up to mu_R l f.
-inline SpringResponse rolling_resistance(const Contact& contact, const Slip& slip, double stiffness,
-                                         const PairMotion& motion, double rolling_friction) {
-  const Vec3 trial = contact.rolling - stiffness * motion.duration * motion.spin;
-  const double squared = trial.squaredNorm();
-  if (!(rolling_friction > 0.0)) return limited(contact.rolling, trial, squared, 0.0);
-  // The arm l is perpendicular to the axis about which the block rolls: the length of the moment
-  // times the arm is that of the product of both.
-  const double largest = rolling_friction * contact.normal * slip.arm.cross(trial).norm();
-  if (!(squared > largest)) return {trial, squared};
-  return limited(contact.rolling, trial, squared, largest / squared);
-}
-
-/// What the end of a contact dissipates of one of its springs over a step, J.
-/// @param give  1/k_t or 1/k_r
-/// @param rate  of the slip or spin that winds it up
-inline double end_of_spring(double weight, double give, const Vec3& before, const Vec3& rate,
-                            double duration) {
-  return 0.5 * weight * (before.squaredNorm() * give - duration * before.dot(rate));
 }
 
 }  // namespace clast::dem_detail

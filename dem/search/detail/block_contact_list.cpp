@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "dem/search/block_contacts.hpp"
+#include "dem/surface/ghost_edges.hpp"
 #include "dem/surface/trim.hpp"
 
 namespace clast::dem_detail {

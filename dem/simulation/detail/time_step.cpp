@@ -8,12 +8,11 @@
 namespace clast::dem_detail {
 namespace {
 
-/// Is more than a small share of the body's energy in an impact?
 /// @param energy  that passes through the contact, J
 bool in_impact(const WorldBody& body, double energy, double rest_energy) {
   if (body.idle()) return false;
   const double floor = kRocking * rest_energy * body.shape->body.mass;
-  return energy > kImpactShare * std::max(body.moving.kinetic_energy(), floor);
+  return is_impact(energy, std::max(body.moving.kinetic_energy(), floor));
 }
 
 /// 1/s^2 over k: with springs of stiffness k at its contacts, weighted, the body has no frequency
@@ -54,11 +53,16 @@ double time_apart(const ContactPair& pair, std::span<const WorldBody> bodies,
 
 }  // namespace
 
+double step_of_contacts(const ContactStiffness& contact, double stiffer, bool impact) {
+  const double together = contact.longest_step * std::min(1.0 / std::sqrt(stiffer), kHardlyMobile);
+  return impact ? std::min(contact.time_step, together) : together;
+}
+
 StepChoice choose_step(std::span<const WorldBody> bodies, std::span<const std::uint32_t> moving,
                        const ContactPairs& pairs, const WorldSettings& settings) {
   const ContactStiffness& contact = settings.stiffness;
   const StepChoice shortest{contact.time_step, false};
-  if (!(contact.longest_step >= contact.time_step)) return shortest;
+  if (!has_longer_steps(contact)) return shortest;
   bool touching = false;
   for (const std::uint32_t e : pairs.active()) {
     const ContactPair& pair = pairs.all()[e];

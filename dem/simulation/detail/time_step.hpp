@@ -1,5 +1,5 @@
 #pragma once
-/// How long the next step of a world may be (docs/theory.md, Time step).
+/// How long the next step of a single release or of a world may be (docs/theory.md, Time step).
 #include <span>
 
 #include "dem/simulation/detail/contact_pairs.hpp"
@@ -13,6 +13,20 @@ inline constexpr double kImpactShare = 0.01;
 inline constexpr double kHardlyMobile = 2.0;
 /// A block whose mean place stays may rock with so many times the energy below which it rests.
 inline constexpr double kRocking = 10.0;
+
+/// True if steps between impacts may be longer than those that resolve an impact.
+inline bool has_longer_steps(const ContactStiffness& contact) {
+  return contact.longest_step >= contact.time_step;
+}
+
+/// True if more than a small share of the kinetic energy passes through the contacts.
+/// @param through, kinetic  both in J, or both in J/kg
+inline bool is_impact(double through, double kinetic) { return through > kImpactShare * kinetic; }
+
+/// The step of a single release with longer steps, s: it follows the frequency of all contacts
+/// together, and resolves an impact.
+/// @param stiffer  mobility of the body at its contacts over its largest, `vertex_mobilities`
+double step_of_contacts(const ContactStiffness& contact, double stiffer, bool impact);
 
 struct StepChoice {
   double length = 0.0;  ///< s

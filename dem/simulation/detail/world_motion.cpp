@@ -33,15 +33,12 @@ WorldMotion::WorldMotion(std::vector<RigidBody> of_shapes, const WorldSettings& 
     : settings_(with), terrain_(on), zones_(std::move(ground_zones)), team_(with.threads) {
   settings_.check();
   for (const GroundParameters& zone : zones_) zone.check("zone");
-  if (soil_.any() && !std::visit([]<class Law>(const Law&) { return Law::kKeepsDent; }, with.law)) {
+  if (soil_.any() &&
+      !std::visit([]<NormalLaw Law>(const Law&) { return Law::kIsPlastic; }, with.law)) {
     throw InputError(
         "soil_memory of a ground zone needs the law elastoplastic, which leaves dents");
   }
-  if (terrain_ && zones_.size() < terrain_->zone_count()) {
-    throw SimulationError("terrain has " + std::to_string(terrain_->zone_count()) +
-                          " ground zones but parameters are given for " +
-                          std::to_string(zones_.size()));
-  }
+  if (terrain_) check_zones(*terrain_, zones_);
   shapes_.reserve(of_shapes.size());
   for (RigidBody& body : of_shapes) {
     body.check("shape " + std::to_string(shapes_.size()));

@@ -23,7 +23,7 @@ std::optional<double> depth_in_ground(const GroundOverlap& ground_overlap,
                                       const RigidState& state) {
   const double overlap = ground_overlap.deepest(state);
   // What the dynamics will refuse.
-  if (overlap > ReleaseSettings{}.start_overlap * body.smallest_side) return overlap;
+  if (overlap > MotionSettings{}.start_overlap * body.smallest_side) return overlap;
   // A block that is buried whole touches no face of the ground.
   const Vec3& centre = state.position;
   const double abyss = surface.extent().low.z() - 1.0;

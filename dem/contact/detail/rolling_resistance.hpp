@@ -1,0 +1,23 @@
+#pragma once
+/// Rolling resistance of one contact point by Eq. 5, before it is weighted.
+/// @cite garcia2022
+#include <cmath>
+
+#include "dem/contact/detail/friction.hpp"
+
+namespace clast::dem_detail {
+
+/// Eq. 5: the rolling spring follows the spin up to mu_R l f.
+inline SpringResponse rolling_resistance(const Contact& contact, const Slip& slip, double stiffness,
+                                         const PairMotion& motion, double rolling_friction) {
+  const Vec3 trial = contact.rolling - stiffness * motion.duration * motion.spin;
+  const double squared = trial.squaredNorm();
+  if (!(rolling_friction > 0.0)) return coulomb_limited(contact.rolling, trial, squared, 0.0);
+  // The arm l is perpendicular to the axis about which the block rolls: the length of the moment
+  // times the arm is that of the product of both.
+  const double largest = rolling_friction * contact.normal * slip.arm.cross(trial).norm();
+  if (!(squared > largest)) return {trial, squared};
+  return coulomb_limited(contact.rolling, trial, squared, largest / squared);
+}
+
+}  // namespace clast::dem_detail

@@ -1,0 +1,45 @@
+#pragma once
+/// What a law of the normal force must provide (docs/theory.md, Normal laws).
+#include <concepts>
+
+#include "dem/contact/ground_parameters.hpp"
+#include "dem/contact/overlap_path.hpp"
+
+namespace clast {
+
+/// A law of the normal force at the contacts on one ground zone. It holds its coefficients; the
+/// state of a contact, `NormalState`, belongs to the contact. All forces are per unit of weight
+/// (`ContactWeights`), N; overlaps and the residual indentation h_p are in metres.
+///
+/// - `kName`: its name in campaign files.
+/// - `kNeedsEffectiveMass`: true if `integrate` uses the effective mass of the contact, kg.
+/// - `kIsPlastic`: true if it leaves a residual indentation.
+/// - `on_ground(k_n, ground)`: the law with the coefficients of a ground zone; k_n in N/m.
+/// - `initial_state(overlap, rate, effective_mass, patch_force)`: the state of a contact that
+///   begins with an overlap which its speed does not explain; `rate` in m/s, `patch_force` is the
+///   mean force of its contact patch, N.
+/// - `integrate(path, state, effective_mass)`: the response to the path of the overlap over a step.
+/// - `stored_energy(overlap, h_p)`: elastic energy, J.
+/// - `rest_stiffness()`: the force of a body at rest over its overlap, N/m.
+/// - `highest_frequency(w)`: the fastest rate of a contact whose spring alone has the frequency w,
+///   rad/s. The time step follows from it.
+/// - `force_drop(overlap, force)`: by how much the force falls when loading turns to unloading, N.
+/// - `unloading_ratio(k_n)`: the stiffness of unloading over k_n, for the energy that an impact
+///   can still return.
+template <class Law>
+concept NormalLaw = requires(const Law& law, const GroundParameters& ground,
+                             const OverlapPath& path, const NormalState& state, double number) {
+  { Law::kName } -> std::convertible_to<const char*>;
+  { Law::kNeedsEffectiveMass } -> std::convertible_to<bool>;
+  { Law::kIsPlastic } -> std::convertible_to<bool>;
+  { Law::on_ground(number, ground) } -> std::same_as<Law>;
+  { law.initial_state(number, number, number, number) } -> std::same_as<NormalState>;
+  { law.integrate(path, state, number) } -> std::same_as<NormalResponse>;
+  { law.stored_energy(number, number) } -> std::same_as<double>;
+  { law.rest_stiffness() } -> std::same_as<double>;
+  { law.highest_frequency(number) } -> std::same_as<double>;
+  { law.force_drop(number, number) } -> std::same_as<double>;
+  { law.unloading_ratio(number) } -> std::same_as<double>;
+};
+
+}  // namespace clast

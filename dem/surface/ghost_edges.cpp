@@ -1,0 +1,83 @@
+#include "dem/surface/ghost_edges.hpp"
+
+#include <algorithm>
+
+namespace clast::dem_detail {
+namespace {
+
+/// Slack of the arc and cone tests, a sine.
+constexpr double kConeSlack = 1e-9;
+/// What the turn at an edge or vertex adds to the slack, as a share of the distance between the
+/// normals: 3 degrees at a right angle, as much as a block of the settled depth tilts.
+constexpr double kGiveShare = 0.037;
+/// The most that gives, for faces back to back. Few directions are so near the limit that their own
+/// give must be computed.
+constexpr double kMostGive = 2.0 * kGiveShare;
+
+double give_of(const Vec3& normal, const Vec3& other) {
+  return kGiveShare * (normal - other).norm();
+}
+
+bool within_arc(const SurfaceFeatures& surface, const SurfaceEdge& edge, const Vec3& direction,
+                double slack) {
+  for (std::size_t i = 0; i < 2; ++i) {
+    if (edge.faces[i] == kNoFeature) return true;
+    const SurfaceFace& face = surface.faces[edge.faces[i]];
+    if (direction.dot(into_face(face, edge.direction, edge.along[i])) > slack) return false;
+  }
+  return true;
+}
+
+bool within_cone(const SurfaceFeatures& surface, std::uint32_t vertex, const Vec3& direction,
+                 double slack) {
+  for (const std::uint32_t e : surface.edges_at(vertex)) {
+    if (direction.dot(surface.ray(e, vertex)) > slack) return false;
+  }
+  // At the bottom of a pit all edges rise away from a direction into the solid, too. The
+  // angle-weighted normal distinguishes the two without exception (Baerentzen & Aanaes 2005).
+  return !(direction.dot(surface.vertex_normals[vertex]) < 0.0);
+}
+
+}  // namespace
+
+bool in_arc(const SurfaceFeatures& surface, const SurfaceEdge& edge, const Vec3& direction) {
+  return within_arc(surface, edge, direction, kConeSlack);
+}
+
+double arc_slack(const SurfaceFeatures& surface, const SurfaceEdge& edge) {
+  if (edge.kind != EdgeKind::kRidge) return kConeSlack;
+  return kConeSlack +
+         give_of(surface.faces[edge.faces[0]].normal, surface.faces[edge.faces[1]].normal);
+}
+
+bool near_arc(const SurfaceFeatures& surface, const SurfaceEdge& edge, const Vec3& direction) {
+  if (in_arc(surface, edge, direction)) return true;
+  if (edge.kind != EdgeKind::kRidge ||
+      !within_arc(surface, edge, direction, kConeSlack + kMostGive)) {
+    return false;
+  }
+  return within_arc(surface, edge, direction, arc_slack(surface, edge));
+}
+
+bool in_cone(const SurfaceFeatures& surface, std::uint32_t vertex, const Vec3& direction) {
+  return within_cone(surface, vertex, direction, kConeSlack);
+}
+
+double cone_slack(const SurfaceFeatures& surface, std::uint32_t vertex) {
+  double give = 0.0;
+  for (const std::uint32_t e : surface.edges_at(vertex)) {
+    for (const std::uint32_t f : surface.edges[e].faces) {
+      if (f == kNoFeature) continue;
+      give = std::max(give, 2.0 * give_of(surface.vertex_normals[vertex], surface.faces[f].normal));
+    }
+  }
+  return kConeSlack + give;
+}
+
+bool near_cone(const SurfaceFeatures& surface, std::uint32_t vertex, const Vec3& direction) {
+  if (in_cone(surface, vertex, direction)) return true;
+  if (!within_cone(surface, vertex, direction, kConeSlack + 2.0 * kMostGive)) return false;
+  return within_cone(surface, vertex, direction, cone_slack(surface, vertex));
+}
+
+}  // namespace clast::dem_detail
