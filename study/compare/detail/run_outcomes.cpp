@@ -53,7 +53,8 @@ std::vector<double> distinct_masses(const std::vector<const RunRow*>& rows) {
   for (const RunRow* row : rows) all.insert(row->block->mass);
   std::vector<double> distinct;
   for (const double mass : all) {
-    if (distinct.empty() || mass > distinct.back() * (1.0 + kMassLevelShare)) distinct.push_back(mass);
+    if (distinct.empty() || mass > distinct.back() * (1.0 + kMassLevelShare))
+      distinct.push_back(mass);
   }
   return distinct;
 }
