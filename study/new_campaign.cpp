@@ -10,7 +10,6 @@
 #include "core/parallel.hpp"
 #include "core/statistics.hpp"
 #include "library/block_library.hpp"
-#include "library/block_ranges.hpp"
 #include "library/unscaled.hpp"
 #include "study/campaign_runner.hpp"
 #include "study/detail/campaign_checks.hpp"
@@ -32,20 +31,6 @@ constexpr double kLongestTime = 480.0;  ///< that runs have, s; trial runs have 
 constexpr std::size_t kTrialRuns = 16;  ///< enough to see what half of them do, within seconds
 constexpr double kFewPass = 0.25;       ///< of them: a barrier there says little
 constexpr double kLeastDistance = 2.0;  ///< L that blocks go at least, for a barrier to make sense
-
-/// Why a block can't be released on a terrain of this extent; empty: it can.
-std::string misfit(const Block& block, double extent) {
-  if (is_unscaled(block)) return block.id + " has no size";
-  const double length = block.axes().L;
-  if (length > std::min(kLongestUsual, kLargestShare * extent)) {
-    return block.id + " is " + with_digits(length, 3) + " m long, on a terrain of " +
-           with_digits(extent, 3) + " m";
-  }
-  if (block.mass.mass > kHeaviestUsual) {
-    return block.id + " is " + with_digits(block.mass.mass / 1000.0, 3) + " t heavy";
-  }
-  return "";
-}
 
 /// The mass of all blocks where none has a size, at which each is short on the terrain, kg.
 double assumed_mass(const std::vector<Block>& blocks, double extent) {
@@ -69,7 +54,10 @@ ProposedBlocks propose_blocks(const BlockLibrary& library, double extent) {
   }
   std::vector<double> sides;
   for (const Block& block : all) {
-    const std::string why = blocks.mass ? "" : misfit(block, extent);
+    const std::string why = blocks.mass ? ""
+                            : is_unscaled(block)
+                                ? block.id + " has no size"
+                                : unusual_size(block.id, block.axes().L, block.mass.mass, extent);
     if (!why.empty()) {
       blocks.left_out.push_back(why);
       continue;
