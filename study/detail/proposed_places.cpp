@@ -32,11 +32,6 @@ constexpr double kBarrierShare = 0.35;  ///< of the way, half the length of the 
 
 double tangent(double degrees) { return std::tan(degrees * kRadiansPerDegree); }
 
-struct GroundSlope {
-  double height = 0.0;           ///< local z, m
-  Vec2 gradient = Vec2::Zero();  ///< points uphill; its length is the tangent of the slope
-};
-
 /// The uppermost ground, seen in steps of one length; local frame, m.
 struct UpperGround {
   const TerrainSurface& surface;
@@ -53,18 +48,18 @@ struct UpperGround {
     return surface.height(place.x(), place.y(), surface.extent().high.z() + 1.0);
   }
 
-  /// The plane through nine places, a step apart; none where one of them is off the ground.
-  std::optional<GroundSlope> slope(const Vec2& place) const {
-    GroundSlope slope;
+  /// Gradient of the plane through nine places, a step apart: it points uphill and is as long as
+  /// the tangent of the slope. None where one of them is off the ground.
+  std::optional<Vec2> gradient(const Vec2& place) const {
+    Vec2 gradient = Vec2::Zero();
     for (const double i : {-1.0, 0.0, 1.0}) {
       for (const double j : {-1.0, 0.0, 1.0}) {
         const std::optional<double> z = height(place + step * Vec2(i, j));
         if (!z) return std::nullopt;
-        slope.height += *z / 9.0;
-        slope.gradient += *z / (6.0 * step) * Vec2(i, j);
+        gradient += *z / (6.0 * step) * Vec2(i, j);
       }
     }
-    return slope;
+    return gradient;
   }
 
   /// True if the square of this half width around the place lies on the ground.
@@ -87,18 +82,19 @@ std::vector<Vec3> fall_path(const UpperGround& ground, const Vec2& start, double
   Vec2 place = start, direction = Vec2::Zero();
   double head = kStartHead;
   while (path.size() < kLongestPath) {
-    const std::optional<GroundSlope> here = ground.slope(place);
-    if (!here) break;
+    const std::optional<Vec2> uphill = ground.gradient(place);
+    if (!uphill) break;
+    const double z = *ground.height(place);
     if (path.empty()) {
-      direction = -here->gradient.normalized();
+      direction = -uphill->normalized();
     } else {
-      head += path.back().z() - here->height - friction * ground.step;
+      head += path.back().z() - z - friction * ground.step;
       if (!(head > 0.0)) break;
       head = std::min(head, kLargestHead);
     }
-    path.emplace_back(place.x(), place.y(), here->height);
+    path.emplace_back(place.x(), place.y(), z);
     // The gradient across the path curves it by 1 / (2 head) per metre.
-    const Vec2 across = here->gradient - here->gradient.dot(direction) * direction;
+    const Vec2 across = *uphill - uphill->dot(direction) * direction;
     direction -= across * (ground.step / (2.0 * std::max(head, ground.step)));
     direction.normalize();
     place += ground.step * direction;
@@ -123,8 +119,8 @@ std::vector<Start> starts_with(const UpperGround& ground, double margin) {
   for (int i = 0; i < kStartsPerSide; ++i) {
     for (int j = 0; j < kStartsPerSide; ++j) {
       const Vec2 place = low + apart.cwiseProduct(Vec2(i + 0.5, j + 0.5));
-      const std::optional<GroundSlope> here = ground.slope(place);
-      if (here && ground.covers(place, margin)) starts.push_back({place, here->gradient});
+      const std::optional<Vec2> uphill = ground.gradient(place);
+      if (uphill && ground.covers(place, margin)) starts.push_back({place, *uphill});
     }
   }
   return starts;
@@ -218,9 +214,9 @@ ProposedPlaces propose_places(const Terrain& terrain, const TerrainSurface& surf
   places.release_slope = std::atan(steep);
   const Vec2 across = Vec2(-start.uphill.y(), start.uphill.x()) / steep;
   const auto good = [&](const Vec2& place) {
-    const std::optional<GroundSlope> here = ground.slope(place);
-    return here && ground.covers(place, places.margin) &&
-           here->gradient.norm() >= kLineShare * std::min(steep, tangent(kSteepStart));
+    const std::optional<Vec2> uphill = ground.gradient(place);
+    return uphill && ground.covers(place, places.margin) &&
+           uphill->norm() >= kLineShare * std::min(steep, tangent(kSteepStart));
   };
   const double apart = 2.0 * block_length;
   const double way = (places.path.back() - places.path.front()).head<2>().norm();
