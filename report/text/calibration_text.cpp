@@ -4,6 +4,7 @@
 #include <cmath>
 #include <set>
 
+#include "core/files/toml_text.hpp"
 #include "core/number_text.hpp"
 #include "core/text_table.hpp"
 #include "report/text/capital.hpp"
@@ -258,7 +259,7 @@ std::string ground_block(const Calibration& calibration) {
     }
     for (const auto& [zone, ground] : site.campaign.ground) {
       if (!written.insert(zone).second) continue;
-      text += "[ground." + zone + "]\n";
+      text += "[ground." + toml_key(zone) + "]\n";
       for (const GroundField& field : ground_fields()) {
         const std::optional<Uncertain>& asked = ground.*field.asked;
         if (asked) text += std::string(field.name) + " = " + with_digits(asked->first, 4) + "\n";

@@ -21,7 +21,8 @@ std::vector<TableKey> ground_keys(bool between_blocks, bool complete = true) {
   std::vector<TableKey> keys;
   for (const GroundField& field : ground_fields()) {
     if (between_blocks && field.of_soil) continue;
-    keys.push_back({field.name, field.unit, std::string(field.words) + ": " + field.meaning,
+    const std::string trust = field.of_soil ? "experimental, unmeasured: " : "";
+    keys.push_back({field.name, field.unit, trust + field.words + ": " + field.meaning,
                     between_blocks ? Forms{number(field.range)} : uncertain(field.range),
                     complete && field.required});
   }

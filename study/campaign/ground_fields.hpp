@@ -17,12 +17,14 @@ struct GroundField {
   const char* words;    ///< in a sentence, "rolling friction"
   NumberRange range;
   bool required;  ///< of every zone; else 0 where it is not stated
-  bool of_soil;   ///< what blocks do to each other has none
+  /// What the soil does: experimental, since no measurement supports its values. What blocks do to
+  /// each other has none of it.
+  bool of_soil;
   double GroundParameters::*value;
   std::optional<Uncertain> GroundTable::*asked;
 };
 
-/// In the order of the columns.
+/// In the order of the columns; those of the soil last.
 std::span<const GroundField> ground_fields();
 
 }  // namespace clast

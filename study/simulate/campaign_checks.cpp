@@ -16,6 +16,8 @@ namespace {
 
 // Quaternions closer than this are one rotation.
 constexpr double kSameRotation = 1e-9;
+/// Of the terrain that a block may be long.
+constexpr double kLargestShare = 0.1;
 
 // Rotations that are the same have the same |w|, so each is compared with its neighbours in that
 // order only: a file can hold a million.
@@ -207,24 +209,30 @@ std::string set_name(const ReleasePlan& release) {
   return release.name.empty() ? "" : "release set " + release.name + ", ";
 }
 
+std::string unusual_size(const std::string& block, double length, double mass, double extent) {
+  std::string usual;
+  if (length > kLongestUsual) {
+    usual = "blocks are no longer than " + with_digits(kLongestUsual, 3) + " m";
+  } else if (mass > kHeaviestUsual) {
+    usual = "blocks are no heavier than " + with_digits(kHeaviestUsual / 1000.0, 5) + " t";
+  } else if (length > kLargestShare * extent) {
+    usual = "a block is no longer than a tenth of the terrain, which is " + with_digits(extent, 4) +
+            " m across";
+  } else {
+    return "";
+  }
+  return block + " is " + with_digits(length, 3) + " m long and " + with_digits(mass / 1000.0, 3) +
+         " t heavy; usually " + usual;
+}
+
 void check_sizes(const PreparedCampaign& prepared) {
   if (prepared.campaign.blocks.any_size) return;
   const Bounds ground = bounds(prepared.header.terrain.surface);
   const double extent = (ground.high - ground.low).head<2>().maxCoeff();
   for (const BlockSummary& block : prepared.header.blocks) {
-    std::string why;
-    if (block.axes.L > kLongestUsual) {
-      why = "blocks are no longer than " + with_digits(kLongestUsual, 3) + " m";
-    } else if (block.mass > kHeaviestUsual) {
-      why = "blocks are no heavier than " + with_digits(kHeaviestUsual / 1000.0, 5) + " t";
-    } else if (block.axes.L > kLargestShare * extent) {
-      why = "a block is no longer than a tenth of the terrain, which is " + with_digits(extent, 4) +
-            " m across";
-    }
-    if (why.empty()) continue;
-    throw InputError(prepared.campaign.file.string() + ": [blocks] " + block.id + " is " +
-                     with_digits(block.axes.L, 3) + " m long and " +
-                     with_digits(block.mass / 1000.0, 3) + " t heavy; usually " + why +
+    const std::string problem = unusual_size(block.id, block.axes.L, block.mass, extent);
+    if (problem.empty()) continue;
+    throw InputError(prepared.campaign.file.string() + ": [blocks] " + problem +
                      ": check scale and the units of scans and terrain, or set allow_any_size = "
                      "true");
   }

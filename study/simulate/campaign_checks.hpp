@@ -7,15 +7,16 @@
 
 namespace clast::study_detail {
 
-/// Of the terrain that a block may be long.
-inline constexpr double kLargestShare = 0.1;
-
 /// "release set cliff, " where there are several, else "".
 std::string set_name(const ReleasePlan& release);
 
 /// Refuses releases from heights no slope has.
 /// @throws InputError  a fall to the lowest ground could end faster than `kMostSpeed`
 void check_falls(const PreparedCampaign& prepared);
+
+/// What is unusual about a block of this length (m) and mass (kg) on a terrain of this extent (m):
+/// its size, and what is usual; empty: nothing.
+std::string unusual_size(const std::string& block, double length, double mass, double extent);
 
 /// @throws InputError  a block longer than 20 m, heavier than 10,000 t, or longer than a tenth of
 ///                     the terrain, unless the campaign allows any size

@@ -1,104 +1,150 @@
-// Release points and a barrier, proposed on a terrain.
+// Release points and a barrier, proposed from the shape of a terrain.
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <iterator>
+#include <optional>
 
 #include "core/angle.hpp"
 #include "core/error.hpp"
 #include "core/number_text.hpp"
-#include "study/proposal/detail/fall_paths.hpp"
 #include "study/proposal/new_campaign.hpp"
 
 namespace clast {
-
-using namespace study_detail;
 namespace {
 
-/// Slopes that are tried, steepest first: blocks start by themselves on the first two, on the first
-/// also where mu is 0.7 and more, and below the last they come to rest where they land.
-constexpr std::array<double, 7> kSlopes = {38.0, 35.0, 30.0, 25.0, 20.0, 15.0, 10.0};  // degrees
-constexpr double kUpperShare = 0.7;  ///< of the longest descent, from ground as steep as that
+constexpr double kSteps = 150.0;             ///< along the longer side of the terrain
+constexpr double kLeastSteps = 12.0;         ///< along the shorter one
+constexpr int kStartsPerSide = 40;           ///< that are tried, in a grid over the terrain
 constexpr double kBorderMarginShare = 0.04;  ///< of the terrain, that releases keep from its border
-/// Apparent, of the whole way down, highest first: what blocks that hardly roll overcome goes for
-/// all.
-constexpr std::array<double, 5> kFrictions = {0.75, 0.65, 0.5, 0.35, 0.15};
-constexpr double kFootFriction = 0.65;     ///< at most, for a way that goes on beyond the foot
-constexpr double kReliefShare = 0.4;       ///< of the terrain's relief, that a way down should have
-constexpr std::size_t kMostStarts = 4000;  ///< tried
-constexpr double kNearlyBest = 0.9;        ///< of the longest descent is as good
+/// Degrees: below the first no block starts; ground steeper than the second is no better.
+constexpr double kGentlestStart = 10.0, kSteepStart = 55.0;
+constexpr double kNearlyBest = 0.9;  ///< of the best start is as good
+constexpr double kLineShare = 0.6;   ///< of the slope at the start, that its neighbours need
 constexpr std::size_t kMostReleasePoints = 5;
+/// Apparent, of the whole path: an energy line of 33 degrees. On gentle terrain it is this share of
+/// the steepest slope, so that the point moves at all.
+constexpr double kFriction = 0.65, kGentleShare = 0.75;
+constexpr double kStartHead = 1.0;          ///< m of fall that the point has at its start
+constexpr double kLargestHead = 20.0;       ///< m: blocks are seldom faster than 20 m/s
+constexpr std::size_t kLongestPath = 2000;  ///< steps
 constexpr double kFootShare = 0.7;      ///< of the descent lies above the foot of a slope at least
 constexpr double kLateFoot = 0.85;      ///< of the way, where a slope has no foot
 constexpr double kBarrierShare = 0.35;  ///< of the way, half the length of the barrier
 
-struct Start {
-  Vec2 place = Vec2::Zero();
-  double slope = 0.0;    ///< tangent
-  double descent = 0.0;  ///< of its fall path, m
+double tangent(double degrees) { return std::tan(degrees * kRadiansPerDegree); }
+
+/// The uppermost ground, seen in steps of one length; local frame, m.
+struct UpperGround {
+  const TerrainSurface& surface;
+  double step = 0.0;
+
+  UpperGround(const TerrainSurface& ground, double block_length) : surface(ground) {
+    const Vec2 size = (ground.extent().high - ground.extent().low).head<2>();
+    step = std::min(std::max(size.maxCoeff() / kSteps, block_length / 2.0),
+                    size.minCoeff() / kLeastSteps);
+    step = std::max(step, size.maxCoeff() / static_cast<double>(kLongestPath));
+  }
+
+  std::optional<double> height(const Vec2& place) const {
+    return surface.height(place.x(), place.y(), surface.extent().high.z() + 1.0);
+  }
+
+  /// Gradient of the plane through nine places, a step apart: it points uphill and is as long as
+  /// the tangent of the slope. None where one of them is off the ground.
+  std::optional<Vec2> gradient(const Vec2& place) const {
+    Vec2 gradient = Vec2::Zero();
+    for (const double i : {-1.0, 0.0, 1.0}) {
+      for (const double j : {-1.0, 0.0, 1.0}) {
+        const std::optional<double> z = height(place + step * Vec2(i, j));
+        if (!z) return std::nullopt;
+        gradient += *z / (6.0 * step) * Vec2(i, j);
+      }
+    }
+    return gradient;
+  }
+
+  /// True if the square of this half width around the place lies on the ground.
+  bool covers(const Vec2& place, double half_width) const {
+    const double count = std::ceil(half_width / step);
+    for (double i = -count; i <= count; ++i) {
+      for (double j = -count; j <= count; ++j) {
+        const Vec2 at = place + half_width / count * Vec2(i, j);
+        if (!surface.covers(at.x(), at.y())) return false;
+      }
+    }
+    return true;
+  }
 };
 
-/// Ground with this margin, thinned to what can be tried.
-std::vector<Start> starts_with(const GroundGrid& grid, double margin) {
+/// Path of a point mass that starts at rest and slides down against friction, deflected by the
+/// ground, one point a step. It ends where the point stops or the ground does.
+std::vector<Vec3> fall_path(const UpperGround& ground, const Vec2& start, double friction) {
+  std::vector<Vec3> path;
+  Vec2 place = start, direction = Vec2::Zero();
+  double head = kStartHead;
+  while (path.size() < kLongestPath) {
+    const std::optional<Vec2> uphill = ground.gradient(place);
+    if (!uphill) break;
+    const double z = *ground.height(place);
+    if (path.empty()) {
+      direction = -uphill->normalized();
+    } else {
+      head += path.back().z() - z - friction * ground.step;
+      if (!(head > 0.0)) break;
+      head = std::min(head, kLargestHead);
+    }
+    path.emplace_back(place.x(), place.y(), z);
+    // The gradient across the path curves it by 1 / (2 head) per metre.
+    const Vec2 across = *uphill - uphill->dot(direction) * direction;
+    direction -= across * (ground.step / (2.0 * std::max(head, ground.step)));
+    direction.normalize();
+    place += ground.step * direction;
+  }
+  return path;
+}
+
+double descent_of(const std::vector<Vec3>& path) { return path.front().z() - path.back().z(); }
+
+/// A place where blocks could start.
+struct Start {
+  Vec2 place = Vec2::Zero();
+  Vec2 uphill = Vec2::Zero();  ///< gradient of the ground
+  std::vector<Vec3> path = {};
+};
+
+/// Places in a grid over the terrain with this margin to the border.
+std::vector<Start> starts_with(const UpperGround& ground, double margin) {
+  const Bounds& box = ground.surface.extent();
+  const Vec2 low = box.low.head<2>(), apart = (box.high - box.low).head<2>() / kStartsPerSide;
   std::vector<Start> starts;
-  for (std::uint32_t row = 0; row < grid.rows(); ++row) {
-    for (std::uint32_t column = 0; column < grid.columns(); ++column) {
-      const Vec2 place = grid.centre(column, row);
-      if (!grid.covered(place, margin)) continue;
-      if (const auto ground = grid.slope(place)) {
-        starts.push_back({place, ground->gradient.norm()});
-      }
+  for (int i = 0; i < kStartsPerSide; ++i) {
+    for (int j = 0; j < kStartsPerSide; ++j) {
+      const Vec2 place = low + apart.cwiseProduct(Vec2(i + 0.5, j + 0.5));
+      const std::optional<Vec2> uphill = ground.gradient(place);
+      if (uphill && ground.covers(place, margin)) starts.push_back({place, *uphill});
     }
   }
   return starts;
 }
 
-double tangent(double degrees) { return std::tan(degrees * kRadiansPerDegree); }
-
-double descent_of(const std::vector<Vec3>& path) {
-  return path.empty() ? 0.0 : path.front().z() - path.back().z();
-}
-
-double longest_descent(const std::vector<Start>& starts) {
-  double longest = 0.0;
-  for (const Start& start : starts) longest = std::max(longest, start.descent);
-  return longest;
-}
-
-/// Follows the ways down from at most `kMostStarts` of the starts, which are left.
-/// @return the friction of these ways: the highest at which one is long on this terrain
-double follow(std::vector<Start>& starts, const GroundGrid& grid, double relief) {
-  const std::size_t stride = 1 + starts.size() / kMostStarts;
-  std::vector<Start> tried;
-  for (std::size_t i = 0; i < starts.size(); i += stride) tried.push_back(starts[i]);
-  starts = std::move(tried);
-  for (const double friction : kFrictions) {
-    for (Start& start : starts) start.descent = descent_of(fall_path(grid, start.place, friction));
-    if (longest_descent(starts) >= kReliefShare * relief) return friction;
+/// The middle one of the starts from which blocks go furthest down off steep ground.
+/// @throws InputError  all ground is too gentle
+Start best_start(const UpperGround& ground, std::vector<Start> starts) {
+  double steepest = 0.0, best = 0.0;
+  for (const Start& start : starts) steepest = std::max(steepest, start.uphill.norm());
+  if (steepest < tangent(kGentlestStart)) {
+    throw InputError("the steepest ground of the terrain has " +
+                     with_decimals(std::atan(steepest) * kDegreesPerRadian, 1) +
+                     " degrees, on which no block starts; add the slope above it, or write the "
+                     "campaign by hand, with velocity_m_s in [release]");
   }
-  return kFrictions.back();
-}
-
-/// Starts on the steepest ground from which most of the longest descent is possible.
-/// @return the tangent of that slope
-double keep_steep(std::vector<Start>& starts) {
-  const double least = kUpperShare * longest_descent(starts);
-  for (const double degrees : kSlopes) {
-    const double steep = tangent(degrees);
-    std::vector<Start> some;
-    std::copy_if(starts.begin(), starts.end(), std::back_inserter(some),
-                 [&](const Start& start) { return start.slope >= steep; });
-    if (some.empty() || longest_descent(some) < least) continue;
-    starts = std::move(some);
-    return steep;
+  const auto merit = [](const Start& start) {
+    return descent_of(start.path) * std::min(start.uphill.norm(), tangent(kSteepStart));
+  };
+  for (Start& start : starts) {
+    start.path = fall_path(ground, start.place, std::min(kFriction, kGentleShare * steepest));
+    best = std::max(best, merit(start));
   }
-  return tangent(kSlopes.back());
-}
-
-/// Of the starts whose way down is nearly the longest, the one in their middle.
-Start best_of(std::vector<Start> starts) {
-  const double least = kNearlyBest * longest_descent(starts);
-  std::erase_if(starts, [&](const Start& start) { return start.descent < least; });
+  std::erase_if(starts, [&](const Start& start) { return merit(start) < kNearlyBest * best; });
   Vec2 middle = Vec2::Zero();
   for (const Start& start : starts) middle += start.place / static_cast<double>(starts.size());
   return *std::min_element(starts.begin(), starts.end(), [&](const Start& a, const Start& b) {
@@ -106,134 +152,106 @@ Start best_of(std::vector<Start> starts) {
   });
 }
 
-/// How far one can go from `from` along `direction` and stay where `good` holds, at most `most`.
+/// How far one can go from a place both ways and stay where `good` holds, at most `most`.
 template <typename Good>
-double reach(const Vec2& from, const Vec2& direction, double step, double most, const Good& good) {
+double reach(const Vec2& place, const Vec2& direction, double step, double most, const Good& good) {
   double way = 0.0;
-  while (way + step <= most && good(Vec2(from + (way + step) * direction))) way += step;
+  while (way + step <= most && good(place + (way + step) * direction) &&
+         good(place - (way + step) * direction)) {
+    way += step;
+  }
   return way;
 }
 
-/// The foot of the slope: where the profile lies deepest below the straight line from start to end,
-/// once most of the descent is done; late on the way where it is straight.
-std::size_t foot_of(const std::vector<Vec3>& path) {
-  const std::size_t last = path.size() - 1;
-  const std::size_t late = static_cast<std::size_t>(kLateFoot * static_cast<double>(last));
-  std::size_t foot = late;
-  double deepest = 0.05 * descent_of(path);
-  for (std::size_t i = 1; i < last; ++i) {
-    if (path.front().z() - path[i].z() < kFootShare * descent_of(path)) continue;
-    const double share = static_cast<double>(i) / static_cast<double>(last);
-    const double below = path.front().z() - share * descent_of(path) - path[i].z();
-    if (below <= deepest) continue;
+/// Distance in the plan to the foot of the slope: where the profile lies deepest below the straight
+/// line from start to end, once most of the descent is done; late on the way where it is straight.
+double distance_to_foot(const std::vector<Vec3>& path) {
+  const double last = static_cast<double>(path.size() - 1), descent = descent_of(path);
+  std::size_t foot = static_cast<std::size_t>(kLateFoot * last);
+  double deepest = 0.05 * descent;
+  for (std::size_t i = 1; i + 1 < path.size(); ++i) {
+    const double fallen = path.front().z() - path[i].z();
+    const double below = fallen - descent * static_cast<double>(i) / last;
+    if (fallen < kFootShare * descent || below <= deepest) continue;
     deepest = below;
     foot = i;
   }
-  return std::max<std::size_t>(foot, 1);
+  return (path[foot] - path.front()).head<2>().norm();
 }
 
-MapPoint on_map(const Terrain& terrain, const GroundGrid& grid, const Vec2& place) {
-  const auto ground = grid.slope(place);
-  return terrain.frame.map({place.x(), place.y(), ground ? ground->height : 0.0});
-}
-
-/// Points on a line through the start, across the slope.
-void propose_releases(const Terrain& terrain, const GroundGrid& grid, const Start& start,
-                      double way, double steep, ProposedPlaces& places) {
-  const Vec2 uphill = grid.slope(start.place)->gradient.normalized();
-  const Vec2 across(-uphill.y(), uphill.x());
-  const double apart = 2.0 * places.block_length;
-  const auto good = [&](const Vec2& place) {
-    const auto ground = grid.slope(place);
-    return ground && grid.covered(place, places.margin) && ground->gradient.norm() >= 0.8 * steep;
+/// The line through a place, on the map.
+MapLine line_through(const UpperGround& ground, const MapFrame& frame, const Vec2& place,
+                     const Vec2& half) {
+  const auto on_map = [&](const Vec2& at) {
+    return frame.map({at.x(), at.y(), ground.height(at).value_or(0.0)});
   };
-  const double step = std::min(apart, grid.cell()), most = std::max(2.0 * apart, 0.1 * way);
-  const double right = reach(start.place, across, step, most, good);
-  const double left = reach(start.place, Vec2(-across), step, most, good);
-  places.release_from = on_map(terrain, grid, start.place - left * across);
-  places.release_to = on_map(terrain, grid, start.place + right * across);
-  places.release_points =
-      std::min(kMostReleasePoints, 1 + static_cast<std::size_t>((left + right) / apart));
-  if (places.release_points > 1) return;
-  places.release_from = places.release_to = on_map(terrain, grid, start.place);
-}
-
-void place_barrier_at(const Terrain& terrain, const GroundGrid& grid, std::size_t at,
-                      ProposedPlaces& places) {
-  const std::vector<Vec3>& path = places.way_down;
-  const double clear = std::max(places.block_length, grid.cell());
-  while (at > 1 && !grid.covered(path[at].head<2>(), clear)) --at;
-  const Vec2 start = path.front().head<2>(), place = path[at].head<2>();
-  places.distance = (place - start).norm();
-  places.descent = path.front().z() - path[at].z();
-  if (places.distance > 0.0) places.downslope = (place - start) / places.distance;
-  const Vec2 left(-places.downslope.y(), places.downslope.x());
-  const double releases = (places.release_to - places.release_from).head<2>().norm();
-  const double most =
-      std::max(kBarrierShare * places.distance, 0.5 * releases + 2.0 * places.block_length);
-  const auto ground = [&](const Vec2& spot) { return grid.covered(spot, 0.0) && grid.slope(spot); };
-  const double to_left = std::max(clear, reach(place, left, grid.cell(), most, ground));
-  const double to_right = std::max(clear, reach(place, Vec2(-left), grid.cell(), most, ground));
-  // Blocks that come down see its first point on their left.
-  places.barrier_from = on_map(terrain, grid, place - to_right * left);
-  places.barrier_to = on_map(terrain, grid, place + to_left * left);
-}
-
-GroundGrid grid_of(const Terrain& terrain, double block_length) {
-  const Bounds box = bounds(terrain.surface);
-  const double extent = (box.high - box.low).head<2>().maxCoeff();
-  return GroundGrid(terrain, std::max(extent / 150.0, block_length / 2.0));
+  return {on_map(place - half), on_map(place + half)};
 }
 
 }  // namespace
 
-ProposedPlaces propose_places(const Terrain& terrain, double block_length) {
-  const Bounds box = bounds(terrain.surface);
-  const double extent = (box.high - box.low).head<2>().maxCoeff();
-  const GroundGrid grid = grid_of(terrain, block_length);
+ProposedPlaces propose_places(const Terrain& terrain, const TerrainSurface& surface,
+                              double block_length) {
+  const UpperGround ground(surface, block_length);
   ProposedPlaces places;
   places.block_length = block_length;
-  places.margin = std::max(2.0 * block_length, kBorderMarginShare * extent);
-  std::vector<Start> starts = starts_with(grid, places.margin);
-  while (starts.empty() && places.margin > block_length) {
-    places.margin = std::max(block_length, places.margin / 2.0);
-    starts = starts_with(grid, places.margin);
-  }
+  places.margin = std::max(
+      2.0 * block_length,
+      kBorderMarginShare * (surface.extent().high - surface.extent().low).head<2>().maxCoeff());
+  std::vector<Start> starts = starts_with(ground, places.margin);
+  if (starts.empty()) starts = starts_with(ground, places.margin = block_length);
   if (starts.empty()) {
     throw InputError("no place of the terrain is as far from its border as blocks of " +
                      with_digits(block_length, 3) +
                      " m are long; check the units of scans and terrain, or survey more of it");
   }
-  const double steepest =
-      std::max_element(starts.begin(), starts.end(), [](const Start& a, const Start& b) {
-        return a.slope < b.slope;
-      })->slope;
-  if (steepest < tangent(kSlopes.back())) {
-    throw InputError("the steepest ground of the terrain has " +
-                     with_decimals(std::atan(steepest) * kDegreesPerRadian, 1) +
-                     " degrees, on which no block starts; add the slope above it, or write the "
-                     "campaign by hand, with velocity_m_s in [release]");
-  }
-  std::erase_if(starts, [](const Start& start) { return start.slope < tangent(kSlopes.back()); });
-  const double friction = follow(starts, grid, box.high.z() - box.low.z());
-  const double steep = keep_steep(starts);
-  const Start start = best_of(std::move(starts));
-  places.way_down = fall_path(grid, start.place, std::min(friction, kFootFriction));
-  if (places.way_down.size() < 3) {
+  const Start start = best_start(ground, std::move(starts));
+  places.path = start.path;
+  if (places.path.size() < 3) {
     throw InputError("at the steepest ground of the terrain there is no way down; is it a pit?");
   }
-  const double way = (places.way_down.back() - places.way_down.front()).head<2>().norm();
-  places.release_slope = std::atan(start.slope);
-  propose_releases(terrain, grid, start, way, steep, places);
-  place_barrier_at(terrain, grid, foot_of(places.way_down), places);
+  const double steep = start.uphill.norm();
+  places.release_slope = std::atan(steep);
+  const Vec2 across = Vec2(-start.uphill.y(), start.uphill.x()) / steep;
+  const auto good = [&](const Vec2& place) {
+    const std::optional<Vec2> uphill = ground.gradient(place);
+    return uphill && ground.covers(place, places.margin) &&
+           uphill->norm() >= kLineShare * std::min(steep, tangent(kSteepStart));
+  };
+  const double apart = 2.0 * block_length;
+  const double way = (places.path.back() - places.path.front()).head<2>().norm();
+  const double half = reach(start.place, across, std::min(apart, ground.step),
+                            std::max(2.0 * apart, 0.1 * way), good);
+  places.release_points =
+      std::min(kMostReleasePoints, 1 + static_cast<std::size_t>(2.0 * half / apart));
+  places.releases = line_through(ground, terrain.frame, start.place,
+                                 (places.release_points > 1 ? half : 0.0) * across);
+  place_barrier(terrain, surface, distance_to_foot(places.path), places);
   return places;
 }
 
-void place_barrier(const Terrain& terrain, double distance, ProposedPlaces& places) {
-  const std::vector<Vec3>& path = places.way_down;
+void place_barrier(const Terrain& terrain, const TerrainSurface& surface, double distance,
+                   ProposedPlaces& places) {
+  const UpperGround ground(surface, places.block_length);
+  const std::vector<Vec3>& path = places.path;
+  const double clear = std::max(places.block_length, ground.step);
+  const auto way_to = [&](std::size_t i) -> Vec2 { return (path[i] - path.front()).head<2>(); };
   std::size_t at = 1;
-  while (at + 1 < path.size() && (path[at + 1] - path.front()).head<2>().norm() <= distance) ++at;
-  place_barrier_at(terrain, grid_of(terrain, places.block_length), at, places);
+  while (at + 1 < path.size() && way_to(at + 1).norm() <= distance &&
+         ground.covers(path[at + 1].head<2>(), clear)) {
+    ++at;
+  }
+  places.distance = way_to(at).norm();
+  places.descent = path.front().z() - path[at].z();
+  places.downslope = way_to(at) / places.distance;
+  // Blocks that come down see its first point on their left.
+  const Vec2 place = path[at].head<2>(), left(-places.downslope.y(), places.downslope.x());
+  const double releases = (places.releases.to - places.releases.from).head<2>().norm();
+  const double half =
+      reach(place, left, ground.step,
+            std::max(kBarrierShare * places.distance, 0.5 * releases + 2.0 * places.block_length),
+            [&](const Vec2& spot) { return surface.covers(spot.x(), spot.y()); });
+  places.barrier = line_through(ground, terrain.frame, place, std::max(clear, half) * left);
 }
 
 }  // namespace clast

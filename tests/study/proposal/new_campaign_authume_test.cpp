@@ -36,7 +36,7 @@ TEST(NewCampaignAuthume, RunsDownTheQuarry) {
   }
   const Bounds box = bounds(terrain.surface);
   const double low = terrain.frame.map(box.low).z(), high = terrain.frame.map(box.high).z();
-  EXPECT_GT(proposal.places.release_from.z(), low + 0.5 * (high - low));
+  EXPECT_GT(proposal.places.releases.from.z(), low + 0.5 * (high - low));
   EXPECT_GT(proposal.places.descent, 15.0);
 
   const std::string all = read_text_file(folder / "campaign.toml");
