@@ -145,7 +145,7 @@ Rgb zone_tint(const std::string& name, std::size_t n) {
   return kOtherTints[n % kOtherTints.size()];
 }
 
-Picture relief_picture(const Relief& relief, const std::vector<std::string>& zone_names,
+std::string relief_png(const Relief& relief, const std::vector<std::string>& zone_names,
                        double first_height, double contour_interval) {
   // Zones of one tint share palette entries, so that any number of zones fits into 256.
   std::vector<Rgb> palette = {{255, 255, 255}, kContourColour};
@@ -186,13 +186,7 @@ Picture relief_picture(const Relief& relief, const std::vector<std::string>& zon
                                     static_cast<std::size_t>(std::lround(level * kShades)));
     }
   }
-  return {relief.columns, relief.rows, std::move(pixels), std::move(palette)};
-}
-
-std::string relief_png(const Relief& relief, const std::vector<std::string>& zone_names,
-                       double first_height, double contour_interval) {
-  const Picture picture = relief_picture(relief, zone_names, first_height, contour_interval);
-  return palette_png(picture.width, picture.height, picture.pixels, picture.palette);
+  return palette_png(relief.columns, relief.rows, pixels, palette);
 }
 
 }  // namespace clast

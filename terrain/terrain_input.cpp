@@ -284,4 +284,14 @@ Terrain read_terrain(const TerrainOptions& options) {
   return terrain;
 }
 
+std::vector<std::vector<Vec2>> read_barrier_lines(const fs::path& path, const Terrain& terrain) {
+  std::vector<std::vector<Vec2>> lines;
+  for (const terrain_detail::MapLine& line :
+       terrain_detail::read_map_lines(path, terrain.frame.crs)) {
+    lines.emplace_back();
+    for (const Vec3& point : line.points) lines.back().push_back(point.head<2>());
+  }
+  return lines;
+}
+
 }  // namespace clast
