@@ -97,17 +97,23 @@ std::vector<double> shades(const Relief& relief) {
   return shade;
 }
 
+/// Neighbouring cells are level if their heights differ by no more than this, m: the rounding of
+/// heights on level ground draws no contours.
+constexpr double kLevel = 1e-6;
+
 /// True where a contour passes between this cell and the one to its right or below.
 bool on_contour(const Relief& relief, std::uint32_t row, std::uint32_t column, double first_height,
                 double interval) {
-  const auto band = [&](std::uint32_t r, std::uint32_t c) {
-    return std::floor((relief.height[std::size_t{r} * relief.columns + c] + first_height) /
-                      interval);
+  const auto height = [&](std::uint32_t r, std::uint32_t c) {
+    return relief.height[std::size_t{r} * relief.columns + c];
   };
-  const double here = band(row, column);
-  const auto differs = [&](double there) { return !std::isnan(there) && there != here; };
-  return (column + 1 < relief.columns && differs(band(row, column + 1))) ||
-         (row + 1 < relief.rows && differs(band(row + 1, column)));
+  const auto band = [&](double z) { return std::floor((z + first_height) / interval); };
+  const double here = height(row, column);
+  const auto differs = [&](double there) {
+    return std::abs(there - here) > kLevel && band(there) != band(here);
+  };
+  return (column + 1 < relief.columns && differs(height(row, column + 1))) ||
+         (row + 1 < relief.rows && differs(height(row + 1, column)));
 }
 
 std::uint8_t part_of(double share, std::uint8_t colour) {

@@ -211,6 +211,25 @@ TEST_F(SvgMap, HasALegendOfMarksContoursAndZones) {
   EXPECT_TRUE(contains(bare, "fill=\"#f5ccc6\"")) << "the swatch of \"red\"";
 }
 
+// The floor of a quarry at a round height, high on the map: its heights are round but for rounding.
+TEST_F(SvgMap, LevelGroundHasNoContoursAndASlopeHas) {
+  const auto contour_pixels = [&](const Terrain& terrain) {
+    const Pixels relief(folder_, svg_map(site_map(terrain, {}, {})));
+    EXPECT_EQ(relief.colours.at(1), (std::array<int, 3>{122, 98, 69}));
+    return std::count(relief.indices.begin(), relief.indices.end(), 1);
+  };
+  Terrain terrain = ground();
+  const double turn = std::numbers::pi / 7.0;  // sides across the pixels
+  for (Vec3& v : terrain.surface.vertices) {
+    v = Vec3(std::cos(turn) * v.x() - std::sin(turn) * v.y(),
+             std::sin(turn) * v.x() + std::cos(turn) * v.y(), 10.0);
+  }
+  EXPECT_EQ(contour_pixels(terrain), 0);
+  // 501, 502, ... 509 m from south to north, a pixel wide each; 500 and 510 lie on the border.
+  const std::ptrdiff_t on_slope = contour_pixels(ground(0.5));
+  EXPECT_NEAR(static_cast<double>(on_slope), 9.0 * 10.0 * kScale, 0.15 * 9.0 * 10.0 * kScale);
+}
+
 // Names in any language and of any length.
 TEST_F(SvgMap, LegendsFitWhateverTheNames) {
   write_mesh(folder_ / "a.ply", squares(10, 1.0, [](double x, double) { return 500.0 + x; }));
