@@ -16,7 +16,7 @@ namespace {
 
 constexpr double kBelow = 44.0;
 constexpr double kLongest = 790.0, kTallest = 640.0;  // of the map itself, px
-constexpr double kLegendWidth = 196.0;
+constexpr double kLegendWidth = 224.0;
 constexpr const char* kMapHalo =
     "font-size=\"12.5\" font-weight=\"600\" fill=\"#111\" stroke=\"#fff\" stroke-width=\"3\" "
     "paint-order=\"stroke\"";
