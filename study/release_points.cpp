@@ -8,6 +8,7 @@
 #include "core/number_table.hpp"
 #include "core/number_text.hpp"
 #include "mesh/coordinate_columns.hpp"
+#include "mesh/plan_geometry.hpp"
 #include "mesh/triangle_mesh.hpp"
 #include "study/detail/campaign_ranges.hpp"
 #include "study/plan_polygon.hpp"

@@ -6,6 +6,8 @@
 #include <limits>
 #include <utility>
 
+#include "mesh/plan_geometry.hpp"
+
 namespace clast {
 namespace {
 
@@ -28,14 +30,10 @@ constexpr std::array<Rgb, 6> kOtherTints = {{{233, 223, 201},
                                              {207, 222, 238},
                                              {224, 213, 233}}};
 
-/// Edge function: twice the signed area of (a, b, p) in plan.
-double side(const Vec3& a, const Vec3& b, double x, double y) {
-  return (b.x() - a.x()) * (y - a.y()) - (b.y() - a.y()) * (x - a.x());
-}
-
 void sample_triangle(const Vec3& a, const Vec3& b, const Vec3& c, std::uint16_t zone,
                      const Window& window, Relief& relief) {
-  const double area = side(a, b, c.x(), c.y());
+  const Vec2 plan_a = a.head<2>(), plan_b = b.head<2>(), plan_c = c.head<2>();
+  const double area = twice_area(plan_a, plan_b, plan_c);
   // Facing down, it may still be uppermost: where the survey ends on an overhang.
   if (area < 0.0) return sample_triangle(a, c, b, zone, window, relief);
   if (!(area > 0.0)) return;  // upright: its neighbours have the heights
@@ -55,7 +53,9 @@ void sample_triangle(const Vec3& a, const Vec3& b, const Vec3& c, std::uint16_t 
     const double y = window.high.y() - (static_cast<double>(row) + 0.5) * relief.cell;
     for (long column = first_column; column <= last_column; ++column) {
       const double x = window.low.x() + (static_cast<double>(column) + 0.5) * relief.cell;
-      const double u = side(b, c, x, y), v = side(c, a, x, y), w = side(a, b, x, y);
+      const Vec2 at(x, y);
+      const double u = twice_area(plan_b, plan_c, at), v = twice_area(plan_c, plan_a, at),
+                   w = twice_area(plan_a, plan_b, at);
       // Centres on an edge belong to both sides, whatever the rounding.
       if (std::min({u, v, w}) < -1e-12 * area) continue;
       const double z = (u * a.z() + v * b.z() + w * c.z()) / area;

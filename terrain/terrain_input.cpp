@@ -8,6 +8,7 @@
 #include "core/input_file.hpp"
 #include "core/number_text.hpp"
 #include "core/up_axis.hpp"
+#include "mesh/plan_geometry.hpp"
 #include "mesh/sub_mesh.hpp"
 #include "mesh/triangle_geometry.hpp"
 #include "terrain/detail/breaklines.hpp"
@@ -125,8 +126,7 @@ void note_doubts(Terrain& terrain) {
   std::size_t overhangs = 0;
   for (const auto& [a, b, c] : terrain.surface.triangles) {
     const std::vector<Vec3>& v = terrain.surface.vertices;
-    const Vec3 ab = v[b] - v[a], ac = v[c] - v[a];
-    if (ab.x() * ac.y() - ab.y() * ac.x() < 0.0) ++overhangs;
+    if (twice_area(v[a].head<2>(), v[b].head<2>(), v[c].head<2>()) < 0.0) ++overhangs;
   }
   if (overhangs == 0) return;
   std::string note = std::to_string(overhangs) + " of " +

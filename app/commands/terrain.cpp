@@ -20,6 +20,7 @@
 #include "core/up_axis.hpp"
 #include "library/block_ranges.hpp"
 #include "mesh/mesh_io.hpp"
+#include "mesh/plan_geometry.hpp"
 #include "mesh/reference_system.hpp"
 #include "report/maps/site_map.hpp"
 #include "report/maps/svg_map.hpp"
@@ -62,11 +63,10 @@ std::vector<ZoneExtent> zone_extents(const Terrain& terrain) {
   std::vector<ZoneExtent> zones(terrain.zone_names.size());
   for (std::size_t i = 0; i < terrain.surface.triangles.size(); ++i) {
     const auto& [a, b, c] = terrain.surface.triangles[i];
-    const Vec3 ab = terrain.surface.vertices[b] - terrain.surface.vertices[a];
-    const Vec3 ac = terrain.surface.vertices[c] - terrain.surface.vertices[a];
+    const std::vector<Vec3>& v = terrain.surface.vertices;
     ZoneExtent& zone = zones[terrain.zone[i]];
     ++zone.triangles;
-    zone.plan_area += std::abs(ab.x() * ac.y() - ab.y() * ac.x()) / 2.0;
+    zone.plan_area += std::abs(twice_area(v[a].head<2>(), v[b].head<2>(), v[c].head<2>())) / 2.0;
   }
   return zones;
 }

@@ -7,7 +7,7 @@
 #include "core/error.hpp"
 #include "core/number_text.hpp"
 #include "core/text_file.hpp"
-#include "terrain/detail/plan_clip.hpp"
+#include "mesh/plan_geometry.hpp"
 #include "terrain/detail/raw_surface.hpp"
 #include "terrain/detail/vector_layer.hpp"
 
