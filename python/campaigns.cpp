@@ -15,7 +15,8 @@
 #include "python/watched_call.hpp"
 #include "report/json/campaign_json.hpp"
 #include "report/json/key_schema.hpp"
-#include "report/maps/plan_map.hpp"
+#include "report/maps/site_map.hpp"
+#include "report/maps/svg_map.hpp"
 #include "study/campaign/campaign_keys.hpp"
 #include "study/compare/outcome.hpp"
 #include "study/engines/engine_results.hpp"
@@ -149,7 +150,7 @@ py::object dry_run(const std::string& text, const fs::path& file, const py::dict
     json["probe_failure"] = probe.failure;
     json["threads"] = thread_count(threads);
     if (map) {
-      write_output(*map, plan_map(prepared.header), rules);
+      write_output(*map, svg_map(site_map(prepared.header)), rules);
       json["map"] = map->string();
     }
     return json;

@@ -8,13 +8,16 @@
 #include "core/error.hpp"
 #include "core/files/csv_text.hpp"
 #include "core/files/file_kind.hpp"
+#include "core/files/output_file.hpp"
+#include "core/files/text_file.hpp"
 #include "core/files/up_axis.hpp"
 #include "python/arrays.hpp"
 #include "python/bindings.hpp"
 #include "python/options.hpp"
 #include "python/watched_call.hpp"
+#include "report/maps/site_map.hpp"
+#include "report/maps/svg_map.hpp"
 #include "study/campaign/release_points.hpp"
-#include "terrain/hillshade.hpp"
 #include "terrain/terrain_file.hpp"
 #include "terrain/terrain_fit.hpp"
 #include "terrain/terrain_input.hpp"
@@ -105,16 +108,21 @@ std::vector<std::string> check_fit(const Terrain& terrain, const py::dict& keywo
 
 void draw(const Terrain& terrain, const fs::path& path, const py::dict& keywords) {
   Keywords given(keywords);
-  MapMarks marks;
-  for (const Vec3& place : take_places(given)) marks.releases.push_back(place.head<2>());
+  std::vector<Vec2> releases;
+  for (const Vec3& place : take_places(given)) releases.push_back(place.head<2>());
   std::optional<fs::path> barriers;
   bool replace = false;
   given.take("barriers", barriers);
   given.take("replace", replace);
   given.done();
   unlocked([&] {
-    if (barriers) marks.barriers = read_barrier_lines(*barriers, terrain);
-    write_hillshade(path, terrain, marks, {.kind = kind_by_name(path), .replace = replace});
+    if (extension_of(path) != ".svg") {
+      throw InputError(path.string() + ": is a map; its name must end in .svg");
+    }
+    std::vector<std::vector<Vec2>> lines;
+    if (barriers) lines = read_barrier_lines(*barriers, terrain);
+    write_output(path, svg_map(site_map(terrain, releases, lines)),
+                 {.kind = kind_by_name(path), .replace = replace});
   });
 }
 

@@ -54,8 +54,10 @@ def test_places_off_the_ground_are_refused(quarry):
 
 def test_exports_and_pictures_are_files(tmp_path, quarry):
     quarry.export(tmp_path / "ground.vtp")
-    quarry.picture(tmp_path / "ground.png", release=[[2.3, 80.0, 209.5]])
-    assert (tmp_path / "ground.png").read_bytes()[:4] == b"\x89PNG"
+    quarry.picture(tmp_path / "ground.svg", release=[[2.3, 80.0, 209.5]])
+    assert "release point 0" in (tmp_path / "ground.svg").read_text()
+    with pytest.raises(clast.InputError, match="ground.png: .* must end in .svg"):
+        quarry.picture(tmp_path / "ground.png")
     with pytest.raises(clast.InputError):
         quarry.export(tmp_path / "ground.vtp")
     with pytest.raises(clast.InputError, match="docx"):

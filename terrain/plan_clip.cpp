@@ -1,16 +1,8 @@
 #include "terrain/plan_clip.hpp"
 
-namespace clast::terrain_detail {
-namespace {}  // namespace
+#include "mesh/plan_geometry.hpp"
 
-double signed_area(std::span<const Vec2> ring) {
-  if (ring.size() < 3) return 0.0;
-  double twice = 0.0;
-  for (std::size_t i = 1; i + 1 < ring.size(); ++i) {
-    twice += cross(ring[i] - ring[0], ring[i + 1] - ring[0]);
-  }
-  return twice / 2.0;
-}
+namespace clast::terrain_detail {
 
 std::vector<Vec2> part_within(std::span<const Vec2> ring, const PlanTriangle& triangle) {
   std::vector<Vec2> kept(ring.begin(), ring.end()), next;

@@ -10,9 +10,6 @@ namespace clast::terrain_detail {
 
 using PlanTriangle = std::array<Vec2, 3>;
 
-/// Positive when the ring runs counter-clockwise, m^2.
-double signed_area(std::span<const Vec2> ring);
-
 /// The part of a ring that lies in a triangle, as a ring; of one that is not convex, parts are
 /// joined by edges that run to and fro. Empty: none.
 /// @param triangle  counter-clockwise

@@ -91,10 +91,10 @@ std::optional<double> height_on(const TriangleMesh& mesh, std::uint32_t triangle
   const auto& [ia, ib, ic] = mesh.triangles[triangle];
   const Vec3& a = mesh.vertices[ia];
   const Vec3 ab = mesh.vertices[ib] - a, ac = mesh.vertices[ic] - a;
-  const double area = ab.x() * ac.y() - ab.y() * ac.x();
+  const Vec2 plan_ab = ab.head<2>(), plan_ac = ac.head<2>(), plan_at = at - a.head<2>();
+  const double area = cross(plan_ab, plan_ac);
   if (area == 0.0) return std::nullopt;
-  const double x = at.x() - a.x(), y = at.y() - a.y();
-  const double v = (x * ac.y() - y * ac.x()) / area, w = (ab.x() * y - ab.y() * x) / area;
+  const double v = cross(plan_at, plan_ac) / area, w = cross(plan_ab, plan_at) / area;
   constexpr double kEdge = -1e-12;  // points on an edge belong to both sides
   if (v < kEdge || w < kEdge || v + w > 1.0 - kEdge) return std::nullopt;
   return a.z() + v * ab.z() + w * ac.z();

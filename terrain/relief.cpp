@@ -6,6 +6,8 @@
 #include <limits>
 #include <utility>
 
+#include "mesh/plan_geometry.hpp"
+
 namespace clast {
 namespace {
 
@@ -28,14 +30,10 @@ constexpr std::array<Rgb, 6> kOtherTints = {{{233, 223, 201},
                                              {207, 222, 238},
                                              {224, 213, 233}}};
 
-/// Edge function: twice the signed area of (a, b, p) in plan.
-double side(const Vec3& a, const Vec3& b, double x, double y) {
-  return (b.x() - a.x()) * (y - a.y()) - (b.y() - a.y()) * (x - a.x());
-}
-
 void sample_triangle(const Vec3& a, const Vec3& b, const Vec3& c, std::uint16_t zone,
                      const Window& window, Relief& relief) {
-  const double area = side(a, b, c.x(), c.y());
+  const Vec2 plan_a = a.head<2>(), plan_b = b.head<2>(), plan_c = c.head<2>();
+  const double area = twice_area(plan_a, plan_b, plan_c);
   // Facing down, it may still be uppermost: where the survey ends on an overhang.
   if (area < 0.0) return sample_triangle(a, c, b, zone, window, relief);
   if (!(area > 0.0)) return;  // upright: its neighbours have the heights
@@ -55,7 +53,9 @@ void sample_triangle(const Vec3& a, const Vec3& b, const Vec3& c, std::uint16_t 
     const double y = window.high.y() - (static_cast<double>(row) + 0.5) * relief.cell;
     for (long column = first_column; column <= last_column; ++column) {
       const double x = window.low.x() + (static_cast<double>(column) + 0.5) * relief.cell;
-      const double u = side(b, c, x, y), v = side(c, a, x, y), w = side(a, b, x, y);
+      const Vec2 at(x, y);
+      const double u = twice_area(plan_b, plan_c, at), v = twice_area(plan_c, plan_a, at),
+                   w = twice_area(plan_a, plan_b, at);
       // Centres on an edge belong to both sides, whatever the rounding.
       if (std::min({u, v, w}) < -1e-12 * area) continue;
       const double z = (u * a.z() + v * b.z() + w * c.z()) / area;
@@ -97,17 +97,23 @@ std::vector<double> shades(const Relief& relief) {
   return shade;
 }
 
+/// Neighbouring cells are level if their heights differ by no more than this, m: the rounding of
+/// heights on level ground draws no contours.
+constexpr double kLevel = 1e-6;
+
 /// True where a contour passes between this cell and the one to its right or below.
 bool on_contour(const Relief& relief, std::uint32_t row, std::uint32_t column, double first_height,
                 double interval) {
-  const auto band = [&](std::uint32_t r, std::uint32_t c) {
-    return std::floor((relief.height[std::size_t{r} * relief.columns + c] + first_height) /
-                      interval);
+  const auto height = [&](std::uint32_t r, std::uint32_t c) {
+    return relief.height[std::size_t{r} * relief.columns + c];
   };
-  const double here = band(row, column);
-  const auto differs = [&](double there) { return !std::isnan(there) && there != here; };
-  return (column + 1 < relief.columns && differs(band(row, column + 1))) ||
-         (row + 1 < relief.rows && differs(band(row + 1, column)));
+  const auto band = [&](double z) { return std::floor((z + first_height) / interval); };
+  const double here = height(row, column);
+  const auto differs = [&](double there) {
+    return std::abs(there - here) > kLevel && band(there) != band(here);
+  };
+  return (column + 1 < relief.columns && differs(height(row, column + 1))) ||
+         (row + 1 < relief.rows && differs(height(row + 1, column)));
 }
 
 std::uint8_t part_of(double share, std::uint8_t colour) {
@@ -145,7 +151,7 @@ Rgb zone_tint(const std::string& name, std::size_t n) {
   return kOtherTints[n % kOtherTints.size()];
 }
 
-Picture relief_picture(const Relief& relief, const std::vector<std::string>& zone_names,
+std::string relief_png(const Relief& relief, const std::vector<std::string>& zone_names,
                        double first_height, double contour_interval) {
   // Zones of one tint share palette entries, so that any number of zones fits into 256.
   std::vector<Rgb> palette = {{255, 255, 255}, kContourColour};
@@ -186,13 +192,7 @@ Picture relief_picture(const Relief& relief, const std::vector<std::string>& zon
                                     static_cast<std::size_t>(std::lround(level * kShades)));
     }
   }
-  return {relief.columns, relief.rows, std::move(pixels), std::move(palette)};
-}
-
-std::string relief_png(const Relief& relief, const std::vector<std::string>& zone_names,
-                       double first_height, double contour_interval) {
-  const Picture picture = relief_picture(relief, zone_names, first_height, contour_interval);
-  return palette_png(picture.width, picture.height, picture.pixels, picture.palette);
+  return palette_png(relief.columns, relief.rows, pixels, palette);
 }
 
 }  // namespace clast

@@ -33,22 +33,11 @@ inline constexpr Rgb kContourColour = {122, 98, 69};
 /// Tint of a zone: the colour that its name says, else the n-th of a pale set.
 Rgb zone_tint(const std::string& name, std::size_t n);
 
-/// Pixels as indices into a palette, row by row from the top; colour 0 is transparent.
-struct Picture {
-  std::uint32_t width = 0;
-  std::uint32_t height = 0;
-  std::vector<std::uint8_t> pixels;
-  std::vector<Rgb> palette;  ///< at most 250 colours, so that marks find room
-};
-
-/// The relief, lit from the north-west at 45 degrees (Horn's slopes), zones tinted, with
-/// contour lines.
+/// The relief as a PNG file, lit from the north-west at 45 degrees (Horn's slopes), zones tinted,
+/// with contour lines; transparent where there is no ground.
 /// @param first_height      map z of local z 0, so that contours are round on the map, m
 /// @param contour_interval  m
 /// @cite horn1981
-Picture relief_picture(const Relief& relief, const std::vector<std::string>& zone_names,
-                       double first_height, double contour_interval);
-/// The same as a PNG file.
 std::string relief_png(const Relief& relief, const std::vector<std::string>& zone_names,
                        double first_height, double contour_interval);
 

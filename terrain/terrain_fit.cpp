@@ -72,6 +72,23 @@ void check_over_ground(const Terrain& terrain, std::span<const Vec3> places,
   }
 }
 
+void check_near_ground(const Terrain& terrain, std::span<const Vec2> places,
+                       const std::string& name) {
+  const Bounds box = bounds(terrain.surface);
+  const Vec2 low = terrain.frame.map(box.low).head<2>();
+  const Vec2 high = terrain.frame.map(box.high).head<2>();
+  const double reach = (high - low).maxCoeff();
+  for (const Vec2& place : places) {
+    if ((place.array() > low.array() - reach).all() &&
+        (place.array() < high.array() + reach).all()) {
+      continue;
+    }
+    throw InputError(name + " at " + place_on_map({place.x(), place.y(), 0.0}) +
+                     " is far off the ground, which begins at " +
+                     place_on_map({low.x(), low.y(), 0.0}) + "; bring both into one map system");
+  }
+}
+
 std::optional<std::string> border_warning(const Terrain& terrain, std::span<const Vec3> places,
                                           double distance) {
   const std::vector<std::pair<Vec2, Vec2>> edges = border_edges(terrain);

@@ -19,6 +19,14 @@ double border_distance(const Terrain& terrain, const Vec2& place);
 void check_over_ground(const Terrain& terrain, std::span<const Vec3> places,
                        const std::string& name);
 
+/// Refuses places from which the ground is farther than it is large: they are in another map
+/// system.
+/// @param places  on the map
+/// @param name    of what they are: "the barrier"
+/// @throws InputError  the first such place, and where the ground begins
+void check_near_ground(const Terrain& terrain, std::span<const Vec2> places,
+                       const std::string& name);
+
 /// A warning when some of the places are nearer than `distance` to the border: blocks may leave
 /// the survey before they are down.
 std::optional<std::string> border_warning(const Terrain& terrain, std::span<const Vec3> places,

@@ -8,6 +8,7 @@
 #include "core/files/input_file.hpp"
 #include "core/files/up_axis.hpp"
 #include "core/number_text.hpp"
+#include "mesh/plan_geometry.hpp"
 #include "mesh/sub_mesh.hpp"
 #include "mesh/triangle_geometry.hpp"
 #include "terrain/gdal/zone_polygons.hpp"
@@ -125,8 +126,7 @@ void note_doubts(Terrain& terrain) {
   std::size_t overhangs = 0;
   for (const auto& [a, b, c] : terrain.surface.triangles) {
     const std::vector<Vec3>& v = terrain.surface.vertices;
-    const Vec3 ab = v[b] - v[a], ac = v[c] - v[a];
-    if (ab.x() * ac.y() - ab.y() * ac.x() < 0.0) ++overhangs;
+    if (twice_area(v[a].head<2>(), v[b].head<2>(), v[c].head<2>()) < 0.0) ++overhangs;
   }
   if (overhangs == 0) return;
   std::string note = std::to_string(overhangs) + " of " +
@@ -282,6 +282,16 @@ Terrain read_terrain(const TerrainOptions& options) {
   }
   note_doubts(terrain);
   return terrain;
+}
+
+std::vector<std::vector<Vec2>> read_barrier_lines(const fs::path& path, const Terrain& terrain) {
+  std::vector<std::vector<Vec2>> lines;
+  for (const terrain_detail::MapLine& line :
+       terrain_detail::read_map_lines(path, terrain.frame.crs)) {
+    lines.emplace_back();
+    for (const Vec3& point : line.points) lines.back().push_back(point.head<2>());
+  }
+  return lines;
 }
 
 }  // namespace clast

@@ -90,4 +90,9 @@ bool are_zone_rules(const std::vector<std::string>& zones);
 ///                        ground that lies double), or triangles without a zone, with a place
 Terrain read_terrain(const TerrainOptions& options);
 
+/// Corners of the lines of a GeoJSON, GeoPackage or Shapefile, in the map system of the terrain, m.
+/// @throws InputError  unreadable, empty, or something that is not a line
+std::vector<std::vector<Vec2>> read_barrier_lines(const std::filesystem::path& path,
+                                                  const Terrain& terrain);
+
 }  // namespace clast

@@ -22,7 +22,8 @@
 #include "core/printable.hpp"
 #include "core/shell_words.hpp"
 #include "report/json/campaign_json.hpp"
-#include "report/maps/plan_map.hpp"
+#include "report/maps/site_map.hpp"
+#include "report/maps/svg_map.hpp"
 #include "report/text/trends_text.hpp"
 #include "study/compare/outcome.hpp"
 #include "study/simulate/campaign_runner.hpp"
@@ -89,7 +90,7 @@ void report_dry_run(const SimulateArgs& args, const PreparedCampaign& prepared, 
   const std::size_t items = shard.runs_of(prepared) / together;
   const double each = probe.each * static_cast<double>(together);
   const double expected = expected_time(prepared, probe, shard, threads);
-  write_output(map, plan_map(prepared.header), rules);
+  write_output(map, svg_map(site_map(prepared.header)), rules);
   const PlannedPower power = power_of(args, prepared, probe);
   if (args.json) {
     summary.update(power_json(power));

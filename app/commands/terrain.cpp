@@ -20,9 +20,11 @@
 #include "core/text_table.hpp"
 #include "library/block_ranges.hpp"
 #include "mesh/mesh_io.hpp"
+#include "mesh/plan_geometry.hpp"
 #include "mesh/reference_system.hpp"
+#include "report/maps/site_map.hpp"
+#include "report/maps/svg_map.hpp"
 #include "study/campaign/release_points.hpp"
-#include "terrain/hillshade.hpp"
 #include "terrain/terrain_file.hpp"
 #include "terrain/terrain_fit.hpp"
 #include "terrain/terrain_input.hpp"
@@ -61,11 +63,10 @@ std::vector<ZoneExtent> zone_extents(const Terrain& terrain) {
   std::vector<ZoneExtent> zones(terrain.zone_names.size());
   for (std::size_t i = 0; i < terrain.surface.triangles.size(); ++i) {
     const auto& [a, b, c] = terrain.surface.triangles[i];
-    const Vec3 ab = terrain.surface.vertices[b] - terrain.surface.vertices[a];
-    const Vec3 ac = terrain.surface.vertices[c] - terrain.surface.vertices[a];
+    const std::vector<Vec3>& v = terrain.surface.vertices;
     ZoneExtent& zone = zones[terrain.zone[i]];
     ++zone.triangles;
-    zone.plan_area += std::abs(ab.x() * ac.y() - ab.y() * ac.x()) / 2.0;
+    zone.plan_area += std::abs(twice_area(v[a].head<2>(), v[b].head<2>(), v[c].head<2>())) / 2.0;
   }
   return zones;
 }
@@ -158,10 +159,11 @@ void check_fit(const TerrainArgs& args, const std::vector<Vec3>& releases, Terra
 
 void draw_picture(const TerrainArgs& args, const std::vector<Vec3>& releases,
                   const Terrain& terrain, const OutputRules& rules) {
-  MapMarks marks;
-  for (const Vec3& release : releases) marks.releases.push_back(release.head<2>());
-  if (!args.barriers.empty()) marks.barriers = read_barrier_lines(args.barriers, terrain);
-  write_hillshade(args.picture, terrain, marks, rules);
+  std::vector<Vec2> places;
+  for (const Vec3& release : releases) places.push_back(release.head<2>());
+  std::vector<std::vector<Vec2>> lines;
+  if (!args.barriers.empty()) lines = read_barrier_lines(args.barriers, terrain);
+  write_output(args.picture, svg_map(site_map(terrain, places, lines)), rules);
 }
 
 /// Whether `output` would be written over `input`.
@@ -204,7 +206,7 @@ void check_outputs(const TerrainArgs& args) {
   check_extension("--output", args.output, {".h5", ".hdf5"});
   check_extension("--export", args.exported,
                   {".stl", ".ply", ".obj", ".vtp", ".glb", ".tif", ".tiff"});
-  check_extension("--picture", args.picture, {".png"});
+  check_extension("--picture", args.picture, {".svg"});
   std::vector<std::string> inputs = split_list(args.breaklines);
   for (const std::string& file : {args.releases, args.barriers}) {
     if (!file.empty()) inputs.push_back(file);
@@ -344,8 +346,9 @@ void add_fit_options(CLI::App& command, TerrainArgs& args) {
       ->type_name("M");
   CLI::Option* picture =
       command
-          .add_option("--picture", args.picture,
-                      "Also draw a hillshade (png) with zones, release points and barriers")
+          .add_option(
+              "--picture", args.picture,
+              "Also draw a map (svg) with shaded relief, zones, release points and barriers")
           ->type_name("FILE");
   command
       .add_option("--barriers", args.barriers,

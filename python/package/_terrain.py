@@ -106,7 +106,7 @@ class Terrain:
         up: str = "z",
         replace: bool = False,
     ) -> None:
-        """Draws a hillshade (png) with zones, release points and barriers."""
+        """Draws a map (svg) with shaded relief, zones, release points and barriers."""
         options = dict(release=release, barriers=barriers, up=up, replace=replace)
         self._data.draw(path, options)
 

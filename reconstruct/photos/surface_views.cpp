@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "core/parallel.hpp"
+#include "mesh/plan_geometry.hpp"
 
 namespace clast {
 
@@ -14,10 +15,6 @@ namespace {
 constexpr double kGrazing = 0.174;     ///< cosine of 80 degrees
 constexpr double kBehind = 0.01;       ///< of the diagonal
 constexpr double kBufferSide = 512.0;  ///< px of the depths that are compared
-
-double twice_area(const Vec2& a, const Vec2& b, const Vec2& c) {
-  return (b.x() - a.x()) * (c.y() - a.y()) - (b.y() - a.y()) * (c.x() - a.x());
-}
 
 /// Depths of the surface as a camera sees it, nearest first.
 class DepthBuffer {

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "mesh/plan_geometry.hpp"
+
 namespace clast::report_detail {
 
 namespace {
@@ -88,7 +90,8 @@ void Canvas::draw(const TriangleMesh& mesh, const Paint& paint, double ambient) 
   for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
     const Vec3 &a = seen[mesh.triangles[t][0]], &b = seen[mesh.triangles[t][1]],
                &c = seen[mesh.triangles[t][2]];
-    const double area = (b.x() - a.x()) * (c.y() - a.y()) - (b.y() - a.y()) * (c.x() - a.x());
+    const Vec2 plane_a = a.head<2>(), plane_b = b.head<2>(), plane_c = c.head<2>();
+    const double area = twice_area(plane_a, plane_b, plane_c);
     if (area == 0.0 || !std::isfinite(area)) continue;
     const std::int64_t left = std::max<std::int64_t>(
         0, clamped(std::ceil(std::min({a.x(), b.x(), c.x()}) - 0.5), columns_));
@@ -102,8 +105,8 @@ void Canvas::draw(const TriangleMesh& mesh, const Paint& paint, double ambient) 
       const double y = static_cast<double>(row) + 0.5;
       for (std::int64_t column = left; column <= right; ++column) {
         const double x = static_cast<double>(column) + 0.5;
-        const double v = ((x - a.x()) * (c.y() - a.y()) - (y - a.y()) * (c.x() - a.x())) / area;
-        const double w = ((b.x() - a.x()) * (y - a.y()) - (b.y() - a.y()) * (x - a.x())) / area;
+        const double v = twice_area(plane_a, {x, y}, plane_c) / area;
+        const double w = twice_area(plane_a, plane_b, {x, y}) / area;
         if (v < 0.0 || w < 0.0 || v + w > 1.0) continue;
         const double nearness = a.z() + v * (b.z() - a.z()) + w * (c.z() - a.z());
         Sample& sample = at(column, row);

@@ -7,6 +7,7 @@
 #include <functional>
 #include <utility>
 
+#include "mesh/plan_geometry.hpp"
 #include "report/html/html_page.hpp"
 
 namespace clast::report_detail {
@@ -14,10 +15,6 @@ namespace {
 
 double bending(double squared_distance) {
   return squared_distance > 0.0 ? 0.5 * squared_distance * std::log(squared_distance) : 0.0;
-}
-
-double turn(const Vec2& a, const Vec2& b, const Vec2& c) {
-  return (b - a).x() * (c - a).y() - (b - a).y() * (c - a).x();
 }
 
 struct Corner {
@@ -193,7 +190,8 @@ std::vector<Vec2> hull_of(std::span<const Vec2> places) {
   constexpr double kStraight = 1e-6;  // px^2
   std::vector<Vec2> hull;
   const auto add = [&](const Vec2& place, std::size_t fewest) {
-    while (hull.size() >= fewest && turn(hull[hull.size() - 2], hull.back(), place) <= kStraight) {
+    while (hull.size() >= fewest &&
+           twice_area(hull[hull.size() - 2], hull.back(), place) <= kStraight) {
       hull.pop_back();
     }
     hull.push_back(place);
@@ -207,7 +205,7 @@ std::vector<Vec2> hull_of(std::span<const Vec2> places) {
 
 bool is_inside(std::span<const Vec2> hull, const Vec2& place) {
   for (std::size_t i = 0; i < hull.size(); ++i) {
-    if (turn(hull[i], hull[(i + 1) % hull.size()], place) < 0.0) return false;
+    if (twice_area(hull[i], hull[(i + 1) % hull.size()], place) < 0.0) return false;
   }
   return hull.size() > 2;
 }

@@ -43,30 +43,36 @@ class LegendRows {
 
 }  // namespace
 
-MapLegend map_legend(const Comparison& comparison, const ReleasePlaces& releases,
-                     const Sheet& sheet, double contour_interval) {
+MapLegend map_legend(const SiteMap& site, const Sheet& sheet) {
   LegendRows legend(kMapLeft + sheet.width() + 22.0);
-  legend.head("Site");
+  const auto line = [&](const std::string& stroke) {
+    return svg_line(legend.mark_x() - 8, legend.mark_y(), legend.mark_x() + 8, legend.mark_y(),
+                    stroke);
+  };
+  const bool has_contours = site.highest > site.lowest;  // level ground has none
+  if (has_contours || !site.places.empty() || !site.outlines.empty() || !site.barriers.empty()) {
+    legend.head("Site");
+  }
   std::set<std::string> named;
-  for (const ReleaseOutline& outline : releases.outlines) {
+  for (const ReleaseOutline& outline : site.outlines) {
     if (!named.insert(outline.name).second) continue;
     legend.row(release_outline("M" + fixed(legend.mark_x() - 8, 1) + " " +
                                    fixed(legend.mark_y() - 5, 1) + "h16v10h-16Z",
                                ""),
                outline.name);
   }
-  if (!releases.places.empty()) {
+  if (!site.places.empty()) {
     legend.row(release_mark(legend.mark_x(), legend.mark_y(), ""), "release point");
   }
-  if (!comparison.lines.empty()) {
-    legend.row(svg_line(legend.mark_x() - 8, legend.mark_y(), legend.mark_x() + 8, legend.mark_y(),
-                        "stroke=\"#111\" stroke-width=\"2.2\""),
-               "barrier, crossings counted");
+  if (!site.barriers.empty()) {
+    legend.row(line("stroke=\"#111\" stroke-width=\"2.2\""),
+               site.counts_crossings ? "barrier, crossings counted" : "barrier");
   }
-  legend.row(svg_line(legend.mark_x() - 8, legend.mark_y(), legend.mark_x() + 8, legend.mark_y(),
-                      "stroke=\"#7a6245\" stroke-width=\"1.2\""),
-             "contours every " + significant(contour_interval, 2) + " m");
-  const std::vector<std::string>& zones = comparison.results.front().terrain.zone_names;
+  if (has_contours) {
+    legend.row(line("stroke=\"" + colour_text(kContourColour) + "\" stroke-width=\"1.2\""),
+               "contours every " + significant(site.contour_interval(), 2) + " m");
+  }
+  const std::vector<std::string>& zones = site.terrain->zone_names;
   if (!zones.empty()) legend.head("Ground zones");
   for (std::size_t zone = 0; zone < zones.size(); ++zone) {
     legend.swatch(colour_text(zone_tint(zones[zone], zone)),

@@ -1,10 +1,8 @@
 #pragma once
-/// The legend beside the map of a plan.
+/// The legend beside the map of a site.
 #include <string>
 
 #include "report/maps/map_marks.hpp"
-#include "report/maps/release_places.hpp"
-#include "study/compare/comparison.hpp"
 
 namespace clast::report_detail {
 
@@ -13,9 +11,7 @@ struct MapLegend {
   double bottom = 0.0;  ///< px
 };
 
-/// Site and ground zones.
-/// @param contour_interval  m
-MapLegend map_legend(const Comparison& comparison, const ReleasePlaces& releases,
-                     const Sheet& sheet, double contour_interval);
+/// Marks and ground zones.
+MapLegend map_legend(const SiteMap& site, const Sheet& sheet);
 
 }  // namespace clast::report_detail

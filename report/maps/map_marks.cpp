@@ -1,6 +1,8 @@
 #include "report/maps/map_marks.hpp"
 
+#include "core/files/png.hpp"
 #include "report/html/html_page.hpp"
+#include "study/campaign/barrier_line.hpp"
 
 namespace clast::report_detail {
 
@@ -18,6 +20,27 @@ std::string release_outline(const std::string& path, const std::string& title) {
          "\"/><path fill=\"none\" stroke=\"#111\" stroke-width=\"1.8\" "
          "stroke-dasharray=\"6 4\" d=\"" +
          path + "\">" + (title.empty() ? "" : "<title>" + escaped(title) + "</title>") + "</path>";
+}
+
+CountArrow count_arrow(const BarrierLine& line) {
+  using Counts = BarrierLine::Counts;
+  // The two arrows of a ring stand at different sides.
+  const std::size_t side = line.counts == Counts::kExits ? 0 : (line.through.size() - 1) / 2;
+  const Vec2 &from = line.through[side], &to = line.through[side + 1];
+  const Vec2 along = (to - from).normalized();
+  const Vec2 to_right(along.y(), -along.x());
+  const bool right =
+      !line.of_ring() || inside_is_left(line.through) == (line.counts == Counts::kExits);
+  return {0.5 * (from + to), right ? to_right : Vec2(-to_right), line.counts == Counts::kEither};
+}
+
+std::string relief_image(const SiteMap& site, std::uint32_t columns) {
+  const MapFrame& frame = site.terrain->frame;
+  const Vec2 origin = frame.origin.head<2>();
+  const Relief relief =
+      sampled(*site.terrain, {site.window.low - origin, site.window.high - origin}, columns);
+  return png_link(
+      relief_png(relief, site.terrain->zone_names, frame.origin.z(), site.contour_interval()));
 }
 
 }  // namespace clast::report_detail

@@ -1,8 +1,9 @@
 #pragma once
-/// What the map and its legend draw alike.
+/// What maps and their legends draw alike.
+#include <cstdint>
 #include <string>
 
-#include "terrain/relief.hpp"
+#include "report/maps/site_map.hpp"
 
 namespace clast::report_detail {
 
@@ -27,5 +28,17 @@ std::string release_mark(double x, double y, const std::string& title);
 /// Dashed outline with a white edge.
 /// @param path  of SVG, closed, px
 std::string release_outline(const std::string& path, const std::string& title);
+
+/// Where a barrier is marked, and which way crossings count (unit), both on the map.
+struct CountArrow {
+  Vec2 root = Vec2::Zero();
+  Vec2 way = Vec2::UnitX();
+  bool both_ways = false;
+};
+/// On the middle of the line's middle segment.
+CountArrow count_arrow(const BarrierLine& line);
+
+/// Relief of the site's window with contours and zone tints, as "data:image/png;base64,...".
+std::string relief_image(const SiteMap& site, std::uint32_t columns);
 
 }  // namespace clast::report_detail

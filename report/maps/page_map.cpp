@@ -8,8 +8,8 @@
 #include "report/html/page_script.hpp"
 #include "report/maps/detail/map_layers.hpp"
 #include "report/maps/detail/map_traces.hpp"
+#include "report/maps/map_marks.hpp"
 #include "report/maps/map_style.hpp"
-#include "report/maps/map_window.hpp"
 
 namespace clast::report_detail {
 namespace {
@@ -30,7 +30,8 @@ Json axis(const char* name, double low, double high) {
           {"zeroline", false}};
 }
 
-Json layout_of(const Comparison& comparison, const Window& window, int height, const Json& notes) {
+Json layout_of(const SiteMap& site, int height, const Json& notes) {
+  const Window& window = site.window;
   Json y = axis("y, m", window.low.y(), window.high.y());
   y["scaleanchor"] = "x";
   return {
@@ -47,7 +48,7 @@ Json layout_of(const Comparison& comparison, const Window& window, int height, c
       {"hovermode", "closest"},
       {"annotations", notes},
       {"images",
-       {{{"source", relief_image(comparison, window, kReliefColumns, contour_interval(comparison))},
+       {{{"source", relief_image(site, kReliefColumns)},
          {"xref", "x"},
          {"yref", "y"},
          {"x", window.low.x()},
@@ -89,17 +90,18 @@ std::string paths_box(const MapLayers& layers) {
 std::string page_map(const Comparison& comparison, const PageMapContents& contents) {
   const std::string options = choices(contents);
   if (options.empty() || !plotly_is_installed()) return {};
-  const Window window = map_window(comparison);
-  const MapLayers layers = map_layers(comparison, contents.rasters, window.low, contents.marks);
+  const SiteMap site = site_map(comparison);
+  const MapLayers layers =
+      map_layers(comparison, contents.rasters, site.window.low, contents.marks);
   Json traces = Json::array(), notes = Json::array();
-  if (contents.marks) add_stops(comparison, window, traces);
-  add_barriers(comparison, traces, notes);
+  if (contents.marks) add_stops(comparison, site.window, traces);
+  add_barriers(site, traces, notes);
   if (contents.marks) {
-    add_releases(comparison, traces);
-    add_zones(comparison, traces);
+    add_releases(site, traces);
+    add_zones(site, traces);
   }
   const Json figure = {{"data", traces},
-                       {"layout", layout_of(comparison, window, contents.height, notes)},
+                       {"layout", layout_of(site, contents.height, notes)},
                        {"config", {{"scrollZoom", true}}}};
   return fill(
       assets::map_html,

@@ -8,15 +8,15 @@
 #include "report/html/html_page.hpp"
 #include "report/maps/map_legend.hpp"
 #include "report/maps/map_marks.hpp"
-#include "report/maps/map_window.hpp"
-#include "report/maps/release_places.hpp"
 
-namespace clast::report_detail {
+namespace clast {
+
+using namespace report_detail;
 namespace {
 
 constexpr double kBelow = 44.0;
 constexpr double kLongest = 790.0, kTallest = 640.0;  // of the map itself, px
-constexpr double kLegendWidth = 196.0;
+constexpr double kLegendWidth = 224.0;
 constexpr const char* kMapHalo =
     "font-size=\"12.5\" font-weight=\"600\" fill=\"#111\" stroke=\"#fff\" stroke-width=\"3\" "
     "paint-order=\"stroke\"";
@@ -54,9 +54,9 @@ std::string axes(const Sheet& sheet) {
                       fixed(middle, 1) + ")\"");
 }
 
-std::string barriers(const Comparison& comparison, const Sheet& sheet) {
+std::string barriers(const SiteMap& site, const Sheet& sheet) {
   std::string svg;
-  for (const BarrierLine& line : comparison.lines) {
+  for (const BarrierLine& line : site.barriers) {
     std::string path;
     const bool exits = line.counts == BarrierLine::Counts::kExits;
     Vec2 end(0.0, exits ? -INFINITY : INFINITY);  // its upper end; of exits the lower one
@@ -70,6 +70,7 @@ std::string barriers(const Comparison& comparison, const Sheet& sheet) {
       svg += "<path fill=\"none\" stroke-linecap=\"round\" " + std::string(style) + " d=\"" + path +
              "\"/>";
     }
+    if (!site.counts_crossings) continue;
     const CountArrow arrow = count_arrow(line);
     const Vec2 root(sheet.x(arrow.root.x()), sheet.y(arrow.root.y()));
     for (const double sign : {1.0, -1.0}) {
@@ -89,9 +90,9 @@ std::string barriers(const Comparison& comparison, const Sheet& sheet) {
   return svg;
 }
 
-std::string releases(const ReleasePlaces& places, const Sheet& sheet) {
+std::string releases(const SiteMap& site, const Sheet& sheet) {
   std::string svg;
-  for (const ReleaseOutline& outline : places.outlines) {
+  for (const ReleaseOutline& outline : site.outlines) {
     std::string path;
     for (const Vec2& corner : outline.corners) {
       path += (path.empty() ? "M" : "L") + fixed(sheet.x(corner.x()), 1) + " " +
@@ -99,7 +100,7 @@ std::string releases(const ReleasePlaces& places, const Sheet& sheet) {
     }
     svg += release_outline(path + "Z", outline.name);
   }
-  for (const ReleasePlace& release : places.places) {
+  for (const ReleasePlace& release : site.places) {
     svg += release_mark(sheet.x(release.place.x()), sheet.y(release.place.y()),
                         "release point " + std::to_string(release.point));
   }
@@ -136,26 +137,22 @@ std::string north_arrow(const Sheet& sheet) {
 
 }  // namespace
 
-std::string svg_map(const Comparison& comparison) {
+std::string svg_map(const SiteMap& site) {
   Sheet sheet;
-  sheet.window = map_window(comparison);
+  sheet.window = site.window;
   const Vec2 size = sheet.window.size();
   sheet.scale = std::min(kLongest / size.x(), kTallest / size.y());
-  const double interval = contour_interval(comparison);
-  const ReleasePlaces places = release_places(comparison);
-  const MapLegend keys = map_legend(comparison, places, sheet, interval);
+  const MapLegend keys = map_legend(site, sheet);
 
   const double width = kMapLeft + sheet.width() + kLegendWidth;
   const double height = std::max(kMapTop + sheet.height() + kBelow, keys.bottom);
-  return svg_open(width, height, "map of release points and barriers") +
-
-         "<image x=\"" + fixed(kMapLeft, 1) + "\" y=\"" + fixed(kMapTop, 1) + "\" width=\"" +
-         fixed(sheet.width(), 1) + "\" height=\"" + fixed(sheet.height(), 1) +
-         "\" preserveAspectRatio=\"none\" href=\"" +
-         relief_image(comparison, sheet.window,
-                      static_cast<std::uint32_t>(std::lround(sheet.width())), interval) +
-         "\"/>" + axes(sheet) + barriers(comparison, sheet) + releases(places, sheet) +
-         scale_bar(sheet) + north_arrow(sheet) + keys.svg + "</svg>\n";
+  return svg_file(svg_open(width, height, "map of release points and barriers") + "<image x=\"" +
+                  fixed(kMapLeft, 1) + "\" y=\"" + fixed(kMapTop, 1) + "\" width=\"" +
+                  fixed(sheet.width(), 1) + "\" height=\"" + fixed(sheet.height(), 1) +
+                  "\" preserveAspectRatio=\"none\" href=\"" +
+                  relief_image(site, static_cast<std::uint32_t>(std::lround(sheet.width()))) +
+                  "\"/>" + axes(sheet) + barriers(site, sheet) + releases(site, sheet) +
+                  scale_bar(sheet) + north_arrow(sheet) + keys.svg + "</svg>\n");
 }
 
-}  // namespace clast::report_detail
+}  // namespace clast

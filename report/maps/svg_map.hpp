@@ -1,12 +1,13 @@
 #pragma once
-/// The map of a plan: relief, zones, release points and barriers in map coordinates.
+/// The map of a site as a picture of its own.
 #include <string>
 
-#include "study/compare/comparison.hpp"
+#include "report/maps/site_map.hpp"
 
-namespace clast::report_detail {
+namespace clast {
 
-/// An SVG element with legend, scale bar and north arrow. The relief is that of the first file.
-std::string svg_map(const Comparison& comparison);
+/// An SVG file: relief lit from the north-west with contours and tinted zones, release points and
+/// barriers, with coordinates, legend, scale bar and north arrow.
+std::string svg_map(const SiteMap& site);
 
-}  // namespace clast::report_detail
+}  // namespace clast

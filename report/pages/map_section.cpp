@@ -1,7 +1,7 @@
 #include "report/html/html_page.hpp"
 #include "report/maps/map_style.hpp"
-#include "report/maps/map_window.hpp"
 #include "report/maps/page_map.hpp"
+#include "report/maps/site_map.hpp"
 #include "report/pages/report_groups.hpp"
 #include "report/pages/report_sections.hpp"
 
@@ -30,7 +30,7 @@ std::string map_section(const Comparison& comparison, const MapRasters& paths,
       "Centres of mass at the end of each run, in map coordinates. The wheel zooms, dragging moves "
       "the map. " +
       stops + rasters + "Relief lit from the north-west, contours every " +
-      significant(contour_interval(comparison), 2) + " m" +
+      significant(site_map(comparison).contour_interval(), 2) + " m" +
       (several_files(comparison) ? "; the surface is that of file 1." : ".");
   return section("Where the blocks stop",
                  page_map(comparison, {.id = "map",

@@ -3,12 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "mesh/plan_geometry.hpp"
+
 namespace clast {
 namespace {
-
-double turn(const Vec2& a, const Vec2& b, const Vec2& c) {
-  return (b.x() - a.x()) * (c.y() - a.y()) - (b.y() - a.y()) * (c.x() - a.x());
-}
 
 /// Extents that calipers and all points together give may differ by this share through rounding.
 constexpr double kRounding = 1e-12;
@@ -43,12 +41,13 @@ std::vector<Vec2> convex_outline(std::vector<Vec2> points) {
   std::vector<Vec2> outline(2 * points.size());
   std::size_t size = 0;
   for (const Vec2& p : points) {
-    while (size >= 2 && turn(outline[size - 2], outline[size - 1], p) <= 0.0) --size;
+    while (size >= 2 && twice_area(outline[size - 2], outline[size - 1], p) <= 0.0) --size;
     outline[size++] = p;
   }
   const std::size_t lower = size + 1;
   for (std::size_t i = points.size() - 1; i-- > 0;) {
-    while (size >= lower && turn(outline[size - 2], outline[size - 1], points[i]) <= 0.0) --size;
+    while (size >= lower && twice_area(outline[size - 2], outline[size - 1], points[i]) <= 0.0)
+      --size;
     outline[size++] = points[i];
   }
   outline.resize(size - 1);
@@ -63,7 +62,7 @@ std::vector<Vec2> convex_loop(std::vector<Vec2> loop) {
   const Vec2 start = loop.front();
   std::size_t size = 1;
   const auto drop_behind = [&](const Vec2& p) {
-    while (size >= 2 && turn(loop[size - 2], loop[size - 1], p) <= 0.0) --size;
+    while (size >= 2 && twice_area(loop[size - 2], loop[size - 1], p) <= 0.0) --size;
   };
   for (std::size_t i = 1; i < loop.size(); ++i) {
     const Vec2 p = loop[i];

@@ -5,8 +5,8 @@
 #include <optional>
 
 #include "core/error.hpp"
+#include "mesh/plan_geometry.hpp"
 #include "study/campaign/barrier_line.hpp"
-#include "study/campaign/plan_polygon.hpp"
 
 namespace clast {
 namespace {

@@ -10,6 +10,7 @@
 
 #include "core/error.hpp"
 #include "core/number_text.hpp"
+#include "mesh/plan_geometry.hpp"
 
 namespace clast {
 namespace {
@@ -61,13 +62,7 @@ std::optional<Vec2> retraced(const Segment& before, const Segment& after) {
 
 bool is_ring(std::span<const Vec2> line) { return line.size() > 3 && line.front() == line.back(); }
 
-bool inside_is_left(std::span<const Vec2> ring) {
-  double twice_area = 0.0;
-  for (std::size_t i = 0; i + 1 < ring.size(); ++i) {
-    twice_area += cross(ring[i] - ring[0], ring[i + 1] - ring[0]);
-  }
-  return twice_area > 0.0;
-}
+bool inside_is_left(std::span<const Vec2> ring) { return signed_area(ring) > 0.0; }
 
 std::optional<SelfContact> find_self_contact(std::span<const Vec2> line) {
   std::vector<Segment> segments;

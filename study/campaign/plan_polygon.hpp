@@ -9,13 +9,6 @@
 
 namespace clast {
 
-/// Is the point inside? Points on its line belong to one side, always the same. Where a polygon
-/// crosses itself, what it goes round twice is outside.
-bool is_inside(std::span<const Vec2> polygon, const Vec2& point);
-
-/// Of a polygon that does not cross itself.
-double polygon_area(std::span<const Vec2> polygon);
-
 /// The first corner at which the polygon turns against its own sense, so that it is not convex;
 /// none of a convex one, which may have corners on a side and repeat its first.
 std::optional<std::size_t> reflex_corner(std::span<const Vec2> polygon);

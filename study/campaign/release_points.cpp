@@ -8,6 +8,7 @@
 #include "core/files/number_table.hpp"
 #include "core/number_text.hpp"
 #include "mesh/coordinate_columns.hpp"
+#include "mesh/plan_geometry.hpp"
 #include "mesh/triangle_mesh.hpp"
 #include "study/campaign/campaign_ranges.hpp"
 #include "study/campaign/plan_polygon.hpp"

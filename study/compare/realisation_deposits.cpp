@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "core/nice_number.hpp"
+#include "mesh/plan_geometry.hpp"
 
 namespace clast {
 namespace {
@@ -48,10 +49,9 @@ class Tops {
 
  private:
   void include(const Vec3& a, const Vec3& b, const Vec3& c) {
-    const auto cross = [](const Vec2& u, const Vec2& v) { return u.x() * v.y() - u.y() * v.x(); };
     const Vec2 pa = a.head<2>(), pb = b.head<2>(), pc = c.head<2>();
-    const double twice_area = cross(pb - pa, pc - pa);
-    if (!(twice_area > 0.0)) return;  // faces down, or on edge
+    const double whole = twice_area(pa, pb, pc);
+    if (!(whole > 0.0)) return;  // faces down, or on edge
     const Vec2 low = pa.cwiseMin(pb).cwiseMin(pc) + origin_;
     const Vec2 high = pa.cwiseMax(pb).cwiseMax(pc) + origin_;
     const auto first = [&](double coordinate) {
@@ -63,10 +63,10 @@ class Tops {
     for (std::int64_t row = first(low.y()); row <= last(high.y()); ++row) {
       for (std::int64_t column = first(low.x()); column <= last(high.x()); ++column) {
         const Vec2 p = middle({row, column});
-        const double of_a = cross(pb - p, pc - p), of_b = cross(pc - p, pa - p);
-        const double of_c = twice_area - of_a - of_b;
+        const double of_a = twice_area(p, pb, pc), of_b = twice_area(p, pc, pa);
+        const double of_c = whole - of_a - of_b;
         if (of_a < 0.0 || of_b < 0.0 || of_c < 0.0) continue;
-        const double height = (of_a * a.z() + of_b * b.z() + of_c * c.z()) / twice_area;
+        const double height = (of_a * a.z() + of_b * b.z() + of_c * c.z()) / whole;
         const auto [at, is_new] = heights_.emplace(MapCell{row, column}, height);
         if (!is_new) at->second = std::max(at->second, height);
       }

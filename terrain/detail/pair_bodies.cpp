@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "mesh/mesh_topology.hpp"
+#include "mesh/plan_geometry.hpp"
 #include "terrain/detail/surface_pair.hpp"
 
 namespace clast::terrain_detail {
@@ -139,9 +140,8 @@ class Closing {
 
   void measure(const Triangle& triangle) {
     const SurfacePair& pair = part_.pair;
-    const Vec2 ab = pair.plan[triangle[1]] - pair.plan[triangle[0]];
-    const Vec2 ac = pair.plan[triangle[2]] - pair.plan[triangle[0]];
-    body_.plan_area += 0.5 * (ab.x() * ac.y() - ab.y() * ac.x());
+    body_.plan_area +=
+        0.5 * twice_area(pair.plan[triangle[0]], pair.plan[triangle[1]], pair.plan[triangle[2]]);
     for (const std::uint32_t v : triangle) {
       body_.greatest_thickness = std::max(body_.greatest_thickness, pair.thickness(v));
     }

@@ -7,8 +7,8 @@
 #include "core/error.hpp"
 #include "core/files/text_file.hpp"
 #include "core/number_text.hpp"
+#include "mesh/plan_geometry.hpp"
 #include "terrain/gdal/detail/vector_layer.hpp"
-#include "terrain/plan_clip.hpp"
 #include "terrain/raw_surface.hpp"
 
 namespace clast::terrain_detail {

@@ -142,9 +142,9 @@ class Growing {
     const Vec3 ab = vertices_[face->vertex(1)->info()] - a;
     const Vec3 ac = vertices_[face->vertex(2)->info()] - a;
     const Vec3 ap = point - a;
-    const double area = ab.x() * ac.y() - ab.y() * ac.x();
-    const double v = (ap.x() * ac.y() - ap.y() * ac.x()) / area;
-    const double w = (ab.x() * ap.y() - ab.y() * ap.x()) / area;
+    const Vec2 plan_ab = ab.head<2>(), plan_ac = ac.head<2>(), plan_ap = ap.head<2>();
+    const double area = cross(plan_ab, plan_ac);
+    const double v = cross(plan_ap, plan_ac) / area, w = cross(plan_ab, plan_ap) / area;
     return std::abs(ap.z() - v * ab.z() - w * ac.z());
   }
 
@@ -193,10 +193,11 @@ class Growing {
   std::optional<std::uint32_t> farthest_across(const EdgeKey& ends) {
     const Vec3 &from = vertices_[ends[0]], &to = vertices_[ends[1]];
     const Vec3 along = to - from;
+    const Vec2 plan_along = along.head<2>();
     std::optional<std::uint32_t> farthest;
     double most = tolerance_;
     // In parts: the box of a long edge would hold much that is far from it.
-    const double parts = std::ceil(along.head<2>().norm() / (kPart * length_));
+    const double parts = std::ceil(plan_along.norm() / (kPart * length_));
     for (double part = 0.0; part < parts; ++part) {
       PlanBox box;
       box.include((from + part / parts * along).head<2>());
@@ -205,10 +206,10 @@ class Growing {
         const auto& [a, b] = edges_[i];
         if (a == ends[0] || a == ends[1] || b == ends[0] || b == ends[1]) continue;
         const Vec3 across = vertices_[b] - vertices_[a], apart = vertices_[a] - from;
-        const double turn = along.x() * across.y() - along.y() * across.x();
+        const double turn = cross(plan_along, across.head<2>());
         if (turn == 0.0) continue;
-        const double t = (apart.x() * across.y() - apart.y() * across.x()) / turn;
-        const double u = (apart.x() * along.y() - apart.y() * along.x()) / turn;
+        const double t = cross(apart.head<2>(), across.head<2>()) / turn;
+        const double u = cross(apart.head<2>(), plan_along) / turn;
         if (t < 0.0 || t > 1.0 || u < 0.0 || u > 1.0) continue;
         const Vec3 old = vertices_[a] + u * across;
         const double off = std::abs(old.z() - from.z() - t * along.z());

@@ -7,6 +7,7 @@
 #include "core/error.hpp"
 #include "core/in_context.hpp"
 #include "core/number_text.hpp"
+#include "mesh/plan_geometry.hpp"
 #include "mesh/reference_system.hpp"
 #include "mesh/triangle_geometry.hpp"
 #include "terrain/gdal/gdal_raster.hpp"

@@ -77,20 +77,20 @@ TEST_F(FileSafety, OneHdf5FileNeverTakesThePlaceOfAnother) {
 
 TEST_F(FileSafety, FinishedTerrainsAndTheirPicturesNeedReplace) {
   const std::vector<std::string> command = {"terrain",   "slope.obj", "-o",       "t.h5",
-                                            "--picture", "slope.png", "--export", "s.ply"};
+                                            "--picture", "slope.svg", "--export", "s.ply"};
   make(command);
   expect_kept("t.h5", {"terrain", "flat.obj", "-o", "t.h5"}, "t.h5: already exists; --replace");
-  expect_kept("slope.png", {"terrain", "flat.obj", "-o", "u.h5", "--picture", "slope.png"},
-              "slope.png: already exists; --replace replaces it");
+  expect_kept("slope.svg", {"terrain", "flat.obj", "-o", "u.h5", "--picture", "slope.svg"},
+              "slope.svg: already exists; --replace replaces it");
   expect_kept("s.ply", {"terrain", "flat.obj", "-o", "u.h5", "--export", "s.ply"},
               "s.ply: already exists");
   std::vector<std::string> again = command;
   again.push_back("--replace");
   make(again);
-  write_text_file(folder / "notes.png", "no picture");
-  expect_kept("notes.png",
-              {"terrain", "flat.obj", "-o", "u.h5", "--picture", "notes.png", "--replace"},
-              "notes.png: already exists and holds \"text\", not \"PNG\"");
+  write_text_file(folder / "notes.svg", "no picture");
+  expect_kept("notes.svg",
+              {"terrain", "flat.obj", "-o", "u.h5", "--picture", "notes.svg", "--replace"},
+              "notes.svg: already exists and holds \"text\", not \"SVG\"");
 }
 
 TEST_F(FileSafety, ExportsNeverReplaceTheScansTheyCameFrom) {
@@ -361,13 +361,13 @@ TEST_F(FileSafety, EqualRunsWriteEqualFiles) {
   write_text_file(folder / "stops.csv", "x,y\n12,1\n13,0\n14,-1\n15,2\n11,0\n12,3\n");
   std::map<std::string, std::string> first;
   for (const int round : {1, 2}) {
-    for (const char* made : {"results.h5", "map.h5", "picture.png", "campaign2.toml"}) {
+    for (const char* made : {"results.h5", "map.h5", "picture.svg", "campaign2.toml"}) {
       fs::remove(folder / made);
     }
     for (const char* made : {"out", "classes", "gallery", "shapes", "scenes"}) {
       fs::remove_all(folder / made);
     }
-    make({"terrain", "slope.obj", "-o", "map.h5", "--picture", "picture.png"});
+    make({"terrain", "slope.obj", "-o", "map.h5", "--picture", "picture.svg"});
     make({"new", "campaign", "--library", "blocks.h5", "--terrain", "map.h5", "-o",
           "campaign2.toml"});
     make({"simulate", "campaign.toml", "-o", "results.h5", "--threads", round == 1 ? "1" : "2"});

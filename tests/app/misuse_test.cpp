@@ -130,7 +130,7 @@ TEST_F(Misuse, OfTerrain) {
   refuse({"-o", "ground.obj"}, "--output ground.obj: its name must end in .h5, .hdf5");
   refuse({"-o", "t.txt"}, "its name must end in .h5");
   refuse({"-o", "t.h5", "--export", "t.xyz"}, "--export t.xyz: its name must end in .stl, .ply");
-  refuse({"-o", "t.h5", "--picture", "t.jpg"}, "--picture t.jpg: its name must end in .png");
+  refuse({"-o", "t.h5", "--picture", "t.png"}, "--picture t.png: its name must end in .svg");
   EXPECT_EQ(read_text_file("ground.obj"), "v 0 0 0\n");
 }
 

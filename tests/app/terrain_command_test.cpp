@@ -37,7 +37,7 @@ TEST_F(TerrainCommand, MendsZonesChecksAndDraws) {
   const ProgramRun run =
       run_clast({"terrain", "ground.obj", "--zones", "cliff=slope>50,meadow=else", "--release",
                  "points.xyz", "--border-distance", "1", "--block-size", "0.2", "--picture",
-                 "map.png", "-o", "t.h5", "--json"},
+                 "map.svg", "-o", "t.h5", "--json"},
                 folder.path());
   ASSERT_EQ(run.exit_code, 0) << run.err;
   const Json report = Json::parse(run.out);
@@ -51,7 +51,11 @@ TEST_F(TerrainCommand, MendsZonesChecksAndDraws) {
   EXPECT_TRUE(contains(notes, "at x 17.000, y 3.000, z 7.000")) << notes;
   EXPECT_TRUE(contains(notes, "1 of 2 release points are nearer than 1 m to the border")) << notes;
   EXPECT_TRUE(contains(notes, "much longer than the blocks, 0.2 m")) << notes;
-  EXPECT_TRUE(read_text_file(folder / "map.png").starts_with("\x89PNG"));
+  const std::string map = read_text_file(folder / "map.svg");
+  EXPECT_TRUE(map.starts_with("<?xml") && map.ends_with("</svg>\n"));
+  for (const char* word : {"release point 0", "release point 1", ">cliff<", ">meadow<"}) {
+    EXPECT_TRUE(contains(map, word)) << word;
+  }
   EXPECT_TRUE(fs::exists(folder / "t.h5"));
 }
 

@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "core/files/text_file.hpp"
 #include "terrain/terrain_fit.hpp"
 #include "tests/support/ground_gap.hpp"
 #include "tests/support/test_bodies.hpp"
@@ -95,6 +96,17 @@ TEST_F(TerrainFit, ABallOverAKnownNodeTouchesAtItsHeight) {
   state.position += Vec3(1.0, 1.0, 0.0);
   EXPECT_GT(ground_gap(surface, body, state, 3.0).value_or(3.0), 0.3);
   EXPECT_FALSE(surface.covers(0.5, 0.5)) << "half a cell at the border is not known";
+}
+
+TEST_F(TerrainFit, BarriersComeFromLineFiles) {
+  write_text_file(folder_ / "nets.geojson",
+                  R"({"type":"FeatureCollection","features":[{"type":"Feature","properties":{},)"
+                  R"("geometry":{"type":"MultiLineString","coordinates":[[[652001,5203001],)"
+                  R"([652004,5203002],[652007,5203001]],[[652011,5203001],[652012,5203002]]]}}]})");
+  const auto lines = read_barrier_lines(folder_ / "nets.geojson", ground());
+  ASSERT_EQ(lines.size(), 2u);
+  EXPECT_EQ(lines[0].size(), 3u);
+  EXPECT_EQ(lines[0][1], Vec2(652004, 5203002));
 }
 
 }  // namespace

@@ -133,7 +133,7 @@ std::optional<Line> edge_line(const cv::Mat& grey, const Lens& lens, const Vec2&
 }
 
 std::optional<Vec2> crossing(const Line& a, const Line& b) {
-  const double det = a.normal.x() * b.normal.y() - a.normal.y() * b.normal.x();
+  const double det = cross(a.normal, b.normal);
   if (std::abs(det) < 0.05) return std::nullopt;
   return Vec2((a.distance * b.normal.y() - b.distance * a.normal.y()) / det,
               (b.distance * a.normal.x() - a.distance * b.normal.x()) / det);

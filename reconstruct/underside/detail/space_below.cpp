@@ -5,6 +5,8 @@
 #include <limits>
 #include <vector>
 
+#include "mesh/plan_geometry.hpp"
+
 namespace clast::reconstruct_detail {
 
 namespace {
@@ -44,15 +46,16 @@ class LowestSheet {
     return std::min(count - 1, static_cast<std::size_t>(std::max(0.0, from / side_)));
   }
   void draw(const Vec3& p, const Vec3& q, const Vec3& r) {
-    const auto across = [](const Vec3& u, const Vec3& v) { return u.x() * v.y() - u.y() * v.x(); };
-    const double whole = across(q - p, r - p);
+    const Vec2 plan_p = p.head<2>(), plan_q = q.head<2>(), plan_r = r.head<2>();
+    const double whole = twice_area(plan_p, plan_q, plan_r);
     if (whole == 0.0) return;
     const Vec3 low = p.cwiseMin(q).cwiseMin(r) - box_.low;
     const Vec3 high = p.cwiseMax(q).cwiseMax(r) - box_.low;
     for (std::size_t j = cell_of(low.y(), rows_); j <= cell_of(high.y(), rows_); ++j) {
       for (std::size_t i = cell_of(low.x(), columns_); i <= cell_of(high.x(), columns_); ++i) {
-        const Vec3 at(x(i), y(j), 0.0);
-        const double of_q = across(at - p, r - p) / whole, of_r = across(q - p, at - p) / whole;
+        const Vec2 at(x(i), y(j));
+        const double of_q = twice_area(plan_p, at, plan_r) / whole;
+        const double of_r = twice_area(plan_p, plan_q, at) / whole;
         if (of_q < 0.0 || of_r < 0.0 || of_q + of_r > 1.0) continue;
         double& lowest = lowest_[j * columns_ + i];
         lowest = std::min(lowest, p.z() + of_q * (q.z() - p.z()) + of_r * (r.z() - p.z()));

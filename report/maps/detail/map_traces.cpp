@@ -8,9 +8,8 @@
 #include "report/charts/marks.hpp"
 #include "report/charts/palette.hpp"
 #include "report/html/html_page.hpp"
+#include "report/maps/map_marks.hpp"
 #include "report/maps/map_style.hpp"
-#include "report/maps/map_window.hpp"
-#include "report/maps/release_places.hpp"
 
 namespace clast::report_detail {
 namespace {
@@ -153,9 +152,8 @@ void add_stops(const Comparison& comparison, const Window& window, Json& data) {
   add_measured(comparison, data);
 }
 
-void add_releases(const Comparison& comparison, Json& data) {
-  const ReleasePlaces releases = release_places(comparison);
-  for (const ReleaseOutline& outline : releases.outlines) {
+void add_releases(const SiteMap& site, Json& data) {
+  for (const ReleaseOutline& outline : site.outlines) {
     Json trace = points_trace(outline.name);
     trace["mode"] = "lines";
     for (const Vec2& corner : outline.corners) add_point(trace, corner, escaped(outline.name));
@@ -163,9 +161,9 @@ void add_releases(const Comparison& comparison, Json& data) {
     trace["line"] = {{"color", "#111"}, {"width", 2}, {"dash", "dash"}};
     data.push_back(std::move(trace));
   }
-  if (releases.places.empty()) return;
+  if (site.places.empty()) return;
   Json trace = points_trace("release point");
-  for (const ReleasePlace& release : releases.places) {
+  for (const ReleasePlace& release : site.places) {
     add_point(trace, release.place, "release point " + std::to_string(release.point));
   }
   trace["marker"] = {
@@ -173,8 +171,8 @@ void add_releases(const Comparison& comparison, Json& data) {
   data.push_back(std::move(trace));
 }
 
-void add_barriers(const Comparison& comparison, Json& data, Json& notes) {
-  for (const BarrierLine& line : comparison.lines) {
+void add_barriers(const SiteMap& site, Json& data, Json& notes) {
+  for (const BarrierLine& line : site.barriers) {
     Json trace = points_trace(line.name);
     trace["mode"] = "lines";
     for (const Vec2& point : line.through) add_point(trace, point, escaped(line.name));
@@ -198,8 +196,8 @@ void add_barriers(const Comparison& comparison, Json& data, Json& notes) {
   }
 }
 
-void add_zones(const Comparison& comparison, Json& data) {
-  const std::vector<std::string>& zones = comparison.results.front().terrain.zone_names;
+void add_zones(const SiteMap& site, Json& data) {
+  const std::vector<std::string>& zones = site.terrain->zone_names;
   for (std::size_t zone = 0; zone < zones.size(); ++zone) {
     Json trace = points_trace("ground: " + zones[zone]);
     trace["x"].push_back(Json());

@@ -6,6 +6,7 @@
 
 #include "core/error.hpp"
 #include "core/number_text.hpp"
+#include "mesh/plan_geometry.hpp"
 #include "study/campaign/plan_polygon.hpp"
 
 namespace clast::study_detail {

@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "dem/motion/box_body.hpp"
-#include "study/campaign/plan_polygon.hpp"
+#include "mesh/plan_geometry.hpp"
 
 namespace clast::study_detail {
 namespace {
@@ -59,12 +59,7 @@ Heap heap_of(const PreparedCampaign& prepared, std::span<const RunRecord> runs,
              std::uint32_t mass) {
   Heap heap;
   heap.outline = local_outline(prepared.campaign.stay->masses[mass], prepared.header.frame.origin);
-  double turn = 0.0;
-  for (std::size_t i = 0; i < heap.outline.size(); ++i) {
-    const Vec2 a = heap.corner(i) - heap.corner(0), b = heap.corner(i + 1) - heap.corner(0);
-    turn += a.x() * b.y() - a.y() * b.x();
-  }
-  heap.sense = turn < 0.0 ? -1.0 : 1.0;
+  heap.sense = signed_area(heap.outline) < 0.0 ? -1.0 : 1.0;
   const auto is_of_mass = [&](const RunRecord& run) { return run.point == mass; };
   const auto first = std::find_if(runs.begin(), runs.end(), is_of_mass);
   const auto end = std::find_if_not(first, runs.end(), is_of_mass);

@@ -6,7 +6,7 @@
 
 #include "core/error.hpp"
 #include "core/number_text.hpp"
-#include "study/campaign/plan_polygon.hpp"
+#include "mesh/plan_geometry.hpp"
 
 namespace clast::study_detail {
 namespace {
@@ -53,7 +53,7 @@ std::vector<std::size_t> heap_counts(const Campaign& campaign, std::size_t block
     } else if (masses[i].share) {
       shared += *masses[i].share * all;
     } else {
-      area += polygon_area(masses[i].polygon);
+      area += std::abs(signed_area(masses[i].polygon));
       by_area = mass_name(campaign, i);
     }
   }
@@ -71,7 +71,7 @@ std::vector<std::size_t> heap_counts(const Campaign& campaign, std::size_t block
   for (const MassPlan& mass : masses) {
     const double wanted = mass.count   ? 0.0
                           : mass.share ? *mass.share * all
-                                       : rest * polygon_area(mass.polygon) / area;
+                                       : rest * std::abs(signed_area(mass.polygon)) / area;
     shares.push_back(wanted);
   }
   const double sum = std::accumulate(shares.begin(), shares.end(), 0.0);

@@ -1,7 +1,6 @@
 #include <cmath>
 
 #include "mesh/mesh_io.hpp"
-#include "terrain/hillshade.hpp"
 #include "terrain/terrain_file.hpp"
 #include "terrain/terrain_input.hpp"
 #include "tests/app/fuzz/readers.hpp"

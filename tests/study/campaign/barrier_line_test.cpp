@@ -1,4 +1,5 @@
 #include "study/campaign/barrier_line.hpp"
+#include "mesh/plan_geometry.hpp"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +7,6 @@
 #include <vector>
 
 #include "core/random.hpp"
-#include "study/campaign/plan_polygon.hpp"
 #include "tests/support/refusal.hpp"
 
 namespace clast {

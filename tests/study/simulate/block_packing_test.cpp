@@ -1,5 +1,6 @@
 // Heaps put together without overlap.
 #include "study/simulate/detail/block_packing.hpp"
+#include "mesh/plan_geometry.hpp"
 
 #include <gtest/gtest.h>
 
