@@ -1,13 +1,12 @@
-#include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "core/error.hpp"
 #include "core/files/text_file.hpp"
 #include "core/files/up_axis.hpp"
 #include "core/number_text.hpp"
 #include "mesh/mesh_io.hpp"
-#include "terrain/gdal/gdal_raster.hpp"
-#include "terrain/raw_surface.hpp"
+#include "terrain/gdal/geotiff_writer.hpp"
 #include "terrain/relief.hpp"
 #include "terrain/terrain_file.hpp"
 
@@ -16,35 +15,35 @@ namespace {
 
 constexpr double kMostRasterCells = 1e9;
 
-/// Highest surface over the centres of square cells whose borders lie on multiples of `cell`.
-terrain_detail::HeightGrid sampled(const Terrain& terrain, double cell,
-                                   const std::filesystem::path& path) {
-  const TriangleMesh& mesh = terrain.surface;
-  const Bounds box = bounds(mesh);
+/// Writes the height of the highest surface over the centres of square cells, whose borders lie on
+/// multiples of `cell`.
+void write_heights(const std::filesystem::path& path, const Terrain& terrain, double cell,
+                   const OutputRules& rules) {
+  const Bounds box = bounds(terrain.surface);
   const Vec3 low = terrain.frame.map(box.low), high = terrain.frame.map(box.high);
   const Vec2 first = (low.head<2>() / cell).array().floor();
-  const Vec2 count = (high.head<2>() / cell).array().ceil() - first.array();
+  const Vec2 count =
+      ((high.head<2>() / cell).array().ceil() - first.array()).max(Eigen::Array2d::Ones());
   if (!(count.prod() < kMostRasterCells)) {
     throw InputError(path.string() + ": cells of " + with_digits(cell, 6) +
                      " m are too many for this ground; use larger ones");
   }
-  terrain_detail::HeightGrid grid;
-  grid.columns = std::max<std::size_t>(1, static_cast<std::size_t>(count.x()));
-  grid.rows = std::max<std::size_t>(1, static_cast<std::size_t>(count.y()));
-  grid.step = {cell, cell};
-  grid.first = (first + Vec2(0.5, 0.5)) * cell;
-  grid.heights.resize(grid.columns * grid.rows);
   const Vec2 south_west = first * cell - terrain.frame.origin.head<2>();
-  const Vec2 size(static_cast<double>(grid.columns) * cell, static_cast<double>(grid.rows) * cell);
-  const Relief relief = clast::sampled(terrain, {south_west, south_west + size},
-                                       static_cast<std::uint32_t>(grid.columns));
-  for (std::size_t j = 0; j < grid.rows; ++j) {
-    for (std::size_t i = 0; i < grid.columns; ++i) {
-      grid.heights[j * grid.columns + i] =
-          relief.height[(grid.rows - 1 - j) * grid.columns + i] + terrain.frame.origin.z();
-    }
+  const Relief relief = sampled(terrain, {south_west, south_west + count * cell},
+                                static_cast<std::uint32_t>(count.x()));
+  std::vector<float> heights;
+  for (const double height : relief.height) {
+    heights.push_back(static_cast<float>(height + terrain.frame.origin.z()));
   }
-  return grid;
+  const Vec2 corner(first.x() * cell, (first.y() + count.y()) * cell);
+  terrain_detail::write_geotiff(path,
+                                {.columns = static_cast<std::size_t>(count.x()),
+                                 .rows = static_cast<std::size_t>(count.y()),
+                                 .corner = corner,
+                                 .cell = cell,
+                                 .values = heights,
+                                 .meaning = "height, m"},
+                                terrain.frame.crs, rules);
 }
 
 }  // namespace
@@ -58,7 +57,7 @@ void export_terrain(const std::filesystem::path& path, const Terrain& terrain,
     if (!(cell > 0.0 && std::isfinite(cell))) {
       throw InputError("cell = " + with_digits(cell, 6) + " m; must be more than 0");
     }
-    terrain_detail::write_geotiff(path, sampled(terrain, cell, path), terrain.frame.crs, rules);
+    write_heights(path, terrain, cell, rules);
     return;
   }
   const bool floats = extension == ".stl" || extension == ".glb";

@@ -285,55 +285,20 @@ Raster read_raster(const std::filesystem::path& path) {
   return raster;
 }
 
-void write_geotiff(const std::filesystem::path& path, const HeightGrid& grid,
-                   const std::string& crs, const OutputRules& rules) {
-  const GdalSession session;
-  OutputFile file(path, rules);
-  GDALDriver* driver = GetGDALDriverManager()->GetDriverByName("GTiff");
-  if (!driver) {
-    throw InputError(path.string() + ": this GDAL can't write GeoTIFF; export .ply instead");
+void check_written(bool done, const std::filesystem::path& target, const std::string& what) {
+  if (done) return;
+  throw InputError(target.string() + ": can't write " + what + " (" + GdalSession::message() +
+                   "); free some space on the disk or name another place");
+}
+
+OGRSpatialReference reference_of(const std::string& name) {
+  OGRSpatialReference crs;
+  crs.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);  // x east, y north, as the numbers are
+  if (name.empty() || crs.SetFromUserInput(name.c_str()) != OGRERR_NONE) {
+    crs.SetLocalCS("map frame of the terrain");
+    crs.SetLinearUnits("metre", 1.0);
   }
-  char compress[] = "COMPRESS=DEFLATE";
-  char* options[] = {compress, nullptr};
-  const int columns = static_cast<int>(grid.columns), rows = static_cast<int>(grid.rows);
-  DatasetPointer dataset(
-      driver->Create(file.temporary().c_str(), columns, rows, 1, GDT_Float32, options));
-  const auto check = [&](bool good) {
-    if (!good) {
-      throw InputError(path.string() + ": can't be written (" + GdalSession::message() +
-                       "); free some space on the disk or name another place");
-    }
-  };
-  check(dataset != nullptr);
-  std::array<double, 6> transform = {
-      grid.first.x() - grid.step.x() / 2.0,
-      grid.step.x(),
-      0.0,
-      grid.first.y() + grid.step.y() * (static_cast<double>(grid.rows) - 0.5),
-      0.0,
-      -grid.step.y()};
-  check(dataset->SetGeoTransform(transform.data()) == CE_None);
-  if (!crs.empty()) {
-    OGRSpatialReference system;
-    if (system.SetFromUserInput(crs.c_str()) == OGRERR_NONE) dataset->SetSpatialRef(&system);
-  }
-  GDALRasterBand& band = *dataset->GetRasterBand(1);
-  check(band.SetNoDataValue(kNoData) == CE_None);
-  std::vector<float> values(grid.columns);
-  for (int row = 0; row < rows; ++row) {
-    const std::size_t south_row = grid.rows - 1 - static_cast<std::size_t>(row);
-    for (std::size_t i = 0; i < grid.columns; ++i) {
-      const double height = grid.heights[south_row * grid.columns + i];
-      values[i] = static_cast<float>(std::isfinite(height) ? height : kNoData);
-    }
-    check(band.RasterIO(GF_Write, 0, row, columns, 1, values.data(), columns, 1, GDT_Float32, 0, 0,
-                        nullptr) == CE_None);
-  }
-  // Closing writes the last blocks; only the error state says whether that worked.
-  CPLErrorReset();
-  dataset.reset();
-  check(CPLGetLastErrorType() < CE_Failure);
-  file.commit();
+  return crs;
 }
 
 bool same_crs(const std::string& one, const std::string& other) {

@@ -5,7 +5,6 @@
 #include <string>
 #include <vector>
 
-#include "core/files/output_file.hpp"
 #include "terrain/raw_surface.hpp"
 
 namespace clast::terrain_detail {
@@ -31,10 +30,6 @@ void check_height_unit(const std::filesystem::path& path, const std::string& uni
 /// "EPSG:25832" when the plan of a reference system has a code, else its WKT; the text itself where
 /// GDAL does not understand it.
 std::string usual_crs(const std::string& crs);
-
-/// Writes heights as GeoTIFF (float, deflated, nodata -9999), north up.
-void write_geotiff(const std::filesystem::path& path, const HeightGrid& grid,
-                   const std::string& crs, const OutputRules& rules = {});
 
 /// True when both name the same coordinate system, whichever way it is written.
 bool same_crs(const std::string& one, const std::string& other);

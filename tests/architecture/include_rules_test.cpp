@@ -149,8 +149,7 @@ TEST(IncludeRules, JsonIsInPublicHeadersAboutItOnly) {
   const std::string json = "#include <nlohmann/json.hpp>\n";
   EXPECT_TRUE(package_findings(source_file("report/json/a.hpp", json)).empty());
   EXPECT_EQ(package_findings(source_file("report/pages/a.hpp", json)).size(), 1u);
-  EXPECT_EQ(package_findings(source_file("report/json/a.hpp", "#include <gdal_priv.h>\n")).size(),
-            1u);
+  EXPECT_EQ(package_findings(source_file("report/json/a.hpp", "#include <png.h>\n")).size(), 2u);
 }
 
 TEST(IncludeRules, PackagesAreOnlyForTheirFolders) {
@@ -163,6 +162,16 @@ TEST(IncludeRules, PackagesAreOnlyForTheirFolders) {
   EXPECT_TRUE(
       package_findings(source_file("shapes/detail/a.hpp", "#include <CGAL/a.h>\n")).empty());
   EXPECT_EQ(package_findings(source_file("dem/a.cpp", "#include <CGAL/a.h>\n")).size(), 1u);
+}
+
+TEST(IncludeRules, GdalIsCalledInTwoRooms) {
+  const std::string gdal = "#include <gdal_priv.h>\n";
+  EXPECT_EQ(
+      package_findings(source_file("terrain/input/a.cpp", gdal)),
+      Findings{"terrain/input/a.cpp:1: GDAL is called in terrain/gdal and report/gdal alone"});
+  for (const std::string room : {"terrain/gdal/", "terrain/gdal/detail/", "report/gdal/"}) {
+    EXPECT_TRUE(package_findings(source_file(room + "a.cpp", gdal)).empty()) << room;
+  }
 }
 
 TEST(IncludeRules, DemOpensNoFileAndPrintsNothing) {

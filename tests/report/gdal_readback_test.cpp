@@ -9,7 +9,7 @@
 #include "core/files/png.hpp"
 #include "core/files/text_file.hpp"
 #include "core/random.hpp"
-#include "report/maps/gis_layers.hpp"
+#include "report/gdal/geopackage.hpp"
 #include "tests/study/hand_made_results.hpp"
 #include "tests/support/scratch_folder.hpp"
 

@@ -9,7 +9,7 @@
 #include <regex>
 
 #include "core/files/text_file.hpp"
-#include "report/maps/gis_layers.hpp"
+#include "report/gdal/geopackage.hpp"
 #include "report/maps/raster_files.hpp"
 #include "report/scene/vtk_animation.hpp"
 #include "study/compare/path_rasters.hpp"

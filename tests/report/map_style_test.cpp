@@ -10,7 +10,7 @@
 
 #include "core/files/text_file.hpp"
 #include "core/random.hpp"
-#include "report/maps/gis_layers.hpp"
+#include "report/gdal/geopackage.hpp"
 #include "report/maps/map_style.hpp"
 #include "report/maps/qgis_styles.hpp"
 #include "report/maps/raster_files.hpp"

@@ -1,9 +1,11 @@
-#include "report/maps/detail/style_table.hpp"
+#include "report/gdal/detail/style_table.hpp"
+
+#include <ogrsf_frmts.h>
 
 #include <memory>
 #include <string>
 
-#include "report/maps/detail/gdal_output.hpp"
+#include "terrain/gdal/detail/gdal_session.hpp"
 
 namespace clast::report_detail {
 namespace {
@@ -31,7 +33,9 @@ constexpr Column kColumns[] = {{"f_table_catalog", OFTString, 256},
 
 void add_style_table(GDALDataset& dataset, const std::filesystem::path& target,
                      const std::vector<LayerStyle>& styles) {
-  const auto check = [&](bool done) { check_written(done, target, "table layer_styles"); };
+  const auto check = [&](bool done) {
+    terrain_detail::check_written(done, target, "table layer_styles");
+  };
   const char* options[] = {"FID=id", nullptr};
   OGRLayer* table =
       dataset.CreateLayer("layer_styles", nullptr, wkbNone, const_cast<char**>(options));

@@ -1,4 +1,6 @@
-#include "report/maps/gis_layers.hpp"
+#include "report/gdal/geopackage.hpp"
+
+#include <ogrsf_frmts.h>
 
 #include <cmath>
 #include <memory>
@@ -9,15 +11,16 @@
 #include "core/angle.hpp"
 #include "core/files/output_file.hpp"
 #include "core/version.hpp"
-#include "report/maps/detail/gdal_output.hpp"
-#include "report/maps/detail/style_table.hpp"
+#include "report/gdal/detail/style_table.hpp"
 #include "report/maps/qgis_styles.hpp"
 #include "report/tables/comparison_columns.hpp"
 #include "study/compare/path_samples.hpp"
+#include "terrain/gdal/detail/gdal_session.hpp"
 
 namespace clast {
 
 using namespace report_detail;
+using namespace terrain_detail;
 namespace {
 
 struct FeatureDestroyer {
@@ -156,9 +159,7 @@ void write_measured(Layer layer, const MeasuredStops& measured) {
 }  // namespace
 
 void write_geopackage(const std::filesystem::path& path, const Comparison& comparison) {
-  const QuietGdal quiet;
-  CPLErrorReset();
-  GDALAllRegister();
+  const GdalSession session;
   // Else the time of writing stands in the file, and equal runs give different ones.
   const CPLConfigOptionSetter date("OGR_CURRENT_DATE", "1970-01-01T00:00:00.000Z", false);
   OutputFile output(path);
@@ -167,7 +168,7 @@ void write_geopackage(const std::filesystem::path& path, const Comparison& compa
   // OutputFile has made an empty file to claim the name; GDAL refuses to create over it.
   std::error_code ignored;
   std::filesystem::remove(output.temporary(), ignored);
-  Dataset dataset(
+  DatasetPointer dataset(
       driver->Create(output.temporary().string().c_str(), 0, 0, 0, GDT_Unknown, nullptr));
   check_written(dataset != nullptr, path, "a GeoPackage");
 
