@@ -10,6 +10,7 @@
 #include "shapes/oriented_box.hpp"
 #include "shapes/sphero_polyhedron.hpp"
 #include "shapes/surface_deviation.hpp"
+#include "shapes/volume_bracket.hpp"
 
 namespace clast {
 
@@ -33,23 +34,6 @@ struct FieldNotes {
   std::optional<double> weighed_mass;  ///< kg
 };
 
-/// Bounds of L, I and S, each by itself, m.
-struct AxesRange {
-  Axes lower, upper;
-};
-
-/// What is not known of a block: the side it lies on, what lies behind filled holes and between
-/// points. The block is made of the likeliest shape (reconstruct/underside/block_bounds.hpp).
-struct UnseenPart {
-  double lower_volume = 0.0;  ///< m^3
-  double best_volume = 0.0;   ///< m^3, of the closed scan the block was made from
-  /// m^3; none where too much was not seen to bound the block from above.
-  std::optional<double> upper_volume;
-  double invented_share = 0.0;    ///< of the closed scan's area
-  std::optional<AxesRange> axes;  ///< where there is an upper volume
-  std::string assumption;         ///< behind the bounds; empty in older files
-};
-
 /// A block. Everything geometric is in the frame of the stored mesh (the source's, scaled to metres
 /// and turned z up), except the principal moments.
 struct Block {
@@ -64,7 +48,7 @@ struct Block {
   OrientedBox box;      ///< smallest box of the rounded body
   Deviation deviation;  ///< rounded body against the whole scan; zero for a core
   bool from_core = false;
-  std::optional<UnseenPart> unseen;  ///< none: the scan leaves nothing to speak of open
+  std::optional<VolumeBracket> unseen;  ///< none: the scan leaves nothing to speak of open
   std::vector<std::string> warnings;
   FieldNotes field;
 

@@ -45,21 +45,20 @@ FieldNotes read_field_notes(const Hdf5Group& group, const std::string& where) {
   return field;
 }
 
-void write_unseen(Hdf5Group group, const UnseenPart& unseen) {
+void write_unseen(Hdf5Group group, const VolumeBracket& unseen) {
   group.set_attribute("volume_lower_m3", unseen.lower_volume);
   group.set_attribute("volume_best_m3", unseen.best_volume);
   if (unseen.upper_volume) group.set_attribute("volume_upper_m3", *unseen.upper_volume);
   group.set_attribute("invented_share", unseen.invented_share);
   group.set_attribute("assumption", unseen.assumption);
-  if (!unseen.axes) return;
-  const auto vector = [](const Axes& axes) { return Vec3(axes.L, axes.I, axes.S); };
-  write_matrix(group, "axes_lower", vector(unseen.axes->lower), "m");
-  write_matrix(group, "axes_upper", vector(unseen.axes->upper), "m");
+  if (!unseen.sides) return;
+  write_matrix(group, "axes_lower", unseen.sides->lower, "m");
+  write_matrix(group, "axes_upper", unseen.sides->upper, "m");
 }
 
-UnseenPart read_unseen(const Hdf5Group& group, const std::string& where) {
+VolumeBracket read_unseen(const Hdf5Group& group, const std::string& where) {
   constexpr double kPositive = 1e-300;
-  UnseenPart unseen;
+  VolumeBracket unseen;
   unseen.lower_volume = read_scalar(group, "volume_lower_m3", kPositive, where);
   unseen.best_volume = read_scalar(group, "volume_best_m3", unseen.lower_volume, where);
   if (group.has_attribute("volume_upper_m3")) {
@@ -67,24 +66,21 @@ UnseenPart read_unseen(const Hdf5Group& group, const std::string& where) {
   }
   unseen.invented_share = read_scalar(group, "invented_share", 0.0, where);
   require(unseen.invented_share <= 1.0, where, "invented_share is more than 1");
-  const auto axes = [&](const std::string& name) {
-    const Vec3 sides = read_vector(group, name, where);
-    require(sides.minCoeff() > 0.0, where, name + " is not positive");
-    return Axes{sides[0], sides[1], sides[2]};
+  const auto lengths = [&](const std::string& name) {
+    const Vec3 read = read_vector(group, name, where);
+    require(read.minCoeff() > 0.0, where, name + " is not positive");
+    return read;
   };
   if (group.has_attribute("assumption")) {
     unseen.assumption = group.attribute<std::string>("assumption");
   }
   if (group.has("axes_lower")) {
-    unseen.axes = AxesRange{axes("axes_lower"), axes("axes_upper")};
-    const Axes &low = unseen.axes->lower, &high = unseen.axes->upper;
-    require(low.L <= high.L && low.I <= high.I && low.S <= high.S, where,
+    unseen.sides = SideBounds{lengths("axes_lower"), lengths("axes_upper")};
+    require((unseen.sides->lower.array() <= unseen.sides->upper.array()).all(), where,
             "axes_lower is above axes_upper");
   } else if (group.has("box_lower")) {  // files of clast 0.x: boxes of a small and a large shape
-    const Axes small = axes("box_lower"), large = axes("box_upper");
-    unseen.axes = AxesRange{
-        {std::min(small.L, large.L), std::min(small.I, large.I), std::min(small.S, large.S)},
-        {std::max(small.L, large.L), std::max(small.I, large.I), std::max(small.S, large.S)}};
+    const Vec3 small = lengths("box_lower"), large = lengths("box_upper");
+    unseen.sides = SideBounds{small.cwiseMin(large), small.cwiseMax(large)};
   }
   return unseen;
 }
@@ -259,7 +255,7 @@ namespace {
 /// A library with bounds that no body has could not be read again.
 void check_unseen(const Block& block) {
   if (!block.unseen) return;
-  const UnseenPart& unseen = *block.unseen;
+  const VolumeBracket& unseen = *block.unseen;
   const auto require = [&](bool fine) {
     if (fine) return;
     throw InputError("block " + block.id + ": the bounds of its unseen part, volume from " +
@@ -269,10 +265,9 @@ void check_unseen(const Block& block) {
   };
   require(unseen.lower_volume > 0.0 && unseen.best_volume >= unseen.lower_volume);
   require(!unseen.upper_volume || *unseen.upper_volume >= unseen.best_volume);
-  if (!unseen.axes) return;
-  const Axes &low = unseen.axes->lower, &high = unseen.axes->upper;
-  require(std::min({low.L, low.I, low.S}) > 0.0);
-  require(low.L <= high.L && low.I <= high.I && low.S <= high.S);
+  if (!unseen.sides) return;
+  require(unseen.sides->lower.minCoeff() > 0.0);
+  require((unseen.sides->lower.array() <= unseen.sides->upper.array()).all());
 }
 
 }  // namespace

@@ -15,10 +15,9 @@ namespace {
 constexpr double kSameMass = 1e-9;    ///< relative; a density made from the mass gives it back
 constexpr double kHardlyOpen = 1e-3;  ///< of the volume; a scan weighs no better
 
-AxesRange including(const AxesRange& range, const Axes& axes) {
-  const auto& [low, high] = range;
-  return {{std::min(low.L, axes.L), std::min(low.I, axes.I), std::min(low.S, axes.S)},
-          {std::max(high.L, axes.L), std::max(high.I, axes.I), std::max(high.S, axes.S)}};
+AxesRange including(const SideBounds& sides, const Vec3& lengths) {
+  const Vec3 low = sides.lower.cwiseMin(lengths), high = sides.upper.cwiseMax(lengths);
+  return {{low[0], low[1], low[2]}, {high[0], high[1], high[2]}};
 }
 
 std::string range_text(double low, const std::optional<double>& upper, const std::string& unit) {
@@ -31,7 +30,7 @@ std::string range_text(double low, const std::optional<double>& upper, const std
 }  // namespace
 
 UnseenRange unseen_range(const Block& block) {
-  const UnseenPart& unseen = *block.unseen;
+  const VolumeBracket& unseen = *block.unseen;
   UnseenRange range;
   range.lower_mass = block.density * unseen.lower_volume;
   if (unseen.upper_volume) range.upper_mass = block.density * *unseen.upper_volume;
@@ -44,8 +43,8 @@ UnseenRange unseen_range(const Block& block) {
     if (unseen.upper_volume) range.lower_density = *weighed / *unseen.upper_volume;
     range.upper_density = *weighed / unseen.lower_volume;
   }
-  if (!unseen.axes) return range;
-  range.axes = including(*unseen.axes, block.axes());
+  if (!unseen.sides) return range;
+  range.axes = including(*unseen.sides, block.box.lengths);
   const auto& [low, high] = *range.axes;
   range.lower_s_c = std::max(0.0, low.L / high.I - 1.0);
   range.upper_s_c = high.L / low.I - 1.0;
@@ -56,7 +55,7 @@ UnseenRange unseen_range(const Block& block) {
 }
 
 std::string described_unseen(const Block& block) {
-  const UnseenPart& unseen = *block.unseen;
+  const VolumeBracket& unseen = *block.unseen;
   const bool metric = !is_unscaled(block);
   const bool is_open = unseen.invented_share > 0.0;
   const std::string filled = is_open ? with_digits(100.0 * unseen.invented_share, 2) +

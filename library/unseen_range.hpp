@@ -9,6 +9,11 @@
 
 namespace clast {
 
+/// Bounds of L, I and S, each by itself, m.
+struct AxesRange {
+  Axes lower, upper;
+};
+
 /// Bounds that follow from those of volume and axes.
 struct UnseenRange {
   double lower_mass = 0.0;              ///< kg; a weighed mass has no width

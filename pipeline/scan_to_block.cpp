@@ -37,16 +37,8 @@ TriangleMesh hull_instead(const TriangleMesh& scan, std::vector<std::string>& no
 }
 
 /// Adds what the scan leaves open.
-void add_unseen(Block& block, const BlockBounds& bounds) {
-  const auto axes = [](const Vec3& sides) { return Axes{sides[0], sides[1], sides[2]}; };
-  UnseenPart unseen;
-  unseen.lower_volume = bounds.lower_volume;
-  unseen.best_volume = bounds.best_volume;
-  unseen.upper_volume = bounds.upper_volume;
-  unseen.invented_share = bounds.invented_share;
-  unseen.assumption = bounds.assumption;
-  if (bounds.sides) unseen.axes = AxesRange{axes(bounds.sides->lower), axes(bounds.sides->upper)};
-  block.unseen = unseen;
+void add_unseen(Block& block, const VolumeBracket& bounds) {
+  block.unseen = bounds;
   block.warnings.insert(block.warnings.begin(), described_unseen(block));
 }
 

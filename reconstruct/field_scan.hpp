@@ -9,8 +9,8 @@
 #include "reconstruct/cloud/cloud_surface.hpp"
 #include "reconstruct/ground/ground.hpp"
 #include "reconstruct/scan.hpp"
-#include "reconstruct/underside/block_bounds.hpp"
 #include "reconstruct/underside/underside.hpp"
+#include "shapes/volume_bracket.hpp"
 
 namespace clast {
 
@@ -29,9 +29,9 @@ struct FieldScanOptions {
 
 /// One block of a scan.
 struct FieldBlock {
-  Scan scan;                           ///< closed, in metres, z up
-  std::optional<Underside> underside;  ///< of a scan that was open; in the frame of `scan`
-  std::optional<BlockBounds> bounds;   ///< none: nothing to speak of is left open
+  Scan scan;                            ///< closed, in metres, z up
+  std::optional<Underside> underside;   ///< of a scan that was open; in the frame of `scan`
+  std::optional<VolumeBracket> bounds;  ///< none: nothing to speak of is left open
   /// To the frame of `scan` from the file's coordinates in metres, z up.
   Pose block_from_file = {Vec3::Zero(), Quat::Identity()};
 };

@@ -152,11 +152,7 @@ Underside moved(Underside side, double unit, const Move& move) {
   for (TriangleMesh* mesh : {&side.lower, &side.best}) {
     for (Vec3& vertex : mesh->vertices) vertex = move(vertex);
   }
-  const double cubed = unit * unit * unit;
-  side.lower_volume *= cubed;
-  side.best_volume *= cubed;
-  if (side.upper_volume) *side.upper_volume *= cubed;
-  if (side.sides) side.sides = SideBounds{unit * side.sides->lower, unit * side.sides->upper};
+  static_cast<VolumeBracket&>(side) = scaled(side, unit);
   const Vec3 centre = move(side.rim_centre);
   side.down = (move(side.rim_centre + side.down) - centre).normalized();
   side.rim_centre = centre;
@@ -175,6 +171,14 @@ std::string format_file_place(const Vec3& point, const FieldBlock& block,
   return place(((in_file / digit).array().round() * digit + 0.0).matrix());  // no "-0"
 }
 
+/// States the bounds of a block without an unseen side, if they are worth it.
+void state_bounds(FieldBlock& block, const ClosedScan& closed) {
+  const std::optional<StatedBounds> bounds = closed_bounds(closed, block.scan.report);
+  if (!bounds) return;
+  block.bounds = *bounds;
+  block.scan.notes.insert(block.scan.notes.end(), bounds->notes.begin(), bounds->notes.end());
+}
+
 /// A neighbour with more of the volume than this is refused: either body may be the block.
 constexpr double kSmallNeighbour = 0.06;
 
@@ -185,7 +189,7 @@ void leave_out_neighbour(FieldBlock& block, const Plane& seam, double fraction) 
   if (!block.bounds) {
     const double volume = signed_volume(block.scan.mesh);
     const Vec3 sides = smallest_box(whole).lengths;
-    block.bounds = BlockBounds{volume, volume, volume, SideBounds{sides, sides}, 0.0, {}, {}};
+    block.bounds = VolumeBracket{volume, volume, volume, SideBounds{sides, sides}};
   }
   block.bounds->lower_volume *= 1.0 - fraction;
   if (!block.bounds->sides) return;
@@ -242,14 +246,11 @@ FieldBlock close_block(OpenBlock open, const std::string& name, const FieldScanO
   if (turn) block.block_from_file = *turn;
   RepairReport& report = block.scan.report;
   report = joined(std::move(open.repaired), std::move(report));
-  if (!side) {
-    block.bounds = closed_bounds({open.surface, options.unit, scanned.get(), open.margin}, report);
-  }
   std::vector<std::string>& notes = block.scan.notes;
   notes = repair_notes(report);
   notes.insert(notes.begin(), open.notes.begin(), open.notes.end());
-  if (block.bounds) {
-    notes.insert(notes.end(), block.bounds->notes.begin(), block.bounds->notes.end());
+  if (!side) {
+    state_bounds(block, {open.surface, options.unit, scanned.get(), open.margin});
   }
   if (turn) note_tilt(turn->rotation, notes);
   if (side) {
@@ -269,11 +270,7 @@ FieldBlock clean_block(const TriangleMesh& raw, const std::string& name,
   if (was_changed(block.scan.report)) {
     const ScannedSurface scanned(raw);
     const TriangleMesh closed = in_file_units(block.scan.mesh, field.scan);
-    block.bounds = closed_bounds({closed, field.scan.unit, &scanned, nullptr}, block.scan.report);
-    if (block.bounds) {
-      block.scan.notes.insert(block.scan.notes.end(), block.bounds->notes.begin(),
-                              block.bounds->notes.end());
-    }
+    state_bounds(block, {closed, field.scan.unit, &scanned, nullptr});
   }
   judge_form(block, name, field.scan, false);
   return with_doubt(std::move(block));

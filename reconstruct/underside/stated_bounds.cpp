@@ -25,7 +25,7 @@ constexpr double kWorthStating = 0.005, kSidesWorthStating = 0.0075;
 constexpr double kPointed = 3.0;
 
 /// By the volume that a copy of the surface has more or less.
-void widen_for_copies(BlockBounds& bounds, const RepairReport& report) {
+void widen_for_copies(VolumeBracket& bounds, const RepairReport& report) {
   if (!bounds.sides || report.doubled.empty()) return;
   const double below = report.volume_below / bounds.best_volume,
                above = report.volume_above / bounds.best_volume;
@@ -33,7 +33,7 @@ void widen_for_copies(BlockBounds& bounds, const RepairReport& report) {
   bounds.sides->upper *= 1.0 + kPointed * above;
 }
 
-bool worth_stating(const BlockBounds& bounds, const Vec3& sides) {
+bool worth_stating(const VolumeBracket& bounds, const Vec3& sides) {
   if (!bounds.upper_volume || !bounds.sides) return true;
   const double open = kWorthStating * bounds.best_volume;
   return bounds.best_volume - bounds.lower_volume > open ||
@@ -77,42 +77,32 @@ bool ScannedSurface::holds(const Vec3& place) const {
   return tree_ && tree_->closest(place).squared_distance <= reach_ * reach_;
 }
 
-std::optional<BlockBounds> closed_bounds(const ClosedScan& scan, const RepairReport& report) {
+std::optional<StatedBounds> closed_bounds(const ClosedScan& scan, const RepairReport& report) {
   const std::vector<bool> closure = mark_closures(scan);
   const bool exact = std::find(closure.begin(), closure.end(), true) == closure.end();
   if (exact && scan.margin == nullptr && report.doubled.empty()) return std::nullopt;
   const UnseenBounds found = unseen_bounds(scan.surface, {closure, {}, false, scan.margin});
-  const double unit = scan.unit, cubed = unit * unit * unit;
-  BlockBounds bounds;
-  bounds.best_volume = cubed * found.best_volume;
+  StatedBounds bounds{scaled(found, scan.unit), hollow_notes(found.hollows, scan.unit)};
   bounds.lower_volume =
-      std::max(std::min(cubed * found.lower_volume, bounds.best_volume - report.volume_below),
+      std::max(std::min(bounds.lower_volume, bounds.best_volume - report.volume_below),
                kLeastVolumeLeft * bounds.best_volume);
-  if (found.upper_volume) {
-    bounds.upper_volume =
-        std::max(cubed * *found.upper_volume, bounds.best_volume + report.volume_above);
+  if (bounds.upper_volume) {
+    bounds.upper_volume = std::max(*bounds.upper_volume, bounds.best_volume + report.volume_above);
   }
-  if (found.sides) bounds.sides = SideBounds{unit * found.sides->lower, unit * found.sides->upper};
   bounds.invented_share = report.invented_share;
   bounds.assumption = assumption_of(scan, report);
-  bounds.notes = hollow_notes(found.hollows, unit);
   widen_for_copies(bounds, report);
-  if (!worth_stating(bounds, unit * smallest_box(scan.surface.vertices).lengths)) {
+  if (!worth_stating(bounds, scan.unit * smallest_box(scan.surface.vertices).lengths)) {
     return std::nullopt;
   }
   return bounds;
 }
 
-BlockBounds underside_bounds(const Underside& side, const RepairReport& report) {
-  BlockBounds bounds;
-  bounds.best_volume = side.best_volume;
+VolumeBracket underside_bounds(const Underside& side, const RepairReport& report) {
+  VolumeBracket bounds = side;
   bounds.lower_volume =
       std::max(side.lower_volume - report.volume_below, kLeastVolumeLeft * side.best_volume);
-  bounds.upper_volume = side.upper_volume;
   if (bounds.upper_volume) *bounds.upper_volume += report.volume_above;
-  bounds.sides = side.sides;
-  bounds.invented_share = side.invented_share;
-  bounds.assumption = side.assumption;
   widen_for_copies(bounds, report);
   return bounds;
 }

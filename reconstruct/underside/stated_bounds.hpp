@@ -8,8 +8,8 @@
 #include "reconstruct/cloud/cloud.hpp"
 #include "reconstruct/cloud/surface_margin.hpp"
 #include "reconstruct/repair/repair_report.hpp"
-#include "reconstruct/underside/block_bounds.hpp"
 #include "reconstruct/underside/underside.hpp"
+#include "shapes/volume_bracket.hpp"
 
 namespace clast::reconstruct_detail {
 
@@ -41,12 +41,17 @@ struct ClosedScan {
   const SurfaceMargin* margin = nullptr;    ///< null: the surface is exact
 };
 
+/// The bounds of a block, with notes on what may be behind the unseen parts, for those of the scan.
+struct StatedBounds : VolumeBracket {
+  std::vector<std::string> notes;
+};
+
 /// @param report  of the repair, in metres
-/// @returns m, m^3; none where the bounds are so narrow that they say nothing
-std::optional<BlockBounds> closed_bounds(const ClosedScan& scan, const RepairReport& report);
+/// @returns m, m^3; none if the bounds are so narrow that they say nothing
+std::optional<StatedBounds> closed_bounds(const ClosedScan& scan, const RepairReport& report);
 
 /// @param side    m
 /// @param report  of the repair, in metres: copies of the surface widen the bounds
-BlockBounds underside_bounds(const Underside& side, const RepairReport& report);
+VolumeBracket underside_bounds(const Underside& side, const RepairReport& report);
 
 }  // namespace clast::reconstruct_detail

@@ -10,8 +10,8 @@
 #include "mesh/plane.hpp"
 #include "mesh/triangle_mesh.hpp"
 #include "reconstruct/cloud/surface_margin.hpp"
-#include "reconstruct/underside/block_bounds.hpp"
 #include "reconstruct/underside/seen_through.hpp"
+#include "shapes/volume_bracket.hpp"
 
 namespace clast {
 
@@ -40,21 +40,13 @@ struct UndersideOptions {
   void check() const;  ///< throws InputError naming the field and its value
 };
 
-/// A scan closed two ways, and what it may be beyond that. Both meshes are closed and outward, with
-/// the same triangles; the filling of the largest hole is moved down in `best`.
-struct Underside {
+/// A scan closed in two ways, and bounds beyond that. Both meshes are closed and outward, with the
+/// same triangles; the filling of the largest hole is moved down in `best`. The lower volume is
+/// that of `lower`, less what its filling may be dented as the seen surface is.
+struct Underside : VolumeBracket {
   TriangleMesh lower;  ///< filled straight across the rims (membranes)
   TriangleMesh best;
-  /// Of `lower`, less what its filling may be dented as the seen surface is, m^3.
-  double lower_volume = 0.0;
-  double best_volume = 0.0;
-  /// None: too large a part of the block was not seen to bound it. Nothing is known of the sides of
-  /// its box then.
-  std::optional<double> upper_volume;
-  std::optional<SideBounds> sides;
-  std::string assumption;          ///< behind the upper volume, in words
   std::size_t open_sides = 1;      ///< holes that are bracketed, together
-  double invented_share = 0.0;     ///< filling's share of the area of `best`
   std::size_t first_invented = 0;  ///< triangles from this one on are filling, in both
   Vec3 down = -Vec3::UnitZ();      ///< the way the filling of the largest hole faces
   Vec3 rim_centre = Vec3::Zero();  ///< of the largest hole, m

@@ -40,7 +40,7 @@ Json boxes_json(const Block& block) {
 }
 
 Json unseen_json(const Block& block) {
-  const UnseenPart& unseen = *block.unseen;
+  const VolumeBracket& unseen = *block.unseen;
   const UnseenRange range = unseen_range(block);
   const auto known = [](const std::optional<double>& value) {
     return value ? Json(*value) : Json(nullptr);

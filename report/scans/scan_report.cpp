@@ -100,7 +100,7 @@ void ScanReport::Impl::add_row(const Block& block, const std::string& outcome) {
 
 void ScanReport::Impl::add_page_row(const Block& block) {
   const Axes axes = block.axes();
-  const std::optional<UnseenPart>& unseen = block.unseen;
+  const std::optional<VolumeBracket>& unseen = block.unseen;
   const bool metric = !is_unscaled(block);
   const std::string u = metric ? "" : " u";
   std::string name = escaped(block.id);
@@ -126,7 +126,7 @@ void ScanReport::Impl::add_page_row(const Block& block) {
 
 void ScanReport::Impl::add_csv_row(const Block& block, const std::string& outcome) {
   const Axes axes = block.axes();
-  const std::optional<UnseenPart>& unseen = block.unseen;
+  const std::optional<VolumeBracket>& unseen = block.unseen;
   const bool metric = !is_unscaled(block);
   csv.cell(block.id);
   csv.cell(outcome);

@@ -20,7 +20,7 @@ std::string vector_text(const Vec3& v) {
 
 /// What the unseen side leaves open, as names with values.
 NamedValues unseen_lines(const Block& block) {
-  const UnseenPart& unseen = *block.unseen;
+  const VolumeBracket& unseen = *block.unseen;
   const UnseenRange range = unseen_range(block);
   const auto between = [](double low, const std::optional<double>& high, int digits) {
     return high ? rounded(low, digits) + " to " + rounded(*high, digits)

@@ -71,9 +71,9 @@ TEST(BlockLibrary, EveryMemberOfABlockComesBack) {
   EXPECT_EQ(is.unseen->best_volume, was.unseen->best_volume);
   EXPECT_EQ(is.unseen->upper_volume, was.unseen->upper_volume);
   EXPECT_EQ(is.unseen->invented_share, was.unseen->invented_share);
-  ASSERT_TRUE(is.unseen->axes.has_value());
-  EXPECT_EQ(is.unseen->axes->lower.S, was.unseen->axes->lower.S);
-  EXPECT_EQ(is.unseen->axes->upper.I, was.unseen->axes->upper.I);
+  ASSERT_TRUE(is.unseen->sides.has_value());
+  EXPECT_EQ(is.unseen->sides->lower, was.unseen->sides->lower);
+  EXPECT_EQ(is.unseen->sides->upper, was.unseen->sides->upper);
   EXPECT_EQ(is.unseen->assumption, was.unseen->assumption);
   EXPECT_EQ(is.warnings, was.warnings);
   EXPECT_EQ(is.field.site, was.field.site);
@@ -88,18 +88,18 @@ TEST(BlockLibrary, ABlockWithoutUpperBoundStaysWithout) {
   BlockLibrary library;
   Block block = filled_block("SP1A");
   block.unseen->upper_volume.reset();
-  block.unseen->axes.reset();
+  block.unseen->sides.reset();
   library.add(block);
   library.write(folder / "blocks.h5");
   const BlockLibrary read = BlockLibrary::read(folder / "blocks.h5");
-  const UnseenPart& unseen = *read.block("SP1A").unseen;
+  const VolumeBracket& unseen = *read.block("SP1A").unseen;
   EXPECT_FALSE(unseen.upper_volume.has_value());
-  EXPECT_FALSE(unseen.axes.has_value());
+  EXPECT_FALSE(unseen.sides.has_value());
   EXPECT_EQ(unseen.lower_volume, 5.5);
 }
 
 // Older files hold the boxes of two shapes in place of bounds of each axis.
-TEST(BlockLibrary, TheUnseenPartOfAnOlderFileIsRead) {
+TEST(BlockLibrary, TheVolumeBracketOfAnOlderFileIsRead) {
   const ScratchFolder folder;
   const auto path = written(folder);
   {
@@ -114,12 +114,12 @@ TEST(BlockLibrary, TheUnseenPartOfAnOlderFileIsRead) {
     }
   }
   const BlockLibrary library = BlockLibrary::read(path);
-  const AxesRange& axes = *library.block("SP1A").unseen->axes;
-  EXPECT_EQ(axes.lower.L, 2.9);
-  EXPECT_EQ(axes.upper.L, 3.0);
-  EXPECT_EQ(axes.lower.I, 2.0);
-  EXPECT_EQ(axes.upper.I, 2.3);
-  EXPECT_EQ(axes.upper.S, 1.2);
+  const SideBounds& sides = *library.block("SP1A").unseen->sides;
+  EXPECT_EQ(sides.lower[0], 2.9);
+  EXPECT_EQ(sides.upper[0], 3.0);
+  EXPECT_EQ(sides.lower[1], 2.0);
+  EXPECT_EQ(sides.upper[1], 2.3);
+  EXPECT_EQ(sides.upper[2], 1.2);
 }
 
 TEST(BlockLibrary, AnUnscaledBlockStaysUnscaled) {

@@ -16,12 +16,12 @@ Block half_seen() {
   block.mass.mass = 2500.0;
   block.field.weighed_mass.reset();
   block.box.lengths = {2.0, 1.0, 0.6};
-  block.unseen = UnseenPart{.lower_volume = 0.9,
-                            .best_volume = 1.0,
-                            .upper_volume = 1.2,
-                            .invented_share = 0.17,
-                            .axes = AxesRange{{2.0, 1.0, 0.5}, {2.0, 1.0, 0.8}},
-                            .assumption = "the flanks go on"};
+  block.unseen = VolumeBracket{.lower_volume = 0.9,
+                               .best_volume = 1.0,
+                               .upper_volume = 1.2,
+                               .sides = SideBounds{{2.0, 1.0, 0.5}, {2.0, 1.0, 0.8}},
+                               .invented_share = 0.17,
+                               .assumption = "the flanks go on"};
   return block;
 }
 
@@ -57,7 +57,7 @@ TEST(UnseenRange, ClassesAreAllThatTheAxesAllow) {
 TEST(UnseenRange, AxesRunThroughTheirBoundsEachByItself) {
   Block block = half_seen();
   block.box.lengths = {1.5, 1.3, 1.0};
-  block.unseen->axes = AxesRange{{1.4, 1.2, 1.0}, {1.6, 1.4, 1.0}};
+  block.unseen->sides = SideBounds{{1.4, 1.2, 1.0}, {1.6, 1.4, 1.0}};
   const UnseenRange range = unseen_range(block);
   EXPECT_EQ(range.classes.at("garcia"), (std::vector<std::string>{"compact", "elongated"}));
   EXPECT_NEAR(range.lower_s_c.value(), 0.0, 1e-12);  // 1.4 / 1.4
@@ -66,7 +66,7 @@ TEST(UnseenRange, AxesRunThroughTheirBoundsEachByItself) {
 
 TEST(UnseenRange, TheBlocksOwnAxesAreWithinTheBounds) {
   Block block = half_seen();
-  block.unseen->axes = AxesRange{{2.05, 0.8, 0.65}, {2.1, 0.9, 0.7}};
+  block.unseen->sides = SideBounds{{2.05, 0.8, 0.65}, {2.1, 0.9, 0.7}};
   const UnseenRange range = unseen_range(block);
   EXPECT_EQ(range.axes->lower.L, 2.0);
   EXPECT_EQ(range.axes->upper.I, 1.0);
@@ -77,7 +77,7 @@ TEST(UnseenRange, TheBlocksOwnAxesAreWithinTheBounds) {
 Block hardly_seen() {
   Block block = half_seen();
   block.unseen->upper_volume.reset();
-  block.unseen->axes.reset();
+  block.unseen->sides.reset();
   return block;
 }
 

@@ -134,7 +134,7 @@ double farthest_from_points(const TriangleMesh& mesh, const std::vector<Vec3>& p
 /// Do the bounds stated of a block hold its true volume (m^3) and sides (m)?
 bool holds(const FieldBlock& block, double volume, const Vec3& sides) {
   if (!block.bounds) return false;
-  const BlockBounds& bounds = *block.bounds;
+  const VolumeBracket& bounds = *block.bounds;
   if (volume < bounds.lower_volume || (bounds.upper_volume && volume > *bounds.upper_volume)) {
     return false;
   }

@@ -31,7 +31,7 @@ TriangleMesh needle(double thickness = 0.2) {
   return mesh;
 }
 
-void expect_holds(const BlockBounds& bounds, const TriangleMesh& truth) {
+void expect_holds(const VolumeBracket& bounds, const TriangleMesh& truth) {
   const double volume = volume_of(truth);
   EXPECT_LE(bounds.lower_volume, volume);
   ASSERT_TRUE(bounds.upper_volume && bounds.sides);
@@ -110,10 +110,10 @@ TEST(StatedBounds, OfAHoleThatMattersToNobodyAreNone) {
 
 TEST(StatedBounds, ScaleWithTheUnitOfTheFile) {
   const std::vector<Vec3> points = sampled_cloud(needle(0.6), {.points = 1500}, 3);
-  const BlockBounds metres = *field_blocks(points, "cloud")[0].bounds;
+  const VolumeBracket metres = *field_blocks(points, "cloud")[0].bounds;
   FieldScanOptions options;
   options.scan.unit = 0.5;
-  const BlockBounds halves = *field_blocks(points, "cloud", options)[0].bounds;
+  const VolumeBracket halves = *field_blocks(points, "cloud", options)[0].bounds;
   EXPECT_NEAR(halves.lower_volume, metres.lower_volume / 8.0, 1e-12);
   EXPECT_NEAR(*halves.upper_volume, *metres.upper_volume / 8.0, 1e-12);
   EXPECT_LT((halves.sides->upper - 0.5 * metres.sides->upper).norm(), 1e-9);

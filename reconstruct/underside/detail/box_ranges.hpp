@@ -2,7 +2,7 @@
 /// Bounds of the sides of the smallest box of a body with an unseen part.
 #include <span>
 
-#include "reconstruct/underside/block_bounds.hpp"
+#include "shapes/volume_bracket.hpp"
 
 namespace clast::reconstruct_detail {
 

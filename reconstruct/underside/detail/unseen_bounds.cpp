@@ -323,7 +323,7 @@ std::vector<Vec3> seen_points(const Parted& parts) {
 UnseenBounds unseen_bounds(const TriangleMesh& closed, const UnseenParts& parts) {
   const Parted surface = parted(closed, parts.closure);
   const Middle middle = middle_of(closed);
-  UnseenBounds bounds{middle.volume, middle.volume, middle.volume, {}, {}};
+  UnseenBounds bounds{{middle.volume, middle.volume, middle.volume}, {}};
   std::vector<Vec3> beyond;
   if (surface.first < closed.triangles.size()) {
     const FlankPlanes flanks = flank_planes(surface.closed, surface.first, surface.rims);

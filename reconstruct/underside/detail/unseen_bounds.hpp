@@ -6,8 +6,8 @@
 
 #include "mesh/triangle_mesh.hpp"
 #include "reconstruct/cloud/surface_margin.hpp"
-#include "reconstruct/underside/block_bounds.hpp"
 #include "reconstruct/underside/underside.hpp"
+#include "shapes/volume_bracket.hpp"
 
 namespace clast::reconstruct_detail {
 
@@ -20,13 +20,9 @@ struct PossibleHollow {
   std::optional<Vec3> beyond;  ///< middle of the mouth at the other end, if there is one
 };
 
-/// Bounds of a body whose seen flanks continue as they are, m^3 and m.
-struct UnseenBounds {
-  double best_volume = 0.0;  ///< of the surface as it is closed
-  /// With a closure that is dented as the seen surface is, and without what may be hollow.
-  double lower_volume = 0.0;
-  std::optional<double> upper_volume;  ///< none: too large a part is unseen
-  std::optional<SideBounds> sides;     ///< none without an upper volume
+/// Bounds of a body whose seen flanks continue as they are, in units of the mesh. The lower volume
+/// has closures that are dented as the seen surface is, and excludes what may be hollow.
+struct UnseenBounds : VolumeBracket {
   std::vector<PossibleHollow> hollows;
 };
 

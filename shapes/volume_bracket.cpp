@@ -1,0 +1,17 @@
+#include "shapes/volume_bracket.hpp"
+
+namespace clast {
+
+VolumeBracket scaled(VolumeBracket bracket, double unit) {
+  const double cubed = unit * unit * unit;
+  bracket.lower_volume *= cubed;
+  bracket.best_volume *= cubed;
+  if (bracket.upper_volume) *bracket.upper_volume *= cubed;
+  if (bracket.sides) {
+    bracket.sides->lower *= unit;
+    bracket.sides->upper *= unit;
+  }
+  return bracket;
+}
+
+}  // namespace clast
