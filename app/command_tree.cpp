@@ -33,7 +33,6 @@ OptionEntry entry_of(const CLI::Option& option) {
     for (const std::string& name : option.get_snames()) entry.names.push_back("-" + name);
     for (const std::string& name : option.get_lnames()) entry.names.push_back("--" + name);
   }
-  entry.required = option.get_required();
   entry.repeated = option.get_items_expected_max() >= CLI::detail::expected_max_vector_size;
   entry.description = option.get_description();
   if (option.get_items_expected_max() == 0) return entry;  // a flag
@@ -41,14 +40,13 @@ OptionEntry entry_of(const CLI::Option& option) {
   entry.value = type.substr(0, type.find(':'));
   if (entry.value.empty()) entry.value = "VALUE";
   entry.choices = choices_in(type);
-  entry.preset = option.get_default_str();
   return entry;
 }
 
 }  // namespace
 
 CommandEntry command_tree(const CLI::App& command) {
-  CommandEntry entry{command.get_name(), command.get_description(), command.get_footer(), {}, {}};
+  CommandEntry entry{command.get_name(), command.get_description(), {}, {}};
   for (const CLI::Option* option : command.get_options())
     entry.options.push_back(entry_of(*option));
   for (const CLI::App* part : command.get_subcommands({})) {
@@ -62,27 +60,23 @@ nlohmann::json to_json(const CommandEntry& command) {
   for (const OptionEntry& option : command.options) {
     options.push_back({{"names", option.names},
                        {"positional", option.positional},
-                       {"required", option.required},
                        {"repeated", option.repeated},
                        {"value", option.value},
                        {"choices", option.choices},
-                       {"preset", option.preset},
                        {"description", option.description}});
   }
   for (const CommandEntry& part : command.commands) commands.push_back(to_json(part));
   return {{"name", command.name},
           {"summary", command.summary},
-          {"footer", command.footer},
           {"options", options},
           {"commands", commands}};
 }
 
 CommandEntry command_from_json(const nlohmann::json& json) {
-  CommandEntry command{json.at("name"), json.at("summary"), json.at("footer"), {}, {}};
+  CommandEntry command{json.at("name"), json.at("summary"), {}, {}};
   for (const nlohmann::json& option : json.at("options")) {
-    command.options.push_back({option.at("names"), option.at("positional"), option.at("required"),
-                               option.at("repeated"), option.at("value"), option.at("choices"),
-                               option.at("preset"), option.at("description")});
+    command.options.push_back({option.at("names"), option.at("positional"), option.at("repeated"),
+                               option.at("value"), option.at("choices"), option.at("description")});
   }
   for (const nlohmann::json& part : json.at("commands")) {
     command.commands.push_back(command_from_json(part));

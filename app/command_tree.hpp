@@ -1,6 +1,6 @@
 #pragma once
 /// Commands with their options as plain values, from the tables that parse the command line: what
-/// manual pages and shell completion are made of.
+/// shell completion is made of.
 #include <CLI/CLI.hpp>
 #include <nlohmann/json_fwd.hpp>
 #include <string>
@@ -12,11 +12,9 @@ namespace clast {
 struct OptionEntry {
   std::vector<std::string> names;  ///< "-o", "--output"; of an argument its name alone
   bool positional = false;
-  bool required = false;
   bool repeated = false;             ///< takes any number of values
   std::string value;                 ///< what stands for its value in help, "FILE"; of a flag empty
   std::vector<std::string> choices;  ///< the only values there are; empty: any
-  std::string preset;                ///< its default; empty: none
   std::string description;
 };
 
@@ -24,7 +22,6 @@ struct OptionEntry {
 struct CommandEntry {
   std::string name;  ///< its last word
   std::string summary;
-  std::string footer;
   std::vector<OptionEntry> options;
   std::vector<CommandEntry> commands;
 };

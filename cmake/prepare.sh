@@ -18,7 +18,7 @@ packages=(g++ cmake ninja-build libeigen3-dev libboost-dev libcgal-dev libassimp
           libjs-three python3-plotly libopenmpi-dev openmpi-bin)
 case "${1-}" in
   program) ;;
-  tests) packages+=(libgtest-dev chromium colmap nodejs groff-base
+  tests) packages+=(libgtest-dev chromium colmap nodejs groff-base help2man
                     pybind11-dev python3-dev python3-numpy python3-pytest python3-jsonschema mkdocs mkdocs-material python3-matplotlib python3-pandas) ;;
   *) printf 'usage: %s program|tests\n' "$0" >&2; exit 2 ;;
 esac

@@ -63,16 +63,24 @@ ELSEWHERE = {
 
 
 def options(page):
-    """Names of the options of a manual page, and of its arguments."""
-    text = page.read_text(encoding="utf-8").replace("\\-", "-").replace("\\fB", "").replace("\\fR", "")
-    return sorted({name.replace("-", "_") for name in re.findall(r"--([a-z][a-z0-9-]+)", text.split(".SH EXAMPLES")[0].split("EXAMPLES")[0])})  # fmt: skip
+    """Names of the options of a help text, and of its arguments."""
+    return sorted({name.replace("-", "_") for name in re.findall(r"--([a-z][a-z0-9-]+)", page.split("\nExamples:")[0])})  # fmt: skip
+
+
+def help_texts(words=()):
+    """The help text of a command and of those below it, by their names: "library-set"."""
+    text = program("help", *words)
+    found = {"-".join(words): text}
+    for part in re.findall(r"^  ([a-z]+) ", text.partition("\nSubcommands:")[2].split("\n\n")[0], re.M):
+        found |= help_texts((*words, part))
+    return found
 
 
 @pytest.fixture(scope="module")
-def pages(tmp_path_factory):
-    folder = tmp_path_factory.mktemp("man")
-    program("help", "--man", folder)
-    return {page.stem[len("clast-") :]: page for page in folder.glob("clast-*.1")}
+def pages():
+    texts = help_texts()
+    del texts[""]
+    return texts
 
 
 def test_every_command_has_its_calls(pages):

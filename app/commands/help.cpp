@@ -1,16 +1,10 @@
-#include <filesystem>
 #include <iostream>
 #include <memory>
 
 #include "app/commands/commands.hpp"
-#include "app/manual_page.hpp"
 #include "app/program.hpp"
 #include "app/shell_completion.hpp"
-#include "core/files/output_file.hpp"
 #include "core/listed.hpp"
-#include "core/number_text.hpp"
-#include "core/printable.hpp"
-#include "core/version.hpp"
 
 namespace clast {
 
@@ -19,7 +13,6 @@ namespace {
 struct HelpArgs {
   std::vector<std::string> command;
   std::string completion;
-  std::string man;
 };
 
 /// The tables of all commands, with those of `reconstruct` from where they are.
@@ -50,16 +43,7 @@ const CLI::App& find_command(const CLI::App& app, const std::vector<std::string>
   return *command;
 }
 
-void write_manual(const CommandEntry& root, const std::filesystem::path& folder) {
-  const std::vector<ManualPage> pages = manual_pages(root, std::string("clast ") + version());
-  for (const ManualPage& page : pages)
-    write_output(folder / page.file, page.text, {.kind = "text"});
-  std::cout << printable(folder.string()) << ": " << counted(pages.size(), "manual page")
-            << " written\n";
-}
-
 void help(const CLI::App& app, const HelpSource& reconstruct, const HelpArgs& args) {
-  if (!args.man.empty()) return write_manual(whole_tree(app, reconstruct), args.man);
   if (args.completion == "bash") {
     std::cout << bash_completion(whole_tree(app, reconstruct));
   } else if (args.completion == "zsh") {
@@ -78,20 +62,15 @@ void help(const CLI::App& app, const HelpSource& reconstruct, const HelpArgs& ar
 
 void add_help(CLI::App& app, const HelpSource& reconstruct) {
   const auto args = std::make_shared<HelpArgs>();
-  CLI::App* command =
-      app.add_subcommand("help", "Explain a command; write manual pages and shell completion");
+  CLI::App* command = app.add_subcommand("help", "Explain a command; print shell completion");
   CLI::Option* words =
       command->add_option("command", args->command, "Words of the command")->type_name("COMMAND");
-  CLI::Option* completion = command
-                                ->add_option("--completion", args->completion,
-                                             "Print the script for command completion in a shell")
-                                ->check(CLI::IsMember({"bash", "zsh"}))
-                                ->type_name("SHELL")
-                                ->excludes(words);
-  command->add_option("--man", args->man, "Write the manual pages to this folder")
-      ->type_name("DIR")
-      ->excludes(words)
-      ->excludes(completion);
+  command
+      ->add_option("--completion", args->completion,
+                   "Print the script for command completion in a shell")
+      ->check(CLI::IsMember({"bash", "zsh"}))
+      ->type_name("SHELL")
+      ->excludes(words);
   command->footer(
       "Manual pages and completion are installed with the program.\n"
       "Examples:\n"
