@@ -214,6 +214,11 @@ TomlNode parse_toml(const std::string& text, const std::string& name) {
   }
 }
 
+std::string in_words_of_keys(std::string message) {
+  std::erase(message, '`');
+  return message;
+}
+
 TomlTable::TomlTable(const TomlNode& node, std::string file, std::string title,
                      std::vector<std::string> known_keys)
     : node_(&node), file_(std::move(file)), title_(std::move(title)) {

@@ -312,12 +312,12 @@ TEST_F(CampaignFile, ReleaseSetsNeedNamesOfTheirOwn) {
   const std::string set = "points = \"points.xyz\"\norientations = \"turns.txt\"\n";
   std::string text = with("[release]\n" + set, "[[release]]\n" + set + "[[release]]\n" + set);
   EXPECT_EQ(refusal(text),
-            "campaign.toml:21: [release]: name is missing; it must be a text in quotes, since "
+            "campaign.toml:21: [[release]]: name is missing; it must be a text in quotes, since "
             "there are several");
   text = with("[release]\n" + set,
               "[[release]]\nname = \"a\"\n" + set + "[[release]]\nname = \"a\"\n" + set);
   EXPECT_EQ(refusal(text),
-            "campaign.toml:26: [release] name = \"a\": another release set has this name");
+            "campaign.toml:26: [[release]] name = \"a\": another release set has this name");
 }
 
 TEST_F(CampaignFile, WhatIsNotTomlIsRefusedWithItsLine) {
