@@ -12,6 +12,7 @@
 
 #include "core/error.hpp"
 #include "core/files/toml_depth.hpp"
+#include "core/printable.hpp"
 
 namespace clast {
 namespace {
@@ -239,7 +240,8 @@ TomlTable::TomlTable(const TomlNode& node, std::string file, std::string title,
 void TomlTable::refuse(const std::string& key, const TomlNode& node,
                        const std::string& problem) const {
   throw InputError(file_ + ":" + std::to_string(node.line) + ": " + title_ +
-                   (title_.empty() ? "" : " ") + key + " = " + node.written + ": " + problem);
+                   (title_.empty() ? "" : " ") + printable(key) + " = " + node.written + ": " +
+                   problem);
 }
 
 void TomlTable::refuse(const std::string& problem) const {

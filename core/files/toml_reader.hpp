@@ -79,22 +79,31 @@ class TomlTable {
                               std::size_t most, const std::string& expected,
                               const NumberRange& range) const;
 
-  /// Returns what `check` returns, and refuses `key` with the message of the InputError that it
+  /// Returns what `check` returns, and refuses the key with the message of the InputError that it
   /// throws.
+  /// @param key      is there
   /// @param subject  the message begins with it
   template <class Check>
-  decltype(auto) checked(const std::string& key, const TomlNode& node, const Check& check,
+  decltype(auto) checked(const std::string& key, const Check& check,
                          const std::string& subject = "") const {
     try {
       return check();
     } catch (const InputError& error) {
-      refuse(key, node, subject + in_words_of_keys(error.what()));
+      refuse(key, subject + in_words_of_keys(error.what()));
     }
   }
 
   /// @throws InputError  always: "file:12: [table] key = value: must be ..."
   [[noreturn]] void refuse(const std::string& key, const TomlNode& node,
                            const std::string& problem) const;
+  /// @param key  is there
+  [[noreturn]] void refuse(const std::string& key, const std::string& problem) const {
+    refuse(key, *find(key), problem);
+  }
+  /// @throws InputError  the key is there
+  void refuse_if_there(const std::string& key, const std::string& problem) const {
+    if (find(key)) refuse(key, problem);
+  }
   /// @throws InputError  always: "file:12: [table]: ..."
   [[noreturn]] void refuse(const std::string& problem) const;
 

@@ -118,11 +118,7 @@ std::vector<CalibrationSite> read_sites(const TomlTable& top) {
   for (const DeclaredTable& table : tables_of(top, site_keys())) {
     CalibrationSite site;
     site_keys().read(table, site);
-    for (const CalibrationSite& other : sites) {
-      if (other.name == site.name) {
-        table.refuse("name", *table.find("name"), "another site has this name");
-      }
-    }
+    check_new_name(table, site.name, sites, "site");
     site.campaign = read_campaign(*table.value<std::filesystem::path>("campaign"));
     check_site(table, *table.find("campaign"), site.campaign);
     site.campaign.ensemble = {};
@@ -139,9 +135,8 @@ std::vector<CalibrationSite> read_sites(const TomlTable& top) {
 Unknown read_unknown(const DeclaredTable& table) {
   Unknown unknown;
   unknown_keys().read(table, unknown);
-  const NumberRange allowed = table.checked("parameter", *table.find("parameter"), [&] {
-    return parameter_range(unknown.parameter).allowed;
-  });
+  const NumberRange allowed =
+      table.checked("parameter", [&] { return parameter_range(unknown.parameter).allowed; });
   const TomlNode& range = *table.find("range");
   const std::vector<double> ends =
       table.numbers("range", range, 2, 2, "two numbers, [low, high]", allowed);
@@ -151,7 +146,7 @@ Unknown read_unknown(const DeclaredTable& table) {
     table.refuse("range", range, "the lower end must come first");
   }
   if (unknown.logarithmic && !(unknown.low > 0.0)) {
-    table.refuse("scale", *table.find("scale"), "a logarithm needs a range above 0");
+    table.refuse("scale", "a logarithm needs a range above 0");
   }
   return unknown;
 }
@@ -264,16 +259,6 @@ std::uint64_t CalibrationStudy::runs() const {
 
 namespace study_detail {
 
-namespace {
-
-std::vector<std::string> study_table_names() {
-  std::vector<std::string> names;
-  for (const KeyTable& table : calibration_tables()) names.push_back(table.name);
-  return names;
-}
-
-}  // namespace
-
 CalibrationStudy read_study_by_parts(const std::filesystem::path& file, const PartReader& read) {
   CalibrationStudy study;
   study.file = file;
@@ -284,11 +269,7 @@ CalibrationStudy read_study_by_parts(const std::filesystem::path& file, const Pa
     root = parse_toml(study.text, file.string());
   });
   if (!is_toml) return study;
-  read([&] { TomlTable(root, file.string(), "", study_table_names()); });
-  std::vector<std::string> tables = study_table_names();
-  for (const auto& [name, table] : root.table) tables.push_back(name);
-  const TomlTable top(root, file.string(), "", tables);
-
+  const TomlTable top = top_table(root, file, calibration_tables(), read);
   read([&] { study.design = read_design(top); });
   if (!read([&] { study.sites = read_sites(top); })) return study;
   if (read([&] { study.unknowns = read_unknowns(top, study.sites); })) {
@@ -302,10 +283,7 @@ CalibrationStudy read_study_by_parts(const std::filesystem::path& file, const Pa
 }  // namespace study_detail
 
 CalibrationStudy read_calibration_study(const std::filesystem::path& file) {
-  return read_study_by_parts(file, [](const std::function<void()>& part) {
-    part();
-    return true;
-  });
+  return read_study_by_parts(file, read_at_once);
 }
 
 bool is_calibration_study(const std::filesystem::path& file) {

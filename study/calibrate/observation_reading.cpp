@@ -231,8 +231,7 @@ std::vector<Observation> read_followed(const DeclaredTable& table, const SiteFac
   for (const double time :
        numbers_of(table, "times_s", "a list of times since the release, [s, s, ...]")) {
     if (time > followed.longest()) {
-      table.refuse("times_s", *table.find("times_s"),
-                   "the longest trajectory ends before " + with_digits(time, 6));
+      table.refuse("times_s", "the longest trajectory ends before " + with_digits(time, 6));
     }
     Observation own = common;
     own.moment = {Moment::Kind::kTime, time};
@@ -258,17 +257,15 @@ void read_passages(const DeclaredTable& table, const SiteFacts& site, Observatio
   observation.barrier = *table.text("barrier");
   if (std::find(site.barriers.begin(), site.barriers.end(), observation.barrier) ==
       site.barriers.end()) {
-    table.refuse("barrier", *table.find("barrier"),
-                 "the campaign of site " + site.name + " has no such barrier");
+    table.refuse("barrier", "the campaign of site " + site.name + " has no such barrier");
   }
   const std::optional<std::uint64_t> releases = table.value<std::uint64_t>("releases");
   const std::optional<std::uint64_t> passed = table.value<std::uint64_t>("passed");
   if (passed && !releases) {
-    table.refuse("passed", *table.find("passed"), "needs releases, how many blocks were released");
+    table.refuse("passed", "needs releases, how many blocks were released");
   }
   if (passed && *passed > *releases) {
-    table.refuse("passed", *table.find("passed"),
-                 "is more than the " + std::to_string(*releases) + " releases");
+    table.refuse("passed", "is more than the " + std::to_string(*releases) + " releases");
   }
   observation.releases = releases.value_or(0);
   if (passed) {
@@ -301,8 +298,7 @@ void check_release(const DeclaredTable& table, const SiteFacts& site, const std:
       std::find(site.releases.begin(), site.releases.end(), release) != site.releases.end()) {
     return;
   }
-  table.refuse("release", *table.find("release"),
-               "the campaign of site " + site.name + " has no [[release]] of this name");
+  table.refuse("release", "the campaign of site " + site.name + " has no [[release]] of this name");
 }
 
 std::vector<Observation> read_observation(const DeclaredTable& table,
@@ -412,12 +408,10 @@ std::vector<Observation> read_observations(const TomlTable& top,
   std::vector<Observation> observations;
   for (const DeclaredTable& table : tables_of(top, observation_keys())) {
     for (Observation& observation : read_observation(table, sites)) {
+      check_new_name(table, observation.name, observations, "observation");
       for (const Observation& other : observations) {
-        if (other.name == observation.name) {
-          table.refuse("name", *table.find("name"), "another observation has this name");
-        }
         if (other.fitted != observation.fitted && share_blocks(other, observation)) {
-          table.refuse("use", *table.find("use"),
+          table.refuse("use",
                        "observation " + other.name +
                            " is of the same blocks; what is fitted can't be kept to judge by");
         }

@@ -18,32 +18,32 @@ struct BoundKey : TableKey {
   Reader read;  ///< empty: the rules of the table read it, together with other keys
 
   BoundKey(TableKey key) : TableKey(std::move(key)) {}
-  BoundKey(std::string name, std::string unit, std::string meaning, ValueForm form,
+  BoundKey(std::string name, const char* unit, std::string meaning, ValueForm form,
            Reader reader = {})
-      : TableKey{std::move(name), std::move(unit), std::move(meaning), std::move(form)},
+      : TableKey{std::move(name), unit, std::move(meaning), with_unit(std::move(form), unit)},
         read(std::move(reader)) {}
 
   /// Sets a member, or a member of a member: `&Campaign::stiffness, &StiffnessOptions::normal`.
   template <class Member, class... Path>
-  BoundKey(std::string name, std::string unit, std::string meaning, ValueForm form,
+  BoundKey(std::string name, const char* unit, std::string meaning, ValueForm form,
            Member Target::*member, Path... path)
-      : BoundKey(name, std::move(unit), std::move(meaning), std::move(form),
+      : BoundKey(name, unit, std::move(meaning), std::move(form),
                  [=](const DeclaredTable& table, Target& target) {
                    table.read(name, ((target.*member).*....*path));
                  }) {}
 
   /// Sets a member to what the word stands for.
   template <class Meant, class... Path>
-  BoundKey(std::string name, std::string unit, std::string meaning, ValueForm form,
+  BoundKey(std::string name, const char* unit, std::string meaning, ValueForm form,
            Meant (*meant_by)(const std::string& word), Path... path)
-      : BoundKey(name, std::move(unit), std::move(meaning), std::move(form),
+      : BoundKey(name, unit, std::move(meaning), std::move(form),
                  [=](const DeclaredTable& table, Target& target) {
                    (target.*....*path) = meant_by(*table.value<std::string>(name));
                  }) {}
 
   /// Sets a member to what a reader finds.
   template <class Found, class... Path>
-  BoundKey(std::string name, std::string unit, std::string meaning, ValueForm form,
+  BoundKey(std::string name, const char* unit, std::string meaning, ValueForm form,
            Found (*found_in)(const DeclaredTable& table), Path... path)
       : BoundKey(std::move(name), std::move(unit), std::move(meaning), std::move(form),
                  [=](const DeclaredTable& table, Target& target) {

@@ -24,14 +24,13 @@ namespace {
 /// @param campaign  with its surface files
 void read_zone_names(const DeclaredTable& table, Campaign& campaign) {
   TerrainOptions& terrain = campaign.terrain;
-  const TomlNode& node = *table.find("zones");
   table.read("zones", terrain.zones);
   if (std::optional<ZoneFile> file =
-          table.checked("zones", node, [&] { return zone_file(terrain.zones); })) {
-    file->path = input_file(table, "zones", element(node, 0), file->path.string());
+          table.checked("zones", [&] { return zone_file(terrain.zones); })) {
+    file->path = input_file(table, "zones", element(*table.find("zones"), 0), file->path.string());
     terrain.zones = file->zones();
   } else if (terrain.zones.size() != terrain.surface.size() && !are_zone_rules(terrain.zones)) {
-    table.refuse("zones", node,
+    table.refuse("zones",
                  "must name one zone per surface file (" + std::to_string(terrain.surface.size()) +
                      "), or one zone raster or GeoJSON file, or rules by slope and height");
   }
@@ -97,7 +96,7 @@ const BoundTable<Campaign>& contact_keys() {
        {"rolling_stiffness_n_m_rad", "N m/rad",
         "rolling stiffness k_r on zones without rolling_length_m", number(kRollingStiffness),
         kStiffnesses, &Options::rolling},
-       {"time_step_s", "s", "time step, kept throughout", number(kTimeStep), kStiffnesses,
+       {"time_step_s", "s", "time step, kept throughout", number({1e-9, 1.0}), kStiffnesses,
         &Options::time_step},
        {"blocks", "", "what two blocks do to each other, where they stay",
         table(between_blocks_keys().keys)}});
@@ -121,14 +120,14 @@ const BoundTable<Campaign>& run_keys() {
       {.name = "run", .meaning = "When a run ends, and what is stored"},
       {{"max_time_s", "s", "longest time of a run", number(kRunTime), &Campaign::max_time},
        {"rest_energy_j_kg", "J/kg", "a block rests below this kinetic energy per mass ...",
-        number(kRestEnergy), &Campaign::rest_energy},
-       {"rest_duration_s", "s", "... for this time", number(kRestDuration),
-        &Campaign::rest_duration},
-       {"gravity_m_s2", "m/s^2", "gravity, downwards", number(kGravity), &Campaign::gravity},
-       {"downslope", "", "direction [dx, dy] of runout", list(number(kDirectionComponent), 2, 2),
+        number({1e-12, 1e3}), &Campaign::rest_energy},
+       {"rest_duration_s", "s", "... for this time", number({1e-6, 1e4}), &Campaign::rest_duration},
+       {"gravity_m_s2", "m/s^2", "gravity, downwards", number({1e-2, 1e3}), &Campaign::gravity},
+       {"downslope", "", "direction [dx, dy] of runout", list(number({-1e6, 1e6}), 2, 2),
         &Campaign::downslope},
-       {"trajectory_interval_s", "s", "between stored states", number(kTrajectoryInterval),
-        &Campaign::trajectory_interval}});
+       // As short as a time step, so that no more can be seen, while storage goes with its inverse.
+       {"trajectory_interval_s", "s", "between stored states",
+        number({1e-4, 1e5, "s", "none is stored"}), &Campaign::trajectory_interval}});
   return keys;
 }
 
@@ -146,8 +145,7 @@ void read_contact(const TomlTable& top, Campaign& campaign) {
       table.refuse("stiffness", *automatic, "must be \"auto\"; a value is written stiffness_n_m");
     }
     if (automatic && campaign.stiffness.normal) {
-      table.refuse("stiffness_n_m", *table.find("stiffness_n_m"),
-                   "contradicts stiffness = \"auto\"; keep one of the two");
+      table.refuse("stiffness_n_m", "contradicts stiffness = \"auto\"; keep one of the two");
     }
   }
 }
@@ -160,13 +158,13 @@ std::vector<Vec2> read_barrier_line(const DeclaredTable& table, const std::strin
     table.required("to", "two numbers, [x, y]");
     const std::vector<Vec2> ends = {*table.value<Vec2>("from"), *table.value<Vec2>("to")};
     if (!((ends[1] - ends[0]).norm() > 0.0)) {
-      table.refuse("to", *table.find("to"), "must differ from from");
+      table.refuse("to", "must differ from from");
     }
     return ends;
   }
   for (const char* end : {"from", "to"}) {
     if (table.find(end)) {
-      table.refuse(end, *table.find(end), "contradicts through, which has all points of the line");
+      table.refuse(end, "contradicts through, which has all points of the line");
     }
   }
   if (line->kind != TomlNode::Kind::kList || line->list.size() < 2) {
@@ -182,7 +180,7 @@ std::vector<Vec2> read_barrier_line(const DeclaredTable& table, const std::strin
     }
   }
   table.checked(
-      "through", *line, [&] { check_barrier_line(points); }, "barrier " + name + ": ");
+      "through", [&] { check_barrier_line(points); }, "barrier " + name + ": ");
   return points;
 }
 
@@ -193,18 +191,12 @@ std::vector<Barrier> read_campaign_barriers(const TomlTable& top) {
     barrier_keys().read(table, barrier);
     barrier.through = read_barrier_line(table, barrier.name);
     if (const std::optional<std::string> direction = table.text("direction")) {
-      const TomlNode& given = *table.find("direction");
       if (is_ring(barrier.through)) {
-        table.refuse("direction", given, "is not for a ring, whose entries and exits both count");
+        table.refuse("direction", "is not for a ring, whose entries and exits both count");
       }
-      barrier.counted =
-          table.checked("direction", given, [&] { return counted_crossings(*direction); });
+      barrier.counted = table.checked("direction", [&] { return counted_crossings(*direction); });
     }
-    for (const Barrier& other : barriers) {
-      if (other.name == barrier.name) {
-        table.refuse("name", *table.find("name"), "another barrier has this name");
-      }
-    }
+    check_new_name(table, barrier.name, barriers, "barrier");
     barriers.push_back(barrier);
   }
   return barriers;
@@ -214,19 +206,9 @@ void read_run(const TomlTable& top, Campaign& campaign) {
   for (const DeclaredTable& table : tables_of(top, run_keys())) {
     run_keys().read(table, campaign);
     if (campaign.downslope && !kDirectionLength.holds(campaign.downslope->norm())) {
-      table.refuse("downslope", *table.find("downslope"),
-                   "must point somewhere, with a length " + kDirectionLength.words());
+      table.refuse("downslope", "must point somewhere, with a length " + kDirectionLength.words());
     }
   }
-}
-
-/// Those at the top of the file.
-std::vector<std::string> campaign_table_names() {
-  std::vector<std::string> names;
-  for (const KeyTable& table : campaign_tables()) {
-    if (table.name.find('.') == std::string::npos) names.push_back(table.name);
-  }
-  return names;
 }
 
 }  // namespace
@@ -242,11 +224,7 @@ Campaign read_by_parts(const fs::path& file, const std::optional<std::string>& t
     root = parse_toml(campaign.text, file.string());
   });
   if (!is_toml) return campaign;
-  read([&] { TomlTable(root, file.string(), "", campaign_table_names()); });
-  std::vector<std::string> tables = campaign_table_names();
-  for (const auto& [name, table] : root.table) tables.push_back(name);
-  const TomlTable top(root, file.string(), "", tables);
-
+  const TomlTable top = top_table(root, file, campaign_tables(), read);
   const bool blocks = read([&] { campaign.blocks = read_blocks(top); });
   const bool terrain = read([&] {
     Campaign with_terrain = campaign;
@@ -275,21 +253,12 @@ Campaign read_by_parts(const fs::path& file, const std::optional<std::string>& t
 
 using namespace study_detail;
 
-namespace {
-
-Campaign read_or_parse(const fs::path& file, const std::optional<std::string>& text) {
-  return read_by_parts(file, text, [](const std::function<void()>& part) {
-    part();
-    return true;
-  });
+Campaign read_campaign(const fs::path& file) {
+  return read_by_parts(file, std::nullopt, read_at_once);
 }
 
-}  // namespace
-
-Campaign read_campaign(const fs::path& file) { return read_or_parse(file, std::nullopt); }
-
 Campaign parse_campaign(const std::string& text, const fs::path& file) {
-  return read_or_parse(file, text);
+  return read_by_parts(file, text, read_at_once);
 }
 
 double StayPlan::last_release() const {

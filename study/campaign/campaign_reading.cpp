@@ -20,4 +20,15 @@ PartReader findings_into(std::vector<std::string>& findings) {
   };
 }
 
+TomlTable top_table(const TomlNode& root, const std::filesystem::path& file,
+                    const std::vector<KeyTable>& declared, const PartReader& read) {
+  std::vector<std::string> names;
+  for (const KeyTable& table : declared) {
+    if (table.name.find('.') == std::string::npos) names.push_back(table.name);
+  }
+  read([&] { TomlTable(root, file.string(), "", names); });
+  for (const auto& [name, table] : root.table) names.push_back(name);
+  return {root, file.string(), "", names};
+}
+
 }  // namespace clast::study_detail

@@ -28,6 +28,16 @@ using PartReader = std::function<bool(const std::function<void()>&)>;
 /// Runs parts, and puts what they refuse into `findings`, each refusal once.
 PartReader findings_into(std::vector<std::string>& findings);
 
+/// Reads parts so that the first refusal ends it.
+inline bool read_at_once(const std::function<void()>& part) {
+  part();
+  return true;
+}
+
+/// A whole file. Tables that are not declared are refused through `read`.
+TomlTable top_table(const TomlNode& root, const std::filesystem::path& file,
+                    const std::vector<KeyTable>& declared, const PartReader& read);
+
 /// A campaign, read part by part through `read`; a part that needs another is left out where that
 /// one was not read.
 /// @param text  what the file holds or could hold; none: it is read
@@ -59,10 +69,6 @@ Ensemble read_ensemble(const TomlTable& top, const Campaign& campaign);
 /// Can all releases have the starts that members take from a posterior?
 /// @param campaign  with its ensemble, releases and what stays
 void check_posterior_starts(const TomlTable& top, const Campaign& campaign);
-/// Corners in the plan; heights are left out.
-/// @throws InputError  fewer than three, or no points
-std::vector<Vec2> read_polygon(const TomlTable& table, const std::string& key,
-                               const TomlNode& node);
 /// How often blocks that stay are released: of [release] or the first [[mass]].
 std::uint32_t read_realisations(const DeclaredTable& table);
 /// [contact.blocks].

@@ -118,6 +118,22 @@ std::optional<std::vector<std::size_t>> DeclaredTable::one_or_more_counts(
   return std::vector<std::size_t>(numbers->begin(), numbers->end());
 }
 
+std::optional<std::vector<Vec2>> DeclaredTable::places(const std::string& key) const {
+  const TomlNode* node = find(key);
+  if (!node) return std::nullopt;
+  const std::uint64_t least = form(key).least;
+  if (node->kind != TomlNode::Kind::kList || node->list.size() < least) {
+    refuse(key, "must be a list of at least " + std::to_string(least) + " points");
+  }
+  std::vector<Vec2> places;
+  for (const TomlNode& row : node->list) {
+    const std::vector<double> values = numbers(
+        key, row, 2, 3, "points of finite numbers, [x, y] or [x, y, z]", form(key).leaf().range);
+    places.emplace_back(values[0], values[1]);
+  }
+  return places;
+}
+
 std::optional<fs::path> DeclaredTable::file_of(const std::string& key) const {
   if (!text(key)) return std::nullopt;
   return input_file(*this, key, *find(key));
@@ -172,7 +188,7 @@ std::optional<std::string> choice(const TomlTable& table, const std::string& key
     for (std::size_t i = 0; i < words.size(); ++i) {
       list += (i == 0 ? "" : i + 1 == words.size() ? " or " : ", ") + ("\"" + words[i] + "\"");
     }
-    table.refuse(key, *table.find(key), "must be " + list);
+    table.refuse(key, "must be " + list);
   }
   return text;
 }

@@ -36,7 +36,8 @@ class DeclaredTable : public TomlTable {
 
   /// None when the key is absent.
   /// @tparam Value  bool, a whole number, double, Uncertain; std::string, a path of a file that is
-  ///                there; a list of numbers, texts or paths, or one of them; Vec2, Vec3
+  ///                there; a list of numbers, texts or paths, or one of them; Vec2, Vec3; a list
+  ///                of Vec2, of points whose heights are left out
   /// @throws InputError  wrong type, word or length, or a number out of range; no such file
   template <class Value>
   std::optional<Value> value(const std::string& key) const;
@@ -58,6 +59,7 @@ class DeclaredTable : public TomlTable {
   std::optional<std::vector<double>> one_or_more_numbers(const std::string& key,
                                                          const NumberRange& range) const;
   std::optional<std::vector<std::size_t>> one_or_more_counts(const std::string& key) const;
+  std::optional<std::vector<Vec2>> places(const std::string& key) const;
   std::optional<std::filesystem::path> file_of(const std::string& key) const;
   std::optional<std::vector<std::filesystem::path>> files_of(const std::string& key) const;
 
@@ -69,6 +71,16 @@ class DeclaredTable : public TomlTable {
 /// is absent.
 /// @throws InputError  neither a table nor several, or with a key that is not declared
 std::vector<DeclaredTable> tables_of(const TomlTable& top, const KeyTable& declared);
+
+/// Refuses the name of a table that one of those before it has.
+/// @param what  has the name, "barrier"
+template <class Named>
+void check_new_name(const TomlTable& table, const std::string& name,
+                    const std::vector<Named>& before, const std::string& what) {
+  for (const Named& other : before) {
+    if (other.name == name) table.refuse("name", "another " + what + " has this name");
+  }
+}
 
 /// The only table of this name.
 /// @throws InputError  missing
@@ -122,6 +134,8 @@ std::optional<Value> DeclaredTable::value(const std::string& key) const {
     return one_or_more_words(key);
   } else if constexpr (std::is_same_v<Value, std::vector<std::filesystem::path>>) {
     return files_of(key);
+  } else if constexpr (std::is_same_v<Value, std::vector<Vec2>>) {
+    return places(key);
   } else if constexpr (std::is_same_v<Value, Vec2>) {
     return vec2(key, leaf.range);
   } else {

@@ -8,6 +8,13 @@ namespace clast::study_detail {
 
 ValueForm point() { return list(number(kMapCoordinate), 2, 3); }
 
+ValueForm with_unit(ValueForm form, const char* unit) {
+  ValueForm* leaf = &form;
+  while (!leaf->items.empty()) leaf = &leaf->items.front();
+  if (*leaf->range.unit == '\0') leaf->range.unit = unit;
+  return form;
+}
+
 ValueForm uncertain(const NumberRange& range) {
   const auto law = [](const char* name, const char* meaning, ValueForm values) {
     return table({{name, "", meaning, required("two numbers", std::move(values))}});

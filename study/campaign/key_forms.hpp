@@ -41,6 +41,8 @@ ValueForm point();
 /// A number, or the law by which it is drawn, as `read_uncertain` takes it.
 ValueForm uncertain(const NumberRange& range);
 
+/// The form of a value whose unit its key states; a range that has one keeps it.
+ValueForm with_unit(ValueForm form, const char* unit);
 /// A value that may not be missing.
 /// @param expected  what it must be, for the refusal of a table without it
 inline ValueForm required(std::string expected, ValueForm form) {

@@ -6,7 +6,6 @@
 #include "core/error.hpp"
 #include "core/listed.hpp"
 #include "core/number_text.hpp"
-#include "core/printable.hpp"
 #include "study/campaign/campaign_keys.hpp"
 #include "study/campaign/campaign_ranges.hpp"
 #include "study/campaign/campaign_reading.hpp"
@@ -84,7 +83,7 @@ const BoundTable<BlockDraw>& draw_keys() {
       {"blocks.draw", "Blocks drawn from those selected"},
       {{"count", "", "how many", count(1, kMostPerSet), &BlockDraw::count},
        {"volume_m3", "m^3", "total volume of rock, on average; in place of count",
-        number(kDrawnVolume), &BlockDraw::volume},
+        number({1e-9, 1e9}), &BlockDraw::volume},
        {"seed", "", "of the draw", seed(), &BlockDraw::seed},
        {"scheme", "", "scheme of the classes in shares", words(kSelectingSchemes),
         &BlockDraw::scheme},
@@ -96,16 +95,14 @@ const BoundTable<BlockDraw>& draw_keys() {
 }
 
 BlockDraw read_draw(const DeclaredTable& blocks) {
-  if (const TomlNode* scale = blocks.find("scale")) {
-    blocks.refuse("scale", *scale, "drawn blocks are scaled by mass_kg of draw; leave scale out");
-  }
+  blocks.refuse_if_there("scale", "drawn blocks are scaled by mass_kg of draw; leave scale out");
   const DeclaredTable table = blocks.inner("draw");
   BlockDraw draw;
   draw_keys().read(table, draw);
   if (!draw.volume) {
     table.required("count", "a whole number of blocks; or give volume_m3 instead");
-  } else if (const TomlNode* count = table.find("count")) {
-    table.refuse("count", *count, "contradicts volume_m3; keep one of the two");
+  } else {
+    table.refuse_if_there("count", "contradicts volume_m3; keep one of the two");
   }
   return draw;
 }
@@ -145,7 +142,7 @@ std::map<std::string, GroundTable> read_zones(const TomlNode& node, const std::s
   if (names.empty()) all.refuse("empty; write one table [" + title + ".NAME] per zone");
   std::map<std::string, GroundTable> ground;
   for (const auto& [name, value] : node.table) {
-    all.checked(printable(name), value, [&] { check_zone_name(name); });
+    all.checked(name, [&] { check_zone_name(name); });
     if (value.kind != TomlNode::Kind::kTable) {
       all.refuse(name, value, "must be in the table of a zone, [" + title + ".NAME]");
     }
@@ -215,11 +212,7 @@ std::vector<BlockGroup> read_block_groups(const TomlTable& top, const Campaign& 
   for (const DeclaredTable& table : tables_of(top, block_group_keys())) {
     BlockGroup group;
     block_group_keys().read(table, group);
-    for (const BlockGroup& other : groups) {
-      if (other.name == group.name) {
-        table.refuse("name", *table.find("name"), "another block group has this name");
-      }
-    }
+    check_new_name(table, group.name, groups, "block group");
     const TomlNode& ground = *table.find("ground");
     group.ground = read_zones(ground, top.file(), "block_group.ground", group_ground_keys());
     if (std::all_of(group.ground.begin(), group.ground.end(), [](const auto& zone) {

@@ -60,11 +60,10 @@ std::set<std::string> taken_tables(const DeclaredTable& table, const PosteriorDr
   if (!take) {
     for (const std::string& parameter : posterior.parameters) {
       if (is_of_ground(parameter)) continue;
-      table.refuse("posterior", *table.find("posterior"),
-                   "was calibrated with " + parameter +
-                       " too; say which tables members have from it: take = [" +
-                       listed(quoted_names(there)) +
-                       "], or fewer, and the others are as the campaign has them");
+      table.refuse("posterior", "was calibrated with " + parameter +
+                                    " too; say which tables members have from it: take = [" +
+                                    listed(quoted_names(there)) +
+                                    "], or fewer, and the others are as the campaign has them");
     }
     return there;
   }
@@ -111,7 +110,7 @@ void check_values(const TomlTable& table, const PosteriorDraws& posterior) {
                          allowed.words());
       }
     };
-    table.checked("posterior", *table.find("posterior"), check, parameter + " ");
+    table.checked("posterior", check, parameter + " ");
   }
 }
 
@@ -175,15 +174,14 @@ Ensemble read_ensemble(const TomlTable& top, const Campaign& campaign) {
         "no ground parameter is uncertain; write for example friction = { uniform = [0.5, 0.8] }");
   }
   if (table.find("take") && !table.find("posterior")) {
-    table.refuse("take", *table.find("take"), "is of a posterior; name its file as posterior");
+    table.refuse("take", "is of a posterior; name its file as posterior");
   }
   if (ensemble.design == Ensemble::Design::kSobol) {
     const std::size_t numbers = uncertain_numbers(campaign);
     if (numbers > kMostSobolDimensions) {
-      table.refuse("design", *table.find("design"),
-                   "fills at most " + std::to_string(kMostSobolDimensions) +
-                       " uncertain parameters evenly, and there are " + std::to_string(numbers) +
-                       "; fix some, or leave design out");
+      table.refuse("design", "fills at most " + std::to_string(kMostSobolDimensions) +
+                                 " uncertain parameters evenly, and there are " +
+                                 std::to_string(numbers) + "; fix some, or leave design out");
     }
   }
   if (table.find("posterior")) ensemble.posterior = read_posterior(table, campaign, ensemble);
@@ -196,12 +194,12 @@ void check_posterior_starts(const TomlTable& top, const Campaign& campaign) {
   for (const std::string& parameter : campaign.ensemble.posterior->parameters) {
     if (!is_of_release(parameter)) continue;
     if (campaign.stay && !campaign.stay->masses.empty()) {
-      table.refuse("take", *table.find("take"),
+      table.refuse("take",
                    "the blocks of a mass start at rest where they lie, and the posterior has " +
                        parameter + "; leave \"release\" out");
     }
     if (has_parameter(campaign, parameter)) continue;
-    table.refuse("take", *table.find("take"),
+    table.refuse("take",
                  "the posterior has " + parameter +
                      ", and a release of this campaign starts at given heights; give it height_m, "
                      "or leave \"release\" out");

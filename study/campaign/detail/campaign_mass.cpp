@@ -19,17 +19,15 @@ constexpr double kMassShareSlack = 1e-6;
 void refuse_repeated(const std::vector<DeclaredTable>& tables) {
   for (std::size_t i = 1; i < tables.size(); ++i) {
     for (const char* key : {"realisations", "seed"}) {
-      if (const TomlNode* node = tables[i].find(key)) {
-        tables[i].refuse(key, *node,
-                         "holds for all masses together; give it in the first [[mass]] alone");
-      }
+      tables[i].refuse_if_there(
+          key, "holds for all masses together; give it in the first [[mass]] alone");
     }
   }
 }
 
 void check_polygon(const DeclaredTable& table, const MassPlan& mass) {
   const TomlNode& node = *table.find("polygon");
-  table.checked("polygon", node, [&] { check_has_area(mass.polygon); });
+  table.checked("polygon", [&] { check_has_area(mass.polygon); });
   std::vector<Vec2> ring;
   for (const Vec2& corner : mass.polygon) {
     if (ring.empty() || corner != ring.back()) ring.push_back(corner);
@@ -45,51 +43,46 @@ void check_polygon(const DeclaredTable& table, const MassPlan& mass) {
   }
 }
 
-/// Of a mass whose blocks are where they were cut or scanned.
-void read_places(const DeclaredTable& table, const Campaign& campaign, MassPlan& mass) {
+/// Checks a mass whose blocks are where they were cut or scanned.
+void check_places(const DeclaredTable& table, const Campaign& campaign, const MassPlan& mass) {
   for (const char* key :
        {"thickness_m", "share", "count", "settle", "settle_time_s", "faces", "face_interval_s"}) {
-    if (const TomlNode* node = table.find(key)) {
-      table.refuse(key, *node, "is for a heap; blocks that are in place have theirs already");
-    }
+    table.refuse_if_there(key, "is for a heap; blocks that are in place have theirs already");
   }
   if (campaign.blocks.draw || campaign.blocks.scale.kind != BlockScale::Kind::kNone) {
-    table.refuse("in_place", *table.find("in_place"),
+    table.refuse("in_place",
                  "blocks in place are neither drawn nor scaled; leave [blocks] draw and scale out");
   }
   if (campaign.blocks.vary) {
-    table.refuse("in_place", *table.find("in_place"),
-                 "blocks in place run as they are; leave [blocks] vary out");
+    table.refuse("in_place", "blocks in place run as they are; leave [blocks] vary out");
   }
-  const TomlNode* polygon = table.find("polygon");
   if (campaign.releases.size() == 1) {
-    if (!polygon) return;
-    table.refuse("polygon", *polygon,
-                 "is for a heap, or for one of several masses in place; a single one has all "
-                 "blocks");
+    table.refuse_if_there(
+        "polygon",
+        "is for a heap, or for one of several masses in place; a single one has all "
+        "blocks");
+    return;
   }
-  mass.polygon = read_polygon(
-      table, "polygon",
-      table.required("polygon", "[[x, y], ...]; a block belongs to the mass that it lies in"));
+  table.required("polygon", "[[x, y], ...]; a block belongs to the mass that it lies in");
   check_polygon(table, mass);
 }
 
 /// Checks how the blocks of a heap settle.
 void check_settling(const DeclaredTable& table, const MassPlan& mass) {
-  for (const char* key : {"settle_time_s", "faces", "face_interval_s"}) {
-    const TomlNode* node = table.find(key);
-    if (node && !mass.settle)
-      table.refuse(key, *node, "is for a heap that settles; add settle = true");
+  if (!mass.settle) {
+    for (const char* key : {"settle_time_s", "faces", "face_interval_s"}) {
+      table.refuse_if_there(key, "is for a heap that settles; add settle = true");
+    }
+    return;
   }
-  if (!mass.settle) return;
   if (table.value<std::string>("faces") == "one by one") {
     table.required("face_interval_s", "the time from one face to the next");
-  } else if (const TomlNode* node = table.find("face_interval_s")) {
-    table.refuse("face_interval_s", *node, "is for faces = \"one by one\"");
+  } else {
+    table.refuse_if_there("face_interval_s", "is for faces = \"one by one\"");
   }
   if (const std::optional<std::size_t> corner = reflex_corner(mass.polygon)) {
     const Vec2& place = mass.polygon[*corner];
-    table.refuse("polygon", *table.find("polygon"),
+    table.refuse("polygon",
                  "is not convex at its corner " + std::to_string(*corner + 1) + ", [" +
                      with_digits(place.x(), 9) + ", " + with_digits(place.y(), 9) +
                      "]; blocks settle behind the faces of a convex one, so divide it into several "
@@ -97,16 +90,14 @@ void check_settling(const DeclaredTable& table, const MassPlan& mass) {
   }
 }
 
-void read_heap(const DeclaredTable& table, MassPlan& mass) {
-  if (const TomlNode* node = table.find("height_m")) {
-    table.refuse("height_m", *node, "is for blocks in place; a heap lies on the ground");
-  }
-  mass.polygon = read_polygon(table, "polygon",
-                              table.required("polygon", "[[x, y], ...]; or give in_place = true"));
+/// Checks a heap.
+void check_heap(const DeclaredTable& table, const MassPlan& mass) {
+  table.refuse_if_there("height_m", "is for blocks in place; a heap lies on the ground");
+  table.required("polygon", "[[x, y], ...]; or give in_place = true");
   check_polygon(table, mass);
   check_settling(table, mass);
   if (mass.count && mass.share) {
-    table.refuse("count", *table.find("count"), "contradicts share; keep one of the two");
+    table.refuse("count", "contradicts share; keep one of the two");
   }
 }
 
@@ -124,19 +115,18 @@ void check_mass_shares(const std::vector<DeclaredTable>& tables,
     last = &tables[i];
   }
   if (!any || (all ? std::abs(sum - 1.0) <= kMassShareSlack : sum < 1.0)) return;
-  last->refuse("share", *last->find("share"),
-               "makes the shares of all masses add up to " + with_digits(sum, 6) +
-                   (all ? "; they must add up to 1, or leave share out of one mass"
-                        : "; they must leave something to the mass without a share"));
+  last->refuse("share", "makes the shares of all masses add up to " + with_digits(sum, 6) +
+                            (all ? "; they must add up to 1, or leave share out of one mass"
+                                 : "; they must leave something to the mass without a share"));
 }
 
 MassPlan read_mass(const DeclaredTable& table, const Campaign& campaign) {
   MassPlan mass;
   mass_keys().read(table, mass);
   if (mass.in_place) {
-    read_places(table, campaign, mass);
+    check_places(table, campaign, mass);
   } else {
-    read_heap(table, mass);
+    check_heap(table, mass);
   }
   return mass;
 }
@@ -151,19 +141,19 @@ const BoundTable<MassPlan>& mass_keys() {
        {"in_place", "", "blocks start where they lie in their library", flag(), &Mass::in_place},
        {"height_m", "m", "a mass in place is raised by this", number(kDropHeight), &Mass::raised},
        {"polygon", "m", "outline in plan of a heap, or of one of several masses in place",
-        list(point(), 3)},
-       {"thickness_m", "m", "largest height of a heap above the ground", number(kThickness),
+        list(point(), 3), &Mass::polygon},
+       {"thickness_m", "m", "largest height of a heap above the ground", number({1e-3, 1e3}),
         &Mass::thickness},
-       {"share", "", "of the blocks that are in this heap", number(kMassShare), &Mass::share},
+       {"share", "", "of the blocks that are in this heap", number({1e-6, 1.0}), &Mass::share},
        {"count", "", "blocks that are in this heap", count(1, kMostPerSet), &Mass::count},
        {"release_time_s", "s", "its blocks are held until then, since the first release",
-        number(kReleaseTime), &Mass::release_time},
+        number({1e-6, 1e5, "s", "at the first release"}), &Mass::release_time},
        {"settle", "", "the blocks of a heap settle before it is released", flag(), &Mass::settle},
-       {"settle_time_s", "s", "after which they must rest", number(kSettleTime),
+       {"settle_time_s", "s", "after which they must rest", number({1e-2, 1e4}),
         &Mass::settle_time},
        {"faces", "", "how the faces that they settle behind are removed",
         words({"together", "one by one"})},
-       {"face_interval_s", "s", "from one face to the next", number(kFaceInterval),
+       {"face_interval_s", "s", "from one face to the next", number({1e-3, 1e4}),
         &Mass::face_interval},
        {"realisations", "", "how often the masses are released", count(1, kMostPerSet)},
        {"seed", "", "of what is drawn", seed()}});
@@ -193,10 +183,7 @@ std::vector<ReleasePlan> read_mass_releases(const TomlTable& top) {
         name && release.name.find_first_not_of(" \t") == std::string::npos) {
       table.refuse("name", *name, "must not be blank");
     }
-    for (const ReleasePlan& other : releases) {
-      if (other.name != release.name) continue;
-      table.refuse("name", *table.find("name"), "another mass has this name");
-    }
+    check_new_name(table, release.name, releases, "mass");
     releases.push_back(release);
   }
   return releases;
@@ -222,7 +209,7 @@ std::optional<StayPlan> read_masses(const TomlTable& top, const Campaign& campai
   check_mass_shares(tables, plan.masses);
   const auto at_first = [](const MassPlan& mass) { return mass.release_time == 0.0; };
   if (std::none_of(plan.masses.begin(), plan.masses.end(), at_first)) {
-    first.refuse("release_time_s", *first.find("release_time_s"),
+    first.refuse("release_time_s",
                  "times count from the first release, and no mass is released then; leave "
                  "release_time_s out of the one that fails first");
   }

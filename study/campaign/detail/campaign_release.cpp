@@ -60,9 +60,7 @@ std::vector<Vec3> read_release_points(const DeclaredTable& table, bool y_up, Rel
   rule.required("count");
   const std::size_t count = *rule.value<std::size_t>("count");
   if (line) {
-    if (const TomlNode* seed = rule.find("seed")) {
-      rule.refuse("seed", *seed, "points on a line are evenly spaced and need no seed");
-    }
+    rule.refuse_if_there("seed", "points on a line are evenly spaced and need no seed");
     const std::vector<Vec3> corners = points_of(rule, "line", *line, 2);
     if (std::all_of(corners.begin(), corners.end(),
                     [&](const Vec3& corner) { return corner == corners.front(); })) {
@@ -71,8 +69,8 @@ std::vector<Vec3> read_release_points(const DeclaredTable& table, bool y_up, Rel
     return points_on_line(corners, count);
   }
   if (!plan_only) rule.refuse("a polygon gives plan positions and needs height_m");
-  const std::vector<Vec2> corners = read_polygon(rule, "polygon", *polygon);
-  return rule.checked("polygon", *polygon, [&] {
+  const std::vector<Vec2> corners = *rule.value<std::vector<Vec2>>("polygon");
+  return rule.checked("polygon", [&] {
     return points_in_polygon(corners, count, rule.value<std::uint64_t>("seed").value_or(plan.seed));
   });
 }
@@ -97,7 +95,7 @@ void read_orientation_set(const DeclaredTable& table, bool y_up, ReleasePlan& pl
   plan.orientation_source = *table.text("orientations");
   if (plan.orientation_source == "grid-45") {
     if (frame == "source") {
-      table.refuse("frame", *table.find("frame"),
+      table.refuse("frame",
                    "the orientations of grid-45 turn the principal frame; leave frame out");
     }
     plan.in_principal_frame = true;
@@ -118,8 +116,7 @@ void read_orientation_set(const DeclaredTable& table, bool y_up, ReleasePlan& pl
 
 void check_rate(const DeclaredTable& table, const std::string& key, const Vec3& rate, double most) {
   if (rate.norm() > most) {
-    table.refuse(key, *table.find(key),
-                 "must be " + with_digits(most, 6) + " in size at most; check the units");
+    table.refuse(key, "must be " + with_digits(most, 6) + " in size at most; check the units");
   }
 }
 
@@ -191,12 +188,9 @@ std::vector<ReleasePlan> read_releases(const TomlTable& top, bool y_up) {
   std::vector<ReleasePlan> releases;
   for (const DeclaredTable& table : tables) {
     if (tables.size() > 1) table.required("name", "a text in quotes, since there are several");
-    releases.push_back(read_release(table, y_up));
-    for (std::size_t i = 0; i + 1 < releases.size(); ++i) {
-      if (releases[i].name == releases.back().name) {
-        table.refuse("name", *table.find("name"), "another release set has this name");
-      }
-    }
+    ReleasePlan release = read_release(table, y_up);
+    check_new_name(table, release.name, releases, "release set");
+    releases.push_back(std::move(release));
   }
   return releases;
 }

@@ -74,20 +74,6 @@ GroundParameters read_between_blocks(const TomlTable& top, const std::string& wh
   return between_blocks;
 }
 
-std::vector<Vec2> read_polygon(const TomlTable& table, const std::string& key,
-                               const TomlNode& node) {
-  if (node.kind != TomlNode::Kind::kList || node.list.size() < 3) {
-    table.refuse(key, node, "must be a list of at least 3 points");
-  }
-  std::vector<Vec2> corners;
-  for (const TomlNode& row : node.list) {
-    const std::vector<double> values = table.numbers(
-        key, row, 2, 3, "points of finite numbers, [x, y] or [x, y, z]", kMapCoordinate);
-    corners.emplace_back(values[0], values[1]);
-  }
-  return corners;
-}
-
 std::optional<StayPlan> read_stay_plan(const TomlTable& top, const Campaign& campaign) {
   if (std::optional<StayPlan> masses = read_masses(top, campaign)) return masses;
   const std::vector<DeclaredTable> tables = tables_of(top, release_keys());
@@ -95,9 +81,7 @@ std::optional<StayPlan> read_stay_plan(const TomlTable& top, const Campaign& cam
   const bool stay = table.value<std::string>("sequence") == "stay";
   if (!stay) {
     for (const char* key : {"realisations", "order", "remove"}) {
-      if (const TomlNode* node = table.find(key)) {
-        table.refuse(key, *node, "is for blocks that stay; add sequence = \"stay\"");
-      }
+      table.refuse_if_there(key, "is for blocks that stay; add sequence = \"stay\"");
     }
     if (contact_of_blocks(top)) {
       throw InputError(top.file() +
@@ -119,7 +103,7 @@ std::optional<StayPlan> read_stay_plan(const TomlTable& top, const Campaign& cam
   plan.realisations = read_realisations(table);
   plan.random_order = table.value<std::string>("order") != "listed";
   if (!plan.random_order && campaign.blocks.draw) {
-    table.refuse("order", *table.find("order"),
+    table.refuse("order",
                  "drawn blocks are in no order; leave it out, or select blocks by their ids");
   }
   plan.cleared_zones = read_cleared_zones(table, campaign);

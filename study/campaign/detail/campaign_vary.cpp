@@ -58,14 +58,14 @@ const BoundTable<SeriesRequest>& population_keys() {
 void read_population(const DeclaredTable& vary, SeriesRequest& request) {
   const DeclaredTable table = vary.inner("population");
   population_keys().read(table, request);
-  if (const TomlNode* units = table.find("units")) {
+  if (table.find("units")) {
     if (request.table.empty()) {
-      table.refuse("units", *units, "are those of table, which is missing; leave units out");
+      table.refuse("units", "are those of table, which is missing; leave units out");
     }
-    table.checked("units", *units, [&] { length_unit(request.units); });
+    table.checked("units", [&] { length_unit(request.units); });
   }
-  if (const TomlNode* prefix = table.find("prefix")) {
-    table.checked("prefix", *prefix, [&] { check_block_id(request.prefix + "0001"); });
+  if (table.find("prefix")) {
+    table.checked("prefix", [&] { check_block_id(request.prefix + "0001"); });
   }
 }
 
@@ -133,7 +133,7 @@ const BoundTable<SeriesRequest>& vary_keys() {
 
 SeriesRequest read_vary(const DeclaredTable& blocks) {
   if (blocks.find("draw")) {
-    blocks.refuse("vary", *blocks.find("vary"),
+    blocks.refuse("vary",
                   "blocks are either varied or drawn; leave draw out (population = { count = N } "
                   "of vary draws sizes and forms), or leave vary out");
   }

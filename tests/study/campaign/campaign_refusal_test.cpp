@@ -111,13 +111,13 @@ INSTANTIATE_TEST_SUITE_P(
                 "length from 1e-06 to 1e+06"},
         Refused{"velocity_m_s = [1, 0.5, 0]", "velocity_m_s = [1, nan, 0]",
                 "campaign.toml:24: [release] velocity_m_s = [1, nan, 0]: must be three finite "
-                "numbers, [x, y, z], each from -1000 to 1000"},
+                "numbers, [x, y, z], each from -1000 to 1000 m/s"},
         Refused{"velocity_m_s = [1, 0.5, 0]", "velocity_m_s = [800, 0, 601]",
                 "campaign.toml:24: [release] velocity_m_s = [800, 0, 601]: must be 1000 in size "
                 "at most; check the units"},
         Refused{"velocity_m_s = [1, 0.5, 0]", "velocity_m_s = [0, 0, -1e200]",
                 "campaign.toml:24: [release] velocity_m_s = [0, 0, -1e200]: must be three "
-                "finite numbers, [x, y, z], each from -1000 to 1000"},
+                "finite numbers, [x, y, z], each from -1000 to 1000 m/s"},
         Refused{"angular_velocity_rad_s = [0, 0, 2]", "angular_velocity_rad_s = [0, 9000, 9000]",
                 "campaign.toml:25: [release] angular_velocity_rad_s = [0, 9000, 9000]: must be "
                 "10000 in size at most; check the units"},
