@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "core/version.hpp"
-#include "study/calibrate/study_keys.hpp"
+#include "study/calibrate/calibration_study.hpp"
 #include "study/campaign/campaign_keys.hpp"
 
 namespace clast {

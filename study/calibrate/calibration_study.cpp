@@ -11,7 +11,6 @@
 #include "core/statistics/sobol_sequence.hpp"
 #include "study/calibrate/detail/study_reading.hpp"
 #include "study/calibrate/observation_reading.hpp"
-#include "study/calibrate/study_keys.hpp"
 #include "study/campaign/campaign_reading.hpp"
 #include "study/campaign/ground_fields.hpp"
 
@@ -66,8 +65,8 @@ std::string parameter_pattern() {
 NumberRange any_parameter() {
   NumberRange all{0.0, 0.0};
   for (const auto& [name, range] : calibrated_parameters()) {
-    all.low = std::min(all.low, range.allowed.low);
-    all.high = std::max(all.high, range.allowed.high);
+    all.low = std::min(all.low, range.low);
+    all.high = std::max(all.high, range.high);
   }
   return all;
 }
@@ -136,7 +135,7 @@ Unknown read_unknown(const DeclaredTable& table) {
   Unknown unknown;
   unknown_keys().read(table, unknown);
   const NumberRange allowed =
-      table.checked("parameter", [&] { return parameter_range(unknown.parameter).allowed; });
+      table.checked("parameter", [&] { return parameter_range(unknown.parameter); });
   const TomlNode& range = *table.find("range");
   const std::vector<double> ends =
       table.numbers("range", range, 2, 2, "two numbers, [low, high]", allowed);

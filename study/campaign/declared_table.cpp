@@ -35,7 +35,7 @@ void add_keys(const ValueForm& form, std::vector<const TableKey*>& keys) {
   }
 }
 
-std::vector<std::string> names_of(const std::vector<const TableKey*>& keys) {
+std::vector<std::string> names_of_keys(const std::vector<const TableKey*>& keys) {
   std::vector<std::string> names;
   for (const TableKey* key : keys) names.push_back(key->name);
   return names;
@@ -51,7 +51,7 @@ std::vector<const TableKey*> keys_of(const KeyTable& declared) {
 
 DeclaredTable::DeclaredTable(const TomlNode& node, const std::string& file,
                              const std::string& title, std::vector<const TableKey*> keys)
-    : TomlTable(node, file, title, names_of(keys)), title_(title), keys_(std::move(keys)) {}
+    : TomlTable(node, file, title, names_of_keys(keys)), title_(title), keys_(std::move(keys)) {}
 
 DeclaredTable::DeclaredTable(const TomlNode& node, const std::string& file,
                              const std::string& title, const KeyTable& declared)

@@ -103,7 +103,7 @@ void check_values(const TomlTable& table, const PosteriorDraws& posterior) {
   for (std::size_t i = 0; i < posterior.parameters.size(); ++i) {
     const std::string& parameter = posterior.parameters[i];
     const auto check = [&] {
-      const NumberRange allowed = parameter_range(parameter).allowed;
+      const NumberRange allowed = parameter_range(parameter);
       for (const std::vector<double>& draw : posterior.draws) {
         if (allowed.holds(draw[i])) continue;
         throw InputError("has a draw of " + with_digits(draw[i], 6) + ", which must be " +
