@@ -328,7 +328,7 @@ EngineRuns import_engine_results(const EngineResultsOptions& options, const fs::
   }
   found.runs = runs.size();
   found.notes = notes_of(reader, found.without);
-  CampaignResults header = std::move(prepared.header);
+  CampaignHeader header = std::move(prepared.header);
   header.engine = options.engine;
   header.physics_digest.clear();
   header.warnings.insert(header.warnings.end(), found.notes.begin(), found.notes.end());

@@ -117,7 +117,7 @@ void tell_of_restitution(const CampaignPlan& prepared, std::vector<std::string>&
                        ". If it is a coefficient of restitution of velocity, R_n, give its " +
                        "square, " + with_digits(value * value, 2));
   };
-  const CampaignResults& header = prepared.header;
+  const CampaignHeader& header = prepared.header;
   std::pair<double, std::string> largest{0.0, ""};
   if (header.stay) largest = {header.stay->between_blocks.energy_restitution, "contact.blocks"};
   for (std::size_t zone = 0; zone < header.ground.size(); ++zone) {

@@ -52,9 +52,9 @@ std::string with_digest(const std::filesystem::path& file) {
   return file.string() + " " + sha256_of_file(file);
 }
 
-CampaignResults header_of(const CampaignPlan& prepared, Terrain terrain) {
+CampaignHeader header_of(const CampaignPlan& prepared, Terrain terrain) {
   const Campaign& campaign = prepared.campaign;
-  CampaignResults header;
+  CampaignHeader header;
   header.campaign_text = campaign.text;
   header.campaign_sha256 = campaign.sha256;
   header.inputs.push_back(with_digest(campaign.blocks.library));
@@ -108,7 +108,7 @@ CampaignPlan prepare_campaign(const Campaign& campaign, const BlockMaking& makin
   }
   prepared.bodies = BlockBodies(prepared.choice);
   prepared.header = header_of(prepared, read_terrain(campaign.terrain));
-  CampaignResults& header = prepared.header;
+  CampaignHeader& header = prepared.header;
   check_sizes(prepared);
   prepared.surface.emplace(terrain_surface(header.terrain, campaign.terrain_radius));
 

@@ -30,7 +30,7 @@ struct MassStart {
 /// A campaign with its inputs loaded and everything decided: what would run, and how.
 struct CampaignPlan {
   Campaign campaign;
-  CampaignResults header;  ///< no runs yet
+  CampaignHeader header;
   BlockChoice choice;
   BlockBodies bodies;                     ///< of `choice.blocks`
   std::optional<TerrainSurface> surface;  ///< of `header.terrain`; always there

@@ -305,7 +305,7 @@ Vec3 middle_of_starts(const std::vector<RunRecord>& runs, std::uint32_t point) {
 
 void plan_runs(CampaignPlan& prepared) {
   const Campaign& campaign = prepared.campaign;
-  CampaignResults& header = prepared.header;
+  CampaignHeader& header = prepared.header;
   check_count(campaign, prepared.bodies.size());
   Planner planner(prepared);
   if (campaign.stay) {

@@ -21,7 +21,7 @@ struct SeriesEnd {
 /// What states tell of a run: duration, place of the end, path, crossings of the barriers, and
 /// energies; speeds and spins are the largest of the states. Between two states the motion is the
 /// exact flight where one leads to the other, else interpolated (`state_at`). What needs contacts
-/// is not a number, or 0 where it is a count: `CampaignResults::engine` says that it is not known.
+/// is not a number, or 0 where it is a count: `CampaignHeader::engine` says that it is not known.
 /// The trajectory is the series.
 StoredRun run_of_states(const CampaignPlan& prepared, const RunRecord& planned,
                         const StateSeries& series, const SeriesEnd& end);
