@@ -12,8 +12,8 @@
 #include "report/json/calibration_json.hpp"
 #include "report/json/key_schema.hpp"
 #include "report/text/calibration_text.hpp"
+#include "study/calibrate/calibration_study.hpp"
 #include "study/calibrate/study_check.hpp"
-#include "study/calibrate/study_keys.hpp"
 #include "study/simulate/results_place.hpp"
 
 namespace clast::python_detail {

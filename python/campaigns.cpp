@@ -86,8 +86,7 @@ std::optional<Shard> take_shard(Keywords& given) {
 
 /// Refuses places as the program does, before anything runs.
 /// @return whether all is done already
-bool check_place(const fs::path& target, const PreparedCampaign& prepared,
-                 const RunOptions& options) {
+bool check_place(const fs::path& target, const CampaignPlan& prepared, const RunOptions& options) {
   const bool begun = fs::exists(partial_results(target));
   if (options.resume && !options.replace && !begun &&
       is_finished(target, prepared.header, options.shard.runs_of(prepared))) {
@@ -113,7 +112,7 @@ std::string run(const std::string& text, const fs::path& file, const fs::path& o
   watch(progress, [&](const Progress& step) {
     const bool keep = !options.replace && !options.resume && !fs::exists(partial_results(target));
     check_results_place(target, !keep);
-    const PreparedCampaign prepared = prepare_campaign(parse_campaign(text, file));
+    const CampaignPlan prepared = prepare_campaign(parse_campaign(text, file));
     if (!check_place(target, prepared, options)) {
       options.progress = step;
       run_campaign(prepared, target, options);
@@ -136,7 +135,7 @@ py::object dry_run(const std::string& text, const fs::path& file, const py::dict
   const Shard shard = take_shard(given).value_or(Shard());
   given.done();
   const auto summary = watched(py::none(), [&](const Progress&) {
-    const PreparedCampaign prepared = prepare_campaign(parse_campaign(text, file));
+    const CampaignPlan prepared = prepare_campaign(parse_campaign(text, file));
     OutputRules rules;
     if (map) rules = check_output(*map, {.kind = kind_by_name(*map)});
     const TimeProbe probe = probe_time(prepared, kProbeTime);

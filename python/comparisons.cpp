@@ -119,7 +119,7 @@ void bind_comparisons(py::module_& module) {
       .def_readonly("campaign_sha256", &CampaignResults::campaign_sha256)
       .def_readonly("inputs", &CampaignResults::inputs)
       .def_readonly("program_version", &CampaignResults::program_version)
-      .def_readonly("engine", &CampaignResults::engine)
+      .def_readonly("engine", &CampaignHeader::engine)
       .def_readonly("zone_names", &CampaignResults::zone_names)
       .def_readonly("warnings", &CampaignResults::warnings)
       .def_readonly("planned_runs", &CampaignResults::planned_runs)

@@ -20,13 +20,13 @@ namespace clast {
 namespace {
 
 /// "; ground parameters drawn 20 times"; empty where they are not drawn.
-std::string ground_draws_text(const PreparedCampaign& prepared) {
+std::string ground_draws_text(const CampaignPlan& prepared) {
   const std::uint32_t members = prepared.campaign.ensemble.members;
   return members > 1 ? "; ground parameters drawn " + std::to_string(members) + " times" : "";
 }
 
 /// "4 release points, 64 orientations", for each release set, and how often the ground is drawn.
-std::string releases_text(const PreparedCampaign& prepared) {
+std::string releases_text(const CampaignPlan& prepared) {
   std::string text;
   if (const std::optional<StaySummary>& stay = prepared.header.stay) {
     text = counted(prepared.campaign.stay->realisations, "realisation") + " of " +
@@ -50,7 +50,7 @@ std::string releases_text(const PreparedCampaign& prepared) {
 }
 
 /// What a mass starts as, from the least to the largest of the realisations.
-std::string mass_text(const PreparedCampaign& prepared, std::size_t mass) {
+std::string mass_text(const CampaignPlan& prepared, std::size_t mass) {
   const std::vector<MassPlan>& plans = prepared.campaign.stay->masses;
   const auto range = [&](auto value) {
     double low = INFINITY, high = -INFINITY;
@@ -78,7 +78,7 @@ std::string mass_text(const PreparedCampaign& prepared, std::size_t mass) {
 }
 
 /// A line for each mass; empty without.
-std::string masses_text(const PreparedCampaign& prepared) {
+std::string masses_text(const CampaignPlan& prepared) {
   std::string text;
   if (prepared.masses.empty()) return text;
   for (std::size_t mass = 0; mass < prepared.campaign.stay->masses.size(); ++mass) {
@@ -88,13 +88,13 @@ std::string masses_text(const PreparedCampaign& prepared) {
 }
 
 /// "about 210 MB of memory for each realisation"; empty where blocks are run one by one.
-std::string memory_line(const PreparedCampaign& prepared) {
+std::string memory_line(const CampaignPlan& prepared) {
   const double bytes = realisation_memory(prepared);
   return bytes > 0.0 ? "about " + memory_text(bytes) + " of memory for each realisation\n" : "";
 }
 
 /// "66 bodies made of 1 block of scans.h5"; empty where blocks run as they are.
-std::string made_text(const PreparedCampaign& prepared) {
+std::string made_text(const CampaignPlan& prepared) {
   const BlockChoice& choice = prepared.choice;
   if (choice.parents.empty()) return "";
   return counted(choice.library.size(), "body", "bodies") + " made of " +
@@ -106,7 +106,7 @@ std::string made_text(const PreparedCampaign& prepared) {
 constexpr std::size_t kMostPrintedStarts = 20;
 
 /// Stiffness and time step of the runs of each block, and over all blocks where there are many.
-TextTable stiffness_table(const PreparedCampaign& prepared) {
+TextTable stiffness_table(const CampaignPlan& prepared) {
   const std::vector<BlockStiffness> blocks = stiffness_by_block(prepared.header, prepared.runs);
   TextTable table{{"block"}, {}};
   for (const StiffnessValue& value : blocks.front().values) {
@@ -124,7 +124,7 @@ TextTable stiffness_table(const PreparedCampaign& prepared) {
 
 }  // namespace
 
-void print_plan(const PreparedCampaign& prepared) {
+void print_plan(const CampaignPlan& prepared) {
   std::cout << counted(prepared.runs.size(), "run") << ": "
             << counted(prepared.bodies.size(), "block") << ", " << releases_text(prepared) << "\n"
             << made_text(prepared) << masses_text(prepared) << memory_line(prepared);
@@ -133,7 +133,7 @@ void print_plan(const PreparedCampaign& prepared) {
   }
 }
 
-void print_stiffness(const PreparedCampaign& prepared) {
+void print_stiffness(const CampaignPlan& prepared) {
   std::cout << "\nstiffness and time step of the runs of each block\n"
             << stiffness_table(prepared).text();
 }

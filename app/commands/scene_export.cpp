@@ -66,7 +66,7 @@ void export_scenes(const std::filesystem::path& campaign, const std::filesystem:
                    bool replace, const SceneExportArgs& args) {
   const std::vector<std::uint32_t> runs = run_numbers(args.runs);
   OutputFolder output(folder, scene_folder(), replace);
-  const PreparedCampaign prepared = prepare_campaign(read_campaign(campaign));
+  const CampaignPlan prepared = prepare_campaign(read_campaign(campaign));
   for (const std::string& warning : prepared.header.warnings) {
     std::cerr << "warning: " << shown(warning) << "\n";
   }

@@ -71,7 +71,7 @@ void join_parts(const SimulateArgs& args) {
 constexpr double kProbeTime = 2.0;  ///< s that a dry run spends on runs
 
 /// What the campaign could distinguish, judging by the runs that were tried.
-PlannedPower power_of(const SimulateArgs& args, const PreparedCampaign& prepared,
+PlannedPower power_of(const SimulateArgs& args, const CampaignPlan& prepared,
                       const TimeProbe& probe) {
   PlannedPower plan = planned_power(prepared, probe);
   if (args.margin > 0.0) plan.margin = args.margin;
@@ -79,7 +79,7 @@ PlannedPower power_of(const SimulateArgs& args, const PreparedCampaign& prepared
 }
 
 /// Expected time, what could be found, and the map.
-void report_dry_run(const SimulateArgs& args, const PreparedCampaign& prepared, const Shard& shard,
+void report_dry_run(const SimulateArgs& args, const CampaignPlan& prepared, const Shard& shard,
                     nlohmann::ordered_json summary) {
   std::filesystem::path map = args.output;
   map.replace_extension(".map.svg");
@@ -123,7 +123,7 @@ void report_dry_run(const SimulateArgs& args, const PreparedCampaign& prepared, 
 }
 
 /// What shapes a run: that it is the same on all processes.
-std::string fingerprint(const PreparedCampaign& prepared) {
+std::string fingerprint(const CampaignPlan& prepared) {
   std::string text = prepared.header.program_version + prepared.header.physics_digest +
                      prepared.header.campaign_sha256;
   for (const std::string& input : prepared.header.inputs) {
@@ -133,8 +133,8 @@ std::string fingerprint(const PreparedCampaign& prepared) {
 }
 
 /// The campaign, with a bar while bodies are made.
-PreparedCampaign prepared_campaign(const SimulateArgs& args, const ProcessTeam& team,
-                                   const InterruptionWatch& watch) {
+CampaignPlan prepared_campaign(const SimulateArgs& args, const ProcessTeam& team,
+                               const InterruptionWatch& watch) {
   const auto check_interrupted = [&] {
     if (watch.interrupted()) throw SimulationError("interrupted; nothing was run");
   };
@@ -146,7 +146,7 @@ PreparedCampaign prepared_campaign(const SimulateArgs& args, const ProcessTeam& 
     if (!bar) bar = std::make_unique<ProgressBar>("bodies", step.total);
     bar->update(step.done);
   };
-  PreparedCampaign prepared = prepare_campaign(read_campaign(args.campaign), making);
+  CampaignPlan prepared = prepare_campaign(read_campaign(args.campaign), making);
   check_interrupted();
   return prepared;
 }
@@ -154,7 +154,7 @@ PreparedCampaign prepared_campaign(const SimulateArgs& args, const ProcessTeam& 
 void simulate_with(ProcessTeam& team, const SimulateArgs& args,
                    const std::optional<Shard>& given_shard, const InterruptionWatch& watch) {
   const Shard shard = given_shard.value_or(Shard());
-  std::optional<PreparedCampaign> plan;
+  std::optional<CampaignPlan> plan;
   bool finished = false;
   const std::filesystem::path output = shard_output(args.output, given_shard);
   const std::filesystem::path part = partial_results(output);
@@ -169,7 +169,7 @@ void simulate_with(ProcessTeam& team, const SimulateArgs& args,
     if (team.leads() && !args.dry_run && !args.resume) refuse_interrupted(output);
     return fingerprint(*plan) + (finished ? "finished" : "");
   });
-  const PreparedCampaign& prepared = *plan;
+  const CampaignPlan& prepared = *plan;
   nlohmann::ordered_json summary = plan_json(prepared);
   if (!args.json) print_plan(prepared);
   if (args.dry_run) {

@@ -12,6 +12,7 @@
 
 #include "core/error.hpp"
 #include "core/files/toml_depth.hpp"
+#include "core/printable.hpp"
 
 namespace clast {
 namespace {
@@ -214,6 +215,11 @@ TomlNode parse_toml(const std::string& text, const std::string& name) {
   }
 }
 
+std::string in_words_of_keys(std::string message) {
+  std::erase(message, '`');
+  return message;
+}
+
 TomlTable::TomlTable(const TomlNode& node, std::string file, std::string title,
                      std::vector<std::string> known_keys)
     : node_(&node), file_(std::move(file)), title_(std::move(title)) {
@@ -234,7 +240,8 @@ TomlTable::TomlTable(const TomlNode& node, std::string file, std::string title,
 void TomlTable::refuse(const std::string& key, const TomlNode& node,
                        const std::string& problem) const {
   throw InputError(file_ + ":" + std::to_string(node.line) + ": " + title_ +
-                   (title_.empty() ? "" : " ") + key + " = " + node.written + ": " + problem);
+                   (title_.empty() ? "" : " ") + printable(key) + " = " + node.written + ": " +
+                   problem);
 }
 
 void TomlTable::refuse(const std::string& problem) const {

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "core/error.hpp"
 #include "core/number_range.hpp"
 #include "core/types.hpp"
 
@@ -42,6 +43,10 @@ struct TomlEntry {
 /// @throws InputError  not TOML, or nested too deep; file, line and what is wrong
 TomlNode parse_toml(const std::string& text, const std::string& name);
 
+/// The message of an error of a library, which names its fields between backticks, for a file whose
+/// keys have the same names.
+std::string in_words_of_keys(std::string message);
+
 /// One table of a file. Keys it does not know are refused at once, before a missing one is noticed,
 /// so that a misspelt key is answered with its right spelling.
 class TomlTable {
@@ -74,9 +79,31 @@ class TomlTable {
                               std::size_t most, const std::string& expected,
                               const NumberRange& range) const;
 
+  /// Returns what `check` returns, and refuses the key with the message of the InputError that it
+  /// throws.
+  /// @param key      is there
+  /// @param subject  the message begins with it
+  template <class Check>
+  decltype(auto) checked(const std::string& key, const Check& check,
+                         const std::string& subject = "") const {
+    try {
+      return check();
+    } catch (const InputError& error) {
+      refuse(key, subject + in_words_of_keys(error.what()));
+    }
+  }
+
   /// @throws InputError  always: "file:12: [table] key = value: must be ..."
   [[noreturn]] void refuse(const std::string& key, const TomlNode& node,
                            const std::string& problem) const;
+  /// @param key  is there
+  [[noreturn]] void refuse(const std::string& key, const std::string& problem) const {
+    refuse(key, *find(key), problem);
+  }
+  /// @throws InputError  the key is there
+  void refuse_if_there(const std::string& key, const std::string& problem) const {
+    if (find(key)) refuse(key, problem);
+  }
   /// @throws InputError  always: "file:12: [table]: ..."
   [[noreturn]] void refuse(const std::string& problem) const;
 

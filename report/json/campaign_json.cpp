@@ -16,7 +16,7 @@ nlohmann::ordered_json power_json(const PlannedPower& power) {
   return json;
 }
 
-nlohmann::ordered_json plan_json(const PreparedCampaign& prepared) {
+nlohmann::ordered_json plan_json(const CampaignPlan& prepared) {
   nlohmann::ordered_json blocks = nlohmann::ordered_json::array();
   for (const BlockSummary& block : prepared.header.blocks) blocks.push_back(block.id);
   nlohmann::ordered_json stiffness = nlohmann::ordered_json::array();

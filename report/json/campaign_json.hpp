@@ -12,7 +12,7 @@ namespace clast {
 nlohmann::ordered_json power_json(const PlannedPower& power);
 
 /// Runs, blocks, release points, stiffness by block and warnings.
-nlohmann::ordered_json plan_json(const PreparedCampaign& prepared);
+nlohmann::ordered_json plan_json(const CampaignPlan& prepared);
 
 /// Stop reasons, runs below ground, barrier crossings, largest errors of energy.
 nlohmann::ordered_json outcome_json(const CampaignResults& results);

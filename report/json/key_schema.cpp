@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "core/version.hpp"
-#include "study/calibrate/study_keys.hpp"
+#include "study/calibrate/calibration_study.hpp"
 #include "study/campaign/campaign_keys.hpp"
 
 namespace clast {
@@ -12,7 +12,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json schema_of(const std::vector<ValueForm>& forms);
+Json schema_of(const ValueForm& form);
 
 /// Numbers as editors of TOML compare them: 0 is allowed apart from the range where it means
 /// something.
@@ -32,7 +32,7 @@ Json number_schema(const NumberRange& range) {
 Json key_schema(const TableKey& key) {
   Json json = {{"description", key.meaning + (key.unit.empty() ? "" : ", " + key.unit)}};
   if (!key.unit.empty()) json["unit"] = key.unit;
-  json.update(schema_of(key.forms));
+  json.update(schema_of(key.form));
   return json;
 }
 
@@ -48,7 +48,7 @@ Json keys_schema(const std::vector<TableKey>& keys) {
   Json required = Json::array();
   for (const TableKey& key : keys) {
     json["properties"][key.name] = key_schema(key);
-    if (key.required) required.push_back(key.name);
+    if (key.is_required()) required.push_back(key.name);
     if (!key.with.empty()) json["dependencies"][key.name] = {{"anyOf", any_of_keys(key.with)}};
   }
   if (!required.empty()) json["required"] = std::move(required);
@@ -78,19 +78,16 @@ Json schema_of(const ValueForm& form) {
     case ValueForm::Kind::kNumber:
       return number_schema(form.range);
     case ValueForm::Kind::kList:
-      return list_schema(schema_of(form.items), form.least, form.most);
+      return list_schema(schema_of(form.items.front()), form.least, form.most);
     case ValueForm::Kind::kTable:
       return keys_schema(form.keys);
     case ValueForm::Kind::kNamed:
+      return named_schema(schema_of(form.items.front()));
+    case ValueForm::Kind::kEither:
       break;
   }
-  return named_schema(schema_of(form.items));
-}
-
-Json schema_of(const std::vector<ValueForm>& forms) {
-  if (forms.size() == 1) return schema_of(forms.front());
   Json any = Json::array();
-  for (const ValueForm& form : forms) any.push_back(schema_of(form));
+  for (const ValueForm& one : form.items) any.push_back(schema_of(one));
   return {{"anyOf", std::move(any)}};
 }
 

@@ -131,7 +131,7 @@ SiteMap site_map(const Comparison& comparison) {
   return site;
 }
 
-SiteMap site_map(const CampaignResults& header) {
+SiteMap site_map(const CampaignHeader& header) {
   std::vector<Vec2> releases;
   for (const Vec3& point : header.release_points) {
     releases.push_back(header.frame.map(point).head<2>());

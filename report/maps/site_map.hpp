@@ -48,7 +48,7 @@ SiteMap site_map(const Comparison& comparison);
 
 /// The site of a campaign: the window holds the whole terrain.
 /// @param header  of a campaign without runs
-SiteMap site_map(const CampaignResults& header);
+SiteMap site_map(const CampaignHeader& header);
 
 /// The site of a terrain, all of it, with release points and barrier lines.
 /// @param releases, lines  map, m

@@ -11,7 +11,7 @@
 #include "core/statistics/sobol_sequence.hpp"
 #include "study/calibrate/detail/study_reading.hpp"
 #include "study/calibrate/observation_reading.hpp"
-#include "study/calibrate/study_keys.hpp"
+#include "study/campaign/campaign_reading.hpp"
 #include "study/campaign/ground_fields.hpp"
 
 namespace clast {
@@ -19,18 +19,81 @@ namespace clast {
 using namespace study_detail;
 namespace {
 
+Kernel kernel_named(const std::string& word) {
+  return word == "squared-exponential" ? Kernel::kSquaredExponential : Kernel::kMatern52;
+}
+
+const BoundTable<CalibrationDesign>& design_keys() {
+  using Design = CalibrationDesign;
+  static const BoundTable<Design> keys(
+      {.name = "design", .meaning = "How the parameters are sought"},
+      {{"members", "", "sets of parameters that are simulated", count(8, 4096), &Design::members},
+       {"releases", "", "runs of each member at each site", count(kFewestSeen, 100'000),
+        &Design::releases},
+       {"seed", "", "of all that is drawn", seed(), &Design::seed},
+       {"draws", "", "from the posterior", count(100, 100'000), &Design::draws},
+       {"kernel", "", "correlation of the surrogates", words({"matern-5/2", "squared-exponential"}),
+        &kernel_named, &Design::kernel}});
+  return keys;
+}
+
+const BoundTable<CalibrationSite>& site_keys() {
+  static const BoundTable<CalibrationSite> keys(
+      {"site", "A place where blocks were released", KeyTable::Repeat::kEither, {}, true},
+      {{"name", "", "of the site", required("a text in quotes", text()), &CalibrationSite::name},
+       {"campaign", "", "campaign file, with [run] downslope",
+        required("a campaign file", text())}});
+  return keys;
+}
+
+/// Names of parameters, with any name in place of that of a zone or class.
+std::string parameter_pattern() {
+  std::string names;
+  for (const auto& [name, range] : calibrated_parameters()) {
+    names += names.empty() ? "" : "|";
+    for (const char letter : name) names += letter == '.' ? "\\." : std::string(1, letter);
+  }
+  for (const std::string any : {"ZONE", "CLASS"}) {
+    for (std::size_t at; (at = names.find(any)) != std::string::npos;) {
+      names.replace(at, any.size(), ".+");
+    }
+  }
+  return "^(" + names + ")$";
+}
+
+/// Holds the ranges of all parameters.
+NumberRange any_parameter() {
+  NumberRange all{0.0, 0.0};
+  for (const auto& [name, range] : calibrated_parameters()) {
+    all.low = std::min(all.low, range.low);
+    all.high = std::max(all.high, range.high);
+  }
+  return all;
+}
+
+bool is_logarithmic(const std::string& scale) { return scale == "log"; }
+
+const BoundTable<Unknown>& unknown_keys() {
+  static const BoundTable<Unknown> keys(
+      {"unknown",
+       "A parameter that is sought, the same at all sites that have it",
+       KeyTable::Repeat::kEither,
+       {},
+       true},
+      {{"parameter", "", "such as ground.ZONE.friction, release.height_m or blocks.mass_median_kg",
+        required("such as \"ground.ZONE.friction\"", fitting(parameter_pattern())),
+        &Unknown::parameter},
+       {"range", "", "[low, high]",
+        required("two numbers, [low, high]", list(number(any_parameter()), 2, 2))},
+       {"scale", "", "every value is as likely beforehand, or every logarithm",
+        words({"linear", "log"}), &is_logarithmic, &Unknown::logarithmic}});
+  return keys;
+}
+
 CalibrationDesign read_design(const TomlTable& top) {
   CalibrationDesign design;
-  const TomlNode* node = top.find("design");
-  if (!node) return design;
-  const StudyTable table(*node, top.file(), "design");
-  design.members = static_cast<std::uint32_t>(table.count_of("members").value_or(design.members));
-  design.releases =
-      static_cast<std::uint32_t>(table.count_of("releases").value_or(design.releases));
-  design.seed = table.count_of("seed").value_or(design.seed);
-  design.draws = table.count_of("draws").value_or(design.draws);
-  if (table.choice_of("kernel") == "squared-exponential") {
-    design.kernel = Kernel::kSquaredExponential;
+  for (const DeclaredTable& table : tables_of(top, design_keys())) {
+    design_keys().read(table, design);
   }
   return design;
 }
@@ -51,19 +114,12 @@ void check_site(const TomlTable& table, const TomlNode& node, const Campaign& ca
 
 std::vector<CalibrationSite> read_sites(const TomlTable& top) {
   std::vector<CalibrationSite> sites;
-  for (const TomlNode* node : tables_of(top, "site")) {
-    const StudyTable table(*node, top.file(), "site");
-    table.required("name", "a text in quotes");
-    const TomlNode& file = table.required("campaign", "a campaign file");
-    table.text("campaign");
-    CalibrationSite site{*table.text("name"), {}};
-    for (const CalibrationSite& other : sites) {
-      if (other.name == site.name) {
-        table.refuse("name", *table.find("name"), "another site has this name");
-      }
-    }
-    site.campaign = read_campaign(input_file(table, "campaign", file));
-    check_site(table, file, site.campaign);
+  for (const DeclaredTable& table : tables_of(top, site_keys())) {
+    CalibrationSite site;
+    site_keys().read(table, site);
+    check_new_name(table, site.name, sites, "site");
+    site.campaign = read_campaign(*table.value<std::filesystem::path>("campaign"));
+    check_site(table, *table.find("campaign"), site.campaign);
     site.campaign.ensemble = {};
     site.campaign.trajectory_interval = 0.0;
     sites.push_back(std::move(site));
@@ -75,17 +131,12 @@ std::vector<CalibrationSite> read_sites(const TomlTable& top) {
   return sites;
 }
 
-Unknown read_unknown(const StudyTable& table) {
+Unknown read_unknown(const DeclaredTable& table) {
   Unknown unknown;
-  const TomlNode& name = table.required("parameter", "such as \"ground.ZONE.friction\"");
-  unknown.parameter = *table.text("parameter");
-  NumberRange allowed{0.0, 0.0};
-  try {
-    allowed = parameter_range(unknown.parameter).allowed;
-  } catch (const InputError& error) {
-    table.refuse("parameter", name, error.what());
-  }
-  const TomlNode& range = table.required("range", "two numbers, [low, high]");
+  unknown_keys().read(table, unknown);
+  const NumberRange allowed =
+      table.checked("parameter", [&] { return parameter_range(unknown.parameter); });
+  const TomlNode& range = *table.find("range");
   const std::vector<double> ends =
       table.numbers("range", range, 2, 2, "two numbers, [low, high]", allowed);
   unknown.low = ends[0];
@@ -93,9 +144,8 @@ Unknown read_unknown(const StudyTable& table) {
   if (!(unknown.low < unknown.high)) {
     table.refuse("range", range, "the lower end must come first");
   }
-  unknown.logarithmic = table.choice_of("scale") == "log";
   if (unknown.logarithmic && !(unknown.low > 0.0)) {
-    table.refuse("scale", *table.find("scale"), "a logarithm needs a range above 0");
+    table.refuse("scale", "a logarithm needs a range above 0");
   }
   return unknown;
 }
@@ -103,8 +153,7 @@ Unknown read_unknown(const StudyTable& table) {
 std::vector<Unknown> read_unknowns(const TomlTable& top,
                                    const std::vector<CalibrationSite>& sites) {
   std::vector<Unknown> unknowns;
-  for (const TomlNode* node : tables_of(top, "unknown")) {
-    const StudyTable table(*node, top.file(), "unknown");
+  for (const DeclaredTable& table : tables_of(top, unknown_keys())) {
     Unknown unknown = read_unknown(table);
     const TomlNode& name = *table.find("parameter");
     for (const Unknown& other : unknowns) {
@@ -129,12 +178,6 @@ std::vector<Unknown> read_unknowns(const TomlTable& top,
                      " can be found at once");
   }
   return unknowns;
-}
-
-std::vector<std::string> study_table_names() {
-  std::vector<std::string> names;
-  for (const KeyTable& table : calibration_tables()) names.push_back(table.name);
-  return names;
 }
 
 /// Parameters that a campaign knows only as a distribution would vary from run to run unseen.
@@ -184,6 +227,12 @@ void check_unknown_shares(const CalibrationStudy& study) {
 
 }  // namespace
 
+const std::vector<KeyTable>& calibration_tables() {
+  static const std::vector<KeyTable> tables = {design_keys(), site_keys(), unknown_keys(),
+                                               observation_keys()};
+  return tables;
+}
+
 std::vector<std::vector<double>> CalibrationDesign::places(std::size_t unknowns) const {
   SobolSequence sequence(unknowns, seed);
   std::vector<std::vector<double>> all;
@@ -219,11 +268,7 @@ CalibrationStudy read_study_by_parts(const std::filesystem::path& file, const Pa
     root = parse_toml(study.text, file.string());
   });
   if (!is_toml) return study;
-  read([&] { TomlTable(root, file.string(), "", study_table_names()); });
-  std::vector<std::string> tables = study_table_names();
-  for (const auto& [name, table] : root.table) tables.push_back(name);
-  const TomlTable top(root, file.string(), "", tables);
-
+  const TomlTable top = top_table(root, file, calibration_tables(), read);
   read([&] { study.design = read_design(top); });
   if (!read([&] { study.sites = read_sites(top); })) return study;
   if (read([&] { study.unknowns = read_unknowns(top, study.sites); })) {
@@ -237,10 +282,7 @@ CalibrationStudy read_study_by_parts(const std::filesystem::path& file, const Pa
 }  // namespace study_detail
 
 CalibrationStudy read_calibration_study(const std::filesystem::path& file) {
-  return read_study_by_parts(file, [](const std::function<void()>& part) {
-    part();
-    return true;
-  });
+  return read_study_by_parts(file, read_at_once);
 }
 
 bool is_calibration_study(const std::filesystem::path& file) {

@@ -8,6 +8,7 @@
 #include "core/statistics/gaussian_process.hpp"
 #include "study/calibrate/observation.hpp"
 #include "study/campaign/campaign.hpp"
+#include "study/campaign/key_table.hpp"
 #include "study/campaign/unknown.hpp"
 
 namespace clast {
@@ -52,6 +53,10 @@ struct CalibrationStudy {
 ///                     names that can't be read; a parameter that no site has; what is fitted and
 ///                     kept at once: file, line, key, value and what was expected
 CalibrationStudy read_calibration_study(const std::filesystem::path& file);
+
+/// The tables of a study file and their keys, in the order of docs/formats.md: what
+/// `read_calibration_study` knows, and nothing else.
+const std::vector<KeyTable>& calibration_tables();
 
 /// Has it tables that only studies have? False of what can't be read.
 bool is_calibration_study(const std::filesystem::path& file);

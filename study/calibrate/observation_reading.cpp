@@ -8,8 +8,9 @@
 #include "core/error.hpp"
 #include "core/listed.hpp"
 #include "core/number_text.hpp"
-#include "study/calibrate/detail/study_reading.hpp"
 #include "study/calibrate/observed_trajectories.hpp"
+#include "study/campaign/campaign_ranges.hpp"
+#include "study/campaign/campaign_reading.hpp"
 #include "study/compare/measured_stops.hpp"
 
 namespace clast::study_detail {
@@ -28,6 +29,43 @@ constexpr MeasuredQuantity kQuantities[] = {{"speed_m_s", Figure::Kind::kMeanSpe
                                             {"energy_j", Figure::Kind::kMeanEnergy},
                                             {"depth_m", Figure::Kind::kMeanDepth}};
 
+bool is_fitted(const std::string& use) { return use == "fit"; }
+
+/// The numbers of a list, which is there.
+std::vector<double> numbers_of(const DeclaredTable& table, const std::string& key,
+                               const std::string& expected) {
+  const ValueForm& form = table.form(key);
+  return table.numbers(key, table.required(key, expected), form.least, form.most, expected,
+                       form.leaf().range);
+}
+
+/// Which of the keys that exclude each other is there.
+/// @throws InputError  none or several of them are, or a key that has no meaning beside it
+std::string source_of(const DeclaredTable& table) {
+  std::string source;
+  for (const std::string& one : observation_keys().one_of) {
+    if (!table.find(one)) continue;
+    if (!source.empty()) {
+      table.refuse("has " + source + " and " + one + "; write two observations");
+    }
+    source = one;
+  }
+  if (source.empty()) {
+    table.refuse(
+        "needs stops or trajectories, a table of them, barrier, a name, or impact, a number");
+  }
+  for (const TableKey& key : observation_keys().keys) {
+    const TomlNode* node = table.find(key.name);
+    if (!node || key.with.empty() ||
+        std::find(key.with.begin(), key.with.end(), source) != key.with.end()) {
+      continue;
+    }
+    table.refuse(key.name, *node,
+                 "belongs to an observation with " + listed(key.with) + "; leave it out here");
+  }
+  return source;
+}
+
 /// "mean", "std", "aside", or "p10" for a percentile.
 Figure figure_named(const TomlTable& table, const TomlNode& node, const std::string& name) {
   if (name == "mean") return {Figure::Kind::kMeanPlace, 0.0, "mean_place_m", 0.0, {}};
@@ -42,7 +80,7 @@ Figure figure_named(const TomlTable& table, const TomlNode& node, const std::str
   return {Figure::Kind::kPlace, *level / 100.0, name + "_place_m", 0.0, {}};
 }
 
-std::vector<Figure> stop_figures(const StudyTable& table) {
+std::vector<Figure> stop_figures(const DeclaredTable& table) {
   std::vector<Figure> figures;
   if (const TomlNode* asked = table.find("figures")) {
     const std::vector<std::string> names = *table.texts("figures");
@@ -54,7 +92,7 @@ std::vector<Figure> stop_figures(const StudyTable& table) {
                {Figure::Kind::kStdPlace, 0.0, "std_place_m", 0.0, {}}};
   }
   if (table.find("beyond_m")) {
-    for (const double place : table.numbers_of("beyond_m", "a list of places, [m, m, ...]")) {
+    for (const double place : numbers_of(table, "beyond_m", "a list of places, [m, m, ...]")) {
       figures.push_back(
           {Figure::Kind::kBeyond, place, "beyond_" + with_digits(place, 6) + "_m", 0.0, {}});
     }
@@ -62,7 +100,7 @@ std::vector<Figure> stop_figures(const StudyTable& table) {
   return figures;
 }
 
-void check_once(const StudyTable& table, const std::vector<Figure>& figures) {
+void check_once(const DeclaredTable& table, const std::vector<Figure>& figures) {
   for (std::size_t i = 0; i < figures.size(); ++i) {
     for (std::size_t k = 0; k < i; ++k) {
       if (figures[i].name == figures[k].name) table.refuse("names " + figures[i].name + " twice");
@@ -86,10 +124,9 @@ void read_starts(const std::vector<MeasuredStop>& stops, Observation& observatio
   for (const auto& [start, count] : starts) observation.clusters.push_back(count);
 }
 
-void read_stops(const StudyTable& table, const SiteFacts& site, Observation& observation) {
+void read_stops(const DeclaredTable& table, const SiteFacts& site, Observation& observation) {
   const TomlNode& file = *table.find("stops");
-  table.text("stops");
-  const MeasuredStops measured = read_measured_stops(input_file(table, "stops", file));
+  const MeasuredStops measured = read_measured_stops(*table.value<std::filesystem::path>("stops"));
   observation.table = measured.file;
   observation.sha256 = measured.sha256;
   observation.figures = stop_figures(table);
@@ -116,13 +153,13 @@ void read_stops(const StudyTable& table, const SiteFacts& site, Observation& obs
 }
 
 /// Quantities that are given as [value, standard error].
-std::vector<Figure> stated_figures(const StudyTable& table) {
+std::vector<Figure> stated_figures(const DeclaredTable& table) {
   std::vector<Figure> figures;
   for (const MeasuredQuantity& quantity : kQuantities) {
     const TomlNode* node = table.find(quantity.key);
     if (!node) continue;
     const std::vector<double> given =
-        table.numbers_of(quantity.key, "two numbers, [mean, its standard error]");
+        numbers_of(table, quantity.key, "two numbers, [mean, its standard error]");
     if (!(given[1] > 0.0)) table.refuse(quantity.key, *node, "the error must be more than 0");
     figures.push_back(
         {quantity.kind, 0.0, std::string("mean_") + quantity.key, given[0], given[1]});
@@ -132,9 +169,10 @@ std::vector<Figure> stated_figures(const StudyTable& table) {
 
 /// One impact, or the mean of several: how the blocks hit is known no better than the campaign has
 /// it, so that the scatter of as many simulated ones comes on top of the error of measuring.
-void read_impact(const StudyTable& table, Observation& observation) {
-  observation.moment = {Moment::Kind::kImpact, static_cast<double>(*table.count_of("impact"))};
-  observation.releases = table.count_of("releases").value_or(1);
+void read_impact(const DeclaredTable& table, Observation& observation) {
+  observation.moment = {Moment::Kind::kImpact,
+                        static_cast<double>(*table.value<std::uint64_t>("impact"))};
+  observation.releases = table.value<std::uint64_t>("releases").value_or(1);
   observation.figures = stated_figures(table);
   for (Figure& figure : observation.figures)
     figure.measuring_error = *std::exchange(figure.error, {});
@@ -144,7 +182,7 @@ void read_impact(const StudyTable& table, Observation& observation) {
 }
 
 /// The figures of trajectories at each time: places along the path, speed and spin.
-std::vector<Figure> trajectory_figures(const StudyTable& table) {
+std::vector<Figure> trajectory_figures(const DeclaredTable& table) {
   std::vector<Figure> figures;
   const auto add = [&](const std::string& name, const auto& place) {
     if (name == "speed") {
@@ -169,11 +207,10 @@ std::vector<Figure> trajectory_figures(const StudyTable& table) {
 }
 
 /// One observation at each of the times.
-std::vector<Observation> read_followed(const StudyTable& table, const SiteFacts& site,
+std::vector<Observation> read_followed(const DeclaredTable& table, const SiteFacts& site,
                                        Observation common) {
   const TomlNode& file = *table.find("trajectories");
-  table.text("trajectories");
-  common.table = input_file(table, "trajectories", file);
+  common.table = *table.value<std::filesystem::path>("trajectories");
   const ObservedTrajectories followed = read_trajectories(common.table);
   common.sha256 = followed.sha256;
   common.releases = followed.all.size();
@@ -192,10 +229,9 @@ std::vector<Observation> read_followed(const StudyTable& table, const SiteFacts&
   table.required("times_s", "a list of times since the release");
   std::vector<Observation> observations;
   for (const double time :
-       table.numbers_of("times_s", "a list of times since the release, [s, s, ...]")) {
+       numbers_of(table, "times_s", "a list of times since the release, [s, s, ...]")) {
     if (time > followed.longest()) {
-      table.refuse("times_s", *table.find("times_s"),
-                   "the longest trajectory ends before " + with_digits(time, 6));
+      table.refuse("times_s", "the longest trajectory ends before " + with_digits(time, 6));
     }
     Observation own = common;
     own.moment = {Moment::Kind::kTime, time};
@@ -217,21 +253,19 @@ std::vector<Observation> read_followed(const StudyTable& table, const SiteFacts&
   return observations;
 }
 
-void read_passages(const StudyTable& table, const SiteFacts& site, Observation& observation) {
+void read_passages(const DeclaredTable& table, const SiteFacts& site, Observation& observation) {
   observation.barrier = *table.text("barrier");
   if (std::find(site.barriers.begin(), site.barriers.end(), observation.barrier) ==
       site.barriers.end()) {
-    table.refuse("barrier", *table.find("barrier"),
-                 "the campaign of site " + site.name + " has no such barrier");
+    table.refuse("barrier", "the campaign of site " + site.name + " has no such barrier");
   }
-  const std::optional<std::uint64_t> releases = table.count_of("releases");
-  const std::optional<std::uint64_t> passed = table.count_of("passed");
+  const std::optional<std::uint64_t> releases = table.value<std::uint64_t>("releases");
+  const std::optional<std::uint64_t> passed = table.value<std::uint64_t>("passed");
   if (passed && !releases) {
-    table.refuse("passed", *table.find("passed"), "needs releases, how many blocks were released");
+    table.refuse("passed", "needs releases, how many blocks were released");
   }
   if (passed && *passed > *releases) {
-    table.refuse("passed", *table.find("passed"),
-                 "is more than the " + std::to_string(*releases) + " releases");
+    table.refuse("passed", "is more than the " + std::to_string(*releases) + " releases");
   }
   observation.releases = releases.value_or(0);
   if (passed) {
@@ -249,7 +283,7 @@ void read_passages(const StudyTable& table, const SiteFacts& site, Observation& 
   }
 }
 
-std::size_t site_of(const StudyTable& table, const std::vector<CalibrationSite>& sites) {
+std::size_t site_of(const DeclaredTable& table, const std::vector<CalibrationSite>& sites) {
   const std::optional<std::string> name = table.text("site");
   if (!name && sites.size() == 1) return 0;
   const TomlNode& node = table.required("site", "the name of a [[site]]");
@@ -259,30 +293,22 @@ std::size_t site_of(const StudyTable& table, const std::vector<CalibrationSite>&
   table.refuse("site", node, "there is no [[site]] of this name");
 }
 
-void check_release(const StudyTable& table, const SiteFacts& site, const std::string& release) {
+void check_release(const DeclaredTable& table, const SiteFacts& site, const std::string& release) {
   if (release.empty() ||
       std::find(site.releases.begin(), site.releases.end(), release) != site.releases.end()) {
     return;
   }
-  table.refuse("release", *table.find("release"),
-               "the campaign of site " + site.name + " has no [[release]] of this name");
+  table.refuse("release", "the campaign of site " + site.name + " has no [[release]] of this name");
 }
 
-std::vector<Observation> read_observation(const StudyTable& table,
+std::vector<Observation> read_observation(const DeclaredTable& table,
                                           const std::vector<CalibrationSite>& sites) {
   Observation observation;
-  table.required("name", "a text in quotes");
-  observation.name = *table.text("name");
-  table.required("use", "\"fit\", or \"keep\" to judge the prediction by");
-  observation.fitted = table.choice_of("use") == "fit";
+  observation_keys().read(table, observation);
   observation.site = site_of(table, sites);
-  observation.shape = table.choice_of("shape").value_or("");
-  observation.block = table.text("block").value_or("");
   const SiteFacts site = path_of(sites[observation.site]);
-  observation.release = table.text("release").value_or("");
   check_release(table, site, observation.release);
-  const std::string source = table.source(
-      "needs stops or trajectories, a table of them, barrier, a name, or impact, a number");
+  const std::string source = source_of(table);
   if (source == "trajectories") return read_followed(table, site, std::move(observation));
   if (source == "stops") read_stops(table, site, observation);
   if (source == "barrier") read_passages(table, site, observation);
@@ -309,6 +335,54 @@ bool share_blocks(const Observation& a, const Observation& b) {
 
 }  // namespace
 
+const BoundTable<Observation>& observation_keys() {
+  const auto measured = [](const NumberRange& range) { return list(number(range), 2, 2); };
+  const ValueForm figure = fitting("^(mean|std|aside|speed|spin|p[0-9.+].*)$");
+  using Names = std::vector<std::string>;
+  const Names stops = {"stops"}, places = {"stops", "trajectories"}, barrier = {"barrier"},
+              moving = {"barrier", "impact"}, impact = {"impact"}, followed = {"trajectories"};
+  static const BoundTable<Observation> keys(
+      {"observation",
+       "What was observed of blocks of a site",
+       KeyTable::Repeat::kEither,
+       {},
+       true,
+       {"stops", "barrier", "impact", "trajectories"}},
+      {{"name", "", "of the observation", required("a text in quotes", text()), &Observation::name},
+       {"site", "", "name of a site, where there are several", text()},
+       {"use", "", "fitted, or kept to judge the prediction by",
+        required("\"fit\", or \"keep\" to judge the prediction by", words({"fit", "keep"})),
+        &is_fitted, &Observation::fitted},
+       {"shape", "", "of these blocks only", words({"compact", "elongated"}), &Observation::shape},
+       {"block", "", "id of the only block that it is of", text(), &Observation::block},
+       {"stops", "", "a table of stops", text()},
+       TableKey{"figures", "",
+                "of places: mean, std, aside, p1 to p99; of trajectories also speed and spin",
+                one_or_more(figure), places},
+       TableKey{"beyond_m", "m", "places along downslope: the share of the stops beyond each",
+                list(number(kMapCoordinate), 1, 20), stops},
+       {"barrier", "", "name of a barrier of the campaign", text()},
+       TableKey{"releases", "",
+                "blocks that were released, or impacts that the values are the mean of",
+                count(1, kMostPerSet), moving},
+       TableKey{"passed", "", "of the releases, how many passed", count(0, kMostPerSet), barrier},
+       TableKey{"speed_m_s", "m/s", "[value, standard error]", measured({0.0, kMostSpeed, "m/s"}),
+                moving},
+       TableKey{"spin_rad_s", "rad/s", "[value, standard error]",
+                measured({0.0, kMostSpin, "rad/s"}), moving},
+       TableKey{"height_m", "m", "of the centre above the ground, [value, standard error]",
+                measured({-1e4, 1e4, "m"}), barrier},
+       TableKey{"energy_j", "J", "translational and rotational, [value, standard error]",
+                measured({0.0, 1e15, "J"}), moving},
+       {"release", "", "name of the only [[release]] that it is of", text(), &Observation::release},
+       {"impact", "", "number of an impact of each run, from 1", count(1, 1000)},
+       TableKey{"depth_m", "m", "of the scar, [value, standard error]", measured({0.0, 1e3, "m"}),
+                impact},
+       {"trajectories", "", "a table of trajectories", text()},
+       TableKey{"times_s", "s", "since the release", list(number(kRunTime), 1, 100), followed}});
+  return keys;
+}
+
 SiteFacts path_of(const CalibrationSite& site) {
   SiteFacts facts;
   facts.name = site.name;
@@ -332,15 +406,12 @@ SiteFacts path_of(const CalibrationSite& site) {
 std::vector<Observation> read_observations(const TomlTable& top,
                                            const std::vector<CalibrationSite>& sites) {
   std::vector<Observation> observations;
-  for (const TomlNode* node : tables_of(top, "observation")) {
-    const StudyTable table(*node, top.file(), "observation");
+  for (const DeclaredTable& table : tables_of(top, observation_keys())) {
     for (Observation& observation : read_observation(table, sites)) {
+      check_new_name(table, observation.name, observations, "observation");
       for (const Observation& other : observations) {
-        if (other.name == observation.name) {
-          table.refuse("name", *table.find("name"), "another observation has this name");
-        }
         if (other.fitted != observation.fitted && share_blocks(other, observation)) {
-          table.refuse("use", *table.find("use"),
+          table.refuse("use",
                        "observation " + other.name +
                            " is of the same blocks; what is fitted can't be kept to judge by");
         }

@@ -4,11 +4,15 @@
 
 #include "core/files/toml_reader.hpp"
 #include "study/calibrate/calibration_study.hpp"
+#include "study/campaign/bound_table.hpp"
 
 namespace clast::study_detail {
 
 /// What observations need to know of a site before its campaign is prepared: all but its blocks.
 SiteFacts path_of(const CalibrationSite& site);
+
+/// The keys of [[observation]].
+const BoundTable<Observation>& observation_keys();
 
 /// The tables [[observation]], with the figures of the stops that they name.
 /// @throws InputError  as `read_calibration_study`

@@ -91,7 +91,7 @@ class MomentObserver {
   std::vector<OutcomeAt> outcomes_;
 };
 
-ReleaseOutcome outcome_of(const StoredRun& run, const PreparedCampaign& prepared) {
+ReleaseOutcome outcome_of(const StoredRun& run, const CampaignPlan& prepared) {
   const MapFrame& frame = prepared.header.frame;
   ReleaseOutcome outcome;
   outcome.block = run.record.block;
@@ -117,7 +117,7 @@ ReleaseOutcome outcome_of(const StoredRun& run, const PreparedCampaign& prepared
 }  // namespace
 
 struct SiteSimulator::Impl {
-  explicit Impl(PreparedCampaign plan) : prepared(std::move(plan)) {}
+  explicit Impl(CampaignPlan plan) : prepared(std::move(plan)) {}
 
   std::string name;
   std::vector<Unknown> unknowns;
@@ -125,7 +125,7 @@ struct SiteSimulator::Impl {
   bool starts_vary = false;
   /// Blocks are drawn for each member; outcomes name those that they are drawn from.
   bool blocks_vary = false;
-  PreparedCampaign prepared;
+  CampaignPlan prepared;
   std::vector<RunRecord> planned;  ///< all runs of the campaign, at the middle of the ranges
   SiteFacts facts;
   std::vector<std::string> inputs;
@@ -226,7 +226,7 @@ std::vector<ReleaseOutcome> SiteSimulator::simulate(std::uint32_t member,
                                                     const std::vector<double>& values,
                                                     unsigned threads) {
   Impl& own = *impl_;
-  PreparedCampaign& prepared = own.prepared;
+  CampaignPlan& prepared = own.prepared;
   const std::string who = "site " + own.name + ", member " + std::to_string(member + 1) + ": ";
   try {
     for (std::size_t i = 0; i < own.unknowns.size(); ++i) {

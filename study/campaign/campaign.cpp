@@ -14,111 +14,161 @@
 
 namespace clast {
 
-using namespace study_detail;
-namespace {
-
 namespace fs = std::filesystem;
 
-std::optional<ZoneFile> named_zone_file(const TomlTable& table, const TomlNode& node,
-                                        const std::vector<std::string>& zones) {
-  try {
-    return zone_file(zones);
-  } catch (const InputError& error) {
-    table.refuse("zones", node, error.what());
+namespace study_detail {
+
+namespace {
+
+/// A name per surface file, the file of zones, or rules.
+/// @param campaign  with its surface files
+void read_zone_names(const DeclaredTable& table, Campaign& campaign) {
+  TerrainOptions& terrain = campaign.terrain;
+  table.read("zones", terrain.zones);
+  if (std::optional<ZoneFile> file =
+          table.checked("zones", [&] { return zone_file(terrain.zones); })) {
+    file->path = input_file(table, "zones", element(*table.find("zones"), 0), file->path.string());
+    terrain.zones = file->zones();
+  } else if (terrain.zones.size() != terrain.surface.size() && !are_zone_rules(terrain.zones)) {
+    table.refuse("zones",
+                 "must name one zone per surface file (" + std::to_string(terrain.surface.size()) +
+                     "), or one zone raster or GeoJSON file, or rules by slope and height");
   }
 }
 
-/// How the surface files are gridded, checked and repaired.
-void read_terrain_checks(const TomlTable& table, Campaign& campaign) {
-  TerrainOptions& terrain = campaign.terrain;
-  if (const auto columns = table.texts("columns")) terrain.columns = *columns;
-  terrain.resolution = table.number("resolution_m", kCellSize);
-  terrain.percentile = table.number("percentile", kPercentile);
-  terrain.outliers = table.number("outliers_m", kOutlierDistance);
-  terrain.fill = table.number("fill_m", kHoleWidth);
-  terrain.crack = table.number("crack_m", kCrackWidth).value_or(terrain.crack);
-  terrain.spike_steepness =
-      table.number("spike_steepness", kSpikeSteepness).value_or(terrain.spike_steepness);
-  terrain.smoothing = static_cast<int>(table.count("smoothing", 0, kMostSmoothing).value_or(0));
-  terrain.tolerance = table.number("tolerance_m", kSurfaceTolerance);
-  if (const TomlNode* lines = table.find("breaklines")) {
-    const std::size_t count = table.texts("breaklines")->size();
-    for (std::size_t i = 0; i < count; ++i) {
-      terrain.breaklines.push_back(input_file(table, "breaklines", element(*lines, i)));
-    }
-  }
-  terrain.cut_zones = table.boolean("cut_zones").value_or(false);
-  campaign.border_distance = table.number("border_distance_m", kBorderDistance);
+}  // namespace
+
+const BoundTable<Campaign>& terrain_keys() {
+  using Options = TerrainOptions;
+  constexpr auto kTerrain = &Campaign::terrain;
+  static const BoundTable<Campaign> keys(
+      {.name = "terrain", .meaning = "The surface that blocks move on", .required = true},
+      {{"surface", "", "TIN, raster, cloud or terrain file; or a list of files",
+        required("a file or a list of files", texts()), kTerrain, &Options::surface},
+       {"zones", "", "a name per mesh, one zone file, or rules by slope and height", texts(),
+        &read_zone_names},
+       {"up", "", "axis that points up in surface, point and quaternion files",
+        words({"z", "y", "auto"}), kTerrain, &Options::up},
+       {"columns", "", "names or numbers of the columns x, y, z of a cloud in text", texts(),
+        kTerrain, &Options::columns},
+       {"radius_m", "m", "raises the surface of the ground", number(kGroundRadius),
+        &Campaign::terrain_radius},
+       {"resolution_m", "m", "cell size of clouds and resampled rasters", number(kCellSize),
+        kTerrain, &Options::resolution},
+       {"percentile", "", "height of a cloud's cell: percentile of its points", number(kPercentile),
+        kTerrain, &Options::percentile},
+       {"outliers_m", "m", "points of a cloud farther from the ground around are left out",
+        number(kOutlierDistance), kTerrain, &Options::outliers},
+       {"fill_m", "m", "holes up to this width are filled", number(kHoleWidth), kTerrain,
+        &Options::fill},
+       {"crack_m", "m", "cracks between tiles up to this width are closed", number(kCrackWidth),
+        kTerrain, &Options::crack},
+       {"spike_steepness", "",
+        "vertices that protrude by more, over the distance to their neighbours, are levelled",
+        number(kSpikeSteepness), kTerrain, &Options::spike_steepness},
+       {"smoothing", "", "rounds of smoothing", count(0, kMostSmoothing), kTerrain,
+        &Options::smoothing},
+       {"tolerance_m", "m", "vertices are removed where the surface stays within this height",
+        number(kSurfaceTolerance), kTerrain, &Options::tolerance},
+       {"breaklines", "", "files with lines that become edges of the surface", texts(), kTerrain,
+        &Options::breaklines},
+       {"cut_zones", "", "cut the borders of zone polygons into the triangles", flag(), kTerrain,
+        &Options::cut_zones},
+       {"border_distance_m", "m", "release points nearer to the border give a warning",
+        number(kBorderDistance), &Campaign::border_distance}});
+  return keys;
 }
+
+const BoundTable<Campaign>& contact_keys() {
+  using Options = StiffnessOptions;
+  constexpr auto kStiffnesses = &Campaign::stiffness;
+  static const BoundTable<Campaign> keys(
+      {.name = "contact", .meaning = "Law of contacts, their stiffness, and the time step"},
+      {{"law", "", "of the normal force", words(contact_law_names()), &contact_law, kStiffnesses,
+        &Options::law},
+       {"weights", "", "how contact points share the stiffness",
+        words({"patch", "overlap", "count", "none"}), &contact_weights, &Campaign::weights},
+       {"stiffness", "", "what each block, ground and start require", words({"auto"})},
+       {"stiffness_n_m", "N/m", "normal stiffness k_n", number(kStiffness), kStiffnesses,
+        &Options::normal},
+       {"tangential_stiffness_n_m", "N/m", "tangential stiffness k_t", number(kStiffness),
+        kStiffnesses, &Options::tangential},
+       {"rolling_stiffness_n_m_rad", "N m/rad",
+        "rolling stiffness k_r on zones without rolling_length_m", number(kRollingStiffness),
+        kStiffnesses, &Options::rolling},
+       {"time_step_s", "s", "time step, kept throughout", number({1e-9, 1.0}), kStiffnesses,
+        &Options::time_step},
+       {"blocks", "", "what two blocks do to each other, where they stay",
+        table(between_blocks_keys().keys)}});
+  return keys;
+}
+
+const BoundTable<Barrier>& barrier_keys() {
+  static const ValueForm plan = list(number(kMapCoordinate), 2, 2);
+  static const BoundTable<Barrier> keys(
+      {"barrier", "A line at which passing blocks are recorded", KeyTable::Repeat::kMany},
+      {{"name", "", "of the barrier", required("a text in quotes", text()), &Barrier::name},
+       {"from", "m", "first end, [x, y]", plan},
+       {"to", "m", "second end, [x, y]", plan},
+       {"through", "m", "instead of from and to: all points of a line or ring", list(plan, 2)},
+       {"direction", "", "which crossings count", words({"either", "forward"})}});
+  return keys;
+}
+
+const BoundTable<Campaign>& run_keys() {
+  static const BoundTable<Campaign> keys(
+      {.name = "run", .meaning = "When a run ends, and what is stored"},
+      {{"max_time_s", "s", "longest time of a run", number(kRunTime), &Campaign::max_time},
+       {"rest_energy_j_kg", "J/kg", "a block rests below this kinetic energy per mass ...",
+        number({1e-12, 1e3}), &Campaign::rest_energy},
+       {"rest_duration_s", "s", "... for this time", number({1e-6, 1e4}), &Campaign::rest_duration},
+       {"gravity_m_s2", "m/s^2", "gravity, downwards", number({1e-2, 1e3}), &Campaign::gravity},
+       {"downslope", "", "direction [dx, dy] of runout", list(number({-1e6, 1e6}), 2, 2),
+        &Campaign::downslope},
+       // As short as a time step, so that no more can be seen, while storage goes with its inverse.
+       {"trajectory_interval_s", "s", "between stored states",
+        number({1e-4, 1e5, "s", "none is stored"}), &Campaign::trajectory_interval}});
+  return keys;
+}
+
+namespace {
 
 void read_terrain_table(const TomlTable& top, Campaign& campaign) {
-  const TomlTable table = required_table(top, "terrain");
-  const TomlNode& surface = table.required("surface", "a file or a list of files");
-  const std::vector<std::string> files = *table.texts("surface");
-  for (std::size_t i = 0; i < files.size(); ++i) {
-    campaign.terrain.surface.push_back(input_file(table, "surface", element(surface, i)));
-  }
-  if (const std::optional<std::vector<std::string>> zones = table.texts("zones")) {
-    const TomlNode& node = *table.find("zones");
-    campaign.terrain.zones = *zones;
-    if (std::optional<ZoneFile> file = named_zone_file(table, node, *zones)) {
-      file->path = input_file(table, "zones", element(node, 0), file->path.string());
-      campaign.terrain.zones = file->zones();
-    } else if (zones->size() != files.size() && !are_zone_rules(*zones)) {
-      table.refuse("zones", node,
-                   "must name one zone per surface file (" + std::to_string(files.size()) +
-                       "), or one zone raster or GeoJSON file, or rules by slope and height");
-    }
-  }
-  campaign.terrain.up = campaign_choice(table, "terrain", "up").value_or("auto");
-  read_terrain_checks(table, campaign);
-  campaign.terrain_radius = table.number("radius_m", kGroundRadius).value_or(0.0);
+  terrain_keys().read(required_table(top, terrain_keys()), campaign);
 }
 
 void read_contact(const TomlTable& top, Campaign& campaign) {
-  const TomlNode* node = top.find("contact");
-  if (!node) return;
-  const TomlTable table(*node, top.file(), "[contact]", campaign_keys("contact"));
-  const std::optional<std::string> law = campaign_choice(table, "contact", "law");
-  if (const auto weights = campaign_choice(table, "contact", "weights")) {
-    campaign.weights = contact_weights(*weights);
-  }
-  const TomlNode* automatic = table.find("stiffness");
-  if (automatic && (automatic->kind != TomlNode::Kind::kString || automatic->text != "auto")) {
-    table.refuse("stiffness", *automatic, "must be \"auto\"; a value is written stiffness_n_m");
-  }
-  campaign.stiffness = {.normal = table.number("stiffness_n_m", kStiffness),
-                        .tangential = table.number("tangential_stiffness_n_m", kStiffness),
-                        .rolling = table.number("rolling_stiffness_n_m_rad", kRollingStiffness),
-                        .time_step = table.number("time_step_s", kTimeStep),
-                        .law = law ? contact_law(*law) : ContactLaw()};
-  if (automatic && campaign.stiffness.normal) {
-    table.refuse("stiffness_n_m", *table.find("stiffness_n_m"),
-                 "contradicts stiffness = \"auto\"; keep one of the two");
+  for (const DeclaredTable& table : tables_of(top, contact_keys())) {
+    contact_keys().read(table, campaign);
+    const TomlNode* automatic = table.find("stiffness");
+    if (automatic && (automatic->kind != TomlNode::Kind::kString || automatic->text != "auto")) {
+      table.refuse("stiffness", *automatic, "must be \"auto\"; a value is written stiffness_n_m");
+    }
+    if (automatic && campaign.stiffness.normal) {
+      table.refuse("stiffness_n_m", "contradicts stiffness = \"auto\"; keep one of the two");
+    }
   }
 }
 
 /// `from` and `to`, or all points of a line as `through`.
-std::vector<Vec2> read_barrier_line(const TomlTable& table) {
-  const std::string expected = "a list of two points or more, [[x, y], [x, y], ...]";
+std::vector<Vec2> read_barrier_line(const DeclaredTable& table, const std::string& name) {
   const TomlNode* line = table.find("through");
   if (!line) {
     table.required("from", "two numbers, [x, y]");
     table.required("to", "two numbers, [x, y]");
-    const std::vector<Vec2> ends = {*table.vec2("from", kMapCoordinate),
-                                    *table.vec2("to", kMapCoordinate)};
+    const std::vector<Vec2> ends = {*table.value<Vec2>("from"), *table.value<Vec2>("to")};
     if (!((ends[1] - ends[0]).norm() > 0.0)) {
-      table.refuse("to", *table.find("to"), "must differ from from");
+      table.refuse("to", "must differ from from");
     }
     return ends;
   }
   for (const char* end : {"from", "to"}) {
     if (table.find(end)) {
-      table.refuse(end, *table.find(end), "contradicts through, which has all points of the line");
+      table.refuse(end, "contradicts through, which has all points of the line");
     }
   }
   if (line->kind != TomlNode::Kind::kList || line->list.size() < 2) {
-    table.refuse("through", *line, "must be " + expected);
+    table.refuse("through", *line, "must be a list of two points or more, [[x, y], [x, y], ...]");
   }
   std::vector<Vec2> points;
   for (const TomlNode& point : line->list) {
@@ -129,77 +179,39 @@ std::vector<Vec2> read_barrier_line(const TomlTable& table) {
       table.refuse("through", point, "two points after each other must differ");
     }
   }
-  try {
-    check_barrier_line(points);
-  } catch (const InputError& error) {
-    table.refuse("through", *line, "barrier " + *table.text("name") + ": " + error.what());
-  }
+  table.checked(
+      "through", [&] { check_barrier_line(points); }, "barrier " + name + ": ");
   return points;
 }
 
 std::vector<Barrier> read_campaign_barriers(const TomlTable& top) {
   std::vector<Barrier> barriers;
-  const TomlNode* all = top.find("barrier");
-  if (!all) return barriers;
-  if (all->kind != TomlNode::Kind::kList) {
-    top.refuse("barrier", *all, "each barrier is a table [[barrier]]");
-  }
-  for (const TomlNode& node : all->list) {
-    const TomlTable table(node, top.file(), "[[barrier]]", campaign_keys("barrier"));
-    table.required("name", "a text in quotes");
-    Barrier barrier{*table.text("name"), read_barrier_line(table)};
+  for (const DeclaredTable& table : tables_of(top, barrier_keys())) {
+    Barrier barrier;
+    barrier_keys().read(table, barrier);
+    barrier.through = read_barrier_line(table, barrier.name);
     if (const std::optional<std::string> direction = table.text("direction")) {
-      const TomlNode& given = *table.find("direction");
       if (is_ring(barrier.through)) {
-        table.refuse("direction", given, "is not for a ring, whose entries and exits both count");
+        table.refuse("direction", "is not for a ring, whose entries and exits both count");
       }
-      try {
-        barrier.counted = counted_crossings(*direction);
-      } catch (const InputError& error) {
-        table.refuse("direction", given, error.what());
-      }
+      barrier.counted = table.checked("direction", [&] { return counted_crossings(*direction); });
     }
-    for (const Barrier& other : barriers) {
-      if (other.name == barrier.name) {
-        table.refuse("name", *table.find("name"), "another barrier has this name");
-      }
-    }
+    check_new_name(table, barrier.name, barriers, "barrier");
     barriers.push_back(barrier);
   }
   return barriers;
 }
 
 void read_run(const TomlTable& top, Campaign& campaign) {
-  const TomlNode* node = top.find("run");
-  if (!node) return;
-  const TomlTable table(*node, top.file(), "[run]", campaign_keys("run"));
-  campaign.max_time = table.number("max_time_s", kRunTime).value_or(campaign.max_time);
-  campaign.rest_energy =
-      table.number("rest_energy_j_kg", kRestEnergy).value_or(campaign.rest_energy);
-  campaign.rest_duration =
-      table.number("rest_duration_s", kRestDuration).value_or(campaign.rest_duration);
-  campaign.gravity = table.number("gravity_m_s2", kGravity).value_or(campaign.gravity);
-  campaign.trajectory_interval = table.number("trajectory_interval_s", kTrajectoryInterval)
-                                     .value_or(campaign.trajectory_interval);
-  campaign.downslope = table.vec2("downslope", kDirectionComponent);
-  if (campaign.downslope && !kDirectionLength.holds(campaign.downslope->norm())) {
-    table.refuse("downslope", *table.find("downslope"),
-                 "must point somewhere, with a length " + kDirectionLength.words());
+  for (const DeclaredTable& table : tables_of(top, run_keys())) {
+    run_keys().read(table, campaign);
+    if (campaign.downslope && !kDirectionLength.holds(campaign.downslope->norm())) {
+      table.refuse("downslope", "must point somewhere, with a length " + kDirectionLength.words());
+    }
   }
-}
-
-/// Those at the top of the file.
-std::vector<std::string> campaign_table_names() {
-  std::vector<std::string> names;
-  for (const KeyTable& table : campaign_tables()) {
-    if (table.name.find('.') == std::string::npos) names.push_back(table.name);
-  }
-  return names;
 }
 
 }  // namespace
-
-namespace study_detail {
 
 Campaign read_by_parts(const fs::path& file, const std::optional<std::string>& text,
                        const PartReader& read) {
@@ -212,11 +224,7 @@ Campaign read_by_parts(const fs::path& file, const std::optional<std::string>& t
     root = parse_toml(campaign.text, file.string());
   });
   if (!is_toml) return campaign;
-  read([&] { TomlTable(root, file.string(), "", campaign_table_names()); });
-  std::vector<std::string> tables = campaign_table_names();
-  for (const auto& [name, table] : root.table) tables.push_back(name);
-  const TomlTable top(root, file.string(), "", tables);
-
+  const TomlTable top = top_table(root, file, campaign_tables(), read);
   const bool blocks = read([&] { campaign.blocks = read_blocks(top); });
   const bool terrain = read([&] {
     Campaign with_terrain = campaign;
@@ -243,21 +251,14 @@ Campaign read_by_parts(const fs::path& file, const std::optional<std::string>& t
 
 }  // namespace study_detail
 
-namespace {
+using namespace study_detail;
 
-Campaign read_or_parse(const fs::path& file, const std::optional<std::string>& text) {
-  return read_by_parts(file, text, [](const std::function<void()>& part) {
-    part();
-    return true;
-  });
+Campaign read_campaign(const fs::path& file) {
+  return read_by_parts(file, std::nullopt, read_at_once);
 }
 
-}  // namespace
-
-Campaign read_campaign(const fs::path& file) { return read_or_parse(file, std::nullopt); }
-
 Campaign parse_campaign(const std::string& text, const fs::path& file) {
-  return read_or_parse(file, text);
+  return read_by_parts(file, text, read_at_once);
 }
 
 double StayPlan::last_release() const {

@@ -20,7 +20,6 @@ inline constexpr NumberRange kSoilDensity{50.0, 5000.0, "kg/m^3"};
 inline constexpr NumberRange kSoilMemory{0.01, 10.0, "m"};
 
 // [blocks] draw, and laws of uncertain numbers
-inline constexpr NumberRange kDrawnVolume{1e-9, 1e9, "m^3"};
 inline constexpr NumberRange kClassShare{1e-6, 1.0, "", ""};
 /// Of the natural logarithm: at 5 every third draw is 150 times more or less than the median.
 inline constexpr NumberRange kLogSigma{1e-9, 5.0};
@@ -28,27 +27,13 @@ inline constexpr NumberRange kLogSigma{1e-9, 5.0};
 // [release]
 inline constexpr NumberRange kDropHeight{1e-6, 1e4, "m", "on the ground"};
 
-// [mass]
-inline constexpr NumberRange kThickness{1e-3, 1e3, "m"};
-inline constexpr NumberRange kSettleTime{1e-2, 1e4, "s"};
-inline constexpr NumberRange kFaceInterval{1e-3, 1e4, "s"};
-inline constexpr NumberRange kMassShare{1e-6, 1.0};
-inline constexpr NumberRange kReleaseTime{1e-6, 1e5, "s", "at the first release"};
-
 // [contact]
 inline constexpr NumberRange kStiffness{1e-3, 1e15, "N/m"};
 inline constexpr NumberRange kRollingStiffness{1e-9, 1e15, "N m/rad"};
-inline constexpr NumberRange kTimeStep{1e-9, 1.0, "s"};
 
 // [run]
 inline constexpr NumberRange kRunTime{1e-3, 1e5, "s"};
-inline constexpr NumberRange kRestEnergy{1e-12, 1e3, "J/kg"};
-inline constexpr NumberRange kRestDuration{1e-6, 1e4, "s"};
-inline constexpr NumberRange kGravity{1e-2, 1e3, "m/s^2"};
-/// As short as a time step, so that no more can be seen, while storage goes with its inverse.
-inline constexpr NumberRange kTrajectoryInterval{1e-4, 1e5, "s", "none is stored"};
-/// The vector `downslope`: its components and its length.
-inline constexpr NumberRange kDirectionComponent{-1e6, 1e6};
+/// Length of `downslope`.
 inline constexpr NumberRange kDirectionLength{1e-6, 1e6};
 
 }  // namespace clast::study_detail

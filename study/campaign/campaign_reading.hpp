@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/files/toml_reader.hpp"
+#include "study/campaign/bound_table.hpp"
 #include "study/campaign/campaign.hpp"
 
 namespace clast::study_detail {
@@ -27,50 +28,39 @@ using PartReader = std::function<bool(const std::function<void()>&)>;
 /// Runs parts, and puts what they refuse into `findings`, each refusal once.
 PartReader findings_into(std::vector<std::string>& findings);
 
+/// Reads parts so that the first refusal ends it.
+inline bool read_at_once(const std::function<void()>& part) {
+  part();
+  return true;
+}
+
+/// A whole file. Tables that are not declared are refused through `read`.
+TomlTable top_table(const TomlNode& root, const std::filesystem::path& file,
+                    const std::vector<KeyTable>& declared, const PartReader& read);
+
 /// A campaign, read part by part through `read`; a part that needs another is left out where that
 /// one was not read.
 /// @param text  what the file holds or could hold; none: it is read
 Campaign read_by_parts(const std::filesystem::path& file, const std::optional<std::string>& text,
                        const PartReader& read);
 
-/// A file named in the campaign, which must be there. Relative to the campaign file; ${CLAST_DATA}
-/// is replaced.
-/// @param text  the path, when `node` holds more than that
-std::filesystem::path input_file(const TomlTable& table, const std::string& key,
-                                 const TomlNode& node, std::string text);
-std::filesystem::path input_file(const TomlTable& table, const std::string& key,
-                                 const TomlNode& node);
-
-/// The value itself where it is no list.
-const TomlNode& element(const TomlNode& node, std::size_t index);
-
-/// One of the `campaign_words` of a table of the campaign.
-std::optional<std::string> campaign_choice(const TomlTable& table, const std::string& name,
-                                           const std::string& key);
-/// One of a few words.
-std::optional<std::string> choice(const TomlTable& table, const std::string& key,
-                                  const std::vector<std::string>& words);
-
-/// A table with its `campaign_keys`.
-TomlTable required_table(const TomlTable& top, const std::string& name);
-
-/// The nodes of an array of tables [[name]], or of one table [name]; none when it is absent.
-std::vector<const TomlNode*> tables_of(const TomlTable& top, const std::string& name);
-
-/// A number, `{ uniform = [low, high] }`, `{ normal = [mean, std] }` or
-/// `{ log_normal = [median, sigma] }`, where sigma is the standard deviation of the natural
-/// logarithm.
-/// None when the key is absent.
-/// @param range  for the number, both bounds, or mean and median
-/// @throws InputError  anything else; file, line, key and value
-std::optional<Uncertain> read_uncertain(const TomlTable& table, const std::string& key,
-                                        const NumberRange& range);
+// Its tables, in the order of docs/formats.md.
+const BoundTable<BlockSelection>& blocks_keys();
+const BoundTable<SeriesRequest>& vary_keys();
+const BoundTable<BlockGroup>& block_group_keys();
+const BoundTable<Campaign>& terrain_keys();
+const BoundTable<GroundTable>& ground_keys();
+const BoundTable<Ensemble>& ensemble_keys();
+const BoundTable<ReleasePlan>& release_keys();
+const BoundTable<MassPlan>& mass_keys();
+const BoundTable<Campaign>& contact_keys();
+const BoundTable<GroundParameters>& between_blocks_keys();
+const BoundTable<Barrier>& barrier_keys();
+const BoundTable<Campaign>& run_keys();
 
 BlockSelection read_blocks(const TomlTable& top);
-/// `vary` of [blocks], without library and blocks; none where it is absent.
-std::optional<SeriesRequest> read_vary(const TomlTable& blocks);
-/// A message of a library that names its fields between backticks: keys have the same names here.
-std::string in_words_of_campaign(std::string message);
+/// `vary` of [blocks], without library and blocks.
+SeriesRequest read_vary(const DeclaredTable& blocks);
 std::map<std::string, GroundTable> read_ground(const TomlTable& top);
 /// @param campaign  with its ground
 std::vector<BlockGroup> read_block_groups(const TomlTable& top, const Campaign& campaign);
@@ -79,12 +69,8 @@ Ensemble read_ensemble(const TomlTable& top, const Campaign& campaign);
 /// Can all releases have the starts that members take from a posterior?
 /// @param campaign  with its ensemble, releases and what stays
 void check_posterior_starts(const TomlTable& top, const Campaign& campaign);
-/// Corners in the plan; heights are left out.
-/// @throws InputError  fewer than three, or no points
-std::vector<Vec2> read_polygon(const TomlTable& table, const std::string& key,
-                               const TomlNode& node);
 /// How often blocks that stay are released: of [release] or the first [[mass]].
-std::uint32_t read_realisations(const TomlTable& table);
+std::uint32_t read_realisations(const DeclaredTable& table);
 /// [contact.blocks].
 /// @param who  needs it, for the message
 GroundParameters read_between_blocks(const TomlTable& top, const std::string& who);

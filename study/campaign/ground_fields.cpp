@@ -41,4 +41,8 @@ std::span<const GroundField> ground_fields() {
   return kFields;
 }
 
+std::string GroundField::explanation() const {
+  return (of_soil ? "experimental, unmeasured: " : "") + std::string(words) + ": " + meaning;
+}
+
 }  // namespace clast

@@ -2,6 +2,7 @@
 /// The ground parameters, each declared once: campaign files, results files, tables and pages have
 /// them from here.
 #include <span>
+#include <string>
 
 #include "core/number_range.hpp"
 #include "study/campaign/campaign.hpp"
@@ -22,6 +23,9 @@ struct GroundField {
   bool of_soil;
   double GroundParameters::*value;
   std::optional<Uncertain> GroundTable::*asked;
+
+  /// What an editor says of the key.
+  std::string explanation() const;
 };
 
 /// In the order of the columns; those of the soil last.

@@ -6,15 +6,24 @@
 
 namespace clast::study_detail {
 
-Forms uncertain(const NumberRange& range) {
+ValueForm point() { return list(number(kMapCoordinate), 2, 3); }
+
+ValueForm with_unit(ValueForm form, const char* unit) {
+  ValueForm* leaf = &form;
+  while (!leaf->items.empty()) leaf = &leaf->items.front();
+  if (*leaf->range.unit == '\0') leaf->range.unit = unit;
+  return form;
+}
+
+ValueForm uncertain(const NumberRange& range) {
   const auto law = [](const char* name, const char* meaning, ValueForm values) {
-    return table({{name, "", meaning, {std::move(values)}, true}});
+    return table({{name, "", meaning, required("two numbers", std::move(values))}});
   };
   const ValueForm spread = number({0.0, std::max(range.high, kLogSigma.high)});
-  return {number(range), law("uniform", "[low, high]", list(number(range), 2, 2)),
-          law("normal", "[mean, standard deviation]", list(spread, 2, 2)),
-          law("log_normal", "[median, standard deviation of the natural logarithm]",
-              list(spread, 2, 2))};
+  return either({number(range), law("uniform", "[low, high]", list(number(range), 2, 2)),
+                 law("normal", "[mean, standard deviation]", list(spread, 2, 2)),
+                 law("log_normal", "[median, standard deviation of the natural logarithm]",
+                     list(spread, 2, 2))});
 }
 
 }  // namespace clast::study_detail

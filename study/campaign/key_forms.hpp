@@ -7,7 +7,6 @@
 namespace clast::study_detail {
 
 using Kind = ValueForm::Kind;
-using Forms = std::vector<ValueForm>;
 
 inline ValueForm text() { return {}; }
 inline ValueForm words(std::vector<std::string> all) { return {.words = std::move(all)}; }
@@ -29,9 +28,26 @@ inline ValueForm table(std::vector<TableKey> keys) {
 inline ValueForm named(ValueForm item) {
   return {.kind = Kind::kNamed, .items = {std::move(item)}};
 }
-/// A text, or a list of them.
-inline Forms texts() { return {text(), list(text(), 1)}; }
+inline ValueForm either(std::vector<ValueForm> forms) {
+  return {.kind = Kind::kEither, .items = std::move(forms)};
+}
+/// A value or a list of such.
+inline ValueForm one_or_more(const ValueForm& form, std::uint64_t most = INT64_MAX) {
+  return either({form, list(form, 1, most)});
+}
+inline ValueForm texts() { return one_or_more(text()); }
+/// On a map, with or without its height.
+ValueForm point();
 /// A number, or the law by which it is drawn, as `read_uncertain` takes it.
-Forms uncertain(const NumberRange& range);
+ValueForm uncertain(const NumberRange& range);
+
+/// The form of a value whose unit its key states; a range that has one keeps it.
+ValueForm with_unit(ValueForm form, const char* unit);
+/// A value that may not be missing.
+/// @param expected  what it must be, for the refusal of a table without it
+inline ValueForm required(std::string expected, ValueForm form) {
+  form.required = std::move(expected);
+  return form;
+}
 
 }  // namespace clast::study_detail

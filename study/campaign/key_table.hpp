@@ -9,20 +9,7 @@
 
 namespace clast {
 
-struct ValueForm;
-
-struct TableKey {
-  std::string name;
-  std::string unit;              ///< empty: none, or those of the parts
-  std::string meaning;           ///< a sentence's part, for who points at the key in an editor
-  std::vector<ValueForm> forms;  ///< a value has one of them
-  bool required = false;
-  std::vector<std::string> with = {};  ///< it has a meaning only beside one of these keys
-
-  /// The words that a text may be.
-  /// @throws std::out_of_range  any text will do, which is our own mistake
-  const std::vector<std::string>& words() const;
-};
+struct TableKey;
 
 /// What a value may be.
 struct ValueForm {
@@ -31,9 +18,10 @@ struct ValueForm {
     kFlag,    ///< true or false
     kCount,   ///< a whole number, `least` to `most`
     kNumber,  ///< in `range`
-    kList,    ///< `least` to `most` values, each of one of `items`
+    kList,    ///< `least` to `most` values, each of the one of `items`
     kTable,   ///< with `keys`
-    kNamed    ///< a table whose keys are names of the user's, each value of one of `items`
+    kNamed,   ///< a table whose keys are names of the user's, each value of the one of `items`
+    kEither   ///< one of `items`
   };
   Kind kind = Kind::kText;
   std::vector<std::string> words = {};
@@ -42,6 +30,21 @@ struct ValueForm {
   NumberRange range = {0.0, 0.0};
   std::vector<ValueForm> items = {};
   std::vector<TableKey> keys = {};
+  /// What a value that is missing must be, for its refusal; empty: it may be missing.
+  std::string required = {};
+
+  /// The words, range and limits that a value has in the first of its forms.
+  const ValueForm& leaf() const { return items.empty() ? *this : items.front().leaf(); }
+};
+
+struct TableKey {
+  std::string name;
+  std::string unit;     ///< empty: none, or those of the parts
+  std::string meaning;  ///< a sentence's part, for who points at the key in an editor
+  ValueForm form;
+  std::vector<std::string> with = {};  ///< it has a meaning only beside one of these keys
+
+  bool is_required() const { return !form.required.empty(); }
 };
 
 struct KeyTable {
@@ -59,11 +62,6 @@ struct KeyTable {
   std::vector<std::string> one_of = {};  ///< exactly one of these keys is there; empty: no matter
 
   std::vector<std::string> key_names() const;
-  /// @throws std::out_of_range  no such key, which is our own mistake
-  const TableKey& key(const std::string& name) const;
 };
-
-/// @throws std::out_of_range  no such table, which is our own mistake
-const KeyTable& table_named(const std::vector<KeyTable>& tables, const std::string& name);
 
 }  // namespace clast

@@ -23,7 +23,6 @@ constexpr const char* kSharePrefix = "blocks.share.";
 /// A parameter that is not of a zone or class.
 struct Settable {
   const char* name;
-  const char* unit;
   NumberRange range;
   void (*set)(Campaign& campaign, double value);
   /// Null: every campaign has it.
@@ -70,33 +69,33 @@ std::span<const Settable> settables() {
   static constexpr const char* kNormal =
       "no campaign has [blocks] draw with mass_kg = { normal = [mean, std] }";
   static constexpr std::array<Settable, 15> kSettables{
-      {{"blocks.mass_kg", "kg", kBlockMass, &set_mass<&Uncertain::first>, &has_mass<Law::kFixed>,
+      {{"blocks.mass_kg", kBlockMass, &set_mass<&Uncertain::first>, &has_mass<Law::kFixed>,
         "no campaign has [blocks] draw with a number as mass_kg"},
-       {"blocks.mass_median_kg", "kg", kBlockMass, &set_mass<&Uncertain::first>,
+       {"blocks.mass_median_kg", kBlockMass, &set_mass<&Uncertain::first>,
         &has_mass<Law::kLogNormal>, kLogNormal},
-       {"blocks.mass_sigma", "", kLogSigma, &set_mass<&Uncertain::second>,
-        &has_mass<Law::kLogNormal>, kLogNormal},
-       {"blocks.mass_mean_kg", "kg", kBlockMass, &set_mass<&Uncertain::first>,
-        &has_mass<Law::kNormal>, kNormal},
-       {"blocks.mass_std_kg", "kg", kBlockMass, &set_mass<&Uncertain::second>,
-        &has_mass<Law::kNormal>, kNormal},
-       {"contact.stiffness_n_m", "N/m", kStiffness,
+       {"blocks.mass_sigma", kLogSigma, &set_mass<&Uncertain::second>, &has_mass<Law::kLogNormal>,
+        kLogNormal},
+       {"blocks.mass_mean_kg", kBlockMass, &set_mass<&Uncertain::first>, &has_mass<Law::kNormal>,
+        kNormal},
+       {"blocks.mass_std_kg", kBlockMass, &set_mass<&Uncertain::second>, &has_mass<Law::kNormal>,
+        kNormal},
+       {"contact.stiffness_n_m", kStiffness,
         [](Campaign& campaign, double value) { campaign.stiffness.normal = value; }},
-       {"contact.tangential_stiffness_n_m", "N/m", kStiffness,
+       {"contact.tangential_stiffness_n_m", kStiffness,
         [](Campaign& campaign, double value) { campaign.stiffness.tangential = value; }},
-       {"contact.rolling_stiffness_n_m_rad", "N m/rad", kRollingStiffness,
+       {"contact.rolling_stiffness_n_m_rad", kRollingStiffness,
         [](Campaign& campaign, double value) { campaign.stiffness.rolling = value; }},
-       {"release.height_m", "m", kDropHeight,
+       {"release.height_m", kDropHeight,
         [](Campaign& campaign, double value) {
           in_releases(campaign, [&](ReleasePlan& release) { release.drop_height = value; });
         },
         &has_height, "no campaign releases blocks at a height_m"},
-       {"release.velocity_x_m_s", "m/s", kSpeed, &set_velocity<0>},
-       {"release.velocity_y_m_s", "m/s", kSpeed, &set_velocity<1>},
-       {"release.velocity_z_m_s", "m/s", kSpeed, &set_velocity<2>},
-       {"release.spin_x_rad_s", "rad/s", kSpin, &set_spin<0>},
-       {"release.spin_y_rad_s", "rad/s", kSpin, &set_spin<1>},
-       {"release.spin_z_rad_s", "rad/s", kSpin, &set_spin<2>}}};
+       {"release.velocity_x_m_s", kSpeed, &set_velocity<0>},
+       {"release.velocity_y_m_s", kSpeed, &set_velocity<1>},
+       {"release.velocity_z_m_s", kSpeed, &set_velocity<2>},
+       {"release.spin_x_rad_s", kSpin, &set_spin<0>},
+       {"release.spin_y_rad_s", kSpin, &set_spin<1>},
+       {"release.spin_z_rad_s", kSpin, &set_spin<2>}}};
   return kSettables;
 }
 
@@ -137,20 +136,20 @@ double Unknown::share_below(double value) const {
   return std::log(value / low) / std::log(high / low);
 }
 
-std::vector<std::pair<std::string, ParameterRange>> calibrated_parameters() {
-  std::vector<std::pair<std::string, ParameterRange>> all;
+std::vector<std::pair<std::string, NumberRange>> calibrated_parameters() {
+  std::vector<std::pair<std::string, NumberRange>> all;
   for (const GroundField& field : ground_fields()) {
-    all.push_back({kGround + std::string("ZONE.") + field.name, {field.unit, field.range}});
+    all.push_back({kGround + std::string("ZONE.") + field.name, field.range});
   }
-  all.push_back({kSharePrefix + std::string("CLASS"), {"", kClassShare}});
-  for (const Settable& one : settables()) all.push_back({one.name, {one.unit, one.range}});
+  all.push_back({kSharePrefix + std::string("CLASS"), kClassShare});
+  for (const Settable& one : settables()) all.push_back({one.name, one.range});
   return all;
 }
 
-ParameterRange parameter_range(const std::string& parameter) {
-  if (const Settable* found = settable(parameter)) return {found->unit, found->range};
-  if (const GroundField* field = zone_field(parameter).field) return {field->unit, field->range};
-  if (!share_class(parameter).empty()) return {"", kClassShare};
+NumberRange parameter_range(const std::string& parameter) {
+  if (const Settable* found = settable(parameter)) return found->range;
+  if (const GroundField* field = zone_field(parameter).field) return field->range;
+  if (!share_class(parameter).empty()) return kClassShare;
   std::vector<std::string> names;
   if (parameter.starts_with(kSharePrefix)) {
     for (const std::string& scheme : kSelectingSchemes) {

@@ -24,16 +24,11 @@ struct Unknown {
   double share_below(double value) const;
 };
 
-/// The unit of a parameter, "" of a pure number, and the range that campaigns allow.
-struct ParameterRange {
-  std::string unit;
-  NumberRange allowed;
-};
-/// All that can be calibrated, by name; "ZONE" stands for that of a ground zone, "CLASS" for a
-/// shape class.
-std::vector<std::pair<std::string, ParameterRange>> calibrated_parameters();
+/// All that can be calibrated, by name, with the range that campaigns allow; "ZONE" stands for the
+/// name of a ground zone, "CLASS" for that of a shape class.
+std::vector<std::pair<std::string, NumberRange>> calibrated_parameters();
 /// @throws InputError  no parameter that can be calibrated; lists those that can
-ParameterRange parameter_range(const std::string& parameter);
+NumberRange parameter_range(const std::string& parameter);
 
 /// Does the campaign have this parameter: the zone, a contact, a start with a height, blocks that
 /// are drawn by such a law or class?

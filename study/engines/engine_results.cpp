@@ -57,7 +57,7 @@ SceneCampaign read_scene_campaign(const EngineResultsOptions& options) {
 }
 
 /// The campaign of the scenes, with the inputs that it had.
-PreparedCampaign prepare(const EngineResultsOptions& options) {
+CampaignPlan prepare(const EngineResultsOptions& options) {
   const SceneCampaign scene = read_scene_campaign(options);
   const fs::path kept = options.scenes / kSceneCampaign;
   const fs::path text_file = options.campaign.value_or(kept);
@@ -72,7 +72,7 @@ PreparedCampaign prepare(const EngineResultsOptions& options) {
                      ": the campaign of the scenes was there, and its folder is not; name the file "
                      "with `campaign`");
   }
-  PreparedCampaign prepared = prepare_campaign(parse_campaign(text, file));
+  CampaignPlan prepared = prepare_campaign(parse_campaign(text, file));
   std::vector<std::string> inputs;
   for (const std::string& input : prepared.header.inputs) inputs.push_back(last_word(input));
   if (inputs != scene.inputs) {
@@ -86,7 +86,7 @@ PreparedCampaign prepare(const EngineResultsOptions& options) {
 /// Reads the runs of scenes one by one, and keeps what is to be said of them.
 class RockableReader {
  public:
-  RockableReader(const PreparedCampaign& prepared, fs::path folder)
+  RockableReader(const CampaignPlan& prepared, fs::path folder)
       : prepared_(prepared), folder_(std::move(folder)), set_(scene_set(prepared)) {
     for (const SceneZone& zone : set_.zones) driven_ += zone.surface.triangles.empty() ? 0 : 1;
   }
@@ -266,7 +266,7 @@ class RockableReader {
     run.stays = {stay};
   }
 
-  const PreparedCampaign& prepared_;
+  const CampaignPlan& prepared_;
   fs::path folder_;
   SceneSet set_;
   std::size_t driven_ = 0;  ///< zones that have ground
@@ -308,7 +308,7 @@ EngineRuns import_engine_results(const EngineResultsOptions& options, const fs::
   options.check();
   check_results_place(target, options.replace);
   refuse_interrupted(target);
-  PreparedCampaign prepared = prepare(options);
+  CampaignPlan prepared = prepare(options);
   RockableReader reader(prepared, options.scenes);
   const std::uint32_t together = prepared.header.runs_together();
   std::vector<StoredRun> runs;
@@ -328,7 +328,7 @@ EngineRuns import_engine_results(const EngineResultsOptions& options, const fs::
   }
   found.runs = runs.size();
   found.notes = notes_of(reader, found.without);
-  CampaignResults header = std::move(prepared.header);
+  CampaignHeader header = std::move(prepared.header);
   header.engine = options.engine;
   header.physics_digest.clear();
   header.warnings.insert(header.warnings.end(), found.notes.begin(), found.notes.end());

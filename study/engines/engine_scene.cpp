@@ -21,7 +21,7 @@ bool is_rockable(const EngineSceneOptions& options) {
 }
 
 /// The first runs of the scenes that are asked for.
-std::vector<std::uint32_t> first_runs(const PreparedCampaign& prepared,
+std::vector<std::uint32_t> first_runs(const CampaignPlan& prepared,
                                       const EngineSceneOptions& options) {
   const std::uint32_t together = prepared.header.runs_together();
   const auto count = static_cast<std::uint32_t>(prepared.runs.size() / together);
@@ -40,7 +40,7 @@ std::vector<std::uint32_t> first_runs(const PreparedCampaign& prepared,
   return first;
 }
 
-void check_campaign_fits(const PreparedCampaign& prepared, const EngineSceneOptions& options) {
+void check_campaign_fits(const CampaignPlan& prepared, const EngineSceneOptions& options) {
   const std::string file = prepared.campaign.file.string();
   if (prepared.header.stay && !prepared.header.stay->at_once) {
     throw InputError(file +
@@ -65,7 +65,7 @@ void check_campaign_fits(const PreparedCampaign& prepared, const EngineSceneOpti
   }
 }
 
-std::string scene_text(const PreparedCampaign& prepared, const EngineSceneOptions& options,
+std::string scene_text(const CampaignPlan& prepared, const EngineSceneOptions& options,
                        const SceneSet& set, const EngineScenes& scenes) {
   std::string text = std::string(kSceneMark) + " for " + options.engine + ", written by clast " +
                      prepared.header.program_version + "\n\ncampaign " +
@@ -112,8 +112,7 @@ FolderKind scene_folder() {
           }};
 }
 
-EngineScenes write_engine_scenes(const PreparedCampaign& prepared,
-                                 const EngineSceneOptions& options,
+EngineScenes write_engine_scenes(const CampaignPlan& prepared, const EngineSceneOptions& options,
                                  const std::filesystem::path& folder) {
   options.check();
   check_campaign_fits(prepared, options);

@@ -43,8 +43,7 @@ FolderKind scene_folder();
 /// @param folder  exists and is empty, such as `OutputFolder::temporary`
 /// @throws InputError  a run that the campaign doesn't have; blocks that are released one after the
 ///                     other and stay; a contact law that the engine doesn't have
-EngineScenes write_engine_scenes(const PreparedCampaign& prepared,
-                                 const EngineSceneOptions& options,
+EngineScenes write_engine_scenes(const CampaignPlan& prepared, const EngineSceneOptions& options,
                                  const std::filesystem::path& folder);
 
 }  // namespace clast

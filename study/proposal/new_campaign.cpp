@@ -93,7 +93,7 @@ CampaignProposal propose_campaign(const BlockLibrary& library, const Terrain& te
 
 /// Runs a few releases of the campaign. Where hardly any of them passes the barrier, its only one,
 /// that is placed where half of them have passed.
-void try_runs(const PreparedCampaign& prepared, CampaignProposal& proposal) {
+void try_runs(const CampaignPlan& prepared, CampaignProposal& proposal) {
   TrialRuns& trial = proposal.trial;
   ProposedPlaces& places = proposal.places;
   trial.count = std::min(kTrialRuns, prepared.runs.size());

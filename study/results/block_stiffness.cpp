@@ -28,7 +28,7 @@ BlockStiffness without_runs(const std::string& id) {
 }
 
 /// The zones that a run meets.
-std::span<const GroundParameters> zones_of(const CampaignResults& header, const RunRecord& run) {
+std::span<const GroundParameters> zones_of(const CampaignHeader& header, const RunRecord& run) {
   return run.ground_set < header.ground_sets.size()
              ? std::span(header.ground_sets[run.ground_set].zones)
              : std::span(header.ground);
@@ -54,7 +54,7 @@ void ValueRange::include(double value) {
   high = std::max(high, value);
 }
 
-std::vector<BlockStiffness> stiffness_by_block(const CampaignResults& header,
+std::vector<BlockStiffness> stiffness_by_block(const CampaignHeader& header,
                                                std::span<const RunRecord> runs) {
   std::vector<BlockStiffness> list;
   for (const BlockSummary& block : header.blocks) list.push_back(without_runs(block.id));

@@ -39,7 +39,7 @@ struct BlockStiffness {
 /// Every block, in order; one without runs has empty ranges.
 /// @param header  blocks and ground
 /// @param runs    planned or done
-std::vector<BlockStiffness> stiffness_by_block(const CampaignResults& header,
+std::vector<BlockStiffness> stiffness_by_block(const CampaignHeader& header,
                                                std::span<const RunRecord> runs);
 /// Of the runs of all of them, as if they were one block's.
 BlockStiffness over_all(std::span<const BlockStiffness> blocks);

@@ -35,7 +35,7 @@ void check_results_place(const fs::path& target, bool replace) {
   check_output(target, {.kind = kResultsFormat, .replace = replace});
 }
 
-bool is_finished(const fs::path& target, const CampaignResults& header, std::size_t runs) {
+bool is_finished(const fs::path& target, const CampaignHeader& header, std::size_t runs) {
   if (kind_of_file(target) != kResultsFormat) return false;
   const CampaignResults stored = read_results(target);
   std::string difference = campaign_difference(stored, header);
@@ -62,7 +62,7 @@ std::unique_ptr<FileLock> locked(const fs::path& target) {
 struct ResultsWriter::Impl {
   std::unique_ptr<FileLock> lock;
   fs::path target;
-  CampaignResults header;
+  CampaignHeader header;
   ResultsJournal journal;
   std::vector<std::uint32_t> stored;
 };
@@ -71,7 +71,7 @@ ResultsWriter::ResultsWriter(std::unique_ptr<Impl> impl) : impl_(std::move(impl)
 ResultsWriter::~ResultsWriter() = default;
 ResultsWriter::ResultsWriter(ResultsWriter&&) noexcept = default;
 
-ResultsWriter ResultsWriter::create(const fs::path& target, const CampaignResults& header,
+ResultsWriter ResultsWriter::create(const fs::path& target, const CampaignHeader& header,
                                     std::size_t runs) {
   std::unique_ptr<FileLock> lock = locked(target);
   check_room_for(target, header, runs);
@@ -83,14 +83,14 @@ ResultsWriter ResultsWriter::create(const fs::path& target, const CampaignResult
                                      {}}));
 }
 
-ResultsWriter ResultsWriter::resume(const fs::path& target, const CampaignResults& header,
+ResultsWriter ResultsWriter::resume(const fs::path& target, const CampaignHeader& header,
                                     std::size_t runs) {
   std::unique_ptr<FileLock> lock = locked(target);
   ResultsJournal journal = ResultsJournal::resume(partial_results(target), header);
   std::vector<std::uint32_t> stored = journal.runs();
   std::sort(stored.begin(), stored.end());
   check_room_for(target, header, runs - std::min(runs, stored.size()));
-  CampaignResults with_old_runs = header;
+  CampaignHeader with_old_runs = header;
   with_old_runs.physics_digest = journal.physics();
   return ResultsWriter(std::unique_ptr<Impl>(new Impl{
       std::move(lock), target, std::move(with_old_runs), std::move(journal), std::move(stored)}));

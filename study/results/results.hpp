@@ -21,10 +21,10 @@ namespace clast {
 /// One run as it is stored. Positions are in the terrain's local frame.
 struct RunRecord {
   std::uint32_t run = 0;          ///< number in the campaign
-  std::uint32_t block = 0;        ///< index into CampaignResults::blocks
+  std::uint32_t block = 0;        ///< index into CampaignHeader::blocks
   std::uint32_t point = 0;        ///< index of the release point
   std::uint32_t orientation = 0;  ///< index of the orientation in its release set
-  std::uint32_t ground_set = 0;   ///< index into CampaignResults::ground_sets
+  std::uint32_t ground_set = 0;   ///< index into CampaignHeader::ground_sets
   RigidState start;
   ContactStiffness stiffness;  ///< and time step, chosen for this run or given
   /// Of the block at rest, m g/(k_n e_n^2) or m g/k_n by law, and of an impact at the fastest speed
@@ -47,7 +47,7 @@ struct BlockSummary {
   std::string group = {};       ///< block group; empty: none
   double scale = 1.0;           ///< of lengths, against the library block
   double volume = 0.0;          ///< m^3
-  std::uint32_t shape = 0;      ///< index into CampaignResults::shapes
+  std::uint32_t shape = 0;      ///< index into CampaignHeader::shapes
   Vec3 moments = Vec3::Zero();  ///< principal, kg m^2
   std::string parent = {};      ///< block that it was varied from; empty: none
   std::string variation = {};   ///< "stretch to 0.8, 0.5"
@@ -107,8 +107,8 @@ struct StoredRun {
   Trajectory trajectory;
 };
 
-/// A results file, read whole except for the trajectories.
-struct CampaignResults {
+/// What all runs of a campaign share: in a results file, and of a campaign before it runs.
+struct CampaignHeader {
   std::filesystem::path file;
   std::string campaign_text;
   std::string campaign_sha256;
@@ -135,6 +135,15 @@ struct CampaignResults {
   Terrain terrain;                  ///< the surface that was used, for maps
   std::optional<StaySummary> stay;  ///< none: every run had the terrain to itself
   std::uint32_t planned_runs = 0;
+
+  /// Whether the runs tell of contacts: penetration, impacts, dissipation.
+  bool has_contacts() const { return engine.empty(); }
+  /// Runs that are computed together: those of a realisation, or one.
+  std::uint32_t runs_together() const { return stay ? stay->blocks_each : 1; }
+};
+
+/// A results file, read whole except for the trajectories.
+struct CampaignResults : CampaignHeader {
   std::vector<RunRecord> runs;      ///< in run order
   std::vector<Crossing> crossings;  ///< in run order, then time
   std::vector<Impact> impacts;      ///< in run order, then time
@@ -142,10 +151,6 @@ struct CampaignResults {
   /// In order of realisation, then time; none in results of older programs.
   std::vector<EnergyRecord> energies;
 
-  /// Whether the runs tell of contacts: penetration, impacts, dissipation.
-  bool has_contacts() const { return engine.empty(); }
-  /// Runs that are computed together: those of a realisation, or one.
-  std::uint32_t runs_together() const { return stay ? stay->blocks_each : 1; }
   /// What is kept of a run whose block stayed among others; null: none.
   const StayRecord* stay_of(std::uint32_t run) const;
 };
@@ -191,7 +196,7 @@ void check_results_place(const std::filesystem::path& target, bool replace);
 /// Are the results of this campaign in `target` already, finished?
 /// @param runs  that will be in the file
 /// @throws InputError  it holds other results: of another campaign, other inputs or another version
-bool is_finished(const std::filesystem::path& target, const CampaignResults& header,
+bool is_finished(const std::filesystem::path& target, const CampaignHeader& header,
                  std::size_t runs);
 
 /// Where runs are kept until all are done: target + ".part", a journal, not HDF5.
@@ -205,12 +210,12 @@ class ResultsWriter {
   /// @param runs  that will be in the file
   /// @throws InputError  as `check_results_place`; another program is writing to the target; or
   ///                     the disk is too full for the header and as many runs
-  static ResultsWriter create(const std::filesystem::path& target, const CampaignResults& header,
+  static ResultsWriter create(const std::filesystem::path& target, const CampaignHeader& header,
                               std::size_t runs = 0);
   /// Goes on with `partial_results(target)`; half a run that a kill left is dropped.
   /// @throws InputError  it is missing, damaged, or of another campaign (by hash of campaign and
   ///                     inputs); or as `create`
-  static ResultsWriter resume(const std::filesystem::path& target, const CampaignResults& header,
+  static ResultsWriter resume(const std::filesystem::path& target, const CampaignHeader& header,
                               std::size_t runs = 0);
   ~ResultsWriter();
   ResultsWriter(ResultsWriter&&) noexcept;

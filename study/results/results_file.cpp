@@ -62,7 +62,7 @@ void write_shapes(Hdf5Group group, const std::vector<SpheroPolyhedron>& shapes) 
   }
 }
 
-void write_ground_sets(Hdf5Group group, const CampaignResults& header) {
+void write_ground_sets(Hdf5Group group, const CampaignHeader& header) {
   const std::vector<GroundSet>& sets = header.ground_sets;
   write_column(group, "group", "", sets, [](const GroundSet& set) { return set.group; });
   write_column(group, "member", "", sets, [](const GroundSet& set) { return set.member; });
@@ -75,7 +75,7 @@ void write_ground_sets(Hdf5Group group, const CampaignResults& header) {
   }
 }
 
-void write_header(Hdf5Group root, const CampaignResults& header) {
+void write_header(Hdf5Group root, const CampaignHeader& header) {
   root.set_attribute<std::string>("campaign_sha256", header.campaign_sha256);
   root.set_attribute<std::int64_t>("planned_runs", header.planned_runs);
   if (!header.engine.empty()) root.set_attribute<std::string>("engine", header.engine);
@@ -155,7 +155,7 @@ void write_rows(Hdf5Group group, const std::vector<Row>& rows, bool contacts = t
   });
 }
 
-void write_stays(Hdf5Group group, const CampaignResults& header,
+void write_stays(Hdf5Group group, const CampaignHeader& header,
                  const std::vector<StayRecord>& rows) {
   const StaySummary& stay = *header.stay;
   group.set_attribute<std::int64_t>("blocks_each", stay.blocks_each);
@@ -183,7 +183,7 @@ std::string trajectory_name(std::uint32_t run) {
   return name;
 }
 
-void write_results_file(const fs::path& target, const CampaignResults& header, std::size_t count,
+void write_results_file(const fs::path& target, const CampaignHeader& header, std::size_t count,
                         const std::function<StoredRun(std::size_t)>& run) {
   OutputFile output(target, {.kind = kResultsFormat});
   {
@@ -219,7 +219,7 @@ void write_results_file(const fs::path& target, const CampaignResults& header, s
   output.commit();
 }
 
-void check_room_for(const fs::path& target, const CampaignResults& header, std::size_t runs) {
+void check_room_for(const fs::path& target, const CampaignHeader& header, std::size_t runs) {
   const OutputFile trial(target, {.kind = kResultsFormat});
   {
     Hdf5File file = Hdf5File::create(trial.temporary(), kResultsFormat, kResultsSchema);

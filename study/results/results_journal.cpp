@@ -63,7 +63,7 @@ struct Identity {
   }
 };
 
-Identity identity_of(const CampaignResults& header) {
+Identity identity_of(const CampaignHeader& header) {
   return {header.campaign_sha256, header.program_version, header.inputs, header.planned_runs,
           header.physics_digest};
 }
@@ -147,16 +147,16 @@ std::string packed(StoredRun run) {
   return std::move(text).str();
 }
 
-std::string campaign_identity(const CampaignResults& header) {
+std::string campaign_identity(const CampaignHeader& header) {
   Identity identity = identity_of(header);
   return bytes_of(identity);
 }
 
-std::string campaign_difference(const CampaignResults& stored, const CampaignResults& now) {
+std::string campaign_difference(const CampaignHeader& stored, const CampaignHeader& now) {
   return identity_difference(identity_of(stored), identity_of(now));
 }
 
-std::string campaign_difference(ByteReader& stored, const CampaignResults& now) {
+std::string campaign_difference(ByteReader& stored, const CampaignHeader& now) {
   Identity identity;
   stored(identity);
   return identity_difference(identity, identity_of(now));
@@ -169,7 +169,7 @@ StoredRun unpacked(const std::string& bytes) {
   return run;
 }
 
-ResultsJournal ResultsJournal::create(const fs::path& path, const CampaignResults& header) {
+ResultsJournal ResultsJournal::create(const fs::path& path, const CampaignHeader& header) {
   const std::string begin = kJournalMagic + record_of(campaign_identity(header));
   write_text_file(path, begin);
   ResultsJournal journal(path, opened(path));
@@ -178,7 +178,7 @@ ResultsJournal ResultsJournal::create(const fs::path& path, const CampaignResult
   return journal;
 }
 
-ResultsJournal ResultsJournal::resume(const fs::path& path, const CampaignResults& header) {
+ResultsJournal ResultsJournal::resume(const fs::path& path, const CampaignHeader& header) {
   std::error_code code;
   if (!fs::is_regular_file(path, code)) {
     throw InputError(path.string() +

@@ -18,22 +18,22 @@ std::string packed(StoredRun run);
 StoredRun unpacked(const std::string& bytes);
 
 /// What a campaign is recognised by, with its inputs and the program, as bytes.
-std::string campaign_identity(const CampaignResults& header);
+std::string campaign_identity(const CampaignHeader& header);
 /// How the campaign of stored results differs from this one: campaign file, inputs, version,
 /// number of runs or physics. Empty: not at all.
-std::string campaign_difference(const CampaignResults& stored, const CampaignResults& now);
+std::string campaign_difference(const CampaignHeader& stored, const CampaignHeader& now);
 /// The same of a stored `campaign_identity`, which it reads.
 /// @throws InputError  no such bytes
-std::string campaign_difference(ByteReader& stored, const CampaignResults& now);
+std::string campaign_difference(ByteReader& stored, const CampaignHeader& now);
 
 class ResultsJournal {
  public:
   /// Begins a journal in place of what was there. Makes missing parent folders.
   /// @throws InputError  the file can't be written
-  static ResultsJournal create(const std::filesystem::path& path, const CampaignResults& header);
+  static ResultsJournal create(const std::filesystem::path& path, const CampaignHeader& header);
   /// Opens a journal and drops a broken end.
   /// @throws InputError  missing, not a journal, or of another campaign, inputs or program
-  static ResultsJournal resume(const std::filesystem::path& path, const CampaignResults& header);
+  static ResultsJournal resume(const std::filesystem::path& path, const CampaignHeader& header);
 
   /// Bytes that a run takes at least.
   static std::uint64_t smallest_record();

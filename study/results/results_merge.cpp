@@ -27,7 +27,7 @@ struct RunPlace {
   std::size_t first_energy = 0;    ///< into the part's energies
 };
 
-void check_parts_of_one_campaign(const CampaignResults& first, const CampaignResults& other) {
+void check_parts_of_one_campaign(const CampaignHeader& first, const CampaignHeader& other) {
   std::string difference;
   if (other.campaign_sha256 != first.campaign_sha256) {
     difference = "is of another campaign than ";
@@ -50,10 +50,10 @@ void check_parts_of_one_campaign(const CampaignResults& first, const CampaignRes
 /// The digest that all parts have; empty where one has none, as of an older program.
 /// @throws InputError  two parts have different ones
 std::string common_physics(const std::vector<Part>& parts) {
-  const CampaignResults* known = nullptr;
+  const CampaignHeader* known = nullptr;
   bool all = true;
   for (const Part& part : parts) {
-    const CampaignResults& results = part.results;
+    const CampaignHeader& results = part.results;
     all = all && !results.physics_digest.empty();
     if (results.physics_digest.empty()) continue;
     if (!known) known = &results;
@@ -96,7 +96,7 @@ std::vector<RunPlace> places_of(const std::vector<Part>& parts) {
 }
 
 void check_complete(const std::vector<Part>& parts, const std::vector<RunPlace>& places) {
-  const CampaignResults& first = parts.front().results;
+  const CampaignHeader& first = parts.front().results;
   for (std::size_t i = 1; i < places.size(); ++i) {
     if (places[i].run != places[i - 1].run) continue;
     throw InputError("run " + std::to_string(places[i].run) + " is in " +

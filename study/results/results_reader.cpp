@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-void read_shapes(const CheckedGroup& reader, CampaignResults& results) {
+void read_shapes(const CheckedGroup& reader, CampaignHeader& results) {
   const std::size_t count = reader.group.names().size();
   for (std::size_t i = 0; i < count; ++i) {
     const std::string name = std::to_string(i);
@@ -40,7 +40,7 @@ std::vector<GroundParameters> read_ground_parameters(const CheckedGroup& reader,
   return parameters;
 }
 
-void read_ground_sets(const CheckedGroup& reader, CampaignResults& results) {
+void read_ground_sets(const CheckedGroup& reader, CampaignHeader& results) {
   const auto groups = reader.group.read<std::string>("group");
   const std::size_t zones = results.zone_names.size();
   const auto members = reader.column<std::uint32_t>("member", groups.size());
@@ -54,7 +54,7 @@ void read_ground_sets(const CheckedGroup& reader, CampaignResults& results) {
 }
 
 // What no block can be, whatever its shape.
-void check_blocks(const CheckedGroup& reader, const CampaignResults& results) {
+void check_blocks(const CheckedGroup& reader, const CampaignHeader& results) {
   constexpr double kRounding = 1e-6;
   for (const BlockSummary& block : results.blocks) {
     const auto require = [&](bool fine, const char* name, std::initializer_list<double> values) {
@@ -76,7 +76,7 @@ void check_blocks(const CheckedGroup& reader, const CampaignResults& results) {
   }
 }
 
-void read_blocks(const CheckedGroup& reader, CampaignResults& results) {
+void read_blocks(const CheckedGroup& reader, CampaignHeader& results) {
   const std::vector<std::string> ids = reader.group.read<std::string>("id");
   const std::size_t rows = ids.size();
   const auto mass = reader.column<double>("mass_kg", rows);
@@ -121,7 +121,7 @@ void read_blocks(const CheckedGroup& reader, CampaignResults& results) {
   check_blocks(reader, results);
 }
 
-void read_stored_barriers(const CheckedGroup& reader, CampaignResults& results) {
+void read_stored_barriers(const CheckedGroup& reader, CampaignHeader& results) {
   const std::vector<std::string> names = reader.group.read<std::string>("name");
   if (reader.group.has("points_m")) {
     const auto counts = reader.column<std::uint32_t>("point_count", names.size());
@@ -157,12 +157,12 @@ void read_stored_barriers(const CheckedGroup& reader, CampaignResults& results) 
   }
 }
 
-void read_ground(const CheckedGroup& reader, CampaignResults& results) {
+void read_ground(const CheckedGroup& reader, CampaignHeader& results) {
   results.zone_names = reader.group.read<std::string>("zone");
   results.ground = read_ground_parameters(reader, results.zone_names.size());
 }
 
-void read_terrain_group(const CheckedGroup& reader, CampaignResults& results) {
+void read_terrain_group(const CheckedGroup& reader, CampaignHeader& results) {
   Terrain& terrain = results.terrain;
   terrain.surface.vertices = reader.vectors<Vec3>("vertices_m");
   const std::vector<std::uint32_t> corners = reader.group.read<std::uint32_t>("triangles");

@@ -50,8 +50,7 @@ void vary(const Campaign& campaign, const BlockLibrary& library, const BlockMaki
   request.options.threads = making.threads;
   request.options.progress = making.progress;
   const auto of_campaign = [&](const std::string& message) {
-    return campaign.file.string() +
-           ": [blocks] vary: " + study_detail::in_words_of_campaign(message);
+    return campaign.file.string() + ": [blocks] vary: " + in_words_of_keys(message);
   };
   RequestedSeries made = with_message(of_campaign, [&] {
     RequestedSeries series = make_series(request, library);

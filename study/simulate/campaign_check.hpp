@@ -14,7 +14,7 @@ struct CampaignCheck {
   /// Why it would be refused: the first finding in each table of the file, and in library, terrain
   /// and starts where these can be judged. Empty: it would run.
   std::vector<std::string> findings;
-  std::optional<PreparedCampaign> prepared;  ///< there when it would run
+  std::optional<CampaignPlan> prepared;  ///< there when it would run
 };
 
 /// Never throws for what is wrong with the campaign or with the files it names.

@@ -49,7 +49,7 @@ std::size_t repeated_points(std::vector<Vec3> points, bool plan_only) {
 }
 
 // Blocks at another size than the library's, in words; drawn ones are too many.
-void tell_of_scales(const PreparedCampaign& prepared, std::vector<std::string>& warnings) {
+void tell_of_scales(const CampaignPlan& prepared, std::vector<std::string>& warnings) {
   if (prepared.campaign.blocks.draw) return;
   for (const BlockSummary& block : prepared.header.blocks) {
     if (block.scale == 1.0) continue;
@@ -61,7 +61,7 @@ void tell_of_scales(const PreparedCampaign& prepared, std::vector<std::string>& 
 constexpr double kManySteps = 1e9;
 constexpr double kEndlessSteps = 1e12;
 
-void tell_of_steps(const PreparedCampaign& prepared, std::vector<std::string>& warnings) {
+void tell_of_steps(const CampaignPlan& prepared, std::vector<std::string>& warnings) {
   const auto shortest = std::min_element(prepared.runs.begin(), prepared.runs.end(),
                                          [](const RunRecord& a, const RunRecord& b) {
                                            return a.stiffness.time_step < b.stiffness.time_step;
@@ -87,7 +87,7 @@ constexpr double kMostUnbalanced = 0.5;
 constexpr double kElastic = 0.95;
 
 // Friction angles in degrees that stand where coefficients belong.
-void tell_of_friction(const PreparedCampaign& prepared, std::vector<std::string>& warnings) {
+void tell_of_friction(const CampaignPlan& prepared, std::vector<std::string>& warnings) {
   constexpr double kSteepest = 5.0;  // 79 degrees; ground is known up to about 1.2
   for (std::size_t zone = 0; zone < prepared.header.ground.size(); ++zone) {
     const GroundParameters& ground = prepared.header.ground[zone];
@@ -103,7 +103,7 @@ void tell_of_friction(const PreparedCampaign& prepared, std::vector<std::string>
 }
 
 /// A restitution of speeds, R_n, that stands where one of energy belongs.
-void tell_of_restitution(const PreparedCampaign& prepared, std::vector<std::string>& warnings) {
+void tell_of_restitution(const CampaignPlan& prepared, std::vector<std::string>& warnings) {
   double usual = 0.0;
   for (const GroundType& type : ground_types()) {
     usual = std::max(usual, type.energy_restitution.high);
@@ -117,7 +117,7 @@ void tell_of_restitution(const PreparedCampaign& prepared, std::vector<std::stri
                        ". If it is a coefficient of restitution of velocity, R_n, give its " +
                        "square, " + with_digits(value * value, 2));
   };
-  const CampaignResults& header = prepared.header;
+  const CampaignHeader& header = prepared.header;
   std::pair<double, std::string> largest{0.0, ""};
   if (header.stay) largest = {header.stay->between_blocks.energy_restitution, "contact.blocks"};
   for (std::size_t zone = 0; zone < header.ground.size(); ++zone) {
@@ -139,7 +139,7 @@ void tell_of_restitution(const PreparedCampaign& prepared, std::vector<std::stri
   if (header.stay) question("contact.blocks", header.stay->between_blocks.energy_restitution);
 }
 
-void tell_of_releases(const PreparedCampaign& prepared, std::vector<std::string>& warnings) {
+void tell_of_releases(const CampaignPlan& prepared, std::vector<std::string>& warnings) {
   for (const ReleasePlan& release : prepared.campaign.releases) {
     const std::size_t repeated = repeated_points(release.points, release.drop_height.has_value());
     if (repeated > 0 && !release.fresh_orientations) {
@@ -180,7 +180,7 @@ int places_that_fall_forward(const Barrier& barrier, const TerrainSurface& surfa
   return forward;
 }
 
-void tell_of_barriers(const PreparedCampaign& prepared, std::vector<std::string>& warnings) {
+void tell_of_barriers(const CampaignPlan& prepared, std::vector<std::string>& warnings) {
   const Bounds& ground = prepared.surface->extent();
   for (const Barrier& barrier : prepared.header.barriers) {
     Vec2 low = barrier.through.front(), high = low;
@@ -225,7 +225,7 @@ std::string unusual_size(const std::string& block, double length, double mass, d
          " t heavy; usually " + usual;
 }
 
-void check_sizes(const PreparedCampaign& prepared) {
+void check_sizes(const CampaignPlan& prepared) {
   if (prepared.campaign.blocks.any_size) return;
   const Bounds ground = bounds(prepared.header.terrain.surface);
   const double extent = (ground.high - ground.low).head<2>().maxCoeff();
@@ -238,7 +238,7 @@ void check_sizes(const PreparedCampaign& prepared) {
   }
 }
 
-void check_falls(const PreparedCampaign& prepared) {
+void check_falls(const CampaignPlan& prepared) {
   const double lowest = prepared.surface->extent().low.z();
   for (const RunRecord& run : prepared.runs) {
     const double height = std::max(0.0, run.start.position.z() - lowest);
@@ -253,7 +253,7 @@ void check_falls(const PreparedCampaign& prepared) {
   }
 }
 
-std::vector<std::string> campaign_warnings(const PreparedCampaign& prepared) {
+std::vector<std::string> campaign_warnings(const CampaignPlan& prepared) {
   std::vector<std::string> warnings;
   tell_of_scales(prepared, warnings);
   tell_of_steps(prepared, warnings);

@@ -38,7 +38,7 @@ BlockSummary summary_of(const CampaignBlock& chosen, const Block& block, const R
           made ? in_words(*made) : ""};
 }
 
-std::vector<BlockSummary> block_summaries(const PreparedCampaign& prepared) {
+std::vector<BlockSummary> block_summaries(const CampaignPlan& prepared) {
   std::vector<BlockSummary> summaries;
   for (std::size_t i = 0; i < prepared.bodies.size(); ++i) {
     const CampaignBlock& chosen = prepared.choice.blocks[i];
@@ -52,9 +52,9 @@ std::string with_digest(const std::filesystem::path& file) {
   return file.string() + " " + sha256_of_file(file);
 }
 
-CampaignResults header_of(const PreparedCampaign& prepared, Terrain terrain) {
+CampaignHeader header_of(const CampaignPlan& prepared, Terrain terrain) {
   const Campaign& campaign = prepared.campaign;
-  CampaignResults header;
+  CampaignHeader header;
   header.campaign_text = campaign.text;
   header.campaign_sha256 = campaign.sha256;
   header.inputs.push_back(with_digest(campaign.blocks.library));
@@ -92,14 +92,14 @@ CampaignResults header_of(const PreparedCampaign& prepared, Terrain terrain) {
 
 }  // namespace
 
-void redraw_blocks(PreparedCampaign& prepared) {
+void redraw_blocks(CampaignPlan& prepared) {
   prepared.choice.blocks = draw_blocks(prepared.campaign, prepared.choice.library);
   prepared.bodies = BlockBodies(prepared.choice);
   prepared.header.blocks = block_summaries(prepared);
 }
 
-PreparedCampaign prepare_campaign(const Campaign& campaign, const BlockMaking& making) {
-  PreparedCampaign prepared;
+CampaignPlan prepare_campaign(const Campaign& campaign, const BlockMaking& making) {
+  CampaignPlan prepared;
   prepared.campaign = campaign;
   prepared.choice = choose_blocks(campaign, making);
   if (std::optional<BlockDraw>& draw = prepared.campaign.blocks.draw) {
@@ -108,7 +108,7 @@ PreparedCampaign prepare_campaign(const Campaign& campaign, const BlockMaking& m
   }
   prepared.bodies = BlockBodies(prepared.choice);
   prepared.header = header_of(prepared, read_terrain(campaign.terrain));
-  CampaignResults& header = prepared.header;
+  CampaignHeader& header = prepared.header;
   check_sizes(prepared);
   prepared.surface.emplace(terrain_surface(header.terrain, campaign.terrain_radius));
 

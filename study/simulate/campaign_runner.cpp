@@ -98,7 +98,7 @@ std::vector<StoredRun> unpacked_together(const std::string& bytes) {
 }
 
 // The first runs of those that are computed together, of the shard, and not all stored yet.
-std::vector<std::uint32_t> open_runs(const PreparedCampaign& prepared, const Shard& shard,
+std::vector<std::uint32_t> open_runs(const CampaignPlan& prepared, const Shard& shard,
                                      const std::filesystem::path& target,
                                      const std::vector<std::uint32_t>& stored) {
   const std::uint32_t together = prepared.header.runs_together();
@@ -135,7 +135,7 @@ ReleaseSettings release_settings(const Campaign& campaign, const RunRecord& run)
 
 namespace {
 
-double probed_runout(const PreparedCampaign& prepared, const StoredRun& run) {
+double probed_runout(const CampaignPlan& prepared, const StoredRun& run) {
   const Vec3& start = run.record.start.position;
   const Vec3& stop = run.record.result.final_state.position;
   if (!prepared.campaign.downslope) return (stop - start).head<2>().norm();
@@ -144,7 +144,7 @@ double probed_runout(const PreparedCampaign& prepared, const StoredRun& run) {
 
 }  // namespace
 
-TimeProbe probe_time(const PreparedCampaign& prepared, double budget) {
+TimeProbe probe_time(const CampaignPlan& prepared, double budget) {
   check_memory(prepared, 1, available_memory());
   // Steps of the golden ratio are spread evenly however many are taken.
   constexpr double kGoldenRatio = 0.61803398874989485;
@@ -213,13 +213,13 @@ TimeProbe probe_time(const PreparedCampaign& prepared, double budget) {
   return probe;
 }
 
-PlannedPower planned_power(const PreparedCampaign& prepared, const TimeProbe& probe) {
+PlannedPower planned_power(const CampaignPlan& prepared, const TimeProbe& probe) {
   if (prepared.header.stay) return {};
   return {prepared.runs.size(), prepared.bodies.size(), probe.runouts.size(),
           summarise(probe.runouts).std, std::nullopt};
 }
 
-double expected_time(const PreparedCampaign& prepared, const TimeProbe& probe, const Shard& shard,
+double expected_time(const CampaignPlan& prepared, const TimeProbe& probe, const Shard& shard,
                      unsigned threads) {
   // Realisations are computed one by one.
   const std::size_t together = prepared.header.runs_together();
@@ -228,7 +228,7 @@ double expected_time(const PreparedCampaign& prepared, const TimeProbe& probe, c
          static_cast<double>(std::clamp<std::size_t>(items, 1, threads));
 }
 
-std::size_t Shard::runs_of(const PreparedCampaign& prepared) const {
+std::size_t Shard::runs_of(const CampaignPlan& prepared) const {
   const std::uint32_t together = prepared.header.runs_together();
   const std::size_t items = prepared.runs.size() / together;
   return (items / count + (items % count >= index ? 1 : 0)) * together;
@@ -241,7 +241,7 @@ void Shard::check() const {
   }
 }
 
-void run_campaign(const PreparedCampaign& prepared, const std::filesystem::path& target,
+void run_campaign(const CampaignPlan& prepared, const std::filesystem::path& target,
                   const RunOptions& options) {
   options.shard.check();
   if (!(options.checkpoint_interval >= 0.0)) {

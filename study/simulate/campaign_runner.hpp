@@ -28,9 +28,9 @@ struct MassStart {
 };
 
 /// A campaign with its inputs loaded and everything decided: what would run, and how.
-struct PreparedCampaign {
+struct CampaignPlan {
   Campaign campaign;
-  CampaignResults header;  ///< no runs yet
+  CampaignHeader header;
   BlockChoice choice;
   BlockBodies bodies;                     ///< of `choice.blocks`
   std::optional<TerrainSurface> surface;  ///< of `header.terrain`; always there
@@ -50,12 +50,12 @@ ReleaseSettings release_settings(const Campaign& campaign, const RunRecord& run)
 ///                          zone, no block selected, a point off the terrain
 /// @throws SimulationError  a start inside the ground: block, point, orientation and depth
 /// @throws GeometryError    a body of [blocks] vary can't be made
-PreparedCampaign prepare_campaign(const Campaign& campaign, const BlockMaking& making = {});
+CampaignPlan prepare_campaign(const Campaign& campaign, const BlockMaking& making = {});
 
 /// Draws the blocks anew, as the campaign asks by now, out of `prepared.choice.library`, which
 /// stays whole; runs are left as they are.
 /// @throws InputError  as `draw_blocks`
-void redraw_blocks(PreparedCampaign& prepared);
+void redraw_blocks(CampaignPlan& prepared);
 
 /// Every n-th run of a campaign, or realisation where blocks stay, so that n jobs that know nothing
 /// of each other do it all: `merge_results` joins what they wrote.
@@ -66,7 +66,7 @@ struct Shard {
   /// @param item  number of a run, or of a realisation
   bool has(std::uint32_t item) const { return item % count == index - 1; }
   /// How many runs of the campaign it has.
-  std::size_t runs_of(const PreparedCampaign& prepared) const;
+  std::size_t runs_of(const CampaignPlan& prepared) const;
   void check() const;  ///< throws InputError naming both
 };
 
@@ -86,11 +86,11 @@ struct TimeProbe {
 /// Tries runs from all over the campaign, one after the other, until `budget` seconds are spent,
 /// or a run has taken several times that; one at least. Nothing is kept.
 /// @throws InputError  more memory is needed than is free
-TimeProbe probe_time(const PreparedCampaign& prepared, double budget);
+TimeProbe probe_time(const CampaignPlan& prepared, double budget);
 /// What could be told apart, judging by those runs; nothing where blocks stay.
-PlannedPower planned_power(const PreparedCampaign& prepared, const TimeProbe& probe);
+PlannedPower planned_power(const CampaignPlan& prepared, const TimeProbe& probe);
 /// How long a shard of the campaign takes on so many threads, s.
-double expected_time(const PreparedCampaign& prepared, const TimeProbe& probe, const Shard& shard,
+double expected_time(const CampaignPlan& prepared, const TimeProbe& probe, const Shard& shard,
                      unsigned threads);
 
 struct RunOptions {
@@ -121,7 +121,7 @@ struct RunOptions {
 /// @throws InputError  the target can't be written or holds results that are kept; resuming what
 ///                     another campaign or shard began, or from a damaged checkpoint; more memory
 ///                     is needed than is free
-void run_campaign(const PreparedCampaign& prepared, const std::filesystem::path& target,
+void run_campaign(const CampaignPlan& prepared, const std::filesystem::path& target,
                   const RunOptions& options = {});
 
 }  // namespace clast

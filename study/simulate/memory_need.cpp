@@ -17,7 +17,7 @@ constexpr double kOfState = 14.0 * sizeof(double);
 
 }  // namespace
 
-double realisation_memory(const PreparedCampaign& prepared) {
+double realisation_memory(const CampaignPlan& prepared) {
   if (!prepared.header.stay) return 0.0;
   const Campaign& campaign = prepared.campaign;
   const std::size_t blocks = prepared.header.stay->blocks_each;
@@ -36,7 +36,7 @@ double realisation_memory(const PreparedCampaign& prepared) {
   return bytes;
 }
 
-void check_memory(const PreparedCampaign& prepared, std::size_t at_a_time,
+void check_memory(const CampaignPlan& prepared, std::size_t at_a_time,
                   std::optional<double> available) {
   const double each = realisation_memory(prepared);
   const double all = each * static_cast<double>(at_a_time);

@@ -30,7 +30,7 @@ constexpr double kEnergyInterval = 1.0;
 class RunObserver {
  public:
   /// @param body  of the block; must outlive the observer
-  RunObserver(const PreparedCampaign& prepared, const RunRecord& run, const RigidBody& body)
+  RunObserver(const CampaignPlan& prepared, const RunRecord& run, const RigidBody& body)
       : impacts(body, run.run), prepared_(prepared), planned_(run), body_(body) {}
 
   void see(const MotionStep& step) {
@@ -105,7 +105,7 @@ class RunObserver {
     }
   }
 
-  const PreparedCampaign& prepared_;
+  const CampaignPlan& prepared_;
   const RunRecord& planned_;
   const RigidBody& body_;
   std::uint64_t next_frame_ = 0;
@@ -121,7 +121,7 @@ ReleaseResult failed(const RunObserver& observer, const RunRecord& run, const ch
   return result;
 }
 
-StoredRun single_run(const PreparedCampaign& prepared, const RunRecord& planned,
+StoredRun single_run(const CampaignPlan& prepared, const RunRecord& planned,
                      const SequenceProgressObserver& after_step, const MotionObserver& observe) {
   const RigidBody body = prepared.bodies[planned.block];
   RunObserver observer(prepared, planned, body);
@@ -138,7 +138,7 @@ StoredRun single_run(const PreparedCampaign& prepared, const RunRecord& planned,
   }
 }
 
-SequenceSettings sequence_settings(const PreparedCampaign& prepared, const RunRecord& run) {
+SequenceSettings sequence_settings(const CampaignPlan& prepared, const RunRecord& run) {
   const Campaign& campaign = prepared.campaign;
   SequenceSettings sequence;
   WorldSettings& settings = sequence.world;
@@ -160,7 +160,7 @@ SequenceSettings sequence_settings(const PreparedCampaign& prepared, const RunRe
 }
 
 /// Which blocks of which mass did not settle, and what to do.
-std::string not_settled(const PreparedCampaign& prepared, std::span<const RunRecord> planned,
+std::string not_settled(const CampaignPlan& prepared, std::span<const RunRecord> planned,
                         const SettlingError& error, double settle_time) {
   const RunRecord& first = planned[error.block];
   const std::string& name = prepared.campaign.releases[first.point].name;
@@ -174,7 +174,7 @@ std::string not_settled(const PreparedCampaign& prepared, std::span<const RunRec
 
 /// The shapes of the blocks of some runs, each once.
 struct ShapesOfRuns {
-  ShapesOfRuns(const PreparedCampaign& prepared, std::span<const RunRecord> runs) {
+  ShapesOfRuns(const CampaignPlan& prepared, std::span<const RunRecord> runs) {
     std::map<std::uint32_t, std::size_t> place;  // of a body, by the first block that has it
     for (const RunRecord& run : runs) {
       const auto [found, is_new] =
@@ -187,8 +187,7 @@ struct ShapesOfRuns {
   std::vector<std::size_t> of_run;
 };
 
-std::vector<StoredRun> realisation(const PreparedCampaign& prepared,
-                                   std::span<const RunRecord> planned,
+std::vector<StoredRun> realisation(const CampaignPlan& prepared, std::span<const RunRecord> planned,
                                    const SequenceProgressObserver& after_step, unsigned threads,
                                    ByteReader* from) {
   auto [shapes, shape_of_run] = ShapesOfRuns(prepared, planned);
@@ -270,7 +269,7 @@ double depth_inside(const RigidBody& body, const RigidState& state, const Vec3& 
 
 }  // namespace
 
-void check_mass_start(const PreparedCampaign& prepared, std::uint32_t first) {
+void check_mass_start(const CampaignPlan& prepared, std::uint32_t first) {
   const std::span runs(&prepared.runs[first], prepared.header.runs_together());
   WorldSettings settings = sequence_settings(prepared, runs.front()).world;
   const double allowed = std::exchange(settings.start_overlap, 1e300);
@@ -306,7 +305,7 @@ void check_mass_start(const PreparedCampaign& prepared, std::uint32_t first) {
       with_digits(deepest, 3) + " m; select blocks that do not, or cut the mass anew");
 }
 
-std::vector<StoredRun> runs_from(const PreparedCampaign& prepared, std::uint32_t first,
+std::vector<StoredRun> runs_from(const CampaignPlan& prepared, std::uint32_t first,
                                  const SequenceProgressObserver& after_step, unsigned threads,
                                  const MotionObserver& observe, ByteReader* from) {
   if (!prepared.header.stay) {

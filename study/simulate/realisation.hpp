@@ -16,7 +16,7 @@ namespace clast::study_detail {
 /// @param from        a state of the same realisation, saved by the same program
 ///                    (`SequenceProgress::save`), to continue from to the same bits; null: none
 /// @throws InputError  the saved state is not of this realisation
-std::vector<StoredRun> runs_from(const PreparedCampaign& prepared, std::uint32_t first,
+std::vector<StoredRun> runs_from(const CampaignPlan& prepared, std::uint32_t first,
                                  const SequenceProgressObserver& after_step = {},
                                  unsigned threads = 1, const MotionObserver& observe = {},
                                  ByteReader* from = nullptr);
@@ -24,6 +24,6 @@ std::vector<StoredRun> runs_from(const PreparedCampaign& prepared, std::uint32_t
 /// Makes sure that no two blocks of a mass overlap at the start, so that it can run.
 /// @param first  number of the first of its runs
 /// @throws SimulationError  two do: their ids and how deep
-void check_mass_start(const PreparedCampaign& prepared, std::uint32_t first);
+void check_mass_start(const CampaignPlan& prepared, std::uint32_t first);
 
 }  // namespace clast::study_detail

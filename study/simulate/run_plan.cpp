@@ -72,7 +72,7 @@ void place_above_ground(const TerrainSurface& surface, const RigidBody& body, do
 
 /// A height of fall is measured under core vertices: on a slope, or over an edge, a rounded block
 /// can be in the ground all the same. It then starts in touch.
-void clear_ground(const PreparedCampaign& prepared, const MeasuredBody& measured,
+void clear_ground(const CampaignPlan& prepared, const MeasuredBody& measured,
                   const ReleasePlan& release, std::size_t point_of_set, RunRecord& run) {
   const TerrainSurface& surface = *prepared.surface;
   const std::optional<double> depth =
@@ -95,7 +95,7 @@ void clear_ground(const PreparedCampaign& prepared, const MeasuredBody& measured
 /// Makes the runs of a campaign one by one.
 class Planner {
  public:
-  explicit Planner(PreparedCampaign& prepared)
+  explicit Planner(CampaignPlan& prepared)
       : prepared_(prepared),
         settings_(member_settings(prepared.campaign)),
         bodies_(*prepared.surface, prepared.bodies) {
@@ -262,7 +262,7 @@ class Planner {
     prepared_.runs.push_back(run);
   }
 
-  PreparedCampaign& prepared_;
+  CampaignPlan& prepared_;
   std::vector<MemberSettings> settings_;
   std::vector<std::vector<Vec3>> points_;  ///< of each release set, local frame
   MeasuredBodies bodies_;
@@ -303,9 +303,9 @@ Vec3 middle_of_starts(const std::vector<RunRecord>& runs, std::uint32_t point) {
 
 }  // namespace
 
-void plan_runs(PreparedCampaign& prepared) {
+void plan_runs(CampaignPlan& prepared) {
   const Campaign& campaign = prepared.campaign;
-  CampaignResults& header = prepared.header;
+  CampaignHeader& header = prepared.header;
   check_count(campaign, prepared.bodies.size());
   Planner planner(prepared);
   if (campaign.stay) {
@@ -341,7 +341,7 @@ void plan_runs(PreparedCampaign& prepared) {
   }
 }
 
-std::vector<RunRecord> planned_runs(PreparedCampaign& prepared,
+std::vector<RunRecord> planned_runs(CampaignPlan& prepared,
                                     std::span<const std::uint32_t> numbers) {
   Planner planner(prepared);
   std::vector<RunRecord> runs;

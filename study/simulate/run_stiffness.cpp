@@ -36,7 +36,7 @@ struct Worst {
 
 /// Blocks that may touch each other share one stiffness: that of the most demanding start, ground
 /// and contact between blocks of their realisation.
-std::vector<std::string> settle_together(PreparedCampaign& prepared,
+std::vector<std::string> settle_together(CampaignPlan& prepared,
                                          const std::vector<ContactBody>& bodies,
                                          const std::vector<ContactGround>& grounds) {
   const Campaign& campaign = prepared.campaign;
@@ -77,7 +77,7 @@ std::vector<std::string> settle_together(PreparedCampaign& prepared,
 
 }  // namespace
 
-std::vector<std::string> settle_stiffness(PreparedCampaign& prepared) {
+std::vector<std::string> settle_stiffness(CampaignPlan& prepared) {
   const std::vector<MemberSettings> members = member_settings(prepared.campaign);
   const double gravity = prepared.campaign.gravity;
   const double lowest = prepared.surface->extent().low.z();

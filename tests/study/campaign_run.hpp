@@ -110,7 +110,7 @@ max_time_s = 6
     write_text_file(*folder_ / "campaign.toml", text);
     return read_campaign(*folder_ / "campaign.toml");
   }
-  static PreparedCampaign prepared(const std::string& text = campaign_text()) {
+  static CampaignPlan prepared(const std::string& text = campaign_text()) {
     return prepare_campaign(campaign(text));
   }
   static std::string refusal(const std::string& text) {
@@ -119,7 +119,7 @@ max_time_s = 6
   }
 
   /// Runs a campaign in shards, part1.h5 and so on, and joins them to merged.h5.
-  static CampaignResults run_in_shards(const PreparedCampaign& plan, std::uint32_t count) {
+  static CampaignResults run_in_shards(const CampaignPlan& plan, std::uint32_t count) {
     std::vector<std::filesystem::path> parts;
     for (std::uint32_t i = 1; i <= count; ++i) {
       parts.push_back(*folder_ / ("part" + std::to_string(i) + ".h5"));

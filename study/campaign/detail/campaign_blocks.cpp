@@ -6,7 +6,6 @@
 #include "core/error.hpp"
 #include "core/listed.hpp"
 #include "core/number_text.hpp"
-#include "core/printable.hpp"
 #include "study/campaign/campaign_keys.hpp"
 #include "study/campaign/campaign_ranges.hpp"
 #include "study/campaign/campaign_reading.hpp"
@@ -19,15 +18,21 @@ namespace {
 constexpr double kShareSum = 2e-3;
 
 /// `select` of a table.
-BlockFilter read_filter(const TomlTable& table, const std::string& title) {
+ValueForm selection() {
+  return either(
+      {text(), list(text(), 1),
+       table({{"scheme", "", "scheme of shape classes",
+               required("\"garcia\", \"sneed-folk\" or \"zingg\"", words(kSelectingSchemes))},
+              {"class", "", "a class of the scheme", required("a class of the scheme", text())}})});
+}
+
+BlockFilter read_filter(const DeclaredTable& table) {
   BlockFilter filter;
-  const TomlNode* select = table.find("select");
-  if (!select) return filter;
-  if (select->kind == TomlNode::Kind::kTable) {
-    const TomlTable by_class(*select, table.file(), title + " select", {"scheme", "class"});
-    by_class.required("scheme", "\"garcia\", \"sneed-folk\" or \"zingg\"");
-    filter.scheme = *choice(by_class, "scheme", kSelectingSchemes);
-    by_class.required("class", "a class of the scheme");
+  const TomlNode& select = *table.find("select");
+  if (select.kind == TomlNode::Kind::kTable) {
+    const DeclaredTable by_class = table.inner("select");
+    by_class.check_required();
+    by_class.read("scheme", filter.scheme);
     filter.shape_class = *choice(by_class, "class", class_names(filter.scheme));
     return filter;
   }
@@ -35,65 +40,91 @@ BlockFilter read_filter(const TomlTable& table, const std::string& title) {
   for (std::size_t i = 0; i < filter.ids.size(); ++i) {
     const auto here = filter.ids.begin() + static_cast<std::ptrdiff_t>(i);
     if (std::find(filter.ids.begin(), here, *here) != here) {
-      table.refuse("select", element(*select, i), "the block is named twice");
+      table.refuse("select", element(select, i), "the block is named twice");
     }
   }
   return filter;
 }
 
-BlockScale read_scale(const TomlTable& table) {
-  const TomlNode* node = table.find("scale");
-  if (!node) return {};
-  const std::string expected = "must be \"equal-mass\", { mass_kg = M } or { volume_m3 = V }";
-  if (node->kind == TomlNode::Kind::kString && node->text == "equal-mass") {
+BlockScale read_scale(const DeclaredTable& table) {
+  const TomlNode& node = *table.find("scale");
+  if (node.kind == TomlNode::Kind::kString && node.text == "equal-mass") {
     return {BlockScale::Kind::kEqualMass, 0.0};
   }
-  if (node->kind != TomlNode::Kind::kTable || node->table.size() != 1) {
-    table.refuse("scale", *node, expected);
+  if (node.kind != TomlNode::Kind::kTable || node.table.size() != 1) {
+    table.refuse("scale", node, "must be \"equal-mass\", { mass_kg = M } or { volume_m3 = V }");
   }
-  const TomlTable scale(*node, table.file(), "[blocks] scale", {"mass_kg", "volume_m3"});
-  if (const std::optional<double> mass = scale.number("mass_kg", kBlockMass)) {
+  const DeclaredTable scale = table.inner("scale");
+  if (const std::optional<double> mass = scale.value<double>("mass_kg")) {
     return {BlockScale::Kind::kMass, *mass};
   }
-  return {BlockScale::Kind::kVolume, *scale.number("volume_m3", kBlockVolume)};
+  return {BlockScale::Kind::kVolume, *scale.value<double>("volume_m3")};
 }
 
-std::vector<std::pair<std::string, double>> read_shares(const TomlTable& draw,
-                                                        const std::string& scheme) {
-  const TomlNode* node = draw.find("shares");
-  if (!node) return {};
-  const TomlTable table(*node, draw.file(), "[blocks] draw shares", class_names(scheme));
-  std::vector<std::pair<std::string, double>> shares;
+/// @param draw  with its scheme
+void read_shares(const DeclaredTable& table, BlockDraw& draw) {
+  const TomlNode& node = *table.find("shares");
+  const TomlTable shares(node, table.file(), "[blocks] draw shares", class_names(draw.scheme));
   double sum = 0.0;
-  for (const std::string& name : class_names(scheme)) {
-    const std::optional<double> share = table.number(name, kClassShare);
+  for (const std::string& name : class_names(draw.scheme)) {
+    const std::optional<double> share = shares.number(name, kClassShare);
     if (!share || *share == 0.0) continue;
-    shares.emplace_back(name, *share);
+    draw.shares.emplace_back(name, *share);
     sum += *share;
   }
   if (!(std::abs(sum - 1.0) <= kShareSum)) {
-    draw.refuse("shares", *node, "the shares must add up to 1, not " + with_digits(sum, 6));
+    table.refuse("shares", node, "the shares must add up to 1, not " + with_digits(sum, 6));
   }
-  for (auto& [name, share] : shares) share /= sum;
-  return shares;
+  for (auto& [name, share] : draw.shares) share /= sum;
 }
 
-BlockDraw read_draw(const TomlTable& blocks, const TomlNode& node) {
-  const TomlTable table(node, blocks.file(), "[blocks] draw",
-                        {"count", "volume_m3", "seed", "scheme", "shares", "mass_kg"});
+const BoundTable<BlockDraw>& draw_keys() {
+  static const BoundTable<BlockDraw> keys(
+      {"blocks.draw", "Blocks drawn from those selected"},
+      {{"count", "", "how many", count(1, kMostPerSet), &BlockDraw::count},
+       {"volume_m3", "m^3", "total volume of rock, on average; in place of count",
+        number({1e-9, 1e9}), &BlockDraw::volume},
+       {"seed", "", "of the draw", seed(), &BlockDraw::seed},
+       {"scheme", "", "scheme of the classes in shares", words(kSelectingSchemes),
+        &BlockDraw::scheme},
+       {"shares", "", "share of each class; they add up to 1", named(number(kClassShare)),
+        &read_shares},
+       {"mass_kg", "kg", "mass of a drawn block; without, its own", uncertain(kBlockMass),
+        &BlockDraw::mass}});
+  return keys;
+}
+
+BlockDraw read_draw(const DeclaredTable& blocks) {
+  blocks.refuse_if_there("scale", "drawn blocks are scaled by mass_kg of draw; leave scale out");
+  const DeclaredTable table = blocks.inner("draw");
   BlockDraw draw;
-  draw.volume = table.number("volume_m3", kDrawnVolume);
+  draw_keys().read(table, draw);
   if (!draw.volume) {
     table.required("count", "a whole number of blocks; or give volume_m3 instead");
-  } else if (const TomlNode* count = table.find("count")) {
-    table.refuse("count", *count, "contradicts volume_m3; keep one of the two");
+  } else {
+    table.refuse_if_there("count", "contradicts volume_m3; keep one of the two");
   }
-  draw.count = table.count("count", 1, kMostPerSet).value_or(0);
-  draw.seed = table.count("seed", 0, INT64_MAX).value_or(draw.seed);
-  draw.scheme = choice(table, "scheme", kSelectingSchemes).value_or(draw.scheme);
-  draw.shares = read_shares(table, draw.scheme);
-  draw.mass = read_uncertain(table, "mass_kg", kBlockMass);
   return draw;
+}
+
+/// Keys of a ground zone.
+/// @param complete  what every zone must have is required
+BoundTable<GroundTable> zone_keys(bool complete) {
+  std::vector<BoundKey<GroundTable>> keys;
+  for (const GroundField& field : ground_fields()) {
+    ValueForm form = uncertain(field.range);
+    if (complete && field.required) {
+      form = required(field.meaning + (", " + field.range.words()), std::move(form));
+    }
+    keys.push_back({field.name, field.unit, field.explanation(), std::move(form), field.asked});
+  }
+  return {{"ground", "How the ground of a zone behaves", KeyTable::Repeat::kNamed, {}, true},
+          std::move(keys)};
+}
+
+const BoundTable<GroundTable>& group_ground_keys() {
+  static const BoundTable<GroundTable> keys = zone_keys(false);
+  return keys;
 }
 
 template <class Test>
@@ -101,59 +132,70 @@ bool any_field(const Test& test) {
   return std::any_of(ground_fields().begin(), ground_fields().end(), test);
 }
 
-GroundTable read_ground_table(const TomlTable& table) {
-  GroundTable ground;
-  for (const GroundField& field : ground_fields()) {
-    ground.*field.asked = read_uncertain(table, field.name, field.range);
-  }
-  return ground;
-}
-
 /// The tables of a table [ground], by zone.
 std::map<std::string, GroundTable> read_zones(const TomlNode& node, const std::string& file,
-                                              const std::string& title, bool complete) {
+                                              const std::string& title,
+                                              const BoundTable<GroundTable>& keys) {
   std::vector<std::string> names;
   for (const auto& [name, value] : node.table) names.push_back(name);
   const TomlTable all(node, file, "[" + title + "]", names);
   if (names.empty()) all.refuse("empty; write one table [" + title + ".NAME] per zone");
   std::map<std::string, GroundTable> ground;
   for (const auto& [name, value] : node.table) {
-    try {
-      check_zone_name(name);
-    } catch (const InputError& error) {
-      all.refuse(printable(name), value, error.what());
-    }
+    all.checked(name, [&] { check_zone_name(name); });
     if (value.kind != TomlNode::Kind::kTable) {
       all.refuse(name, value, "must be in the table of a zone, [" + title + ".NAME]");
     }
-    const TomlTable table(value, file, "[" + title + "." + name + "]", campaign_keys("ground"));
-    for (const GroundField& field : ground_fields()) {
-      if (!complete || !field.required) continue;
-      table.required(field.name, std::string(field.meaning) + ", " + field.range.words());
-    }
-    ground[name] = read_ground_table(table);
+    keys.read(DeclaredTable(value, file, "[" + title + "." + name + "]", keys), ground[name]);
   }
   return ground;
 }
 
 }  // namespace
 
+const BoundTable<BlockSelection>& blocks_keys() {
+  static const BoundTable<BlockSelection> keys(
+      {.name = "blocks", .meaning = "Which blocks run, and how large", .required = true},
+      {{"library", "", "block library (HDF5)",
+        required("a block library made by clast reconstruct", text()), &BlockSelection::library},
+       {"select", "", "ids, run in this order, or a class; without, all blocks", selection(),
+        &read_filter, &BlockSelection::filter},
+       {"scale", "", "size to which every block is scaled; shape and density stay the same",
+        either({words({"equal-mass"}),
+                table({{"mass_kg", "kg", "mass of every block",
+                        required("a mass", number(kBlockMass))}}),
+                table({{"volume_m3", "m^3", "volume of every block",
+                        required("a volume", number(kBlockVolume))}})}),
+        &read_scale, &BlockSelection::scale},
+       {"allow_any_size", "", "take blocks of unusual size too", flag(), &BlockSelection::any_size},
+       {"draw", "", "blocks drawn from those selected", table(draw_keys().keys), &read_draw,
+        &BlockSelection::draw},
+       {"vary", "", "bodies made of the selected blocks, that run in their place",
+        table(vary_keys().keys), &read_vary, &BlockSelection::vary}});
+  return keys;
+}
+
+const BoundTable<GroundTable>& ground_keys() {
+  static const BoundTable<GroundTable> keys = zone_keys(true);
+  return keys;
+}
+
+const BoundTable<BlockGroup>& block_group_keys() {
+  static const BoundTable<BlockGroup> keys(
+      {"block_group", "Blocks for which the ground behaves differently", KeyTable::Repeat::kEither},
+      {{"name", "", "of the group", required("a text in quotes", text()), &BlockGroup::name},
+       {"select", "", "ids, or a class",
+        required("ids, or { scheme = ..., class = ... }", selection()), &read_filter,
+        &BlockGroup::filter},
+       {"ground", "", "by zone, the parameters that differ",
+        required("a table of zones, [block_group.ground.NAME]",
+                 named(table(group_ground_keys().keys)))}});
+  return keys;
+}
+
 BlockSelection read_blocks(const TomlTable& top) {
-  const TomlTable table = required_table(top, "blocks");
   BlockSelection blocks;
-  const TomlNode& library = table.required("library", "a block library made by clast reconstruct");
-  table.text("library");
-  blocks.library = input_file(table, "library", library);
-  blocks.filter = read_filter(table, "[blocks]");
-  blocks.scale = read_scale(table);
-  blocks.any_size = table.boolean("allow_any_size").value_or(false);
-  if (const TomlNode* draw = table.find("draw")) {
-    if (const TomlNode* scale = table.find("scale")) {
-      table.refuse("scale", *scale, "drawn blocks are scaled by mass_kg of draw; leave scale out");
-    }
-    blocks.draw = read_draw(table, *draw);
-  }
-  blocks.vary = read_vary(table);
+  blocks_keys().read(required_table(top, blocks_keys()), blocks);
   return blocks;
 }
 
@@ -162,26 +204,17 @@ std::map<std::string, GroundTable> read_ground(const TomlTable& top) {
   if (!node) {
     throw InputError(top.file() + ": no ground: write one table [ground.NAME] per zone");
   }
-  return read_zones(*node, top.file(), "ground", true);
+  return read_zones(*node, top.file(), "ground", ground_keys());
 }
 
 std::vector<BlockGroup> read_block_groups(const TomlTable& top, const Campaign& campaign) {
   std::vector<BlockGroup> groups;
-  for (const TomlNode* node : tables_of(top, "block_group")) {
-    const TomlTable table(*node, top.file(), "[[block_group]]", campaign_keys("block_group"));
-    table.required("name", "a text in quotes");
-    table.required("select", "ids, or { scheme = ..., class = ... }");
+  for (const DeclaredTable& table : tables_of(top, block_group_keys())) {
     BlockGroup group;
-    group.name = *table.text("name");
-    for (const BlockGroup& other : groups) {
-      if (other.name == group.name) {
-        table.refuse("name", *table.find("name"), "another block group has this name");
-      }
-    }
-    group.filter = read_filter(table, "[[block_group]]");
-    const TomlNode& ground =
-        table.required("ground", "a table of zones, [block_group.ground.NAME]");
-    group.ground = read_zones(ground, top.file(), "block_group.ground", false);
+    block_group_keys().read(table, group);
+    check_new_name(table, group.name, groups, "block group");
+    const TomlNode& ground = *table.find("ground");
+    group.ground = read_zones(ground, top.file(), "block_group.ground", group_ground_keys());
     if (std::all_of(group.ground.begin(), group.ground.end(), [](const auto& zone) {
           return !any_field(
               [&](const GroundField& field) { return (zone.second.*field.asked).has_value(); });

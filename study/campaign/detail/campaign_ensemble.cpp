@@ -6,7 +6,6 @@
 #include "core/listed.hpp"
 #include "core/number_text.hpp"
 #include "core/statistics/sobol_sequence.hpp"
-#include "study/campaign/campaign_keys.hpp"
 #include "study/campaign/campaign_reading.hpp"
 #include "study/campaign/ground_fields.hpp"
 #include "study/campaign/unknown.hpp"
@@ -44,7 +43,7 @@ std::vector<std::string> quoted_names(const std::set<std::string>& names) {
 
 /// The tables whose values come from the posterior: those of `take`, or the ground where the
 /// posterior has nothing else.
-std::set<std::string> taken_tables(const TomlTable& table, const PosteriorDraws& posterior) {
+std::set<std::string> taken_tables(const DeclaredTable& table, const PosteriorDraws& posterior) {
   std::set<std::string> there;  // that members can take
   for (const std::string& parameter : posterior.parameters) {
     if (!is_of_blocks(parameter)) there.insert(table_of(parameter));
@@ -61,16 +60,15 @@ std::set<std::string> taken_tables(const TomlTable& table, const PosteriorDraws&
   if (!take) {
     for (const std::string& parameter : posterior.parameters) {
       if (is_of_ground(parameter)) continue;
-      table.refuse("posterior", *table.find("posterior"),
-                   "was calibrated with " + parameter +
-                       " too; say which tables members have from it: take = [" +
-                       listed(quoted_names(there)) +
-                       "], or fewer, and the others are as the campaign has them");
+      table.refuse("posterior", "was calibrated with " + parameter +
+                                    " too; say which tables members have from it: take = [" +
+                                    listed(quoted_names(there)) +
+                                    "], or fewer, and the others are as the campaign has them");
     }
     return there;
   }
   const TomlNode& node = *table.find("take");
-  const std::vector<std::string>& known = campaign_words("ensemble", "take");
+  const std::vector<std::string>& known = table.form("take").leaf().words;
   for (const std::string& name : *take) {
     if (name == "blocks") {
       table.refuse("take", node, same_blocks + "\"blocks\" out");
@@ -104,24 +102,22 @@ PosteriorDraws only(const std::set<std::string>& tables, const PosteriorDraws& a
 void check_values(const TomlTable& table, const PosteriorDraws& posterior) {
   for (std::size_t i = 0; i < posterior.parameters.size(); ++i) {
     const std::string& parameter = posterior.parameters[i];
-    try {
-      const NumberRange allowed = parameter_range(parameter).allowed;
+    const auto check = [&] {
+      const NumberRange allowed = parameter_range(parameter);
       for (const std::vector<double>& draw : posterior.draws) {
         if (allowed.holds(draw[i])) continue;
         throw InputError("has a draw of " + with_digits(draw[i], 6) + ", which must be " +
                          allowed.words());
       }
-    } catch (const InputError& error) {
-      table.refuse("posterior", *table.find("posterior"), parameter + " " + error.what());
-    }
+    };
+    table.checked("posterior", check, parameter + " ");
   }
 }
 
-PosteriorDraws read_posterior(const TomlTable& table, const Campaign& campaign,
+PosteriorDraws read_posterior(const DeclaredTable& table, const Campaign& campaign,
                               const Ensemble& ensemble) {
   const TomlNode& node = *table.find("posterior");
-  table.text("posterior");
-  const PosteriorDraws all = read_posterior_draws(input_file(table, "posterior", node));
+  const PosteriorDraws all = read_posterior_draws(*table.value<std::filesystem::path>("posterior"));
   PosteriorDraws taken = only(taken_tables(table, all), all);
   check_values(table, taken);
   const auto is_in_campaign = [&](const std::string& parameter) {
@@ -139,12 +135,30 @@ PosteriorDraws read_posterior(const TomlTable& table, const Campaign& campaign,
   return taken;
 }
 
+Ensemble::Design design_named(const std::string& word) {
+  return word == "sobol" ? Ensemble::Design::kSobol : Ensemble::Design::kRandom;
+}
+
 }  // namespace
+
+const BoundTable<Ensemble>& ensemble_keys() {
+  static const ValueForm taken = words({"ground", "contact", "release"});
+  static const BoundTable<Ensemble> keys(
+      {.name = "ensemble", .meaning = "How often uncertain parameters are drawn"},
+      {{"members", "", "number of draws",
+        required("how often the parameters are drawn, a whole number", count(1, kMostPerSet)),
+        &Ensemble::members},
+       {"seed", "", "of the draws", seed(), &Ensemble::seed},
+       {"design", "", "by chance, or filling the space of the parameters evenly",
+        words({"random", "sobol"}), &design_named, &Ensemble::design},
+       {"posterior", "", "posterior file whose draws the members have", text()},
+       {"take", "", "tables whose parameters come from the posterior", one_or_more(taken)}});
+  return keys;
+}
 
 Ensemble read_ensemble(const TomlTable& top, const Campaign& campaign) {
   const bool anything = uncertain_numbers(campaign) > 0;
-  const TomlNode* node = top.find("ensemble");
-  if (!node) {
+  if (!top.find("ensemble")) {
     if (anything) {
       throw InputError(top.file() +
                        ": ground parameters are uncertain; say how often they are drawn, with "
@@ -152,26 +166,22 @@ Ensemble read_ensemble(const TomlTable& top, const Campaign& campaign) {
     }
     return {};
   }
-  const TomlTable table(*node, top.file(), "[ensemble]", campaign_keys("ensemble"));
-  table.required("members", "how often the parameters are drawn, a whole number");
+  const DeclaredTable table = required_table(top, ensemble_keys());
+  Ensemble ensemble;
+  ensemble_keys().read(table, ensemble);
   if (!anything && !table.find("posterior")) {
     table.refuse(
         "no ground parameter is uncertain; write for example friction = { uniform = [0.5, 0.8] }");
   }
   if (table.find("take") && !table.find("posterior")) {
-    table.refuse("take", *table.find("take"), "is of a posterior; name its file as posterior");
+    table.refuse("take", "is of a posterior; name its file as posterior");
   }
-  Ensemble ensemble;
-  ensemble.members = static_cast<std::uint32_t>(*table.count("members", 1, kMostPerSet));
-  ensemble.seed = table.count("seed", 0, INT64_MAX).value_or(ensemble.seed);
-  if (campaign_choice(table, "ensemble", "design") == "sobol") {
-    ensemble.design = Ensemble::Design::kSobol;
+  if (ensemble.design == Ensemble::Design::kSobol) {
     const std::size_t numbers = uncertain_numbers(campaign);
     if (numbers > kMostSobolDimensions) {
-      table.refuse("design", *table.find("design"),
-                   "fills at most " + std::to_string(kMostSobolDimensions) +
-                       " uncertain parameters evenly, and there are " + std::to_string(numbers) +
-                       "; fix some, or leave design out");
+      table.refuse("design", "fills at most " + std::to_string(kMostSobolDimensions) +
+                                 " uncertain parameters evenly, and there are " +
+                                 std::to_string(numbers) + "; fix some, or leave design out");
     }
   }
   if (table.find("posterior")) ensemble.posterior = read_posterior(table, campaign, ensemble);
@@ -180,16 +190,16 @@ Ensemble read_ensemble(const TomlTable& top, const Campaign& campaign) {
 
 void check_posterior_starts(const TomlTable& top, const Campaign& campaign) {
   if (!campaign.ensemble.posterior) return;
-  const TomlTable table(*top.find("ensemble"), top.file(), "[ensemble]", campaign_keys("ensemble"));
+  const DeclaredTable table = required_table(top, ensemble_keys());
   for (const std::string& parameter : campaign.ensemble.posterior->parameters) {
     if (!is_of_release(parameter)) continue;
     if (campaign.stay && !campaign.stay->masses.empty()) {
-      table.refuse("take", *table.find("take"),
+      table.refuse("take",
                    "the blocks of a mass start at rest where they lie, and the posterior has " +
                        parameter + "; leave \"release\" out");
     }
     if (has_parameter(campaign, parameter)) continue;
-    table.refuse("take", *table.find("take"),
+    table.refuse("take",
                  "the posterior has " + parameter +
                      ", and a release of this campaign starts at given heights; give it height_m, "
                      "or leave \"release\" out");

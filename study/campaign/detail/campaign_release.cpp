@@ -4,7 +4,6 @@
 #include "core/error.hpp"
 #include "core/files/up_axis.hpp"
 #include "core/number_text.hpp"
-#include "study/campaign/campaign_keys.hpp"
 #include "study/campaign/campaign_ranges.hpp"
 #include "study/campaign/campaign_reading.hpp"
 #include "study/campaign/release_points.hpp"
@@ -15,11 +14,13 @@ namespace fs = std::filesystem;
 
 namespace {
 
-std::vector<Vec3> read_release_points(const TomlTable& table, bool y_up, ReleasePlan& plan) {
-  const std::string expected =
-      "a point file, a list [[x, y, z], ...], { line = [...], count = N } or { polygon = [...], "
-      "count = N }";
-  const TomlNode& node = table.required("points", expected);
+const char* const kPoints =
+    "a point file, a list [[x, y, z], ...], { line = [...], count = N } or { polygon = [...], "
+    "count = N }";
+const char* const kOrientations = "\"grid-45\", a quaternion file, or { random = N, seed = S }";
+
+std::vector<Vec3> read_release_points(const DeclaredTable& table, bool y_up, ReleasePlan& plan) {
+  const TomlNode& node = *table.find("points");
   const bool plan_only = plan.drop_height.has_value();
   const auto point_of = [&](const TomlTable& from, const std::string& key, const TomlNode& row) {
     const std::vector<double> values =
@@ -39,8 +40,7 @@ std::vector<Vec3> read_release_points(const TomlTable& table, bool y_up, Release
     return points;
   };
   if (node.kind == TomlNode::Kind::kString) {
-    table.text("points");
-    const fs::path file = input_file(table, "points", node);
+    const fs::path file = *table.value<fs::path>("points");
     std::vector<Vec3> points = read_points(file);
     if (y_up) {
       for (Vec3& point : points) point = turned_z_up(point);
@@ -49,19 +49,18 @@ std::vector<Vec3> read_release_points(const TomlTable& table, bool y_up, Release
     return points;
   }
   if (node.kind == TomlNode::Kind::kList) return points_of(table, "points", node, 1);
-  if (node.kind != TomlNode::Kind::kTable) table.refuse("points", node, "must be " + expected);
+  if (node.kind != TomlNode::Kind::kTable) {
+    table.refuse("points", node, std::string("must be ") + kPoints);
+  }
 
-  const TomlTable rule(node, table.file(), "[release] points",
-                       {"line", "polygon", "count", "seed"});
+  const DeclaredTable rule = table.inner("points");
   const TomlNode* line = rule.find("line");
   const TomlNode* polygon = rule.find("polygon");
   if (!line == !polygon) rule.refuse("needs either line or polygon");
-  rule.required("count", "how many points, a whole number");
-  const std::size_t count = *rule.count("count", 1, kMostPerSet);
+  rule.required("count");
+  const std::size_t count = *rule.value<std::size_t>("count");
   if (line) {
-    if (const TomlNode* seed = rule.find("seed")) {
-      rule.refuse("seed", *seed, "points on a line are evenly spaced and need no seed");
-    }
+    rule.refuse_if_there("seed", "points on a line are evenly spaced and need no seed");
     const std::vector<Vec3> corners = points_of(rule, "line", *line, 2);
     if (std::all_of(corners.begin(), corners.end(),
                     [&](const Vec3& corner) { return corner == corners.front(); })) {
@@ -70,35 +69,33 @@ std::vector<Vec3> read_release_points(const TomlTable& table, bool y_up, Release
     return points_on_line(corners, count);
   }
   if (!plan_only) rule.refuse("a polygon gives plan positions and needs height_m");
-  const std::vector<Vec2> corners = read_polygon(rule, "polygon", *polygon);
-  try {
-    return points_in_polygon(corners, count, rule.count("seed", 0, INT64_MAX).value_or(plan.seed));
-  } catch (const InputError& error) {
-    rule.refuse("polygon", *polygon, error.what());
-  }
+  const std::vector<Vec2> corners = *rule.value<std::vector<Vec2>>("polygon");
+  return rule.checked("polygon", [&] {
+    return points_in_polygon(corners, count, rule.value<std::uint64_t>("seed").value_or(plan.seed));
+  });
 }
 
-void read_orientation_set(const TomlTable& table, bool y_up, ReleasePlan& plan) {
-  const std::string expected = "\"grid-45\", a quaternion file, or { random = N, seed = S }";
-  const TomlNode& node = table.required("orientations", expected);
-  const std::optional<std::string> frame = campaign_choice(table, "release", "frame");
+void read_orientation_set(const DeclaredTable& table, bool y_up, ReleasePlan& plan) {
+  const TomlNode& node = *table.find("orientations");
+  const std::optional<std::string> frame = table.value<std::string>("frame");
   plan.in_principal_frame = frame == "principal";
   if (node.kind == TomlNode::Kind::kTable) {
-    const TomlTable rule(node, table.file(), "[release] orientations", {"random", "seed", "fresh"});
-    rule.required("random", "how many orientations, a whole number");
+    const DeclaredTable rule = table.inner("orientations");
+    rule.check_required();
     plan.orientation_source = "random";
-    plan.orientation_seed = rule.count("seed", 0, INT64_MAX).value_or(plan.seed);
+    plan.orientation_seed = plan.seed;
+    rule.read("seed", plan.orientation_seed);
     plan.orientations =
-        random_orientations(*rule.count("random", 1, kMostPerSet), plan.orientation_seed);
-    plan.fresh_orientations = rule.boolean("fresh").value_or(false);
+        random_orientations(*rule.value<std::size_t>("random"), plan.orientation_seed);
+    rule.read("fresh", plan.fresh_orientations);
     return;
   }
-  if (node.kind != TomlNode::Kind::kString)
-    table.refuse("orientations", node, "must be " + expected);
+  const std::string expected = std::string("must be ") + kOrientations;
+  if (node.kind != TomlNode::Kind::kString) table.refuse("orientations", node, expected);
   plan.orientation_source = *table.text("orientations");
   if (plan.orientation_source == "grid-45") {
     if (frame == "source") {
-      table.refuse("frame", *table.find("frame"),
+      table.refuse("frame",
                    "the orientations of grid-45 turn the principal frame; leave frame out");
     }
     plan.in_principal_frame = true;
@@ -107,7 +104,7 @@ void read_orientation_set(const TomlTable& table, bool y_up, ReleasePlan& plan) 
   }
   if (fs::path(plan.orientation_source).extension().empty() &&
       !fs::exists(fs::path(table.file()).parent_path() / plan.orientation_source)) {
-    table.refuse("orientations", node, "must be " + expected + "; there is no file of this name");
+    table.refuse("orientations", node, expected + "; there is no file of this name");
   }
   const fs::path file = input_file(table, "orientations", node);
   plan.orientations = read_orientations(file);
@@ -117,22 +114,17 @@ void read_orientation_set(const TomlTable& table, bool y_up, ReleasePlan& plan) 
   plan.files.push_back(file);
 }
 
-Vec3 start_rate(const TomlTable& table, const std::string& key, double most) {
-  const Vec3 rate = table.vec3(key, {-most, most}).value_or(Vec3::Zero());
+void check_rate(const DeclaredTable& table, const std::string& key, const Vec3& rate, double most) {
   if (rate.norm() > most) {
-    table.refuse(key, *table.find(key),
-                 "must be " + with_digits(most, 6) + " in size at most; check the units");
+    table.refuse(key, "must be " + with_digits(most, 6) + " in size at most; check the units");
   }
-  return rate;
 }
 
-ReleasePlan read_release(const TomlTable& table, bool y_up) {
+ReleasePlan read_release(const DeclaredTable& table, bool y_up) {
   ReleasePlan plan;
-  plan.name = table.text("name").value_or("");
-  plan.seed = table.count("seed", 0, INT64_MAX).value_or(plan.seed);
-  plan.drop_height = table.number("height_m", kDropHeight);
-  plan.velocity = start_rate(table, "velocity_m_s", kMostSpeed);
-  plan.angular_velocity = start_rate(table, "angular_velocity_rad_s", kMostSpin);
+  release_keys().read(table, plan);
+  check_rate(table, "velocity_m_s", plan.velocity, kMostSpeed);
+  check_rate(table, "angular_velocity_rad_s", plan.angular_velocity, kMostSpin);
   plan.points = read_release_points(table, y_up, plan);
   read_orientation_set(table, y_up, plan);
   return plan;
@@ -140,25 +132,65 @@ ReleasePlan read_release(const TomlTable& table, bool y_up) {
 
 }  // namespace
 
+const BoundTable<ReleasePlan>& release_keys() {
+  using Plan = ReleasePlan;
+  static const TableKey how_many{
+      "count", "", "how many points",
+      required("how many points, a whole number", count(1, kMostPerSet))};
+  static const ValueForm points = either({text(), list(point(), 1),
+                                          table({{"line", "m", "points are spaced evenly along it",
+                                                  required("a list of points", list(point(), 2))},
+                                                 how_many}),
+                                          table({{"polygon", "m", "points are drawn in it",
+                                                  required("a list of points", list(point(), 3))},
+                                                 how_many,
+                                                 {"seed", "", "of the points", seed()}})});
+  static const ValueForm orientations = either(
+      {text(), table({{"random", "", "how many",
+                       required("how many orientations, a whole number", count(1, kMostPerSet))},
+                      {"seed", "", "of the orientations", seed()},
+                      {"fresh", "", "different ones for every block and point", flag()}})});
+  static const BoundTable<Plan> keys(
+      {"release", "Where and how blocks start", KeyTable::Repeat::kEither},
+      {{"name", "", "of the release set, where there are several", text(), &Plan::name},
+       {"points", "m", "of centres of mass: a file, a list, along a line or in a polygon",
+        required(kPoints, points)},
+       {"orientations", "", "\"grid-45\", a file of quaternions, or random ones",
+        required(kOrientations, orientations)},
+       {"frame", "", "to which a file's rotations apply", words({"source", "principal"})},
+       {"height_m", "m", "drop height; points are plan positions then", number(kDropHeight),
+        &Plan::drop_height},
+       {"velocity_m_s", "m/s", "of the centre of mass at the start",
+        list(number({-kMostSpeed, kMostSpeed}), 3, 3), &Plan::velocity},
+       {"angular_velocity_rad_s", "rad/s", "at the start, along the map axes",
+        list(number({-kMostSpin, kMostSpin}), 3, 3), &Plan::angular_velocity},
+       {"seed", "", "where points or orientations have none of their own", seed(), &Plan::seed},
+       {"sequence", "", "every run alone, or blocks stay where they stop",
+        words({"single", "stay"})},
+       {"realisations", "", "how often all blocks are released, where they stay",
+        count(1, kMostPerSet)},
+       {"order", "", "of blocks that stay", words({"random", "listed"})},
+       {"remove", "", "blocks that rest in a ground zone are removed",
+        table({{"zone", "", "name of the zone, or several",
+                required("the name of a ground zone, or a list of names", texts())}})}});
+  return keys;
+}
+
 std::vector<ReleasePlan> read_releases(const TomlTable& top, bool y_up) {
   if (std::vector<ReleasePlan> masses = read_mass_releases(top); !masses.empty()) return masses;
-  const std::vector<const TomlNode*> nodes = tables_of(top, "release");
-  if (nodes.empty()) {
+  const std::vector<DeclaredTable> tables = tables_of(top, release_keys());
+  if (tables.empty()) {
     throw InputError(
         top.file() +
         ": the table [release] is missing; add it with points = FILE or a list of them, or [mass] "
         "with the polygon of a rock mass");
   }
   std::vector<ReleasePlan> releases;
-  for (const TomlNode* node : nodes) {
-    const TomlTable table(*node, top.file(), "[release]", campaign_keys("release"));
-    if (nodes.size() > 1) table.required("name", "a text in quotes, since there are several");
-    releases.push_back(read_release(table, y_up));
-    for (std::size_t i = 0; i + 1 < releases.size(); ++i) {
-      if (releases[i].name == releases.back().name) {
-        table.refuse("name", *table.find("name"), "another release set has this name");
-      }
-    }
+  for (const DeclaredTable& table : tables) {
+    if (tables.size() > 1) table.required("name", "a text in quotes, since there are several");
+    ReleasePlan release = read_release(table, y_up);
+    check_new_name(table, release.name, releases, "release set");
+    releases.push_back(std::move(release));
   }
   return releases;
 }

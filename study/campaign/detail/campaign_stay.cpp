@@ -3,7 +3,6 @@
 
 #include "core/error.hpp"
 #include "core/listed.hpp"
-#include "study/campaign/campaign_keys.hpp"
 #include "study/campaign/campaign_ranges.hpp"
 #include "study/campaign/campaign_reading.hpp"
 #include "study/campaign/ground_fields.hpp"
@@ -13,14 +12,14 @@ namespace clast::study_detail {
 namespace {
 
 /// Names of zones in `remove = { zone = ... }`; none without it.
-std::vector<std::string> read_cleared_zones(const TomlTable& table, const Campaign& campaign) {
+std::vector<std::string> read_cleared_zones(const DeclaredTable& table, const Campaign& campaign) {
   const TomlNode* node = table.find("remove");
   if (!node) return {};
   if (node->kind != TomlNode::Kind::kTable) {
     table.refuse("remove", *node, "must be { zone = \"NAME\" } or { zone = [\"NAME\", ...] }");
   }
-  const TomlTable rule(*node, table.file(), "[release] remove", {"zone"});
-  const TomlNode& zone = rule.required("zone", "the name of a ground zone, or a list of names");
+  const DeclaredTable rule = table.inner("remove");
+  const TomlNode& zone = rule.required("zone");
   const std::vector<std::string> names = *rule.texts("zone");
   for (const std::string& name : names) {
     if (std::count(names.begin(), names.end(), name) > 1) {
@@ -42,8 +41,23 @@ const TomlNode* contact_of_blocks(const TomlTable& top) {
 
 }  // namespace
 
-std::uint32_t read_realisations(const TomlTable& table) {
-  return static_cast<std::uint32_t>(table.count("realisations", 1, kMostPerSet).value_or(1));
+std::uint32_t read_realisations(const DeclaredTable& table) {
+  return table.value<std::uint32_t>("realisations").value_or(1);
+}
+
+const BoundTable<GroundParameters>& between_blocks_keys() {
+  static const BoundTable<GroundParameters> keys = [] {
+    std::vector<BoundKey<GroundParameters>> all;
+    for (const GroundField& field : ground_fields()) {
+      if (field.of_soil) continue;
+      ValueForm form = number(field.range);
+      if (field.required) form = required(field.range.words(), std::move(form));
+      all.push_back({field.name, field.unit, field.explanation(), std::move(form), field.value});
+    }
+    return BoundTable<GroundParameters>(
+        {.name = "contact.blocks", .meaning = "What two blocks do to each other"}, std::move(all));
+  }();
+  return keys;
 }
 
 GroundParameters read_between_blocks(const TomlTable& top, const std::string& who) {
@@ -53,41 +67,21 @@ GroundParameters read_between_blocks(const TomlTable& top, const std::string& wh
                      " hit each other; add [contact.blocks] with energy_restitution, friction and "
                      "rolling_friction");
   }
-  const TomlTable parameters(*between, top.file(), "[contact.blocks]",
-                             campaign_keys("contact.blocks"));
   GroundParameters between_blocks;
-  for (const GroundField& field : ground_fields()) {
-    if (field.of_soil) continue;
-    if (field.required) parameters.required(field.name, field.range.words());
-    between_blocks.*field.value = parameters.number(field.name, field.range).value_or(0.0);
-  }
+  between_blocks_keys().read(
+      DeclaredTable(*between, top.file(), "[contact.blocks]", between_blocks_keys()),
+      between_blocks);
   return between_blocks;
-}
-
-std::vector<Vec2> read_polygon(const TomlTable& table, const std::string& key,
-                               const TomlNode& node) {
-  if (node.kind != TomlNode::Kind::kList || node.list.size() < 3) {
-    table.refuse(key, node, "must be a list of at least 3 points");
-  }
-  std::vector<Vec2> corners;
-  for (const TomlNode& row : node.list) {
-    const std::vector<double> values = table.numbers(
-        key, row, 2, 3, "points of finite numbers, [x, y] or [x, y, z]", kMapCoordinate);
-    corners.emplace_back(values[0], values[1]);
-  }
-  return corners;
 }
 
 std::optional<StayPlan> read_stay_plan(const TomlTable& top, const Campaign& campaign) {
   if (std::optional<StayPlan> masses = read_masses(top, campaign)) return masses;
-  const std::vector<const TomlNode*> nodes = tables_of(top, "release");
-  const TomlTable table(*nodes.front(), top.file(), "[release]", campaign_keys("release"));
-  const bool stay = campaign_choice(table, "release", "sequence") == "stay";
+  const std::vector<DeclaredTable> tables = tables_of(top, release_keys());
+  const DeclaredTable& table = tables.front();
+  const bool stay = table.value<std::string>("sequence") == "stay";
   if (!stay) {
     for (const char* key : {"realisations", "order", "remove"}) {
-      if (const TomlNode* node = table.find(key)) {
-        table.refuse(key, *node, "is for blocks that stay; add sequence = \"stay\"");
-      }
+      table.refuse_if_there(key, "is for blocks that stay; add sequence = \"stay\"");
     }
     if (contact_of_blocks(top)) {
       throw InputError(top.file() +
@@ -97,7 +91,7 @@ std::optional<StayPlan> read_stay_plan(const TomlTable& top, const Campaign& cam
     return std::nullopt;
   }
   const TomlNode& sequence = *table.find("sequence");
-  if (nodes.size() > 1) {
+  if (tables.size() > 1) {
     table.refuse("sequence", sequence,
                  "blocks that stay come from one [release]; put all points into one");
   }
@@ -107,10 +101,9 @@ std::optional<StayPlan> read_stay_plan(const TomlTable& top, const Campaign& cam
   }
   StayPlan plan;
   plan.realisations = read_realisations(table);
-  const std::optional<std::string> order = campaign_choice(table, "release", "order");
-  plan.random_order = order != "listed";
+  plan.random_order = table.value<std::string>("order") != "listed";
   if (!plan.random_order && campaign.blocks.draw) {
-    table.refuse("order", *table.find("order"),
+    table.refuse("order",
                  "drawn blocks are in no order; leave it out, or select blocks by their ids");
   }
   plan.cleared_zones = read_cleared_zones(table, campaign);

@@ -87,7 +87,7 @@ std::string bounds_text(const Bounds& box) {
 }
 
 /// The ground and the space above it that blocks need.
-Bounds domain_of(const PreparedCampaign& prepared, const Scene& scene, double cell) {
+Bounds domain_of(const CampaignPlan& prepared, const Scene& scene, double cell) {
   Bounds box = bounds(prepared.header.terrain.surface);
   for (const SceneBody& body : scene.bodies) box.include(body.start.position);
   box.low -= cell * Vec3::Ones();
@@ -96,7 +96,7 @@ Bounds domain_of(const PreparedCampaign& prepared, const Scene& scene, double ce
   return box;
 }
 
-std::string drivers_text(const PreparedCampaign& prepared, const SceneSet& set) {
+std::string drivers_text(const CampaignPlan& prepared, const SceneSet& set) {
   const double radius = std::max(prepared.campaign.terrain_radius, kLeastRadius);
   std::string text = "setup_drivers:\n";
   const std::vector<std::size_t> drivers = drivers_of(set);
@@ -108,8 +108,7 @@ std::string drivers_text(const PreparedCampaign& prepared, const SceneSet& set) 
   return text;
 }
 
-std::string exadem_input(const PreparedCampaign& prepared, const SceneSet& set,
-                         const Scene& scene) {
+std::string exadem_input(const CampaignPlan& prepared, const SceneSet& set, const Scene& scene) {
   const Campaign& campaign = prepared.campaign;
   double size = 0.0;
   for (const SceneBody& body : scene.bodies) {
@@ -157,7 +156,7 @@ std::string conf_text(const SceneSet& set, const Scene& scene) {
 
 }  // namespace
 
-void write_exadem_scene(const PreparedCampaign& prepared, const SceneSet& set, const Scene& scene,
+void write_exadem_scene(const CampaignPlan& prepared, const SceneSet& set, const Scene& scene,
                         const std::filesystem::path& folder) {
   std::filesystem::create_directories(folder / scene.name);
   write_output(folder / scene.name / "input.msp", exadem_input(prepared, set, scene), {});
@@ -168,7 +167,7 @@ void write_exadem_scene(const PreparedCampaign& prepared, const SceneSet& set, c
   }
 }
 
-std::vector<std::string> exadem_notes(const PreparedCampaign& prepared) {
+std::vector<std::string> exadem_notes(const CampaignPlan& prepared) {
   std::vector<std::string> notes = {
       "Not run here: the input follows the keys of ExaDEM 1.2.2 as read in its sources.",
       "The normal force there is a spring with a dashpot: the damping rate -ln e_n / sqrt(pi^2 + "

@@ -50,8 +50,7 @@ std::string weights_of(ContactWeights weights) {
   return "None";
 }
 
-std::string rockable_input(const PreparedCampaign& prepared, const SceneSet& set,
-                           const Scene& scene) {
+std::string rockable_input(const CampaignPlan& prepared, const SceneSet& set, const Scene& scene) {
   const Campaign& campaign = prepared.campaign;
   const double interval =
       campaign.trajectory_interval > 0.0 ? campaign.trajectory_interval : kRockableSnapshot;
@@ -75,7 +74,7 @@ std::string rockable_input(const PreparedCampaign& prepared, const SceneSet& set
 
 }  // namespace
 
-void write_rockable_scene(const PreparedCampaign& prepared, const SceneSet& set, const Scene& scene,
+void write_rockable_scene(const CampaignPlan& prepared, const SceneSet& set, const Scene& scene,
                           const std::filesystem::path& folder) {
   std::filesystem::create_directories(folder / scene.name);
   write_output(folder / scene.name / "input.txt", rockable_input(prepared, set, scene), {});
@@ -92,7 +91,7 @@ void write_rockable_scene(const PreparedCampaign& prepared, const SceneSet& set,
 namespace {
 
 /// Depths to which blocks can go that are more than the radii which meet there.
-std::string depth_note(const PreparedCampaign& prepared) {
+std::string depth_note(const CampaignPlan& prepared) {
   std::size_t deep = 0;
   double missing = 0.0;
   for (const RunRecord& run : prepared.runs) {
@@ -113,7 +112,7 @@ std::string depth_note(const PreparedCampaign& prepared) {
 
 }  // namespace
 
-std::vector<std::string> rockable_notes(const PreparedCampaign& prepared) {
+std::vector<std::string> rockable_notes(const CampaignPlan& prepared) {
   const Campaign& campaign = prepared.campaign;
   std::vector<std::string> notes = {
       depth_note(prepared),

@@ -57,7 +57,7 @@ double path_length(const RigidBody& body, const MotionStep& step, double gravity
 
 }  // namespace
 
-StoredRun run_of_states(const PreparedCampaign& prepared, const RunRecord& planned,
+StoredRun run_of_states(const CampaignPlan& prepared, const RunRecord& planned,
                         const StateSeries& series, const SeriesEnd& end) {
   const RigidBody body = prepared.bodies[planned.block];
   const double gravity = prepared.campaign.gravity;
@@ -103,7 +103,7 @@ StoredRun run_of_states(const PreparedCampaign& prepared, const RunRecord& plann
   return run;
 }
 
-std::size_t first_off_terrain(const PreparedCampaign& prepared, const StateSeries& series) {
+std::size_t first_off_terrain(const CampaignPlan& prepared, const StateSeries& series) {
   const auto found =
       std::find_if(series.states.begin(), series.states.end(), [&](const RigidState& state) {
         return !prepared.surface->covers(state.position.x(), state.position.y());
@@ -111,7 +111,7 @@ std::size_t first_off_terrain(const PreparedCampaign& prepared, const StateSerie
   return static_cast<std::size_t>(found - series.states.begin());
 }
 
-bool rests_at_end(const PreparedCampaign& prepared, const RunRecord& planned,
+bool rests_at_end(const CampaignPlan& prepared, const RunRecord& planned,
                   const StateSeries& series) {
   const RigidBody body = prepared.bodies[planned.block];
   std::size_t first = series.states.size();

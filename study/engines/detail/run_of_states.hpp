@@ -21,18 +21,18 @@ struct SeriesEnd {
 /// What states tell of a run: duration, place of the end, path, crossings of the barriers, and
 /// energies; speeds and spins are the largest of the states. Between two states the motion is the
 /// exact flight where one leads to the other, else interpolated (`state_at`). What needs contacts
-/// is not a number, or 0 where it is a count: `CampaignResults::engine` says that it is not known.
+/// is not a number, or 0 where it is a count: `CampaignHeader::engine` says that it is not known.
 /// The trajectory is the series.
-StoredRun run_of_states(const PreparedCampaign& prepared, const RunRecord& planned,
+StoredRun run_of_states(const CampaignPlan& prepared, const RunRecord& planned,
                         const StateSeries& series, const SeriesEnd& end);
 
 /// Number of the first state whose centre is not over the ground; the number of states where all
 /// are.
-std::size_t first_off_terrain(const PreparedCampaign& prepared, const StateSeries& series);
+std::size_t first_off_terrain(const CampaignPlan& prepared, const StateSeries& series);
 
 /// Is the block at rest, as [run] rest_energy_j_kg and rest_duration_s say, at the end of the
 /// series? One state alone can't tell.
-bool rests_at_end(const PreparedCampaign& prepared, const RunRecord& planned,
+bool rests_at_end(const CampaignPlan& prepared, const RunRecord& planned,
                   const StateSeries& series);
 
 }  // namespace clast::study_detail

@@ -67,13 +67,13 @@ SceneZone scene_zone(const Terrain& terrain, std::size_t zone, double radius) {
 }
 
 /// Speed that a block can't exceed: from its start to the lowest ground, m/s.
-double fastest(const PreparedCampaign& prepared, const SceneBody& body) {
+double fastest(const CampaignPlan& prepared, const SceneBody& body) {
   const double lowest = bounds(prepared.header.terrain.surface).low.z();
   const double fall = std::max(0.0, body.start.position.z() - lowest);
   return std::sqrt(body.start.velocity.squaredNorm() + 2.0 * prepared.campaign.gravity * fall);
 }
 
-void add_contacts(const PreparedCampaign& prepared, const SceneSet& set, std::uint32_t first,
+void add_contacts(const CampaignPlan& prepared, const SceneSet& set, std::uint32_t first,
                   std::uint32_t count, Scene& scene) {
   std::set<std::uint32_t> shapes;
   for (std::uint32_t i = first; i < first + count; ++i) {
@@ -100,12 +100,12 @@ void add_contacts(const PreparedCampaign& prepared, const SceneSet& set, std::ui
 
 }  // namespace
 
-std::string scene_name(const PreparedCampaign& prepared, std::uint32_t first) {
+std::string scene_name(const CampaignPlan& prepared, std::uint32_t first) {
   return prepared.header.stay ? "realisation" + padded(first / prepared.header.runs_together(), 4)
                               : "run" + padded(first, 5);
 }
 
-SceneSet scene_set(const PreparedCampaign& prepared) {
+SceneSet scene_set(const CampaignPlan& prepared) {
   SceneSet set;
   const Terrain& terrain = prepared.header.terrain;
   std::set<std::string> used;
@@ -122,7 +122,7 @@ SceneSet scene_set(const PreparedCampaign& prepared) {
   return set;
 }
 
-Scene scene_of(const PreparedCampaign& prepared, const SceneSet& set, std::uint32_t first) {
+Scene scene_of(const CampaignPlan& prepared, const SceneSet& set, std::uint32_t first) {
   const std::uint32_t together = prepared.header.runs_together();
   Scene scene;
   scene.name = scene_name(prepared, first);

@@ -63,21 +63,21 @@ struct Scene {
 };
 
 /// Of the scene that begins with this run.
-std::string scene_name(const PreparedCampaign& prepared, std::uint32_t first);
+std::string scene_name(const CampaignPlan& prepared, std::uint32_t first);
 
-SceneSet scene_set(const PreparedCampaign& prepared);
+SceneSet scene_set(const CampaignPlan& prepared);
 
 /// @param first  number of the first run of those that are computed together
-Scene scene_of(const PreparedCampaign& prepared, const SceneSet& set, std::uint32_t first);
+Scene scene_of(const CampaignPlan& prepared, const SceneSet& set, std::uint32_t first);
 
 /// Shapes and conf file of Rockable, with the input of its tracker.
-void write_rockable_scene(const PreparedCampaign& prepared, const SceneSet& set, const Scene& scene,
+void write_rockable_scene(const CampaignPlan& prepared, const SceneSet& set, const Scene& scene,
                           const std::filesystem::path& folder);
-std::vector<std::string> rockable_notes(const PreparedCampaign& prepared);
+std::vector<std::string> rockable_notes(const CampaignPlan& prepared);
 
 /// Input file of ExaDEM, with the bodies as a conf file and the terrain as STL files.
-void write_exadem_scene(const PreparedCampaign& prepared, const SceneSet& set, const Scene& scene,
+void write_exadem_scene(const CampaignPlan& prepared, const SceneSet& set, const Scene& scene,
                         const std::filesystem::path& folder);
-std::vector<std::string> exadem_notes(const PreparedCampaign& prepared);
+std::vector<std::string> exadem_notes(const CampaignPlan& prepared);
 
 }  // namespace clast::study_detail

@@ -49,7 +49,7 @@ bool is_checkpoint(const fs::path& path) {
 
 }  // namespace
 
-CheckpointFile::CheckpointFile(const fs::path& target, const CampaignResults& header,
+CheckpointFile::CheckpointFile(const fs::path& target, const CampaignHeader& header,
                                std::uint32_t realisation)
     : path_(target.parent_path() / (name_begin(target) + std::to_string(realisation + 1))),
       header_(header),

@@ -18,7 +18,7 @@ class CheckpointFile {
   /// @param target       of the results; the file is beside it, `partial_results` and the number
   /// @param header       must outlive it
   /// @param realisation  from 0; in the name from 1
-  CheckpointFile(const std::filesystem::path& target, const CampaignResults& header,
+  CheckpointFile(const std::filesystem::path& target, const CampaignHeader& header,
                  std::uint32_t realisation);
 
   const std::filesystem::path& path() const { return path_; }
@@ -36,7 +36,7 @@ class CheckpointFile {
 
  private:
   std::filesystem::path path_;
-  const CampaignResults& header_;
+  const CampaignHeader& header_;
   std::uint32_t realisation_;
 };
 

@@ -55,8 +55,7 @@ double lowest_ground(const Heap& heap, const TerrainSurface& ground) {
   return lowest;
 }
 
-Heap heap_of(const PreparedCampaign& prepared, std::span<const RunRecord> runs,
-             std::uint32_t mass) {
+Heap heap_of(const CampaignPlan& prepared, std::span<const RunRecord> runs, std::uint32_t mass) {
   Heap heap;
   heap.outline = local_outline(prepared.campaign.stay->masses[mass], prepared.header.frame.origin);
   heap.sense = signed_area(heap.outline) < 0.0 ? -1.0 : 1.0;
@@ -79,8 +78,8 @@ Heap heap_of(const PreparedCampaign& prepared, std::span<const RunRecord> runs,
 }
 
 /// How far blocks reach over a side of the outline, m; 0 where none does.
-double reach_over(const PreparedCampaign& prepared, std::span<const RunRecord> runs,
-                  const Heap& heap, std::size_t side) {
+double reach_over(const CampaignPlan& prepared, std::span<const RunRecord> runs, const Heap& heap,
+                  std::size_t side) {
   const Vec2 outwards = heap.outwards(side);
   double reach = 0.0;
   for (const RunRecord& run : runs.subspan(heap.first, heap.end - heap.first)) {
@@ -105,8 +104,8 @@ double beyond_corner(const Heap& heap, std::size_t corner, double reach) {
   return heap.thickness + 2.0 * reach * turn;
 }
 
-void add_faces(const PreparedCampaign& prepared, std::span<const RunRecord> runs,
-               std::uint32_t mass, HoldingFaces& faces) {
+void add_faces(const CampaignPlan& prepared, std::span<const RunRecord> runs, std::uint32_t mass,
+               HoldingFaces& faces) {
   const Heap heap = heap_of(prepared, runs, mass);
   const MassPlan& plan = prepared.campaign.stay->masses[mass];
   std::vector<double> reaches;
@@ -136,7 +135,7 @@ void add_faces(const PreparedCampaign& prepared, std::span<const RunRecord> runs
 
 }  // namespace
 
-HoldingFaces holding_faces(const PreparedCampaign& prepared, std::span<const RunRecord> runs) {
+HoldingFaces holding_faces(const CampaignPlan& prepared, std::span<const RunRecord> runs) {
   HoldingFaces faces;
   const std::vector<MassPlan>& masses = prepared.campaign.stay->masses;
   for (std::uint32_t mass = 0; mass < masses.size(); ++mass) {

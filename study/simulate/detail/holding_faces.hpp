@@ -17,6 +17,6 @@ struct HoldingFaces {
 /// the heap, so far out that no block of the heap reaches into them at its start: a fraction of a
 /// cell of the packing. They close at the corners.
 /// @param runs  of one realisation, mass by mass
-HoldingFaces holding_faces(const PreparedCampaign& prepared, std::span<const RunRecord> runs);
+HoldingFaces holding_faces(const CampaignPlan& prepared, std::span<const RunRecord> runs);
 
 }  // namespace clast::study_detail

@@ -90,7 +90,7 @@ std::vector<std::size_t> heap_counts(const Campaign& campaign, std::size_t block
   return counts;
 }
 
-std::vector<std::vector<std::uint32_t>> blocks_of_masses(const PreparedCampaign& prepared,
+std::vector<std::vector<std::uint32_t>> blocks_of_masses(const CampaignPlan& prepared,
                                                          std::span<const std::uint32_t> order) {
   const Campaign& campaign = prepared.campaign;
   std::vector<std::vector<std::uint32_t>> blocks(campaign.stay->masses.size());

@@ -24,7 +24,7 @@ std::vector<std::size_t> heap_counts(const Campaign& campaign, std::size_t block
 /// @param order     all blocks of the realisation
 /// @throws InputError  as `heap_counts`; a block in place in no polygon, or in two; a mass in place
 ///                     without a block
-std::vector<std::vector<std::uint32_t>> blocks_of_masses(const PreparedCampaign& prepared,
+std::vector<std::vector<std::uint32_t>> blocks_of_masses(const CampaignPlan& prepared,
                                                          std::span<const std::uint32_t> order);
 
 }  // namespace clast::study_detail

@@ -18,7 +18,7 @@ constexpr double kStartCellShare = 1.0 / 6.0;
 constexpr double kMostStartCells = 1e6;
 
 /// Of each mass, local frame.
-std::vector<std::vector<Vec2>> outlines(const PreparedCampaign& prepared) {
+std::vector<std::vector<Vec2>> outlines(const CampaignPlan& prepared) {
   std::vector<std::vector<Vec2>> outlines;
   for (const MassPlan& mass : prepared.campaign.stay->masses) {
     std::vector<Vec2>& outline = outlines.emplace_back(mass.polygon);
@@ -28,7 +28,7 @@ std::vector<std::vector<Vec2>> outlines(const PreparedCampaign& prepared) {
 }
 
 /// One width for all heaps, so that no cell belongs to two of them.
-double width_of_cells(const PreparedCampaign& prepared,
+double width_of_cells(const CampaignPlan& prepared,
                       const std::vector<std::vector<Vec2>>& outlines) {
   double smallest = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < prepared.bodies.size(); ++i) {
@@ -47,7 +47,7 @@ double width_of_cells(const PreparedCampaign& prepared,
 
 }  // namespace
 
-MassStarts::MassStarts(const PreparedCampaign& prepared)
+MassStarts::MassStarts(const CampaignPlan& prepared)
     : prepared_(prepared), plans_(prepared.campaign.stay->masses) {
   if (plans_.front().in_place) return;
   const std::vector<std::vector<Vec2>> all = outlines(prepared);

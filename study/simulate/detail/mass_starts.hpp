@@ -16,7 +16,7 @@ class MassStarts {
  public:
   /// @param prepared  with campaign, blocks, terrain and header; must outlive it
   /// @throws InputError  a polygon without area, beyond the terrain, or over that of another heap
-  explicit MassStarts(const PreparedCampaign& prepared);
+  explicit MassStarts(const CampaignPlan& prepared);
 
   /// Begins a realisation.
   /// @param name    that orientations are drawn by
@@ -36,7 +36,7 @@ class MassStarts {
                      Random& random);
   [[noreturn]] void refuse_block(std::size_t mass, std::uint32_t block) const;
 
-  const PreparedCampaign& prepared_;
+  const CampaignPlan& prepared_;
   const std::vector<MassPlan>& plans_;
   std::vector<BlockPacking> packings_;  ///< of the heaps; none in place
   std::string name_;

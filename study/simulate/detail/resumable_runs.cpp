@@ -48,7 +48,7 @@ class Timer {
   std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
 };
 
-CheckpointFile checkpoint_of(const PreparedCampaign& prepared, const std::filesystem::path& target,
+CheckpointFile checkpoint_of(const CampaignPlan& prepared, const std::filesystem::path& target,
                              std::uint32_t first) {
   return {target, prepared.header, first / prepared.header.runs_together()};
 }

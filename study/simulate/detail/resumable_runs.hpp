@@ -18,7 +18,7 @@ class ResumableRuns {
 
   /// All must outlive it.
   /// @param target  of the results, beside which checkpoints are kept
-  ResumableRuns(const PreparedCampaign& prepared, const std::filesystem::path& target,
+  ResumableRuns(const CampaignPlan& prepared, const std::filesystem::path& target,
                 const RunOptions& options)
       : prepared_(prepared), target_(target), options_(options) {}
 
@@ -36,7 +36,7 @@ class ResumableRuns {
   void remove_checkpoint(std::uint32_t first) const;
 
  private:
-  const PreparedCampaign& prepared_;
+  const CampaignPlan& prepared_;
   const std::filesystem::path& target_;
   const RunOptions& options_;
 };

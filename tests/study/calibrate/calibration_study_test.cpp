@@ -112,7 +112,7 @@ TEST_F(StudyFile, EveryKindOfUnknownIsSet) {
   EXPECT_FALSE(has_parameter(campaign, "ground.green.friction"));
   EXPECT_TRUE(is_of_release("release.spin_x_rad_s"));
   EXPECT_FALSE(is_of_release("contact.stiffness_n_m"));
-  EXPECT_EQ(parameter_range("contact.stiffness_n_m").unit, "N/m");
+  EXPECT_STREQ(parameter_range("contact.stiffness_n_m").unit, "N/m");
 }
 
 TEST_F(StudyFile, LawsAndSharesOfDrawnBlocksAreUnknowns) {

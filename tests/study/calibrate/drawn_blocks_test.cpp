@@ -96,7 +96,7 @@ TEST_F(DrawnBlocks, RunsOfSomeNumbersAreThoseOfTheWholePlan) {
       all, "[release]\npoints = [[-12, -3, 9.5], [-12, 3, 9.5]]",
       "[[release]]\nname = \"high\"\norientations = \"turns.txt\"\npoints = [[-14, 0, "
       "12]]\n[[release]]\nname = \"low\"\npoints = [[-12, -3, 9.5], [-12, 3, 9.5]]");
-  PreparedCampaign plan = prepared(all);
+  CampaignPlan plan = prepared(all);
   ASSERT_EQ(plan.runs.size(), 3u * (3 + 2 * 20));
   std::vector<std::uint32_t> numbers(plan.runs.size());
   std::iota(numbers.rbegin(), numbers.rend(), 0u);

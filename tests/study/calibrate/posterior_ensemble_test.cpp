@@ -32,7 +32,7 @@ class PosteriorEnsemble : public CampaignRun {
 
 TEST_F(PosteriorEnsemble, MembersHaveTheGroundOfDifferentDraws) {
   write({"ground.slope.friction", "ground.flat.rolling_friction"});
-  const PreparedCampaign plan = prepared(with_posterior());
+  const CampaignPlan plan = prepared(with_posterior());
   const PosteriorDraws posterior = read_posterior_draws(*folder_ / "posterior.h5");
   ASSERT_EQ(plan.header.ground_sets.size(), 40u);
   std::set<std::vector<double>> drawn(posterior.draws.begin(), posterior.draws.end()), taken;
@@ -57,7 +57,7 @@ TEST_F(PosteriorEnsemble, MembersStartAndTouchAsTheirDrawsSay) {
   PosteriorDraws& posterior = *campaign.ensemble.posterior;
   posterior.parameters[1] = "contact.rolling_stiffness_n_m_rad";
   for (std::vector<double>& draw : posterior.draws) draw[1] *= 1e6;
-  const PreparedCampaign plan = prepare_campaign(campaign);
+  const CampaignPlan plan = prepare_campaign(campaign);
   std::set<std::vector<double>> drawn(posterior.draws.begin(), posterior.draws.end()), taken;
   for (const RunRecord& run : plan.runs) {
     const std::vector<double> own = {run.start.velocity.x(), run.stiffness.rolling};
@@ -76,8 +76,8 @@ TEST_F(PosteriorEnsemble, HeightsAboveTheGroundAreThoseOfTheDraws) {
     return replaced_once(with_posterior("take = " + take + "\n"), "[release]\n",
                          "[release]\nheight_m = 2\n");
   };
-  const PreparedCampaign plan = prepared(taking("[\"ground\", \"release\"]"));
-  const PreparedCampaign ground = prepared(taking("\"ground\""));
+  const CampaignPlan plan = prepared(taking("[\"ground\", \"release\"]"));
+  const CampaignPlan ground = prepared(taking("\"ground\""));
   ASSERT_EQ(plan.runs.size(), ground.runs.size());
   for (std::size_t i = 0; i < plan.runs.size(); ++i) {
     const RunRecord& run = plan.runs[i];

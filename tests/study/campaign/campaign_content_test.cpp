@@ -28,7 +28,7 @@ points = [[-5, 0]]
 height_m = 1.0
 velocity_m_s = [2, 0, 0]
 orientations = { random = 2, seed = 3 })");
-  const PreparedCampaign plan = prepared(text);
+  const CampaignPlan plan = prepared(text);
   ASSERT_EQ(plan.runs.size(), 2u * (2u * 3u + 1u * 2u));
   EXPECT_EQ(plan.header.release_sets, (std::vector<std::string>{"crest", "bench"}));
   EXPECT_EQ(plan.header.set_of_point, (std::vector<std::uint32_t>{0, 0, 1}));
@@ -53,7 +53,7 @@ orientations = "turns.txt")")),
 }
 
 TEST_F(CampaignContent, FreshOrientationsDifferForEveryBlockAndPoint) {
-  const PreparedCampaign plan =
+  const CampaignPlan plan =
       prepared(with("\"turns.txt\"", "{ random = 2, seed = 5, fresh = true }"));
   ASSERT_EQ(plan.runs.size(), 8u);
   for (std::size_t i = 0; i < 8; ++i) {
@@ -62,14 +62,14 @@ TEST_F(CampaignContent, FreshOrientationsDifferForEveryBlockAndPoint) {
                 0.999);
     }
   }
-  const PreparedCampaign again =
+  const CampaignPlan again =
       prepared(with("\"turns.txt\"", "{ random = 2, seed = 5, fresh = true }"));
   EXPECT_EQ(plan.runs[7].start.orientation.coeffs(), again.runs[7].start.orientation.coeffs());
 }
 
 TEST_F(CampaignContent, EqualMassScalesLengthsByTheCubeRootOfTheMassRatio) {
-  const PreparedCampaign own = prepared();
-  const PreparedCampaign equal = prepared(with("[terrain]", "scale = \"equal-mass\"\n[terrain]"));
+  const CampaignPlan own = prepared();
+  const CampaignPlan equal = prepared(with("[terrain]", "scale = \"equal-mass\"\n[terrain]"));
   const double mean = 0.5 * (own.bodies[0].mass + own.bodies[1].mass);
   for (std::size_t i = 0; i < 2; ++i) {
     EXPECT_NEAR(equal.bodies[i].mass, mean, 1e-9 * mean);
@@ -83,16 +83,15 @@ TEST_F(CampaignContent, EqualMassScalesLengthsByTheCubeRootOfTheMassRatio) {
     EXPECT_NEAR(equal.header.blocks[i].axes.L, scale * own.header.blocks[i].axes.L, 1e-12);
     EXPECT_EQ(equal.header.blocks[i].garcia, own.header.blocks[i].garcia);
   }
-  const PreparedCampaign mass = prepared(with("[terrain]", "scale = { mass_kg = 500 }\n[terrain]"));
+  const CampaignPlan mass = prepared(with("[terrain]", "scale = { mass_kg = 500 }\n[terrain]"));
   EXPECT_NEAR(mass.bodies[1].mass, 500.0, 1e-9);
-  const PreparedCampaign volume =
-      prepared(with("[terrain]", "scale = { volume_m3 = 0.5 }\n[terrain]"));
+  const CampaignPlan volume = prepared(with("[terrain]", "scale = { volume_m3 = 0.5 }\n[terrain]"));
   EXPECT_NEAR(volume.header.blocks[0].volume, 0.5, 1e-12);
   EXPECT_NEAR(volume.header.blocks[0].mass, 0.5 * 2650.0, 1e-6);
 }
 
 TEST_F(CampaignContent, DrawnBlocksHaveTheAskedSharesAndMasses) {
-  const PreparedCampaign plan = prepared(with("[terrain]", R"([blocks.draw]
+  const CampaignPlan plan = prepared(with("[terrain]", R"([blocks.draw]
 count = 41
 seed = 7
 shares = { compact = 0.25, elongated = 0.75 }
@@ -133,7 +132,7 @@ TEST(Quotas, AddUpAndFollowTheLargestRemainder) {
 }
 
 TEST_F(CampaignContent, BlockGroupHasItsOwnGround) {
-  const PreparedCampaign plan = prepared(campaign_text() + R"([[block_group]]
+  const CampaignPlan plan = prepared(campaign_text() + R"([[block_group]]
 name = "schist"
 select = ["slab"]
 ground.slope = { friction = 0.25 }
@@ -148,8 +147,8 @@ ground.slope = { friction = 0.25 }
   EXPECT_EQ(plan.header.blocks[1].group, "schist");
   for (const RunRecord& run : plan.runs) EXPECT_EQ(run.ground_set, run.block);
   // A run does what it does alone under those parameters.
-  const PreparedCampaign alone = prepared(with("friction = 0.4", "friction = 0.25"));
-  const auto first_of_slab = [&](const PreparedCampaign& campaign) {
+  const CampaignPlan alone = prepared(with("friction = 0.4", "friction = 0.25"));
+  const auto first_of_slab = [&](const CampaignPlan& campaign) {
     const RunRecord& run = campaign.runs[6];
     ReleaseSettings settings = release_settings(campaign.campaign, run);
     settings.max_time = 2.0;
@@ -161,7 +160,7 @@ ground.slope = { friction = 0.25 }
 }
 
 TEST_F(CampaignContent, RollingLengthIsOfAZoneAndNeedNotBeStated) {
-  const PreparedCampaign plan =
+  const CampaignPlan plan =
       prepared(with("rolling_friction = 0.3", "rolling_friction = 0.3\nrolling_length_m = 0.1") +
                "[[block_group]]\nname = \"schist\"\nselect = [\"slab\"]\n"
                "ground.slope = { rolling_length_m = 0.2 }\n");
@@ -182,7 +181,7 @@ TEST_F(CampaignContent, SoilOfAZoneReachesItsRunsAndMustGoTogether) {
   const auto soil = [](const std::string& keys) {
     return with("rolling_friction = 0.3", "rolling_friction = 0.3\n" + keys);
   };
-  const PreparedCampaign plan =
+  const CampaignPlan plan =
       prepared(soil("friction_min = 0.1\nslip_growth_per_m = { uniform = [2.0, 4.0] }\n"
                     "slip_memory_s = 0.005\nscar_drag = 1.5\nsoil_density_kg_m3 = 1800") +
                "[ensemble]\nmembers = 3\n");
@@ -211,7 +210,7 @@ TEST_F(CampaignContent, SoilRemembersBetweenReleasesUnderALawThatLeavesDents) {
       replaced_once(soil, "[release]\n", "[release]\nsequence = \"stay\"\n") +
       "[contact.blocks]\nenergy_restitution = 0.1\nfriction = 0.5\nrolling_friction = 0.1\n";
   EXPECT_TRUE(contains(refusal(stay), "soil_memory_m needs [contact] law = \"elastoplastic\""));
-  const PreparedCampaign plan = prepared(stay + "[contact]\nlaw = \"elastoplastic\"\n");
+  const CampaignPlan plan = prepared(stay + "[contact]\nlaw = \"elastoplastic\"\n");
   EXPECT_EQ(plan.header.ground_sets[0].zones[1].soil_memory, 0.2);
   EXPECT_EQ(plan.header.ground_sets[0].zones[0].soil_memory, 0.0);
 }
@@ -232,7 +231,7 @@ TEST_F(CampaignContent, EnsembleDrawsTheGroundForEveryMember) {
   std::string ensemble =
       replaced_once(text, "rolling_friction = 0.3", "rolling_friction = { normal = [0.3, 0.05] }");
   ensemble += "[ensemble]\nmembers = 50\nseed = 9\n";
-  const PreparedCampaign plan = prepared(ensemble);
+  const CampaignPlan plan = prepared(ensemble);
   ASSERT_EQ(plan.header.ground_sets.size(), 50u);
   ASSERT_EQ(plan.runs.size(), 12u * 50u);
   double friction = 0.0, rolling = 0.0;
@@ -267,7 +266,7 @@ TEST_F(CampaignContent, SobolEnsembleFillsTheLawsEvenly) {
       "[[block_group]]\nname = \"g\"\nselect = [\"slab\"]\n"
       "ground.slope = { friction = { uniform = [0.1, 0.2] } }\n"
       "[ensemble]\nmembers = 32\nseed = 9\ndesign = \"sobol\"\n";
-  const PreparedCampaign plan = prepared(text);
+  const CampaignPlan plan = prepared(text);
   ASSERT_EQ(plan.header.ground_sets.size(), 64u);
   std::set<int> friction, rolling, of_group;
   for (std::uint32_t member = 0; member < 32; ++member) {

@@ -111,13 +111,13 @@ INSTANTIATE_TEST_SUITE_P(
                 "length from 1e-06 to 1e+06"},
         Refused{"velocity_m_s = [1, 0.5, 0]", "velocity_m_s = [1, nan, 0]",
                 "campaign.toml:24: [release] velocity_m_s = [1, nan, 0]: must be three finite "
-                "numbers, [x, y, z], each from -1000 to 1000"},
+                "numbers, [x, y, z], each from -1000 to 1000 m/s"},
         Refused{"velocity_m_s = [1, 0.5, 0]", "velocity_m_s = [800, 0, 601]",
                 "campaign.toml:24: [release] velocity_m_s = [800, 0, 601]: must be 1000 in size "
                 "at most; check the units"},
         Refused{"velocity_m_s = [1, 0.5, 0]", "velocity_m_s = [0, 0, -1e200]",
                 "campaign.toml:24: [release] velocity_m_s = [0, 0, -1e200]: must be three "
-                "finite numbers, [x, y, z], each from -1000 to 1000"},
+                "finite numbers, [x, y, z], each from -1000 to 1000 m/s"},
         Refused{"angular_velocity_rad_s = [0, 0, 2]", "angular_velocity_rad_s = [0, 9000, 9000]",
                 "campaign.toml:25: [release] angular_velocity_rad_s = [0, 9000, 9000]: must be "
                 "10000 in size at most; check the units"},
@@ -312,12 +312,12 @@ TEST_F(CampaignFile, ReleaseSetsNeedNamesOfTheirOwn) {
   const std::string set = "points = \"points.xyz\"\norientations = \"turns.txt\"\n";
   std::string text = with("[release]\n" + set, "[[release]]\n" + set + "[[release]]\n" + set);
   EXPECT_EQ(refusal(text),
-            "campaign.toml:21: [release]: name is missing; it must be a text in quotes, since "
+            "campaign.toml:21: [[release]]: name is missing; it must be a text in quotes, since "
             "there are several");
   text = with("[release]\n" + set,
               "[[release]]\nname = \"a\"\n" + set + "[[release]]\nname = \"a\"\n" + set);
   EXPECT_EQ(refusal(text),
-            "campaign.toml:26: [release] name = \"a\": another release set has this name");
+            "campaign.toml:26: [[release]] name = \"a\": another release set has this name");
 }
 
 TEST_F(CampaignFile, WhatIsNotTomlIsRefusedWithItsLine) {

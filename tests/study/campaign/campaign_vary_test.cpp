@@ -26,7 +26,7 @@ class CampaignVary : public CampaignRun {
 };
 
 TEST_F(CampaignVary, MakesEveryKindOfBodyOfTheSelectedBlocks) {
-  const PreparedCampaign plan = prepared(with_blocks(R"(select = ["slab"]
+  const CampaignPlan plan = prepared(with_blocks(R"(select = ["slab"]
 [blocks.vary]
 to = [[0.8, 0.5], [0.5, 0.5]]
 grid = { diagram = "sneed-folk", steps = 1, least = 0.4 }
@@ -58,7 +58,7 @@ inertia = "ellipsoid")"));
 }
 
 TEST_F(CampaignVary, KeepsVolumeOrLengthAndTakesVerticesOfFinerBlocks) {
-  const PreparedCampaign plan =
+  const CampaignPlan plan =
       prepared(with_blocks("vary = { to = [[0.9, 0.4]], vertices = 8, keep = \"L\" }"));
   ASSERT_EQ(plan.bodies.size(), 4u);
   EXPECT_NEAR(plan.header.blocks[0].axes.L, 0.7, 0.003);
@@ -102,7 +102,7 @@ vary = { to = [[0.8, 0.5], [1, 1]] }
 name = "cubes"
 select = ["slab_il1_sl1"]
 ground.slope = { friction = 0.5 })";
-  const PreparedCampaign plan = prepared(with_blocks(keys));
+  const CampaignPlan plan = prepared(with_blocks(keys));
   ASSERT_EQ(plan.bodies.size(), 4u);
   for (std::size_t i = 0; i < 4; ++i) EXPECT_NEAR(plan.bodies[i].mass, 500.0, 1e-9);
   EXPECT_EQ(plan.header.blocks[3].group, "cubes");
@@ -126,7 +126,7 @@ TEST_F(CampaignVary, DrawsFromATableWhoseHashIsKept) {
              std::to_string(30 + (3 * i) % 11) + "\n";
   }
   write_text_file(*folder_ / "taped.csv", table);
-  const PreparedCampaign plan = prepared(with_blocks(
+  const CampaignPlan plan = prepared(with_blocks(
       "vary = { population = { count = 3, seed = 5, table = \"taped.csv\", prefix = \"T\" } }"));
   ASSERT_EQ(plan.bodies.size(), 3u);
   EXPECT_EQ(plan.header.blocks[0].id, "T0001");

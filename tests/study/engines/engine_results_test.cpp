@@ -84,7 +84,7 @@ class EngineResultsOf : public CampaignRun {
         [&] { import_engine_results({.scenes = scenes()}, target()); });
   }
 
-  const PreparedCampaign plan_ = prepared(replaced_once(
+  const CampaignPlan plan_ = prepared(replaced_once(
       with("library = \"blocks.h5\"", "library = \"blocks.h5\"\nselect = [\"cube\"]"),
       "turns.txt\"", "turns.txt\"\nvelocity_m_s = [6, 0, 0]\nangular_velocity_rad_s = [0, 2, 0]"));
   std::vector<std::string> folders_;

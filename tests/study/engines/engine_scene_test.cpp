@@ -77,7 +77,7 @@ Conf read_conf(const fs::path& file) {
 
 class EngineScenesOf : public CampaignRun {
  protected:
-  static EngineScenes write(const PreparedCampaign& prepared, const std::string& engine,
+  static EngineScenes write(const CampaignPlan& prepared, const std::string& engine,
                             const std::vector<std::uint32_t>& runs = {}) {
     fs::remove_all(*folder_ / "scenes");
     fs::create_directories(*folder_ / "scenes");
@@ -87,9 +87,9 @@ class EngineScenesOf : public CampaignRun {
 };
 
 TEST_F(EngineScenesOf, RockableHaveTheStartsBitByBit) {
-  const PreparedCampaign plan = prepared(with("turns.txt\"",
-                                              "turns.txt\"\nvelocity_m_s = [1, 0, 0]"
-                                              "\nangular_velocity_rad_s = [0, 2, 0]"));
+  const CampaignPlan plan = prepared(with("turns.txt\"",
+                                          "turns.txt\"\nvelocity_m_s = [1, 0, 0]"
+                                          "\nangular_velocity_rad_s = [0, 2, 0]"));
   const EngineScenes scenes = write(plan, "rockable");
   ASSERT_EQ(scenes.folders.size(), plan.runs.size());
   for (std::size_t i = 0; i < plan.runs.size(); ++i) {
@@ -109,7 +109,7 @@ TEST_F(EngineScenesOf, RockableHaveTheStartsBitByBit) {
 }
 
 TEST_F(EngineScenesOf, RockableHaveMassInertiaAndGround) {
-  const PreparedCampaign plan = prepared(
+  const CampaignPlan plan = prepared(
       with("library = \"blocks.h5\"", "library = \"blocks.h5\"\nscale = { mass_kg = 800 }"));
   const EngineScenes scenes = write(plan, "rockable");
   std::map<std::string, ShpShape> shapes;
@@ -147,7 +147,7 @@ TEST_F(EngineScenesOf, RockableHaveMassInertiaAndGround) {
 }
 
 TEST_F(EngineScenesOf, RockableStepsResolveAContactAndSearchesTheFall) {
-  const PreparedCampaign plan = prepared();
+  const CampaignPlan plan = prepared();
   write(plan, "rockable", {3});
   const Conf conf = read_conf(at("run00003/input.txt"));
   EXPECT_FALSE(fs::exists(at("run00000")));
@@ -188,7 +188,7 @@ TEST_F(EngineScenesOf, SayWhatIsWhatAndWhatDiffers) {
 }
 
 TEST_F(EngineScenesOf, ExademHaveDriversDampingAndAllPairsOfGroups) {
-  const PreparedCampaign plan = prepared();
+  const CampaignPlan plan = prepared();
   const EngineScenes scenes = write(plan, "exadem", {0});
   ASSERT_EQ(scenes.folders, std::vector<std::string>{"run00000"});
   const std::string text = read_text_file(at("run00000/input.msp"));
@@ -214,7 +214,7 @@ TEST_F(EngineScenesOf, AMassAreOnePerRealisationWithContactsBetweenBlocks) {
                "realisations = 2\n");
   text = replaced_once(text, "[terrain]", "draw = { count = 8 }\n[terrain]") +
          "[contact.blocks]\nenergy_restitution = 0.2\nfriction = 0.5\nrolling_friction = 0.2\n";
-  const PreparedCampaign plan = prepared(text);
+  const CampaignPlan plan = prepared(text);
   const EngineScenes scenes = write(plan, "rockable");
   EXPECT_EQ(scenes.folders, (std::vector<std::string>{"realisation0000", "realisation0001"}));
   const Conf conf = read_conf(at("realisation0001/input.txt"));
@@ -229,19 +229,18 @@ TEST_F(EngineScenesOf, AMassAreOnePerRealisationWithContactsBetweenBlocks) {
 }
 
 TEST_F(EngineScenesOf, AreRefusedWhereTheOtherEngineCannotDoIt) {
-  const PreparedCampaign plan = prepared();
-  const auto said = [&](const PreparedCampaign& campaign, const std::string& engine,
+  const CampaignPlan plan = prepared();
+  const auto said = [&](const CampaignPlan& campaign, const std::string& engine,
                         const std::vector<std::uint32_t>& runs = {}) {
     return clast::refusal<InputError>([&] { write(campaign, engine, runs); });
   };
   EXPECT_TRUE(contains(said(plan, "bullet"), "bullet"));
   const std::string beyond = said(plan, "rockable", {12});
   EXPECT_TRUE(contains(beyond, "12") && contains(beyond, "0 to 11")) << beyond;
-  const PreparedCampaign dashpot =
-      prepared(campaign_text() + "[contact]\nlaw = \"spring-dashpot\"\n");
+  const CampaignPlan dashpot = prepared(campaign_text() + "[contact]\nlaw = \"spring-dashpot\"\n");
   EXPECT_TRUE(contains(said(dashpot, "rockable"), "spring-dashpot"));
   EXPECT_NO_THROW(write(dashpot, "exadem", {0}));
-  const PreparedCampaign stay = prepared(
+  const CampaignPlan stay = prepared(
       with("orientations = \"turns.txt\"",
            "orientations = { random = 1, fresh = true }\nsequence = \"stay\"\nrealisations = 2") +
       "[contact.blocks]\nenergy_restitution = 0.2\nfriction = 0.5\nrolling_friction = 0.2\n");

@@ -144,7 +144,7 @@ TEST_F(NewCampaigns, RunOnALargeSlope) {
   EXPECT_EQ(proposal.blocks.count, 3u);
   EXPECT_EQ(proposal.places.release_points, 5u);
   EXPECT_EQ(proposal.orientations, 16u);
-  const PreparedCampaign prepared = prepare_campaign(read_campaign(folder / "campaign.toml"));
+  const CampaignPlan prepared = prepare_campaign(read_campaign(folder / "campaign.toml"));
   EXPECT_EQ(prepared.runs.size(), 3u * 5u * 16u);
   EXPECT_TRUE(prepared.header.warnings.empty()) << testing::PrintToString(prepared.header.warnings);
   EXPECT_TRUE(contains(text(), "library            = \"blocks.h5\"")) << text();
@@ -272,7 +272,7 @@ TEST_F(NewCampaigns, FitATerrainOfOneTriangle) {
   write_obj(folder / "one.obj", mesh);
   const CampaignProposal proposal = write("one.obj");
   EXPECT_GT(proposal.places.downslope.x(), 0.9);
-  const PreparedCampaign prepared = prepare_campaign(read_campaign(folder / "campaign.toml"));
+  const CampaignPlan prepared = prepare_campaign(read_campaign(folder / "campaign.toml"));
   EXPECT_FALSE(prepared.runs.empty());
 }
 

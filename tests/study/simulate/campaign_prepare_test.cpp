@@ -15,13 +15,13 @@
 namespace clast {
 namespace {
 
-bool plan_warns(const PreparedCampaign& plan, const std::string& text) {
+bool plan_warns(const CampaignPlan& plan, const std::string& text) {
   return std::any_of(plan.header.warnings.begin(), plan.header.warnings.end(),
                      [&](const std::string& warning) { return contains(warning, text); });
 }
 
 TEST_F(CampaignRun, PlansEveryBlockPointAndOrientationInOrder) {
-  const PreparedCampaign plan = prepared();
+  const CampaignPlan plan = prepared();
   ASSERT_EQ(plan.runs.size(), 2u * 2u * 3u);
   EXPECT_EQ(plan.header.planned_runs, 12u);
   for (std::uint32_t i = 0; i < 12; ++i) {
@@ -47,7 +47,7 @@ TEST_F(CampaignRun, PlansEveryBlockPointAndOrientationInOrder) {
 }
 
 TEST_F(CampaignRun, QuaternionFileTurnsTheBlockAsItsSourceHoldsIt) {
-  const PreparedCampaign plan = prepared();
+  const CampaignPlan plan = prepared();
   for (const RunRecord& run : plan.runs) {
     const Block& block = plan.choice.library[plan.choice.blocks[run.block].library];
     const RigidBody body = plan.bodies[run.block];
@@ -59,15 +59,15 @@ TEST_F(CampaignRun, QuaternionFileTurnsTheBlockAsItsSourceHoldsIt) {
       ASSERT_LT((placed - expected).norm(), 1e-12);
     }
   }
-  const PreparedCampaign principal =
+  const CampaignPlan principal =
       prepared(with("\"turns.txt\"", "\"turns.txt\"\nframe = \"principal\""));
   EXPECT_EQ(principal.runs[1].start.orientation.coeffs(),
             principal.campaign.releases[0].orientations[1].coeffs());
 }
 
 TEST_F(CampaignRun, DropHeightIsTheClearanceOfTheLowestSkinPoint) {
-  const PreparedCampaign plan = prepared(with("points = [[-12, -3, 9.5], [-12, 3, 9.5]]",
-                                              "points = [[-12, -3], [10, 3]]\nheight_m = 0.75"));
+  const CampaignPlan plan = prepared(with("points = [[-12, -3, 9.5], [-12, 3, 9.5]]",
+                                          "points = [[-12, -3], [10, 3]]\nheight_m = 0.75"));
   for (const RunRecord& run : plan.runs) {
     const RigidBody body = plan.bodies[run.block];
     double clearance = 1e9;
@@ -83,7 +83,7 @@ TEST_F(CampaignRun, DropHeightIsTheClearanceOfTheLowestSkinPoint) {
 }
 
 TEST_F(CampaignRun, GridDuplicatesAreCounted) {
-  const PreparedCampaign plan = prepared(with("\"turns.txt\"", "\"grid-45\""));
+  const CampaignPlan plan = prepared(with("\"turns.txt\"", "\"grid-45\""));
   ASSERT_EQ(plan.campaign.releases[0].orientations.size(), 64u);
   // By another measure than the quaternions: rotation matrices, compared entry by entry.
   std::vector<Mat3> distinct;
@@ -144,7 +144,7 @@ TEST_F(CampaignRun, RunsThatWouldNotEndAreRefusedAndLongOnesNamed) {
 }
 
 TEST_F(CampaignRun, AProbeDoesNotWaitForARunWithoutEnd) {
-  const PreparedCampaign campaign =
+  const CampaignPlan campaign =
       prepared(with("[terrain]", "[contact]\ntime_step_s = 1e-9\n[terrain]"));
   const TimeProbe probe = probe_time(campaign, 0.02);
   EXPECT_TRUE(probe.cut_short);
@@ -165,17 +165,17 @@ TEST_F(CampaignRun, ManyOrientationsAreToldApartWithoutComparingEachWithEach) {
   }
   write_text_file(*folder_ / "many.txt", turns);
   const double begin = static_cast<double>(std::clock());
-  const PreparedCampaign plan = prepared(with("turns.txt", "many.txt"));
+  const CampaignPlan plan = prepared(with("turns.txt", "many.txt"));
   const double seconds = (static_cast<double>(std::clock()) - begin) / CLOCKS_PER_SEC;
   EXPECT_TRUE(plan_warns(plan, "60101 orientations, of which 60000 are different rotations"));
   EXPECT_LT(seconds, 10.0);
 }
 
 TEST_F(CampaignRun, BlocksAreSelectedByIdAndClass) {
-  const PreparedCampaign one = prepared(with("[terrain]", "select = [\"slab\"]\n[terrain]"));
+  const CampaignPlan one = prepared(with("[terrain]", "select = [\"slab\"]\n[terrain]"));
   ASSERT_EQ(one.choice.blocks.size(), 1u);
   EXPECT_EQ(one.choice.blocks[0].id, "slab");
-  const PreparedCampaign elongated = prepared(
+  const CampaignPlan elongated = prepared(
       with("[terrain]", "select = { scheme = \"garcia\", class = \"elongated\" }\n[terrain]"));
   ASSERT_EQ(elongated.choice.blocks.size(), 1u);
   EXPECT_EQ(elongated.choice.blocks[0].id, "slab");
@@ -250,9 +250,9 @@ TEST_F(CampaignRun, ARestitutionOfSpeedIsQuestioned) {
 }
 
 TEST_F(CampaignRun, AHeightOfZeroStartsInTouch) {
-  const PreparedCampaign low = prepared(
+  const CampaignPlan low = prepared(
       with("points = [[-12, -3, 9.5], [-12, 3, 9.5]]", "points = [[-12, -3]]\nheight_m = 0"));
-  const PreparedCampaign high = prepared(
+  const CampaignPlan high = prepared(
       with("points = [[-12, -3, 9.5], [-12, 3, 9.5]]", "points = [[-12, -3]]\nheight_m = 2"));
   ASSERT_EQ(low.runs.size(), high.runs.size());
   for (std::size_t i = 0; i < low.runs.size(); ++i) {

@@ -14,7 +14,7 @@ namespace {
 namespace fs = std::filesystem;
 
 TEST_F(CampaignRun, EveryRunIsStoredWithItsCrossingsAndTrajectory) {
-  const PreparedCampaign plan = prepared();
+  const CampaignPlan plan = prepared();
   const fs::path target = *folder_ / "all.h5";
   std::size_t calls = 0;
   run_campaign(plan, target, {.threads = 2, .progress = [&](const ProgressStep& step) {
@@ -49,7 +49,7 @@ TEST_F(CampaignRun, EveryRunIsStoredWithItsCrossingsAndTrajectory) {
 }
 
 TEST_F(CampaignRun, ResultsDoNotDependOnThreadsOrInterruptions) {
-  const PreparedCampaign plan = prepared();
+  const CampaignPlan plan = prepared();
   run_campaign(plan, *folder_ / "one.h5", {.threads = 1});
   run_campaign(plan, *folder_ / "two.h5", {.threads = 2});
   expect_equal_results(*folder_ / "one.h5", *folder_ / "two.h5");
@@ -77,7 +77,7 @@ TEST_F(CampaignRun, ResultsDoNotDependOnThreadsOrInterruptions) {
 }
 
 TEST_F(CampaignRun, RunThatFailsIsStoredWithItsReason) {
-  PreparedCampaign plan = prepared();
+  CampaignPlan plan = prepared();
   plan.runs[5].start.position.z() -= 20.0;
   const fs::path target = *folder_ / "failed.h5";
   run_campaign(plan, target, {.threads = 2});
@@ -91,7 +91,7 @@ TEST_F(CampaignRun, RunThatFailsIsStoredWithItsReason) {
 }
 
 TEST_F(CampaignRun, TargetThatCantBeWrittenIsRefusedBeforeAnythingRuns) {
-  const PreparedCampaign plan = prepared();
+  const CampaignPlan plan = prepared();
   fs::create_directory(*folder_ / "folder.h5");
   const auto ran = [](const ProgressStep&) { FAIL() << "a run was done"; };
   EXPECT_THROW(run_campaign(plan, *folder_ / "folder.h5", {.progress = ran}), InputError);
@@ -99,14 +99,14 @@ TEST_F(CampaignRun, TargetThatCantBeWrittenIsRefusedBeforeAnythingRuns) {
 }
 
 TEST_F(CampaignRun, FinishedResultsAreKeptUntilReplaceAndNotRunAgain) {
-  const PreparedCampaign plan = prepared();
+  const CampaignPlan plan = prepared();
   const fs::path target = *folder_ / "finished.h5";
   run_campaign(plan, target, {.threads = 2});
   const std::string first = read_text_file(target);
   const auto none = [](const ProgressStep&) { FAIL() << "a run was done"; };
   EXPECT_THROW(run_campaign(plan, target, {.progress = none}), InputError);
   run_campaign(plan, target, {.resume = true, .progress = none});
-  const PreparedCampaign other = prepared(with("max_time_s = 6", "max_time_s = 5"));
+  const CampaignPlan other = prepared(with("max_time_s = 6", "max_time_s = 5"));
   try {
     run_campaign(other, target, {.resume = true, .progress = none});
     FAIL();
@@ -124,13 +124,13 @@ TEST_F(CampaignRun, FinishedResultsAreKeptUntilReplaceAndNotRunAgain) {
 }
 
 TEST_F(CampaignRun, ChangedInputsAreNotResumed) {
-  const PreparedCampaign plan = prepared();
+  const CampaignPlan plan = prepared();
   const fs::path target = *folder_ / "changed.h5";
   struct Stop {};
   EXPECT_THROW(
       run_campaign(plan, target, {.threads = 1, .progress = [](const auto&) { throw Stop{}; }}),
       Stop);
-  const PreparedCampaign other = prepared(with("max_time_s = 6", "max_time_s = 5"));
+  const CampaignPlan other = prepared(with("max_time_s = 6", "max_time_s = 5"));
   try {
     run_campaign(other, target, {.resume = true});
     FAIL();

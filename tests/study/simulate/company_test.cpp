@@ -145,7 +145,7 @@ TEST_F(Company, OtherMembersOfAnEnsembleChangeNothing) {
   ASSERT_EQ(alone.size(), 18u);
   expect_same(alone, runs_of("slab", of("\"pebble\", \"slab\", \"heavy\"", uncertain)));
   expect_same(alone, runs_of("slab", of("\"heavy\", \"slab\"", uncertain + schist)));
-  const PreparedCampaign plan = prepared(of("\"slab\"", uncertain));
+  const CampaignPlan plan = prepared(of("\"slab\"", uncertain));
   std::set<double> drawn;
   for (const GroundSet& set : plan.header.ground_sets) {
     const double restitution = set.zones[0].energy_restitution;
@@ -185,7 +185,7 @@ TEST_F(Company, FreshOrientationsBelongToTheBlock) {
 }
 
 /// Of the first run of each block, by id.
-std::map<std::string, RunRecord> first_runs(const PreparedCampaign& plan) {
+std::map<std::string, RunRecord> first_runs(const CampaignPlan& plan) {
   std::map<std::string, RunRecord> runs;
   for (const RunRecord& run : plan.runs) runs.emplace(plan.header.blocks[run.block].id, run);
   return runs;
@@ -193,7 +193,7 @@ std::map<std::string, RunRecord> first_runs(const PreparedCampaign& plan) {
 
 // m g/(e_n^2 d) with d = min(2 cm, 2 % of S), m v^2/(S/4)^2 if that is more, k_r = k_t (S/2)^2.
 TEST_F(Company, EveryBlockHasTheStiffnessOfItsOwnMassAndSize) {
-  const PreparedCampaign plan = prepared();
+  const CampaignPlan plan = prepared();
   const auto runs = first_runs(plan);
   ASSERT_EQ(runs.size(), 4u);
   bool by_rest = false, by_impact = false;
@@ -240,7 +240,7 @@ TEST_F(Company, WarningsNameTheBlock) {
     return with("[terrain]", "[contact]\n" + keys + "\n[terrain]");
   };
   // The heavy block's own is 1e8 N/m, of all others less than 2e7.
-  const PreparedCampaign plan = prepared(given("stiffness_n_m = 5e7"));
+  const CampaignPlan plan = prepared(given("stiffness_n_m = 5e7"));
   std::vector<std::string> soft;
   for (const std::string& warning : plan.header.warnings) {
     if (contains(warning, "softer than")) soft.push_back(warning);

@@ -34,7 +34,7 @@ class MassCampaign : public CampaignRun {
 
 TEST_F(MassCampaign, DrawsAsManyBlocksAsHaveAVolume) {
   const std::string of_volume = "draw = { volume_m3 = 0.5, mass_kg = { uniform = [20, 60] } }";
-  const PreparedCampaign plan = prepared(replaced_once(text(), "draw = { count = 8 }", of_volume));
+  const CampaignPlan plan = prepared(replaced_once(text(), "draw = { count = 8 }", of_volume));
   ASSERT_EQ(plan.masses.size(), 2u);
   EXPECT_NE(plan.masses[0].volume, plan.masses[1].volume);
   const double density = plan.bodies[0].mass / plan.header.blocks[0].volume;
@@ -48,7 +48,7 @@ TEST_F(MassCampaign, DrawsAsManyBlocksAsHaveAVolume) {
 }
 
 TEST_F(MassCampaign, IsRefusedWhereTheMachineHasTooLittleMemory) {
-  const PreparedCampaign plan = prepared(text());
+  const CampaignPlan plan = prepared(text());
   const double each = realisation_memory(plan);
   EXPECT_GT(each, 8 * 40e3);  // of eight small blocks, and a state of each every 0.1 s
   EXPECT_LT(each, 8 * 100e3);
@@ -68,7 +68,7 @@ TEST_F(MassCampaign, IsRefusedWhereTheMachineHasTooLittleMemory) {
 }
 
 TEST_F(MassCampaign, ReleasesAllBlocksOfAHeapAtOnce) {
-  const PreparedCampaign plan = prepared(text());
+  const CampaignPlan plan = prepared(text());
   ASSERT_EQ(plan.masses.size(), 2u);
   for (std::size_t i = 0; i < 2; ++i) {
     double volume = 0.0;
@@ -161,7 +161,7 @@ TEST_F(MassCampaign, WithoutTrajectoriesEnergiesAreOfEachSecond) {
 TEST_F(MassCampaign, IsTheSameOnThreadsAndInShards) {
   const CampaignResults whole = run("whole.h5", {.threads = 1});
   const CampaignResults threads = run("threads.h5", {.threads = 2});
-  const PreparedCampaign plan = prepared(text());
+  const CampaignPlan plan = prepared(text());
   const CampaignResults merged = run_in_shards(plan, 2);
   EXPECT_TRUE(merged.stay->at_once);
   ASSERT_EQ(merged.runs.size(), whole.runs.size());
@@ -175,14 +175,13 @@ TEST_F(MassCampaign, IsTheSameOnThreadsAndInShards) {
 }
 
 TEST_F(MassCampaign, MoreRealisationsLeaveTheFirstOnesAsTheyAre) {
-  const PreparedCampaign few = prepared(text());
-  const PreparedCampaign more =
-      prepared(replaced_once(text(), "realisations = 2", "realisations = 3"));
+  const CampaignPlan few = prepared(text());
+  const CampaignPlan more = prepared(replaced_once(text(), "realisations = 2", "realisations = 3"));
   ASSERT_EQ(more.runs.size(), 24u);
   for (std::size_t i = 0; i < few.runs.size(); ++i) {
     expect_equal(few.runs[i].start, more.runs[i].start);
   }
-  const PreparedCampaign other =
+  const CampaignPlan other =
       prepared(replaced_once(text(), "realisations = 2", "realisations = 2\nseed = 7"));
   EXPECT_NE(other.runs[0].start.position, few.runs[0].start.position);
 }
@@ -204,7 +203,7 @@ TEST_F(MassCampaign, ReleasesBlocksInPlace) {
   std::string in_place = text("[mass]\nin_place = true\n");
   in_place = replaced_once(in_place, "draw = { count = 8 }\n", "");
   in_place = replaced_once(in_place, "\"blocks.h5\"", "\"insitu.h5\"");
-  const PreparedCampaign plan = prepared(in_place);
+  const CampaignPlan plan = prepared(in_place);
   ASSERT_EQ(plan.runs.size(), made.blocks.size());
   EXPECT_NEAR(plan.masses[0].volume, made.block_volume, 1e-9);
   for (std::size_t i = 0; i < plan.runs.size(); ++i) {

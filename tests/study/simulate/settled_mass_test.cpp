@@ -35,7 +35,7 @@ class SettledMass : public CampaignRun {
 };
 
 TEST_F(SettledMass, StartsWhereItsBlocksCameToRest) {
-  const PreparedCampaign plan = prepared(text());
+  const CampaignPlan plan = prepared(text());
   const CampaignResults results = run(text(), "settled.h5");
   double fallen = 0.0, moved = 0.0;
   for (const RunRecord& record : results.runs) {
@@ -62,7 +62,7 @@ TEST_F(SettledMass, IsTheSameOnThreadsAndInShards) {
   const CampaignResults whole = run(two, "whole.h5", {.threads = 1});
   const CampaignResults threads = run(two, "threads.h5", {.threads = 2});
   const CampaignResults wide = run(text(), "wide.h5", {.threads = 2});  // all for one realisation
-  const PreparedCampaign plan = prepared(two);
+  const CampaignPlan plan = prepared(two);
   const CampaignResults merged = run_in_shards(plan, 2);
   for (std::size_t i = 0; i < whole.runs.size(); ++i) {
     for (const CampaignResults* other : {&threads, &merged, &wide}) {
@@ -122,7 +122,7 @@ TEST_F(SettledMass, FillsItsSpaceAsRandomPackingsDo) {
                               60),
                     "draw", "select = [\"cube\"]\ndraw");
   cubes = replaced_once(cubes, "rolling_friction = 0.2", "rolling_friction = 0");
-  const PreparedCampaign plan = prepared(cubes);
+  const CampaignPlan plan = prepared(cubes);
   const CampaignResults results = run(cubes, "cubes.h5");
   std::vector<RigidState> packed, settled;
   for (const RunRecord& record : results.runs) {
@@ -155,7 +155,7 @@ TEST_F(SettledMass, IsKeptAsAFailureWhereItDoesNotSettle) {
 }
 
 TEST_F(SettledMass, ATrialThatDoesNotSettleIsReported) {
-  const PreparedCampaign plan = prepared(text("settle = true\nsettle_time_s = 0.1\n"));
+  const CampaignPlan plan = prepared(text("settle = true\nsettle_time_s = 0.1\n"));
   EXPECT_TRUE(contains(probe_time(plan, 2.0).failure, "still moved after settle_time_s = 0.1"));
 }
 

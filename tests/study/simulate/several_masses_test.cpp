@@ -38,7 +38,7 @@ class SeveralMasses : public CampaignRun {
     return read_results(*folder_ / file);
   }
   static std::vector<std::size_t> counts(const std::string& of_lower, const std::string& of_upper) {
-    const PreparedCampaign plan = prepared(text(masses(of_lower, of_upper)));
+    const CampaignPlan plan = prepared(text(masses(of_lower, of_upper)));
     std::vector<std::size_t> counts;
     for (std::size_t i = 0; i < 2; ++i) counts.push_back(plan.masses[i].blocks);
     return counts;
@@ -56,7 +56,7 @@ TEST_F(SeveralMasses, HaveTheirShareOfTheBlocks) {
 }
 
 TEST_F(SeveralMasses, StartInTheirPolygons) {
-  const PreparedCampaign plan = prepared(text(masses("release_time_s = 4\n")));
+  const CampaignPlan plan = prepared(text(masses("release_time_s = 4\n")));
   ASSERT_EQ(plan.masses.size(), 4u);
   EXPECT_EQ(plan.header.release_sets, (std::vector<std::string>{"upper", "lower"}));
   EXPECT_EQ(plan.header.set_of_point, (std::vector<std::uint32_t>{0, 1}));
@@ -85,7 +85,7 @@ TEST_F(SeveralMasses, AreHeldUntilTheyAreReleased) {
   constexpr double kRelease = 12.0;
   const std::string held = text(masses("release_time_s = 12\n"));
   const CampaignResults results = run(held, "held.h5");
-  const PreparedCampaign plan = prepared(held);
+  const CampaignPlan plan = prepared(held);
   std::size_t hit = 0;
   for (const RunRecord& record : results.runs) {
     EXPECT_EQ(record.result.stop_reason, StopReason::kRest) << record.result.message;
@@ -132,7 +132,7 @@ TEST_F(SeveralMasses, AreTheSameOnThreadsInShardsAndResumed) {
   const std::string held = text(masses("release_time_s = 2.5\n"));
   const CampaignResults whole = run(held, "whole.h5", {.threads = 1});
   const CampaignResults threads = run(held, "threads.h5", {.threads = 2});
-  const PreparedCampaign plan = prepared(held);
+  const CampaignPlan plan = prepared(held);
   const CampaignResults merged = run_in_shards(plan, 2);
   EXPECT_EQ(merged.release_sets, whole.release_sets);
   ASSERT_EQ(merged.runs.size(), whole.runs.size());
@@ -183,7 +183,7 @@ TEST_F(SeveralMasses, InPlaceDivideTheBlocksByTheirPolygons) {
                     east = "polygon = [[-6, -1], [-4, -1], [-4, 1], [-6, 1]]\n",
                     wide = "polygon = [[-12, -1], [-6, -1], [-6, 1], [-12, 1]]\n",
                     all = "polygon = [[-12, -1], [0, -1], [0, 1], [-12, 1]]\n";
-  const PreparedCampaign plan = prepared(in_place(wide, east + "height_m = 1\n"));
+  const CampaignPlan plan = prepared(in_place(wide, east + "height_m = 1\n"));
   ASSERT_EQ(plan.masses.size(), 2u);
   EXPECT_EQ(plan.masses[0].blocks, 2u);
   EXPECT_EQ(plan.masses[1].blocks, 1u);

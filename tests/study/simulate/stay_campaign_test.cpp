@@ -88,7 +88,7 @@ TEST_F(StayCampaign, ReleasesEachBlockOfEachRealisationOntoThoseBeforeIt) {
 TEST_F(StayCampaign, IsTheSameOnThreadsInShardsAndAfterAnInterruption) {
   const CampaignResults whole = run("whole.h5", {.threads = 1});
   expect_same(whole, run("threads.h5", {.threads = 3}));
-  const PreparedCampaign plan = prepared(text());
+  const CampaignPlan plan = prepared(text());
   expect_same(whole, run_in_shards(plan, 2));
   EXPECT_EQ(read_results(*folder_ / "part1.h5").runs.size(), 4u);  // whole realisations
   const auto quit = [](const ProgressStep& step) {
@@ -104,7 +104,7 @@ TEST_F(StayCampaign, IsTheSameOnThreadsInShardsAndAfterAnInterruption) {
 TEST_F(StayCampaign, EndsWithinARealisation) {
   std::string slow = changed("realisations = 3", "realisations = 1");
   slow = replaced_once(slow, "[contact.blocks]", "[contact]\ntime_step_s = 1e-8\n[contact.blocks]");
-  const PreparedCampaign plan = prepared(slow);
+  const CampaignPlan plan = prepared(slow);
   std::string heard;
   const auto quit = [&](const ProgressStep& step) {
     heard = step.what;
@@ -128,7 +128,7 @@ TEST_F(StayCampaign, GoesOnFromWhereItWasEndedWithinARealisation) {
   slow = replaced_once(slow, "[run]",
                        "[[barrier]]\nname = \"fence\"\nfrom = [9.9, -5]\n"
                        "to = [10.1, 5]\n[run]\ntrajectory_interval_s = 0.05");
-  const PreparedCampaign plan = prepared(slow);
+  const CampaignPlan plan = prepared(slow);
   const std::filesystem::path file = *folder_ / "ended.h5";
   const std::filesystem::path checkpoint = file.string() + ".part.1";
   std::string heard;
@@ -164,7 +164,7 @@ TEST_F(StayCampaign, GoesOnFromWhereItWasEndedWithinARealisation) {
 }
 
 TEST_F(StayCampaign, KeepsACheckpointNowAndThen) {
-  const PreparedCampaign plan = prepared(text());
+  const CampaignPlan plan = prepared(text());
   const std::filesystem::path file = *folder_ / "kept.h5";
   std::set<std::string> seen;
   const auto look = [&](const ProgressStep&) {
@@ -184,7 +184,7 @@ TEST_F(StayCampaign, KeepsACheckpointNowAndThen) {
 TEST_F(StayCampaign, AProbeThatIsCutShortCountsBlocksThatRest) {
   const std::string many =
       replaced_once(text("draw = { count = 40 }\n"), "realisations = 3", "realisations = 1");
-  const PreparedCampaign plan = prepared(many);
+  const CampaignPlan plan = prepared(many);
   const TimeProbe whole = probe_time(plan, 1e3);
   ASSERT_FALSE(whole.cut_short);
   ASSERT_EQ(whole.runs, 40u);
@@ -197,7 +197,7 @@ TEST_F(StayCampaign, AProbeThatIsCutShortCountsBlocksThatRest) {
 
 TEST_F(StayCampaign, GoesOnInTheMiddleOfARealisation) {
   const CampaignResults whole = run("all.h5");
-  const PreparedCampaign plan = prepared(text());
+  const CampaignPlan plan = prepared(text());
   {
     ResultsWriter writer = ResultsWriter::create(*folder_ / "half.h5", plan.header, 6);
     StoredRun first;
@@ -213,7 +213,7 @@ TEST_F(StayCampaign, GoesOnInTheMiddleOfARealisation) {
 }
 
 TEST_F(StayCampaign, ReleasesInTheListedOrderOrInADrawnOne) {
-  const auto orders = [](const PreparedCampaign& plan) {
+  const auto orders = [](const CampaignPlan& plan) {
     std::set<std::vector<std::uint32_t>> found;
     for (std::size_t i = 0; i < plan.runs.size(); i += 2) {
       found.insert({plan.runs[i].block, plan.runs[i + 1].block});
@@ -226,7 +226,7 @@ TEST_F(StayCampaign, ReleasesInTheListedOrderOrInADrawnOne) {
       prepared(replaced_once(many, "realisations = 20", "realisations = 20\norder = \"listed\"")));
   EXPECT_EQ(listed, (std::set<std::vector<std::uint32_t>>{{0, 1}}));
   // More realisations leave the first ones as they are.
-  const PreparedCampaign few = prepared(text()), more = prepared(many);
+  const CampaignPlan few = prepared(text()), more = prepared(many);
   for (std::size_t i = 0; i < few.runs.size(); ++i) {
     EXPECT_EQ(few.runs[i].block, more.runs[i].block);
     EXPECT_EQ(few.runs[i].start.position, more.runs[i].start.position);
@@ -237,7 +237,7 @@ TEST_F(StayCampaign, DrawsBlocksAnewForEachRealisation) {
   const std::string draw =
       "draw = { count = 3, shares = { compact = 0.34, elongated = 0.66 }, mass_kg = { uniform = "
       "[200, 400] } }\n";
-  const PreparedCampaign plan = prepared(text(draw));
+  const CampaignPlan plan = prepared(text(draw));
   ASSERT_EQ(plan.runs.size(), 9u);
   EXPECT_EQ(plan.header.stay->blocks_each, 3u);
   std::set<double> masses;
@@ -258,7 +258,7 @@ TEST_F(StayCampaign, ShareTheGroundOfAMemberOfTheEnsemble) {
   const std::string uncertain =
       replaced_once(changed("friction = 0.6", "friction = { uniform = [0.5, 0.7] }"), "[run]",
                     "[ensemble]\nmembers = 2\n[run]");
-  const PreparedCampaign plan = prepared(uncertain);
+  const CampaignPlan plan = prepared(uncertain);
   std::vector<std::uint32_t> sets;
   for (const RunRecord& run : plan.runs) sets.push_back(run.ground_set);
   EXPECT_EQ(sets, (std::vector<std::uint32_t>{0, 0, 1, 1, 0, 0}));

@@ -50,8 +50,8 @@ TEST_F(UnscaledCampaign, RunsAtTheMassOrTheVolumeItIsGiven) {
   for (const char* size : {"scale = { mass_kg = 700 }", "scale = { volume_m3 = 0.3 }",
                            "draw = { count = 2, mass_kg = 700 }"}) {
     const std::string scale = std::string("\n") + size;
-    const PreparedCampaign model = prepared(blocks("select = [\"model\"]" + scale));
-    const PreparedCampaign slab = prepared(blocks("select = [\"slab\"]" + scale));
+    const CampaignPlan model = prepared(blocks("select = [\"model\"]" + scale));
+    const CampaignPlan slab = prepared(blocks("select = [\"slab\"]" + scale));
     const RigidBody &a = model.bodies[0], &b = slab.bodies[0];
     EXPECT_NEAR(a.mass, b.mass, 1e-6 * b.mass);
     EXPECT_LT((a.moments - b.moments).norm(), 1e-6 * b.moments.norm());

@@ -1,0 +1,275 @@
+#include "study/campaign/declared_table.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <stdexcept>
+
+#include "core/error.hpp"
+#include "core/listed.hpp"
+#include "study/campaign/campaign_ranges.hpp"
+
+namespace clast::study_detail {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+std::string data_folder() {
+  const char* variable = std::getenv("CLAST_DATA");
+  const fs::path folder = variable && *variable ? fs::path(variable) : fs::path("../shared/data");
+  return fs::absolute(folder).lexically_normal().string();
+}
+
+/// The keys of a table, or of all tables that a value can be; a name that several have is there
+/// once.
+void add_keys(const ValueForm& form, std::vector<const TableKey*>& keys) {
+  for (const TableKey& key : form.keys) {
+    if (std::none_of(keys.begin(), keys.end(),
+                     [&](const TableKey* known) { return known->name == key.name; })) {
+      keys.push_back(&key);
+    }
+  }
+  for (const ValueForm& item : form.items) {
+    if (item.kind == ValueForm::Kind::kTable) add_keys(item, keys);
+  }
+}
+
+std::vector<std::string> names_of_keys(const std::vector<const TableKey*>& keys) {
+  std::vector<std::string> names;
+  for (const TableKey* key : keys) names.push_back(key->name);
+  return names;
+}
+
+std::vector<const TableKey*> keys_of(const KeyTable& declared) {
+  std::vector<const TableKey*> keys;
+  for (const TableKey& key : declared.keys) keys.push_back(&key);
+  return keys;
+}
+
+}  // namespace
+
+DeclaredTable::DeclaredTable(const TomlNode& node, const std::string& file,
+                             const std::string& title, std::vector<const TableKey*> keys)
+    : TomlTable(node, file, title, names_of_keys(keys)), title_(title), keys_(std::move(keys)) {}
+
+DeclaredTable::DeclaredTable(const TomlNode& node, const std::string& file,
+                             const std::string& title, const KeyTable& declared)
+    : DeclaredTable(node, file, title, keys_of(declared)) {}
+
+DeclaredTable DeclaredTable::inner(const std::string& key) const {
+  std::vector<const TableKey*> keys;
+  add_keys(form(key), keys);
+  return {*find(key), file(), title_ + " " + key, std::move(keys)};
+}
+
+const ValueForm& DeclaredTable::form(const std::string& key) const {
+  for (const TableKey* declared : keys_) {
+    if (declared->name == key) return declared->form;
+  }
+  throw std::out_of_range("no key " + key + " in " + title_);
+}
+
+const TomlNode& DeclaredTable::required(const std::string& key) const {
+  return required(key, form(key).required);
+}
+
+void DeclaredTable::check_required() const {
+  for (const TableKey* key : keys_) {
+    if (key->is_required()) required(key->name);
+  }
+}
+
+std::optional<std::string> DeclaredTable::word(const std::string& key) const {
+  const std::vector<std::string>& words = form(key).leaf().words;
+  return words.empty() ? text(key) : choice(*this, key, words);
+}
+
+std::optional<std::vector<std::string>> DeclaredTable::one_or_more_words(
+    const std::string& key) const {
+  const std::optional<std::vector<std::string>> names = texts(key);
+  const std::vector<std::string>& words = form(key).leaf().words;
+  for (std::size_t i = 0; names && !words.empty() && i < names->size(); ++i) {
+    if (std::find(words.begin(), words.end(), (*names)[i]) == words.end()) {
+      refuse(key, element(*find(key), i), "must be of " + listed(words));
+    }
+  }
+  return names;
+}
+
+std::optional<std::vector<double>> DeclaredTable::one_or_more_numbers(
+    const std::string& key, const NumberRange& range) const {
+  const TomlNode* node = find(key);
+  if (!node) return std::nullopt;
+  if (node->kind != TomlNode::Kind::kList) return std::vector{*number(key, range)};
+  const ValueForm& list = form(key).items.back();
+  return numbers(key, *node, list.least, list.most, "a number or a list of numbers", range);
+}
+
+std::optional<std::vector<std::size_t>> DeclaredTable::one_or_more_counts(
+    const std::string& key) const {
+  const ValueForm& leaf = form(key).leaf();
+  const std::optional<std::vector<double>> numbers =
+      one_or_more_numbers(key, {static_cast<double>(leaf.least), static_cast<double>(leaf.most)});
+  if (!numbers) return std::nullopt;
+  for (const double value : *numbers) {
+    if (value != std::floor(value)) refuse(key, *find(key), "must be whole numbers");
+  }
+  return std::vector<std::size_t>(numbers->begin(), numbers->end());
+}
+
+std::optional<std::vector<Vec2>> DeclaredTable::places(const std::string& key) const {
+  const TomlNode* node = find(key);
+  if (!node) return std::nullopt;
+  const std::uint64_t least = form(key).least;
+  if (node->kind != TomlNode::Kind::kList || node->list.size() < least) {
+    refuse(key, "must be a list of at least " + std::to_string(least) + " points");
+  }
+  std::vector<Vec2> places;
+  for (const TomlNode& row : node->list) {
+    const std::vector<double> values = numbers(
+        key, row, 2, 3, "points of finite numbers, [x, y] or [x, y, z]", form(key).leaf().range);
+    places.emplace_back(values[0], values[1]);
+  }
+  return places;
+}
+
+std::optional<fs::path> DeclaredTable::file_of(const std::string& key) const {
+  if (!text(key)) return std::nullopt;
+  return input_file(*this, key, *find(key));
+}
+
+std::optional<std::vector<fs::path>> DeclaredTable::files_of(const std::string& key) const {
+  const std::optional<std::vector<std::string>> names = texts(key);
+  if (!names) return std::nullopt;
+  std::vector<fs::path> files;
+  for (std::size_t i = 0; i < names->size(); ++i) {
+    files.push_back(input_file(*this, key, element(*find(key), i)));
+  }
+  return files;
+}
+
+std::vector<DeclaredTable> tables_of(const TomlTable& top, const KeyTable& declared) {
+  using Repeat = KeyTable::Repeat;
+  const std::string one = "[" + declared.name + "]", many = "[[" + declared.name + "]]";
+  const TomlNode* node = top.find(declared.name);
+  if (!node) return {};
+  if (declared.repeat == Repeat::kOnce ||
+      (declared.repeat == Repeat::kEither && node->kind == TomlNode::Kind::kTable)) {
+    return {{*node, top.file(), one, declared}};
+  }
+  if (node->kind != TomlNode::Kind::kList ||
+      (declared.repeat == Repeat::kEither && node->list.empty())) {
+    top.refuse(declared.name, *node,
+               declared.repeat == Repeat::kMany
+                   ? "each " + declared.name + " is a table " + many
+                   : "must be a table " + one + ", or several " + many);
+  }
+  std::vector<DeclaredTable> tables;
+  for (const TomlNode& table : node->list) {
+    tables.emplace_back(table, top.file(), many, declared);
+  }
+  return tables;
+}
+
+DeclaredTable required_table(const TomlTable& top, const KeyTable& declared) {
+  std::vector<DeclaredTable> tables = tables_of(top, declared);
+  if (tables.empty()) {
+    throw InputError(top.file() + ": the table [" + declared.name + "] is missing");
+  }
+  return std::move(tables.front());
+}
+
+std::optional<std::string> choice(const TomlTable& table, const std::string& key,
+                                  const std::vector<std::string>& words) {
+  const std::optional<std::string> text = table.text(key);
+  if (text && std::find(words.begin(), words.end(), *text) == words.end()) {
+    std::string list;
+    for (std::size_t i = 0; i < words.size(); ++i) {
+      list += (i == 0 ? "" : i + 1 == words.size() ? " or " : ", ") + ("\"" + words[i] + "\"");
+    }
+    table.refuse(key, "must be " + list);
+  }
+  return text;
+}
+
+fs::path input_file(const TomlTable& table, const std::string& key, const TomlNode& node,
+                    std::string text) {
+  const std::string variable = "${CLAST_DATA}";
+  for (std::size_t at; (at = text.find(variable)) != std::string::npos;) {
+    text.replace(at, variable.size(), data_folder());
+  }
+  if (text.find("${") != std::string::npos) {
+    table.refuse(key, node, "only " + variable + " is replaced in paths");
+  }
+  const fs::path path = (fs::path(table.file()).parent_path() / text).lexically_normal();
+  std::error_code code;
+  if (!fs::exists(path, code)) table.refuse(key, node, "no such file: " + path.string());
+  if (!fs::is_regular_file(path, code)) table.refuse(key, node, "must be a file: " + path.string());
+  return path;
+}
+
+fs::path input_file(const TomlTable& table, const std::string& key, const TomlNode& node) {
+  return input_file(table, key, node, node.text);
+}
+
+const TomlNode& element(const TomlNode& node, std::size_t index) {
+  return node.kind == TomlNode::Kind::kList ? node.list[index] : node;
+}
+
+std::optional<Uncertain> read_uncertain(const TomlTable& table, const std::string& key,
+                                        const NumberRange& range) {
+  const TomlNode* node = table.find(key);
+  if (!node) return std::nullopt;
+  Uncertain number;
+  number.low = range.low;
+  number.high = range.high;
+  if (node->kind != TomlNode::Kind::kTable) {
+    number.first = *table.number(key, range);
+    return number;
+  }
+  const std::string expected =
+      "must be a number, { uniform = [low, high] }, { normal = [mean, std] } or "
+      "{ log_normal = [median, sigma] }";
+  if (node->table.size() != 1) table.refuse(key, *node, expected);
+  const auto& [law, value] = node->table.front();
+  if (law == "uniform") {
+    number.law = Uncertain::Law::kUniform;
+  } else if (law == "normal") {
+    number.law = Uncertain::Law::kNormal;
+  } else if (law == "log_normal") {
+    number.law = Uncertain::Law::kLogNormal;
+  } else {
+    table.refuse(key, *node, expected);
+  }
+  const double most = std::max(range.high, kLogSigma.high);
+  const std::vector<double> values =
+      table.numbers(key, value, 2, 2, "two numbers, as in " + law, {-most, most});
+  number.first = values[0];
+  number.second = values[1];
+  if (!range.holds(number.first)) {
+    table.refuse(key, *node, "its first number must be " + range.words());
+  }
+  if (number.law == Uncertain::Law::kUniform) {
+    if (!range.holds(number.second)) {
+      table.refuse(key, *node, "its second number must be " + range.words());
+    }
+    if (!(number.second > number.first)) {
+      table.refuse(key, *node, "the lower bound must come first");
+    }
+    return number;
+  }
+  // A wider law hardly ever draws a value inside the range.
+  const NumberRange spread = number.law == Uncertain::Law::kLogNormal
+                                 ? kLogSigma
+                                 : NumberRange{range.low, range.high, range.unit};
+  if (!spread.holds(number.second)) {
+    table.refuse(key, *node, "its second number, the spread, must be " + spread.words());
+  }
+  if (number.law == Uncertain::Law::kLogNormal && !(number.first > 0.0)) {
+    table.refuse(key, *node, "a median must be more than zero");
+  }
+  return number;
+}
+
+}  // namespace clast::study_detail
