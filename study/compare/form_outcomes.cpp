@@ -1,11 +1,13 @@
 #include "study/compare/form_outcomes.hpp"
 
-#include <algorithm>
 #include <map>
 
 #include "core/statistics/statistics.hpp"
+#include "study/compare/detail/run_outcomes.hpp"
 
 namespace clast {
+
+using namespace study_detail;
 namespace {
 
 /// Fewer forms make no surface.
@@ -15,45 +17,6 @@ constexpr std::size_t kFewestForms = 6;
 bool is_stretched(const std::string& name) {
   const std::size_t at = name.rfind("_il");
   return at != std::string::npos && name.find("_sl", at) != std::string::npos;
-}
-
-/// A value of a run, and its unit.
-struct RunValues {
-  std::string outcome, unit;
-  std::map<std::string, std::vector<double>> of_form;
-};
-
-std::vector<RunValues> values_of_forms(const Comparison& comparison, std::uint32_t file) {
-  std::vector<RunValues> values = {
-      {"runout", "m", {}}, {"lateral angle", "rad", {}}, {"largest energy", "J", {}}};
-  std::vector<std::size_t> lines;
-  for (std::size_t line = 0; line < comparison.lines.size(); ++line) {
-    const BarrierLine& barrier = comparison.lines[line];
-    if (std::count(barrier.files.begin(), barrier.files.end(), file) == 0) continue;
-    lines.push_back(line);
-    values.push_back({"passing " + barrier.name, "", {}});
-  }
-  std::vector<std::vector<bool>> passed(lines.size(),
-                                        std::vector<bool>(comparison.rows.size(), false));
-  for (const CrossingRow& crossing : comparison.crossings) {
-    const auto at = std::find(lines.begin(), lines.end(), crossing.barrier);
-    if (crossing.counted && at != lines.end()) {
-      passed[static_cast<std::size_t>(at - lines.begin())][crossing.row] = true;
-    }
-  }
-  for (std::size_t i = 0; i < comparison.rows.size(); ++i) {
-    const RunRow& row = comparison.rows[i];
-    if (row.file != file) continue;
-    const std::string& form = row.block->library_block();
-    const double speed = row.record->result.max_speed;
-    values[0].of_form[form].push_back(row.runout);
-    values[1].of_form[form].push_back(row.lateral);
-    values[2].of_form[form].push_back(0.5 * row.block->mass * speed * speed);
-    for (std::size_t k = 0; k < lines.size(); ++k) {
-      values[3 + k].of_form[form].push_back(passed[k][i] ? 1.0 : 0.0);
-    }
-  }
-  return values;
 }
 
 }  // namespace
@@ -66,10 +29,16 @@ std::vector<OutcomeOfForms> outcomes_of_forms(const Comparison& comparison) {
     for (const BlockSummary& block : comparison.results[file].blocks) {
       axes.emplace(block.library_block(), block.axes);
     }
-    for (const RunValues& values : values_of_forms(comparison, file)) {
-      if (values.of_form.size() < kFewestForms) continue;
-      OutcomeOfForms outcome{file, values.outcome, values.unit, {}};
-      for (const auto& [name, all] : values.of_form) {
+    if (axes.size() < kFewestForms) continue;
+    const std::vector<const RunRow*> rows = rows_of_file(comparison, file);
+    for (const RunOutcome& of_runs : run_outcomes(comparison, file, rows)) {
+      std::map<std::string, std::vector<double>> of_form;
+      for (std::size_t i = 0; i < rows.size(); ++i) {
+        of_form[rows[i]->block->library_block()].push_back(of_runs.values[i]);
+      }
+      if (of_form.size() < kFewestForms) continue;
+      OutcomeOfForms outcome{file, of_runs.name, of_runs.unit, {}};
+      for (const auto& [name, all] : of_form) {
         const Summary summary = summarise(all);
         outcome.forms.push_back(
             {name, axes.at(name), is_stretched(name), summary.count, summary.mean, summary.std});
