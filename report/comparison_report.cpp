@@ -16,7 +16,6 @@
 #include "report/tables/comparison_provenance.hpp"
 #include "report/tables/group_tables.hpp"
 #include "report/tables/run_tables.hpp"
-#include "study/compare/path_rasters.hpp"
 
 namespace clast {
 
@@ -42,12 +41,13 @@ FolderKind comparison_folder() {
   return {"comparison", "provenance.json", "\"downslope_from\"", owns};
 }
 
-std::vector<std::filesystem::path> write_comparison(const Comparison& comparison,
+std::vector<std::filesystem::path> write_comparison(const ComparisonAnalyses& analyses,
                                                     const std::filesystem::path& folder) {
   std::error_code code;
   if (std::filesystem::exists(folder, code) && !std::filesystem::is_directory(folder, code)) {
     throw InputError(folder.string() + ": is a file; name a folder for the tables and the report");
   }
+  const Comparison& comparison = analyses.comparison();
   std::vector<std::filesystem::path> written;
   const auto write = [&](const char* name, const std::string& text) {
     written.push_back(folder / name);
@@ -64,33 +64,29 @@ std::vector<std::filesystem::path> write_comparison(const Comparison& comparison
   write("trends.csv", trends_csv(comparison));
   write("responses.csv", responses_csv(comparison));
   for (const ResponsePicture& picture :
-       response_pictures(outcomes_of_forms(comparison), several_files(comparison))) {
+       response_pictures(analyses.forms(), several_files(comparison))) {
     write(picture.file.c_str(), svg_file(picture.svg));
   }
   write("stays.csv", stays_csv(comparison));
-  const RealisationDeposits deposits = realisation_deposits(comparison);
-  write("realisations.csv", realisations_csv(deposits));
-  const FiguresOfFiles figures = figures_of_files(deposits.realisations);
-  write("realisation_figures.csv", realisation_figures_csv(figures));
-  write("realisation_differences.csv", realisation_differences_csv(figures));
+  write("realisations.csv", realisations_csv(analyses.deposits()));
+  write("realisation_figures.csv", realisation_figures_csv(analyses.figures()));
+  write("realisation_differences.csv", realisation_differences_csv(analyses.figures()));
   write("passages.csv", passages_csv(comparison));
   write("passage_curves.csv", passage_curves_csv(comparison));
   write("energies.csv", energies_csv(comparison));
   write("mobility.csv", mobility_csv(comparison));
   write("differences.csv", differences_csv(comparison));
-  const std::vector<ProfileBin> bins = profiles(comparison);
-  write("profiles.csv", profiles_csv(comparison, bins));
+  write("profiles.csv", profiles_csv(comparison, analyses.profiles()));
   if (comparison.measured) write("measured.csv", measured_csv(comparison));
-  write("provenance.json", provenance_json(comparison));
+  write("provenance.json", provenance_json(analyses));
   written.push_back(folder / "stops.gpkg");
   write_geopackage(written.back(), comparison);
-  const MapRasters paths = path_rasters(comparison);
-  for (const MapRasters* rasters : {&paths, &deposits.rasters}) {
+  for (const MapRasters* rasters : {&analyses.paths(), &analyses.deposits().rasters}) {
     const std::vector<std::filesystem::path> files =
         write_rasters(folder / "rasters", *rasters, comparison.results.front().frame.crs);
     written.insert(written.end(), files.begin(), files.end());
   }
-  write("report.html", comparison_page(comparison, bins, paths, deposits));
+  write("report.html", comparison_page(analyses));
   return written;
 }
 
@@ -109,12 +105,12 @@ std::optional<std::string> print_report(const std::filesystem::path& folder,
 
 }  // namespace
 
-FilledFolder fill_folder(OutputFolder& folder, const Comparison& comparison,
+FilledFolder fill_folder(OutputFolder& folder, const ComparisonAnalyses& analyses,
                          const ComparisonExtras& extras) {
-  std::vector<std::filesystem::path> written = write_comparison(comparison, folder.temporary());
+  std::vector<std::filesystem::path> written = write_comparison(analyses, folder.temporary());
   if (extras.animated > 0) {
     const std::filesystem::path animation =
-        write_animation(folder.temporary() / "animation", comparison, extras.animated);
+        write_animation(folder.temporary() / "animation", analyses.comparison(), extras.animated);
     if (animation.empty()) {
       throw InputError(
           "no trajectory is stored, so nothing can be animated; set [run] "

@@ -162,7 +162,8 @@ std::size_t draws_of_ground(const Comparison& comparison) {
 
 }  // namespace
 
-std::string barrier_section(const Comparison& comparison) {
+std::string barrier_section(const ComparisonAnalyses& analyses) {
+  const Comparison& comparison = analyses.comparison();
   if (comparison.lines.empty()) return {};
   std::string html = paragraph(
       "Each run counts at its first crossing. Height is of the centre of mass above the ground; "
@@ -175,7 +176,7 @@ std::string barrier_section(const Comparison& comparison) {
                       " draws of the ground; their intervals come from release points "
                       "alone. The ranges at the top of the report show the effect of the ground.");
   }
-  const std::vector<RealisationPassages> passages = barrier_passages(comparison);
+  const std::vector<RealisationPassages>& passages = analyses.passages();
   std::string charts, figures;
   for (std::size_t line = 0; line < comparison.lines.size(); ++line) {
     const BarrierLine& barrier = comparison.lines[line];

@@ -161,8 +161,7 @@ std::string differences_of_files(const Comparison& comparison, const FiguresOfFi
 }
 
 /// The blocks together against the same alone; empty where no single runs are compared.
-std::string mobility_of(const Comparison& comparison) {
-  const std::vector<Mobility> all = mass_mobility(comparison);
+std::string mobility_of(const Comparison& comparison, const std::vector<Mobility>& all) {
   if (all.empty()) return "";
   std::string html;
   HtmlTable table(
@@ -194,15 +193,16 @@ std::string mobility_of(const Comparison& comparison) {
 
 }  // namespace
 
-std::string deposit_section(const Comparison& comparison, const RealisationDeposits& deposits) {
-  if (deposits.realisations.empty()) return "";
-  const FiguresOfFiles figures = figures_of_files(deposits.realisations);
+std::string deposit_section(const ComparisonAnalyses& analyses) {
+  if (analyses.deposits().realisations.empty()) return "";
+  const Comparison& comparison = analyses.comparison();
+  const FiguresOfFiles& figures = analyses.figures();
   return section(
       "The deposit",
       paragraph("Mean thickness of the deposit over the realisations" +
                 std::string(several_files(comparison) ? " of all files" : "") + ", m.") +
-          deposit_map(comparison, deposits.rasters) + differences_of_files(comparison, figures) +
-          mobility_of(comparison) +
+          deposit_map(comparison, analyses.deposits().rasters) +
+          differences_of_files(comparison, figures) + mobility_of(comparison, analyses.mobility()) +
           folded(
               "Figures of the deposit",
               paragraph("Blocks that came to rest and were not removed. The crest is the highest "
