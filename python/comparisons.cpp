@@ -15,7 +15,7 @@
 #include "report/comparison_report.hpp"
 #include "report/json/campaign_json.hpp"
 #include "report/page_pdf.hpp"
-#include "report/tables/table_values.hpp"
+#include "report/tables/comparison_tables.hpp"
 #include "report/text/answer_text.hpp"
 #include "report/text/effects_text.hpp"
 #include "report/text/measured_text.hpp"
@@ -136,7 +136,8 @@ void bind_comparisons(py::module_& module) {
   py::class_<ComparisonHolder, std::shared_ptr<ComparisonHolder>>(module, "ComparisonData")
       .def("table",
            [](const ComparisonHolder& of, const std::string& name) {
-             return table_of(unlocked([&] { return comparison_table(of.comparison, name); }));
+             return table_of(unlocked(
+                 [&] { return table_named(comparison_tables(), name).values(of.analyses); }));
            })
       .def_property_readonly("warnings",
                              [](const ComparisonHolder& of) { return of.comparison.warnings; })
@@ -154,7 +155,7 @@ void bind_comparisons(py::module_& module) {
              return lines;
            })
       .def("write", &write);
-  module.attr("comparison_tables") = comparison_table_names();
+  module.attr("comparison_tables") = table_names(comparison_tables());
   module.def("results_read", &load_results);
   module.def("compare", &compare_all);
 }

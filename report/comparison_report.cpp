@@ -14,8 +14,7 @@
 #include "report/pages/report_groups.hpp"
 #include "report/scene/vtk_animation.hpp"
 #include "report/tables/comparison_provenance.hpp"
-#include "report/tables/group_tables.hpp"
-#include "report/tables/run_tables.hpp"
+#include "report/tables/comparison_tables.hpp"
 
 namespace clast {
 
@@ -23,20 +22,15 @@ using namespace report_detail;
 
 FolderKind comparison_folder() {
   const auto owns = [](const std::filesystem::path& file) {
-    static const std::set<std::string> kFiles = {
-        "runs.csv", "barriers.csv", "crossings.csv", "deposits.csv", "impacts.csv",
-        "ground_sets.csv", "profiles.csv", "measured.csv", "stops.gpkg", "differences.csv",
-        "provenance.json", "report.html", "report.pdf", "ensemble.csv", "stays.csv",
-        "realisations.csv", "effects.csv", "trends.csv", "responses.csv", "realisation_figures.csv",
-        "realisation_differences.csv", "mobility.csv", "passages.csv", "passage_curves.csv",
-        "energies.csv",
-        // of clast 0.2 and before
-        "fabric.csv", "neighbours.csv", "sorting.csv"};
+    static const std::set<std::string> kFiles = {"stops.gpkg", "provenance.json", "report.html",
+                                                 "report.pdf",
+                                                 // of clast 0.2 and before
+                                                 "fabric.csv", "neighbours.csv", "sorting.csv"};
     const std::string folder = file.parent_path().string(), extension = file.extension().string();
     if (folder == "rasters") return extension == ".tif" || extension == ".qml";
     if (folder == "animation") return extension == ".vtp" || extension == ".pvd";
     if (folder.empty() && extension == ".svg") return file.string().starts_with("response_");
-    return kFiles.contains(file.string());
+    return kFiles.contains(file.string()) || is_table_file(comparison_tables(), file.string());
   };
   return {"comparison", "provenance.json", "\"downslope_from\"", owns};
 }
@@ -49,35 +43,18 @@ std::vector<std::filesystem::path> write_comparison(const ComparisonAnalyses& an
   }
   const Comparison& comparison = analyses.comparison();
   std::vector<std::filesystem::path> written;
-  const auto write = [&](const char* name, const std::string& text) {
+  const auto write = [&](const std::string& name, const std::string& text) {
     written.push_back(folder / name);
     write_text_file(written.back(), text);
   };
-  write("runs.csv", runs_csv(comparison));
-  write("barriers.csv", barriers_csv(comparison));
-  write("crossings.csv", crossings_csv(comparison));
-  write("deposits.csv", deposits_csv(comparison));
-  write("impacts.csv", impacts_csv(comparison));
-  write("ground_sets.csv", ground_sets_csv(comparison));
-  write("ensemble.csv", ensemble_csv(comparison));
-  write("effects.csv", effects_csv(comparison));
-  write("trends.csv", trends_csv(comparison));
-  write("responses.csv", responses_csv(comparison));
+  for (const ComparisonTable& table : comparison_tables()) {
+    if (table.name == "measured" && !comparison.measured) continue;
+    write(table.name + ".csv", table.csv(analyses));
+  }
   for (const ResponsePicture& picture :
        response_pictures(analyses.forms(), several_files(comparison))) {
-    write(picture.file.c_str(), svg_file(picture.svg));
+    write(picture.file, svg_file(picture.svg));
   }
-  write("stays.csv", stays_csv(comparison));
-  write("realisations.csv", realisations_csv(analyses.deposits()));
-  write("realisation_figures.csv", realisation_figures_csv(analyses.figures()));
-  write("realisation_differences.csv", realisation_differences_csv(analyses.figures()));
-  write("passages.csv", passages_csv(comparison));
-  write("passage_curves.csv", passage_curves_csv(comparison));
-  write("energies.csv", energies_csv(comparison));
-  write("mobility.csv", mobility_csv(comparison));
-  write("differences.csv", differences_csv(comparison));
-  write("profiles.csv", profiles_csv(comparison, analyses.profiles()));
-  if (comparison.measured) write("measured.csv", measured_csv(comparison));
   write("provenance.json", provenance_json(analyses));
   written.push_back(folder / "stops.gpkg");
   write_geopackage(written.back(), comparison);

@@ -3,13 +3,13 @@
 
 #include "core/angle.hpp"
 #include "report/tables/comparison_columns.hpp"
-#include "report/tables/group_tables.hpp"
 
 namespace clast {
 
 using namespace report_detail;
+namespace {
 
-const TableColumns<RealisationDeposit>& report_detail::realisation_columns() {
+const TableColumns<RealisationDeposit>& realisation_columns() {
   using Row = RealisationDeposit;
   const auto degrees = [](const Vec3& from, const Vec3& to) {
     return kDegreesPerRadian * std::atan(drop_ratio(from, to));
@@ -47,7 +47,7 @@ const TableColumns<RealisationDeposit>& report_detail::realisation_columns() {
   return columns;
 }
 
-const TableColumns<FigureOfFile>& report_detail::realisation_figure_columns() {
+const TableColumns<FigureOfFile>& realisation_figure_columns() {
   using Row = FigureOfFile;
   const char* unit = "as `figure`";
   const auto bound = [](const Row& row, double Interval::*end) {
@@ -78,7 +78,7 @@ const TableColumns<FigureOfFile>& report_detail::realisation_figure_columns() {
   return columns;
 }
 
-const TableColumns<FigureDifference>& report_detail::realisation_difference_columns() {
+const TableColumns<FigureDifference>& realisation_difference_columns() {
   using Row = FigureDifference;
   const char* unit = "as `figure`";
   const char* interval =
@@ -123,7 +123,7 @@ const TableColumns<FigureDifference>& report_detail::realisation_difference_colu
   return columns;
 }
 
-const TableColumns<Mobility>& report_detail::mobility_columns() {
+const TableColumns<Mobility>& mobility_columns() {
   using Row = Mobility;
   const auto difference = [](auto value) {
     return [value](const Row& row) -> double {
@@ -166,20 +166,22 @@ const TableColumns<Mobility>& report_detail::mobility_columns() {
   return columns;
 }
 
-std::string mobility_csv(const Comparison& comparison) {
-  return csv_of(mobility_columns(), mass_mobility(comparison));
-}
+}  // namespace
 
-std::string realisations_csv(const RealisationDeposits& deposits) {
-  return csv_of(realisation_columns(), deposits.realisations);
-}
-
-std::string realisation_figures_csv(const FiguresOfFiles& figures) {
-  return csv_of(realisation_figure_columns(), figures.files);
-}
-
-std::string realisation_differences_csv(const FiguresOfFiles& figures) {
-  return csv_of(realisation_difference_columns(), figures.differences);
+std::vector<ComparisonTable> report_detail::deposit_tables() {
+  const auto part = [](auto of, auto member) {
+    return [=](const ComparisonAnalyses& analyses) -> const auto& {
+      return (analyses.*of)().*member;
+    };
+  };
+  using All = ComparisonAnalyses;
+  return {table_of("realisations", realisation_columns(),
+                   part(&All::deposits, &RealisationDeposits::realisations)),
+          table_of("realisation_figures", realisation_figure_columns(),
+                   part(&All::figures, &FiguresOfFiles::files)),
+          table_of("realisation_differences", realisation_difference_columns(),
+                   part(&All::figures, &FiguresOfFiles::differences)),
+          table_of("mobility", mobility_columns(), &All::mobility)};
 }
 
 }  // namespace clast

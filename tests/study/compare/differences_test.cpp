@@ -11,11 +11,10 @@
 #include "core/number_text.hpp"
 #include "core/random.hpp"
 #include "core/statistics/sample_tests.hpp"
-#include "report/tables/group_tables.hpp"
-#include "report/tables/run_tables.hpp"
 #include "study/compare/comparison.hpp"
 #include "tests/study/csv_reader.hpp"
 #include "tests/study/hand_made_results.hpp"
+#include "tests/study/table_csv.hpp"
 
 namespace clast {
 namespace {
@@ -115,7 +114,7 @@ TEST(Differences, OneRealisationGivesNeitherIntervalNorTest) {
         std::string::npos);
     EXPECT_GT(difference.ks_distance, 0.0) << "how far apart they are is known";
   }
-  const CsvTable table = read_csv(differences_csv(one));
+  const CsvTable table = read_csv(table_csv(one, "differences"));
   for (const auto& row : table.rows) {
     for (const char* column : {"difference_low", "difference_high", "p_value", "p_holm", "found"}) {
       EXPECT_EQ(row.at(column), "") << column;
@@ -146,7 +145,7 @@ TEST(Differences, EachGroupNeedsTwoRealisations) {
 
 TEST(Differences, AgreeWithAnIndependentEvaluationOfTheTable) {
   const Comparison comparison = compared(synthetic_results(5, -2.0));
-  const CsvTable runs = read_csv(runs_csv(comparison));
+  const CsvTable runs = read_csv(table_csv(comparison, "runs"));
   std::map<std::string, std::vector<double>> runouts;
   for (std::size_t i = 0; i < runs.rows.size(); ++i) {
     runouts[runs.rows[i].at("shape")].push_back(runs.number(i, "runout_m"));
@@ -168,7 +167,7 @@ TEST(Differences, AgreeWithAnIndependentEvaluationOfTheTable) {
       largest = std::max(largest, std::abs(share(a) - share(b)));
     }
   }
-  const CsvTable table = read_csv(differences_csv(comparison));
+  const CsvTable table = read_csv(table_csv(comparison, "differences"));
   const Difference& runout = between_classes(comparison, "runout_m");
   std::size_t row = 0;
   while (table.rows.at(row).at("quantity") != "runout_m" ||
