@@ -1,7 +1,9 @@
 #pragma once
 /// How the tables of `clast compare` are put together of columns and rows; `run_columns` has the
 /// columns of runs.csv.
+#include <cmath>
 #include <functional>
+#include <optional>
 #include <string>
 #include <type_traits>
 #include <vector>
@@ -22,6 +24,11 @@ std::vector<ComparisonTable> effect_tables();
 std::vector<ComparisonTable> passage_tables();
 std::vector<ComparisonTable> deposit_tables();
 std::vector<ComparisonTable> energy_tables();
+
+/// Both ends of an interval; not a number without one.
+inline Vec2 bounds_of(const std::optional<Interval>& interval) {
+  return interval ? Vec2(interval->low, interval->high) : Vec2(Vec2::Constant(NAN));
+}
 
 /// The rows of a list in a comparison.
 template <class Item>

@@ -3,6 +3,7 @@
 
 #include "core/angle.hpp"
 #include "report/tables/comparison_columns.hpp"
+#include "report/text/contrast_text.hpp"
 
 namespace clast {
 
@@ -50,9 +51,6 @@ const TableColumns<RealisationDeposit>& realisation_columns() {
 const TableColumns<FigureOfFile>& realisation_figure_columns() {
   using Row = FigureOfFile;
   const char* unit = "as `figure`";
-  const auto bound = [](const Row& row, double Interval::*end) {
-    return row.interval ? (*row.interval).*end : NAN;
-  };
   const char* interval =
       "95 % confidence interval of the mean; empty below two realisations or where they are equal";
   static const TableColumns<Row> columns = {
@@ -70,8 +68,8 @@ const TableColumns<FigureOfFile>& realisation_figure_columns() {
       {"realisations", "", "that have the figure",
        [](const Row& row) { return row.summary.count; }},
       {"mean", unit, "over realisations", [](const Row& row) { return row.summary.mean; }},
-      {"mean_low", unit, interval, [=](const Row& row) { return bound(row, &Interval::low); }},
-      {"mean_high", unit, interval, [=](const Row& row) { return bound(row, &Interval::high); }},
+      {"mean_low", unit, interval, [](const Row& row) { return bounds_of(row.interval)[0]; }},
+      {"mean_high", unit, interval, [](const Row& row) { return bounds_of(row.interval)[1]; }},
       {"std", unit, "over realisations", [](const Row& row) { return row.summary.std; }},
       {"least", unit, "over realisations", [](const Row& row) { return row.least; }},
       {"most", unit, "over realisations", [](const Row& row) { return row.summary.max; }}};
@@ -84,12 +82,6 @@ const TableColumns<FigureDifference>& realisation_difference_columns() {
   const char* interval =
       "95 % confidence interval of the difference (Welch); empty below two realisations of "
       "either, or where realisations do not differ";
-  // Of Welch's test, where there is one.
-  const auto welch = [](auto value) {
-    return [value](const Row& row) -> double {
-      return row.welch ? std::invoke(value, *row.welch) : NAN;
-    };
-  };
   static const TableColumns<Row> columns = {
       {"first", "", "numbers of the results files",
        [](const Row& row) { return row.first.file + 1; }},
@@ -105,19 +97,19 @@ const TableColumns<FigureDifference>& realisation_difference_columns() {
        [](const Row& row) { return row.first.summary.mean; }},
       {"second_mean", unit, "mean of each file",
        [](const Row& row) { return row.second.summary.mean; }},
-      {"difference", unit, "first minus second", &Row::difference},
-      {"difference_low", unit, interval,
-       welch([](const MeanDifference& found) { return found.interval.low; })},
+      {"difference", unit, "first minus second", &Row::estimate},
+      {"difference_low", unit, interval, [](const Row& row) { return bounds_of(row.interval)[0]; }},
       {"difference_high", unit, interval,
-       welch([](const MeanDifference& found) { return found.interval.high; })},
-      {"freedom", "", "degrees of freedom of the interval", welch(&MeanDifference::freedom)},
-      {"p_value", "", "of no difference, uncorrected", welch(&MeanDifference::p_value)},
+       [](const Row& row) { return bounds_of(row.interval)[1]; }},
+      {"freedom", "", "degrees of freedom of the interval", &Row::freedom},
+      {"p_value", "", "of no difference, uncorrected",
+       [](const Row& row) { return row.p_value.value_or(NAN); }},
       {"p_holm", "", "... corrected for `tests` tests",
-       [](const Row& row) { return row.welch ? row.p_holm : NAN; }},
+       [](const Row& row) { return row.p_holm.value_or(NAN); }},
       {"tests", "", "number of tests that `p_holm` is corrected for", &Row::tests},
       {"distinguished", "", "1 where `p_holm` is below 0.05",
        [](const Row& row) {
-         return std::uint64_t{distinction_of(row) == Distinction::kDistinguished ? 1u : 0u};
+         return std::uint64_t{row.verdict() == Verdict::kMoreThanChance ? 1u : 0u};
        }},
       {"words", "", "a sentence to quote", [](const Row& row) { return in_words(row); }}};
   return columns;
@@ -125,11 +117,6 @@ const TableColumns<FigureDifference>& realisation_difference_columns() {
 
 const TableColumns<Mobility>& mobility_columns() {
   using Row = Mobility;
-  const auto difference = [](auto value) {
-    return [value](const Row& row) -> double {
-      return row.difference ? std::invoke(value, *row.difference) : NAN;
-    };
-  };
   const char* interval =
       "95 % confidence interval of the difference (Welch); empty below two realisations or points";
   static const TableColumns<Row> columns = {
@@ -148,12 +135,13 @@ const TableColumns<Mobility>& mobility_columns() {
        "mean over release points of the mean of each; over runs of one point",
        [](const Row& row) { return row.alone_runout.mean; }},
       {"difference_m", "m", "together minus alone",
-       [](const Row& row) { return row.together_runout.mean - row.alone_runout.mean; }},
+       [](const Row& row) { return row.difference.estimate; }},
       {"difference_low_m", "m", interval,
-       difference([](const MeanDifference& found) { return found.interval.low; })},
+       [](const Row& row) { return bounds_of(row.difference.interval)[0]; }},
       {"difference_high_m", "m", interval,
-       difference([](const MeanDifference& found) { return found.interval.high; })},
-      {"p_value", "", "of no difference", difference(&MeanDifference::p_value)},
+       [](const Row& row) { return bounds_of(row.difference.interval)[1]; }},
+      {"p_value", "", "of no difference",
+       [](const Row& row) { return row.difference.p_value.value_or(NAN); }},
       {"together_toe_m", "m", "largest runout of a realisation, mean over realisations",
        [](const Row& row) { return row.together_toe.mean; }},
       {"alone_toe_m", "m",

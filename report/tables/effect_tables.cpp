@@ -81,13 +81,13 @@ const TableColumns<TrendOfFile>& trend_columns() {
        [](const Row& row) { return row.trend.corrected_p; }},
       {"upper_half_from", "kg or share", "least value of the property in the upper half",
        [](const Row& row) { return row.trend.limit; }},
-      {"difference", unit, halves, [](const Row& row) { return row.trend.halves.difference; }},
+      {"difference", unit, halves, [](const Row& row) { return row.trend.halves.estimate; }},
       {"difference_low", unit, "95 % interval",
-       [](const Row& row) { return row.trend.halves.interval.low; }},
+       [](const Row& row) { return row.trend.halves.interval->low; }},
       {"difference_high", unit, "95 % interval",
-       [](const Row& row) { return row.trend.halves.interval.high; }},
+       [](const Row& row) { return row.trend.halves.interval->high; }},
       {"difference_p", "", "of no difference, two-sided",
-       [](const Row& row) { return row.trend.halves.p_value; }},
+       [](const Row& row) { return *row.trend.halves.p_value; }},
       {"equivalence_p", "",
        "of a difference as large as the margin; below 0.05: it is within the margin. Of the "
        "runout, "

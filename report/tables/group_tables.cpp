@@ -4,6 +4,7 @@
 
 #include "core/angle.hpp"
 #include "report/tables/comparison_columns.hpp"
+#include "report/text/contrast_text.hpp"
 #include "study/campaign/ground_fields.hpp"
 
 namespace clast {
@@ -65,11 +66,6 @@ Summary in_degrees(const Summary& angle) {
           angle.max * kDegreesPerRadian};
 }
 
-/// An end of an interval; not a number without one.
-double bound_of(const std::optional<Interval>& interval, double Interval::*end) {
-  return interval ? (*interval).*end : NAN;
-}
-
 template <class Item>
 const std::string& group_name(const ComparisonRow<Item>& row) {
   return row.comparison.groups[row->group].name;
@@ -126,12 +122,11 @@ const TableColumns<ComparisonRow<Difference>>& difference_columns() {
        &Difference::points},
       {"first_mean", unit, "mean of each group", &Difference::first_mean},
       {"second_mean", unit, "mean of each group", &Difference::second_mean},
-      {"difference", unit, "first minus second",
-       [](const Row& row) { return row->first_mean - row->second_mean; }},
+      {"difference", unit, "first minus second", &Difference::estimate},
       {"difference_low", unit, interval,
-       [](const Row& row) { return bound_of(row->interval, &Interval::low); }},
+       [](const Row& row) { return bounds_of(row->interval)[0]; }},
       {"difference_high", unit, interval,
-       [](const Row& row) { return bound_of(row->interval, &Interval::high); }},
+       [](const Row& row) { return bounds_of(row->interval)[1]; }},
       {"cliffs_delta", "", "effect sizes", &Difference::cliffs_delta},
       {"hedges_g", "", "effect sizes", [](const Row& row) { return row->hedges_g.value_or(NAN); }},
       {"ks_distance", "", "Kolmogorov-Smirnov distance", &Difference::ks_distance},
@@ -156,13 +151,10 @@ const TableColumns<ComparisonRow<MeasuredGroup>>& measured_columns() {
   using Row = ComparisonRow<MeasuredGroup>;
   using Measured = MeasuredGroup;
   const auto bounds = [](const char* low, const char* high, const char* unit,
-                         std::optional<Interval> Measured::*interval) {
-    return columns_of_list<Row>(
-        {low, high}, unit, "its 95 % confidence interval; empty for one realisation",
-        [interval](const Row& row) {
-          const std::optional<Interval>& found = (*row).*interval;
-          return Vec2(bound_of(found, &Interval::low), bound_of(found, &Interval::high));
-        });
+                         std::optional<Interval> (*interval)(const Row&)) {
+    return columns_of_list<Row>({low, high}, unit,
+                                "its 95 % confidence interval; empty for one realisation",
+                                [interval](const Row& row) { return bounds_of(interval(row)); });
   };
   static const auto columns = joined<Row>(
       {{{"group", "", "name", group_name<Measured>},
@@ -178,9 +170,9 @@ const TableColumns<ComparisonRow<MeasuredGroup>>& measured_columns() {
         {"cliffs_delta", "", "measured against simulated runout", &Measured::cliffs_delta},
         {"ks_distance", "", "Kolmogorov-Smirnov distance", &Measured::ks_distance},
         {"p_value", "", "of the distance, uncorrected; empty for one realisation",
-         [](const Row& row) { return row->p_value.value_or(NAN); }},
+         [](const Row& row) { return row->medians.p_value.value_or(NAN); }},
         {"p_holm", "", "... corrected for all groups",
-         [](const Row& row) { return row->p_holm.value_or(NAN); }}},
+         [](const Row& row) { return row->medians.p_holm.value_or(NAN); }}},
        columns_of_list<Row>(
            {"runout_q25_m", "runout_q75_m"}, "m", "quartiles of measured stops",
            [](const Row& row) { return Vec2(row->quartiles.low, row->quartiles.high); }),
@@ -192,10 +184,11 @@ const TableColumns<ComparisonRow<MeasuredGroup>>& measured_columns() {
              return Vec3(runout.low, runout.median, runout.high);
            }),
        {{"median_difference_m", "m", "median runout, measured minus simulated",
-         [](const Row& row) { return row->quartiles.median - row->simulated_quartiles.median; }}},
+         [](const Row& row) { return row->medians.estimate; }}},
        bounds("median_difference_low_m", "median_difference_high_m", "m",
-              &Measured::median_difference),
-       bounds("ks_distance_low", "ks_distance_high", "", &Measured::ks_interval)});
+              [](const Row& row) { return row->medians.interval; }),
+       bounds("ks_distance_low", "ks_distance_high", "",
+              [](const Row& row) { return row->ks_interval; })});
   return columns;
 }
 
@@ -278,7 +271,6 @@ const TableColumns<BarrierGroup>& report_detail::barrier_columns() {
                              Summary Row::*summary) {
     return summary_columns<Row>(kAllStatistics, name, unit, meaning, summary);
   };
-  const char* interval = "its 95 % confidence interval; empty for one realisation";
   static const auto columns = joined<Row>(
       {{{"barrier", "", "name; of a ring with `(in)` or `(out)`", &Row::barrier},
         {"group", "", "name", &Row::group},
@@ -294,11 +286,10 @@ const TableColumns<BarrierGroup>& report_detail::barrier_columns() {
          "runs that crossed from the right of the line to its left first, counted or not; for a "
          "ring 0",
          &Row::backward},
-        {"probability", "", "`crossings` / `runs`", &Row::probability},
-        {"probability_low", "", interval,
-         [](const Row& row) { return bound_of(row.interval, &Interval::low); }},
-        {"probability_high", "", interval,
-         [](const Row& row) { return bound_of(row.interval, &Interval::high); }}},
+        {"probability", "", "`crossings` / `runs`", &Row::probability}},
+       columns_of_list<Row>({"probability_low", "probability_high"}, "",
+                            "its 95 % confidence interval; empty for one realisation",
+                            [](const Row& row) { return bounds_of(row.interval); }),
        statistics("height_*_m", "m", "height of the centre of mass above the ground below it",
                   &Row::height),
        statistics("clearance_*_m", "m", "height of the lowest skin point above the ground below it",

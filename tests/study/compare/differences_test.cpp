@@ -11,6 +11,7 @@
 #include "core/number_text.hpp"
 #include "core/random.hpp"
 #include "core/statistics/sample_tests.hpp"
+#include "report/text/contrast_text.hpp"
 #include "study/compare/comparison.hpp"
 #include "tests/study/csv_reader.hpp"
 #include "tests/study/hand_made_results.hpp"
@@ -108,7 +109,7 @@ TEST(Differences, OneRealisationGivesNeitherIntervalNorTest) {
     EXPECT_FALSE(difference.p_holm);
     EXPECT_FALSE(difference.found());
     EXPECT_EQ(difference.tests, 0u);
-    EXPECT_EQ(evidence_of(difference), Evidence::kOneRealisation);
+    EXPECT_EQ(difference.verdict(), Verdict::kUntested);
     EXPECT_NE(
         in_words(difference, one).find("one realisation does not show whether this is chance"),
         std::string::npos);
@@ -214,6 +215,7 @@ TEST(Differences, AreSaidInASentence) {
   Difference back = runout;
   std::swap(back.first, back.second);
   std::swap(back.first_mean, back.second_mean);
+  back.estimate = -runout.estimate;
   back.interval = Interval{-interval.high, -interval.low};
   EXPECT_EQ(gap_in_words(back), with_decimals(runout.first_mean - runout.second_mean, decimals) +
                                     " m less (" + with_decimals(interval.low, decimals) + " to " +
