@@ -162,11 +162,7 @@ BootstrapIntervals bootstrap_intervals(
     medians.push_back(quantile(a, 0.5) - quantile(b, 0.5));
     distances.push_back(largest_distance(a, b));
   }
-  const auto interval = [](std::vector<double>& values) {
-    std::sort(values.begin(), values.end());
-    return Interval{quantile(values, 0.025), quantile(values, 0.975)};
-  };
-  return {interval(medians), interval(distances)};
+  return {percentile_interval(std::move(medians)), percentile_interval(std::move(distances))};
 }
 
 constexpr std::size_t kMostCurvePoints = 100;  // of a curve
