@@ -120,15 +120,6 @@ std::string barrier_ends(const BarrierLine& barrier) {
   return points + " m";
 }
 
-/// The counted crossing of every row; none where a run did not cross the line.
-std::vector<const Crossing*> counted_crossings(const Comparison& comparison, std::size_t line) {
-  std::vector<const Crossing*> first(comparison.rows.size(), nullptr);
-  for (const CrossingRow& crossing : comparison.crossings) {
-    if (crossing.counted && crossing.barrier == line) first[crossing.row] = crossing.crossing;
-  }
-  return first;
-}
-
 std::string barrier_charts(const Comparison& comparison, std::size_t line) {
   const std::vector<const Crossing*> first = counted_crossings(comparison, line);
   const auto chart = [&](const std::string& title, const std::string& label, auto value) {
