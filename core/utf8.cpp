@@ -54,6 +54,14 @@ bool is_utf8(std::string_view text) {
   return true;
 }
 
+std::string lower_case(std::string_view text) {
+  std::string lower(text);
+  for (char& c : lower) {
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  }
+  return lower;
+}
+
 std::string utf8_from_latin1(std::string_view text) {
   std::string result;
   result.reserve(text.size() + text.size() / 8);

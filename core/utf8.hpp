@@ -21,6 +21,9 @@ Utf8Character first_character(std::string_view text);
 /// @cite rfc3629
 bool is_utf8(std::string_view text);
 
+/// `text` with the letters A to Z in lower case; other bytes stay as they are.
+std::string lower_case(std::string_view text);
+
 /// `text` in Windows-1252, which has Latin-1 in it, as UTF-8. Every byte is a character there: the
 /// five that Windows-1252 leaves open become the control characters of Latin-1.
 std::string utf8_from_latin1(std::string_view text);

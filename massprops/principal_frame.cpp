@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/axis_sign.hpp"
 #include "core/error.hpp"
 #include "core/number_text.hpp"
 
@@ -31,12 +32,6 @@ void check_moments(const Vec3& moments, double relative_error) {
                         ": the largest exceeds the sum of the others, so no solid has them; check "
                         "that the mesh is closed, faces outward and doesn't pass through itself");
   }
-}
-
-Vec3 with_largest_component_positive(const Vec3& axis) {
-  Eigen::Index largest = 0;
-  axis.cwiseAbs().maxCoeff(&largest);
-  return axis[largest] < 0.0 ? Vec3(-axis) : axis;
 }
 
 /// Across `axis`: the source's x axis as far as it is perpendicular to it, or y where x is not.

@@ -2,13 +2,13 @@
 #include "mesh/geotiff_keys.hpp"
 
 #include <algorithm>
-#include <cctype>
 #include <cstdint>
 #include <cstring>
 #include <map>
 #include <string_view>
 
 #include "core/printable.hpp"
+#include "core/utf8.hpp"
 
 namespace clast {
 namespace {
@@ -98,8 +98,8 @@ std::optional<DeclaredUnit> unit_in_key(const KeyDirectory& keys, GeoKey key, do
 }
 
 /// A foot that only the text of a citation names: "NAD_1983_..._Feet", "(ftUS)", "LUnits = Foot".
-std::optional<DeclaredUnit> unit_in_citation(std::string text) {
-  for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+std::optional<DeclaredUnit> unit_in_citation(const std::string& citation) {
+  const std::string text = lower_case(citation);
   const auto has = [&](const char* word) { return text.find(word) != std::string::npos; };
   if (!has("foot") && !has("feet") && !has("ftus") && !has("us-ft") && !has("(ft)")) {
     return std::nullopt;

@@ -15,7 +15,7 @@
 #include "report/comparison_report.hpp"
 #include "report/json/campaign_json.hpp"
 #include "report/page_pdf.hpp"
-#include "report/tables/table_values.hpp"
+#include "report/tables/comparison_tables.hpp"
 #include "report/text/answer_text.hpp"
 #include "report/text/effects_text.hpp"
 #include "report/text/measured_text.hpp"
@@ -30,6 +30,14 @@ namespace fs = std::filesystem;
 namespace {
 
 using SharedResults = std::shared_ptr<CampaignResults>;
+
+/// A comparison with its analyses.
+struct ComparisonHolder {
+  explicit ComparisonHolder(Comparison compared) : comparison(std::move(compared)) {}
+
+  Comparison comparison;
+  ComparisonAnalyses analyses{comparison};
+};
 
 SharedResults load_results(const fs::path& path) {
   return unlocked([&] { return std::make_shared<CampaignResults>(read_results(path)); });
@@ -68,27 +76,27 @@ py::dict trajectory_of(const CampaignResults& results, std::uint32_t run) {
                   "angular_velocity_rad_s"_a = spin);
 }
 
-std::shared_ptr<Comparison> compare_all(const std::vector<SharedResults>& results,
-                                        const std::vector<std::string>& by,
-                                        const std::optional<fs::path>& measured,
-                                        const std::optional<double>& margin) {
+std::shared_ptr<ComparisonHolder> compare_all(const std::vector<SharedResults>& results,
+                                              const std::vector<std::string>& by,
+                                              const std::optional<fs::path>& measured,
+                                              const std::optional<double>& margin) {
   return watched(py::none(), [&](const Progress&) {
     std::vector<CampaignResults> copies;
     for (const SharedResults& one : results) copies.push_back(*one);
-    return std::make_shared<Comparison>(
+    return std::make_shared<ComparisonHolder>(
         compare(std::move(copies), {.by = by, .measured = measured, .margin = margin}));
   });
 }
 
-std::vector<std::string> sentences(const Comparison& comparison) {
-  std::vector<std::string> lines = answer_sentences(comparison, answer(comparison));
-  const std::vector<std::string> observed = measured_sentences(comparison);
+std::vector<std::string> sentences(const ComparisonHolder& of) {
+  std::vector<std::string> lines = answer_sentences(of.comparison, of.analyses.answer());
+  const std::vector<std::string> observed = measured_sentences(of.comparison);
   lines.insert(lines.end(), observed.begin(), observed.end());
   return lines;
 }
 
 /// The files that were written; the report is the last.
-std::vector<std::string> write(const Comparison& comparison, const fs::path& folder,
+std::vector<std::string> write(const ComparisonHolder& of, const fs::path& folder,
                                const py::dict& keywords) {
   Keywords given(keywords);
   ComparisonExtras extras;
@@ -100,7 +108,7 @@ std::vector<std::string> write(const Comparison& comparison, const fs::path& fol
   return watched(py::none(), [&](const Progress&) {
     if (pdf) extras.browser = find_browser();
     OutputFolder output(folder, comparison_folder(), replace);
-    const FilledFolder filled = fill_folder(output, comparison, extras);
+    const FilledFolder filled = fill_folder(output, of.analyses, extras);
     if (filled.no_pdf) {
       throw InputError(folder.string() + " has the report, but not as PDF: " + *filled.no_pdf);
     }
@@ -125,27 +133,29 @@ void bind_comparisons(py::module_& module) {
       .def_readonly("planned_runs", &CampaignResults::planned_runs)
       .def("summary", [](const CampaignResults& r) { return object_of(outcome_json(r)); })
       .def("trajectory", &trajectory_of);
-  py::class_<Comparison, std::shared_ptr<Comparison>>(module, "ComparisonData")
+  py::class_<ComparisonHolder, std::shared_ptr<ComparisonHolder>>(module, "ComparisonData")
       .def("table",
-           [](const Comparison& comparison, const std::string& name) {
-             return table_of(unlocked([&] { return comparison_table(comparison, name); }));
+           [](const ComparisonHolder& of, const std::string& name) {
+             return table_of(unlocked(
+                 [&] { return table_named(comparison_tables(), name).values(of.analyses); }));
            })
-      .def_readonly("warnings", &Comparison::warnings)
+      .def_property_readonly("warnings",
+                             [](const ComparisonHolder& of) { return of.comparison.warnings; })
       .def("sentences", &sentences)
-      .def(
-          "first_screen",
-          [](const Comparison& comparison) { return first_screen(comparison, answer(comparison)); })
-      .def(
-          "effects",
-          [](const Comparison& comparison) {
-            std::vector<std::string> lines = effects_sentences(design_effects(comparison));
-            for (std::string& line : trend_sentences(shape_trends(comparison), comparison.margin)) {
-              lines.push_back(std::move(line));
-            }
-            return lines;
-          })
+      .def("first_screen",
+           [](const ComparisonHolder& of) {
+             return first_screen(of.comparison, of.analyses.answer());
+           })
+      .def("effects",
+           [](const ComparisonHolder& of) {
+             std::vector<std::string> lines = effects_sentences(of.analyses.effects());
+             for (std::string& line : trend_sentences(of.analyses.trends(), of.comparison.margin)) {
+               lines.push_back(std::move(line));
+             }
+             return lines;
+           })
       .def("write", &write);
-  module.attr("comparison_tables") = comparison_table_names();
+  module.attr("comparison_tables") = table_names(comparison_tables());
   module.def("results_read", &load_results);
   module.def("compare", &compare_all);
 }

@@ -16,7 +16,7 @@
 #include "report/json/population_json.hpp"
 #include "report/population_reading.hpp"
 #include "report/population_report.hpp"
-#include "report/tables/table_values.hpp"
+#include "report/tables/population_tables.hpp"
 #include "report/text/population_text.hpp"
 
 namespace clast::python_detail {
@@ -89,7 +89,8 @@ void bind_populations(py::module_& module) {
   py::class_<PopulationReport, std::shared_ptr<PopulationReport>>(module, "PopulationReport")
       .def("table",
            [](const PopulationReport& report, const std::string& name) {
-             return table_of(unlocked([&] { return population_table(report, name); }));
+             return table_of(
+                 unlocked([&] { return table_named(population_tables(), name).values(report); }));
            })
       .def("json",
            [](const PopulationReport& report) {
@@ -107,7 +108,7 @@ void bind_populations(py::module_& module) {
                output.commit();
              });
            });
-  module.attr("population_tables") = population_table_names();
+  module.attr("population_tables") = table_names(population_tables());
   module.attr("schemes") = scheme_names();
   module.def("classify", &classify);
 }

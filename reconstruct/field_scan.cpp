@@ -1,10 +1,10 @@
 #include "reconstruct/field_scan.hpp"
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 
 #include "core/error.hpp"
+#include "core/files/text_file.hpp"
 #include "mesh/mesh_io.hpp"
 #include "mesh/point_cloud.hpp"
 #include "reconstruct/detail/cloud_blocks.hpp"
@@ -16,9 +16,7 @@ namespace clast {
 namespace {
 
 bool is_cloud(const std::filesystem::path& path) {
-  std::string extension = path.extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  const std::string extension = extension_of(path);
   const std::vector<std::string>& known = cloud_extensions();
   return extension == ".asc" || std::find(known.begin(), known.end(), extension) != known.end();
 }

@@ -14,9 +14,7 @@
 #include "report/pages/report_groups.hpp"
 #include "report/scene/vtk_animation.hpp"
 #include "report/tables/comparison_provenance.hpp"
-#include "report/tables/group_tables.hpp"
-#include "report/tables/run_tables.hpp"
-#include "study/compare/path_rasters.hpp"
+#include "report/tables/comparison_tables.hpp"
 
 namespace clast {
 
@@ -24,73 +22,48 @@ using namespace report_detail;
 
 FolderKind comparison_folder() {
   const auto owns = [](const std::filesystem::path& file) {
-    static const std::set<std::string> kFiles = {
-        "runs.csv", "barriers.csv", "crossings.csv", "deposits.csv", "impacts.csv",
-        "ground_sets.csv", "profiles.csv", "measured.csv", "stops.gpkg", "differences.csv",
-        "provenance.json", "report.html", "report.pdf", "ensemble.csv", "stays.csv",
-        "realisations.csv", "effects.csv", "trends.csv", "responses.csv", "realisation_figures.csv",
-        "realisation_differences.csv", "mobility.csv", "passages.csv", "passage_curves.csv",
-        "energies.csv",
-        // of clast 0.2 and before
-        "fabric.csv", "neighbours.csv", "sorting.csv"};
+    static const std::set<std::string> kFiles = {"stops.gpkg", "provenance.json", "report.html",
+                                                 "report.pdf",
+                                                 // of clast 0.2 and before
+                                                 "fabric.csv", "neighbours.csv", "sorting.csv"};
     const std::string folder = file.parent_path().string(), extension = file.extension().string();
     if (folder == "rasters") return extension == ".tif" || extension == ".qml";
     if (folder == "animation") return extension == ".vtp" || extension == ".pvd";
     if (folder.empty() && extension == ".svg") return file.string().starts_with("response_");
-    return kFiles.contains(file.string());
+    return kFiles.contains(file.string()) || is_table_file(comparison_tables(), file.string());
   };
   return {"comparison", "provenance.json", "\"downslope_from\"", owns};
 }
 
-std::vector<std::filesystem::path> write_comparison(const Comparison& comparison,
+std::vector<std::filesystem::path> write_comparison(const ComparisonAnalyses& analyses,
                                                     const std::filesystem::path& folder) {
   std::error_code code;
   if (std::filesystem::exists(folder, code) && !std::filesystem::is_directory(folder, code)) {
     throw InputError(folder.string() + ": is a file; name a folder for the tables and the report");
   }
+  const Comparison& comparison = analyses.comparison();
   std::vector<std::filesystem::path> written;
-  const auto write = [&](const char* name, const std::string& text) {
+  const auto write = [&](const std::string& name, const std::string& text) {
     written.push_back(folder / name);
     write_text_file(written.back(), text);
   };
-  write("runs.csv", runs_csv(comparison));
-  write("barriers.csv", barriers_csv(comparison));
-  write("crossings.csv", crossings_csv(comparison));
-  write("deposits.csv", deposits_csv(comparison));
-  write("impacts.csv", impacts_csv(comparison));
-  write("ground_sets.csv", ground_sets_csv(comparison));
-  write("ensemble.csv", ensemble_csv(comparison));
-  write("effects.csv", effects_csv(comparison));
-  write("trends.csv", trends_csv(comparison));
-  write("responses.csv", responses_csv(comparison));
-  for (const ResponsePicture& picture :
-       response_pictures(outcomes_of_forms(comparison), several_files(comparison))) {
-    write(picture.file.c_str(), svg_file(picture.svg));
+  for (const ComparisonTable& table : comparison_tables()) {
+    if (table.name == "measured" && !comparison.measured) continue;
+    write(table.name + ".csv", table.csv(analyses));
   }
-  write("stays.csv", stays_csv(comparison));
-  const RealisationDeposits deposits = realisation_deposits(comparison);
-  write("realisations.csv", realisations_csv(deposits));
-  const FiguresOfFiles figures = figures_of_files(deposits.realisations);
-  write("realisation_figures.csv", realisation_figures_csv(figures));
-  write("realisation_differences.csv", realisation_differences_csv(figures));
-  write("passages.csv", passages_csv(comparison));
-  write("passage_curves.csv", passage_curves_csv(comparison));
-  write("energies.csv", energies_csv(comparison));
-  write("mobility.csv", mobility_csv(comparison));
-  write("differences.csv", differences_csv(comparison));
-  const std::vector<ProfileBin> bins = profiles(comparison);
-  write("profiles.csv", profiles_csv(comparison, bins));
-  if (comparison.measured) write("measured.csv", measured_csv(comparison));
-  write("provenance.json", provenance_json(comparison));
+  for (const ResponsePicture& picture :
+       response_pictures(analyses.forms(), several_files(comparison))) {
+    write(picture.file, svg_file(picture.svg));
+  }
+  write("provenance.json", provenance_json(analyses));
   written.push_back(folder / "stops.gpkg");
   write_geopackage(written.back(), comparison);
-  const MapRasters paths = path_rasters(comparison);
-  for (const MapRasters* rasters : {&paths, &deposits.rasters}) {
+  for (const MapRasters* rasters : {&analyses.paths(), &analyses.deposits().rasters}) {
     const std::vector<std::filesystem::path> files =
         write_rasters(folder / "rasters", *rasters, comparison.results.front().frame.crs);
     written.insert(written.end(), files.begin(), files.end());
   }
-  write("report.html", comparison_page(comparison, bins, paths, deposits));
+  write("report.html", comparison_page(analyses));
   return written;
 }
 
@@ -109,12 +82,12 @@ std::optional<std::string> print_report(const std::filesystem::path& folder,
 
 }  // namespace
 
-FilledFolder fill_folder(OutputFolder& folder, const Comparison& comparison,
+FilledFolder fill_folder(OutputFolder& folder, const ComparisonAnalyses& analyses,
                          const ComparisonExtras& extras) {
-  std::vector<std::filesystem::path> written = write_comparison(comparison, folder.temporary());
+  std::vector<std::filesystem::path> written = write_comparison(analyses, folder.temporary());
   if (extras.animated > 0) {
     const std::filesystem::path animation =
-        write_animation(folder.temporary() / "animation", comparison, extras.animated);
+        write_animation(folder.temporary() / "animation", analyses.comparison(), extras.animated);
     if (animation.empty()) {
       throw InputError(
           "no trajectory is stored, so nothing can be animated; set [run] "

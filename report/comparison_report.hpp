@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/files/output_folder.hpp"
-#include "study/compare/comparison.hpp"
+#include "study/compare/comparison_analyses.hpp"
 
 namespace clast {
 
@@ -17,7 +17,7 @@ FolderKind comparison_folder();
 /// `folder`.
 /// @return what was written, the report last
 /// @throws InputError  the folder can't be made or written to
-std::vector<std::filesystem::path> write_comparison(const Comparison& comparison,
+std::vector<std::filesystem::path> write_comparison(const ComparisonAnalyses& analyses,
                                                     const std::filesystem::path& folder);
 
 /// What a folder is to hold besides tables, map layers and page.
@@ -33,7 +33,7 @@ struct FilledFolder {
 
 /// `write_comparison` with extras, then `OutputFolder::commit`.
 /// @throws InputError  as both; no trajectory to animate
-FilledFolder fill_folder(OutputFolder& folder, const Comparison& comparison,
+FilledFolder fill_folder(OutputFolder& folder, const ComparisonAnalyses& analyses,
                          const ComparisonExtras& extras = {});
 
 }  // namespace clast

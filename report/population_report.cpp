@@ -67,12 +67,12 @@ std::set<std::string> earlier_diagrams(const std::filesystem::path& folder) {
 
 FolderKind population_folder(const std::filesystem::path& folder) {
   const auto owns = [diagrams = earlier_diagrams(folder)](const std::filesystem::path& file) {
-    static const std::set<std::string> kFiles = {"classes.csv", "shares.csv",      "sizes.csv",
-                                                 "tests.csv",   "provenance.json", "report.html"};
     const std::string name = file.string();
+    if (is_table_file(population_tables(), name)) return true;
     // Whatever someone wrote into that list: nothing but a picture in the folder is ours.
     const bool picture = file == file.filename() && file.extension() == ".svg";
-    return kFiles.contains(name) || (picture && diagrams.contains(name));
+    return name == "provenance.json" || name == "report.html" ||
+           (picture && diagrams.contains(name));
   };
   return {"classification", "provenance.json", "\"populations\"", owns};
 }
@@ -84,9 +84,10 @@ void write_population_report(const PopulationReport& report, const std::filesyst
   }
   const Diagrams diagrams = population_diagrams(report);
   write_classes_csv(report, folder / "classes.csv");
-  write_text_file(folder / "shares.csv", shares_csv(report));
-  write_text_file(folder / "sizes.csv", sizes_csv(report));
-  write_text_file(folder / "tests.csv", tests_csv(report));
+  for (const PopulationTable& table : population_tables()) {
+    if (table.name == "classes") continue;  // written above, never whole in memory
+    write_text_file(folder / (table.name + ".csv"), table.csv(report));
+  }
   for (const auto& [name, svg] : diagrams) {
     write_text_file(folder / (name + ".svg"), svg_file(svg));
   }

@@ -7,6 +7,7 @@
 #include <numeric>
 #include <vector>
 
+#include "core/axis_sign.hpp"
 #include "core/error.hpp"
 #include "core/number_text.hpp"
 #include "shapes/convex_hull.hpp"
@@ -157,12 +158,6 @@ Posture settled(GaussImage& hull, Posture posture, int rounds) {
 double box_area(const OrientedBox& box) {
   const Vec3& l = box.lengths;
   return 2.0 * (l[0] * l[1] + l[1] * l[2] + l[2] * l[0]);
-}
-
-Vec3 with_largest_component_positive(const Vec3& axis) {
-  Eigen::Index largest = 0;
-  axis.cwiseAbs().maxCoeff(&largest);
-  return axis[largest] < 0.0 ? Vec3(-axis) : axis;
 }
 
 /// Around points of a plane, a line or one place.

@@ -18,7 +18,7 @@
 #include "report/text/effects_text.hpp"
 #include "report/text/measured_text.hpp"
 #include "report/text/trends_text.hpp"
-#include "study/compare/comparison.hpp"
+#include "study/compare/comparison_analyses.hpp"
 
 namespace clast {
 
@@ -57,10 +57,10 @@ void print_lines(const std::vector<std::string>& lines) {
   for (const std::string& line : lines) std::cout << printable(line) << "\n";
 }
 
-void print_effects(const CompareArgs& args, const Comparison& comparison) {
+void print_effects(const CompareArgs& args, const ComparisonAnalyses& analyses) {
   if (!args.effects) return;
-  print_lines(effects_sentences(design_effects(comparison)));
-  print_lines(trend_sentences(shape_trends(comparison), comparison.margin));
+  print_lines(effects_sentences(analyses.effects()));
+  print_lines(trend_sentences(analyses.trends(), analyses.comparison().margin));
 }
 
 void compare_results(const CompareArgs& args) {
@@ -69,16 +69,16 @@ void compare_results(const CompareArgs& args) {
   if (args.pdf) extras.browser = find_browser();
   OutputFolder folder(args.folder, comparison_folder(), args.replace);
   const Comparison comparison = read_and_compare(args);
-  const FilledFolder filled = fill_folder(folder, comparison, extras);
+  const ComparisonAnalyses analyses(comparison);
+  const FilledFolder filled = fill_folder(folder, analyses, extras);
   print_warnings(comparison);
-  const Answer answered = answer(comparison);
   if (args.summary) {
-    print_lines(first_screen(comparison, answered));
+    print_lines(first_screen(comparison, analyses.answer()));
   } else {
-    print_lines(answer_sentences(comparison, answered));
+    print_lines(answer_sentences(comparison, analyses.answer()));
     print_lines(measured_sentences(comparison));
   }
-  print_effects(args, comparison);
+  print_effects(args, analyses);
   for (const std::filesystem::path& file : filled.files) {
     std::cout << printable((std::filesystem::path(args.folder) / file).string()) << "\n";
   }

@@ -10,17 +10,10 @@
 #include "core/files/column_heading.hpp"
 #include "core/length_unit.hpp"
 #include "core/number_text.hpp"
+#include "core/utf8.hpp"
 
 namespace clast::classify_detail {
 namespace {
-
-std::string lower_case(std::string_view text) {
-  std::string result(text);
-  for (char& c : result) {
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-  }
-  return result;
-}
 
 constexpr std::array<UnitName, 4> kMasses = {
     {{"g", 1e-3}, {"kg", 1.0}, {"t", 1e3}, {"lb", 0.45359237}}};

@@ -1,12 +1,12 @@
 #include "core/files/text_file.hpp"
 
 #include <algorithm>
-#include <cctype>
 #include <fstream>
 
 #include "core/error.hpp"
 #include "core/files/input_file.hpp"
 #include "core/files/output_file.hpp"
+#include "core/utf8.hpp"
 
 namespace clast {
 
@@ -36,10 +36,7 @@ void write_text_file(const std::filesystem::path& path, std::string_view content
 }
 
 std::string extension_of(const std::filesystem::path& path) {
-  std::string extension = path.extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return extension;
+  return lower_case(path.extension().string());
 }
 
 }  // namespace clast

@@ -106,34 +106,34 @@ std::optional<CrossedDifference> crossed_difference(const CrossedSample& sample)
     both += group[i] * values[i];
   }
   if (!(weight > 1e-9)) return std::nullopt;
-  CrossedDifference found;
-  found.difference = both / weight;
+  const double difference = both / weight;
   std::vector<double> scores;
   double squares = 0.0;
   for (std::size_t i = 0; i < count; ++i) {
-    const double rest = values[i] - found.difference * group[i];
+    const double rest = values[i] - difference * group[i];
     squares += rest * rest;
     scores.push_back(group[i] * rest);
   }
-  found.scatter = std::sqrt(squares / static_cast<double>(count));
   const auto [variance, freedom] = variance_of(sample, scores, unit_freedom);
-  found.standard_error = std::sqrt(variance) / weight;
-  found.freedom = freedom;
-  const double independent = found.scatter * found.scatter / weight;
-  if (!(found.standard_error > 0.0)) {
-    found.interval = {found.difference, found.difference};
-    found.p_value = found.difference == 0.0 ? 1.0 : 0.0;
-    return found;
+  const double standard_error = std::sqrt(variance) / weight;
+  const double scatter = std::sqrt(squares / static_cast<double>(count));
+  const double independent = scatter * scatter / weight;
+  if (standard_error > 0.0) {
+    return CrossedDifference{student_contrast(difference, standard_error, freedom), scatter,
+                             standard_error * standard_error / independent};
   }
-  found.design_effect = found.standard_error * found.standard_error / independent;
-  const double half = student_quantile(1.0 - 0.5 * kLevel, freedom) * found.standard_error;
-  found.interval = {found.difference - half, found.difference + half};
-  found.p_value = student_beyond(found.difference / found.standard_error, freedom);
+  CrossedDifference found;
+  found.estimate = difference;
+  found.standard_error = standard_error;
+  found.freedom = freedom;
+  found.interval = Interval{difference, difference};
+  found.p_value = difference == 0.0 ? 1.0 : 0.0;
+  found.scatter = scatter;
   return found;
 }
 
-double equivalence_p(const CrossedDifference& found, double margin) {
-  const double left = margin - std::abs(found.difference);
+double equivalence_p(const Contrast& found, double margin) {
+  const double left = margin - std::abs(found.estimate);
   if (!(found.standard_error > 0.0)) return left > 0.0 ? 0.0 : 1.0;
   const double beyond = 0.5 * student_beyond(left / found.standard_error, found.freedom);
   return left > 0.0 ? beyond : 1.0 - beyond;

@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "core/statistics/statistics.hpp"
+#include "core/statistics/contrast.hpp"
 
 namespace clast {
 
@@ -19,15 +19,12 @@ struct CrossedSample {
   std::vector<std::uint32_t> strata;
 };
 
-struct CrossedDifference {
-  double difference = 0.0;      ///< mean of the second group less that of the first
-  double standard_error = 0.0;  ///< zero where nothing scatters
-  double freedom = 1.0;         ///< degrees of freedom of the standard error
-  double scatter = 0.0;         ///< standard deviation of a value within group and stratum
+/// Mean of the second group less that of the first; its standard error is zero where nothing
+/// scatters.
+struct CrossedDifference : Contrast {
+  double scatter = 0.0;  ///< standard deviation of a value within group and stratum
   /// How many times as large the variance of the difference is as that of independent values.
   double design_effect = 1.0;
-  Interval interval;     ///< 95 %
-  double p_value = 1.0;  ///< of no difference, two-sided
 };
 
 /// The difference within strata, as the least-squares fit of a mean for each stratum and one
@@ -46,7 +43,7 @@ std::optional<CrossedDifference> crossed_difference(const CrossedSample& sample)
 /// level of 5 %.
 /// @param margin  positive
 /// @cite schuirmann1987
-double equivalence_p(const CrossedDifference& found, double margin);
+double equivalence_p(const Contrast& found, double margin);
 
 inline constexpr double kUsualPower = 0.8;
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <utility>
 
 #include "core/random.hpp"
 
@@ -78,6 +79,11 @@ std::optional<double> hedges_g(std::span<const double> a, std::span<const double
   return (1.0 - 3.0 / (4.0 * freedom - 1.0)) * (arithmetic_mean(a) - arithmetic_mean(b)) / pooled;
 }
 
+Interval percentile_interval(std::vector<double> values) {
+  std::sort(values.begin(), values.end());
+  return {quantile(values, 0.025), quantile(values, 0.975)};
+}
+
 std::optional<Interval> bootstrap_difference(const ClusteredValues& a, const ClusteredValues& b,
                                              std::size_t clusters, std::uint64_t seed,
                                              std::size_t draws) {
@@ -99,8 +105,7 @@ std::optional<Interval> bootstrap_difference(const ClusteredValues& a, const Clu
     if (sum_a.count > 0 && sum_b.count > 0) differences.push_back(sum_a.mean() - sum_b.mean());
   }
   if (differences.size() < draws / 2) return std::nullopt;
-  std::sort(differences.begin(), differences.end());
-  return Interval{quantile(differences, 0.025), quantile(differences, 0.975)};
+  return percentile_interval(std::move(differences));
 }
 
 std::optional<Interval> bootstrap_mean(const ClusteredValues& values, std::size_t clusters,
@@ -115,8 +120,7 @@ std::optional<Interval> bootstrap_mean(const ClusteredValues& values, std::size_
     for (std::size_t i = 0; i < pieces.size(); ++i) sum.add(pieces[random.below(pieces.size())]);
     means.push_back(sum.mean());
   }
-  std::sort(means.begin(), means.end());
-  return Interval{quantile(means, 0.025), quantile(means, 0.975)};
+  return percentile_interval(std::move(means));
 }
 
 Interval clustered_share_interval(const ClusteredValues& hits, std::size_t clusters) {

@@ -32,6 +32,10 @@ const char* words_for_delta(double delta);
 /// @cite hedges1981
 std::optional<double> hedges_g(std::span<const double> a, std::span<const double> b);
 
+/// What 95 % of the values lie in, as many below as above.
+/// @param values  not empty, in any order
+Interval percentile_interval(std::vector<double> values);
+
 /// Values of which those of one cluster have something in common.
 struct ClusteredValues {
   std::vector<double> values;

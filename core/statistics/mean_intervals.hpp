@@ -3,6 +3,7 @@
 #include <cmath>
 #include <optional>
 
+#include "core/statistics/contrast.hpp"
 #include "core/statistics/statistics.hpp"
 
 namespace clast {
@@ -18,18 +19,10 @@ inline constexpr double kRoundingShare = 1e-9;
 std::optional<Interval> mean_interval(const Summary& values,
                                       const Interval& possible = {-INFINITY, INFINITY});
 
-/// The mean of one group less that of another.
-struct MeanDifference {
-  double difference = 0.0;
-  double standard_error = 0.0;
-  double freedom = 1.0;  ///< degrees of freedom of the standard error
-  Interval interval;     ///< 95 %
-  double p_value = 1.0;  ///< of no difference, two-sided
-};
-
-/// Welch's t: each group has a spread of its own, the degrees of freedom are Satterthwaite's.
-/// @return none below two values of either, or where those of each are equal
+/// The mean of one group less that of another by Welch's t: each group has a spread of its own, the
+/// degrees of freedom are Satterthwaite's.
+/// @return the estimate alone below two values of either, or where those of each are equal
 /// @cite welch1947 @cite satterthwaite1946
-std::optional<MeanDifference> welch_difference(const Summary& first, const Summary& second);
+Contrast welch_difference(const Summary& first, const Summary& second);
 
 }  // namespace clast

@@ -120,15 +120,6 @@ std::string barrier_ends(const BarrierLine& barrier) {
   return points + " m";
 }
 
-/// The counted crossing of every row; none where a run did not cross the line.
-std::vector<const Crossing*> counted_crossings(const Comparison& comparison, std::size_t line) {
-  std::vector<const Crossing*> first(comparison.rows.size(), nullptr);
-  for (const CrossingRow& crossing : comparison.crossings) {
-    if (crossing.counted && crossing.barrier == line) first[crossing.row] = crossing.crossing;
-  }
-  return first;
-}
-
 std::string barrier_charts(const Comparison& comparison, std::size_t line) {
   const std::vector<const Crossing*> first = counted_crossings(comparison, line);
   const auto chart = [&](const std::string& title, const std::string& label, auto value) {
@@ -162,7 +153,8 @@ std::size_t draws_of_ground(const Comparison& comparison) {
 
 }  // namespace
 
-std::string barrier_section(const Comparison& comparison) {
+std::string barrier_section(const ComparisonAnalyses& analyses) {
+  const Comparison& comparison = analyses.comparison();
   if (comparison.lines.empty()) return {};
   std::string html = paragraph(
       "Each run counts at its first crossing. Height is of the centre of mass above the ground; "
@@ -175,7 +167,7 @@ std::string barrier_section(const Comparison& comparison) {
                       " draws of the ground; their intervals come from release points "
                       "alone. The ranges at the top of the report show the effect of the ground.");
   }
-  const std::vector<RealisationPassages> passages = barrier_passages(comparison);
+  const std::vector<RealisationPassages>& passages = analyses.passages();
   std::string charts, figures;
   for (std::size_t line = 0; line < comparison.lines.size(); ++line) {
     const BarrierLine& barrier = comparison.lines[line];

@@ -11,8 +11,8 @@
 
 namespace clast::report_detail {
 
-std::string comparison_page(const Comparison& comparison, const std::vector<ProfileBin>& bins,
-                            const MapRasters& paths, const RealisationDeposits& deposits) {
+std::string comparison_page(const ComparisonAnalyses& analyses) {
+  const Comparison& comparison = analyses.comparison();
   std::string title = "Rockfall report";
   const std::string file = comparison.results.front().file.stem().string();
   if (!file.empty()) title += ": " + file;
@@ -20,14 +20,14 @@ std::string comparison_page(const Comparison& comparison, const std::vector<Prof
     title += " and " + std::to_string(comparison.results.size() - 1) + " more";
   }
   const std::string sections = with_terms(
-      "<div class=\"opening\">\n" + head_section(comparison, answer(comparison)) +
-      map_section(comparison, paths, deposits.rasters) + "</div>\n" + class_section(comparison) +
-      differences_section(comparison) + measured_section(comparison) + runout_section(comparison) +
-      barrier_section(comparison) + slope_section(comparison, bins) +
-      deposit_section(comparison, deposits) + energy_section(comparison) +
-      stay_section(comparison) + ensemble_section(comparison) + effects_section(comparison) +
-      scene_section(comparison) + block_section(comparison) + quality_section(comparison) +
-      provenance_section(comparison));
+      "<div class=\"opening\">\n" + head_section(comparison, analyses.answer()) +
+      map_section(comparison, analyses.paths(), analyses.deposits().rasters) + "</div>\n" +
+      class_section(comparison) + differences_section(comparison) + measured_section(comparison) +
+      runout_section(comparison) + barrier_section(analyses) +
+      slope_section(comparison, analyses.profiles()) + deposit_section(analyses) +
+      energy_section(analyses) + stay_section(comparison) + ensemble_section(analyses) +
+      effects_section(analyses) + scene_section(comparison) + block_section(comparison) +
+      quality_section(comparison) + provenance_section(comparison));
   return report_page(
       title, script_element(assets::unpack_js) + contents(sections) + sections + charts_script());
 }

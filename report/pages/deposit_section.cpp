@@ -1,13 +1,12 @@
 #include <algorithm>
-#include <cmath>
+#include <map>
 
 #include "report/html/html_page.hpp"
 #include "report/pages/report_groups.hpp"
 #include "report/pages/report_sections.hpp"
 #include "report/text/capital.hpp"
+#include "report/text/contrast_text.hpp"
 #include "report/text/subject_words.hpp"
-#include "study/compare/mass_mobility.hpp"
-#include "study/compare/realisation_figures.hpp"
 
 namespace clast::report_detail {
 namespace {
@@ -59,29 +58,15 @@ std::string figures_table(const Comparison& comparison, const FiguresOfFiles& fi
 /// What a pair of files differs in, by how much, and what it does not.
 std::string pair_in_words(const Comparison& comparison,
                           const std::vector<const FigureDifference*>& pair) {
-  std::string clear, open, same, unknown;
-  const auto add = [](std::string& list, const std::string& item) {
-    list += (list.empty() ? "" : "; ") + item;
-  };
+  std::map<Verdict, std::string> lists;
   std::size_t fewest = pair.front()->first.summary.count, tests = 0;
   for (const FigureDifference* one : pair) {
     const std::string& words = realisation_figures()[one->first.figure].words;
     fewest = std::min({fewest, one->first.summary.count, one->second.summary.count});
     tests = std::max(tests, one->tests);
-    switch (distinction_of(*one)) {
-      case Distinction::kDistinguished:
-        add(clear, words + " " + gap_in_words(*one));
-        break;
-      case Distinction::kOneOfMany:
-        add(open, words + " " + gap_in_words(*one));
-        break;
-      case Distinction::kNotDistinguished:
-        add(same, words);
-        break;
-      case Distinction::kUnknown:
-        add(unknown, words);
-        break;
-    }
+    const Verdict verdict = one->verdict();
+    const bool with_gap = verdict == Verdict::kMoreThanChance || verdict == Verdict::kOneOfMany;
+    append_item(lists[verdict], words + (with_gap ? " " + gap_in_words(*one) : std::string()));
   }
   const std::string names = capital(file_name(comparison, pair.front()->first.file)) + " against " +
                             file_name(comparison, pair.front()->second.file);
@@ -90,18 +75,16 @@ std::string pair_in_words(const Comparison& comparison,
                      (fewest < 2 ? "which takes two realisations of each file."
                                  : "since realisations do not differ."));
   }
-  std::string html;
-  const auto line = [&](const std::string& head, const std::string& list) {
-    if (!list.empty()) html += "<p><b>" + escaped(head) + "</b> " + escaped(list) + ".</p>\n";
-  };
-  line(names + ", more than chance:", clear);
-  if (clear.empty()) html += paragraph(names + ": no figure differs more than by chance.");
-  line("Not clear, since one of " + std::to_string(tests) +
-           " differences tested can be as large by chance:",
-       open);
-  line("Not distinguished, the 95 % interval of the difference holds zero:", same);
-  line("Without an interval, since realisations do not differ:", unknown);
-  return html;
+  const std::string& clear = lists[Verdict::kMoreThanChance];
+  return (clear.empty() ? paragraph(names + ": no figure differs more than by chance.")
+                        : headed_list(names + ", more than chance:", clear)) +
+         headed_list("Not clear, since one of " + std::to_string(tests) +
+                         " differences tested can be as large by chance:",
+                     lists[Verdict::kOneOfMany]) +
+         headed_list("Not distinguished, the 95 % interval of the difference holds zero:",
+                     lists[Verdict::kCanBeChance]) +
+         headed_list("Without an interval, since realisations do not differ:",
+                     lists[Verdict::kUntested]);
 }
 
 std::string differences_table(const Comparison& comparison, const FiguresOfFiles& figures) {
@@ -110,20 +93,18 @@ std::string differences_table(const Comparison& comparison, const FiguresOfFiles
                   3);
   for (const FigureDifference& one : figures.differences) {
     const RealisationFigure& figure = realisation_figures()[one.first.figure];
-    const Distinction distinction = distinction_of(one);
     table.row({with_unit(figure), file_name(comparison, one.first.file),
                file_name(comparison, one.second.file),
                std::to_string(one.first.summary.count) + " and " +
                    std::to_string(one.second.summary.count),
                fixed(one.first.summary.mean, figure.decimals),
                fixed(one.second.summary.mean, figure.decimals),
-               fixed(one.difference(), figure.decimals),
-               one.welch ? interval_text(one.welch->interval, figure.decimals) : "-",
-               one.welch ? with_digits(one.welch->p_value, 2) : "-",
-               one.welch ? with_digits(one.p_holm, 2) : "-",
-               distinction == Distinction::kUnknown         ? "-"
-               : distinction == Distinction::kDistinguished ? "yes"
-                                                            : "no"});
+               fixed(one.estimate, figure.decimals), interval_text(one.interval, figure.decimals),
+               one.p_value ? with_digits(*one.p_value, 2) : "-",
+               one.p_holm ? with_digits(*one.p_holm, 2) : "-",
+               !one.p_holm                                 ? "-"
+               : one.verdict() == Verdict::kMoreThanChance ? "yes"
+                                                           : "no"});
   }
   return table.html();
 }
@@ -161,8 +142,7 @@ std::string differences_of_files(const Comparison& comparison, const FiguresOfFi
 }
 
 /// The blocks together against the same alone; empty where no single runs are compared.
-std::string mobility_of(const Comparison& comparison) {
-  const std::vector<Mobility> all = mass_mobility(comparison);
+std::string mobility_of(const Comparison& comparison, const std::vector<Mobility>& all) {
   if (all.empty()) return "";
   std::string html;
   HtmlTable table(
@@ -180,9 +160,8 @@ std::string mobility_of(const Comparison& comparison) {
     table.row({one.group, file_name(comparison, one.file), file_name(comparison, one.alone),
                std::to_string(one.together_runout.count), std::to_string(one.runs),
                fixed(one.together_runout.mean, 2), fixed(one.alone_runout.mean, 2),
-               fixed(one.together_runout.mean - one.alone_runout.mean, 2),
-               one.difference ? interval_text(one.difference->interval, 2) : "-",
-               one.difference ? with_digits(one.difference->p_value, 2) : "-",
+               fixed(one.difference.estimate, 2), interval_text(one.difference.interval, 2),
+               one.difference.p_value ? with_digits(*one.difference.p_value, 2) : "-",
                fixed(one.together_toe.mean, 2), fixed(one.alone_toe, 2)});
   }
   return html + folded("Together and alone",
@@ -194,15 +173,16 @@ std::string mobility_of(const Comparison& comparison) {
 
 }  // namespace
 
-std::string deposit_section(const Comparison& comparison, const RealisationDeposits& deposits) {
-  if (deposits.realisations.empty()) return "";
-  const FiguresOfFiles figures = figures_of_files(deposits.realisations);
+std::string deposit_section(const ComparisonAnalyses& analyses) {
+  if (analyses.deposits().realisations.empty()) return "";
+  const Comparison& comparison = analyses.comparison();
+  const FiguresOfFiles& figures = analyses.figures();
   return section(
       "The deposit",
       paragraph("Mean thickness of the deposit over the realisations" +
                 std::string(several_files(comparison) ? " of all files" : "") + ", m.") +
-          deposit_map(comparison, deposits.rasters) + differences_of_files(comparison, figures) +
-          mobility_of(comparison) +
+          deposit_map(comparison, analyses.deposits().rasters) +
+          differences_of_files(comparison, figures) + mobility_of(comparison, analyses.mobility()) +
           folded(
               "Figures of the deposit",
               paragraph("Blocks that came to rest and were not removed. The crest is the highest "

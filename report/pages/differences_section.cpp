@@ -5,7 +5,9 @@
 #include "core/number_text.hpp"
 #include "report/charts/plotly_chart.hpp"
 #include "report/html/html_page.hpp"
+#include "report/pages/report_groups.hpp"
 #include "report/pages/report_sections.hpp"
+#include "report/text/contrast_text.hpp"
 
 namespace clast::report_detail {
 namespace {
@@ -66,51 +68,32 @@ std::string difference_chart(const Comparison& comparison, const Picture& pictur
     const double size = 0.5 * (std::abs(one->first_mean) + std::abs(one->second_mean));
     if (one->quantity == "lateral_deg" || !one->interval || !(size > 0.0)) continue;
     const double unit = 100.0 / size;
-    marks.push_back({row_name(comparison, *one), unit * (one->first_mean - one->second_mean),
-                     unit * one->interval->low, unit * one->interval->high,
-                     evidence_of(*one) == Evidence::kMoreThanChance, in_words(*one, comparison)});
+    marks.push_back({row_name(comparison, *one), unit * one->estimate, unit * one->interval->low,
+                     unit * one->interval->high, one->verdict() == Verdict::kMoreThanChance,
+                     in_words(*one, comparison)});
   }
   return interval_chart(picture.title, "difference, % of the mean, with 95 % interval", marks);
 }
 
 /// "More than chance: runout 13 m more (10 to 17 m), ..."
 std::string words_for(const Comparison& comparison, const Picture& picture) {
-  std::string clear, spread, chance, open, untested;
-  const auto add = [](std::string& list, const std::string& item) {
-    list += (list.empty() ? "" : "; ") + item;
-  };
+  std::map<Verdict, std::string> lists;
+  std::size_t tests = 0;
   for (const Difference* one : picture.rows) {
-    const std::string name = row_name(comparison, *one);
-    switch (evidence_of(*one)) {
-      case Evidence::kOneRealisation:
-        add(untested, name + " " + gap_in_words(*one));
-        break;
-      case Evidence::kMoreThanChance:
-        add(clear, name + " " + gap_in_words(*one));
-        break;
-      case Evidence::kOtherSpread:
-        add(spread, name);
-        break;
-      case Evidence::kCanBeChance:
-        add(one->interval_excludes_zero() ? open : chance, name);
-        break;
-    }
+    const Verdict verdict = one->verdict();
+    const bool with_gap = verdict == Verdict::kMoreThanChance || verdict == Verdict::kUntested;
+    append_item(lists[verdict],
+                row_name(comparison, *one) + (with_gap ? " " + gap_in_words(*one) : std::string()));
+    tests = std::max(tests, one->tests);
   }
-  std::string html;
-  const auto line = [&](const std::string& head, const std::string& list) {
-    if (!list.empty()) html += "<p><b>" + head + "</b> " + escaped(list) + ".</p>\n";
-  };
-  line(escaped(picture.title) + ", more than chance:", clear);
-  line("Equal on average, but spread differently:", spread);
-  const auto most = std::max_element(
-      picture.rows.begin(), picture.rows.end(),
-      [](const Difference* a, const Difference* b) { return a->tests < b->tests; });
-  line("Not clear, since one of " + std::to_string((*most)->tests) +
-           " differences tested can be as large by chance:",
-       open);
-  line("No clear difference:", chance);
-  line(escaped(picture.title) + ", of one realisation, not tested for chance:", untested);
-  return html;
+  return headed_list(picture.title + ", more than chance:", lists[Verdict::kMoreThanChance]) +
+         headed_list("Equal on average, but spread differently:", lists[Verdict::kOtherSpread]) +
+         headed_list("Not clear, since one of " + std::to_string(tests) +
+                         " differences tested can be as large by chance:",
+                     lists[Verdict::kOneOfMany]) +
+         headed_list("No clear difference:", lists[Verdict::kCanBeChance]) +
+         headed_list(picture.title + ", of one realisation, not tested for chance:",
+                     lists[Verdict::kUntested]);
 }
 
 std::string table_of(const Comparison& comparison) {
@@ -124,8 +107,7 @@ std::string table_of(const Comparison& comparison) {
     if (first.kind != GroupKind::kGarcia && first.kind != GroupKind::kColumn) continue;
     table.row({first.name, comparison.groups[one.second].name, one.quantity,
                with_digits(one.first_mean, 3), with_digits(one.second_mean, 3),
-               with_digits(one.first_mean - one.second_mean, 3),
-               one.interval ? with_digits(one.interval->low, 3) : "-",
+               with_digits(one.estimate, 3), one.interval ? with_digits(one.interval->low, 3) : "-",
                one.interval ? with_digits(one.interval->high, 3) : "-",
                with_digits(one.cliffs_delta, 3), one.hedges_g ? with_digits(*one.hedges_g, 3) : "-",
                with_digits(one.ks_distance, 3), one.p_holm ? with_digits(*one.p_holm, 2) : "-",

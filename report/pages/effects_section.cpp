@@ -11,9 +11,9 @@ namespace clast::report_detail {
 namespace {
 
 /// Pictures of the outcomes over the forms, each with a link to a file of its own.
-std::string triangles(const Comparison& comparison) {
+std::string triangles(const ComparisonAnalyses& analyses) {
   const std::vector<ResponsePicture> pictures =
-      response_pictures(outcomes_of_forms(comparison), several_files(comparison));
+      response_pictures(analyses.forms(), several_files(analyses.comparison()));
   if (pictures.empty()) return "";
   std::string html, links;
   for (const ResponsePicture& picture : pictures) {
@@ -25,9 +25,10 @@ std::string triangles(const Comparison& comparison) {
          "; the data: <a href=\"responses.csv\" download>responses.csv</a>.</p>\n";
 }
 
-std::string trends(const Comparison& comparison) {
+std::string trends(const ComparisonAnalyses& analyses) {
   std::string html;
-  for (const std::string& sentence : trend_sentences(shape_trends(comparison), comparison.margin)) {
+  for (const std::string& sentence :
+       trend_sentences(analyses.trends(), analyses.comparison().margin)) {
     html += paragraph(sentence);
   }
   return html;
@@ -45,8 +46,8 @@ bool few_blocks(const std::vector<DesignEffects>& effects) {
 
 }  // namespace
 
-std::string effects_section(const Comparison& comparison) {
-  std::vector<DesignEffects> effects = design_effects(comparison);
+std::string effects_section(const ComparisonAnalyses& analyses) {
+  std::vector<DesignEffects> effects = analyses.effects();
   bool any = false;
   for (DesignEffects& file : effects) {
     const bool has_forms = file.factors.size() > 1 && !file.outcomes.empty();
@@ -64,7 +65,7 @@ std::string effects_section(const Comparison& comparison) {
                  "the block, and how much with the attitude in which it is released.") +
              folded("Shares of the variance", shares);
   }
-  return section("Sources of variability", shares + triangles(comparison) + trends(comparison));
+  return section("Sources of variability", shares + triangles(analyses) + trends(analyses));
 }
 
 }  // namespace clast::report_detail

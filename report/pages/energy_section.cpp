@@ -183,10 +183,10 @@ std::string dissipation_in_words(const Comparison& comparison,
 
 }  // namespace
 
-std::string energy_section(const Comparison& comparison) {
-  const std::vector<RealisationEnergies> all = realisation_energies(comparison);
-  const std::vector<EnergyRealisations> files = energies_by_file(all);
+std::string energy_section(const ComparisonAnalyses& analyses) {
+  const std::vector<EnergyRealisations> files = energies_by_file(analyses.energies());
   if (files.empty()) return "";
+  const Comparison& comparison = analyses.comparison();
   std::vector<EnergyRealisations> masses;
   std::string body;
   for (const EnergyRealisations& realisations : files) {

@@ -65,8 +65,9 @@ std::string effect_sentence(const Comparison& comparison,
 
 }  // namespace
 
-std::string ensemble_section(const Comparison& comparison) {
-  const std::vector<ParameterEffect> effects = ensemble_effects(comparison);
+std::string ensemble_section(const ComparisonAnalyses& analyses) {
+  const Comparison& comparison = analyses.comparison();
+  const std::vector<ParameterEffect>& effects = analyses.ensemble();
   if (effects.empty()) return "";
   HtmlTable table({"outcome", "zone", "parameter", "drawn from", "to", "rank correlation", "p",
                    "share of variance"},

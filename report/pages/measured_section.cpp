@@ -39,15 +39,14 @@ std::string measured_table(const Comparison& comparison) {
        "95 % to", "Cliff's delta", "KS distance", "p (Holm)"},
       1);
   for (const MeasuredGroup& group : comparison.measured->groups) {
-    const std::optional<Interval>& interval = group.median_difference;
+    const std::optional<Interval>& interval = group.medians.interval;
     table.row({comparison.groups[group.group].name, std::to_string(group.measured),
                std::to_string(group.simulated), fixed(group.runout.mean, 1),
                fixed(group.simulated_runout, 1), fixed(group.quartiles.median, 1),
-               fixed(group.simulated_quartiles.median, 1),
-               fixed(group.quartiles.median - group.simulated_quartiles.median, 1),
+               fixed(group.simulated_quartiles.median, 1), fixed(group.medians.estimate, 1),
                interval ? fixed(interval->low, 1) : "-", interval ? fixed(interval->high, 1) : "-",
                with_digits(group.cliffs_delta, 3), with_digits(group.ks_distance, 3),
-               group.p_holm ? with_digits(*group.p_holm, 2) : "-"});
+               group.medians.p_holm ? with_digits(*group.medians.p_holm, 2) : "-"});
   }
   return table.html();
 }

@@ -26,6 +26,15 @@ std::string short_name(const Group& group) {
   return group.file ? "file " + std::to_string(*group.file + 1) + ": " + name : name;
 }
 
+void append_item(std::string& list, const std::string& item) {
+  list += (list.empty() ? "" : "; ") + item;
+}
+
+std::string headed_list(const std::string& head, const std::string& list) {
+  if (list.empty()) return "";
+  return "<p><b>" + escaped(head) + "</b> " + escaped(list) + ".</p>\n";
+}
+
 std::string class_of(const Comparison& comparison, const Group& group) {
   const std::string& first = comparison.rows[group.rows.front()].block->garcia;
   const bool same = std::all_of(group.rows.begin(), group.rows.end(), [&](std::size_t row) {

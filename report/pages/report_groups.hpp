@@ -23,6 +23,11 @@ std::string mean_and_std(const Summary& summary, int decimals, double unit = 1.0
 /// `value` of a summary; "-" for an empty sample.
 std::string measured(double value, const Summary& summary, int decimals);
 
+/// Adds to a list of items, "runout; largest speed".
+void append_item(std::string& list, const std::string& item);
+/// A line with its head in bold; empty for an empty list.
+std::string headed_list(const std::string& head, const std::string& list);
+
 /// Class of the block that all runs of a group are of; empty where they are of several.
 std::string class_of(const Comparison& comparison, const Group& group);
 

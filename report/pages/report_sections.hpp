@@ -2,10 +2,7 @@
 /// The sections of the HTML report, in the order they are read.
 #include <string>
 
-#include "study/compare/answer.hpp"
-#include "study/compare/comparison.hpp"
-#include "study/compare/profiles.hpp"
-#include "study/compare/realisation_deposits.hpp"
+#include "study/compare/comparison_analyses.hpp"
 
 namespace clast::report_detail {
 
@@ -17,10 +14,10 @@ std::string class_section(const Comparison& comparison);
 std::string deposit_map(const Comparison& comparison, const MapRasters& rasters);
 /// Where the blocks of a realisation lie as a whole: how far the mass of them came, how large and
 /// thick the deposit is; empty where no block stayed.
-std::string deposit_section(const Comparison& comparison, const RealisationDeposits& deposits);
+std::string deposit_section(const ComparisonAnalyses& analyses);
 /// Kinetic energy and what it becomes, against time, of blocks that stay; empty where the results
 /// don't know.
-std::string energy_section(const Comparison& comparison);
+std::string energy_section(const ComparisonAnalyses& analyses);
 /// How blocks that stay were hit and moved on by later ones, by class; empty where none was
 /// released after another.
 std::string stay_section(const Comparison& comparison);
@@ -38,11 +35,11 @@ std::string differences_section(const Comparison& comparison);
 /// Measured stops against simulated ones; empty without.
 std::string measured_section(const Comparison& comparison);
 /// What drawn ground parameters do to runout and barriers; empty without ensembles.
-std::string ensemble_section(const Comparison& comparison);
+std::string ensemble_section(const ComparisonAnalyses& analyses);
 /// What the variance of outcomes is due to; empty where no campaign runs every combination.
-std::string effects_section(const Comparison& comparison);
+std::string effects_section(const ComparisonAnalyses& analyses);
 /// A table and exceedance curves for every barrier.
-std::string barrier_section(const Comparison& comparison);
+std::string barrier_section(const ComparisonAnalyses& analyses);
 /// Energy balance, penetration, and every run that did not come to rest.
 std::string quality_section(const Comparison& comparison);
 /// Settings, ground, inputs with hashes, the campaign files, and the lesser warnings.

@@ -25,12 +25,13 @@ nlohmann::ordered_json stiffness_json(const CampaignResults& results) {
 
 }  // namespace
 
-std::string provenance_json(const Comparison& comparison) {
+std::string provenance_json(const ComparisonAnalyses& analyses) {
+  const Comparison& comparison = analyses.comparison();
   nlohmann::ordered_json json;
   json["program_version"] = version();
   json["downslope"] = {comparison.downslope.x(), comparison.downslope.y()};
   json["downslope_from"] = comparison.downslope_asked ? "campaign" : "mean release-to-stop line";
-  json["answer"] = answer_sentences(comparison, answer(comparison));
+  json["answer"] = answer_sentences(comparison, analyses.answer());
   json["warnings"] = comparison.warnings;
   json["files"] = nlohmann::ordered_json::array();
   for (std::size_t file = 0; file < comparison.results.size(); ++file) {

@@ -2,11 +2,11 @@
 /// Where the figures of a comparison come from.
 #include <string>
 
-#include "study/compare/comparison.hpp"
+#include "study/compare/comparison_analyses.hpp"
 
 namespace clast {
 
 /// What made the results, as JSON: program versions, campaigns and input files with their hashes.
-std::string provenance_json(const Comparison& comparison);
+std::string provenance_json(const ComparisonAnalyses& analyses);
 
 }  // namespace clast

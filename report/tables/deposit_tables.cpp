@@ -3,13 +3,14 @@
 
 #include "core/angle.hpp"
 #include "report/tables/comparison_columns.hpp"
-#include "report/tables/group_tables.hpp"
+#include "report/text/contrast_text.hpp"
 
 namespace clast {
 
 using namespace report_detail;
+namespace {
 
-const TableColumns<RealisationDeposit>& report_detail::realisation_columns() {
+const TableColumns<RealisationDeposit>& realisation_columns() {
   using Row = RealisationDeposit;
   const auto degrees = [](const Vec3& from, const Vec3& to) {
     return kDegreesPerRadian * std::atan(drop_ratio(from, to));
@@ -47,12 +48,9 @@ const TableColumns<RealisationDeposit>& report_detail::realisation_columns() {
   return columns;
 }
 
-const TableColumns<FigureOfFile>& report_detail::realisation_figure_columns() {
+const TableColumns<FigureOfFile>& realisation_figure_columns() {
   using Row = FigureOfFile;
   const char* unit = "as `figure`";
-  const auto bound = [](const Row& row, double Interval::*end) {
-    return row.interval ? (*row.interval).*end : NAN;
-  };
   const char* interval =
       "95 % confidence interval of the mean; empty below two realisations or where they are equal";
   static const TableColumns<Row> columns = {
@@ -70,26 +68,20 @@ const TableColumns<FigureOfFile>& report_detail::realisation_figure_columns() {
       {"realisations", "", "that have the figure",
        [](const Row& row) { return row.summary.count; }},
       {"mean", unit, "over realisations", [](const Row& row) { return row.summary.mean; }},
-      {"mean_low", unit, interval, [=](const Row& row) { return bound(row, &Interval::low); }},
-      {"mean_high", unit, interval, [=](const Row& row) { return bound(row, &Interval::high); }},
+      {"mean_low", unit, interval, [](const Row& row) { return bounds_of(row.interval)[0]; }},
+      {"mean_high", unit, interval, [](const Row& row) { return bounds_of(row.interval)[1]; }},
       {"std", unit, "over realisations", [](const Row& row) { return row.summary.std; }},
       {"least", unit, "over realisations", [](const Row& row) { return row.least; }},
       {"most", unit, "over realisations", [](const Row& row) { return row.summary.max; }}};
   return columns;
 }
 
-const TableColumns<FigureDifference>& report_detail::realisation_difference_columns() {
+const TableColumns<FigureDifference>& realisation_difference_columns() {
   using Row = FigureDifference;
   const char* unit = "as `figure`";
   const char* interval =
       "95 % confidence interval of the difference (Welch); empty below two realisations of "
       "either, or where realisations do not differ";
-  // Of Welch's test, where there is one.
-  const auto welch = [](auto value) {
-    return [value](const Row& row) -> double {
-      return row.welch ? std::invoke(value, *row.welch) : NAN;
-    };
-  };
   static const TableColumns<Row> columns = {
       {"first", "", "numbers of the results files",
        [](const Row& row) { return row.first.file + 1; }},
@@ -105,31 +97,26 @@ const TableColumns<FigureDifference>& report_detail::realisation_difference_colu
        [](const Row& row) { return row.first.summary.mean; }},
       {"second_mean", unit, "mean of each file",
        [](const Row& row) { return row.second.summary.mean; }},
-      {"difference", unit, "first minus second", &Row::difference},
-      {"difference_low", unit, interval,
-       welch([](const MeanDifference& found) { return found.interval.low; })},
+      {"difference", unit, "first minus second", &Row::estimate},
+      {"difference_low", unit, interval, [](const Row& row) { return bounds_of(row.interval)[0]; }},
       {"difference_high", unit, interval,
-       welch([](const MeanDifference& found) { return found.interval.high; })},
-      {"freedom", "", "degrees of freedom of the interval", welch(&MeanDifference::freedom)},
-      {"p_value", "", "of no difference, uncorrected", welch(&MeanDifference::p_value)},
+       [](const Row& row) { return bounds_of(row.interval)[1]; }},
+      {"freedom", "", "degrees of freedom of the interval", &Row::freedom},
+      {"p_value", "", "of no difference, uncorrected",
+       [](const Row& row) { return row.p_value.value_or(NAN); }},
       {"p_holm", "", "... corrected for `tests` tests",
-       [](const Row& row) { return row.welch ? row.p_holm : NAN; }},
+       [](const Row& row) { return row.p_holm.value_or(NAN); }},
       {"tests", "", "number of tests that `p_holm` is corrected for", &Row::tests},
       {"distinguished", "", "1 where `p_holm` is below 0.05",
        [](const Row& row) {
-         return std::uint64_t{distinction_of(row) == Distinction::kDistinguished ? 1u : 0u};
+         return std::uint64_t{row.verdict() == Verdict::kMoreThanChance ? 1u : 0u};
        }},
       {"words", "", "a sentence to quote", [](const Row& row) { return in_words(row); }}};
   return columns;
 }
 
-const TableColumns<Mobility>& report_detail::mobility_columns() {
+const TableColumns<Mobility>& mobility_columns() {
   using Row = Mobility;
-  const auto difference = [](auto value) {
-    return [value](const Row& row) -> double {
-      return row.difference ? std::invoke(value, *row.difference) : NAN;
-    };
-  };
   const char* interval =
       "95 % confidence interval of the difference (Welch); empty below two realisations or points";
   static const TableColumns<Row> columns = {
@@ -148,12 +135,13 @@ const TableColumns<Mobility>& report_detail::mobility_columns() {
        "mean over release points of the mean of each; over runs of one point",
        [](const Row& row) { return row.alone_runout.mean; }},
       {"difference_m", "m", "together minus alone",
-       [](const Row& row) { return row.together_runout.mean - row.alone_runout.mean; }},
+       [](const Row& row) { return row.difference.estimate; }},
       {"difference_low_m", "m", interval,
-       difference([](const MeanDifference& found) { return found.interval.low; })},
+       [](const Row& row) { return bounds_of(row.difference.interval)[0]; }},
       {"difference_high_m", "m", interval,
-       difference([](const MeanDifference& found) { return found.interval.high; })},
-      {"p_value", "", "of no difference", difference(&MeanDifference::p_value)},
+       [](const Row& row) { return bounds_of(row.difference.interval)[1]; }},
+      {"p_value", "", "of no difference",
+       [](const Row& row) { return row.difference.p_value.value_or(NAN); }},
       {"together_toe_m", "m", "largest runout of a realisation, mean over realisations",
        [](const Row& row) { return row.together_toe.mean; }},
       {"alone_toe_m", "m",
@@ -166,20 +154,22 @@ const TableColumns<Mobility>& report_detail::mobility_columns() {
   return columns;
 }
 
-std::string mobility_csv(const Comparison& comparison) {
-  return csv_of(mobility_columns(), mass_mobility(comparison));
-}
+}  // namespace
 
-std::string realisations_csv(const RealisationDeposits& deposits) {
-  return csv_of(realisation_columns(), deposits.realisations);
-}
-
-std::string realisation_figures_csv(const FiguresOfFiles& figures) {
-  return csv_of(realisation_figure_columns(), figures.files);
-}
-
-std::string realisation_differences_csv(const FiguresOfFiles& figures) {
-  return csv_of(realisation_difference_columns(), figures.differences);
+std::vector<ComparisonTable> report_detail::deposit_tables() {
+  const auto part = [](auto of, auto member) {
+    return [=](const ComparisonAnalyses& analyses) -> const auto& {
+      return (analyses.*of)().*member;
+    };
+  };
+  using All = ComparisonAnalyses;
+  return {table_of("realisations", realisation_columns(),
+                   part(&All::deposits, &RealisationDeposits::realisations)),
+          table_of("realisation_figures", realisation_figure_columns(),
+                   part(&All::figures, &FiguresOfFiles::files)),
+          table_of("realisation_differences", realisation_difference_columns(),
+                   part(&All::figures, &FiguresOfFiles::differences)),
+          table_of("mobility", mobility_columns(), &All::mobility)};
 }
 
 }  // namespace clast

@@ -2,13 +2,34 @@
 #include <cmath>
 
 #include "report/tables/comparison_columns.hpp"
-#include "report/tables/group_tables.hpp"
 
 namespace clast {
 
 using namespace report_detail;
+namespace {
 
-const TableColumns<EffectShare>& report_detail::effect_columns() {
+/// The share of one factor, or of all interactions, in the variance of an outcome.
+struct EffectShare {
+  const DesignEffects& effects;
+  const OutcomeEffects& outcome;
+  std::string factor;  ///< "interactions" for these
+  std::size_t levels;  ///< 0 for these
+  const VarianceShare& share;
+};
+
+/// An outcome against a property of the blocks, and the file.
+struct TrendOfFile {
+  std::uint32_t file = 0;
+  const ShapeTrend& trend;
+};
+
+/// An outcome of one form.
+struct ResponseOfForm {
+  const OutcomeOfForms& outcome;
+  const FormOutcome& form;
+};
+
+const TableColumns<EffectShare>& effect_columns() {
   using Row = EffectShare;
   const char* estimated = "of the population that the levels were drawn from; 95 % interval";
   static const TableColumns<Row> columns = {
@@ -37,7 +58,7 @@ const TableColumns<EffectShare>& report_detail::effect_columns() {
   return columns;
 }
 
-const TableColumns<TrendOfFile>& report_detail::trend_columns() {
+const TableColumns<TrendOfFile>& trend_columns() {
   using Row = TrendOfFile;
   const char *unit = "m, rad, J or share", *halves = "upper half of the blocks less the lower one";
   static const TableColumns<Row> columns = {
@@ -60,13 +81,13 @@ const TableColumns<TrendOfFile>& report_detail::trend_columns() {
        [](const Row& row) { return row.trend.corrected_p; }},
       {"upper_half_from", "kg or share", "least value of the property in the upper half",
        [](const Row& row) { return row.trend.limit; }},
-      {"difference", unit, halves, [](const Row& row) { return row.trend.halves.difference; }},
+      {"difference", unit, halves, [](const Row& row) { return row.trend.halves.estimate; }},
       {"difference_low", unit, "95 % interval",
-       [](const Row& row) { return row.trend.halves.interval.low; }},
+       [](const Row& row) { return row.trend.halves.interval->low; }},
       {"difference_high", unit, "95 % interval",
-       [](const Row& row) { return row.trend.halves.interval.high; }},
+       [](const Row& row) { return row.trend.halves.interval->high; }},
       {"difference_p", "", "of no difference, two-sided",
-       [](const Row& row) { return row.trend.halves.p_value; }},
+       [](const Row& row) { return *row.trend.halves.p_value; }},
       {"equivalence_p", "",
        "of a difference as large as the margin; below 0.05: it is within the margin. Of the "
        "runout, "
@@ -85,7 +106,7 @@ const TableColumns<TrendOfFile>& report_detail::trend_columns() {
   return columns;
 }
 
-const TableColumns<ComparisonRow<ParameterEffect>>& report_detail::ensemble_columns() {
+const TableColumns<ComparisonRow<ParameterEffect>>& ensemble_columns() {
   using Row = ComparisonRow<ParameterEffect>;
   using Effect = ParameterEffect;
   const char *drawn = "drawn values", *outcome_unit = "m or share", *over = "over members";
@@ -113,9 +134,9 @@ const TableColumns<ComparisonRow<ParameterEffect>>& report_detail::ensemble_colu
   return columns;
 }
 
-std::vector<EffectShare> report_detail::effect_rows(const std::vector<DesignEffects>& all) {
+std::vector<EffectShare> effect_rows(const ComparisonAnalyses& analyses) {
   std::vector<EffectShare> shares;
-  for (const DesignEffects& effects : all) {
+  for (const DesignEffects& effects : analyses.effects()) {
     for (const OutcomeEffects& outcome : effects.outcomes) {
       for (std::size_t f = 0; f < effects.factors.size(); ++f) {
         shares.push_back({effects, outcome, effects.factors[f].name, effects.factors[f].levels,
@@ -127,11 +148,7 @@ std::vector<EffectShare> report_detail::effect_rows(const std::vector<DesignEffe
   return shares;
 }
 
-std::string effects_csv(const Comparison& comparison) {
-  return csv_of(effect_columns(), effect_rows(design_effects(comparison)));
-}
-
-const TableColumns<ResponseOfForm>& report_detail::response_columns() {
+const TableColumns<ResponseOfForm>& response_columns() {
   using Row = ResponseOfForm;
   const char* unit = "m, rad, J or share";
   static const TableColumns<Row> columns = {
@@ -151,32 +168,29 @@ const TableColumns<ResponseOfForm>& report_detail::response_columns() {
   return columns;
 }
 
-std::vector<ResponseOfForm> report_detail::response_rows(const std::vector<OutcomeOfForms>& all) {
+std::vector<ResponseOfForm> response_rows(const ComparisonAnalyses& analyses) {
   std::vector<ResponseOfForm> rows;
-  for (const OutcomeOfForms& outcome : all) {
+  for (const OutcomeOfForms& outcome : analyses.forms()) {
     for (const FormOutcome& form : outcome.forms) rows.push_back({outcome, form});
   }
   return rows;
 }
 
-std::string responses_csv(const Comparison& comparison) {
-  return csv_of(response_columns(), response_rows(outcomes_of_forms(comparison)));
-}
-
-std::vector<TrendOfFile> report_detail::trend_rows(const std::vector<ShapeTrends>& all) {
+std::vector<TrendOfFile> trend_rows(const ComparisonAnalyses& analyses) {
   std::vector<TrendOfFile> rows;
-  for (const ShapeTrends& file : all) {
+  for (const ShapeTrends& file : analyses.trends()) {
     for (const ShapeTrend& trend : file.trends) rows.push_back({file.file, trend});
   }
   return rows;
 }
 
-std::string trends_csv(const Comparison& comparison) {
-  return csv_of(trend_columns(), trend_rows(shape_trends(comparison)));
-}
+}  // namespace
 
-std::string ensemble_csv(const Comparison& comparison) {
-  return csv_of(ensemble_columns(), rows_of(comparison, ensemble_effects(comparison)));
+std::vector<ComparisonTable> report_detail::effect_tables() {
+  return {table_of("ensemble", ensemble_columns(), &ComparisonAnalyses::ensemble),
+          table_of("effects", effect_columns(), effect_rows),
+          table_of("trends", trend_columns(), trend_rows),
+          table_of("responses", response_columns(), response_rows)};
 }
 
 }  // namespace clast

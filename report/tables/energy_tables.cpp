@@ -1,13 +1,20 @@
 // The table of where the energy of blocks that stay goes.
 #include "report/tables/comparison_columns.hpp"
-#include "report/tables/group_tables.hpp"
 #include "study/results/stored_columns.hpp"
 
 namespace clast {
 
 using namespace report_detail;
+namespace {
 
-const TableColumns<EnergyOfFile>& report_detail::energy_columns() {
+/// The energy of a realisation at one instant.
+struct EnergyOfFile {
+  std::uint32_t file = 0;
+  std::uint32_t realisation = 0;  ///< from 0
+  const EnergyRecord& record;
+};
+
+const TableColumns<EnergyOfFile>& energy_columns() {
   using Row = EnergyOfFile;
   static const auto columns = joined<Row>(
       {{{"realisation", "", "from 1", [](const Row& row) { return row.realisation + 1; }}},
@@ -21,7 +28,7 @@ const TableColumns<EnergyOfFile>& report_detail::energy_columns() {
   return columns;
 }
 
-std::vector<EnergyOfFile> report_detail::energy_rows(const Comparison& comparison) {
+std::vector<EnergyOfFile> energy_rows(const Comparison& comparison) {
   std::vector<EnergyOfFile> rows;
   for (std::uint32_t file = 0; file < comparison.results.size(); ++file) {
     const CampaignResults& results = comparison.results[file];
@@ -32,8 +39,10 @@ std::vector<EnergyOfFile> report_detail::energy_rows(const Comparison& compariso
   return rows;
 }
 
-std::string energies_csv(const Comparison& comparison) {
-  return csv_of(energy_columns(), energy_rows(comparison));
+}  // namespace
+
+std::vector<ComparisonTable> report_detail::energy_tables() {
+  return {table_of("energies", energy_columns(), energy_rows)};
 }
 
 }  // namespace clast

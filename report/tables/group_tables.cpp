@@ -1,15 +1,29 @@
-#include "report/tables/group_tables.hpp"
+// The tables of groups of runs, and of what they ran with.
 
 #include <cmath>
 
 #include "core/angle.hpp"
 #include "report/tables/comparison_columns.hpp"
+#include "report/text/contrast_text.hpp"
 #include "study/campaign/ground_fields.hpp"
 
 namespace clast {
 
 using namespace report_detail;
 namespace {
+
+/// A group and where its runs came to rest.
+struct GroupDeposit {
+  const Group& group;
+  const DepositGroup& deposit;
+};
+
+/// A ground zone in a ground set of a results file.
+struct ZoneOfSet {
+  std::size_t file = 0;
+  std::size_t set = 0;
+  std::size_t zone = 0;
+};
 
 struct Statistic {
   const char* name;
@@ -52,64 +66,12 @@ Summary in_degrees(const Summary& angle) {
           angle.max * kDegreesPerRadian};
 }
 
-/// An end of an interval; not a number without one.
-double bound_of(const std::optional<Interval>& interval, double Interval::*end) {
-  return interval ? (*interval).*end : NAN;
-}
-
 template <class Item>
 const std::string& group_name(const ComparisonRow<Item>& row) {
   return row.comparison.groups[row->group].name;
 }
 
-}  // namespace
-
-const TableColumns<BarrierGroup>& report_detail::barrier_columns() {
-  using Row = BarrierGroup;
-  const auto statistics = [](const char* name, const char* unit, const char* meaning,
-                             Summary Row::*summary) {
-    return summary_columns<Row>(kAllStatistics, name, unit, meaning, summary);
-  };
-  const char* interval = "its 95 % confidence interval; empty for one realisation";
-  static const auto columns = joined<Row>(
-      {{{"barrier", "", "name; of a ring with `(in)` or `(out)`", &Row::barrier},
-        {"group", "", "name", &Row::group},
-        {"runs", "",
-         "runs started by the group in campaigns with this barrier, without those that failed",
-         &Row::started},
-        {"counted", "",
-         "`either`: the first crossing of a run whatever its direction; `forward`: the first from "
-         "the left of the line to its right; for a ring `in` or `out`",
-         &Row::counted},
-        {"crossings", "", "of these, runs with a crossing that counts", &Row::crossed},
-        {"backward", "",
-         "runs that crossed from the right of the line to its left first, counted or not; for a "
-         "ring 0",
-         &Row::backward},
-        {"probability", "", "`crossings` / `runs`", &Row::probability},
-        {"probability_low", "", interval,
-         [](const Row& row) { return bound_of(row.interval, &Interval::low); }},
-        {"probability_high", "", interval,
-         [](const Row& row) { return bound_of(row.interval, &Interval::high); }}},
-       statistics("height_*_m", "m", "height of the centre of mass above the ground below it",
-                  &Row::height),
-       statistics("clearance_*_m", "m", "height of the lowest skin point above the ground below it",
-                  &Row::clearance),
-       statistics("top_*_m", "m",
-                  "no skin point is higher above that ground: the height of the centre and the "
-                  "distance of the skin point that is farthest from it",
-                  &Row::top),
-       statistics("speed_*_m_s", "m/s", "speed of the centre of mass", &Row::speed),
-       statistics("translational_energy_*_j", "J", "kinetic energy of the centre of mass",
-                  &Row::translational),
-       statistics("rotational_energy_*_j", "J", "kinetic energy of the rotation", &Row::rotational),
-       statistics("total_energy_*_j", "J", "both kinetic energies", &Row::total),
-       statistics("rotation_rate_*_rad_s", "rad/s", "magnitude of the angular velocity",
-                  &Row::rotation_rate)});
-  return columns;
-}
-
-const TableColumns<ComparisonRow<GroupDeposit>>& report_detail::deposit_columns() {
+const TableColumns<ComparisonRow<GroupDeposit>>& deposit_columns() {
   using Row = ComparisonRow<GroupDeposit>;
   const auto stops = [](const Row& row) { return row->deposit.stops; };
   static const auto columns = joined<Row>(
@@ -138,7 +100,7 @@ const TableColumns<ComparisonRow<GroupDeposit>>& report_detail::deposit_columns(
   return columns;
 }
 
-const TableColumns<ComparisonRow<Difference>>& report_detail::difference_columns() {
+const TableColumns<ComparisonRow<Difference>>& difference_columns() {
   using Row = ComparisonRow<Difference>;
   const char* interval =
       "95 % confidence interval of the difference; empty where a group is of one realisation";
@@ -160,12 +122,11 @@ const TableColumns<ComparisonRow<Difference>>& report_detail::difference_columns
        &Difference::points},
       {"first_mean", unit, "mean of each group", &Difference::first_mean},
       {"second_mean", unit, "mean of each group", &Difference::second_mean},
-      {"difference", unit, "first minus second",
-       [](const Row& row) { return row->first_mean - row->second_mean; }},
+      {"difference", unit, "first minus second", &Difference::estimate},
       {"difference_low", unit, interval,
-       [](const Row& row) { return bound_of(row->interval, &Interval::low); }},
+       [](const Row& row) { return bounds_of(row->interval)[0]; }},
       {"difference_high", unit, interval,
-       [](const Row& row) { return bound_of(row->interval, &Interval::high); }},
+       [](const Row& row) { return bounds_of(row->interval)[1]; }},
       {"cliffs_delta", "", "effect sizes", &Difference::cliffs_delta},
       {"hedges_g", "", "effect sizes", [](const Row& row) { return row->hedges_g.value_or(NAN); }},
       {"ks_distance", "", "Kolmogorov-Smirnov distance", &Difference::ks_distance},
@@ -186,17 +147,14 @@ const TableColumns<ComparisonRow<Difference>>& report_detail::difference_columns
   return columns;
 }
 
-const TableColumns<ComparisonRow<MeasuredGroup>>& report_detail::measured_columns() {
+const TableColumns<ComparisonRow<MeasuredGroup>>& measured_columns() {
   using Row = ComparisonRow<MeasuredGroup>;
   using Measured = MeasuredGroup;
   const auto bounds = [](const char* low, const char* high, const char* unit,
-                         std::optional<Interval> Measured::*interval) {
-    return columns_of_list<Row>(
-        {low, high}, unit, "its 95 % confidence interval; empty for one realisation",
-        [interval](const Row& row) {
-          const std::optional<Interval>& found = (*row).*interval;
-          return Vec2(bound_of(found, &Interval::low), bound_of(found, &Interval::high));
-        });
+                         std::optional<Interval> (*interval)(const Row&)) {
+    return columns_of_list<Row>({low, high}, unit,
+                                "its 95 % confidence interval; empty for one realisation",
+                                [interval](const Row& row) { return bounds_of(interval(row)); });
   };
   static const auto columns = joined<Row>(
       {{{"group", "", "name", group_name<Measured>},
@@ -212,9 +170,9 @@ const TableColumns<ComparisonRow<MeasuredGroup>>& report_detail::measured_column
         {"cliffs_delta", "", "measured against simulated runout", &Measured::cliffs_delta},
         {"ks_distance", "", "Kolmogorov-Smirnov distance", &Measured::ks_distance},
         {"p_value", "", "of the distance, uncorrected; empty for one realisation",
-         [](const Row& row) { return row->p_value.value_or(NAN); }},
+         [](const Row& row) { return row->medians.p_value.value_or(NAN); }},
         {"p_holm", "", "... corrected for all groups",
-         [](const Row& row) { return row->p_holm.value_or(NAN); }}},
+         [](const Row& row) { return row->medians.p_holm.value_or(NAN); }}},
        columns_of_list<Row>(
            {"runout_q25_m", "runout_q75_m"}, "m", "quartiles of measured stops",
            [](const Row& row) { return Vec2(row->quartiles.low, row->quartiles.high); }),
@@ -226,14 +184,15 @@ const TableColumns<ComparisonRow<MeasuredGroup>>& report_detail::measured_column
              return Vec3(runout.low, runout.median, runout.high);
            }),
        {{"median_difference_m", "m", "median runout, measured minus simulated",
-         [](const Row& row) { return row->quartiles.median - row->simulated_quartiles.median; }}},
+         [](const Row& row) { return row->medians.estimate; }}},
        bounds("median_difference_low_m", "median_difference_high_m", "m",
-              &Measured::median_difference),
-       bounds("ks_distance_low", "ks_distance_high", "", &Measured::ks_interval)});
+              [](const Row& row) { return row->medians.interval; }),
+       bounds("ks_distance_low", "ks_distance_high", "",
+              [](const Row& row) { return row->ks_interval; })});
   return columns;
 }
 
-const TableColumns<ComparisonRow<ProfileBin>>& report_detail::profile_columns() {
+const TableColumns<ComparisonRow<ProfileBin>>& profile_columns() {
   using Row = ComparisonRow<ProfileBin>;
   const char* along = "distance from each run's release point along downslope";
   static const auto columns = joined<Row>(
@@ -255,7 +214,7 @@ const TableColumns<ComparisonRow<ProfileBin>>& report_detail::profile_columns() 
   return columns;
 }
 
-const TableColumns<ComparisonRow<ZoneOfSet>>& report_detail::ground_set_columns() {
+const TableColumns<ComparisonRow<ZoneOfSet>>& ground_set_columns() {
   using Row = ComparisonRow<ZoneOfSet>;
   const auto results = [](const Row& row) -> const CampaignResults& {
     return row.comparison.results[row->file];
@@ -283,11 +242,7 @@ const TableColumns<ComparisonRow<ZoneOfSet>>& report_detail::ground_set_columns(
   return columns;
 }
 
-std::string barriers_csv(const Comparison& comparison) {
-  return csv_of(barrier_columns(), comparison.barriers);
-}
-
-std::vector<GroupDeposit> report_detail::deposit_rows(const Comparison& comparison) {
+std::vector<GroupDeposit> deposit_rows(const Comparison& comparison) {
   std::vector<GroupDeposit> deposits;
   for (std::size_t i = 0; i < comparison.groups.size(); ++i) {
     deposits.push_back({comparison.groups[i], comparison.deposits[i]});
@@ -295,24 +250,7 @@ std::vector<GroupDeposit> report_detail::deposit_rows(const Comparison& comparis
   return deposits;
 }
 
-std::string deposits_csv(const Comparison& comparison) {
-  return csv_of(deposit_columns(), rows_of(comparison, deposit_rows(comparison)));
-}
-
-std::string differences_csv(const Comparison& comparison) {
-  return csv_of(difference_columns(), rows_of(comparison, comparison.differences));
-}
-
-std::string measured_csv(const Comparison& comparison) {
-  if (!comparison.measured) return csv_of(measured_columns(), {});
-  return csv_of(measured_columns(), rows_of(comparison, comparison.measured->groups));
-}
-
-std::string profiles_csv(const Comparison& comparison, const std::vector<ProfileBin>& bins) {
-  return csv_of(profile_columns(), rows_of(comparison, bins));
-}
-
-std::vector<ZoneOfSet> report_detail::ground_set_rows(const Comparison& comparison) {
+std::vector<ZoneOfSet> ground_set_rows(const Comparison& comparison) {
   std::vector<ZoneOfSet> zones;
   for (std::size_t file = 0; file < comparison.results.size(); ++file) {
     const CampaignResults& results = comparison.results[file];
@@ -325,8 +263,61 @@ std::vector<ZoneOfSet> report_detail::ground_set_rows(const Comparison& comparis
   return zones;
 }
 
-std::string ground_sets_csv(const Comparison& comparison) {
-  return csv_of(ground_set_columns(), rows_of(comparison, ground_set_rows(comparison)));
+}  // namespace
+
+const TableColumns<BarrierGroup>& report_detail::barrier_columns() {
+  using Row = BarrierGroup;
+  const auto statistics = [](const char* name, const char* unit, const char* meaning,
+                             Summary Row::*summary) {
+    return summary_columns<Row>(kAllStatistics, name, unit, meaning, summary);
+  };
+  static const auto columns = joined<Row>(
+      {{{"barrier", "", "name; of a ring with `(in)` or `(out)`", &Row::barrier},
+        {"group", "", "name", &Row::group},
+        {"runs", "",
+         "runs started by the group in campaigns with this barrier, without those that failed",
+         &Row::started},
+        {"counted", "",
+         "`either`: the first crossing of a run whatever its direction; `forward`: the first from "
+         "the left of the line to its right; for a ring `in` or `out`",
+         &Row::counted},
+        {"crossings", "", "of these, runs with a crossing that counts", &Row::crossed},
+        {"backward", "",
+         "runs that crossed from the right of the line to its left first, counted or not; for a "
+         "ring 0",
+         &Row::backward},
+        {"probability", "", "`crossings` / `runs`", &Row::probability}},
+       columns_of_list<Row>({"probability_low", "probability_high"}, "",
+                            "its 95 % confidence interval; empty for one realisation",
+                            [](const Row& row) { return bounds_of(row.interval); }),
+       statistics("height_*_m", "m", "height of the centre of mass above the ground below it",
+                  &Row::height),
+       statistics("clearance_*_m", "m", "height of the lowest skin point above the ground below it",
+                  &Row::clearance),
+       statistics("top_*_m", "m",
+                  "no skin point is higher above that ground: the height of the centre and the "
+                  "distance of the skin point that is farthest from it",
+                  &Row::top),
+       statistics("speed_*_m_s", "m/s", "speed of the centre of mass", &Row::speed),
+       statistics("translational_energy_*_j", "J", "kinetic energy of the centre of mass",
+                  &Row::translational),
+       statistics("rotational_energy_*_j", "J", "kinetic energy of the rotation", &Row::rotational),
+       statistics("total_energy_*_j", "J", "both kinetic energies", &Row::total),
+       statistics("rotation_rate_*_rad_s", "rad/s", "magnitude of the angular velocity",
+                  &Row::rotation_rate)});
+  return columns;
+}
+
+std::vector<ComparisonTable> report_detail::group_tables() {
+  const auto measured_groups = [](const Comparison& comparison) {
+    return comparison.measured ? comparison.measured->groups : std::vector<MeasuredGroup>();
+  };
+  return {table_of("barriers", barrier_columns(), &Comparison::barriers),
+          table_of("deposits", deposit_columns(), deposit_rows),
+          table_of("ground_sets", ground_set_columns(), ground_set_rows),
+          table_of("differences", difference_columns(), &Comparison::differences),
+          table_of("profiles", profile_columns(), &ComparisonAnalyses::profiles),
+          table_of("measured", measured_columns(), measured_groups)};
 }
 
 }  // namespace clast

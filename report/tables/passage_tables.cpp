@@ -1,19 +1,26 @@
 // The tables of what passes barriers together.
 #include "report/tables/comparison_columns.hpp"
-#include "report/tables/group_tables.hpp"
 
 namespace clast {
 
 using namespace report_detail;
 namespace {
 
+/// A passage, and all that has passed with it in its realisation.
+struct PassedSoFar {
+  const RealisationPassages& realisation;
+  BlockPassage passage;
+  std::uint64_t passed = 0;
+  double mass = 0.0;    ///< kg
+  double volume = 0.0;  ///< m^3
+  double energy = 0.0;  ///< J
+};
+
 double mass_of(const BlockPassage& passage) { return passage.mass; }
 double volume_of(const BlockPassage& passage) { return passage.volume; }
 double energy_of(const BlockPassage& passage) { return passage.energy; }
 
-}  // namespace
-
-const TableColumns<ComparisonRow<RealisationPassages>>& report_detail::passage_columns() {
+const TableColumns<ComparisonRow<RealisationPassages>>& passage_columns() {
   using Row = ComparisonRow<RealisationPassages>;
   const auto sum = [](double (*value)(const BlockPassage&)) {
     return [value](const Row& row) { return row->sum(value); };
@@ -58,7 +65,7 @@ const TableColumns<ComparisonRow<RealisationPassages>>& report_detail::passage_c
   return columns;
 }
 
-const TableColumns<ComparisonRow<PassedSoFar>>& report_detail::passage_curve_columns() {
+const TableColumns<ComparisonRow<PassedSoFar>>& passage_curve_columns() {
   using Row = ComparisonRow<PassedSoFar>;
   const auto run = [](const Row& row) -> const RunRow& {
     return row.comparison.rows[row->passage.row];
@@ -81,10 +88,9 @@ const TableColumns<ComparisonRow<PassedSoFar>>& report_detail::passage_curve_col
   return columns;
 }
 
-std::vector<PassedSoFar> report_detail::passage_curve_rows(
-    const std::vector<RealisationPassages>& all) {
+std::vector<PassedSoFar> passage_curve_rows(const ComparisonAnalyses& analyses) {
   std::vector<PassedSoFar> rows;
-  for (const RealisationPassages& realisation : all) {
+  for (const RealisationPassages& realisation : analyses.passages()) {
     PassedSoFar sum{realisation, {}};
     for (const BlockPassage& passage : realisation.passages) {
       rows.push_back({realisation, passage, sum.passed += 1, sum.mass += passage.mass,
@@ -94,13 +100,11 @@ std::vector<PassedSoFar> report_detail::passage_curve_rows(
   return rows;
 }
 
-std::string passages_csv(const Comparison& comparison) {
-  return csv_of(passage_columns(), rows_of(comparison, barrier_passages(comparison)));
-}
+}  // namespace
 
-std::string passage_curves_csv(const Comparison& comparison) {
-  const std::vector<RealisationPassages> all = barrier_passages(comparison);
-  return csv_of(passage_curve_columns(), rows_of(comparison, passage_curve_rows(all)));
+std::vector<ComparisonTable> report_detail::passage_tables() {
+  return {table_of("passages", passage_columns(), &ComparisonAnalyses::passages),
+          table_of("passage_curves", passage_curve_columns(), passage_curve_rows)};
 }
 
 }  // namespace clast

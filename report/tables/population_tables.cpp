@@ -6,13 +6,39 @@
 
 #include "core/error.hpp"
 #include "core/files/output_file.hpp"
+#include "core/files/table.hpp"
 #include "core/parallel.hpp"
-#include "report/tables/population_columns.hpp"
 
 namespace clast {
 
 using namespace report_detail;
 namespace {
+
+struct BlockRow {
+  const std::string& population;
+  const MeasuredBlock& block;
+};
+struct ShareRow {
+  const std::string& population;
+  const std::string& scheme;
+  const ClassShare& share;
+  bool weighed = false;  ///< the mass of some block is known
+};
+/// A quantity of a size distribution.
+struct SizeRow {
+  std::string population, size, weighting;
+  std::size_t blocks = 0;
+  std::string quantity = {}, unit = {};
+  double value = 0.0;
+  std::optional<double> error = {};
+};
+struct TestRow {
+  std::string test, populations, quantity;
+  std::optional<double> statistic;
+  std::optional<std::size_t> freedom;
+  std::optional<double> p_value;
+  std::string p_from, words;
+};
 
 /// An empty cell for what is not known.
 template <class T>
@@ -66,10 +92,7 @@ TestRow row_of(const std::string& populations, const ClassDifference& one) {
           test.freedom, test.p_value, from,       one.words};
 }
 
-}  // namespace
-
-TableColumns<BlockRow> report_detail::class_columns(const std::vector<std::string>& schemes,
-                                                    const SchemeOptions& limits) {
+TableColumns<BlockRow> class_columns(const PopulationOptions& options) {
   using Row = BlockRow;
   const auto axis = [](const char* name, double Axes::*side) {
     return TableColumn<Row>{name, "m", "axes, L >= I >= S", [side](const Row& row) {
@@ -86,11 +109,11 @@ TableColumns<BlockRow> report_detail::class_columns(const std::vector<std::strin
        [](const Row& row) { return row.block.unscaled ? NAN : row.block.mass.value_or(NAN); }},
       {"axis_error_m", "m", "possible error of each axis, as given or assumed",
        [](const Row& row) { return row.block.unscaled ? NAN : row.block.axis_error; }}};
-  for (const std::string& scheme : schemes) {
+  for (const std::string& scheme : options.chosen_schemes()) {
     columns.push_back({class_column(scheme), "",
                        "class by each requested scheme; `shape` is Garcia's `compact` or "
                        "`elongated`",
-                       [scheme, limits](const Row& row) {
+                       [scheme, limits = options.limits](const Row& row) {
                          return shape_class(scheme, row.block.as_written, limits);
                        }});
   }
@@ -102,7 +125,7 @@ TableColumns<BlockRow> report_detail::class_columns(const std::vector<std::strin
   return columns;
 }
 
-const TableColumns<ShareRow>& report_detail::share_columns() {
+TableColumns<ShareRow> share_columns(const PopulationOptions&) {
   using Row = ShareRow;
   const auto number = [](const char* name, double ClassShare::*value) {
     return TableColumn<Row>{name, "", "by number, with its 95 % confidence interval",
@@ -115,7 +138,7 @@ const TableColumns<ShareRow>& report_detail::share_columns() {
                             }};
   };
   const char* by_mass = "by mass, with its 95 % confidence interval; empty if no mass is known";
-  static const TableColumns<Row> columns = {
+  return {
       {"population", "", "names", [](const Row& row) { return row.population; }},
       {"scheme", "", "names", [](const Row& row) { return row.scheme; }},
       {"class", "", "name; classes without a block have a row too",
@@ -129,45 +152,115 @@ const TableColumns<ShareRow>& report_detail::share_columns() {
       mass("mass_share", "", by_mass, &ClassShare::mass_share),
       mass("mass_share_low", "", by_mass, &ClassShare::mass_low),
       mass("mass_share_high", "", by_mass, &ClassShare::mass_high)};
-  return columns;
 }
 
-const TableColumns<SizeRow>& report_detail::size_columns() {
+TableColumns<SizeRow> size_columns(const PopulationOptions&) {
   using Row = SizeRow;
-  static const TableColumns<Row> columns = {
-      {"population", "", "name", &Row::population},
-      {"size", "", "which size: `I` or `(L I S)^(1/3)`", &Row::size},
-      {"weighting", "", "`number` or `mass`", &Row::weighting},
-      {"blocks", "", "number of blocks the quantity is based on", &Row::blocks},
-      {"quantity", "",
-       "`d10`, `d50`, `d90`; `log_normal_median`, `log_normal_sigma` (of ln d); "
-       "`rosin_rammler_d63`, `rosin_rammler_exponent`; for each law `..._ks_distance` and, by "
-       "number, `..._ks_p_value`",
-       &Row::quantity},
-      {"unit", "", "of the value: `m`, or empty", &Row::unit},
-      {"value", "see `unit`", "of the quantity", &Row::value},
-      {"standard_error", "see `unit`", "of fitted parameters only",
-       [](const Row& row) { return cell_of(row.error); }}};
-  return columns;
+  return {{"population", "", "name", &Row::population},
+          {"size", "", "which size: `I` or `(L I S)^(1/3)`", &Row::size},
+          {"weighting", "", "`number` or `mass`", &Row::weighting},
+          {"blocks", "", "number of blocks the quantity is based on", &Row::blocks},
+          {"quantity", "",
+           "`d10`, `d50`, `d90`; `log_normal_median`, `log_normal_sigma` (of ln d); "
+           "`rosin_rammler_d63`, `rosin_rammler_exponent`; for each law `..._ks_distance` and, by "
+           "number, `..._ks_p_value`",
+           &Row::quantity},
+          {"unit", "", "of the value: `m`, or empty", &Row::unit},
+          {"value", "see `unit`", "of the quantity", &Row::value},
+          {"standard_error", "see `unit`", "of fitted parameters only",
+           [](const Row& row) { return cell_of(row.error); }}};
 }
 
-const TableColumns<TestRow>& report_detail::test_columns() {
+TableColumns<TestRow> test_columns(const PopulationOptions&) {
   using Row = TestRow;
   const char* tested = "what was tested: a name, or two with `and`; the measures or the scheme";
-  static const TableColumns<Row> columns = {
-      {"test", "", "`spearman`, `kolmogorov-smirnov`, `chi-squared`", &Row::test},
-      {"populations", "", tested, &Row::populations},
-      {"quantity", "", tested, &Row::quantity},
-      {"statistic", "", "rho, D or chi-squared",
-       [](const Row& row) { return cell_of(row.statistic); }},
-      {"degrees_of_freedom", "", "of chi-squared",
-       [](const Row& row) { return cell_of(row.freedom); }},
-      {"p_value", "", "probability of a statistic at least this extreme if there is no effect",
-       [](const Row& row) { return cell_of(row.p_value); }},
-      {"p_from", "", "how p was determined", &Row::p_from},
-      {"words", "", "a sentence to quote", &Row::words}};
-  return columns;
+  return {{"test", "", "`spearman`, `kolmogorov-smirnov`, `chi-squared`", &Row::test},
+          {"populations", "", tested, &Row::populations},
+          {"quantity", "", tested, &Row::quantity},
+          {"statistic", "", "rho, D or chi-squared",
+           [](const Row& row) { return cell_of(row.statistic); }},
+          {"degrees_of_freedom", "", "of chi-squared",
+           [](const Row& row) { return cell_of(row.freedom); }},
+          {"p_value", "", "probability of a statistic at least this extreme if there is no effect",
+           [](const Row& row) { return cell_of(row.p_value); }},
+          {"p_from", "", "how p was determined", &Row::p_from},
+          {"words", "", "a sentence to quote", &Row::words}};
 }
+
+std::vector<ShareRow> share_rows(const PopulationReport& report) {
+  std::vector<ShareRow> rows;
+  for (const ReportedPopulation& reported : report.populations) {
+    const bool weighed = reported.summary.weighed > 0;
+    for (const SchemeShares& scheme : reported.summary.schemes) {
+      for (const ClassShare& share : scheme.shares) {
+        rows.push_back({reported.population.name, scheme.scheme, share, weighed});
+      }
+    }
+  }
+  return rows;
+}
+
+std::vector<SizeRow> size_rows(const PopulationReport& report) {
+  std::vector<SizeRow> rows;
+  for (const ReportedPopulation& reported : report.populations) {
+    const SizeDistribution& size = reported.summary.size;
+    const auto add = [&](const char* weighting, const SizeCurve& curve) {
+      const std::vector<SizeRow> more =
+          rows_of_curve({reported.population.name, name_of(size.measure), weighting}, curve);
+      rows.insert(rows.end(), more.begin(), more.end());
+    };
+    add("number", size.by_number);
+    if (size.by_mass) add("mass", *size.by_mass);
+  }
+  return rows;
+}
+
+std::vector<TestRow> test_rows(const PopulationReport& report) {
+  std::vector<TestRow> rows;
+  for (const ReportedPopulation& reported : report.populations) {
+    for (const SizeShape& one : reported.summary.size_and_shape) {
+      rows.push_back(row_of("spearman", reported.population.name,
+                            name_of(report.options.size) + " and " + one.measure->name, one.test,
+                            "all orders", "Student's t",
+                            size_shape_words(one, report.options.size)));
+    }
+  }
+  if (report.comparison) {
+    const std::string pair = report.comparison->name_a + " and " + report.comparison->name_b;
+    for (const MeasureDifference& one : report.comparison->measures) {
+      rows.push_back(row_of("kolmogorov-smirnov", pair, one.measure->name, one.test, "all deals",
+                            "limit for many blocks", one.words));
+    }
+    for (const ClassDifference& one : report.comparison->schemes) {
+      rows.push_back(row_of(pair, one));
+    }
+  }
+  return rows;
+}
+
+std::vector<BlockRow> block_rows(const PopulationReport& report) {
+  std::vector<BlockRow> rows;
+  for (const ReportedPopulation& reported : report.populations) {
+    for (const MeasuredBlock& block : reported.population.blocks) {
+      rows.push_back({reported.population.name, block});
+    }
+  }
+  return rows;
+}
+
+/// @param columns  of a report's options
+template <class Row>
+PopulationTable population_table(const std::string& name,
+                                 TableColumns<Row> (*columns)(const PopulationOptions&),
+                                 std::vector<Row> (*rows)(const PopulationReport&)) {
+  const auto filled = [=](const auto& fill) {
+    return
+        [=](const PopulationReport& report) { return fill(columns(report.options), rows(report)); };
+  };
+  return {name, filled(csv_of<Row>), filled(values_of<Row>)};
+}
+
+}  // namespace
 
 std::string class_column(const std::string& scheme) {
   if (scheme == "garcia") return "shape";
@@ -180,8 +273,7 @@ void write_classes_csv(const PopulationReport& report, const std::filesystem::pa
                        unsigned threads) {
   constexpr std::size_t kChunk = 2048;   // rows of one task
   constexpr std::size_t kTogether = 32;  // tasks in memory at a time, some 20 MB
-  const TableColumns<BlockRow> columns =
-      class_columns(report.options.chosen_schemes(), report.options.limits);
+  const TableColumns<BlockRow> columns = class_columns(report.options);
   OutputFile file(path);
   std::ofstream stream(file.temporary(), std::ios::binary);
   stream << csv_header(columns) << "\n";
@@ -206,67 +298,13 @@ void write_classes_csv(const PopulationReport& report, const std::filesystem::pa
   file.commit();
 }
 
-std::vector<ShareRow> report_detail::share_rows(const PopulationReport& report) {
-  std::vector<ShareRow> rows;
-  for (const ReportedPopulation& reported : report.populations) {
-    const bool weighed = reported.summary.weighed > 0;
-    for (const SchemeShares& scheme : reported.summary.schemes) {
-      for (const ClassShare& share : scheme.shares) {
-        rows.push_back({reported.population.name, scheme.scheme, share, weighed});
-      }
-    }
-  }
-  return rows;
-}
-
-std::vector<SizeRow> report_detail::size_rows(const PopulationReport& report) {
-  std::vector<SizeRow> rows;
-  for (const ReportedPopulation& reported : report.populations) {
-    const SizeDistribution& size = reported.summary.size;
-    const auto add = [&](const char* weighting, const SizeCurve& curve) {
-      const std::vector<SizeRow> more =
-          rows_of_curve({reported.population.name, name_of(size.measure), weighting}, curve);
-      rows.insert(rows.end(), more.begin(), more.end());
-    };
-    add("number", size.by_number);
-    if (size.by_mass) add("mass", *size.by_mass);
-  }
-  return rows;
-}
-
-std::vector<TestRow> report_detail::test_rows(const PopulationReport& report) {
-  std::vector<TestRow> rows;
-  for (const ReportedPopulation& reported : report.populations) {
-    for (const SizeShape& one : reported.summary.size_and_shape) {
-      rows.push_back(row_of("spearman", reported.population.name,
-                            name_of(report.options.size) + " and " + one.measure->name, one.test,
-                            "all orders", "Student's t",
-                            size_shape_words(one, report.options.size)));
-    }
-  }
-  if (report.comparison) {
-    const std::string pair = report.comparison->name_a + " and " + report.comparison->name_b;
-    for (const MeasureDifference& one : report.comparison->measures) {
-      rows.push_back(row_of("kolmogorov-smirnov", pair, one.measure->name, one.test, "all deals",
-                            "limit for many blocks", one.words));
-    }
-    for (const ClassDifference& one : report.comparison->schemes) {
-      rows.push_back(row_of(pair, one));
-    }
-  }
-  return rows;
-}
-
-std::string shares_csv(const PopulationReport& report) {
-  return csv_of(share_columns(), share_rows(report));
-}
-
-std::string sizes_csv(const PopulationReport& report) {
-  return csv_of(size_columns(), size_rows(report));
-}
-
-std::string tests_csv(const PopulationReport& report) {
-  return csv_of(test_columns(), test_rows(report));
+const std::vector<PopulationTable>& population_tables() {
+  static const std::vector<PopulationTable> tables = {
+      population_table("classes", class_columns, block_rows),
+      population_table("shares", share_columns, share_rows),
+      population_table("sizes", size_columns, size_rows),
+      population_table("tests", test_columns, test_rows)};
+  return tables;
 }
 
 }  // namespace clast

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "report/reported_population.hpp"
+#include "report/tables/report_table.hpp"
 
 namespace clast {
 
@@ -12,13 +13,14 @@ namespace clast {
 /// name with _ for -.
 std::string class_column(const std::string& scheme);
 
-/// shares.csv, sizes.csv and tests.csv as text.
-std::string shares_csv(const PopulationReport& report);
-std::string sizes_csv(const PopulationReport& report);
-std::string tests_csv(const PopulationReport& report);
+using PopulationTable = ReportTable<PopulationReport>;
 
-/// classes.csv: a row per block with all classes and indices. Rows are made in parallel and written
-/// in order, so the file is the same for any number of threads and never whole in memory.
+/// "classes", "shares", "sizes", "tests".
+const std::vector<PopulationTable>& population_tables();
+
+/// The file of "classes": a row per block with all classes and indices. Rows are made in parallel
+/// and written in order, so the file is the same for any number of threads and never whole in
+/// memory.
 /// @throws InputError  can't be written
 void write_classes_csv(const PopulationReport& report, const std::filesystem::path& path,
                        unsigned threads = 0);

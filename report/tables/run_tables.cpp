@@ -1,5 +1,5 @@
-#include "report/tables/run_tables.hpp"
-
+// The tables with a row for a run or for something that happened in one. Rows are in order of file,
+// run and time.
 #include "report/tables/comparison_columns.hpp"
 #include "study/results/stored_columns.hpp"
 
@@ -7,6 +7,18 @@ namespace clast {
 
 using namespace report_detail;
 namespace {
+
+/// An impact and its run.
+struct RunImpact {
+  const RunRow& run;
+  const Impact& impact;
+};
+
+/// A run whose block stayed among others.
+struct RunStay {
+  const RunRow& run;
+  const StayRecord& stay;
+};
 
 /// Columns of runs.csv for rows that belong to a run.
 template <class Row, class Run>
@@ -33,6 +45,70 @@ std::vector<Joined> with_runs(const Comparison& comparison,
     }
   }
   return joined;
+}
+
+const TableColumns<ComparisonRow<RunImpact>>& impact_columns() {
+  using Row = ComparisonRow<RunImpact>;
+  const auto run = [](const Row& row) -> const RunRow& { return row->run; };
+  const auto results = [](const Row& row) -> const CampaignResults& {
+    return row.comparison.results[row->run.file];
+  };
+  const auto stored = [](const std::vector<std::string>& names) {
+    return columns_of_part<Row>(chosen(stored_impact_columns(), names),
+                                [](const Row& row) -> const Impact& { return row->impact; });
+  };
+  const auto energy = [](const char* name, double Impact::*value) {
+    return TableColumn<Row>{name, "J", "kinetic energy, at the first and the last contact",
+                            [value](const Row& row) { return row->impact.*value; }};
+  };
+  static const auto columns =
+      joined<Row>({of_run<Row>({"run", "block", "class", "shape"}, run),
+                   {{"zone", "", "name of the ground zone of the first contact",
+                     [=](const Row& row) { return results(row).zone_names[row->impact.zone]; }}},
+                   stored({"time_s", "contact_s"}),
+                   columns_of_list<Row>(
+                       {"x_m", "y_m", "z_m"}, "m", "position at the first contact",
+                       [=](const Row& row) { return results(row).frame.map(row->impact.place); }),
+                   stored({"speed_before_m_s", "speed_after_m_s"}),
+                   {energy("translational_energy_before_j", &Impact::translational_before),
+                    energy("translational_energy_after_j", &Impact::translational_after),
+                    energy("rotational_energy_before_j", &Impact::rotational_before),
+                    energy("rotational_energy_after_j", &Impact::rotational_after)},
+                   stored({"depth_m"}),
+                   of_run<Row>({"file"}, run)});
+  return columns;
+}
+
+const TableColumns<ComparisonRow<RunStay>>& stay_columns() {
+  using Row = ComparisonRow<RunStay>;
+  const auto run = [](const Row& row) -> const RunRow& { return row->run; };
+  const auto each = [](const Row& row) -> std::uint64_t {
+    return row.comparison.results[row->run.file].runs_together();
+  };
+  static const auto columns = joined<Row>(
+      {of_run<Row>({"run", "block", "class", "shape"}, run),
+       {{"realisation", "", "from 1",
+         [=](const Row& row) { return row->stay.run / each(row) + 1; }},
+        {"order", "", "of its release in the realisation, from 1",
+         [=](const Row& row) { return row->stay.run % each(row) + 1; }}},
+       with_known_cells(
+           columns_of_part<Row>(
+               chosen(stored_stay_columns(),
+                      {"released_at_s", "raised_m", "moved_later_m", "blocks_hit", "removed_at_s"}),
+               [](const Row& row) -> const StayRecord& { return row->stay; }),
+           [](const Row& row) -> const CampaignResults& {
+             return row.comparison.results[row->run.file];
+           }),
+       of_run<Row>({"file"}, run)});
+  return columns;
+}
+
+std::vector<RunImpact> impact_rows(const Comparison& comparison) {
+  return with_runs<RunImpact>(comparison, &CampaignResults::impacts);
+}
+
+std::vector<RunStay> stay_rows(const Comparison& comparison) {
+  return with_runs<RunStay>(comparison, &CampaignResults::stays);
 }
 
 }  // namespace
@@ -83,84 +159,11 @@ const TableColumns<ComparisonRow<CrossingRow>>& report_detail::crossing_columns(
   return columns;
 }
 
-const TableColumns<ComparisonRow<RunImpact>>& report_detail::impact_columns() {
-  using Row = ComparisonRow<RunImpact>;
-  const auto run = [](const Row& row) -> const RunRow& { return row->run; };
-  const auto results = [](const Row& row) -> const CampaignResults& {
-    return row.comparison.results[row->run.file];
-  };
-  const auto stored = [](const std::vector<std::string>& names) {
-    return columns_of_part<Row>(chosen(stored_impact_columns(), names),
-                                [](const Row& row) -> const Impact& { return row->impact; });
-  };
-  const auto energy = [](const char* name, double Impact::*value) {
-    return TableColumn<Row>{name, "J", "kinetic energy, at the first and the last contact",
-                            [value](const Row& row) { return row->impact.*value; }};
-  };
-  static const auto columns =
-      joined<Row>({of_run<Row>({"run", "block", "class", "shape"}, run),
-                   {{"zone", "", "name of the ground zone of the first contact",
-                     [=](const Row& row) { return results(row).zone_names[row->impact.zone]; }}},
-                   stored({"time_s", "contact_s"}),
-                   columns_of_list<Row>(
-                       {"x_m", "y_m", "z_m"}, "m", "position at the first contact",
-                       [=](const Row& row) { return results(row).frame.map(row->impact.place); }),
-                   stored({"speed_before_m_s", "speed_after_m_s"}),
-                   {energy("translational_energy_before_j", &Impact::translational_before),
-                    energy("translational_energy_after_j", &Impact::translational_after),
-                    energy("rotational_energy_before_j", &Impact::rotational_before),
-                    energy("rotational_energy_after_j", &Impact::rotational_after)},
-                   stored({"depth_m"}),
-                   of_run<Row>({"file"}, run)});
-  return columns;
-}
-
-const TableColumns<ComparisonRow<RunStay>>& report_detail::stay_columns() {
-  using Row = ComparisonRow<RunStay>;
-  const auto run = [](const Row& row) -> const RunRow& { return row->run; };
-  const auto each = [](const Row& row) -> std::uint64_t {
-    return row.comparison.results[row->run.file].runs_together();
-  };
-  static const auto columns = joined<Row>(
-      {of_run<Row>({"run", "block", "class", "shape"}, run),
-       {{"realisation", "", "from 1",
-         [=](const Row& row) { return row->stay.run / each(row) + 1; }},
-        {"order", "", "of its release in the realisation, from 1",
-         [=](const Row& row) { return row->stay.run % each(row) + 1; }}},
-       with_known_cells(
-           columns_of_part<Row>(
-               chosen(stored_stay_columns(),
-                      {"released_at_s", "raised_m", "moved_later_m", "blocks_hit", "removed_at_s"}),
-               [](const Row& row) -> const StayRecord& { return row->stay; }),
-           [](const Row& row) -> const CampaignResults& {
-             return row.comparison.results[row->run.file];
-           }),
-       of_run<Row>({"file"}, run)});
-  return columns;
-}
-
-std::vector<RunImpact> report_detail::impact_rows(const Comparison& comparison) {
-  return with_runs<RunImpact>(comparison, &CampaignResults::impacts);
-}
-
-std::vector<RunStay> report_detail::stay_rows(const Comparison& comparison) {
-  return with_runs<RunStay>(comparison, &CampaignResults::stays);
-}
-
-std::string runs_csv(const Comparison& comparison) {
-  return csv_of(run_columns(), rows_of(comparison, comparison.rows));
-}
-
-std::string crossings_csv(const Comparison& comparison) {
-  return csv_of(crossing_columns(), rows_of(comparison, comparison.crossings));
-}
-
-std::string impacts_csv(const Comparison& comparison) {
-  return csv_of(impact_columns(), rows_of(comparison, impact_rows(comparison)));
-}
-
-std::string stays_csv(const Comparison& comparison) {
-  return csv_of(stay_columns(), rows_of(comparison, stay_rows(comparison)));
+std::vector<ComparisonTable> report_detail::run_tables() {
+  return {table_of("runs", run_columns(), &Comparison::rows),
+          table_of("crossings", crossing_columns(), &Comparison::crossings),
+          table_of("impacts", impact_columns(), impact_rows),
+          table_of("stays", stay_columns(), stay_rows)};
 }
 
 }  // namespace clast

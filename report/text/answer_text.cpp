@@ -113,25 +113,26 @@ std::string gap_in_words(const Comparison& comparison, const Statement& statemen
   const std::string means = a + " and " + b + " blocks run " +
                             with_decimals(farther.mean, decimals) + " and " +
                             length_in_words(nearer.mean, decimals) + " on average";
-  switch (gap.standing) {
-    case Standing::kMoreThanChance:
+  switch (gap.verdict) {
+    case Verdict::kMoreThanChance:
       return prefix + a + " blocks run " + length_in_words(gap.gap, decimals) + " farther than " +
              b + " ones" + (gap.of_few ? " on average" : "") + interval +
              (gap.of_few ? few_run_on(farther, nearer, a, b, decimals) : "");
-    case Standing::kOtherSpread:
+    case Verdict::kOtherSpread:
       return prefix + means + ", a difference that can be chance" + interval +
              "; but their stops are spread differently";
-    case Standing::kCanBeChance:
+    case Verdict::kOneOfMany:
+    case Verdict::kCanBeChance:
       return prefix + means + "; " +
              (gap.interval && gap.interval->low > 0.0
                   ? "among all that was compared, a difference like this" + interval +
                         " can be chance"
                   : "the difference can be chance" + interval);
-    case Standing::kDependsOnGround:
+    case Verdict::kDependsOnGround:
       return prefix + means + "; which of them run farther depends on the ground" + interval;
-    case Standing::kOneRealisation:
+    case Verdict::kUntested:
       return prefix + means + "; one realisation does not show whether this is chance";
-    case Standing::kFewAtRest:
+    case Verdict::kTooFew:
       break;
   }
   const std::string ends = other_ends(statement.stops);
@@ -241,16 +242,16 @@ std::string files_in_words(const Comparison& comparison, const Answer& answer) {
   const std::string interval = gap.interval ? " (" + lengths_in_words(*gap.interval, decimals) +
                                                   (answer.has_draws() ? kByDraw : "") + ")"
                                             : "";
-  if (gap.standing == Standing::kMoreThanChance) {
+  if (gap.verdict == Verdict::kMoreThanChance) {
     return "Blocks run " + length_in_words(gap.gap, decimals) + " farther in " + a + " than in " +
            b + interval + ".";
   }
-  if (gap.standing == Standing::kFewAtRest) return "";
-  if (gap.standing == Standing::kOneRealisation) {
+  if (gap.verdict == Verdict::kTooFew) return "";
+  if (gap.verdict == Verdict::kUntested) {
     return "Blocks run " + length_in_words(gap.gap, decimals) + " farther in " + a + " than in " +
            b + "; one realisation does not show whether this is chance.";
   }
-  if (gap.standing == Standing::kDependsOnGround) {
+  if (gap.verdict == Verdict::kDependsOnGround) {
     return "Whether blocks run farther in " + a + " or in " + b + " depends on the ground" +
            interval + ".";
   }

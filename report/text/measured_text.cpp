@@ -16,36 +16,35 @@ std::vector<std::string> measured_sentences(const Comparison& comparison) {
     const std::string who = runs.kind == GroupKind::kAll      ? "all blocks"
                             : runs.kind == GroupKind::kGarcia ? runs.key + " blocks"
                                                               : "block " + runs.key;
-    const double gap = group.quartiles.median - group.simulated_quartiles.median;
-    const int decimals = decimals_of_length(gap, group.median_difference);
+    const double gap = group.medians.estimate;
+    const int decimals = decimals_of_length(gap, group.medians.interval);
     const std::string medians =
         "half stopped before " + length_in_words(group.quartiles.median, decimals) +
         " in the field, " + length_in_words(group.simulated_quartiles.median, decimals) +
         " simulated";
-    const Interval interval = group.median_difference.value_or(Interval{});
+    const Interval interval = group.medians.interval.value_or(Interval{});
     std::string verdict;
-    switch (agreement(group)) {
-      case Agreement::kFew:
+    switch (verdict_of(group)) {
+      case Verdict::kTooFew:
         verdict = counted(group.measured, "measured stop") + ", too few to judge by; " + medians;
         break;
-      case Agreement::kOneRealisation:
+      case Verdict::kUntested:
         verdict = medians + "; one realisation does not show whether this is chance";
         break;
-      case Agreement::kAgree:
-        verdict = "field and simulation agree; " + medians + " (a difference of " +
-                  lengths_in_words(interval, decimals) + ")";
+      case Verdict::kMoreThanChance:
+        verdict = interval.low > 0.0
+                      ? length_in_words(gap, decimals) + " farther in the field than simulated (" +
+                            lengths_in_words(interval, decimals) + ")"
+                      : length_in_words(-gap, decimals) +
+                            " less far in the field than simulated (" +
+                            lengths_in_words({-interval.high, -interval.low}, decimals) + ")";
         break;
-      case Agreement::kFarther:
-        verdict = length_in_words(gap, decimals) + " farther in the field than simulated (" +
-                  lengths_in_words(interval, decimals) + ")";
-        break;
-      case Agreement::kNearer:
-        verdict = length_in_words(-gap, decimals) + " less far in the field than simulated (" +
-                  lengths_in_words({-interval.high, -interval.low}, decimals) + ")";
-        break;
-      case Agreement::kOtherSpread:
+      case Verdict::kOtherSpread:
         verdict = "the middle agrees, the spread does not; " + medians;
         break;
+      default:
+        verdict = "field and simulation agree; " + medians + " (a difference of " +
+                  lengths_in_words(interval, decimals) + ")";
     }
     sentences.push_back(capital(who) + ": " + verdict + ".");
   }

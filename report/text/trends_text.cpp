@@ -50,12 +50,12 @@ std::string trend_sentence(const std::vector<const ShapeTrend*>& outcome) {
 std::string halves_sentence(const ShapeTrend& trend, const std::optional<double>& margin) {
   const CrossedDifference& halves = trend.halves;
   std::string text = "between the halves of the blocks by " + trend.property + " the " +
-                     trend.outcome + " differs by " + trend_value(halves.difference, trend.unit) +
-                     " (" + with_digits(halves.interval.low, 2) + " to " +
-                     with_digits(halves.interval.high, 2) + ")";
+                     trend.outcome + " differs by " + trend_value(halves.estimate, trend.unit) +
+                     " (" + with_digits(halves.interval->low, 2) + " to " +
+                     with_digits(halves.interval->high, 2) + ")";
   if (trend.equivalence) {
     const std::string limit = trend_value(*margin, trend.unit);
-    const bool beyond = std::max(halves.interval.low, -halves.interval.high) > *margin;
+    const bool beyond = std::max(halves.interval->low, -halves.interval->high) > *margin;
     const std::string p = " (" + p_text(*trend.equivalence) + ")";
     text += *trend.equivalence < kTrendLevel
                 ? ", within +-" + limit + ": no effect that matters" + p

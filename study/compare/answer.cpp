@@ -5,6 +5,7 @@
 #include <set>
 #include <utility>
 
+#include "core/statistics/group_differences.hpp"
 #include "study/compare/detail/comparison_barriers.hpp"
 #include "study/compare/ground_draws.hpp"
 
@@ -110,20 +111,6 @@ RunoutAnswer runout_of(const Comparison& comparison, std::size_t group) {
   return found;
 }
 
-Standing standing_of(const Difference& difference) {
-  switch (evidence_of(difference)) {
-    case Evidence::kMoreThanChance:
-      return Standing::kMoreThanChance;
-    case Evidence::kOtherSpread:
-      return Standing::kOtherSpread;
-    case Evidence::kOneRealisation:
-      return Standing::kOneRealisation;
-    case Evidence::kCanBeChance:
-      break;
-  }
-  return Standing::kCanBeChance;
-}
-
 /// Means of the runouts of one group less those of another, in each draw of the ground; draws of
 /// two files are independent, so that each of one is set against all of the other.
 std::vector<double> gaps_by_draw(const Comparison& comparison, std::size_t first,
@@ -151,12 +138,12 @@ GapAnswer gap_between(const Comparison& comparison, const RunoutAnswer& a, const
   gap.gap = std::abs(a.mean - b.mean);
   gap.of_few = (ahead ? a.median - b.median : b.median - a.median) < kGapOfFew * gap.gap;
   if (!a.stands() || !b.stands() || !difference) return gap;
-  gap.standing = standing_of(*difference);
-  if (gap.standing == Standing::kOneRealisation) return gap;
+  gap.verdict = difference->verdict();
+  if (gap.verdict == Verdict::kUntested) return gap;
   if (const auto by_draw = gaps_by_draw(comparison, gap.farther, gap.nearer); !by_draw.empty()) {
     gap.interval = range_over_draws(by_draw);
     if (gap.interval->low < 0.0 && gap.interval->high > 0.0) {
-      gap.standing = Standing::kDependsOnGround;
+      gap.verdict = Verdict::kDependsOnGround;
     }
     return gap;
   }

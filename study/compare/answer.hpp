@@ -10,16 +10,6 @@
 
 namespace clast {
 
-/// What is known of which of two groups runs farther.
-enum class Standing {
-  kMoreThanChance,  ///< their means differ by more than chance gives
-  kOtherSpread,  ///< runouts are distributed in another way, the means do not differ beyond chance
-  kCanBeChance,  ///< it can be chance
-  kDependsOnGround,  ///< which runs farther depends on the draw of the ground
-  kOneRealisation,   ///< of blocks that depend on each other there is one realisation only
-  kFewAtRest,        ///< too few runs of a group came to rest, or less than half of them
-};
-
 /// Where the runs of a group come to rest. Here and below `interval` is the 95 % interval; where
 /// the ground is drawn more than once (`Statement::draws`) it is the range over the draws instead,
 /// as `range_over_draws`.
@@ -41,7 +31,8 @@ struct RunoutAnswer {
 struct GapAnswer {
   std::size_t farther = 0;  ///< into Comparison::groups: the one with the larger mean
   std::size_t nearer = 0;
-  Standing standing = Standing::kFewAtRest;
+  /// Too few where few runs, or less than half of a group, came to rest.
+  Verdict verdict = Verdict::kTooFew;
   double gap = 0.0;                  ///< mean of `farther` less that of `nearer`, m
   std::optional<Interval> interval;  ///< m; none of one realisation
   /// The medians differ far less than the means: some blocks of `farther` run on, most do not.

@@ -63,9 +63,8 @@ std::vector<RealisationPassages> barrier_passages(const Comparison& comparison) 
   std::map<std::tuple<std::size_t, std::uint32_t, std::uint32_t>, RealisationPassages> found;
   const auto blocks = released(comparison);
   for (std::size_t line = 0; line < comparison.lines.size(); ++line) {
-    const std::vector<std::uint32_t>& files = comparison.lines[line].files;
     for (const auto& [key, count] : blocks) {
-      if (std::find(files.begin(), files.end(), key.first) == files.end()) continue;
+      if (!comparison.lines[line].is_in(key.first)) continue;
       RealisationPassages& of_realisation = found[{line, key.first, key.second}];
       of_realisation.line = line;
       of_realisation.file = key.first;

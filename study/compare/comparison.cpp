@@ -253,6 +253,14 @@ DepositGroup deposits_of(const Group& group, const std::vector<RunRow>& rows) {
 
 }  // namespace
 
+std::vector<const Crossing*> counted_crossings(const Comparison& comparison, std::size_t line) {
+  std::vector<const Crossing*> found(comparison.rows.size(), nullptr);
+  for (const CrossingRow& crossing : comparison.crossings) {
+    if (crossing.counted && crossing.barrier == line) found[crossing.row] = crossing.crossing;
+  }
+  return found;
+}
+
 std::string BarrierLine::direction(const Crossing& crossing) const {
   if (!of_ring()) return crossing.forward ? "forward" : "backward";
   return crossing.forward == inside_is_left(through) ? "out" : "in";
@@ -270,6 +278,10 @@ std::string BarrierLine::counted_direction() const {
       return "out";
   }
   return "either";
+}
+
+bool BarrierLine::is_in(std::uint32_t file) const {
+  return std::find(files.begin(), files.end(), file) != files.end();
 }
 
 bool BarrierLine::counted(const Crossing& crossing) const {

@@ -57,6 +57,7 @@ struct BarrierLine {
   std::string counted_direction() const;
   /// A crossing that way.
   bool counted(const Crossing& crossing) const;
+  bool is_in(std::uint32_t file) const;
   bool of_ring() const { return counts == Counts::kEntries || counts == Counts::kExits; }
 };
 
@@ -158,6 +159,10 @@ struct Comparison {
   std::vector<std::string> warnings;  ///< for example "mass differs between classes"
   std::vector<Caution> cautions;      ///< of the warnings
 };
+
+/// The crossing of a barrier that counts, for each row of the comparison; null where a run has
+/// none.
+std::vector<const Crossing*> counted_crossings(const Comparison& comparison, std::size_t line);
 
 /// What to compare beyond blocks and classes.
 struct CompareOptions {

@@ -67,8 +67,7 @@ std::vector<Outcome> outcomes_of(const Comparison& comparison, std::uint32_t fil
     outcomes[0].values.push_back(summarise(runs.runouts[member]).mean);
   }
   for (std::size_t line = 0; line < comparison.lines.size(); ++line) {
-    const std::vector<std::uint32_t>& files = comparison.lines[line].files;
-    if (std::find(files.begin(), files.end(), file) == files.end()) continue;
+    if (!comparison.lines[line].is_in(file)) continue;
     Outcome outcome{"past " + comparison.lines[line].name, {}, {}};
     for (std::uint32_t member = 0; member < runs.started.size(); ++member) {
       if (runs.started[member] == 0) continue;

@@ -5,7 +5,6 @@
 #include <map>
 #include <set>
 
-#include "core/number_text.hpp"
 #include "study/compare/realisation_deposits.hpp"
 
 namespace clast {
@@ -83,8 +82,8 @@ std::optional<Mobility> mobility_of(const Comparison& comparison, std::uint32_t 
   found.blocks = joined_values(together).size();
   found.runs = runs.size();
   found.together_runout = over_clusters(together, mean);
-  found.by_runs = single.by_cluster.size() == 1;
-  found.alone_runout = found.by_runs ? summarise(runs) : over_clusters(single, mean);
+  const bool one_point = single.by_cluster.size() == 1;
+  found.alone_runout = one_point ? summarise(runs) : over_clusters(single, mean);
   found.difference = welch_difference(found.together_runout, found.alone_runout);
   found.together_toe = over_clusters(together, [](const std::vector<double>& values) {
     return *std::max_element(values.begin(), values.end());
@@ -126,29 +125,6 @@ std::vector<Mobility> mass_mobility(const Comparison& comparison) {
     }
   }
   return all;
-}
-
-std::string in_words(const Mobility& mobility) {
-  const std::optional<Interval> interval =
-      mobility.difference ? std::optional(mobility.difference->interval) : std::nullopt;
-  const std::string text =
-      mobility.group + ": " + with_decimals(mobility.together_runout.mean, 1) + " m together, " +
-      with_decimals(mobility.alone_runout.mean, 1) + " m alone; " +
-      gap_in_words(mobility.together_runout.mean - mobility.alone_runout.mean, interval, "m");
-  std::string qualified = text;
-  if (!interval) {
-    qualified += ", without an interval";
-  } else if (interval->low <= 0.0 && interval->high >= 0.0) {
-    qualified += ", not distinguished";
-  }
-  if (mobility.starts_apart > kSameStart) {
-    qualified += "; they start " + with_decimals(mobility.starts_apart, 0) + " m apart";
-  }
-  if (std::abs(mobility.mass_ratio - 1.0) > kSameMass) {
-    qualified +=
-        "; mean mass together is " + with_digits(mobility.mass_ratio, 3) + " times that alone";
-  }
-  return qualified;
 }
 
 }  // namespace clast

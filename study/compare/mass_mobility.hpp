@@ -17,19 +17,19 @@ namespace clast {
 /// terrain to themselves. Runouts are of blocks that came to rest, along downslope from the start
 /// of each.
 struct Mobility {
-  std::uint32_t file = 0;                    ///< of realisations
-  std::uint32_t alone = 0;                   ///< file of single runs
-  std::string group;                         ///< "all", or "class compact"
-  std::size_t blocks = 0;                    ///< in all realisations
-  std::size_t runs = 0;                      ///< of single blocks
-  Summary together_runout;                   ///< over realisations, of the mean of each, m
-  Summary alone_runout;                      ///< over release points, of the mean of each, m
-  bool by_runs = false;                      ///< there is one release point: over runs
-  std::optional<MeanDifference> difference;  ///< together less alone, m; as `welch_difference`
-  Summary together_toe;                      ///< over realisations, of the largest runout, m
-  double starts_apart = 0.0;                 ///< distance in plan of the mean starts of both, m
-  double mass_ratio = 1.0;  ///< mean mass of the blocks together over that of those alone
-  double alone_toe = NAN;   ///< expected largest of as many single runs as realisations have, m
+  std::uint32_t file = 0;   ///< of realisations
+  std::uint32_t alone = 0;  ///< file of single runs
+  std::string group;        ///< "all", or "class compact"
+  std::size_t blocks = 0;   ///< in all realisations
+  std::size_t runs = 0;     ///< of single blocks
+  Summary together_runout;  ///< over realisations, of the mean of each, m
+  Summary
+      alone_runout;     ///< over release points, of the mean of each, m; over the runs of one point
+  Contrast difference;  ///< together less alone, m; as `welch_difference`
+  Summary together_toe;       ///< over realisations, of the largest runout, m
+  double starts_apart = 0.0;  ///< distance in plan of the mean starts of both, m
+  double mass_ratio = 1.0;    ///< mean mass of the blocks together over that of those alone
+  double alone_toe = NAN;     ///< expected largest of as many single runs as realisations have, m
 };
 
 /// Mean starts up to this distance are the same place, m.
@@ -48,9 +48,5 @@ double expected_largest(std::span<const double> values, double count);
 /// that both have; of all blocks and of each class (compact, elongated). Groups without a block at
 /// rest in either are left out.
 std::vector<Mobility> mass_mobility(const Comparison& comparison);
-
-/// "class compact: 12.1 m together, 15.3 m alone; 3.2 m less (1.1 to 5.3 m)", and how far apart
-/// they start and how their masses differ, where that is more than `kSameStart` or `kSameMass`.
-std::string in_words(const Mobility& mobility);
 
 }  // namespace clast

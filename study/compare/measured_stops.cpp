@@ -162,11 +162,7 @@ BootstrapIntervals bootstrap_intervals(
     medians.push_back(quantile(a, 0.5) - quantile(b, 0.5));
     distances.push_back(largest_distance(a, b));
   }
-  const auto interval = [](std::vector<double>& values) {
-    std::sort(values.begin(), values.end());
-    return Interval{quantile(values, 0.025), quantile(values, 0.975)};
-  };
-  return {interval(medians), interval(distances)};
+  return {percentile_interval(std::move(medians)), percentile_interval(std::move(distances))};
 }
 
 constexpr std::size_t kMostCurvePoints = 100;  // of a curve
@@ -195,12 +191,10 @@ StopCurve curve_of(const ClusteredValues& stops, std::size_t clusters, bool band
 
 }  // namespace
 
-Agreement agreement(const MeasuredGroup& group) {
-  if (group.measured < kFewestMeasured) return Agreement::kFew;
-  if (!group.median_difference) return Agreement::kOneRealisation;
-  if (group.median_difference->low > 0.0) return Agreement::kFarther;
-  if (group.median_difference->high < 0.0) return Agreement::kNearer;
-  return *group.p_holm < 0.05 ? Agreement::kOtherSpread : Agreement::kAgree;
+Verdict verdict_of(const MeasuredGroup& group) {
+  if (group.measured < kFewestMeasured) return Verdict::kTooFew;
+  const Verdict verdict = group.medians.verdict();
+  return verdict == Verdict::kOneOfMany ? Verdict::kMoreThanChance : verdict;
 }
 
 MeasuredStops read_measured_stops(const std::filesystem::path& path) {
@@ -241,7 +235,6 @@ void compare_stops(const Comparison& comparison, MeasuredStops& measured) {
     stop.runout = offset.along;
     stop.lateral = offset.lateral;
   }
-  std::vector<double> p_values;
   for (std::size_t g = 0; g < comparison.groups.size(); ++g) {
     const Group& group = comparison.groups[g];
     if (group.file) continue;
@@ -272,25 +265,21 @@ void compare_stops(const Comparison& comparison, MeasuredStops& measured) {
     found.quartiles = quartiles_of(seen);
     found.simulated_runout = summarise(simulated).mean;
     found.simulated_quartiles = quartiles_of(simulated);
+    found.medians.estimate = found.quartiles.median - found.simulated_quartiles.median;
     found.cliffs_delta = *cliffs_delta(seen, simulated);
     found.ks_distance = test.statistic;
     const bool tested = !clusters.is_one_realisation();
     if (tested) {
       const BootstrapIntervals intervals = bootstrap_intervals(seen, by_cluster);
-      found.median_difference = intervals.median_difference;
+      found.medians.interval = intervals.median_difference;
       found.ks_interval = intervals.ks_distance;
-      found.p_value = test.p_value;
-      p_values.push_back(test.p_value);
+      found.medians.p_value = test.p_value;
     }
     found.curve = curve_of({seen, std::vector<std::uint32_t>(seen.size(), 0)}, 1);
     found.simulated_curve = curve_of({simulated, cluster_of_run}, clusters.count(), tested);
     measured.groups.push_back(std::move(found));
   }
-  const std::vector<double> corrected = holm(p_values);
-  std::size_t next = 0;
-  for (MeasuredGroup& group : measured.groups) {
-    if (group.p_value) group.p_holm = corrected[next++];
-  }
+  correct_family(measured.groups, &MeasuredGroup::medians);
 }
 
 }  // namespace clast

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "core/statistics/statistics.hpp"
+#include "core/statistics/contrast.hpp"
 #include "core/types.hpp"
 
 namespace clast {
@@ -45,29 +45,21 @@ struct MeasuredGroup {
   Quartiles quartiles;            ///< of the measured runouts, m
   double simulated_runout = 0.0;  ///< mean, m
   Quartiles simulated_quartiles;
-  /// 95 %, of measured less simulated median, m; none where the runs are of one realisation.
-  std::optional<Interval> median_difference;
+  /// Measured less simulated median, m. The test is that of the distance of the distributions,
+  /// corrected for all groups; there is none where the runs are of one realisation.
+  Contrast medians;
   double cliffs_delta = 0.0;  ///< measured against simulated runout
   double ks_distance = 0.0;
   std::optional<Interval> ks_interval;  ///< 95 %, of the distance; none of one realisation
-  std::optional<double> p_value;        ///< none of one realisation
-  std::optional<double> p_holm;         ///< corrected for all groups
   StopCurve curve, simulated_curve;
 };
 
-/// How field and simulation go together.
-enum class Agreement {
-  kAgree,           ///< no difference is seen
-  kFarther,         ///< the median is farther in the field
-  kNearer,          ///< ... less far in the field
-  kOtherSpread,     ///< medians agree, the distributions do not
-  kFew,             ///< fewer than `kFewestMeasured` stops
-  kOneRealisation,  ///< the runs are of one realisation, which can't tell what is chance
-};
+/// Fewer stops of a group say too little.
 inline constexpr std::size_t kFewestMeasured = 5;
 
-/// By the interval of the difference of the medians, then by the test.
-Agreement agreement(const MeasuredGroup& group);
+/// How field and simulation go together: more than chance where the interval of the medians
+/// excludes zero, whatever the test says.
+Verdict verdict_of(const MeasuredGroup& group);
 
 struct MeasuredStops {
   std::filesystem::path file;

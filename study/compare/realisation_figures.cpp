@@ -3,14 +3,11 @@
 #include <cmath>
 
 #include "core/angle.hpp"
-#include "core/number_text.hpp"
-#include "core/statistics/group_differences.hpp"
 #include "study/compare/differences.hpp"
 
 namespace clast {
 namespace {
 
-constexpr double kLevel = 0.05;  ///< of tests
 constexpr Interval kPositive{0.0, INFINITY};
 constexpr Interval kPossibleShare{0.0, 1.0};
 
@@ -40,30 +37,13 @@ std::vector<FigureDifference> pairs_of(const std::vector<std::vector<FigureOfFil
   for (std::size_t i = 0; i < by_file.size(); ++i) {
     for (std::size_t k = i + 1; k < by_file.size(); ++k) {
       for (std::size_t figure = 0; figure < realisation_figures().size(); ++figure) {
-        FigureDifference pair;
-        pair.first = by_file[i][figure];
-        pair.second = by_file[k][figure];
-        if (pair.first.summary.count == 0 || pair.second.summary.count == 0) continue;
-        pair.welch = welch_difference(pair.first.summary, pair.second.summary);
-        pairs.push_back(pair);
+        const FigureOfFile &first = by_file[i][figure], &second = by_file[k][figure];
+        if (first.summary.count == 0 || second.summary.count == 0) continue;
+        pairs.push_back({welch_difference(first.summary, second.summary), first, second});
       }
     }
   }
   return pairs;
-}
-
-void correct_p(std::vector<FigureDifference>& differences) {
-  std::vector<double> p_values;
-  for (const FigureDifference& one : differences) {
-    if (one.welch) p_values.push_back(one.welch->p_value);
-  }
-  const std::vector<double> corrected = holm(p_values);
-  std::size_t next = 0;
-  for (FigureDifference& one : differences) {
-    if (!one.welch) continue;
-    one.p_holm = corrected[next++];
-    one.tests = corrected.size();
-  }
 }
 
 }  // namespace
@@ -140,49 +120,8 @@ FiguresOfFiles figures_of_files(const std::vector<RealisationDeposit>& realisati
   }
   if (by_file.size() > kMostGroups) return found;
   found.differences = pairs_of(by_file);
-  correct_p(found.differences);
+  correct_family(found.differences);
   return found;
-}
-
-Distinction distinction_of(const FigureDifference& difference) {
-  if (!difference.welch) return Distinction::kUnknown;
-  const Interval& interval = difference.welch->interval;
-  if (interval.low <= 0.0 && interval.high >= 0.0) return Distinction::kNotDistinguished;
-  return difference.p_holm < kLevel ? Distinction::kDistinguished : Distinction::kOneOfMany;
-}
-
-std::string gap_in_words(const FigureDifference& difference) {
-  const std::optional<Interval> interval =
-      difference.welch ? std::optional(difference.welch->interval) : std::nullopt;
-  return gap_in_words(difference.difference(), interval,
-                      realisation_figures()[difference.first.figure].unit);
-}
-
-std::string in_words(const FigureDifference& difference) {
-  const RealisationFigure& figure = realisation_figures()[difference.first.figure];
-  const auto mean = [&](const FigureOfFile& of_file) {
-    return "file " + std::to_string(of_file.file + 1) + " " +
-           with_decimals(of_file.summary.mean, figure.decimals) +
-           (figure.unit.empty() ? "" : " " + figure.unit);
-  };
-  const std::string text = figure.words + ": " + mean(difference.first) + ", " +
-                           mean(difference.second) + "; " + gap_in_words(difference) + ", from " +
-                           std::to_string(difference.first.summary.count) + " and " +
-                           counted(difference.second.summary.count, "realisation");
-  switch (distinction_of(difference)) {
-    case Distinction::kDistinguished:
-      return text;
-    case Distinction::kOneOfMany:
-      return text + "; one of " + std::to_string(difference.tests) +
-             " differences can be as large by chance";
-    case Distinction::kNotDistinguished:
-      return text + "; not distinguished";
-    case Distinction::kUnknown:
-      break;
-  }
-  const bool few = difference.first.summary.count < 2 || difference.second.summary.count < 2;
-  return text + (few ? "; an interval takes two realisations of each file"
-                     : "; no interval, since realisations do not differ");
 }
 
 }  // namespace clast

@@ -35,25 +35,12 @@ struct FigureOfFile {
   std::optional<Interval> interval;  ///< 95 %, of the mean; as `mean_interval`
 };
 
-/// A figure of one file less that of another.
-struct FigureDifference {
+/// A figure of one file less that of another, as `welch_difference`; corrected for all that are
+/// tested.
+struct FigureDifference : Contrast {
   FigureOfFile first;
   FigureOfFile second;
-  std::optional<MeanDifference> welch;  ///< as `welch_difference`
-  double p_holm = 1.0;                  ///< of `welch`, corrected for all that are tested
-  std::size_t tests = 0;                ///< that it is corrected for
-
-  double difference() const { return first.summary.mean - second.summary.mean; }
 };
-
-/// What a difference between files means.
-enum class Distinction {
-  kDistinguished,     ///< the interval excludes zero, the corrected p is below 5 %
-  kOneOfMany,         ///< the interval excludes zero, but one of so many does that by chance
-  kNotDistinguished,  ///< the interval holds zero
-  kUnknown,           ///< there is no interval
-};
-Distinction distinction_of(const FigureDifference& difference);
 
 struct FiguresOfFiles {
   std::vector<FigureOfFile> files;  ///< by file, then figure; figures without a value left out
@@ -61,12 +48,5 @@ struct FiguresOfFiles {
   std::vector<FigureDifference> differences;
 };
 FiguresOfFiles figures_of_files(const std::vector<RealisationDeposit>& realisations);
-
-/// "travel angle: file 1 31.2 deg, file 2 28.4 deg; 2.8 deg more (1.1 to 4.5 deg), from 4 and 4
-/// realisations", and whether that can be chance.
-std::string in_words(const FigureDifference& difference);
-
-/// "2.8 deg more (1.1 to 4.5 deg)": the first against the second.
-std::string gap_in_words(const FigureDifference& difference);
 
 }  // namespace clast

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <cmath>
 #include <limits>
 #include <map>
@@ -15,6 +14,7 @@
 #include "core/files/text_file.hpp"
 #include "core/number_text.hpp"
 #include "core/printable.hpp"
+#include "core/utf8.hpp"
 #include "mesh/reference_system.hpp"
 #include "terrain/gdal/detail/esri_grid.hpp"
 #include "terrain/gdal/detail/gdal_session.hpp"
@@ -162,10 +162,8 @@ void check_zunits(const std::filesystem::path& path) {
     std::istringstream words(line);
     std::string key, unit;
     words >> key >> unit;
-    for (std::string* word : {&key, &unit}) {
-      for (char& c : *word) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-    }
-    if (key == "zunits" && unit != "no") check_height_unit(path, unit);
+    unit = lower_case(unit);
+    if (lower_case(key) == "zunits" && unit != "no") check_height_unit(path, unit);
   }
 }
 
@@ -190,12 +188,9 @@ std::vector<std::string> check_raster_map(const std::filesystem::path& path,
 
 void check_height_unit(const std::filesystem::path& path, const std::string& unit) {
   // "US survey foot", "m a.s.l.", "[m]", "metre (EGM96)"
-  std::string text;
-  for (const char c : unit) {
-    if (c != '[' && c != ']' && c != '(' && c != ')' && c != '"') {
-      text += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-    }
-  }
+  std::string text = lower_case(unit);
+  std::erase_if(text,
+                [](char c) { return std::string_view("[]()\"").find(c) != std::string::npos; });
   std::vector<std::string> words;
   std::istringstream stream(text);
   for (std::string word; stream >> word;) words.push_back(word);

@@ -10,11 +10,10 @@
 #include "core/random.hpp"
 #include "report/comparison_report.hpp"
 #include "report/tables/comparison_provenance.hpp"
-#include "report/tables/group_tables.hpp"
-#include "report/tables/run_tables.hpp"
 #include "study/compare/comparison.hpp"
 #include "tests/study/csv_reader.hpp"
 #include "tests/study/hand_made_results.hpp"
+#include "tests/study/table_csv.hpp"
 #include "tests/support/refusal.hpp"
 #include "tests/support/scratch_folder.hpp"
 
@@ -22,7 +21,7 @@ namespace clast {
 namespace {
 
 TEST(RunsTable, StartsWithTheAgreedColumns) {
-  const std::string text = runs_csv(compared(hand_made_results()));
+  const std::string text = table_csv(compared(hand_made_results()), "runs");
   EXPECT_TRUE(text.starts_with(
       "run,block,class,shape,point,orientation,stop_reason,duration_s,stop_x_m,stop_y_m,stop_z_m,"
       "runout_m,lateral_deg,max_speed_m_s,max_penetration_m,energy_error,"));
@@ -36,7 +35,7 @@ TEST(RunsTable, ReadsBackToTheSameBits) {
     run.result.duration = 1.0 / 3.0 + random.uniform();
   }
   const Comparison comparison = compared(std::move(results));
-  const CsvTable table = read_csv(runs_csv(comparison));
+  const CsvTable table = read_csv(table_csv(comparison, "runs"));
   ASSERT_EQ(table.rows.size(), comparison.rows.size());
   for (std::size_t i = 0; i < table.rows.size(); ++i) {
     const RunRow& row = comparison.rows[i];
@@ -58,14 +57,14 @@ TEST(RunsTable, UnknownNumbersAreEmptyAndMessagesSurviveTheirCommas) {
   results.runs[1].result.stop_reason = StopReason::kError;
   results.runs[1].result.message = "step 3, block \"a\"\nlost";
   results.runs[1].result.final_state.position = Vec3::Constant(NAN);
-  const CsvTable table = read_csv(runs_csv(compared(std::move(results))));
+  const CsvTable table = read_csv(table_csv(compared(std::move(results)), "runs"));
   EXPECT_EQ(table.rows[1].at("stop_x_m"), "");
   EXPECT_EQ(table.rows[1].at("runout_m"), "");
   EXPECT_EQ(table.rows[1].at("message"), "step 3, block \"a\"\nlost");
 }
 
 TEST(BarriersTable, HoldsTheSummariesOfEveryGroup) {
-  const CsvTable table = read_csv(barriers_csv(compared(hand_made_results())));
+  const CsvTable table = read_csv(table_csv(compared(hand_made_results()), "barriers"));
   EXPECT_EQ(table.rows.size(), 14u);  // two barriers, seven groups
   const std::size_t compact = table.find("group", "class compact");
   EXPECT_EQ(table.rows[compact].at("barrier"), "B<1>");
@@ -81,7 +80,7 @@ TEST(BarriersTable, HoldsTheSummariesOfEveryGroup) {
 }
 
 TEST(BarriersTable, GroupWithoutCrossingsHasEmptyStatistics) {
-  const CsvTable table = read_csv(barriers_csv(compared(hand_made_results())));
+  const CsvTable table = read_csv(table_csv(compared(hand_made_results()), "barriers"));
   for (const auto& row : table.rows) {
     if (row.at("barrier") != "B2" || row.at("group") != "class elongated") continue;
     EXPECT_EQ(row.at("crossings"), "0");
@@ -95,7 +94,7 @@ TEST(BarriersTable, GroupWithoutCrossingsHasEmptyStatistics) {
 TEST(CrossingsTable, HoldsAllInOrderOfRunAndTimeOnTheMap) {
   CampaignResults results = hand_made_results();
   std::reverse(results.crossings.begin(), results.crossings.end());
-  const CsvTable table = read_csv(crossings_csv(compared(std::move(results))));
+  const CsvTable table = read_csv(table_csv(compared(std::move(results)), "crossings"));
   ASSERT_EQ(table.rows.size(), 7u);
   const std::vector<std::string> runs = {"1", "1", "1", "2", "3", "3", "5"};
   for (std::size_t i = 0; i < 7; ++i) EXPECT_EQ(table.rows[i].at("run"), runs[i]);
@@ -124,7 +123,7 @@ TEST(BarriersTable, ARingCountsItsFirstEntryAndItsFirstExit) {
                          crossing(1, 3.0, 9.0, true), crossing(3, 1.2, 6.0, false),
                          crossing(3, 1.4, 4.0, true)};
     const Comparison comparison = compared(std::move(results));
-    const CsvTable crossings = read_csv(crossings_csv(comparison));
+    const CsvTable crossings = read_csv(table_csv(comparison, "crossings"));
     const std::vector<std::array<const char*, 3>> expected = {{"B<1> (out)", "out", "1"},
                                                               {"B<1> (in)", "in", "1"},
                                                               {"B<1> (out)", "out", "0"},
@@ -136,7 +135,7 @@ TEST(BarriersTable, ARingCountsItsFirstEntryAndItsFirstExit) {
       EXPECT_EQ(crossings.rows[i].at("direction"), expected[i][1]);
       EXPECT_EQ(crossings.rows[i].at("counted"), expected[i][2]);
     }
-    const CsvTable barriers = read_csv(barriers_csv(comparison));
+    const CsvTable barriers = read_csv(table_csv(comparison, "barriers"));
     const std::size_t in = barriers.find("barrier", "B<1> (in)"),
                       out = barriers.find("barrier", "B<1> (out)");
     EXPECT_EQ(barriers.rows[in].at("group"), "all");
@@ -148,7 +147,7 @@ TEST(BarriersTable, ARingCountsItsFirstEntryAndItsFirstExit) {
 }
 
 TEST(DepositsTable, HoldsEveryGroupInDegreesAndMapMetres) {
-  const CsvTable table = read_csv(deposits_csv(compared(hand_made_results())));
+  const CsvTable table = read_csv(table_csv(compared(hand_made_results()), "deposits"));
   EXPECT_EQ(table.rows.size(), 7u);
   const std::size_t elongated = table.find("group", "class elongated");
   EXPECT_EQ(table.number(elongated, "count"), 2.0);
@@ -162,10 +161,10 @@ TEST(Tables, HaveTheSameBytesForEqualResultsInFilesOfOtherNames) {
   CampaignResults renamed = hand_made_results();
   renamed.file = "elsewhere/eight-threads.h5";
   const Comparison a = compared(hand_made_results()), b = compared(std::move(renamed));
-  EXPECT_EQ(runs_csv(a), runs_csv(b));
-  EXPECT_EQ(barriers_csv(a), barriers_csv(b));
-  EXPECT_EQ(crossings_csv(a), crossings_csv(b));
-  EXPECT_EQ(deposits_csv(a), deposits_csv(b));
+  EXPECT_EQ(table_csv(a, "runs"), table_csv(b, "runs"));
+  EXPECT_EQ(table_csv(a, "barriers"), table_csv(b, "barriers"));
+  EXPECT_EQ(table_csv(a, "crossings"), table_csv(b, "crossings"));
+  EXPECT_EQ(table_csv(a, "deposits"), table_csv(b, "deposits"));
 }
 
 TEST(ImpactsTable, HoldsEveryImpactOnTheMap) {
@@ -181,7 +180,7 @@ TEST(ImpactsTable, HoldsEveryImpactOnTheMap) {
   impact.depth = 0.02;
   results.impacts = {impact, impact};
   results.impacts[1].run = 5;
-  const CsvTable table = read_csv(impacts_csv(compared(std::move(results))));
+  const CsvTable table = read_csv(table_csv(compared(std::move(results)), "impacts"));
   ASSERT_EQ(table.rows.size(), 2u);
   EXPECT_EQ(table.rows[0].at("run"), "3");
   EXPECT_EQ(table.rows[0].at("block"), "round<1>");
@@ -198,7 +197,7 @@ TEST(GroundSetsTable, HoldsTheParametersOfEveryZone) {
   CampaignResults results = hand_made_results();
   results.ground_sets = {{"", 0, results.ground},
                          {"schist", 0, {{0.02, 0.5, 0.1}, {0.03, 0.4, 0.2}}}};
-  const CsvTable table = read_csv(ground_sets_csv(compared(std::move(results))));
+  const CsvTable table = read_csv(table_csv(compared(std::move(results)), "ground_sets"));
   ASSERT_EQ(table.rows.size(), 4u);
   EXPECT_EQ(table.rows[3].at("block_group"), "schist");
   EXPECT_EQ(table.rows[3].at("zone"), "scree");

@@ -243,21 +243,21 @@ TEST(PopulationPage, BlocksNearALimitSaySo) {
 
 TEST(PopulationTables, SharesAndSizesAreThoseOfTheSummary) {
   const PopulationReport report = report_of({blocks("a", 30), blocks("b", 20, false)});
-  const CsvTable shares = read_csv(shares_csv(report));
+  const CsvTable shares = read_csv(table_named(population_tables(), "shares").csv(report));
   EXPECT_EQ(shares.rows.size(), 2u * (10 + 4 + 2));
   const ClassShare& first = report.populations[0].summary.schemes[0].shares[0];
   EXPECT_EQ(shares.number(0, "blocks"), double(first.count));
   EXPECT_EQ(shares.number(0, "mass_share_high"), first.mass_high);
   EXPECT_EQ(shares.rows[16].at("population"), "b");
   EXPECT_EQ(shares.rows[16].at("mass_share"), "");
-  const CsvTable sizes = read_csv(sizes_csv(report));
+  const CsvTable sizes = read_csv(table_named(population_tables(), "sizes").csv(report));
   const std::size_t d50 = sizes.find("quantity", "d50");
   EXPECT_EQ(sizes.number(d50, "value"), report.populations[0].summary.size.by_number.d50);
   EXPECT_EQ(sizes.rows[d50].at("unit"), "m");
   const std::size_t d63 = sizes.find("quantity", "rosin_rammler_d63");
   EXPECT_EQ(sizes.number(d63, "standard_error"),
             report.populations[0].summary.size.by_number.laws[1].location_error);
-  const CsvTable tests = read_csv(tests_csv(report));
+  const CsvTable tests = read_csv(table_named(population_tables(), "tests").csv(report));
   EXPECT_EQ(tests.rows.size(), 3u + 3u + 3u + 3u);
   EXPECT_EQ(tests.number(6, "statistic"), report.comparison->measures[0].test->statistic);
 }
@@ -270,7 +270,7 @@ TEST(PopulationTables, TheJsonHasTheFiguresOfTheTables) {
   write_population_json(text, report);
   const auto json = nlohmann::json::parse(text.str());
 
-  const CsvTable shares = read_csv(shares_csv(report));
+  const CsvTable shares = read_csv(table_named(population_tables(), "shares").csv(report));
   std::size_t row = 0;
   for (const std::string& scheme : report.options.schemes) {
     for (const auto& share : json["population"][scheme]) {

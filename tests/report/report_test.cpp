@@ -28,10 +28,7 @@ namespace {
 
 using namespace report_detail;
 
-std::string comparison_report(const Comparison& comparison) {
-  return comparison_page(comparison, profiles(comparison), path_rasters(comparison),
-                         realisation_deposits(comparison));
-}
+std::string comparison_report(const Comparison& comparison) { return comparison_page(comparison); }
 
 TEST(HtmlReport, TagsAreBalanced) {
   EXPECT_EQ(unbalanced(comparison_report(compared(hand_made_results()))), "");

@@ -1,13 +1,13 @@
 #include <gtest/gtest.h>
 
 #include "core/files/text_file.hpp"
-#include "report/tables/comparison_columns.hpp"
-#include "report/tables/population_columns.hpp"
+#include "report/tables/comparison_tables.hpp"
+#include "report/tables/population_tables.hpp"
 #include "study/results/detail/results_layout.hpp"
+#include "tests/study/hand_made_results.hpp"
 
 namespace clast {
 
-using namespace report_detail;
 using namespace study_detail;
 namespace {
 
@@ -31,10 +31,9 @@ std::string lines_of(const std::vector<DocumentedColumn>& columns) {
   return lines;
 }
 
-template <class Row>
-std::string lines_of(const TableColumns<Row>& columns) {
+std::string lines_of(const TableValues& columns) {
   std::vector<DocumentedColumn> documented;
-  for (const TableColumn<Row>& column : columns) {
+  for (const ColumnValues& column : columns) {
     documented.push_back({column.name, cell(column.unit) + cell(column.meaning)});
   }
   return lines_of(documented);
@@ -81,34 +80,21 @@ TEST_P(TableColumnsOf, AreThoseOfTheDocument) {
   EXPECT_EQ(docs.substr(begin, docs.find("\n\n", begin) + 1 - begin), GetParam().lines);
 }
 
-INSTANTIATE_TEST_SUITE_P(
-    Csv, TableColumnsOf,
-    testing::Values(Table{"runs.csv", lines_of(run_columns())},
-                    Table{"barriers.csv", lines_of(barrier_columns())},
-                    Table{"crossings.csv", lines_of(crossing_columns())},
-                    Table{"deposits.csv", lines_of(deposit_columns())},
-                    Table{"impacts.csv", lines_of(impact_columns())},
-                    Table{"ground_sets.csv", lines_of(ground_set_columns())},
-                    Table{"effects.csv", lines_of(effect_columns())},
-                    Table{"trends.csv", lines_of(trend_columns())},
-                    Table{"responses.csv", lines_of(response_columns())},
-                    Table{"ensemble.csv", lines_of(ensemble_columns())},
-                    Table{"stays.csv", lines_of(stay_columns())},
-                    Table{"realisations.csv", lines_of(realisation_columns())},
-                    Table{"realisation_figures.csv", lines_of(realisation_figure_columns())},
-                    Table{"realisation_differences.csv",
-                          lines_of(realisation_difference_columns())},
-                    Table{"passages.csv", lines_of(passage_columns())},
-                    Table{"passage_curves.csv", lines_of(passage_curve_columns())},
-                    Table{"energies.csv", lines_of(energy_columns())},
-                    Table{"mobility.csv", lines_of(mobility_columns())},
-                    Table{"differences.csv", lines_of(difference_columns())},
-                    Table{"profiles.csv", lines_of(profile_columns())},
-                    Table{"measured.csv", lines_of(measured_columns())},
-                    Table{"classes.csv", lines_of(class_columns(scheme_names(), {}))},
-                    Table{"shares.csv", lines_of(share_columns())},
-                    Table{"sizes.csv", lines_of(size_columns())},
-                    Table{"tests.csv", lines_of(test_columns())}));
+std::vector<Table> csv_tables() {
+  std::vector<Table> tables;
+  const Comparison comparison = compared(hand_made_results());
+  for (const ComparisonTable& table : comparison_tables()) {
+    tables.push_back({table.name + ".csv", lines_of(table.values(comparison))});
+  }
+  PopulationReport report;
+  report.options.schemes = scheme_names();
+  for (const PopulationTable& table : population_tables()) {
+    tables.push_back({table.name + ".csv", lines_of(table.values(report))});
+  }
+  return tables;
+}
+
+INSTANTIATE_TEST_SUITE_P(Csv, TableColumnsOf, testing::ValuesIn(csv_tables()));
 
 class ResultsColumnsOf : public testing::TestWithParam<Table> {};
 

@@ -1,14 +1,11 @@
 // Tables as columns of values hold what their CSV files hold.
-#include "report/tables/table_values.hpp"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "report/tables/group_tables.hpp"
-#include "report/tables/run_tables.hpp"
 #include "tests/study/csv_reader.hpp"
 #include "tests/study/hand_made_results.hpp"
+#include "tests/study/table_csv.hpp"
 #include "tests/support/refusal.hpp"
 
 namespace clast {
@@ -38,20 +35,14 @@ void expect_same(const TableValues& values, const std::string& csv) {
 TEST(TableValues, AreThoseOfTheCsvFiles) {
   const Comparison comparison = compared(hand_made_results());
   ASSERT_GT(comparison.rows.size(), 1u);
-  expect_same(comparison_table(comparison, "runs"), runs_csv(comparison));
-  expect_same(comparison_table(comparison, "crossings"), crossings_csv(comparison));
-  expect_same(comparison_table(comparison, "impacts"), impacts_csv(comparison));
-  expect_same(comparison_table(comparison, "barriers"), barriers_csv(comparison));
-  expect_same(comparison_table(comparison, "deposits"), deposits_csv(comparison));
-  expect_same(comparison_table(comparison, "differences"), differences_csv(comparison));
-  expect_same(comparison_table(comparison, "effects"), effects_csv(comparison));
-  expect_same(comparison_table(comparison, "trends"), trends_csv(comparison));
-  expect_same(comparison_table(comparison, "responses"), responses_csv(comparison));
-  expect_same(comparison_table(comparison, "ground_sets"), ground_sets_csv(comparison));
+  for (const ComparisonTable& table : comparison_tables()) {
+    expect_same(table.values(comparison), table.csv(comparison));
+  }
 }
 
 TEST(TableValues, CountsStayCountsAndTextsTexts) {
-  const TableValues runs = comparison_table(compared(hand_made_results()), "runs");
+  const TableValues runs =
+      table_named(comparison_tables(), "runs").values(compared(hand_made_results()));
   ASSERT_EQ(runs[0].name, "run");
   EXPECT_TRUE(std::holds_alternative<std::vector<std::uint64_t>>(runs[0].values));
   ASSERT_EQ(runs[1].name, "block");
@@ -59,13 +50,9 @@ TEST(TableValues, CountsStayCountsAndTextsTexts) {
   EXPECT_FALSE(runs[0].meaning.empty());
 }
 
-TEST(TableValues, EveryNameIsATableAndOthersAreRefused) {
-  const Comparison comparison = compared(hand_made_results());
-  for (const std::string& name : comparison_table_names()) {
-    EXPECT_FALSE(comparison_table(comparison, name).empty()) << name;
-  }
-  EXPECT_TRUE(contains(refusal([&] { comparison_table(comparison, "colours"); }),
-                       "\"colours\" is no table; there are runs, barriers"));
+TEST(ComparisonTables, OthersAreRefused) {
+  EXPECT_TRUE(contains(refusal([] { table_named(comparison_tables(), "colours"); }),
+                       "\"colours\" is no table; there are runs, crossings"));
 }
 
 }  // namespace

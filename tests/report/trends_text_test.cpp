@@ -19,8 +19,8 @@ ShapeTrend trend(const std::string& property, double correlation, double p) {
   found.runs = 1584;
   found.trend = {correlation, p, false};
   found.corrected_p = p;
-  found.halves.difference = 5.2;
-  found.halves.interval = {3.1, 7.3};
+  found.halves.estimate = 5.2;
+  found.halves.interval = Interval{3.1, 7.3};
   found.smallest = 3.0;
   return found;
 }
@@ -40,8 +40,8 @@ TEST(TrendsText, SaysWhatRisesAndFallsAndWhatCouldBeFound) {
 
 TEST(TrendsText, SaysWhetherADifferenceIsWithinTheMargin) {
   ShapeTrend none = trend("S/L", 0.1, 0.5);
-  none.halves.difference = 0.2;
-  none.halves.interval = {-0.5, 0.9};
+  none.halves.estimate = 0.2;
+  none.halves.interval = Interval{-0.5, 0.9};
   none.equivalence = 0.004;
   none.runs_needed = 3564.0;
   const std::string within = trend_sentences({{0, {none}}}, 2.0).back();
@@ -49,7 +49,7 @@ TEST(TrendsText, SaysWhetherADifferenceIsWithinTheMargin) {
   EXPECT_TRUE(contains(within, "and 2 m with 3600 runs")) << within;
   none.equivalence = 0.3;
   EXPECT_TRUE(contains(trend_sentences({{0, {none}}}, 2.0).back(), "not shown to be within +-2 m"));
-  none.halves.interval = {2.5, 4.0};
+  none.halves.interval = Interval{2.5, 4.0};
   EXPECT_TRUE(contains(trend_sentences({{0, {none}}}, 2.0).back(), ", more than +-2 m;"));
   EXPECT_EQ(trend_sentences({{0, {none}}}, 2.0).front(),
             "Runout has no trend with S/L beyond chance.");

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "core/error.hpp"
+#include "core/statistics/group_differences.hpp"
 #include "study/campaign/barrier_line.hpp"
 
 namespace clast::study_detail {
@@ -183,9 +184,7 @@ std::optional<BarrierGroup> group_at_line(const std::vector<CampaignResults>& re
   RunClusters clusters(results);
   ClusteredValues hits;
   for (const std::size_t row : members) {
-    if (std::find(line.files.begin(), line.files.end(), rows[row].file) == line.files.end()) {
-      continue;
-    }
+    if (!line.is_in(rows[row].file)) continue;
     // Whether a run that failed would have passed is not known.
     if (rows[row].record->result.stop_reason == StopReason::kError) continue;
     ++started;

@@ -32,17 +32,13 @@ std::vector<RunOutcome> run_outcomes(const Comparison& comparison, std::uint32_t
   }
   for (std::size_t line = 0; line < comparison.lines.size(); ++line) {
     const BarrierLine& barrier = comparison.lines[line];
-    if (std::find(barrier.files.begin(), barrier.files.end(), file) == barrier.files.end()) {
-      continue;
-    }
-    std::set<const RunRow*> passed;
-    for (const CrossingRow& crossing : comparison.crossings) {
-      if (crossing.counted && crossing.barrier == line) {
-        passed.insert(&comparison.rows[crossing.row]);
-      }
-    }
+    if (!barrier.is_in(file)) continue;
+    const std::vector<const Crossing*> crossings = counted_crossings(comparison, line);
     RunOutcome outcome{"passing " + barrier.name, "", {}};
-    for (const RunRow* row : rows) outcome.values.push_back(passed.contains(row) ? 1.0 : 0.0);
+    for (const RunRow* row : rows) {
+      const auto index = static_cast<std::size_t>(row - comparison.rows.data());
+      outcome.values.push_back(crossings[index] ? 1.0 : 0.0);
+    }
     outcomes.push_back(std::move(outcome));
   }
   return outcomes;

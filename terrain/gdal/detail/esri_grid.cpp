@@ -13,6 +13,7 @@
 #include "core/files/text_file.hpp"
 #include "core/in_context.hpp"
 #include "core/printable.hpp"
+#include "core/utf8.hpp"
 
 namespace clast::terrain_detail {
 namespace {
@@ -23,9 +24,7 @@ constexpr std::array<std::string_view, 11> kHeaderWords = {
 constexpr std::string_view kGridBlank = " \t\r\n\v\f";
 
 std::string lower_word(std::string_view text, std::size_t at) {
-  std::string word(text.substr(at, text.find_first_of(kGridBlank, at) - at));
-  for (char& c : word) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return word;
+  return lower_case(text.substr(at, text.find_first_of(kGridBlank, at) - at));
 }
 
 /// Where the heights begin: behind the lines that begin with a word of the header.

@@ -71,7 +71,7 @@ Shares shares_of(const CrossedStudy& study, double margin) {
     shares.found += found->p_value < 0.05 ? 1.0 / kStudies : 0.0;
     shares.equivalent += equivalence_p(*found, margin) < 0.05 ? 1.0 / kStudies : 0.0;
     shares.held +=
-        found->interval.low <= study.difference && study.difference <= found->interval.high
+        found->interval->low <= study.difference && study.difference <= found->interval->high
             ? 1.0 / kStudies
             : 0.0;
   }
@@ -87,7 +87,7 @@ TEST(CrossedDifference, IsTheDifferenceOfTheMeans) {
                              {0, 1, 0, 1, 0, 1, 0, 1}};
   const auto found = crossed_difference(sample);
   ASSERT_TRUE(found);
-  EXPECT_NEAR(found->difference, 3.0, 1e-12);
+  EXPECT_NEAR(found->estimate, 3.0, 1e-12);
   EXPECT_NEAR(found->scatter, 0.5, 1e-12) << "blocks are half a metre off, points do not count";
   EXPECT_NEAR(found->design_effect, 4.0, 1e-9)
       << "each block's two runs are one, and two means were fitted to four blocks";

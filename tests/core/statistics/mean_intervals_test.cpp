@@ -41,29 +41,28 @@ TEST(MeanInterval, NeedsTwoValuesAndSpread) {
 
 TEST(WelchDifference, OfGroupsOfEqualSizeAndSpreadIsThatOfPooledOnes) {
   // Variances are 2, their means have 1 each, and there are 2 + 2 - 2 degrees of freedom.
-  const std::optional<MeanDifference> found = welch_difference(of({0.0, 2.0}), of({10.0, 12.0}));
-  ASSERT_TRUE(found);
+  const Contrast found = welch_difference(of({0.0, 2.0}), of({10.0, 12.0}));
+  ASSERT_TRUE(found.interval);
   const double error = std::sqrt(2.0), t = 10.0 / error;
-  EXPECT_DOUBLE_EQ(found->difference, -10.0);
-  EXPECT_NEAR(found->standard_error, error, 1e-12);
-  EXPECT_NEAR(found->freedom, 2.0, 1e-12);
-  EXPECT_NEAR(found->interval.low, -10.0 - kWithTwo * error, 1e-8);
-  EXPECT_NEAR(found->interval.high, -10.0 + kWithTwo * error, 1e-8);
-  EXPECT_NEAR(found->p_value, 1.0 - t / std::sqrt(2.0 + t * t), 1e-12);
+  EXPECT_DOUBLE_EQ(found.estimate, -10.0);
+  EXPECT_NEAR(found.standard_error, error, 1e-12);
+  EXPECT_NEAR(found.freedom, 2.0, 1e-12);
+  EXPECT_NEAR(found.interval->low, -10.0 - kWithTwo * error, 1e-8);
+  EXPECT_NEAR(found.interval->high, -10.0 + kWithTwo * error, 1e-8);
+  EXPECT_NEAR(*found.p_value, 1.0 - t / std::sqrt(2.0 + t * t), 1e-12);
 }
 
 TEST(WelchDifference, HasTheDegreesOfFreedomOfTheGroupThatScatters) {
-  const std::optional<MeanDifference> found =
-      welch_difference(of({5.0, 5.0, 5.0, 5.0, 5.0}), of({1.0, 4.0, 7.0}));
-  ASSERT_TRUE(found);
-  EXPECT_NEAR(found->freedom, 2.0, 1e-12);
-  EXPECT_NEAR(found->interval.high - found->interval.low, 2.0 * kWithTwo * std::sqrt(3.0), 1e-8);
+  const Contrast found = welch_difference(of({5.0, 5.0, 5.0, 5.0, 5.0}), of({1.0, 4.0, 7.0}));
+  ASSERT_TRUE(found.interval);
+  EXPECT_NEAR(found.freedom, 2.0, 1e-12);
+  EXPECT_NEAR(found.interval->high - found.interval->low, 2.0 * kWithTwo * std::sqrt(3.0), 1e-8);
 }
 
 TEST(WelchDifference, NeedsTwoValuesOfEachAndSpread) {
-  EXPECT_FALSE(welch_difference(of({1.0}), of({1.0, 2.0, 3.0})));
-  EXPECT_FALSE(welch_difference(of({1.0, 2.0}), of({})));
-  EXPECT_FALSE(welch_difference(of({1.0, 1.0}), of({2.0, 2.0})));
+  EXPECT_FALSE(welch_difference(of({1.0}), of({1.0, 2.0, 3.0})).interval);
+  EXPECT_FALSE(welch_difference(of({1.0, 2.0}), of({})).interval);
+  EXPECT_FALSE(welch_difference(of({1.0, 1.0}), of({2.0, 2.0})).p_value);
 }
 
 /// Four realisations of one group and nine of another that scatters three times as much.
@@ -75,12 +74,12 @@ TEST(WelchDifference, HoldsTheTrueDifferenceInNineteenOfTwentyStudies) {
     std::vector<double> first(4), second(9);
     for (double& value : first) value = 30.0 + random.normal();
     for (double& value : second) value = 28.0 + 3.0 * random.normal();
-    const std::optional<MeanDifference> one = welch_difference(of(first), of(second));
-    ASSERT_TRUE(one);
-    held += one->interval.low <= 2.0 && 2.0 <= one->interval.high;
+    const Contrast one = welch_difference(of(first), of(second));
+    ASSERT_TRUE(one.interval);
+    held += one.interval->low <= 2.0 && 2.0 <= one.interval->high;
     // The test and the interval say the same.
-    const bool excludes_zero = one->interval.low > 0.0 || one->interval.high < 0.0;
-    EXPECT_EQ(excludes_zero, one->p_value < 0.05);
+    const bool excludes_zero = one.excludes_zero();
+    EXPECT_EQ(excludes_zero, *one.p_value < 0.05);
     found += excludes_zero;
   }
   // Three standard deviations of the count are 0.9 %.

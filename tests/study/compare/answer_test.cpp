@@ -22,7 +22,7 @@ TEST(Answer, ADifferenceThatIsThereIsToldWithItsInterval) {
     const Answer found = answer(comparison);
     const GapAnswer& gap = only(found).gap.value();
     EXPECT_EQ(comparison.groups[gap.farther].key, "compact");
-    EXPECT_EQ(gap.standing, Standing::kMoreThanChance) << seed;
+    EXPECT_EQ(gap.verdict, Verdict::kMoreThanChance) << seed;
     ASSERT_TRUE(gap.interval);
     inside += gap.interval->low <= 10.0 && 10.0 <= gap.interval->high ? 1 : 0;
     EXPECT_EQ(only(found).clusters, 8u);
@@ -46,7 +46,7 @@ TEST(Answer, WhatIsNotThereIsSeldomTold) {
     const Comparison comparison =
         compared(made_up_results({.compact = 30.0, .elongated = 30.0, .seed = seed}));
     const GapAnswer gap = *only(answer(comparison)).gap;
-    found += gap.standing == Standing::kMoreThanChance ? 1 : 0;
+    found += gap.verdict == Verdict::kMoreThanChance ? 1 : 0;
   }
   EXPECT_LE(found, 5) << "of 40";
 }
@@ -59,7 +59,7 @@ TEST(Answer, AnotherSpreadAroundTheSameMeanIsNoOtherRunout) {
     if (run.block == 1) run.result.final_state.position.x() += i++ % 2 == 0 ? 12.0 : -12.0;
   }
   const Comparison comparison = compared(std::move(results));
-  EXPECT_EQ(only(answer(comparison)).gap->standing, Standing::kOtherSpread);
+  EXPECT_EQ(only(answer(comparison)).gap->verdict, Verdict::kOtherSpread);
 }
 
 TEST(Answer, RunsThatLeaveTheTerrainLeaveNothingToCompare) {
@@ -69,7 +69,7 @@ TEST(Answer, RunsThatLeaveTheTerrainLeaveNothingToCompare) {
   }
   const Comparison comparison = compared(std::move(results));
   const Statement statement = only(answer(comparison));
-  EXPECT_EQ(statement.gap->standing, Standing::kFewAtRest) << "a third of the compact runs is left";
+  EXPECT_EQ(statement.gap->verdict, Verdict::kTooFew) << "a third of the compact runs is left";
   EXPECT_FALSE(statement.gap->interval);
   EXPECT_GT(statement.stops.left_terrain, 0u);
 }
@@ -79,7 +79,7 @@ TEST(Answer, OneRealisationTellsNothingOfChance) {
   let_stay(results, 1);
   const Comparison comparison = compared(std::move(results));
   const Statement statement = only(answer(comparison));
-  EXPECT_EQ(statement.gap->standing, Standing::kOneRealisation);
+  EXPECT_EQ(statement.gap->verdict, Verdict::kUntested);
   EXPECT_FALSE(statement.gap->interval);
   EXPECT_FALSE(statement.all.interval);
   EXPECT_TRUE(statement.of_realisations);
@@ -150,7 +150,7 @@ TEST(Answer, FilesOfOneClassEachAreComparedAsOneStudy) {
   const Answer found = answer(comparison);
   ASSERT_EQ(found.statements.size(), 1u);
   EXPECT_FALSE(found.files);
-  EXPECT_EQ(only(found).gap->standing, Standing::kMoreThanChance);
+  EXPECT_EQ(only(found).gap->verdict, Verdict::kMoreThanChance);
   EXPECT_EQ(comparison.groups[only(found).gap->farther].key, "compact");
 }
 
@@ -165,13 +165,13 @@ TEST(Answer, SitesAreNotMixed) {
   ASSERT_EQ(found.statements.size(), 2u);
   for (const Statement& statement : found.statements) {
     EXPECT_EQ(comparison.groups[statement.gap->farther].key, "compact");
-    EXPECT_EQ(statement.gap->standing, Standing::kMoreThanChance);
+    EXPECT_EQ(statement.gap->verdict, Verdict::kMoreThanChance);
     EXPECT_NEAR(statement.gap->gap, 10.0, 3.0);
   }
   // The same release points: how far the two differ can be said.
   ASSERT_TRUE(found.files);
   EXPECT_EQ(comparison.groups[found.files->farther].file, 1u);
-  EXPECT_EQ(found.files->standing, Standing::kMoreThanChance);
+  EXPECT_EQ(found.files->verdict, Verdict::kMoreThanChance);
 }
 
 /// Mean runouts of the runs of a draw that are of a block, by counting.
@@ -244,7 +244,7 @@ TEST(Answer, WhichRunsFartherCanDependOnTheDraw) {
   }
   const Comparison comparison = compared(std::move(results));
   const GapAnswer gap = *only(answer(comparison)).gap;
-  EXPECT_EQ(gap.standing, Standing::kDependsOnGround);
+  EXPECT_EQ(gap.verdict, Verdict::kDependsOnGround);
   EXPECT_LT(gap.interval->low, 0.0);
   EXPECT_GT(gap.interval->high, 0.0);
 }

@@ -11,11 +11,11 @@
 #include "core/number_text.hpp"
 #include "core/random.hpp"
 #include "core/statistics/sample_tests.hpp"
-#include "report/tables/group_tables.hpp"
-#include "report/tables/run_tables.hpp"
+#include "report/text/contrast_text.hpp"
 #include "study/compare/comparison.hpp"
 #include "tests/study/csv_reader.hpp"
 #include "tests/study/hand_made_results.hpp"
+#include "tests/study/table_csv.hpp"
 
 namespace clast {
 namespace {
@@ -109,13 +109,13 @@ TEST(Differences, OneRealisationGivesNeitherIntervalNorTest) {
     EXPECT_FALSE(difference.p_holm);
     EXPECT_FALSE(difference.found());
     EXPECT_EQ(difference.tests, 0u);
-    EXPECT_EQ(evidence_of(difference), Evidence::kOneRealisation);
+    EXPECT_EQ(difference.verdict(), Verdict::kUntested);
     EXPECT_NE(
         in_words(difference, one).find("one realisation does not show whether this is chance"),
         std::string::npos);
     EXPECT_GT(difference.ks_distance, 0.0) << "how far apart they are is known";
   }
-  const CsvTable table = read_csv(differences_csv(one));
+  const CsvTable table = read_csv(table_csv(one, "differences"));
   for (const auto& row : table.rows) {
     for (const char* column : {"difference_low", "difference_high", "p_value", "p_holm", "found"}) {
       EXPECT_EQ(row.at(column), "") << column;
@@ -146,7 +146,7 @@ TEST(Differences, EachGroupNeedsTwoRealisations) {
 
 TEST(Differences, AgreeWithAnIndependentEvaluationOfTheTable) {
   const Comparison comparison = compared(synthetic_results(5, -2.0));
-  const CsvTable runs = read_csv(runs_csv(comparison));
+  const CsvTable runs = read_csv(table_csv(comparison, "runs"));
   std::map<std::string, std::vector<double>> runouts;
   for (std::size_t i = 0; i < runs.rows.size(); ++i) {
     runouts[runs.rows[i].at("shape")].push_back(runs.number(i, "runout_m"));
@@ -168,7 +168,7 @@ TEST(Differences, AgreeWithAnIndependentEvaluationOfTheTable) {
       largest = std::max(largest, std::abs(share(a) - share(b)));
     }
   }
-  const CsvTable table = read_csv(differences_csv(comparison));
+  const CsvTable table = read_csv(table_csv(comparison, "differences"));
   const Difference& runout = between_classes(comparison, "runout_m");
   std::size_t row = 0;
   while (table.rows.at(row).at("quantity") != "runout_m" ||
@@ -215,6 +215,7 @@ TEST(Differences, AreSaidInASentence) {
   Difference back = runout;
   std::swap(back.first, back.second);
   std::swap(back.first_mean, back.second_mean);
+  back.estimate = -runout.estimate;
   back.interval = Interval{-interval.high, -interval.low};
   EXPECT_EQ(gap_in_words(back), with_decimals(runout.first_mean - runout.second_mean, decimals) +
                                     " m less (" + with_decimals(interval.low, decimals) + " to " +

@@ -8,9 +8,9 @@
 
 #include "core/files/text_file.hpp"
 #include "report/tables/comparison_provenance.hpp"
-#include "report/tables/group_tables.hpp"
 #include "tests/study/csv_reader.hpp"
 #include "tests/study/hand_made_results.hpp"
+#include "tests/study/table_csv.hpp"
 #include "tests/support/refusal.hpp"
 #include "tests/support/scratch_folder.hpp"
 
@@ -31,7 +31,7 @@ TEST(MeasuredStops, AreHeldAgainstSimulatedOnesOfTheirGroup) {
   const Comparison comparison = against(
       "x_m;y_m;shape\n900025;6500000;compact\n900035;6500000;compact\n900015;6500015;elongated\n",
       folder);
-  const CsvTable table = read_csv(measured_csv(comparison));
+  const CsvTable table = read_csv(table_csv(comparison, "measured"));
   const std::size_t all = table.find("group", "all");
   EXPECT_EQ(table.rows[all].at("measured"), "3");
   EXPECT_EQ(table.rows[all].at("simulated"), "6");
@@ -55,7 +55,7 @@ TEST(MeasuredStops, QuartilesAndIntervalsStandBesideTheMeans) {
       "x,y,shape\n900110,6500000,compact\n900120,6500000,compact\n"
       "900130,6500000,compact\n900140,6500000,compact\n",
       folder);
-  const CsvTable table = read_csv(measured_csv(comparison));
+  const CsvTable table = read_csv(table_csv(comparison, "measured"));
   const std::size_t compact = table.find("group", "class compact");
   EXPECT_NEAR(table.number(compact, "runout_q25_m"), 117.5, 1e-9);
   EXPECT_NEAR(table.number(compact, "runout_q75_m"), 132.5, 1e-9);

@@ -5,9 +5,9 @@
 
 #include <cmath>
 
-#include "report/tables/group_tables.hpp"
 #include "study/compare/path_samples.hpp"
 #include "tests/study/csv_reader.hpp"
+#include "tests/study/table_csv.hpp"
 #include "tests/study/thrown_runs.hpp"
 #include "tests/support/scratch_folder.hpp"
 
@@ -49,7 +49,7 @@ TEST(Profiles, CountEveryRunOncePerBinWithItsLargestValues) {
   const ScratchFolder folder;
   store_thrown(folder / "r.h5");
   const Comparison comparison = compared(read_results(folder / "r.h5"));
-  const CsvTable table = read_csv(profiles_csv(comparison, profiles(comparison)));
+  const CsvTable table = read_csv(table_csv(comparison, "profiles"));
   // The longest runout is 20 m: bins of 0.5 m, the first run to x = 5 m, the second to 2.5 m.
   const std::size_t all = table.find("group", "all");
   EXPECT_EQ(table.number(all, "from_m"), 0.0);

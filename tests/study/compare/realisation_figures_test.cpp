@@ -6,6 +6,7 @@
 #include <cmath>
 #include <string>
 
+#include "report/text/contrast_text.hpp"
 #include "tests/support/refusal.hpp"
 
 namespace clast {
@@ -77,19 +78,19 @@ TEST(RealisationFigures, DifferByFileWithWelchsInterval) {
   EXPECT_EQ(length.second.file, 2u);
   EXPECT_EQ(length.first.summary.count, 2u);
   EXPECT_NEAR(length.first.least, 20.0, 1e-9);
-  EXPECT_NEAR(length.difference(), 10.0, 1e-9);
-  ASSERT_TRUE(length.welch);
+  EXPECT_NEAR(length.estimate, 10.0, 1e-9);
+  ASSERT_TRUE(length.interval);
   // 95 % of Student's t with two degrees of freedom; the standard error is sqrt(2).
   const double half_width = 0.95 * std::sqrt(2.0 / (1.0 - 0.95 * 0.95)) * std::sqrt(2.0);
-  EXPECT_NEAR(length.welch->interval.low, 10.0 - half_width, 1e-7);
-  EXPECT_NEAR(length.welch->interval.high, 10.0 + half_width, 1e-7);
+  EXPECT_NEAR(length.interval->low, 10.0 - half_width, 1e-7);
+  EXPECT_NEAR(length.interval->high, 10.0 + half_width, 1e-7);
   // p is 0.0194, and three figures are tested: length, H / L, travel angle.
   EXPECT_EQ(length.tests, 3u);
-  EXPECT_GT(length.p_holm, length.welch->p_value);
+  EXPECT_GT(*length.p_holm, *length.p_value);
   // What never differs has neither interval nor verdict.
   const FigureDifference& area = named(figures, "area_m2");
-  EXPECT_FALSE(area.welch);
-  EXPECT_EQ(distinction_of(area), Distinction::kUnknown);
+  EXPECT_FALSE(area.interval);
+  EXPECT_EQ(area.verdict(), Verdict::kUntested);
   EXPECT_TRUE(contains(in_words(area), "area: file 1 8.0 m\xC2\xB2, file 3 8.0 m\xC2\xB2;"));
   EXPECT_TRUE(contains(in_words(area), "no interval, since realisations do not differ"));
 }
@@ -103,19 +104,19 @@ TEST(RealisationFigures, AreDistinguishedWhereTheIntervalAndTheCorrectedTestSayS
     return named(figures_of_files(all), "toe_distance_m");
   };
   const FigureDifference clear = compared_lengths({20.0, 21.0, 22.0, 21.0}, {10.0, 11.0, 12.0});
-  EXPECT_EQ(distinction_of(clear), Distinction::kDistinguished);
+  EXPECT_EQ(clear.verdict(), Verdict::kMoreThanChance);
   EXPECT_EQ(in_words(clear), "distance L from crest to toe: file 1 21.00 m, file 2 11.00 m; " +
                                  gap_in_words(clear) + ", from 4 and 3 realisations");
   EXPECT_TRUE(contains(gap_in_words(clear), "m more (")) << gap_in_words(clear);
   const FigureDifference open = compared_lengths({20.0, 22.0}, {13.0, 15.0});
-  EXPECT_EQ(distinction_of(open), Distinction::kOneOfMany) << open.p_holm;
+  EXPECT_EQ(open.verdict(), Verdict::kOneOfMany) << *open.p_holm;
   EXPECT_TRUE(contains(in_words(open), "; one of 3 differences can be as large by chance"));
   const FigureDifference none = compared_lengths({20.0, 22.0}, {20.5, 22.5});
-  EXPECT_EQ(distinction_of(none), Distinction::kNotDistinguished);
+  EXPECT_EQ(none.verdict(), Verdict::kCanBeChance);
   EXPECT_TRUE(contains(gap_in_words(none), "m less (")) << gap_in_words(none);
   EXPECT_TRUE(in_words(none).ends_with("; not distinguished"));
   const FigureDifference single = compared_lengths({20.0, 22.0}, {10.0});
-  EXPECT_EQ(distinction_of(single), Distinction::kUnknown);
+  EXPECT_EQ(single.verdict(), Verdict::kUntested);
   EXPECT_TRUE(contains(in_words(single), "an interval takes two realisations of each file"));
 }
 

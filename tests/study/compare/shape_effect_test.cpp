@@ -8,12 +8,12 @@
 #include "core/files/text_file.hpp"
 #include "library/block_library.hpp"
 #include "library/make_block.hpp"
-#include "report/tables/run_tables.hpp"
 #include "study/compare/comparison.hpp"
 #include "study/simulate/campaign_runner.hpp"
 #include "tests/library/block_samples.hpp"
 #include "tests/library/core_library.hpp"
 #include "tests/study/csv_reader.hpp"
+#include "tests/study/table_csv.hpp"
 #include "tests/support/scratch_folder.hpp"
 
 namespace clast {
@@ -75,7 +75,7 @@ TEST(ShapeEffect, OfACubeAndAPrismIsWhatTheTableOfRunsSays) {
   }
   EXPECT_TRUE(geometry);
 
-  const CsvTable runs = read_csv(runs_csv(comparison));
+  const CsvTable runs = read_csv(table_csv(comparison, "runs"));
   ASSERT_EQ(runs.rows.size(), 64u);
   std::map<std::string, std::vector<double>> runouts;
   for (std::size_t i = 0; i < runs.rows.size(); ++i) {

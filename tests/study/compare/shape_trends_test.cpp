@@ -59,7 +59,7 @@ TEST(ShapeTrends, FindWhatRunoutGrowsWith) {
   EXPECT_GT(first.trend.statistic, 0.8);
   EXPECT_LT(first.corrected_p, 0.01);
   EXPECT_NEAR(first.limit, 0.7, 1e-9);
-  EXPECT_NEAR(first.halves.difference, 6.0 * 0.3 / 0.55, 1.0) << "means 0.525 and 0.825";
+  EXPECT_NEAR(first.halves.estimate, 6.0 * 0.3 / 0.55, 1.0) << "means 0.525 and 0.825";
   EXPECT_GT(*first.equivalence, 0.5);
   for (const ShapeTrend& trend : trends) {
     EXPECT_NE(trend.property, "S/L") << "all have the same";

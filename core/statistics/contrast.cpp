@@ -1,0 +1,36 @@
+#include "core/statistics/contrast.hpp"
+
+#include "core/statistics/group_differences.hpp"
+#include "core/statistics/probability.hpp"
+
+namespace clast {
+
+Verdict Contrast::verdict() const {
+  if (!p_holm) return Verdict::kUntested;
+  if (found()) return excludes_zero() ? Verdict::kMoreThanChance : Verdict::kOtherSpread;
+  return excludes_zero() ? Verdict::kOneOfMany : Verdict::kCanBeChance;
+}
+
+Contrast student_contrast(double estimate, double standard_error, double freedom) {
+  constexpr double kUpper = 0.975;  // a two-sided interval of 95 % ends there
+  const double half = student_quantile(kUpper, freedom) * standard_error;
+  Contrast found;
+  found.estimate = estimate;
+  found.standard_error = standard_error;
+  found.freedom = freedom;
+  found.interval = Interval{estimate - half, estimate + half};
+  found.p_value = student_beyond(estimate / standard_error, freedom);
+  return found;
+}
+
+void correct_tests(const std::vector<Contrast*>& family) {
+  std::vector<double> p_values;
+  for (const Contrast* one : family) p_values.push_back(*one->p_value);
+  const std::vector<double> corrected = holm(p_values);
+  for (std::size_t i = 0; i < family.size(); ++i) {
+    family[i]->p_holm = corrected[i];
+    family[i]->tests = family.size();
+  }
+}
+
+}  // namespace clast

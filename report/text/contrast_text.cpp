@@ -1,0 +1,119 @@
+#include "report/text/contrast_text.hpp"
+
+#include <utility>
+
+#include "core/number_text.hpp"
+
+namespace clast {
+namespace {
+
+constexpr int kMostDecimals = 4;
+
+}  // namespace
+
+QuantityWords words_of_quantity(const std::string& quantity) {
+  const std::size_t blank = quantity.rfind(' ');
+  const std::string barrier = blank == quantity.npos ? "" : " at " + quantity.substr(0, blank);
+  const std::string name = blank == quantity.npos ? quantity : quantity.substr(blank + 1);
+  if (name == "runout_m") return {"runout", "m"};
+  if (name == "lateral_deg") return {"lateral angle", "deg"};
+  if (name == "path_length_m") return {"path length", "m"};
+  if (name == "max_speed_m_s") return {"largest speed", "m/s"};
+  if (name == "speed_m_s") return {"speed" + barrier, "m/s"};
+  if (name == "total_energy_j") return {"energy" + barrier, "kJ", 1e-3};
+  if (name == "height_m") return {"height" + barrier, "m"};
+  return {quantity, ""};
+}
+
+std::string gap_in_words(const Contrast& contrast, const std::string& unit, double factor) {
+  const double gap = factor * contrast.estimate;
+  const double sign = gap < 0.0 ? -1.0 : 1.0;
+  const std::string way = gap < 0.0 ? " less" : " more";
+  const std::string of_unit = unit.empty() ? "" : " " + unit;
+  if (!contrast.interval) return with_digits(sign * gap, 3) + of_unit + way;
+  double low = sign * (factor * contrast.interval->low);
+  double high = sign * (factor * contrast.interval->high);
+  if (low > high) std::swap(low, high);
+  const int decimals = decimals_known({low, high}, kMostDecimals);
+  return with_decimals(sign * gap, decimals) + of_unit + way + " (" + with_decimals(low, decimals) +
+         " to " + with_decimals(high, decimals) + of_unit + ")";
+}
+
+std::string gap_in_words(const Difference& difference) {
+  const QuantityWords words = words_of_quantity(difference.quantity);
+  return gap_in_words(difference, words.unit, words.factor);
+}
+
+std::string gap_in_words(const FigureDifference& difference) {
+  return gap_in_words(difference, realisation_figures()[difference.first.figure].unit);
+}
+
+std::string in_words(const Difference& difference, const Comparison& comparison) {
+  const QuantityWords words = words_of_quantity(difference.quantity);
+  const auto mean = [&](double value) {
+    return with_digits(words.factor * value, 3) + " " + words.unit;
+  };
+  const std::string means = words.name + ": " + comparison.groups[difference.first].name + " " +
+                            mean(difference.first_mean) + " on average, " +
+                            comparison.groups[difference.second].name + " " +
+                            mean(difference.second_mean) + "; " + gap_in_words(difference);
+  switch (difference.verdict()) {
+    case Verdict::kUntested:
+      return means + "; one realisation does not show whether this is chance";
+    case Verdict::kMoreThanChance:
+      return means;
+    case Verdict::kOtherSpread:
+      return means + ", which can be chance, but the values are spread differently";
+    default:
+      return means + ", which can be chance" +
+             (difference.tests > 1 ? " among " + std::to_string(difference.tests) + " differences"
+                                   : "");
+  }
+}
+
+std::string in_words(const FigureDifference& difference) {
+  const RealisationFigure& figure = realisation_figures()[difference.first.figure];
+  const auto mean = [&](const FigureOfFile& of_file) {
+    return "file " + std::to_string(of_file.file + 1) + " " +
+           with_decimals(of_file.summary.mean, figure.decimals) +
+           (figure.unit.empty() ? "" : " " + figure.unit);
+  };
+  const std::string text = figure.words + ": " + mean(difference.first) + ", " +
+                           mean(difference.second) + "; " + gap_in_words(difference) + ", from " +
+                           std::to_string(difference.first.summary.count) + " and " +
+                           counted(difference.second.summary.count, "realisation");
+  switch (difference.verdict()) {
+    case Verdict::kMoreThanChance:
+      return text;
+    case Verdict::kOneOfMany:
+      return text + "; one of " + std::to_string(difference.tests) +
+             " differences can be as large by chance";
+    case Verdict::kUntested:
+      break;
+    default:
+      return text + "; not distinguished";
+  }
+  const bool few = difference.first.summary.count < 2 || difference.second.summary.count < 2;
+  return text + (few ? "; an interval takes two realisations of each file"
+                     : "; no interval, since realisations do not differ");
+}
+
+std::string in_words(const Mobility& mobility) {
+  std::string text = mobility.group + ": " + with_decimals(mobility.together_runout.mean, 1) +
+                     " m together, " + with_decimals(mobility.alone_runout.mean, 1) + " m alone; " +
+                     gap_in_words(mobility.difference, "m");
+  if (!mobility.difference.interval) {
+    text += ", without an interval";
+  } else if (!mobility.difference.excludes_zero()) {
+    text += ", not distinguished";
+  }
+  if (mobility.starts_apart > kSameStart) {
+    text += "; they start " + with_decimals(mobility.starts_apart, 0) + " m apart";
+  }
+  if (std::abs(mobility.mass_ratio - 1.0) > kSameMass) {
+    text += "; mean mass together is " + with_digits(mobility.mass_ratio, 3) + " times that alone";
+  }
+  return text;
+}
+
+}  // namespace clast
