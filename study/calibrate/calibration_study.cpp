@@ -99,8 +99,8 @@ CalibrationDesign read_design(const TomlTable& top) {
 }
 
 /// What the simulations of a calibration can't do.
-void check_site(const TomlTable& table, const TomlNode& node, const Campaign& campaign) {
-  const auto refuse = [&](const std::string& why) { table.refuse("campaign", node, why); };
+void check_site(const TomlTable& table, const Campaign& campaign) {
+  const auto refuse = [&](const std::string& why) { table.refuse("campaign", why); };
   if (campaign.stay) {
     refuse("its blocks stay where they stop; a calibration needs single releases");
   }
@@ -119,7 +119,7 @@ std::vector<CalibrationSite> read_sites(const TomlTable& top) {
     site_keys().read(table, site);
     check_new_name(table, site.name, sites, "site");
     site.campaign = read_campaign(*table.value<std::filesystem::path>("campaign"));
-    check_site(table, *table.find("campaign"), site.campaign);
+    check_site(table, site.campaign);
     site.campaign.ensemble = {};
     site.campaign.trajectory_interval = 0.0;
     sites.push_back(std::move(site));

@@ -224,6 +224,7 @@ TEST_F(MassCampaign, ReleasesBlocksInPlace) {
   EXPECT_EQ(prepared(also("height_m = 2.0\n")).runs[0].start.position,
             plan.runs[0].start.position + Vec3(0.0, 0.0, 2.0));
   refused(also("polygon = [[0, 0], [1, 0], [0, 1]]\n"), "is for a heap");
+  refused(also("face_interval_s = 2\n"), "face_interval_s = 2: is for a heap");
   refused(replaced_once(in_place, "[terrain]", "scale = \"equal-mass\"\n[terrain]"),
           "neither drawn nor scaled");
   refused(text(std::string(kMass) + "height_m = 1\n"), "is for blocks in place");
