@@ -63,8 +63,9 @@ ELSEWHERE = {
 
 
 def options(page):
-    """Names of the options of a help text, and of its arguments."""
-    return sorted({name.replace("-", "_") for name in re.findall(r"--([a-z][a-z0-9-]+)", page.split("\nExamples:")[0])})  # fmt: skip
+    """Names of the options of a help text."""
+    lines = re.findall(r"^  (-\S+)", page, re.M)
+    return sorted({name[2:].replace("-", "_") for line in lines for name in line.split(",") if name.startswith("--")})  # fmt: skip
 
 
 def help_texts(words=()):

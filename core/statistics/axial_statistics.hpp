@@ -7,7 +7,7 @@
 #include <optional>
 #include <span>
 
-#include "core/statistics/group_differences.hpp"
+#include "core/statistics/bootstrap.hpp"
 
 namespace clast {
 

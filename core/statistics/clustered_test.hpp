@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <optional>
 
-#include "core/statistics/group_differences.hpp"
+#include "core/statistics/bootstrap.hpp"
 #include "core/statistics/sample_tests.hpp"
 
 namespace clast {

@@ -1,6 +1,8 @@
 #include "core/statistics/contrast.hpp"
 
-#include "core/statistics/group_differences.hpp"
+#include <algorithm>
+#include <numeric>
+
 #include "core/statistics/probability.hpp"
 
 namespace clast {
@@ -21,6 +23,21 @@ Contrast student_contrast(double estimate, double standard_error, double freedom
   found.interval = Interval{estimate - half, estimate + half};
   found.p_value = student_beyond(estimate / standard_error, freedom);
   return found;
+}
+
+std::vector<double> holm(std::span<const double> p_values) {
+  std::vector<std::size_t> order(p_values.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::size_t i, std::size_t j) { return p_values[i] < p_values[j]; });
+  std::vector<double> corrected(p_values.size());
+  double largest = 0.0;
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    const double left = static_cast<double>(order.size() - i);
+    largest = std::max(largest, std::min(1.0, left * p_values[order[i]]));
+    corrected[order[i]] = largest;
+  }
+  return corrected;
 }
 
 void correct_tests(const std::vector<Contrast*>& family) {

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <functional>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "core/statistics/statistics.hpp"
@@ -43,7 +44,14 @@ struct Contrast {
 /// @cite student1908
 Contrast student_contrast(double estimate, double standard_error, double freedom);
 
-/// Holm's correction of the p-values of a family for all of its tests.
+/// P-values after Holm's correction for having looked so many times: in ascending order the i-th is
+/// multiplied by the number of those not yet passed, and none is below one before it. Below 0.05
+/// means that the chance of any false finding among all is below 0.05.
+/// @param p_values  in any order; the result is in the same
+/// @cite holm1979
+std::vector<double> holm(std::span<const double> p_values);
+
+/// The same of the contrasts of a family, each with a p-value.
 void correct_tests(const std::vector<Contrast*>& family);
 
 /// The same of the contrasts in a list; those without a p-value are no tests.

@@ -5,7 +5,7 @@
 #include <set>
 #include <utility>
 
-#include "core/statistics/group_differences.hpp"
+#include "core/statistics/bootstrap.hpp"
 #include "study/compare/detail/comparison_barriers.hpp"
 #include "study/compare/ground_draws.hpp"
 

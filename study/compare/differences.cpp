@@ -6,8 +6,9 @@
 #include <map>
 
 #include "core/angle.hpp"
+#include "core/statistics/bootstrap.hpp"
 #include "core/statistics/clustered_test.hpp"
-#include "core/statistics/group_differences.hpp"
+#include "core/statistics/effect_sizes.hpp"
 #include "study/compare/comparison.hpp"
 
 namespace clast {

@@ -10,7 +10,7 @@
 #include "classify/surface_indices.hpp"
 #include "core/error.hpp"
 #include "core/statistics/clustered_trend.hpp"
-#include "core/statistics/group_differences.hpp"
+#include "core/statistics/contrast.hpp"
 #include "study/campaign/planned_power.hpp"
 #include "study/compare/detail/run_outcomes.hpp"
 

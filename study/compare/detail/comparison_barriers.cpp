@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "core/error.hpp"
-#include "core/statistics/group_differences.hpp"
+#include "core/statistics/bootstrap.hpp"
 #include "study/campaign/barrier_line.hpp"
 
 namespace clast::study_detail {

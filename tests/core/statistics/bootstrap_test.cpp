@@ -1,4 +1,6 @@
-#include "core/statistics/group_differences.hpp"
+#include "core/statistics/bootstrap.hpp"
+#include "core/statistics/contrast.hpp"
+#include "core/statistics/effect_sizes.hpp"
 
 #include <gtest/gtest.h>
 

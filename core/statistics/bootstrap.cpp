@@ -1,8 +1,6 @@
-#include "core/statistics/group_differences.hpp"
+#include "core/statistics/bootstrap.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <numeric>
 #include <utility>
 
 #include "core/random.hpp"
@@ -30,54 +28,7 @@ std::vector<Sum> pieces_of(const ClusteredValues& group, std::size_t clusters) {
   return pieces;
 }
 
-double squares_of(std::span<const double> values) {
-  const double mean = arithmetic_mean(values);
-  double sum = 0.0;
-  for (const double value : values) sum += (value - mean) * (value - mean);
-  return sum;
-}
-
 }  // namespace
-
-std::vector<double> holm(std::span<const double> p_values) {
-  std::vector<std::size_t> order(p_values.size());
-  std::iota(order.begin(), order.end(), std::size_t{0});
-  std::stable_sort(order.begin(), order.end(),
-                   [&](std::size_t i, std::size_t j) { return p_values[i] < p_values[j]; });
-  std::vector<double> corrected(p_values.size());
-  double largest = 0.0;
-  for (std::size_t i = 0; i < order.size(); ++i) {
-    const double left = static_cast<double>(order.size() - i);
-    largest = std::max(largest, std::min(1.0, left * p_values[order[i]]));
-    corrected[order[i]] = largest;
-  }
-  return corrected;
-}
-
-std::optional<double> cliffs_delta(std::span<const double> a, std::span<const double> b) {
-  if (a.empty() || b.empty()) return std::nullopt;
-  std::vector<double> sorted(b.begin(), b.end());
-  std::sort(sorted.begin(), sorted.end());
-  double balance = 0.0;
-  for (const double value : a) {
-    const auto [low, high] = std::equal_range(sorted.begin(), sorted.end(), value);
-    balance += static_cast<double>(low - sorted.begin()) - static_cast<double>(sorted.end() - high);
-  }
-  return balance / (static_cast<double>(a.size()) * static_cast<double>(b.size()));
-}
-
-const char* words_for_delta(double delta) {
-  const double size = std::abs(delta);
-  return size < 0.147 ? "negligible" : size < 0.33 ? "small" : size < 0.474 ? "medium" : "large";
-}
-
-std::optional<double> hedges_g(std::span<const double> a, std::span<const double> b) {
-  if (a.size() < 2 || b.size() < 2) return std::nullopt;
-  const double freedom = static_cast<double>(a.size() + b.size() - 2);
-  const double pooled = std::sqrt((squares_of(a) + squares_of(b)) / freedom);
-  if (!(pooled > 0.0)) return std::nullopt;
-  return (1.0 - 3.0 / (4.0 * freedom - 1.0)) * (arithmetic_mean(a) - arithmetic_mean(b)) / pooled;
-}
 
 Interval percentile_interval(std::vector<double> values) {
   std::sort(values.begin(), values.end());

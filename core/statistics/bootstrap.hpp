@@ -1,36 +1,12 @@
 #pragma once
-/// How large the difference between two groups is, how sure, and how many were looked for.
+/// Intervals of means, of differences of means and of shares whose values come in clusters.
 #include <cstdint>
 #include <optional>
-#include <span>
 #include <vector>
 
 #include "core/statistics/statistics.hpp"
 
 namespace clast {
-
-/// P-values after Holm's correction for having looked so many times: in ascending order the i-th is
-/// multiplied by the number of those not yet passed, and none is below one before it. Below 0.05
-/// means that the chance of any false finding among all is below 0.05.
-/// @param p_values  in any order; the result is in the same
-/// @cite holm1979
-std::vector<double> holm(std::span<const double> p_values);
-
-/// Cliff's delta: the chance that a value of `a` is larger than one of `b`, less the chance that it
-/// is smaller; from -1 to 1, ties count neither way.
-/// @return none when either is empty
-/// @cite cliff1993
-std::optional<double> cliffs_delta(std::span<const double> a, std::span<const double> b);
-
-/// "negligible", "small", "medium" or "large": the limits 0.147, 0.33 and 0.474.
-/// @cite romano2006
-const char* words_for_delta(double delta);
-
-/// Hedges' g: the difference of the means in units of the pooled standard deviation, with the
-/// factor 1 - 3/(4 (m + n - 2) - 1) that takes its bias away.
-/// @return none below two values each, or without any spread
-/// @cite hedges1981
-std::optional<double> hedges_g(std::span<const double> a, std::span<const double> b);
 
 /// What 95 % of the values lie in, as many below as above.
 /// @param values  not empty, in any order
