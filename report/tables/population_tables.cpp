@@ -11,7 +11,6 @@
 
 namespace clast {
 
-using namespace report_detail;
 namespace {
 
 struct BlockRow {

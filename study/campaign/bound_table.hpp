@@ -18,34 +18,34 @@ struct BoundKey : TableKey {
   Reader read;  ///< empty: the rules of the table read it, together with other keys
 
   BoundKey(TableKey key) : TableKey(std::move(key)) {}
-  BoundKey(std::string name, const char* unit, std::string meaning, ValueForm form,
+  BoundKey(std::string key, const char* in_unit, std::string means, ValueForm takes,
            Reader reader = {})
-      : TableKey{std::move(name), unit, std::move(meaning), with_unit(std::move(form), unit)},
+      : TableKey{std::move(key), in_unit, std::move(means), with_unit(std::move(takes), in_unit)},
         read(std::move(reader)) {}
 
   /// Sets a member, or a member of a member: `&Campaign::stiffness, &StiffnessOptions::normal`.
   template <class Member, class... Path>
-  BoundKey(std::string name, const char* unit, std::string meaning, ValueForm form,
+  BoundKey(std::string key, const char* in_unit, std::string means, ValueForm takes,
            Member Target::*member, Path... path)
-      : BoundKey(name, unit, std::move(meaning), std::move(form),
+      : BoundKey(key, in_unit, std::move(means), std::move(takes),
                  [=](const DeclaredTable& table, Target& target) {
-                   table.read(name, ((target.*member).*....*path));
+                   table.read(key, ((target.*member).*....*path));
                  }) {}
 
   /// Sets a member to what the word stands for.
   template <class Meant, class... Path>
-  BoundKey(std::string name, const char* unit, std::string meaning, ValueForm form,
+  BoundKey(std::string key, const char* in_unit, std::string means, ValueForm takes,
            Meant (*meant_by)(const std::string& word), Path... path)
-      : BoundKey(name, unit, std::move(meaning), std::move(form),
+      : BoundKey(key, in_unit, std::move(means), std::move(takes),
                  [=](const DeclaredTable& table, Target& target) {
-                   (target.*....*path) = meant_by(*table.value<std::string>(name));
+                   (target.*....*path) = meant_by(*table.value<std::string>(key));
                  }) {}
 
   /// Sets a member to what a reader finds.
   template <class Found, class... Path>
-  BoundKey(std::string name, const char* unit, std::string meaning, ValueForm form,
+  BoundKey(std::string key, const char* in_unit, std::string means, ValueForm takes,
            Found (*found_in)(const DeclaredTable& table), Path... path)
-      : BoundKey(std::move(name), std::move(unit), std::move(meaning), std::move(form),
+      : BoundKey(std::move(key), in_unit, std::move(means), std::move(takes),
                  [=](const DeclaredTable& table, Target& target) {
                    (target.*....*path) = found_in(table);
                  }) {}

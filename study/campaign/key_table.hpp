@@ -57,7 +57,7 @@ struct KeyTable {
   std::string name;  ///< "blocks"; a table within another is "contact.blocks"
   std::string meaning;
   Repeat repeat = Repeat::kOnce;
-  std::vector<TableKey> keys;
+  std::vector<TableKey> keys = {};
   bool required = false;
   std::vector<std::string> one_of = {};  ///< exactly one of these keys is there; empty: no matter
 
