@@ -11,7 +11,7 @@
 
 namespace clast {
 
-/// What the data say of a difference.
+/// The verdict on a difference.
 enum class Verdict {
   kMoreThanChance,   ///< it is more than chance gives
   kOtherSpread,      ///< it can be chance, but the values are distributed in another way

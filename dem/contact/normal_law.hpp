@@ -1,5 +1,5 @@
 #pragma once
-/// What a law of the normal force must provide (docs/theory.md, Normal laws).
+/// The interface of laws of the normal force (docs/theory.md, Normal laws).
 #include <concepts>
 
 #include "dem/contact/ground_parameters.hpp"

@@ -1,5 +1,5 @@
 #pragma once
-/// What a single release and a world of many bodies have in common.
+/// Settings that single releases and worlds of many bodies share.
 #include <span>
 #include <string>
 

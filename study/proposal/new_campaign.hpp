@@ -12,14 +12,14 @@
 namespace clast {
 
 /// Ends of a line in map coordinates, with the height of the ground, m.
-struct MapLine {
+struct ProposedLine {
   Vec3 from = Vec3::Zero(), to = Vec3::Zero();
 };
 
 /// Where to release blocks and where to count them.
 struct ProposedPlaces {
   /// Across the slope: in the upper part of the terrain, on steep ground.
-  MapLine releases;
+  ProposedLine releases;
   std::size_t release_points = 1;  ///< evenly spaced on the line; of one, both ends are the same
   double release_slope = 0.0;      ///< of the ground there, rad
   double margin = 0.0;             ///< of the releases to the border, m
@@ -27,7 +27,7 @@ struct ProposedPlaces {
   std::string barrier_name = "foot";
   /// Across the path, at the foot of the slope or, where it has none, before the ground ends;
   /// blocks cross it from left to right.
-  MapLine barrier;
+  ProposedLine barrier;
   double descent = 0.0;            ///< from the releases to the barrier, m
   double distance = 0.0;           ///< the same in the plan, m
   Vec2 downslope = Vec2::UnitX();  ///< of unit length, from the releases to the barrier

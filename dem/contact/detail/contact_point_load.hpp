@@ -1,5 +1,6 @@
 #pragma once
-/// What one contact point brings into a step, and its normal force by Eq. 2, before it is weighted.
+/// The state of one contact point at the start of a step, and its normal force by Eq. 2, before it
+/// is weighted.
 /// All inline: these are the innermost lines of a simulation.
 /// @cite garcia2022
 #include <algorithm>

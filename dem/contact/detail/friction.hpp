@@ -34,7 +34,7 @@ inline SpringResponse friction(const Contact& contact, const Slip& slip, double 
   return coulomb_limited(contact.tangential, trial, squared, largest / std::sqrt(squared));
 }
 
-/// What the end of a contact dissipates of one of its springs over a step, J.
+/// Energy that one spring of a contact dissipates in the step in which the contact ends, J.
 /// @param give  1/k_t or 1/k_r
 /// @param rate  of the slip or spin that winds it up
 inline double end_of_spring(double weight, double give, const Vec3& before, const Vec3& rate,

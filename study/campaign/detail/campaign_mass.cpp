@@ -101,7 +101,7 @@ void check_heap(const DeclaredTable& table, const MassPlan& mass) {
   }
 }
 
-/// Do the shares leave something to every mass, and nothing to none?
+/// Refuses shares that leave nothing to a mass, or a part of the blocks to none.
 void check_mass_shares(const std::vector<DeclaredTable>& tables,
                        const std::vector<MassPlan>& masses) {
   double sum = 0.0;

@@ -180,8 +180,8 @@ double distance_to_foot(const std::vector<Vec3>& path) {
 }
 
 /// The line through a place, on the map.
-MapLine line_through(const UpperGround& ground, const MapFrame& frame, const Vec2& place,
-                     const Vec2& half) {
+ProposedLine line_through(const UpperGround& ground, const MapFrame& frame, const Vec2& place,
+                          const Vec2& half) {
   const auto on_map = [&](const Vec2& at) {
     return frame.map({at.x(), at.y(), ground.height(at).value_or(0.0)});
   };
