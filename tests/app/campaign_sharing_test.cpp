@@ -11,7 +11,6 @@
 namespace clast {
 namespace {
 
-/// Enough runs that a kill finds some of them undone.
 class SharedCampaign : public SlopeCampaign {
  protected:
   void SetUp() override {
@@ -29,6 +28,11 @@ class SharedCampaign : public SlopeCampaign {
                     replaced(text, "[terrain]",
                              "select = [\"bar\"]\n"
                              "vary = { to = [[0.8, 0.6]], reference = \"ellipsoid\" }\n[terrain]"));
+  }
+  /// Enough runs that a kill finds some of them undone, on a fast or busy machine too.
+  void make_many_runs() {
+    const std::string text = read_text_file(folder / "campaign.toml");
+    write_text_file(folder / "campaign.toml", replaced(text, "random = 40", "random = 400"));
   }
   /// In two realisations that take long enough to be killed within.
   void let_blocks_stay() {
@@ -134,6 +138,7 @@ TEST_F(SharedCampaign, ShardsOfDifferentCampaignsAreNotJoined) {
 }
 
 TEST_F(SharedCampaign, IsTheSameAfterThreeKills) {
+  make_many_runs();
   std::uintmax_t size = 0;
   for (int kill = 0; kill < 3; ++kill) {
     std::vector<std::string> words =
@@ -214,6 +219,7 @@ TEST_F(SharedCampaign, WhoseBlocksStayGoesOnWithinARealisationAfterCtrlC) {
 }
 
 TEST_F(SharedCampaign, IsTheSameAfterCtrlC) {
+  make_many_runs();
   RunningProgram program(
       clast_words({"simulate", "campaign.toml", "-o", "cut.h5", "--threads", "1"}), folder.path());
   while (!program.ended() && !fs::exists(partial_file("cut.h5"))) {
@@ -223,7 +229,7 @@ TEST_F(SharedCampaign, IsTheSameAfterCtrlC) {
   const ProgramRun stopped = program.wait();
   EXPECT_EQ(stopped.exit_code, 1);
   EXPECT_TRUE(contains(stopped.err,
-                       "of 160 runs are kept. Go on with: clast simulate "
+                       "of 1600 runs are kept. Go on with: clast simulate "
                        "campaign.toml -o cut.h5 --resume"))
       << stopped.err;
   EXPECT_TRUE(fs::exists(partial_file("cut.h5")));
@@ -232,6 +238,7 @@ TEST_F(SharedCampaign, IsTheSameAfterCtrlC) {
 }
 
 TEST_F(SharedCampaign, JournalOfAShardIsNotResumedAsAnother) {
+  make_many_runs();
   RunningProgram program(
       clast_words({"simulate", "campaign.toml", "-o", "s.h5", "--shard", "1/2", "--threads", "1"}),
       folder.path());
