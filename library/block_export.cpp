@@ -68,9 +68,8 @@ std::filesystem::path file_of(const std::filesystem::path& folder, const Block& 
   return folder / (block.id + suffix + "." + format);
 }
 
-OutputRules rules_of(const std::filesystem::path& file, const BlockExportOptions& options,
-                     bool checked) {
-  return {.kind = kind_by_name(file), .replace = options.replace, .checked = checked};
+OutputRules rules_of(const std::filesystem::path& file, const BlockExportOptions& options) {
+  return {.kind = kind_by_name(file), .replace = options.replace};
 }
 
 /// Checks that no file to be written would replace another, such as the scan that the block was
@@ -81,7 +80,7 @@ void check_places(const std::vector<const Block*>& blocks, const std::filesystem
     for (const std::string& format : options.formats) {
       for (const std::string& suffix : suffixes(options, format)) {
         const std::filesystem::path file = file_of(folder, *block, suffix, format);
-        check_mesh_output(file, rules_of(file, options, false));
+        check_mesh_output(file, rules_of(file, options));
       }
     }
   }
@@ -172,13 +171,13 @@ std::vector<std::filesystem::path> export_blocks(
       if (format == "shp") {
         const ShpShape shape = shp_shape(*block);
         written.push_back(file_of(folder, *block, "", format));
-        write_shp(written.back(), {&shape, 1}, rules_of(written.back(), options, true));
+        write_shp(written.back(), {&shape, 1}, rules_of(written.back(), options));
         continue;
       }
       for (const NamedMesh& named : meshes) {
         const std::filesystem::path file = file_of(folder, *block, named.suffix, format);
         const Vec3 origin = write_mesh(file, upright(named.mesh, file, options),
-                                       {.rules = rules_of(file, options, true)});
+                                       {.rules = rules_of(file, options)});
         written.push_back(file);
         if (origin.isZero(0.0)) continue;
         report(file.string() + ": its floats can't hold coordinates this far out, so " +

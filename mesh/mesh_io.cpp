@@ -103,9 +103,8 @@ std::string mesh_content(const std::filesystem::path& path, const TriangleMesh& 
 /// Commits a mesh and what its origin file says; nothing: a former mesh's file, which would be
 /// wrong now, is removed.
 void commit_with_origin(OutputFile& mesh, const std::filesystem::path& path,
-                        const std::string& text, OutputRules rules) {
+                        const std::string& text, const OutputRules& rules) {
   if (text.empty()) {
-    rules.checked = false;
     check_output(origin_file(path), rules);
     mesh.commit();
     std::error_code none;
@@ -114,13 +113,7 @@ void commit_with_origin(OutputFile& mesh, const std::filesystem::path& path,
   }
   OutputFile origin(origin_file(path), rules);
   origin.write(text);
-  try {
-    mesh.commit();
-  } catch (const InputError&) {
-    // Without its origin the mesh that was kept would be somewhere else.
-    if (!mesh.kept().empty()) write_text_file(origin_file(mesh.kept()), text);
-    throw;
-  }
+  mesh.commit();
   origin.commit();
 }
 
@@ -158,9 +151,9 @@ TriangleMesh read_mesh(const std::filesystem::path& path) { return read_any(path
 
 TriangleMesh read_mesh_or_points(const std::filesystem::path& path) { return read_any(path, true); }
 
-OutputRules check_mesh_output(const std::filesystem::path& path, const OutputRules& rules) {
+void check_mesh_output(const std::filesystem::path& path, const OutputRules& rules) {
   if (holds_floats(path)) check_output(origin_file(path), origin_rules(rules));
-  return check_output(path, rules);
+  check_output(path, rules);
 }
 
 Vec3 write_mesh(const std::filesystem::path& path, const TriangleMesh& mesh,

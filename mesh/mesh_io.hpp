@@ -48,6 +48,6 @@ Vec3 write_mesh(const std::filesystem::path& path, const TriangleMesh& mesh,
                 const MeshOutput& output = {});
 
 /// `check_output` for a mesh and the "<path>.origin.txt" that may be written with it.
-OutputRules check_mesh_output(const std::filesystem::path& path, const OutputRules& rules);
+void check_mesh_output(const std::filesystem::path& path, const OutputRules& rules);
 
 }  // namespace clast

@@ -137,7 +137,10 @@ py::object dry_run(const std::string& text, const fs::path& file, const py::dict
   const auto summary = watched(py::none(), [&](const Progress&) {
     const CampaignPlan prepared = prepare_campaign(parse_campaign(text, file));
     OutputRules rules;
-    if (map) rules = check_output(*map, {.kind = kind_by_name(*map)});
+    if (map) {
+      rules.kind = kind_by_name(*map);
+      check_output(*map, rules);
+    }
     const TimeProbe probe = probe_time(prepared, kProbeTime);
     nlohmann::ordered_json json = plan_json(prepared);
     json["expected_time_s"] = expected_time(prepared, probe, shard, thread_count(threads));

@@ -73,7 +73,7 @@ MassBlocks blocks_between(const CutRequest& request) {
   OutputRules rules{.replace = request.replace};
   if (request.scar) {
     rules.kind = kind_by_name(*request.scar);
-    rules = check_mesh_output(*request.scar, rules);
+    check_mesh_output(*request.scar, rules);
   }
   const ReleasedMass mass = read_released_mass(request.terrains, request.difference);
   if (request.scar) write_mesh(*request.scar, mesh_of(mass), {.rules = rules});

@@ -21,8 +21,10 @@ namespace {
 OutputRules page_rules(const std::filesystem::path& target, const CalibrateOptions& options) {
   const std::filesystem::path page = calibration_page_file(target);
   const bool replace = options.replace || options.resume;
+  const OutputRules rules{.kind = kind_by_name(page), .replace = replace};
   check_output(target, {.kind = kPosteriorFormat, .replace = replace});
-  return check_output(page, {.kind = kind_by_name(page), .replace = replace});
+  check_output(page, rules);
+  return rules;
 }
 
 }  // namespace

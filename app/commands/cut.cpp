@@ -111,20 +111,19 @@ void print_mass(const ReleasedMass& mass) {
             << " m before, " << with_digits(mass.edge_after, 3) << " m after\n";
 }
 
-/// Where the mesh of the mass is to be written, before the work starts.
-OutputRules scar_place(const CutArgs& args) {
-  const OutputRules rules{.kind = kind_by_name(args.scar), .replace = args.replace};
-  return args.scar.empty() ? rules : check_mesh_output(args.scar, rules);
+/// What the mesh of the mass may replace.
+OutputRules scar_rules(const CutArgs& args) {
+  return {.kind = kind_by_name(args.scar), .replace = args.replace};
 }
 
-MassBlocks blocks_between(const CutArgs& args, const OutputRules& scar) {
+MassBlocks blocks_between(const CutArgs& args) {
   const MassTerrains terrains = terrains_of(args);
   ReleasedMassOptions difference = args.difference;
   difference.least_volume = args.options.cutting.least_volume;
   const ReleasedMass mass = read_released_mass(terrains, difference);
   print_mass(mass);
   if (!args.scar.empty()) {
-    write_mesh(args.scar, mesh_of(mass), {.rules = scar});
+    write_mesh(args.scar, mesh_of(mass), {.rules = scar_rules(args)});
     std::cout << printable(args.scar) << ": written\n";
   }
   if (args.joints.empty()) return {};
@@ -198,10 +197,10 @@ void cut(CutArgs args) {
     if (!args.polygon.empty()) args.difference.polygon = args.polygon;
     args.difference.check();
   });
-  const OutputRules scar = scar_place(args);
+  if (!args.scar.empty()) check_mesh_output(args.scar, scar_rules(args));
   if (!args.joints.empty()) check_library_place(args.output);
   const MassBlocks made =
-      args.mass.empty() ? blocks_between(args, scar)
+      args.mass.empty() ? blocks_between(args)
                         : cut_blocks(args, [&](const MassBlockOptions& options) {
                             return blocks_of_mass_file({args.mass, args.units, args.up}, options);
                           });

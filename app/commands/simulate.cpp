@@ -83,7 +83,8 @@ void report_dry_run(const SimulateArgs& args, const CampaignPlan& prepared, cons
                     nlohmann::ordered_json summary) {
   std::filesystem::path map = args.output;
   map.replace_extension(".map.svg");
-  const OutputRules rules = check_output(map, {.kind = kind_by_name(map)});
+  const OutputRules rules{.kind = kind_by_name(map)};
+  check_output(map, rules);
   const TimeProbe probe = probe_time(prepared, kProbeTime);
   const unsigned threads = thread_count(args.threads);
   const std::size_t together = prepared.header.runs_together();

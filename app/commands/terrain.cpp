@@ -157,13 +157,23 @@ void check_fit(const TerrainArgs& args, const std::vector<Vec3>& releases, Terra
   if (args.block_size) note(cell_size_warning(terrain, *args.block_size, *args.block_size));
 }
 
+/// What an export or a picture of that name may replace.
+OutputRules rules_of(const TerrainArgs& args, const std::string& file) {
+  return {.kind = kind_by_name(file), .replace = args.replace};
+}
+
+OutputRules terrain_rules(const TerrainArgs& args) {
+  return {.kind = kTerrainFormat, .replace = args.replace};
+}
+
 void draw_picture(const TerrainArgs& args, const std::vector<Vec3>& releases,
-                  const Terrain& terrain, const OutputRules& rules) {
+                  const Terrain& terrain) {
   std::vector<Vec2> places;
   for (const Vec3& release : releases) places.push_back(release.head<2>());
   std::vector<std::vector<Vec2>> lines;
   if (!args.barriers.empty()) lines = read_barrier_lines(args.barriers, terrain);
-  write_output(args.picture, svg_map(site_map(terrain, places, lines)), rules);
+  write_output(args.picture, svg_map(site_map(terrain, places, lines)),
+               rules_of(args, args.picture));
 }
 
 /// Whether `output` would be written over `input`.
@@ -174,24 +184,11 @@ bool is_same_file(const std::filesystem::path& output, const std::filesystem::pa
          std::filesystem::equivalent(output, input, none);
 }
 
-/// What the outputs may replace.
-struct TerrainPlaces {
-  OutputRules terrain = {}, exported = {}, picture = {};
-};
-
 /// Refuses outputs that would replace files that must be kept, before the work starts.
-TerrainPlaces checked_places(const TerrainArgs& args) {
-  const auto rules = [&](const std::string& kind) {
-    return OutputRules{.kind = kind, .replace = args.replace};
-  };
-  TerrainPlaces places{.terrain = check_output(args.output, rules(kTerrainFormat))};
-  if (!args.exported.empty()) {
-    places.exported = check_mesh_output(args.exported, rules(kind_by_name(args.exported)));
-  }
-  if (!args.picture.empty()) {
-    places.picture = check_output(args.picture, rules(kind_by_name(args.picture)));
-  }
-  return places;
+void check_places(const TerrainArgs& args) {
+  check_output(args.output, terrain_rules(args));
+  if (!args.exported.empty()) check_mesh_output(args.exported, rules_of(args, args.exported));
+  if (!args.picture.empty()) check_output(args.picture, rules_of(args, args.picture));
 }
 
 /// Refuses outputs of a kind that can't be written, or in the place of what is read.
@@ -237,14 +234,15 @@ void make_terrain(TerrainArgs args) {
     args.options.check();
     check_outputs(args);
   });
-  const TerrainPlaces places = checked_places(args);
+  check_places(args);
   const std::vector<Vec3> releases = release_points(args);
   Terrain terrain = read_terrain(args.options);
   check_fit(args, releases, terrain);
-  if (!args.picture.empty()) draw_picture(args, releases, terrain, places.picture);
-  write_terrain(args.output, terrain, places.terrain);
+  if (!args.picture.empty()) draw_picture(args, releases, terrain);
+  write_terrain(args.output, terrain, terrain_rules(args));
   if (!args.exported.empty()) {
-    export_terrain(args.exported, terrain, args.export_up, args.export_cell, places.exported);
+    export_terrain(args.exported, terrain, args.export_up, args.export_cell,
+                   rules_of(args, args.exported));
   }
   if (args.json) {
     std::cout << report_json(terrain).dump(2) << "\n";

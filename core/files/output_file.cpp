@@ -71,7 +71,7 @@ OutputFile::OutputFile(fs::path target, const OutputRules& rules)
                      ": is write-protected; allow writing to it or name another file");
   }
   absent_ = !fs::exists(target_, code);
-  if (const std::string why = why_file_is_kept(target_, rules_); !why.empty() && !rules_.checked) {
+  if (const std::string why = why_file_is_kept(target_, rules_); !why.empty()) {
     throw InputError(why);
   }
   const fs::path folder = target_.has_parent_path() ? target_.parent_path() : fs::path(".");
@@ -110,12 +110,7 @@ void OutputFile::commit() {
   } else {
     fs::rename(temporary(), target_, code);
   }
-  if (code == std::errc::file_exists) {
-    kept_ = keep_beside(temporary(), target_);
-    committed_ = true;
-    part_->release();
-    throw InputError(taken_meanwhile(target_, kept_));
-  }
+  if (code == std::errc::file_exists) refuse_written_meanwhile(target_);
   if (code) {
     throw InputError(target_.string() + ": can't be " + (absent_ ? "made" : "replaced") + " (" +
                      code.message() +
@@ -131,11 +126,8 @@ void write_output(const fs::path& target, std::string_view content, const Output
   file.commit();
 }
 
-OutputRules check_output(const fs::path& target, const OutputRules& rules) {
+void check_output(const fs::path& target, const OutputRules& rules) {
   const OutputFile trial(target, rules);
-  OutputRules checked = rules;
-  checked.checked = true;
-  return checked;
 }
 
 std::error_code rename_to_free(const fs::path& from, const fs::path& to) {
@@ -154,26 +146,10 @@ std::error_code rename_to_free(const fs::path& from, const fs::path& to) {
   return code;
 }
 
-fs::path keep_beside(const fs::path& from, const fs::path& target) {
-  for (int number = 2;; ++number) {
-    const fs::path kept =
-        target.parent_path() /
-        (target.stem().string() + "." + std::to_string(number) + target.extension().string());
-    const std::error_code code = rename_to_free(from, kept);
-    if (!code) return kept;
-    if (code == std::errc::file_exists) continue;
-    throw InputError(target.string() +
-                     ": another program wrote it meanwhile, so it is left as it "
-                     "is, and the result of this run can't be kept as " +
-                     kept.string() + " (" + code.message() + "); run again with another name");
-  }
-}
-
-std::string taken_meanwhile(const fs::path& target, const fs::path& kept) {
-  return target.string() +
-         ": another program wrote it meanwhile, so it is left as it is; the result "
-         "of this run is in " +
-         kept.string();
+void refuse_written_meanwhile(const fs::path& target) {
+  throw InputError(target.string() +
+                   ": another program wrote it meanwhile, so it is left as it is; run again with "
+                   "another name");
 }
 
 void check_room(const fs::path& target, std::initializer_list<std::uint64_t> files) {

@@ -20,9 +20,6 @@ struct OutputRules {
   std::string kind = {};
   /// Takes the place of a file of its own kind. False: nothing that is there is written over.
   bool replace = true;
-  /// `check_output` found the target fit before the work began. What the rules keep by now was then
-  /// written by another program meanwhile, and the result is not lost: see `OutputFile::commit`.
-  bool checked = false;
 };
 
 /// A file that is written beside its target and renamed over it by `commit`, with the permissions
@@ -45,18 +42,13 @@ class OutputFile {
   /// Writes the whole content to `temporary`.
   /// @throws InputError  the disk is full, or the file too large
   void write(std::string_view content);
-  /// The rules are checked once more; where nothing may be replaced, in one step with the rename.
-  /// @throws InputError  the rename failed; or another program wrote meanwhile what the rules keep:
-  ///                     the result is then at `kept`, which the message names
+  /// Applies the rules again and renames. If nothing may be replaced, both are one atomic step.
+  /// @throws InputError  the rename failed; or another program wrote meanwhile what the rules keep
   void commit();
-  /// Where a result is that must not take the place of the target: "NAME.2.EXTENSION" beside it, or
-  /// the next free number. Empty until `commit` needed it.
-  const std::filesystem::path& kept() const { return kept_; }
 
  private:
   std::filesystem::path target_;
   std::unique_ptr<PartPlace> part_;
-  std::filesystem::path kept_;
   OutputRules rules_;
   bool absent_ = false;  ///< nothing was there at the start
   bool committed_ = false;
@@ -69,9 +61,8 @@ void write_output(const std::filesystem::path& target, std::string_view content,
 
 /// Checks that the target could be written, before the work starts. Missing parent folders are
 /// made.
-/// @return the rules, `checked`, to write the file with
 /// @throws InputError  as `OutputFile`
-OutputRules check_output(const std::filesystem::path& target, const OutputRules& rules);
+void check_output(const std::filesystem::path& target, const OutputRules& rules);
 
 /// Checks that files of so many bytes fit beside the target: together by the free space of the
 /// disk, each by the largest file that the shell allows.
@@ -86,14 +77,7 @@ std::filesystem::path linked_target(const std::filesystem::path& target);
 /// the file system has one.
 std::error_code rename_to_free(const std::filesystem::path& from, const std::filesystem::path& to);
 
-/// Renames a file or a folder to the first of "NAME.2.EXTENSION", "NAME.3.EXTENSION", ... beside
-/// `target` that is free, and reports it.
-/// @return the name
-/// @throws InputError  the rename failed; the message says so
-std::filesystem::path keep_beside(const std::filesystem::path& from,
-                                  const std::filesystem::path& target);
-
-/// That another program wrote the target meanwhile, and where the result is.
-std::string taken_meanwhile(const std::filesystem::path& target, const std::filesystem::path& kept);
+/// Refuses a target that another program wrote between the check and the rename.
+[[noreturn]] void refuse_written_meanwhile(const std::filesystem::path& target);
 
 }  // namespace clast

@@ -159,15 +159,10 @@ void OutputFolder::commit() {
     return;
   }
   if (code != std::errc::file_exists) refuse_exchange(target_, code);
-  const auto check_taken = [&](const fs::path& there) {
-    if (why_folder_is_kept(there, kind_, replace_).empty()) return;
-    if (there != target_) exchange_folders(temporary(), target_, former);
-    const fs::path kept = keep_beside(temporary(), target_);
-    committed_ = true;
-    part_->release();
-    throw InputError(taken_meanwhile(target_, kept));
+  const auto is_kept = [&](const fs::path& there) {
+    return !why_folder_is_kept(there, kind_, replace_).empty();
   };
-  check_taken(target_);
+  if (is_kept(target_)) refuse_written_meanwhile(target_);
   // With files of another kind, or it is a working directory.
   bool shared = fs::equivalent(target_, fs::current_path(), code);
   for (const fs::path& file : files_in(target_)) {
@@ -181,8 +176,11 @@ void OutputFolder::commit() {
     exchange_files(temporary(), target_, former, kind_, replace_);
   } else {
     exchange_folders(temporary(), target_, former);
-    // Only what was taken out in one step is known to be what is lost.
-    check_taken(temporary());
+    // Another program may have written it after the check above: that is put back.
+    if (is_kept(temporary())) {
+      exchange_folders(temporary(), target_, former);
+      refuse_written_meanwhile(target_);
+    }
   }
   committed_ = true;
   fs::remove_all(temporary(), code);

@@ -36,10 +36,8 @@ class OutputFolder {
   /// Where to write.
   const std::filesystem::path& temporary() const { return part_->path(); }
   /// Files of the kind that were in the target are removed, others are not touched.
-  /// @throws InputError  one of the others would be written over, or a rename failed; or `replace`
-  ///                     is false and another program wrote such a folder meanwhile: the result is
-  ///                     then kept as "NAME.2" beside it, or the next free number. The target is as
-  ///                     it was
+  /// @throws InputError  one of the others would be written over, a rename failed, or another
+  ///                     program wrote meanwhile what must not be replaced. The target is as it was
   void commit();
 
  private:

@@ -39,7 +39,6 @@ struct ScanReport::Impl {
 
   fs::path folder;
   bool replace = false;  ///< pages of an earlier batch
-  OutputRules summary_rules, index_rules;
   HtmlTable blocks = {{"block and its scan", "picture", "class", "mass kg", "L m", "I m", "S m",
                        "s_c", "volume m3", "filled in %", "off scan, % of L", "notes"},
                       3};
@@ -61,9 +60,8 @@ ScanReport::ScanReport(fs::path folder, bool replace) : impl_(std::make_unique<I
                      ": already exists and is not a summary of such pages, so it is not replaced; "
                      "name another folder");
   }
-  impl_->summary_rules = check_output(summary, {.kind = "text", .replace = replace});
-  impl_->index_rules =
-      check_output(impl_->folder / "index.html", {.kind = kPageKind, .replace = replace});
+  check_output(summary, {.kind = "text", .replace = replace});
+  check_output(impl_->folder / "index.html", {.kind = kPageKind, .replace = replace});
   impl_->csv.header(
       "block,outcome,scan,L_m,I_m,S_m,volume_m3,volume_lower_m3,volume_upper_m3,invented_share,"
       "density_kg_m3,mass_kg,weighed_kg,sneed_folk,zingg,shape,vertices,radius_m,scan_to_body_m,"
@@ -185,9 +183,10 @@ void ScanReport::finish() {
   }
   body += "<footer>clast " + escaped(version()) +
           "; the same as a table: <a href=\"summary.csv\">summary.csv</a></footer>\n";
-  write_output(impl_->folder / "summary.csv", impl_->csv.take(), impl_->summary_rules);
+  write_output(impl_->folder / "summary.csv", impl_->csv.take(),
+               {.kind = "text", .replace = impl_->replace});
   write_output(impl_->folder / "index.html", scan_page("Blocks from scans", body),
-               impl_->index_rules);
+               {.kind = kPageKind, .replace = impl_->replace});
 }
 
 }  // namespace clast

@@ -132,11 +132,13 @@ void check_partial(const fs::path& target, const CalibrateOptions& options) {
                    "or delete the file to start afresh");
 }
 
-OutputRules check_target(const fs::path& target, const CalibrateOptions& options) {
-  const OutputRules rules = check_output(
-      target, {.kind = kPosteriorFormat, .replace = options.replace || options.resume});
+OutputRules rules_of(const CalibrateOptions& options) {
+  return {.kind = kPosteriorFormat, .replace = options.replace || options.resume};
+}
+
+void check_target(const fs::path& target, const CalibrateOptions& options) {
+  check_output(target, rules_of(options));
   check_partial(target, options);
-  return rules;
 }
 
 }  // namespace
@@ -149,14 +151,13 @@ fs::path partial_calibration(const fs::path& target) {
 
 Calibration calibrate_with(const CalibrationSimulator& simulator, const CalibrationStudy& study,
                            const fs::path& target, const CalibrateOptions& options) {
-  OutputRules rules;
   std::optional<FileLock> lock;
   Calibration calibration{study, {}, {}, target};
   const auto begin = [&] {
     for (const Observation& observation : study.observations) {
       seen_by(observation, simulator.sites[observation.site], {});  // refuses blocks that it lacks
     }
-    rules = check_target(target, options);
+    check_target(target, options);
     lock.emplace(target, FileLockOptions{.longest_wait = std::chrono::milliseconds(0)});
     check_partial(target, options);
     calibration.stored = begun(study, simulator, target, options);
@@ -170,7 +171,7 @@ Calibration calibrate_with(const CalibrationSimulator& simulator, const Calibrat
         infer_posterior(study, calibration.stored.runs, thread_count(options.threads));
   }
   write_posterior(target, study, calibration.stored, whole ? &calibration.posterior : nullptr,
-                  rules);
+                  rules_of(options));
   std::error_code ignored;
   fs::remove(partial_calibration(target), ignored);
   return calibration;

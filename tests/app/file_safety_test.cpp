@@ -211,26 +211,19 @@ TEST_F(FileSafety, OfManyProgramsThatWriteTheSameNewFileOneDoes) {
     for (int i = 0; i < 4; ++i) {
       programs.push_back(std::make_unique<RunningProgram>(clast_words(command), folder.path()));
     }
-    int written = 0, kept = 0;
+    int written = 0;
     for (const auto& program : programs) {
       const ProgramRun done = program->wait();
       if (done.exit_code == 0) ++written;
-      const bool meanwhile = contains(done.err, "another program wrote it meanwhile");
-      if (meanwhile) ++kept;
-      EXPECT_TRUE(done.exit_code == 0 || meanwhile || contains(done.err, "--replace replaces it"))
+      EXPECT_TRUE(done.exit_code == 0 || contains(done.err, "another program wrote it meanwhile") ||
+                  contains(done.err, "--replace replaces it"))
           << done.err;
     }
     EXPECT_EQ(written, 1) << command[0];
-    std::set<fs::path> beside;  // same.2.h5 and so on
     for (const auto& entry : fs::recursive_directory_iterator(folder.path())) {
       const std::string name = entry.path().filename();
       EXPECT_TRUE(!contains(name, ".part")) << name;
-      if (contains(name, ".2") || contains(name, ".3") || contains(name, ".4")) {
-        beside.insert(entry.path());
-      }
     }
-    EXPECT_EQ(static_cast<int>(beside.size()), kept) << command[0];
-    for (const fs::path& result : beside) fs::remove_all(result);
   }
   make({"compare", "r.h5", "-o", "same_report", "--replace"});
 }
