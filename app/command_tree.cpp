@@ -45,12 +45,12 @@ OptionEntry entry_of(const CLI::Option& option) {
 
 }  // namespace
 
-CommandEntry command_tree(const CLI::App& command) {
+CommandEntry build_command_tree(const CLI::App& command) {
   CommandEntry entry{command.get_name(), command.get_description(), {}, {}};
   for (const CLI::Option* option : command.get_options())
     entry.options.push_back(entry_of(*option));
   for (const CLI::App* part : command.get_subcommands({})) {
-    if (!part->get_group().empty()) entry.commands.push_back(command_tree(*part));
+    if (!part->get_group().empty()) entry.commands.push_back(build_command_tree(*part));
   }
   return entry;
 }

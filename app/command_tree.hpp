@@ -26,7 +26,7 @@ struct CommandEntry {
   std::vector<CommandEntry> commands;
 };
 
-CommandEntry command_tree(const CLI::App& command);
+CommandEntry build_command_tree(const CLI::App& command);
 
 nlohmann::json to_json(const CommandEntry& command);
 /// @throws nlohmann::json::exception  not written by `to_json`

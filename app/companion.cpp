@@ -44,7 +44,7 @@ void run_companion(char** argv) {
   refuse_start(path);
 }
 
-std::string companion_output(const std::string& argument) {
+std::string read_companion_output(const std::string& argument) {
   const fs::path path = companion();
   std::string program = path.string(), word = argument;
   int ends[2];

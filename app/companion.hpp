@@ -20,6 +20,6 @@ inline constexpr const char* kDescribeCommand = "describe";
 
 /// What the companion prints when it is run with one argument.
 /// @throws InputError  it is not there, or fails
-std::string companion_output(const std::string& argument);
+std::string read_companion_output(const std::string& argument);
 
 }  // namespace clast

@@ -8,7 +8,7 @@
 namespace {
 
 /// Help of the command that only the companion has.
-clast::HelpSource help_of_reconstruct(const char* program) {
+clast::ReconstructHelp help_of_reconstruct(const char* program) {
   return {.show =
               [program] {
                 std::string words[] = {program, "reconstruct", "--help"};
@@ -17,7 +17,7 @@ clast::HelpSource help_of_reconstruct(const char* program) {
               },
           .options =
               [] {
-                const std::string text = clast::companion_output(clast::kDescribeCommand);
+                const std::string text = clast::read_companion_output(clast::kDescribeCommand);
                 return clast::command_from_json(nlohmann::json::parse(text)).commands.front();
               }};
 }

@@ -75,7 +75,7 @@ const std::map<std::string, std::string, std::less<>> kFlags = {
 
 }  // namespace
 
-std::string with_flags(std::string_view text) {
+std::string replace_keys_by_flags(std::string_view text) {
   std::string result;
   while (true) {
     const std::size_t begin = text.find('`');
@@ -88,6 +88,6 @@ std::string with_flags(std::string_view text) {
   }
 }
 
-std::string shown(std::string_view text) { return printable(with_flags(text)); }
+std::string shown(std::string_view text) { return printable(replace_keys_by_flags(text)); }
 
 }  // namespace clast

@@ -60,7 +60,7 @@ int run(int argc, char** argv, const std::function<void(CLI::App&)>& add_command
   } catch (const CLI::ParseError& error) {
     if (error.get_exit_code() == 0) return app.exit(error);  // --help and --version
     const CLI::App* command = named_command(&app);
-    std::cerr << "clast: " << shown(described(error, *command)) << "\nSee: " << full_name(*command)
+    std::cerr << "clast: " << shown(described(error, *command)) << "\nSee: " << full_command_name(*command)
               << " --help\n";
     return kMisused;
   }
@@ -77,9 +77,9 @@ int checked(int exit_code) {
 
 }  // namespace
 
-std::string full_name(const CLI::App& command) {
+std::string full_command_name(const CLI::App& command) {
   const CLI::App* parent = command.get_parent();
-  return parent ? full_name(*parent) + " " + command.get_name() : command.get_name();
+  return parent ? full_command_name(*parent) + " " + command.get_name() : command.get_name();
 }
 
 int run_program(int argc, char** argv, const std::function<void(CLI::App&)>& add_commands) {

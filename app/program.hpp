@@ -11,6 +11,6 @@ namespace clast {
 int run_program(int argc, char** argv, const std::function<void(CLI::App&)>& add_commands);
 
 /// All words of a command, "clast new campaign".
-std::string full_name(const CLI::App& command);
+std::string full_command_name(const CLI::App& command);
 
 }  // namespace clast

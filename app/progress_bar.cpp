@@ -24,7 +24,7 @@ std::string rate_text(double seconds_each) {
 
 }  // namespace
 
-std::string duration_text(double seconds) {
+std::string format_duration(double seconds) {
   char text[32];
   const long whole = static_cast<long>(seconds + 0.5);
   if (whole >= 3600) {
@@ -68,7 +68,7 @@ void ProgressBar::show(std::size_t done, const std::string& note, double elapsed
   if (done > first_ && done < total_) {
     const double each = elapsed / static_cast<double>(done - first_);
     left = ", " + rate_text(each) + ", " +
-           duration_text(each * static_cast<double>(total_ - done)) + " left";
+           format_duration(each * static_cast<double>(total_ - done)) + " left";
   }
   const std::string count =
       std::to_string(done) + " of " + std::to_string(total_) + " " + what_ + left;
@@ -88,7 +88,7 @@ void ProgressBar::show(std::size_t done, const std::string& note, double elapsed
 void ProgressBar::end_long_step() {
   if (long_step_.empty()) return;
   const std::chrono::duration<double> took = std::chrono::steady_clock::now() - long_begin_;
-  const std::string time = duration_text(took.count());
+  const std::string time = format_duration(took.count());
   if (terminal_) {
     std::fprintf(stderr, "\r\033[K%s ... %s\n", long_step_.c_str(), time.c_str());
     visible_ = false;

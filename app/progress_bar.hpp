@@ -8,7 +8,7 @@
 namespace clast {
 
 /// "3 min 20 s"; at least seconds are named.
-std::string duration_text(double seconds);
+std::string format_duration(double seconds);
 
 class ProgressBar {
  public:

@@ -11,7 +11,7 @@ namespace {
 void add_reconstruct_commands(CLI::App& app) {
   clast::add_reconstruct(app);
   app.add_subcommand(clast::kDescribeCommand, "")->group("")->callback([&app] {
-    std::cout << clast::to_json(clast::command_tree(app)).dump() << "\n";
+    std::cout << clast::to_json(clast::build_command_tree(app)).dump() << "\n";
   });
 }
 

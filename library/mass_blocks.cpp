@@ -71,10 +71,10 @@ CutMass cut_masses(std::span<const TriangleMesh> masses, const MassBlockOptions&
 
 MassBlocks blocks_of_mass(const TriangleMesh& mass, const BlockSource& source,
                           const MassBlockOptions& options) {
-  return blocks_of_masses({&mass, 1}, source, options);
+  return distribute_blocks({&mass, 1}, source, options);
 }
 
-MassBlocks blocks_of_masses(std::span<const TriangleMesh> masses, const BlockSource& source,
+MassBlocks distribute_blocks(std::span<const TriangleMesh> masses, const BlockSource& source,
                             const MassBlockOptions& options) {
   MassBlocks result;
   const CutMass cut = cut_masses(masses, options, result.failed);

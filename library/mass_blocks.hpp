@@ -38,7 +38,7 @@ MassBlocks blocks_of_mass(const TriangleMesh& mass, const BlockSource& source,
 /// @throws GeometryError, InputError  as `cut_by_joints`; where some masses can be cut, what keeps
 ///                                    others from it is among the failures
 /// @pre there is a mass
-MassBlocks blocks_of_masses(std::span<const TriangleMesh> masses, const BlockSource& source,
+MassBlocks distribute_blocks(std::span<const TriangleMesh> masses, const BlockSource& source,
                             const MassBlockOptions& options);
 
 }  // namespace clast

@@ -102,9 +102,9 @@ py::array view(const std::vector<std::uint32_t>& indices, const py::handle& owne
   return view_of(indices.data(), {static_cast<py::ssize_t>(indices.size())}, owner);
 }
 
-py::array_t<double> array_of(const Vec3& vector) { return py::array_t<double>(3, vector.data()); }
+py::array_t<double> to_array(const Vec3& vector) { return py::array_t<double>(3, vector.data()); }
 
-py::array_t<double> array_of(const Mat3& matrix) {
+py::array_t<double> to_array(const Mat3& matrix) {
   py::array_t<double> array({3, 3});
   for (int row = 0; row < 3; ++row) {
     for (int column = 0; column < 3; ++column) {
@@ -114,18 +114,18 @@ py::array_t<double> array_of(const Mat3& matrix) {
   return array;
 }
 
-py::array_t<double> array_of(const Quat& turn) {
+py::array_t<double> to_array(const Quat& turn) {
   const double values[] = {turn.w(), turn.x(), turn.y(), turn.z()};
   return py::array_t<double>(4, values);
 }
 
-py::tuple arrays_of(TriangleMesh mesh) {
+py::tuple to_arrays(TriangleMesh mesh) {
   auto* kept = new TriangleMesh(std::move(mesh));
   const py::capsule owner(kept, [](void* pointer) { delete static_cast<TriangleMesh*>(pointer); });
   return py::make_tuple(view(kept->vertices, owner), view(kept->triangles, owner));
 }
 
-std::vector<Vec3> points_from(const py::object& object, const char* name) {
+std::vector<Vec3> parse_points(const py::object& object, const char* name) {
   const py::array array = array_from(object, name);
   check_rows(array, name);
   std::vector<Vec3> points;
@@ -141,12 +141,12 @@ std::vector<Vec3> points_from(const py::object& object, const char* name) {
 
 TriangleMesh mesh_from(const py::object& vertices, const py::object& triangles) {
   TriangleMesh mesh;
-  mesh.vertices = points_from(vertices, "vertices");
+  mesh.vertices = parse_points(vertices, "vertices");
   mesh.triangles = triangles_from(triangles, mesh.vertices.size());
   return mesh;
 }
 
-Vec3 vector_from(const py::object& object, const char* name) {
+Vec3 parse_vector(const py::object& object, const char* name) {
   const py::array array = array_from(object, name);
   if (array.ndim() != 1 || array.shape(0) != 3) {
     throw InputError(std::string(name) + ": has the shape " + shape_of(array) +

@@ -28,22 +28,22 @@ pybind11::array_t<T> owned(std::vector<T> values) {
   return pybind11::array_t<T>(static_cast<pybind11::ssize_t>(kept->size()), kept->data(), owner);
 }
 
-pybind11::array_t<double> array_of(const Vec3& vector);  ///< of shape (3,)
-pybind11::array_t<double> array_of(const Mat3& matrix);  ///< of shape (3, 3)
-pybind11::array_t<double> array_of(const Quat& turn);    ///< of shape (4,): w, x, y, z
+pybind11::array_t<double> to_array(const Vec3& vector);  ///< of shape (3,)
+pybind11::array_t<double> to_array(const Mat3& matrix);  ///< of shape (3, 3)
+pybind11::array_t<double> to_array(const Quat& turn);    ///< of shape (4,): w, x, y, z
 
 /// (vertices (n, 3) float64, triangles (m, 3) uint32); the arrays own the mesh.
-pybind11::tuple arrays_of(TriangleMesh mesh);
+pybind11::tuple to_arrays(TriangleMesh mesh);
 
 /// @param name  for messages
 /// @throws TypeError   no array of numbers; InputError  of another shape, or not finite
-std::vector<Vec3> points_from(const pybind11::object& array, const char* name);
+std::vector<Vec3> parse_points(const pybind11::object& array, const char* name);
 /// Vertices of shape (n, 3) and triangles of shape (m, 3), of any kind of float and integer, in any
 /// order in memory; read where they are.
-/// @throws TypeError, InputError  as `points_from`; an index without a vertex
+/// @throws TypeError, InputError  as `parse_points`; an index without a vertex
 TriangleMesh mesh_from(const pybind11::object& vertices, const pybind11::object& triangles);
 /// Three numbers.
-Vec3 vector_from(const pybind11::object& array, const char* name);
+Vec3 parse_vector(const pybind11::object& array, const char* name);
 /// Four numbers w, x, y, z of length 1 within 1e-3, normalised; or a matrix of shape (3, 3).
 Quat rotation_from(const pybind11::object& array, const char* name);
 

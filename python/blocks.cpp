@@ -118,7 +118,7 @@ py::tuple skin_of(const SpheroPolyhedron& shape, int segments) {
     const py::gil_scoped_release release;
     skin = skin_mesh(shape, segments);
   }
-  return arrays_of(std::move(skin));
+  return to_arrays(std::move(skin));
 }
 
 py::bytes picture_of(const Block& block, std::uint32_t width, std::uint32_t height) {
@@ -128,7 +128,7 @@ py::bytes picture_of(const Block& block, std::uint32_t width, std::uint32_t heig
   std::string png;
   {
     const py::gil_scoped_release release;
-    png = report_detail::thumbnail_png(skin_mesh(block.body), width, height);
+    png = report_detail::render_thumbnail_png(skin_mesh(block.body), width, height);
   }
   return py::bytes(png);
 }
@@ -174,7 +174,7 @@ void bind_core(py::module_& module) {
       .def_property_readonly("edges", &edges_of_core, "Pairs of indices; uint32 (m, 2).")
       .def_readonly("radius", &SpheroPolyhedron::radius, "Minkowski radius, m.")
       .def(
-          "mesh", [](const SpheroPolyhedron& core) { return arrays_of(core_mesh(core)); },
+          "mesh", [](const SpheroPolyhedron& core) { return to_arrays(core_mesh(core)); },
           "(vertices (n, 3), triangles (m, 3)): the core, polygons cut into triangles.");
 }
 
@@ -196,27 +196,27 @@ void bind_blocks(py::module_& module) {
       .def_readonly("density", &Block::density, "kg/m^3")
       .def_readonly("area", &Block::area, "Of the rounded surface, m^2.")
       .def_property_readonly(
-          "centre", [](const Block& b) { return array_of(b.mass.centre); },
+          "centre", [](const Block& b) { return to_array(b.mass.centre); },
           "Centre of mass, m; float64 (3,).")
       .def_property_readonly(
-          "inertia", [](const Block& b) { return array_of(if_scaled(b, b.mass.inertia)); },
+          "inertia", [](const Block& b) { return to_array(if_scaled(b, b.mass.inertia)); },
           "About the centre of mass, along the axes of the scan, kg m^2; float64 (3, 3).")
       .def_property_readonly(
           "principal_moments",
-          [](const Block& b) { return array_of(if_scaled(b, b.principal.moments)); },
+          [](const Block& b) { return to_array(if_scaled(b, b.principal.moments)); },
           "Ascending, kg m^2; float64 (3,).")
       .def_property_readonly(
           "principal_axes",
-          [](const Block& b) { return array_of(Mat3(b.principal.rotation.toRotationMatrix())); },
+          [](const Block& b) { return to_array(Mat3(b.principal.rotation.toRotationMatrix())); },
           "Columns are the principal axes in the frame of the scan; float64 (3, 3).")
       .def_property_readonly(
-          "box_lengths", [](const Block& b) { return array_of(b.box.lengths); },
+          "box_lengths", [](const Block& b) { return to_array(b.box.lengths); },
           "L >= I >= S of the smallest box, m; float64 (3,).")
       .def_property_readonly(
-          "box_axes", [](const Block& b) { return array_of(b.box.axes); },
+          "box_axes", [](const Block& b) { return to_array(b.box.axes); },
           "Columns are the directions of L, I, S; float64 (3, 3).")
       .def_property_readonly(
-          "box_centre", [](const Block& b) { return array_of(b.box.centre); }, "m; float64 (3,).");
+          "box_centre", [](const Block& b) { return to_array(b.box.centre); }, "m; float64 (3,).");
   block
       .def_property_readonly(
           "core", [](const Block& b) { return &b.body; },
@@ -247,7 +247,7 @@ void bind_blocks(py::module_& module) {
       .def(
           "roundness",
           [](const Block& b, double edge_length) {
-            const Roundness measured = unlocked([&] { return block_roundness(b, edge_length); });
+            const Roundness measured = without_gil([&] { return block_roundness(b, edge_length); });
             return measured.value;
           },
           "edge_length"_a, "Wadell's roundness on triangles with edges of so many metres.")
@@ -257,12 +257,12 @@ void bind_blocks(py::module_& module) {
           "deviation", [](const Block& b) { return b.deviation.hausdorff; },
           "Hausdorff distance to the scan, m.")
       .def(
-          "to_dict", [](const Block& b) { return object_of(block_json(b)); },
+          "to_dict", [](const Block& b) { return to_python_object(block_json(b)); },
           "Everything known, as clast show prints it as JSON.")
       .def("picture", &picture_of, "width"_a = 320, "height"_a = 256,
            "PNG of the rounded surface from the front and above.")
       .def("_repr_png_", [](const Block& b) { return picture_of(b, 320, 256); })
-      .def("__repr__", [](const Block& b) { return "<clast.Block " + block_line(b) + ">"; });
+      .def("__repr__", [](const Block& b) { return "<clast.Block " + format_block_line(b) + ">"; });
   module.def("shape_classes", &classify_axes, "L"_a, "I"_a, "S"_a,
              "ShapeClass by scheme for axes in metres, in any order.\n\n"
              "axis_error: m, else 0.05, of a tape; thirds, erdogan_limit: as of Block.classify.");
@@ -270,10 +270,10 @@ void bind_blocks(py::module_& module) {
       "mass_properties",
       [](const py::object& vertices, const py::object& triangles, double density) {
         const TriangleMesh mesh = mesh_from(vertices, triangles);
-        const MassProperties found = unlocked([&] { return solid_mass_properties(mesh, density); });
+        const MassProperties found = without_gil([&] { return solid_mass_properties(mesh, density); });
         return py::dict("volume_m3"_a = found.volume, "mass_kg"_a = found.mass,
-                        "centre_m"_a = array_of(found.centre),
-                        "inertia_kg_m2"_a = array_of(found.inertia));
+                        "centre_m"_a = to_array(found.centre),
+                        "inertia_kg_m2"_a = to_array(found.inertia));
       },
       "vertices"_a, "triangles"_a, "density"_a = 2650.0,
       "Of the solid that a closed mesh bounds, exactly.\n\n"

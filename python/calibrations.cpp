@@ -30,7 +30,7 @@ TableValues draws_of(const Calibration& calibration) {
   for (std::size_t i = 0; i < calibration.study.unknowns.size(); ++i) {
     const std::string& name = calibration.study.unknowns[i].parameter;
     const Eigen::VectorXd row = posterior.draws.row(static_cast<Eigen::Index>(i)).transpose();
-    table.push_back({name, parameter_range(name).unit, unknown_in_words(name),
+    table.push_back({name, parameter_range(name).unit, describe_unknown(name),
                      std::vector<double>(row.begin(), row.end())});
   }
   table.push_back(
@@ -54,12 +54,12 @@ py::tuple calibrate_study(const fs::path& study, const fs::path& output, const p
   CalibrateOptions options = common_options(given);
   given.take("parts", options.parts);
   given.done();
-  const Calibration found = watched(progress, [&](const Progress& step) {
+  const Calibration found = run_with_progress(progress, [&](const Progress& step) {
     options.progress = step;
-    return calibrate_with_page(read_calibration_study(study), output, options);
+    return calibrate_and_report(read_calibration_study(study), output, options);
   });
-  return py::make_tuple(calibration_page_file(output).string(), table_of(draws_of(found)),
-                        object_of(calibration_json(found)));
+  return py::make_tuple(calibration_page_file(output).string(), make_table(draws_of(found)),
+                        to_python_object(calibration_json(found)));
 }
 
 /// The file of the shard.
@@ -71,8 +71,8 @@ std::string calibrate_shard(const fs::path& study, const fs::path& output,
   given.done();
   options.shard = {shard.first, shard.second};
   options.shard.check();
-  const fs::path target = shard_output(output, options.shard);
-  watched(progress, [&](const Progress& step) {
+  const fs::path target = shard_file(output, options.shard);
+  run_with_progress(progress, [&](const Progress& step) {
     options.progress = step;
     return calibrate(read_calibration_study(study), target, options);
   });
@@ -80,17 +80,17 @@ std::string calibrate_shard(const fs::path& study, const fs::path& output,
 }
 
 std::vector<std::string> check_study(const fs::path& study) {
-  return unlocked([&] { return check_calibration_study(study).findings; });
+  return without_gil([&] { return check_calibration_study(study).findings; });
 }
 
 }  // namespace
 
 void bind_calibrations(py::module_& module) {
-  module.attr("calibration_tables") = keys_of(calibration_tables());
+  module.attr("calibration_tables") = to_key_dict(calibration_key_tables());
   module.def("calibrate", &calibrate_study);
   module.def("calibrate_shard", &calibrate_shard);
   module.def("check_calibration", &check_study);
-  module.def("calibration_schema", [] { return object_of(calibration_schema()); });
+  module.def("calibration_schema", [] { return to_python_object(calibration_schema()); });
 }
 
 }  // namespace clast::python_detail

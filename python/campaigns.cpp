@@ -60,7 +60,7 @@ py::object object_of_node(const TomlNode& node) {
 /// (text, what is in it)
 py::tuple read_campaign_text(const fs::path& file) {
   std::string text;
-  const TomlNode root = unlocked([&] {
+  const TomlNode root = without_gil([&] {
     text = read_text_file(file);
     return parse_toml(text, file.string());
   });
@@ -70,8 +70,8 @@ py::tuple read_campaign_text(const fs::path& file) {
 /// (findings, the plan or None)
 py::tuple check(const std::string& text, const fs::path& file) {
   const CampaignCheck check =
-      watched(py::none(), [&](const Progress&) { return check_campaign_text(text, file); });
-  const py::object plan = check.prepared ? object_of(plan_json(*check.prepared)) : py::none();
+      run_with_progress(py::none(), [&](const Progress&) { return check_campaign_text(text, file); });
+  const py::object plan = check.prepared ? to_python_object(plan_json(*check.prepared)) : py::none();
   return py::make_tuple(check.findings, plan);
 }
 
@@ -87,7 +87,7 @@ std::optional<Shard> take_shard(Keywords& given) {
 /// Refuses places as the program does, before anything runs.
 /// @return whether all is done already
 bool check_place(const fs::path& target, const CampaignPlan& prepared, const RunOptions& options) {
-  const bool begun = fs::exists(partial_results(target));
+  const bool begun = fs::exists(journal_path(target));
   if (options.resume && !options.replace && !begun &&
       is_finished(target, prepared.header, options.shard.runs_of(prepared))) {
     return true;
@@ -108,10 +108,10 @@ std::string run(const std::string& text, const fs::path& file, const fs::path& o
   const std::optional<Shard> shard = take_shard(given);
   given.done();
   options.shard = shard.value_or(Shard());
-  const fs::path target = shard_output(output, shard);
+  const fs::path target = shard_file(output, shard);
   watch(progress, [&](const Progress& step) {
-    const bool keep = !options.replace && !options.resume && !fs::exists(partial_results(target));
-    check_results_place(target, !keep);
+    const bool keep = !options.replace && !options.resume && !fs::exists(journal_path(target));
+    check_results_target(target, !keep);
     const CampaignPlan prepared = prepare_campaign(parse_campaign(text, file));
     if (!check_place(target, prepared, options)) {
       options.progress = step;
@@ -134,7 +134,7 @@ py::object dry_run(const std::string& text, const fs::path& file, const py::dict
   given.take("map", map);
   const Shard shard = take_shard(given).value_or(Shard());
   given.done();
-  const auto summary = watched(py::none(), [&](const Progress&) {
+  const auto summary = run_with_progress(py::none(), [&](const Progress&) {
     const CampaignPlan prepared = prepare_campaign(parse_campaign(text, file));
     OutputRules rules;
     if (map) {
@@ -143,7 +143,7 @@ py::object dry_run(const std::string& text, const fs::path& file, const py::dict
     }
     const TimeProbe probe = probe_time(prepared, kProbeTime);
     nlohmann::ordered_json json = plan_json(prepared);
-    json["expected_time_s"] = expected_time(prepared, probe, shard, thread_count(threads));
+    json["expected_time_s"] = estimate_time(prepared, probe, shard, thread_count(threads));
     PlannedPower power = planned_power(prepared, probe);
     power.margin = margin;
     json.update(power_json(power));
@@ -152,20 +152,20 @@ py::object dry_run(const std::string& text, const fs::path& file, const py::dict
     json["probe_failure"] = probe.failure;
     json["threads"] = thread_count(threads);
     if (map) {
-      write_output(*map, svg_map(site_map(prepared.header)), rules);
+      write_output(*map, draw_svg_map(make_site_map(prepared.header)), rules);
       json["map"] = map->string();
     }
     return json;
   });
-  return object_of(summary);
+  return to_python_object(summary);
 }
 
 /// Doubts about what is proposed, in words.
 std::vector<std::string> make_new(const fs::path& library, const py::object& terrain,
                                   const fs::path& output, bool replace) {
   std::vector<fs::path> surface;
-  for (const std::string& one : texts_from(terrain, "terrain")) surface.emplace_back(one);
-  return watched(py::none(), [&](const Progress&) {
+  for (const std::string& one : parse_texts(terrain, "terrain")) surface.emplace_back(one);
+  return run_with_progress(py::none(), [&](const Progress&) {
     return write_new_campaign(library, surface, output, {.replace = replace}).doubts;
   });
 }
@@ -180,9 +180,9 @@ py::tuple export_scenes(const std::string& text, const fs::path& file, const fs:
   given.take("runs", options.runs);
   given.take("replace", replace);
   given.done();
-  const EngineScenes scenes = watched(py::none(), [&](const Progress&) {
+  const EngineScenes scenes = run_with_progress(py::none(), [&](const Progress&) {
     options.check();
-    OutputFolder output(folder, scene_folder(), replace);
+    OutputFolder output(folder, scene_folder_kind(), replace);
     EngineScenes written = write_engine_scenes(prepare_campaign(parse_campaign(text, file)),
                                                options, output.temporary());
     output.commit();
@@ -201,7 +201,7 @@ py::tuple import_results(const std::string& engine, const fs::path& scenes, cons
   given.take("campaign", options.campaign);
   given.take("replace", options.replace);
   given.done();
-  const EngineRuns found = watched(progress, [&](const Progress& step) {
+  const EngineImportSummary found = run_with_progress(progress, [&](const Progress& step) {
     options.progress = step;
     return import_engine_results(options, output);
   });
@@ -210,9 +210,9 @@ py::tuple import_results(const std::string& engine, const fs::path& scenes, cons
 
 void merge(const py::object& parts, const fs::path& output, bool replace) {
   std::vector<fs::path> files;
-  for (const std::string& part : texts_from(parts, "parts")) files.emplace_back(part);
-  unlocked([&] {
-    check_results_place(output, replace);
+  for (const std::string& part : parse_texts(parts, "parts")) files.emplace_back(part);
+  without_gil([&] {
+    check_results_target(output, replace);
     merge_results(files, output);
   });
 }
@@ -220,8 +220,8 @@ void merge(const py::object& parts, const fs::path& output, bool replace) {
 }  // namespace
 
 void bind_campaigns(py::module_& module) {
-  module.attr("campaign_tables") = keys_of(campaign_tables());
-  module.def("campaign_schema", [] { return object_of(campaign_schema()); });
+  module.attr("campaign_tables") = to_key_dict(campaign_key_tables());
+  module.def("campaign_schema", [] { return to_python_object(campaign_schema()); });
   module.def("campaign_read", &read_campaign_text);
   module.def("campaign_write", [](const fs::path& file, const std::string& text, bool replace) {
     write_output(file, text, {.kind = "text", .replace = replace});

@@ -40,7 +40,7 @@ struct ComparisonHolder {
 };
 
 SharedResults load_results(const fs::path& path) {
-  return unlocked([&] { return std::make_shared<CampaignResults>(read_results(path)); });
+  return without_gil([&] { return std::make_shared<CampaignResults>(read_results(path)); });
 }
 
 /// Numbers of every state, in columns.
@@ -59,7 +59,7 @@ std::array<double, 3> numbers_of(const Vec3& v) { return {v.x(), v.y(), v.z()}; 
 
 /// Positions on the map.
 py::dict trajectory_of(const CampaignResults& results, std::uint32_t run) {
-  Trajectory found = unlocked([&] { return read_trajectory(results.file, run); });
+  Trajectory found = without_gil([&] { return read_trajectory(results.file, run); });
   const py::array position = rows_of_states(found, 3, [&](const RigidState& state) {
     return numbers_of(results.frame.map(state.position));
   });
@@ -80,7 +80,7 @@ std::shared_ptr<ComparisonHolder> compare_all(const std::vector<SharedResults>& 
                                               const std::vector<std::string>& by,
                                               const std::optional<fs::path>& measured,
                                               const std::optional<double>& margin) {
-  return watched(py::none(), [&](const Progress&) {
+  return run_with_progress(py::none(), [&](const Progress&) {
     std::vector<CampaignResults> copies;
     for (const SharedResults& one : results) copies.push_back(*one);
     return std::make_shared<ComparisonHolder>(
@@ -89,8 +89,8 @@ std::shared_ptr<ComparisonHolder> compare_all(const std::vector<SharedResults>& 
 }
 
 std::vector<std::string> sentences(const ComparisonHolder& of) {
-  std::vector<std::string> lines = answer_sentences(of.comparison, of.analyses.answer());
-  const std::vector<std::string> observed = measured_sentences(of.comparison);
+  std::vector<std::string> lines = describe_key_results(of.comparison, of.analyses.answer());
+  const std::vector<std::string> observed = describe_measured_stops(of.comparison);
   lines.insert(lines.end(), observed.begin(), observed.end());
   return lines;
 }
@@ -99,16 +99,16 @@ std::vector<std::string> sentences(const ComparisonHolder& of) {
 std::vector<std::string> write(const ComparisonHolder& of, const fs::path& folder,
                                const py::dict& keywords) {
   Keywords given(keywords);
-  ComparisonExtras extras;
+  ComparisonReportOptions extras;
   bool replace = false, pdf = false;
   given.take("animate", extras.animated);
   given.take("replace", replace);
   given.take("pdf", pdf);
   given.done();
-  return watched(py::none(), [&](const Progress&) {
+  return run_with_progress(py::none(), [&](const Progress&) {
     if (pdf) extras.browser = find_browser();
-    OutputFolder output(folder, comparison_folder(), replace);
-    const FilledFolder filled = fill_folder(output, of.analyses, extras);
+    OutputFolder output(folder, comparison_folder_kind(), replace);
+    const WrittenReport filled = fill_folder(output, of.analyses, extras);
     if (filled.no_pdf) {
       throw InputError(folder.string() + " has the report, but not as PDF: " + *filled.no_pdf);
     }
@@ -131,25 +131,25 @@ void bind_comparisons(py::module_& module) {
       .def_readonly("zone_names", &CampaignResults::zone_names)
       .def_readonly("warnings", &CampaignResults::warnings)
       .def_readonly("planned_runs", &CampaignResults::planned_runs)
-      .def("summary", [](const CampaignResults& r) { return object_of(outcome_json(r)); })
+      .def("summary", [](const CampaignResults& r) { return to_python_object(outcome_json(r)); })
       .def("trajectory", &trajectory_of);
   py::class_<ComparisonHolder, std::shared_ptr<ComparisonHolder>>(module, "ComparisonData")
       .def("table",
            [](const ComparisonHolder& of, const std::string& name) {
-             return table_of(unlocked(
-                 [&] { return table_named(comparison_tables(), name).values(of.analyses); }));
+             return make_table(without_gil(
+                 [&] { return find_table(comparison_tables(), name).values(of.analyses); }));
            })
       .def_property_readonly("warnings",
                              [](const ComparisonHolder& of) { return of.comparison.warnings; })
       .def("sentences", &sentences)
       .def("first_screen",
            [](const ComparisonHolder& of) {
-             return first_screen(of.comparison, of.analyses.answer());
+             return describe_first_screen(of.comparison, of.analyses.answer());
            })
       .def("effects",
            [](const ComparisonHolder& of) {
-             std::vector<std::string> lines = effects_sentences(of.analyses.effects());
-             for (std::string& line : trend_sentences(of.analyses.trends(), of.comparison.margin)) {
+             std::vector<std::string> lines = describe_effects(of.analyses.effects());
+             for (std::string& line : describe_trends(of.analyses.trends(), of.comparison.margin)) {
                lines.push_back(std::move(line));
              }
              return lines;

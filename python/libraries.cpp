@@ -33,11 +33,11 @@ Blocks shared_blocks(const BlockLibrary& library) {
 }
 
 Blocks read_blocks(const fs::path& path) {
-  return unlocked([&] { return shared_blocks(BlockLibrary::read(path)); });
+  return without_gil([&] { return shared_blocks(BlockLibrary::read(path)); });
 }
 
 Blocks change(const fs::path& path, bool make, const std::function<void(BlockLibrary&)>& how) {
-  return unlocked([&] { return shared_blocks(update_library(path, {.make = make}, how)); });
+  return without_gil([&] { return shared_blocks(update_library(path, {.make = make}, how)); });
 }
 
 Blocks add(const fs::path& path, const Blocks& added, bool replace) {
@@ -129,7 +129,7 @@ py::tuple export_to(const Blocks& blocks, const fs::path& folder, const py::dict
   given.done();
   if (folder.empty()) throw InputError("the folder to export to has no name");
   std::vector<std::string> notes;
-  const std::vector<fs::path> written = unlocked([&] {
+  const std::vector<fs::path> written = without_gil([&] {
     return export_blocks(pointers(blocks), folder, options,
                          [&](const std::string& note) { notes.push_back(note); });
   });
@@ -140,8 +140,8 @@ py::tuple export_to(const Blocks& blocks, const fs::path& folder, const py::dict
 
 std::string write_pages(const Blocks& blocks, const std::string& title, const fs::path& folder,
                         bool replace) {
-  return unlocked([&] {
-    OutputFolder output(folder, gallery_folder(), replace);
+  return without_gil([&] {
+    OutputFolder output(folder, gallery_folder_kind(), replace);
     const fs::path page = write_gallery(pointers(blocks), title, output.temporary());
     output.commit();
     return (folder / page.filename()).string();

@@ -36,7 +36,7 @@ bool Keywords::has(const char* name) {
 }
 
 std::vector<std::string> Keywords::texts(const char* name) {
-  return has(name) ? texts_from(given_[name], name) : std::vector<std::string>();
+  return has(name) ? parse_texts(given_[name], name) : std::vector<std::string>();
 }
 
 void Keywords::done() const {
@@ -51,7 +51,7 @@ void Keywords::refuse(const char* name) const {
   throw py::type_error(std::string(name) + ": can't be a " + type_name(given_[name]));
 }
 
-std::vector<std::string> texts_from(const py::handle& object, const char* name) {
+std::vector<std::string> parse_texts(const py::handle& object, const char* name) {
   if (std::optional<std::string> text = text_from(object)) return {*text};
   std::vector<std::string> texts;
   if (py::isinstance<py::iterable>(object) && !py::isinstance<py::bytes>(object)) {

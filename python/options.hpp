@@ -52,6 +52,6 @@ class Keywords {
 };
 
 /// A text or a path, or several, as texts.
-std::vector<std::string> texts_from(const pybind11::handle& object, const char* name);
+std::vector<std::string> parse_texts(const pybind11::handle& object, const char* name);
 
 }  // namespace clast::python_detail

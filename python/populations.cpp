@@ -61,7 +61,7 @@ PopulationRequest population_request(Keywords& given) {
 std::shared_ptr<PopulationReport> classify(const py::dict& keywords) {
   Keywords given(keywords);
   const PopulationRequest request = population_request(given);
-  return unlocked([&] {
+  return without_gil([&] {
     request.check();
     return std::make_shared<PopulationReport>(read_populations(request));
   });
@@ -70,9 +70,9 @@ std::shared_ptr<PopulationReport> classify(const py::dict& keywords) {
 std::string words_of(const PopulationReport& report) {
   std::string text;
   for (const ReportedPopulation& reported : report.populations) {
-    text += (text.empty() ? "" : "\n") + summary_text(reported.summary);
+    text += (text.empty() ? "" : "\n") + format_population_summary(reported.summary);
   }
-  return report.comparison ? text + comparison_text(*report.comparison) : text;
+  return report.comparison ? text + format_population_comparison(*report.comparison) : text;
 }
 
 std::vector<std::string> notes_of(const PopulationReport& report) {
@@ -89,8 +89,8 @@ void bind_populations(py::module_& module) {
   py::class_<PopulationReport, std::shared_ptr<PopulationReport>>(module, "PopulationReport")
       .def("table",
            [](const PopulationReport& report, const std::string& name) {
-             return table_of(
-                 unlocked([&] { return table_named(population_tables(), name).values(report); }));
+             return make_table(
+                 without_gil([&] { return find_table(population_tables(), name).values(report); }));
            })
       .def("json",
            [](const PopulationReport& report) {
@@ -102,8 +102,8 @@ void bind_populations(py::module_& module) {
       .def("notes", &notes_of)
       .def("write",
            [](const PopulationReport& report, const std::filesystem::path& folder, bool replace) {
-             unlocked([&] {
-               OutputFolder output(folder, population_folder(folder), replace);
+             without_gil([&] {
+               OutputFolder output(folder, population_folder_kind(folder), replace);
                write_population_report(report, output.temporary());
                output.commit();
              });

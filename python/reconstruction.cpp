@@ -47,7 +47,7 @@ void take_scale(Keywords& given, ScanToBlockOptions& options) {
     }
     const auto [a, b, metres] =
         py::cast<std::tuple<py::object, py::object, double>>(given.object("scale_length"));
-    options.scale_points = {vector_from(a, "scale_length"), vector_from(b, "scale_length")};
+    options.scale_points = {parse_vector(a, "scale_length"), parse_vector(b, "scale_length")};
     unit = measured_unit(*options.scale_points, metres);
   } else {
     given.take("units", options.units);
@@ -139,7 +139,7 @@ py::list of_scan(const std::string& scan, const std::optional<std::string>& id,
                  const py::dict& keywords, const py::object& progress) {
   Keywords given(keywords);
   const ScanToBlockOptions options = options_from(given);
-  return shared_list(watched(progress, [&](const Progress& step) {
+  return shared_list(run_with_progress(progress, [&](const Progress& step) {
     const std::vector<ScanFile> scans = list_scans({scan});
     if (scans.size() != 1) {
       throw InputError(scan + ": holds " + counted(scans.size(), "scan") +
@@ -159,13 +159,13 @@ py::list of_mesh(const py::object& vertices, const py::object& triangles, const 
                  const py::dict& keywords, const py::object& progress) {
   TriangleMesh mesh;
   if (triangles.is_none()) {
-    mesh.vertices = points_from(vertices, "vertices");
+    mesh.vertices = parse_points(vertices, "vertices");
   } else {
     mesh = mesh_from(vertices, triangles);
   }
   Keywords given(keywords);
   const ScanToBlockOptions options = options_from(given);
-  return shared_list(watched(progress, [&](const Progress& step) {
+  return shared_list(run_with_progress(progress, [&](const Progress& step) {
     return reconstruct_mesh_blocks(mesh, id, options, {.progress = step});
   }));
 }
@@ -218,7 +218,7 @@ class Follower : public BatchObserver {
 py::dict batch(const py::object& scans, const fs::path& output, const py::dict& batch_keywords,
                const py::dict& keywords, const py::object& progress) {
   using namespace pybind11::literals;
-  const std::vector<std::string> inputs = texts_from(scans, "scans");
+  const std::vector<std::string> inputs = parse_texts(scans, "scans");
   BatchOptions options;
   options.library = output;
   Keywords given(batch_keywords), of_scans(keywords);
@@ -230,7 +230,7 @@ py::dict batch(const py::object& scans, const fs::path& output, const py::dict& 
   given.done();
   options.scan = options_from(of_scans);
   std::optional<Follower> follower;
-  const BatchResult result = watched(progress, [&](const Progress& step) {
+  const BatchResult result = run_with_progress(progress, [&](const Progress& step) {
     const std::vector<ScanFile> files = list_scans(inputs);
     options.check(files.size());
     follower.emplace(options, pages);

@@ -89,7 +89,7 @@ MassBlocks blocks_between(const CutRequest& request) {
 py::tuple cut(const py::dict& keywords, const py::object& progress) {
   Keywords given(keywords);
   CutRequest request = cut_request(given);
-  const MassBlocks made = watched(progress, [&](const Progress& step) {
+  const MassBlocks made = run_with_progress(progress, [&](const Progress& step) {
     if (request.output) check_library_place(*request.output);
     request.options.progress = step;
     const bool mesh = !request.file.path.empty();

@@ -50,7 +50,7 @@ std::shared_ptr<Terrain> read_terrain_files(const py::dict& keywords) {
   given.take("tolerance", options.tolerance);
   given.take("cut_zones", options.cut_zones);
   given.done();
-  return unlocked([&] {
+  return without_gil([&] {
     options.check();
     return std::make_shared<Terrain>(read_terrain(options));
   });
@@ -77,7 +77,7 @@ std::vector<Vec3> take_places(Keywords& given) {
   if (!given.has("release")) return {};
   const py::object release = given.object("release");
   if (!py::isinstance<py::str>(release) && !py::hasattr(release, "__fspath__")) {
-    return points_from(release, "release");
+    return parse_points(release, "release");
   }
   std::vector<Vec3> places = read_points(py::cast<fs::path>(release));
   if (up == "y") {
@@ -115,13 +115,13 @@ void draw(const Terrain& terrain, const fs::path& path, const py::dict& keywords
   given.take("barriers", barriers);
   given.take("replace", replace);
   given.done();
-  unlocked([&] {
+  without_gil([&] {
     if (extension_of(path) != ".svg") {
       throw InputError(path.string() + ": is a map; its name must end in .svg");
     }
     std::vector<std::vector<Vec2>> lines;
     if (barriers) lines = read_barrier_lines(*barriers, terrain);
-    write_output(path, svg_map(site_map(terrain, releases, lines)),
+    write_output(path, draw_svg_map(make_site_map(terrain, releases, lines)),
                  {.kind = kind_by_name(path), .replace = replace});
   });
 }
@@ -137,7 +137,7 @@ py::array_t<double> heights(const Terrain& terrain, const py::object& x, const p
   std::vector<double> found(static_cast<std::size_t>(xs.size()));
   const double* const eastings = xs.data();
   const double* const northings = ys.data();
-  unlocked([&] {
+  without_gil([&] {
     const TerrainSurface surface = terrain_surface(terrain);
     const double top = surface.extent().high.z();
     for (std::size_t i = 0; i < found.size(); ++i) {
@@ -172,7 +172,7 @@ void bind_terrains(py::module_& module) {
                                return zones;
                              })
       .def_readonly("zone_names", &Terrain::zone_names)
-      .def_property_readonly("origin", [](const Terrain& t) { return array_of(t.frame.origin); })
+      .def_property_readonly("origin", [](const Terrain& t) { return to_array(t.frame.origin); })
       .def_property_readonly("crs", [](const Terrain& t) { return t.frame.crs; })
       .def_readonly("sources", &Terrain::sources)
       .def("report", &report_of)
@@ -181,13 +181,13 @@ void bind_terrains(py::module_& module) {
       .def("draw", &draw)
       .def("write",
            [](const Terrain& terrain, const fs::path& path, bool replace) {
-             unlocked([&] {
+             without_gil([&] {
                write_terrain(path, terrain, {.kind = kTerrainFormat, .replace = replace});
              });
            })
       .def("export", [](const Terrain& terrain, const fs::path& path, const std::string& up,
                         double cell, bool replace) {
-        unlocked([&] {
+        without_gil([&] {
           export_terrain(path, terrain, up, cell, {.kind = kind_by_name(path), .replace = replace});
         });
       });

@@ -26,7 +26,7 @@ py::array array_of_numbers(const std::vector<std::string>& texts) {
 
 }  // namespace
 
-py::tuple table_of(TableValues table) {
+py::tuple make_table(TableValues table) {
   py::dict values, units, meanings;
   for (ColumnValues& column : table) {
     const py::str name(column.name);
@@ -38,12 +38,12 @@ py::tuple table_of(TableValues table) {
   return py::make_tuple(values, units, meanings);
 }
 
-py::object object_of(const nlohmann::ordered_json& json) {
+py::object to_python_object(const nlohmann::ordered_json& json) {
   // Texts that are not UTF-8 never get here: libraries convert what they read.
   return py::module_::import("json").attr("loads")(json.dump());
 }
 
-py::dict keys_of(const std::vector<KeyTable>& tables) {
+py::dict to_key_dict(const std::vector<KeyTable>& tables) {
   py::dict keys;
   for (const KeyTable& table : tables) keys[py::str(table.name)] = table.key_names();
   return keys;

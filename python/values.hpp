@@ -11,12 +11,12 @@ namespace clast::python_detail {
 
 /// (values, units, meanings): dicts by the columns' names, of NumPy arrays (float64, int64, texts)
 /// and of texts.
-pybind11::tuple table_of(TableValues table);
+pybind11::tuple make_table(TableValues table);
 
 /// dict, list, str, int, float, bool, None.
-pybind11::object object_of(const nlohmann::ordered_json& json);
+pybind11::object to_python_object(const nlohmann::ordered_json& json);
 
 /// {table: its keys}
-pybind11::dict keys_of(const std::vector<KeyTable>& tables);
+pybind11::dict to_key_dict(const std::vector<KeyTable>& tables);
 
 }  // namespace clast::python_detail

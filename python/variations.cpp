@@ -74,11 +74,11 @@ SeriesRequest series_request(Keywords& given) {
 py::tuple vary(const py::dict& keywords, const py::object& progress) {
   Keywords given(keywords);
   SeriesRequest request = series_request(given);
-  RequestedSeries made = watched(progress, [&](const Progress& step) {
+  RequestedSeries made = run_with_progress(progress, [&](const Progress& step) {
     request.options.progress = step;
     return make_series(request);
   });
-  const py::object json = object_of(series_json(made.series, made.fit));
+  const py::object json = to_python_object(series_json(made.series, made.fit));
   py::list blocks;
   for (Block& block : made.series.blocks) blocks.append(std::make_shared<Block>(std::move(block)));
   return py::make_tuple(blocks, made.series.failed, json);

@@ -47,7 +47,7 @@ void pass_on(const py::object& progress, const ProgressStep& step) {
 
 }  // namespace
 
-std::mutex& file_access() { return py::get_or_create_shared_data<std::mutex>("clast file access"); }
+std::mutex& file_mutex() { return py::get_or_create_shared_data<std::mutex>("clast file access"); }
 
 void watch(const py::object& progress, const std::function<void(const Progress&)>& job,
            std::mutex& busy) {

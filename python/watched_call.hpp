@@ -13,7 +13,7 @@ namespace clast::python_detail {
 /// HDF5 serves one thread at a time, and Python may call from several: whoever reads or writes
 /// files holds this, without the interpreter's lock. Both extensions have the same.
 /// @pre  the interpreter's lock is held
-std::mutex& file_access();
+std::mutex& file_mutex();
 
 /// Runs `job` on a thread of its own, which holds `busy`, while this one lets the interpreter
 /// go on, looks for signals twenty times a second, and calls `progress` with a dict (done, total,
@@ -21,11 +21,11 @@ std::mutex& file_access();
 /// next step of progress, and is raised here.
 /// @param progress  None or a callable
 void watch(const pybind11::object& progress, const std::function<void(const Progress&)>& job,
-           std::mutex& busy = file_access());
+           std::mutex& busy = file_mutex());
 
 /// The same for a job that returns something.
 template <class Job>
-auto watched(const pybind11::object& progress, const Job& job) {
+auto run_with_progress(const pybind11::object& progress, const Job& job) {
   std::optional<decltype(job(Progress()))> result;
   watch(progress, [&](const Progress& step) { result.emplace(job(step)); });
   return std::move(*result);
@@ -33,8 +33,8 @@ auto watched(const pybind11::object& progress, const Job& job) {
 
 /// A shorter job, which nothing interrupts: on this thread, with the files to itself.
 template <class Job>
-auto unlocked(const Job& job) {
-  std::mutex& access = file_access();
+auto without_gil(const Job& job) {
+  std::mutex& access = file_mutex();
   const pybind11::gil_scoped_release release;
   const std::lock_guard files(access);
   return job();

@@ -33,7 +33,7 @@ GroundParameters ground_from(const py::handle& object, const std::string& zone) 
   }
   Keywords given(py::reinterpret_borrow<py::dict>(object));
   GroundParameters ground;
-  for (const GroundField& field : ground_fields()) given.take(field.name, ground.*field.value);
+  for (const GroundParameterField& field : ground_fields()) given.take(field.name, ground.*field.value);
   given.done();
   ground.check(zone);
   return ground;
@@ -85,18 +85,18 @@ class Experiment {
                   const py::dict& keywords) {
     Keywords given(keywords);
     RigidState state;
-    state.position = local(vector_from(position, "position"));
+    state.position = local(parse_vector(position, "position"));
     Quat turn = Quat::Identity();
     if (given.has("orientation")) {
       turn = rotation_from(given.object("orientation"), "orientation");
     }
     state.orientation = (turn * block->principal.rotation).normalized();
     if (given.has("velocity_m_s")) {
-      state.velocity = vector_from(given.object("velocity_m_s"), "velocity_m_s");
+      state.velocity = parse_vector(given.object("velocity_m_s"), "velocity_m_s");
     }
     if (given.has("angular_velocity_rad_s")) {
       state.angular_velocity =
-          vector_from(given.object("angular_velocity_rad_s"), "angular_velocity_rad_s");
+          parse_vector(given.object("angular_velocity_rad_s"), "angular_velocity_rad_s");
     }
     bool fixed = false;
     given.take("fixed", fixed);
@@ -181,7 +181,7 @@ class Experiment {
     World& world = started();
     const Touch touch = world.touch(checked(body));
     return py::dict("points"_a = touch.points, "overlap_m"_a = touch.overlap,
-                    "force_n"_a = array_of(world.contact_force(body)),
+                    "force_n"_a = to_array(world.contact_force(body)),
                     "blocks"_a = world.touched_bodies(body));
   }
 

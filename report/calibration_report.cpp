@@ -34,11 +34,11 @@ void check_calibration_output(const std::filesystem::path& target,
   page_rules(target, options);
 }
 
-Calibration calibrate_with_page(const CalibrationStudy& study, const std::filesystem::path& target,
+Calibration calibrate_and_report(const CalibrationStudy& study, const std::filesystem::path& target,
                                 const CalibrateOptions& options) {
   const OutputRules rules = page_rules(target, options);
   Calibration calibration = calibrate(study, target, options);
-  write_output(calibration_page_file(target), calibration_page(calibration), rules);
+  write_output(calibration_page_file(target), make_calibration_page(calibration), rules);
   return calibration;
 }
 

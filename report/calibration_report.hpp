@@ -15,7 +15,7 @@ void check_calibration_output(const std::filesystem::path& target, const Calibra
 
 /// `calibrate`, then the page. What can't be written is refused before anything runs.
 /// @throws InputError  as both
-Calibration calibrate_with_page(const CalibrationStudy& study, const std::filesystem::path& target,
+Calibration calibrate_and_report(const CalibrationStudy& study, const std::filesystem::path& target,
                                 const CalibrateOptions& options);
 
 }  // namespace clast

@@ -20,7 +20,7 @@ namespace clast {
 
 using namespace report_detail;
 
-FolderKind comparison_folder() {
+FolderKind comparison_folder_kind() {
   const auto owns = [](const std::filesystem::path& file) {
     static const std::set<std::string> kFiles = {"stops.gpkg", "provenance.json", "report.html",
                                                  "report.pdf",
@@ -51,19 +51,19 @@ std::vector<std::filesystem::path> write_comparison(const ComparisonAnalyses& an
     if (table.name == "measured" && !comparison.measured) continue;
     write(table.name + ".csv", table.csv(analyses));
   }
-  for (const ResponsePicture& picture :
-       response_pictures(analyses.forms(), several_files(comparison))) {
-    write(picture.file, svg_file(picture.svg));
+  for (const ResponseFigure& picture :
+       draw_response_figures(analyses.forms(), has_several_files(comparison))) {
+    write(picture.file, make_svg_file(picture.svg));
   }
-  write("provenance.json", provenance_json(analyses));
+  write("provenance.json", make_provenance_json(analyses));
   written.push_back(folder / "stops.gpkg");
   write_geopackage(written.back(), comparison);
-  for (const MapRasters* rasters : {&analyses.paths(), &analyses.deposits().rasters}) {
+  for (const MapRasterSet* rasters : {&analyses.paths(), &analyses.deposits().rasters}) {
     const std::vector<std::filesystem::path> files =
         write_rasters(folder / "rasters", *rasters, comparison.results.front().frame.crs);
     written.insert(written.end(), files.begin(), files.end());
   }
-  write("report.html", comparison_page(analyses));
+  write("report.html", make_comparison_page(analyses));
   return written;
 }
 
@@ -82,8 +82,8 @@ std::optional<std::string> print_report(const std::filesystem::path& folder,
 
 }  // namespace
 
-FilledFolder fill_folder(OutputFolder& folder, const ComparisonAnalyses& analyses,
-                         const ComparisonExtras& extras) {
+WrittenReport fill_folder(OutputFolder& folder, const ComparisonAnalyses& analyses,
+                         const ComparisonReportOptions& extras) {
   std::vector<std::filesystem::path> written = write_comparison(analyses, folder.temporary());
   if (extras.animated > 0) {
     const std::filesystem::path animation =
@@ -95,7 +95,7 @@ FilledFolder fill_folder(OutputFolder& folder, const ComparisonAnalyses& analyse
     }
     written.insert(written.begin(), animation);
   }
-  FilledFolder filled;
+  WrittenReport filled;
   if (!extras.browser.empty()) {
     filled.no_pdf = print_report(folder.temporary(), extras.browser);
     if (!filled.no_pdf) written.insert(written.end() - 1, folder.temporary() / "report.pdf");

@@ -44,7 +44,7 @@ SurfaceMeasures surface_measures(const Block& block, const Axes& axes,
   return measures;
 }
 
-void add_library(ReportedPopulation& reported, const BlockReading& reading,
+void add_library(ReportedPopulation& reported, const BlockMeasuringOptions& reading,
                  const std::string& path) {
   const BlockLibrary library = BlockLibrary::read(path);
   for (const Block& block : library.blocks()) {
@@ -87,7 +87,7 @@ void add_brief_notes(std::vector<std::string>& brief, const std::string& input,
 }
 
 /// Rows without a name of their own are named after `stem`, where there is one.
-void add_table(ReportedPopulation& reported, const BlockReading& reading, const std::string& path,
+void add_table(ReportedPopulation& reported, const BlockMeasuringOptions& reading, const std::string& path,
                const DimensionColumns& columns, const std::string& stem) {
   DimensionTable table = read_dimension_table(path, columns);
   add_brief_notes(reported.brief_notes, path, table);
@@ -121,7 +121,7 @@ void note_same_files(ReportedPopulation& reported) {
   }
 }
 
-ReportedPopulation read_population(const PopulationFiles& files, const BlockReading& reading) {
+ReportedPopulation read_population(const PopulationFiles& files, const BlockMeasuringOptions& reading) {
   const DimensionColumns columns = columns_from(files.columns, files.units);
   ReportedPopulation reported;
   std::string& name = reported.population.name;

@@ -17,7 +17,7 @@ struct PopulationFiles {
 };
 
 /// What is taken of a block.
-struct BlockReading {
+struct BlockMeasuringOptions {
   std::string box = "smallest";           ///< whose sides are the axes of a library's blocks
   bool box_given = false;                 ///< asked for, which no table can answer
   std::optional<double> axis_error = {};  ///< of the axes, m; none: as the source lets expect
@@ -31,7 +31,7 @@ struct PopulationRequest {
   PopulationFiles first = {{}, "L=L,I=I,S=S", ""};
   /// None without inputs. Columns and units that are empty are those of the first.
   PopulationFiles against = {};
-  BlockReading reading = {};
+  BlockMeasuringOptions reading = {};
   PopulationOptions options = {};
 
   /// @throws InputError  naming the field: columns, units or schemes that can't be understood, a

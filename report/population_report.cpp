@@ -28,7 +28,7 @@ nlohmann::ordered_json provenance(const PopulationReport& report, const Diagrams
     return value ? nlohmann::ordered_json(*value) : nlohmann::ordered_json();
   };
   for (const ReportedPopulation& reported : report.populations) {
-    const ReadingOptions& reading = reported.reading;
+    const MeasuringOptions& reading = reported.reading;
     auto inputs = nlohmann::ordered_json::array();
     for (const InputFile& input : reported.inputs) {
       inputs.push_back({{"file", input.file}, {"sha256", input.sha256}});
@@ -65,7 +65,7 @@ std::set<std::string> earlier_diagrams(const std::filesystem::path& folder) {
 
 }  // namespace
 
-FolderKind population_folder(const std::filesystem::path& folder) {
+FolderKind population_folder_kind(const std::filesystem::path& folder) {
   const auto owns = [diagrams = earlier_diagrams(folder)](const std::filesystem::path& file) {
     const std::string name = file.string();
     if (is_table_file(population_tables(), name)) return true;
@@ -82,16 +82,16 @@ void write_population_report(const PopulationReport& report, const std::filesyst
   if (std::filesystem::exists(folder, code) && !std::filesystem::is_directory(folder, code)) {
     throw InputError(folder.string() + ": is a file; name a folder for the tables and the report");
   }
-  const Diagrams diagrams = population_diagrams(report);
+  const Diagrams diagrams = draw_population_diagrams(report);
   write_classes_csv(report, folder / "classes.csv");
   for (const PopulationTable& table : population_tables()) {
     if (table.name == "classes") continue;  // written above, never whole in memory
     write_text_file(folder / (table.name + ".csv"), table.csv(report));
   }
   for (const auto& [name, svg] : diagrams) {
-    write_text_file(folder / (name + ".svg"), svg_file(svg));
+    write_text_file(folder / (name + ".svg"), make_svg_file(svg));
   }
-  write_text_file(folder / "report.html", population_page(report, diagrams));
+  write_text_file(folder / "report.html", make_population_page(report, diagrams));
   // Names may hold bytes that are not UTF-8; they must not stop it.
   write_text_file(folder / "provenance.json",
                   provenance(report, diagrams)

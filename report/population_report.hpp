@@ -10,7 +10,7 @@ namespace clast {
 
 /// How `folder` is known to be one that `write_population_report` filled, by the diagrams that its
 /// provenance.json lists.
-FolderKind population_folder(const std::filesystem::path& folder);
+FolderKind population_folder_kind(const std::filesystem::path& folder);
 
 /// Writes classes.csv, shares.csv, sizes.csv, tests.csv, provenance.json, the diagrams as .svg and
 /// report.html, one page that needs no network, to `folder`.

@@ -18,7 +18,7 @@ struct InputFile {
 };
 
 /// How the axes of a population were asked for; what was not given or does not apply is none.
-struct ReadingOptions {
+struct MeasuringOptions {
   std::optional<std::string> box = {};      ///< convention, for blocks of libraries
   std::optional<std::string> columns = {};  ///< of tables
   std::optional<std::string> units = {};    ///< of tables
@@ -37,7 +37,7 @@ struct ReportedPopulation {
   Population population;
   PopulationSummary summary;
   std::string measured;  ///< how L, I, S were taken: "sides of the smallest box", "as in the table"
-  ReadingOptions reading;
+  MeasuringOptions reading;
   std::vector<InputFile> inputs;
   std::size_t skipped = 0;         ///< rows of tables
   std::vector<std::string> notes;  ///< what was wrong with the input

@@ -19,7 +19,7 @@ namespace clast {
 namespace {
 
 /// How a scan got its size, for its page.
-std::string scale_in_words(const ScanToBlockOptions& options) {
+std::string describe_block_scale(const ScanToBlockOptions& options) {
   std::string text = "one unit of the file is " + with_digits(options.scan.unit, 6) + " m";
   text += options.scale_points ? " (from a measured length" : " (--units " + options.units;
   if (options.scale_factor != 1.0) {
@@ -49,7 +49,7 @@ void BatchPrinter::made(const Block& block, const BlockOrigin& origin) {
                            .found = origin.found,
                            .options = options_.scan.scan,
                            .up = origin.up,
-                           .scale = scale_in_words(options_.scan),
+                           .scale = describe_block_scale(options_.scan),
                            .density_given = options_.scan.block.density_given,
                            .photos = origin.photos,
                            .evidence = evidence ? &*evidence : nullptr});
@@ -65,7 +65,7 @@ void BatchPrinter::added(const Block& block) {
   if (!photos.empty()) made_.back()["photos"] = photos.mapped();
   bar_.clear();
   if (!json_) {
-    std::cout << printable(block_line(block)) << "\n";
+    std::cout << printable(format_block_line(block)) << "\n";
     for (const std::string& warning : block.warnings) {
       std::cout << "  note: " << shown(warning) << "\n";
     }
@@ -93,7 +93,7 @@ void BatchPrinter::failed(const ScanFile& scan, const std::string& reason) {
   bar_.clear();
   const std::string path = scan.path.string();
   if (report_) report_->add_failure(path, reason);
-  failed_.push_back({{"scan", as_utf8(path)}, {"reason", as_utf8(with_flags(reason))}});
+  failed_.push_back({{"scan", as_utf8(path)}, {"reason", as_utf8(replace_keys_by_flags(reason))}});
   const auto print = [&] { std::cerr << "clast: " << shown(last_failure_) << "\n"; };
   // The last failure of a single scan ends the program and is printed then.
   if (scans_ == 1 && !last_failure_.empty()) print();

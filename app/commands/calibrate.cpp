@@ -38,14 +38,14 @@ struct CalibrateArgs {
 };
 
 void print_calibration(const Calibration& calibration, const std::filesystem::path& page) {
-  std::cout << printable(calibration_answer(calibration)) << "\n";
-  for (const std::string& finding : calibration_findings(calibration)) {
+  std::cout << printable(describe_calibration_result(calibration)) << "\n";
+  for (const std::string& finding : describe_calibration_findings(calibration)) {
     std::cout << printable(finding) << "\n";
   }
   std::cout << "\n"
-            << unknowns_text(calibration) << "\n"
-            << figures_text(calibration) << "\n"
-            << ground_block(calibration) << "\n"
+            << format_unknowns_table(calibration) << "\n"
+            << format_statistics_table(calibration) << "\n"
+            << format_ground_block(calibration) << "\n"
             << printable(calibration.file.string()) << "\n"
             << printable(page.string()) << "\n";
 }
@@ -74,12 +74,12 @@ void calibrate_with(ProcessTeam& team, const CalibrateArgs& args, CalibrateOptio
   const bool whole = options.shard.count == 1;
   team.agree([&] {
     read.emplace(read_calibration_study(args.study));
-    if (team.leads() && whole) check_calibration_output(output, options);
+    if (team.is_leader() && whole) check_calibration_output(output, options);
     return std::string();
   });
   const CalibrationStudy& study = *read;
   options.team = &team;
-  if (!team.leads()) return follow_calibration(study, options);
+  if (!team.is_leader()) return serve_calibration(study, options);
   ProgressBar bar("members", study.sites.size() * study.design.members);
   bool started = false;
   options.progress = [&](const ProgressStep& step) {
@@ -92,7 +92,7 @@ void calibrate_with(ProcessTeam& team, const CalibrateArgs& args, CalibrateOptio
                           " members are kept. Go on with: " + resume_command(args));
   };
   const Calibration calibration =
-      whole ? calibrate_with_page(study, output, options) : calibrate(study, output, options);
+      whole ? calibrate_and_report(study, output, options) : calibrate(study, output, options);
   bar.clear();
   if (!whole) {
     print_members(calibration, options.shard);
@@ -109,12 +109,12 @@ void calibrate_study(const CalibrateArgs& args) {
   options.resume = args.resume;
   options.replace = args.replace;
   options.parts.assign(args.parts.begin(), args.parts.end());
-  const std::optional<Shard> shard = shard_from(args.shard);
+  const std::optional<Shard> shard = parse_shard(args.shard);
   options.shard = shard.value_or(Shard());
   check_usage([&] { calibration_page_file(args.output); });
   const InterruptionWatch watch;  // before any file is touched
   run_in_team([&](ProcessTeam& team) {
-    calibrate_with(team, args, options, shard_output(args.output, shard), watch);
+    calibrate_with(team, args, options, shard_file(args.output, shard), watch);
   });
 }
 

@@ -28,7 +28,7 @@ std::string ground_draws_text(const CampaignPlan& prepared) {
 /// "4 release points, 64 orientations", for each release set, and how often the ground is drawn.
 std::string releases_text(const CampaignPlan& prepared) {
   std::string text;
-  if (const std::optional<StaySummary>& stay = prepared.header.stay) {
+  if (const std::optional<PersistentBlocksSettings>& stay = prepared.header.stay) {
     text = counted(prepared.campaign.stay->realisations, "realisation") + " of " +
            counted(stay->blocks_each, "block") + (stay->at_once ? "" : " that stay");
     const std::size_t masses = prepared.campaign.stay->masses.size();
@@ -40,7 +40,7 @@ std::string releases_text(const CampaignPlan& prepared) {
     const std::vector<std::string>& cleared = prepared.campaign.stay->cleared_zones;
     if (!cleared.empty()) text += ", but are removed from " + printable(listed(cleared));
   }
-  for (const ReleasePlan& release : prepared.campaign.releases) {
+  for (const ReleaseSet& release : prepared.campaign.releases) {
     text += (text.empty() ? "" : "; ") +
             (release.name.empty() ? "" : printable(release.name) + ": ") +
             counted(release.points.size(), "release point") + ", " +
@@ -51,7 +51,7 @@ std::string releases_text(const CampaignPlan& prepared) {
 
 /// What a mass starts as, from the least to the largest of the realisations.
 std::string mass_text(const CampaignPlan& prepared, std::size_t mass) {
-  const std::vector<MassPlan>& plans = prepared.campaign.stay->masses;
+  const std::vector<MultiBlockRelease>& plans = prepared.campaign.stay->masses;
   const auto range = [&](auto value) {
     double low = INFINITY, high = -INFINITY;
     for (std::size_t i = mass; i < prepared.masses.size(); i += plans.size()) {
@@ -67,13 +67,13 @@ std::string mass_text(const CampaignPlan& prepared, std::size_t mass) {
            with_digits(plans[mass].release_time, 6) +
            " s: " + counted(prepared.masses[mass].blocks, "block") + ", ";
   }
-  rock += range(&MassStart::volume) + " m3 of rock, " +
-          range([](const MassStart& start) { return start.mass / 1000.0; }) + " t, ";
+  rock += range(&MultiBlockStart::volume) + " m3 of rock, " +
+          range([](const MultiBlockStart& start) { return start.mass / 1000.0; }) + " t, ";
   if (plans[mass].in_place) return rock + "in place\n";
-  return rock + "on " + range(&MassStart::area) + " m2 in a heap " +
-         range(&MassStart::mean_thickness) + " m thick on average, " +
-         range(&MassStart::largest_thickness) + " m at most, of which blocks fill " +
-         range([](const MassStart& start) { return 100.0 * start.solid_fraction(); }) +
+  return rock + "on " + range(&MultiBlockStart::area) + " m2 in a heap " +
+         range(&MultiBlockStart::mean_thickness) + " m thick on average, " +
+         range(&MultiBlockStart::largest_thickness) + " m at most, of which blocks fill " +
+         range([](const MultiBlockStart& start) { return 100.0 * start.solid_fraction(); }) +
          (plans[mass].settle ? " %, before they settle\n" : " %\n");
 }
 
@@ -89,8 +89,8 @@ std::string masses_text(const CampaignPlan& prepared) {
 
 /// "about 210 MB of memory for each realisation"; empty where blocks are run one by one.
 std::string memory_line(const CampaignPlan& prepared) {
-  const double bytes = realisation_memory(prepared);
-  return bytes > 0.0 ? "about " + memory_text(bytes) + " of memory for each realisation\n" : "";
+  const double bytes = estimate_realisation_memory(prepared);
+  return bytes > 0.0 ? "about " + format_memory(bytes) + " of memory for each realisation\n" : "";
 }
 
 /// "66 bodies made of 1 block of scans.h5"; empty where blocks run as they are.
@@ -107,13 +107,13 @@ constexpr std::size_t kMostPrintedStarts = 20;
 
 /// Stiffness and time step of the runs of each block, and over all blocks where there are many.
 TextTable stiffness_table(const CampaignPlan& prepared) {
-  const std::vector<BlockStiffness> blocks = stiffness_by_block(prepared.header, prepared.runs);
+  const std::vector<BlockStiffness> blocks = collect_stiffness_by_block(prepared.header, prepared.runs);
   TextTable table{{"block"}, {}};
-  for (const StiffnessValue& value : blocks.front().values) {
+  for (const StiffnessRange& value : blocks.front().values) {
     table.headings.push_back(value.heading);
   }
   const auto add = [&](const BlockStiffness& block) {
-    std::vector<std::string> row = stiffness_cells(block);
+    std::vector<std::string> row = format_stiffness_cells(block);
     row.insert(row.begin(), block.block);
     table.rows.push_back(row);
   };
@@ -139,7 +139,7 @@ void print_stiffness(const CampaignPlan& prepared) {
 }
 
 void print_outcome(const CampaignResults& results) {
-  const CampaignOutcome outcome = outcome_of(results);
+  const StopReasonCounts outcome = count_stop_reasons(results);
   TextTable table{{"stop reason", "runs"}, {}};
   for (std::size_t i = 0; i < kStopReasons.size(); ++i) {
     table.rows.push_back({name_of(kStopReasons[i]), std::to_string(outcome.reasons[i])});
@@ -149,7 +149,7 @@ void print_outcome(const CampaignResults& results) {
             << (outcome.largest_energy_error ? rounded(*outcome.largest_energy_error, 2)
                                              : std::string("not known"))
             << "\n";
-  for (const std::string& warning : outcome_warnings(outcome)) {
+  for (const std::string& warning : describe_failed_runs(outcome)) {
     std::cout << "warning: " << warning << "\n";
   }
 }

@@ -69,7 +69,7 @@ void check_one_study(const CheckArgs& args) {
     if (check.study) report.update(study_json(*check.study));
     std::cout << report.dump(2) << "\n";
   } else if (check.study) {
-    std::cout << study_text(*check.study);
+    std::cout << format_study_summary(*check.study);
   }
   end_with(args, check.findings, "calibrate");
 }

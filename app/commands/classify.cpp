@@ -42,12 +42,12 @@ void print_tables(const PopulationReport& report) {
       std::cout << reported.population.blocks.size()
                 << " blocks; -o DIR writes them to classes.csv, --json prints them\n";
     } else {
-      std::cout << blocks_text(reported.population, report.options);
+      std::cout << format_blocks_table(reported.population, report.options);
     }
-    std::cout << summary_text(reported.summary);
+    std::cout << format_population_summary(reported.summary);
     if (reported.skipped > 0) std::cout << counted(reported.skipped, "row") << " skipped\n";
   }
-  if (report.comparison) std::cout << comparison_text(*report.comparison);
+  if (report.comparison) std::cout << format_population_comparison(*report.comparison);
 }
 
 /// An option that changes nothing here was meant for something: it is refused.
@@ -92,7 +92,7 @@ void check_options_apply(const ClassifyArgs& args, const CLI::App& command) {
 void classify(const ClassifyArgs& args) {
   std::optional<OutputFolder> folder;
   if (!args.output.empty())
-    folder.emplace(args.output, population_folder(args.output), args.replace);
+    folder.emplace(args.output, population_folder_kind(args.output), args.replace);
   const PopulationReport report = read_populations(args.request);
   if (folder) {
     write_population_report(report, folder->temporary());

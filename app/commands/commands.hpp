@@ -27,11 +27,11 @@ void add_import(CLI::App& app);
 void add_calibrate(CLI::App& app);
 
 /// Where `help` finds what the program itself does not know of a command.
-struct HelpSource {
+struct ReconstructHelp {
   std::function<void()> show;             ///< its help, on stdout
   std::function<CommandEntry()> options;  ///< its tables
 };
 /// @param app  must outlive the parsing
-void add_help(CLI::App& app, const HelpSource& reconstruct);
+void add_help(CLI::App& app, const ReconstructHelp& reconstruct);
 
 }  // namespace clast

@@ -59,24 +59,24 @@ void print_lines(const std::vector<std::string>& lines) {
 
 void print_effects(const CompareArgs& args, const ComparisonAnalyses& analyses) {
   if (!args.effects) return;
-  print_lines(effects_sentences(analyses.effects()));
-  print_lines(trend_sentences(analyses.trends(), analyses.comparison().margin));
+  print_lines(describe_effects(analyses.effects()));
+  print_lines(describe_trends(analyses.trends(), analyses.comparison().margin));
 }
 
 void compare_results(const CompareArgs& args) {
   if (args.folder.empty()) throw CLI::ValidationError("--output", "names no folder");
-  ComparisonExtras extras{.animated = args.animated};
+  ComparisonReportOptions extras{.animated = args.animated};
   if (args.pdf) extras.browser = find_browser();
-  OutputFolder folder(args.folder, comparison_folder(), args.replace);
+  OutputFolder folder(args.folder, comparison_folder_kind(), args.replace);
   const Comparison comparison = read_and_compare(args);
   const ComparisonAnalyses analyses(comparison);
-  const FilledFolder filled = fill_folder(folder, analyses, extras);
+  const WrittenReport filled = fill_folder(folder, analyses, extras);
   print_warnings(comparison);
   if (args.summary) {
-    print_lines(first_screen(comparison, analyses.answer()));
+    print_lines(describe_first_screen(comparison, analyses.answer()));
   } else {
-    print_lines(answer_sentences(comparison, analyses.answer()));
-    print_lines(measured_sentences(comparison));
+    print_lines(describe_key_results(comparison, analyses.answer()));
+    print_lines(describe_measured_stops(comparison));
   }
   print_effects(args, analyses);
   for (const std::filesystem::path& file : filled.files) {
@@ -90,7 +90,7 @@ void compare_results(const CompareArgs& args) {
 /// The first screen alone; no folder is written.
 void print_summary(const CompareArgs& args) {
   const Comparison comparison = read_and_compare(args);
-  print_lines(first_screen(comparison, answer(comparison)));
+  print_lines(describe_first_screen(comparison, answer(comparison)));
   print_effects(args, comparison);
 }
 

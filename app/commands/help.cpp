@@ -16,8 +16,8 @@ struct HelpArgs {
 };
 
 /// The tables of all commands, with those of `reconstruct` from where they are.
-CommandEntry whole_tree(const CLI::App& app, const HelpSource& reconstruct) {
-  CommandEntry root = command_tree(app);
+CommandEntry whole_tree(const CLI::App& app, const ReconstructHelp& reconstruct) {
+  CommandEntry root = build_command_tree(app);
   for (CommandEntry& part : root.commands) {
     if (part.name == "reconstruct") part = reconstruct.options();
   }
@@ -43,24 +43,24 @@ const CLI::App& find_command(const CLI::App& app, const std::vector<std::string>
   return *command;
 }
 
-void help(const CLI::App& app, const HelpSource& reconstruct, const HelpArgs& args) {
+void help(const CLI::App& app, const ReconstructHelp& reconstruct, const HelpArgs& args) {
   if (args.completion == "bash") {
-    std::cout << bash_completion(whole_tree(app, reconstruct));
+    std::cout << write_bash_completion(whole_tree(app, reconstruct));
   } else if (args.completion == "zsh") {
-    std::cout << zsh_completion(whole_tree(app, reconstruct));
+    std::cout << write_zsh_completion(whole_tree(app, reconstruct));
   } else if (!args.command.empty() && args.command.front() == "reconstruct") {
     reconstruct.show();
   } else {
     // Not `help` of the command: that follows the commands that were typed, and so explains itself.
     const CLI::App& command = find_command(app, args.command);
-    std::cout << command.get_formatter()->make_help(&command, full_name(command),
+    std::cout << command.get_formatter()->make_help(&command, full_command_name(command),
                                                     CLI::AppFormatMode::Normal);
   }
 }
 
 }  // namespace
 
-void add_help(CLI::App& app, const HelpSource& reconstruct) {
+void add_help(CLI::App& app, const ReconstructHelp& reconstruct) {
   const auto args = std::make_shared<HelpArgs>();
   CLI::App* command = app.add_subcommand("help", "Explain a command; print shell completion");
   CLI::Option* words =

@@ -30,7 +30,7 @@ void import_results(ImportArgs& args) {
     bar.update(step.done);
     if (watch.interrupted()) throw SimulationError("interrupted; nothing was written");
   };
-  const EngineRuns found = import_engine_results(args.options, args.output);
+  const EngineImportSummary found = import_engine_results(args.options, args.output);
   bar.clear();
   const CampaignResults results = read_results(args.output);
   if (args.json) {
@@ -56,7 +56,7 @@ void add_import(CLI::App& app) {
       "import", "Read what another engine computed of exported scenes, as results for compare");
   command->add_option("engine", args->options.engine, "Engine that ran the scenes: rockable")
       ->required()
-      ->check(CLI::IsMember(result_engines()))
+      ->check(CLI::IsMember(importable_engines()))
       ->type_name("ENGINE");
   command
       ->add_option("scenes", args->options.scenes,

@@ -25,7 +25,7 @@ struct NewCampaignArgs {
 };
 
 void print_proposal(const CampaignProposal& proposal) {
-  const ProposedPlaces& places = proposal.places;
+  const ProposedLines& places = proposal.places;
   std::cout << counted(proposal.blocks.count, "block") << ", "
             << counted(places.release_points, "release point") << " on ground of "
             << with_decimals(places.release_slope * kDegreesPerRadian, 0) << " degrees, "

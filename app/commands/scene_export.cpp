@@ -52,7 +52,7 @@ void add_scene_options(CLI::App& command, SceneExportArgs& args) {
       .add_option("--to", args.engine,
                   "Scenes of a campaign for another engine: rockable or exadem; the file is then "
                   "the campaign")
-      ->check(CLI::IsMember(scene_engines()))
+      ->check(CLI::IsMember(exportable_engines()))
       ->type_name("ENGINE");
   command
       .add_option(
@@ -65,7 +65,7 @@ void add_scene_options(CLI::App& command, SceneExportArgs& args) {
 void export_scenes(const std::filesystem::path& campaign, const std::filesystem::path& folder,
                    bool replace, const SceneExportArgs& args) {
   const std::vector<std::uint32_t> runs = run_numbers(args.runs);
-  OutputFolder output(folder, scene_folder(), replace);
+  OutputFolder output(folder, scene_folder_kind(), replace);
   const CampaignPlan prepared = prepare_campaign(read_campaign(campaign));
   for (const std::string& warning : prepared.header.warnings) {
     std::cerr << "warning: " << shown(warning) << "\n";

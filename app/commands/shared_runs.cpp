@@ -24,7 +24,7 @@ void silence() {
 
 }  // namespace
 
-std::optional<Shard> shard_from(const std::string& text) {
+std::optional<Shard> parse_shard(const std::string& text) {
   if (text.empty()) return std::nullopt;
   Shard shard;
   std::istringstream words(text);
@@ -41,7 +41,7 @@ std::optional<Shard> shard_from(const std::string& text) {
 
 void run_in_team(const std::function<void(ProcessTeam& team)>& command) {
   ProcessTeam team;
-  if (team.leads()) return command(team);
+  if (team.is_leader()) return command(team);
   silence();
   try {
     command(team);

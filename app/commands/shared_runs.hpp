@@ -10,7 +10,7 @@ namespace clast {
 
 /// "2/4"; none of an empty text.
 /// @throws CLI::ValidationError  anything else
-std::optional<Shard> shard_from(const std::string& text);
+std::optional<Shard> parse_shard(const std::string& text);
 
 /// Runs a command in every process that was started with this one. Only the one that leads prints,
 /// and only its errors are shown: those of the others reach it.

@@ -32,7 +32,7 @@ struct ShowArgs {
 void print_details(const Block& block) {
   constexpr std::size_t kNames = 26;  // characters
   std::cout << "\n" << printable(block.id) << "\n";
-  for (const auto& [name, value] : block_details(block)) {
+  for (const auto& [name, value] : describe_block(block)) {
     std::cout << "  " << name << std::string(name.size() < kNames ? kNames - name.size() : 1, ' ')
               << shown(value) << "\n";
   }
@@ -46,7 +46,7 @@ void print_shown_blocks(const ShowArgs& args, std::span<const Block* const> bloc
     return;
   }
   std::cout << block_table(blocks).text();
-  const std::string note = unscaled_note(blocks);
+  const std::string note = describe_unscaled(blocks);
   if (!note.empty()) std::cout << "\n" << shown(note) << "\n";
   if (args.ids.empty()) return;
   for (const Block* block : blocks) print_details(*block);
@@ -54,7 +54,7 @@ void print_shown_blocks(const ShowArgs& args, std::span<const Block* const> bloc
 
 void show(const ShowArgs& args) {
   std::optional<OutputFolder> folder;
-  if (!args.report.empty()) folder.emplace(args.report, gallery_folder(), args.replace);
+  if (!args.report.empty()) folder.emplace(args.report, gallery_folder_kind(), args.replace);
   const BlockLibrary library = BlockLibrary::read(args.library);
   const std::vector<const Block*> blocks = library.chosen(args.ids);
   if (folder) {

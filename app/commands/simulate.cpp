@@ -63,7 +63,7 @@ void print_results(const std::filesystem::path& file, const SimulateArgs& args,
 
 void join_parts(const SimulateArgs& args) {
   const std::filesystem::path target = args.output;
-  check_results_place(target, args.replace);
+  check_results_target(target, args.replace);
   merge_results({args.parts.begin(), args.parts.end()}, target);
   print_results(target, args, nlohmann::ordered_json::object());
 }
@@ -87,11 +87,11 @@ void report_dry_run(const SimulateArgs& args, const CampaignPlan& prepared, cons
   check_output(map, rules);
   const TimeProbe probe = probe_time(prepared, kProbeTime);
   const unsigned threads = thread_count(args.threads);
-  const std::size_t together = prepared.header.runs_together();
+  const std::size_t together = prepared.header.runs_per_realisation();
   const std::size_t items = shard.runs_of(prepared) / together;
   const double each = probe.each * static_cast<double>(together);
-  const double expected = expected_time(prepared, probe, shard, threads);
-  write_output(map, svg_map(site_map(prepared.header)), rules);
+  const double expected = estimate_time(prepared, probe, shard, threads);
+  write_output(map, draw_svg_map(make_site_map(prepared.header)), rules);
   const PlannedPower power = power_of(args, prepared, probe);
   if (args.json) {
     summary.update(power_json(power));
@@ -108,8 +108,8 @@ void report_dry_run(const SimulateArgs& args, const CampaignPlan& prepared, cons
     std::cout << "warning: a run that was tried failed, so the time is not to be relied on: "
               << printable(probe.failure) << "\n";
   }
-  const std::string sentence = planned_power_sentence(power);
-  std::cout << (probe.at_most ? "at most " : "about ") << duration_text(expected) << " for "
+  const std::string sentence = describe_planned_power(power);
+  std::cout << (probe.at_most ? "at most " : "about ") << format_duration(expected) << " for "
             << counted(items, prepared.header.stay ? "realisation" : "run") << " on "
             << counted(threads, "thread") << ", judging by "
             << counted(probe.runs / together, prepared.header.stay ? "realisation" : "run")
@@ -140,10 +140,10 @@ CampaignPlan prepared_campaign(const SimulateArgs& args, const ProcessTeam& team
     if (watch.interrupted()) throw SimulationError("interrupted; nothing was run");
   };
   std::unique_ptr<ProgressBar> bar;
-  BlockMaking making{.threads = args.threads};
+  BlockPreparationOptions making{.threads = args.threads};
   making.progress = [&](const ProgressStep& step) {
     check_interrupted();
-    if (!team.leads()) return;
+    if (!team.is_leader()) return;
     if (!bar) bar = std::make_unique<ProgressBar>("bodies", step.total);
     bar->update(step.done);
   };
@@ -157,28 +157,28 @@ void simulate_with(ProcessTeam& team, const SimulateArgs& args,
   const Shard shard = given_shard.value_or(Shard());
   std::optional<CampaignPlan> plan;
   bool finished = false;
-  const std::filesystem::path output = shard_output(args.output, given_shard);
-  const std::filesystem::path part = partial_results(output);
+  const std::filesystem::path output = shard_file(args.output, given_shard);
+  const std::filesystem::path part = journal_path(output);
   team.agree([&] {
     const bool begun = std::filesystem::exists(part);
     const bool keep = !args.replace && !args.resume && !args.dry_run && !begun;
-    if (team.leads()) check_results_place(output, !keep);
+    if (team.is_leader()) check_results_target(output, !keep);
     plan.emplace(prepared_campaign(args, team, watch));
     if (args.resume && !args.replace && !begun) {
       finished = is_finished(output, plan->header, shard.runs_of(*plan));
     }
-    if (team.leads() && !args.dry_run && !args.resume) refuse_interrupted(output);
+    if (team.is_leader() && !args.dry_run && !args.resume) refuse_interrupted(output);
     return fingerprint(*plan) + (finished ? "finished" : "");
   });
   const CampaignPlan& prepared = *plan;
   nlohmann::ordered_json summary = plan_json(prepared);
   if (!args.json) print_plan(prepared);
   if (args.dry_run) {
-    if (team.leads()) report_dry_run(args, prepared, shard, summary);
+    if (team.is_leader()) report_dry_run(args, prepared, shard, summary);
     return;
   }
   if (finished) {
-    if (team.leads()) print_results(output, args, summary, "nothing to do, has all runs already");
+    if (team.is_leader()) print_results(output, args, summary, "nothing to do, has all runs already");
     return;
   }
   std::vector<std::string> resume = {"clast", "simulate", args.campaign, "-o", args.output};
@@ -207,14 +207,14 @@ void simulate_with(ProcessTeam& team, const SimulateArgs& args,
   };
   run_campaign(prepared, output, options);
   bar.clear();
-  if (!team.leads()) return;
+  if (!team.is_leader()) return;
   print_results(output, args, summary);
   if (!args.json) print_stiffness(prepared);
 }
 
 void simulate(const SimulateArgs& args) {
   if (!args.parts.empty()) return join_parts(args);
-  const std::optional<Shard> shard = shard_from(args.shard);
+  const std::optional<Shard> shard = parse_shard(args.shard);
   const InterruptionWatch watch;  // before any file is touched
   run_in_team([&](ProcessTeam& team) { simulate_with(team, args, shard, watch); });
 }

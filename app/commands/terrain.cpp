@@ -172,7 +172,7 @@ void draw_picture(const TerrainArgs& args, const std::vector<Vec3>& releases,
   for (const Vec3& release : releases) places.push_back(release.head<2>());
   std::vector<std::vector<Vec2>> lines;
   if (!args.barriers.empty()) lines = read_barrier_lines(args.barriers, terrain);
-  write_output(args.picture, svg_map(site_map(terrain, places, lines)),
+  write_output(args.picture, draw_svg_map(make_site_map(terrain, places, lines)),
                rules_of(args, args.picture));
 }
 

@@ -92,11 +92,11 @@ void print_series(const VaryArgs& args, const RequestedSeries& made) {
     return;
   }
   const std::size_t listed = std::min(kMostListed, series.blocks.size());
-  std::cout << series_table({series.blocks.data(), listed}).text();
+  std::cout << make_series_table({series.blocks.data(), listed}).text();
   if (listed < series.blocks.size()) {
     std::cout << "... and " << series.blocks.size() - listed << " more, which clast show lists\n";
   }
-  if (made.fit) std::cout << "\n" << described_fit(*made.fit);
+  if (made.fit) std::cout << "\n" << describe_copula_fit(*made.fit);
   std::cout << "\n"
             << printable(args.output) << ": " << counted(series.blocks.size(), "body", "bodies")
             << " written, " << counted(made.in_all, "block") << " in all\n";

@@ -19,7 +19,7 @@ namespace {
 namespace fs = std::filesystem;
 
 /// Rows as a tape gives them, in centimetres with two decimals.
-fs::path table_of(std::int64_t rows) {
+fs::path make_table(std::int64_t rows) {
   const fs::path path =
       fs::temp_directory_path() / ("clast-benchmark-" + std::to_string(rows) + ".csv");
   Random random(7);
@@ -42,7 +42,7 @@ double peak_memory_mb() {
 }
 
 void read_and_classify(benchmark::State& state) {
-  const fs::path path = table_of(state.range(0));
+  const fs::path path = make_table(state.range(0));
   std::size_t elongated = 0;
   double sum = 0.0;
   for (auto _ : state) {
@@ -68,7 +68,7 @@ BENCHMARK(read_and_classify)
 
 /// What `clast classify table.csv -o DIR` does: tables, diagrams and report.
 void whole_report(benchmark::State& state) {
-  const fs::path path = table_of(state.range(0));
+  const fs::path path = make_table(state.range(0));
   const fs::path folder = fs::temp_directory_path() / "clast-benchmark-report";
   for (auto _ : state) {
     PopulationReport report;

@@ -67,7 +67,7 @@ std::vector<Grouping> groupings_of(std::span<const std::vector<std::uint32_t>> f
 }
 
 /// The groups of the values that are kept.
-struct Kept {
+struct CachedAnalysis {
   const std::vector<Grouping>& groupings;
   std::vector<std::uint32_t> values;  ///< by number
 
@@ -80,7 +80,7 @@ struct Kept {
 
 /// What the squared sums are expected to be for components of one: traces of (M V_i M V_j), with M
 /// the removal of the mean and V_i which values share a group.
-Eigen::MatrixXd expectations(const Kept& kept) {
+Eigen::MatrixXd expectations(const CachedAnalysis& kept) {
   const std::size_t count = kept.groupings.size();
   const auto n = static_cast<double>(kept.values.size());
   std::vector<std::vector<double>> sizes;
@@ -117,7 +117,7 @@ Eigen::MatrixXd expectations(const Kept& kept) {
 
 /// Components of the variance of the values that are kept, none below zero.
 std::vector<double> unbalanced_components(
-    const Kept& kept, const Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd>& solver,
+    const CachedAnalysis& kept, const Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd>& solver,
     const std::vector<double>& values) {
   double mean = 0.0;
   for (const std::uint32_t i : kept.values) {
@@ -158,7 +158,7 @@ double share_of_log_odds(double z) {
 }
 
 /// Shares of all outcomes, of the values that are kept.
-std::vector<std::vector<double>> all_shares(const Kept& kept, std::size_t factors,
+std::vector<std::vector<double>> all_shares(const CachedAnalysis& kept, std::size_t factors,
                                             std::span<const std::vector<double>> outcomes,
                                             std::vector<double>* variances = nullptr) {
   const Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> solver(expectations(kept));
@@ -258,7 +258,7 @@ std::vector<VarianceShares> unbalanced_shares(std::span<const std::vector<double
   check_lists(outcomes, factors);
   const std::vector<Grouping> groupings = groupings_of(factors);
   const std::size_t count = factors.front().size(), shown = factors.size() + 1;
-  Kept all{groupings, std::vector<std::uint32_t>(count)};
+  CachedAnalysis all{groupings, std::vector<std::uint32_t>(count)};
   std::iota(all.values.begin(), all.values.end(), 0u);
   std::vector<double> variances;
   const auto estimates = all_shares(all, factors.size(), outcomes, &variances);
@@ -269,7 +269,7 @@ std::vector<VarianceShares> unbalanced_shares(std::span<const std::vector<double
     std::vector<std::vector<std::vector<double>>> tried(outcomes.size(),
                                                         std::vector<std::vector<double>>(shown));
     for (std::uint32_t group = 0; group < groups; ++group) {
-      Kept kept{groupings, {}};
+      CachedAnalysis kept{groupings, {}};
       for (std::uint32_t i = 0; i < count; ++i) {
         if (groupings[f].of_value[i] % groups != group) kept.values.push_back(i);
       }

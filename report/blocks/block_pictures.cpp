@@ -47,8 +47,8 @@ Rgb deviation_colour(double share) {
   return colour;
 }
 
-std::string thumbnail_png(const TriangleMesh& mesh, std::uint32_t width, std::uint32_t height) {
-  std::array<Camera, 1> camera = {camera_toward(front_above())};
+std::string render_thumbnail_png(const TriangleMesh& mesh, std::uint32_t width, std::uint32_t height) {
+  std::array<Camera, 1> camera = {make_camera(default_view_direction())};
   frame(camera, mesh.vertices, width, height);
   Canvas canvas(camera[0]);
   canvas.draw(mesh, [](std::uint32_t, const Vec3&, bool) { return kRock; });
@@ -58,7 +58,7 @@ std::string thumbnail_png(const TriangleMesh& mesh, std::uint32_t width, std::ui
 std::string thumbnail(const TriangleMesh& mesh, const std::string& name, std::uint32_t width,
                       std::uint32_t height) {
   return "<img width=\"" + std::to_string(width) + "\" height=\"" + std::to_string(height) +
-         "\" alt=\"" + escaped(name) + "\" src=\"" + png_link(thumbnail_png(mesh, width, height)) +
+         "\" alt=\"" + escape_html(name) + "\" src=\"" + png_link(render_thumbnail_png(mesh, width, height)) +
          "\"/>";
 }
 

@@ -12,7 +12,7 @@ namespace clast::report_detail {
 inline constexpr Rgb kRock{214, 205, 190};
 
 /// Direction to the eye that looks at a block from the front (-y) and above.
-inline Vec3 front_above() { return {0.55, -1.0, 0.55}; }
+inline Vec3 default_view_direction() { return {0.55, -1.0, 0.55}; }
 
 /// Blue inside, pale where it is on the scan, red outside (RdBu of ColorBrewer).
 inline constexpr std::array<Rgb, 5> kDeviationColours = {
@@ -22,7 +22,7 @@ inline constexpr std::array<Rgb, 5> kDeviationColours = {
 Rgb deviation_colour(double share);
 
 /// A small picture of a surface, a PNG file.
-std::string thumbnail_png(const TriangleMesh& mesh, std::uint32_t width, std::uint32_t height);
+std::string render_thumbnail_png(const TriangleMesh& mesh, std::uint32_t width, std::uint32_t height);
 
 /// The same as an <img>.
 std::string thumbnail(const TriangleMesh& mesh, const std::string& name, std::uint32_t width = 120,

@@ -48,7 +48,7 @@ const std::array<Scheme, 3>& schemes() {
 }
 
 std::string option(const std::string& value, const std::string& text) {
-  return "<option value=\"" + escaped(value) + "\">" + escaped(text) + "</option>\n";
+  return "<option value=\"" + escape_html(value) + "\">" + escape_html(text) + "</option>\n";
 }
 
 /// Every class that some block has, with how many have it.
@@ -56,7 +56,7 @@ std::string class_choices(std::span<const Block* const> blocks) {
   std::string options = option("all:", "all");
   for (const Scheme& scheme : schemes()) {
     std::map<std::string, std::size_t> counts;
-    for (const Block* block : blocks) ++counts[scheme.class_of(block->axes())];
+    for (const Block* block : blocks) ++counts[scheme.block_class_of_group(block->axes())];
     options += "<optgroup label=\"" + std::string(scheme.name) + "\">\n";
     for (const auto& [name, count] : counts) {
       options +=
@@ -85,7 +85,7 @@ std::string bar(std::span<const Block* const> blocks) {
 }
 
 std::string term(const std::string& name, const std::string& value) {
-  return "<dt>" + escaped(name) + "</dt><dd>" + escaped(value) + "</dd>";
+  return "<dt>" + escape_html(name) + "</dt><dd>" + escape_html(value) + "</dd>";
 }
 
 /// Everything the library holds of a block, for the large view.
@@ -98,7 +98,7 @@ std::string details(const Block& block) {
   }
   html += "</dl>";
   HtmlTable more({"what", "value"}, 2);
-  for (const auto& [name, value] : block_details(block)) more.row({name, value});
+  for (const auto& [name, value] : describe_block(block)) more.row({name, value});
   return html + more.html();
 }
 
@@ -106,7 +106,7 @@ std::string card(const Block& block, const std::string& source) {
   const Axes axes = block.axes();
   const bool metric = !is_unscaled(block);
   const std::string u = metric ? " m" : " u";
-  std::string attributes = " data-name=\"" + escaped(block.id) + "\" data-source=\"" + source +
+  std::string attributes = " data-name=\"" + escape_html(block.id) + "\" data-source=\"" + source +
                            "\" data-mass=\"" + (metric ? rounded(block.mass.mass, 6) : "") +
                            "\" data-length=\"" + (metric ? rounded(axes.L, 6) : "") +
                            "\" data-elongation=\"" + rounded(elongation_s_c(axes), 6) +
@@ -114,14 +114,14 @@ std::string card(const Block& block, const std::string& source) {
                            "\"";
   std::string classes;
   for (const Scheme& scheme : schemes()) {
-    const std::string name = scheme.class_of(axes);
-    attributes += " data-" + std::string(scheme.key) + "=\"" + escaped(name) + "\"";
+    const std::string name = scheme.block_class_of_group(axes);
+    attributes += " data-" + std::string(scheme.key) + "=\"" + escape_html(name) + "\"";
     classes += (classes.empty() ? "" : ", ") + name;
   }
   return "<article class=\"card\"" + attributes +
          "><button type=\"button\" class=\"open\" title=\"turn it\">" +
          thumbnail(block.surface, block.id, kGalleryWidth, kGalleryHeight) + "</button>\n<h3>" +
-         escaped(block.id) + "</h3>\n<div class=\"file\">" + escaped(block.source.file) +
+         escape_html(block.id) + "</h3>\n<div class=\"file\">" + escape_html(block.source.file) +
          "</div>\n<dl>" + term("class", classes) +
          term("mass", metric ? rounded(block.mass.mass) + " kg" : "none: unscaled") +
          term("L x I x S",
@@ -134,7 +134,7 @@ std::string card(const Block& block, const std::string& source) {
 
 }  // namespace
 
-FolderKind gallery_folder() {
+FolderKind gallery_folder_kind() {
   return {"gallery of blocks", kPage, kMark,
           [](const std::filesystem::path& file) { return file == kPage; }};
 }
@@ -150,18 +150,18 @@ std::filesystem::path write_gallery(std::span<const Block* const> blocks, const 
   for (std::size_t i = 0; i < blocks.size(); ++i) {
     const std::string source = "block-" + std::to_string(i);
     cards += card(*blocks[i], source);
-    if (three) data += packed_element(source, turntable_json(*blocks[i], limits));
+    if (three) data += format_packed_element(source, turntable_json(*blocks[i], limits));
   }
-  std::string body = "<h1>" + escaped(title) + "</h1>\n<p class=\"lead\">" +
+  std::string body = "<h1>" + escape_html(title) + "</h1>\n<p class=\"lead\">" +
                      counted(blocks.size(), "block") +
                      "; a click on a picture shows the block in 3-D, with all its numbers</p>\n";
-  if (const std::string note = unscaled_note(blocks); !note.empty()) body += paragraph(note);
-  body += series_matrices(blocks) + bar(blocks) + "<div " + kMark + ">\n" + cards + "</div>\n";
+  if (const std::string note = describe_unscaled(blocks); !note.empty()) body += paragraph(note);
+  body += format_series_matrices(blocks) + bar(blocks) + "<div " + kMark + ">\n" + cards + "</div>\n";
   body +=
       "<dialog class=\"block\"><button type=\"button\" class=\"close\" "
       "aria-label=\"close\">\xC3\x97</button><h2></h2>\n" +
-      (three ? turntable_view("") : std::string()) + "<div class=\"numbers\"></div></dialog>\n" +
-      data + turntable_script() + "<footer>clast " + escaped(version()) + "</footer>\n";
+      (three ? format_turntable_view("") : std::string()) + "<div class=\"numbers\"></div></dialog>\n" +
+      data + turntable_script() + "<footer>clast " + escape_html(version()) + "</footer>\n";
   const std::string style = std::string(assets::gallery_css) + std::string(assets::turntable_css);
   const std::filesystem::path target = folder / kPage;
   write_text_file(target, page(title, body, {.style = style, .script = assets::gallery_js}));

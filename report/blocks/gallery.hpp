@@ -10,7 +10,7 @@
 namespace clast {
 
 /// How a folder is known that `write_gallery` filled.
-FolderKind gallery_folder();
+FolderKind gallery_folder_kind();
 
 /// Writes FOLDER/gallery.html, one page that needs no network: for each block a picture, its
 /// numbers, and a view that can be turned.

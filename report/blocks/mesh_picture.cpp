@@ -34,7 +34,7 @@ Vec3 Camera::seen(const Vec3& point) const {
           toward.dot(offset)};
 }
 
-Camera camera_toward(const Vec3& toward) {
+Camera make_camera(const Vec3& toward) {
   Camera camera;
   camera.toward = toward.normalized();
   // Straight from above or below, y is up.

@@ -25,7 +25,7 @@ struct Camera {
 
 /// A camera in direction `toward` of what it looks at, z up as far as it can be; nothing is in the
 /// picture yet.
-Camera camera_toward(const Vec3& toward);
+Camera make_camera(const Vec3& toward);
 
 /// Moves the cameras so that every point is in each picture, in the middle and at the same scale.
 /// Pictures without points have pixels of 1 m.

@@ -40,7 +40,7 @@ TriangleMesh seen_surface(const Block& block) {
 std::string picture(const Member& member) {
   const std::string source = "block-" + std::to_string(member.number);
   return "<button type=\"button\" class=\"cell\" data-source=\"" + source + "\" title=\"" +
-         escaped(member.block->id) + "\">" +
+         escape_html(member.block->id) + "\">" +
          thumbnail(seen_surface(*member.block), member.block->id, kMatrixWidth, kMatrixHeight) +
          "</button>";
 }
@@ -51,7 +51,7 @@ class PictureTable {
   explicit PictureTable(std::vector<std::string> heads) : heads_(std::move(heads)) {}
 
   void row(const std::string& head, const std::vector<std::vector<const Member*>>& cells) {
-    rows_ += "<tr><th scope=\"row\">" + escaped(head) + "</th>";
+    rows_ += "<tr><th scope=\"row\">" + escape_html(head) + "</th>";
     for (const std::vector<const Member*>& cell : cells) {
       rows_ += "<td>";
       for (const Member* member : cell) rows_ += picture(*member);
@@ -60,8 +60,8 @@ class PictureTable {
     rows_ += "</tr>\n";
   }
   std::string html(const std::string& corner) const {
-    std::string head = "<th>" + escaped(corner) + "</th>";
-    for (const std::string& text : heads_) head += "<th scope=\"col\">" + escaped(text) + "</th>";
+    std::string head = "<th>" + escape_html(corner) + "</th>";
+    for (const std::string& text : heads_) head += "<th scope=\"col\">" + escape_html(text) + "</th>";
     return "<div class=\"series-scroll\"><table class=\"series\"><thead><tr>" + head +
            "</tr></thead><tbody>\n" + rows_ + "</tbody></table></div>\n";
   }
@@ -98,7 +98,7 @@ std::string form_table(const std::string& parent, const std::vector<Member>& mem
     for (const double column : columns) cells.push_back(at[{*row, column}]);
     table.row(with_digits(*row, 3), cells);
   }
-  return "<h2>Forms of " + escaped(parent) + "</h2>\n" +
+  return "<h2>Forms of " + escape_html(parent) + "</h2>\n" +
          table.html(by_s_i ? "S/I by I/L" : "S/L by I/L");
 }
 
@@ -136,7 +136,7 @@ std::string step_table(const std::string& kind, const std::vector<Member>& membe
 
 }  // namespace
 
-std::string series_matrices(std::span<const Block* const> blocks) {
+std::string format_series_matrices(std::span<const Block* const> blocks) {
   std::map<std::string, std::vector<Member>> forms, steps;
   for (std::size_t i = 0; i < blocks.size(); ++i) {
     const std::optional<VariationRecord> record = read_variation(*blocks[i]);

@@ -11,6 +11,6 @@ namespace clast::report_detail {
 /// where that takes fewer rows); for each other kind of variation a table of blocks down and steps
 /// across. Pictures are buttons of class "cell" with the number of the block in data-source.
 /// Empty where no block is a variation (library/block_variation.hpp); drawn bodies are in no table.
-std::string series_matrices(std::span<const Block* const> blocks);
+std::string format_series_matrices(std::span<const Block* const> blocks);
 
 }  // namespace clast::report_detail

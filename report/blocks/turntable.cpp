@@ -80,7 +80,7 @@ Json deviation_json(const TriangleMesh& skin, const TriangleMesh& scan, double r
     }
   }
   Json colours = Json::array();
-  for (const Rgb& colour : kDeviationColours) colours.push_back(colour_text(colour));
+  for (const Rgb& colour : kDeviationColours) colours.push_back(format_colour(colour));
   return {{"reach", reach},
           {"colours", colours},
           {"pieces", packed<std::uint8_t>(pieces)},
@@ -131,25 +131,25 @@ std::string turntable_json(const Block& block, const TurntableLimits& limits) {
   return json.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
-std::string turntable_view(const std::string& source) {
+std::string format_turntable_view(const std::string& source) {
   return fill(assets::turntable_html, {{"source", source}});
 }
 
 std::string turntable_script() {
-  if (!three_is_installed()) return paragraph(no_three_text("write the pages again"));
-  return script_element(assets::unpack_js) + three_scripts() + script_element(assets::turntable_js);
+  if (!three_is_installed()) return paragraph(explain_missing_three("write the pages again"));
+  return format_script_element(assets::unpack_js) + three_scripts() + format_script_element(assets::turntable_js);
 }
 
-std::string turntable_section(const Block& block) {
+std::string format_turntable_section(const Block& block) {
   const std::string title = "In 3-D";
   if (!three_is_installed()) {
-    return section(title, paragraph(no_three_text("write the pages again")));
+    return section(title, paragraph(explain_missing_three("write the pages again")));
   }
   const std::string id = "block-data";
   return section(title, paragraph("Drag to turn, use the wheel to come closer, drag with the right "
                                   "button to move.") +
-                            turntable_view(id)) +
-         packed_element(id, turntable_json(block)) + turntable_script();
+                            format_turntable_view(id)) +
+         format_packed_element(id, turntable_json(block)) + turntable_script();
 }
 
 }  // namespace clast::report_detail

@@ -29,13 +29,13 @@ std::string turntable_json(const Block& block, const TurntableLimits& limits = {
 
 /// The view with its controls; `turntable_script` must follow once.
 /// @param source  id of the packed element with the JSON; empty: none yet
-std::string turntable_view(const std::string& source);
+std::string format_turntable_view(const std::string& source);
 
 /// unpack.js, three.js and what draws turntables. Without three.js a sentence that says so and what
 /// to do.
 std::string turntable_script();
 
 /// Section "In 3-D" of a page about one block.
-std::string turntable_section(const Block& block);
+std::string format_turntable_section(const Block& block);
 
 }  // namespace clast::report_detail

@@ -15,7 +15,7 @@ bool is_whole_number(double number) { return std::abs(number - std::round(number
 
 }  // namespace
 
-Span axis_span(double low, double high) {
+Span nice_axis_range(double low, double high) {
   if (!(low <= high)) return {};
   // An axis that nearly reaches zero is read as if it did: let it.
   if (low > 0.0 && low < 0.5 * high) low = 0.0;

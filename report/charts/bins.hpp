@@ -13,7 +13,7 @@ struct Span {
 
 /// The span of an axis over values from `low` to `high`: from zero on where it would nearly reach
 /// it, and with a width where all values are equal to rounding. [0, 1] when low > high: no values.
-Span axis_span(double low, double high);
+Span nice_axis_range(double low, double high);
 
 /// Bins of one width. A value on an edge is in the bin below it, as classes are: up to a limit.
 struct Bins {

@@ -54,7 +54,7 @@ std::vector<Vec2> crossing(const std::array<Corner, 3>& triangle, double level) 
 
 /// Calls with every triangle of a lattice whose centre is inside the hull; corners beyond it are
 /// drawn to it by the clip of the picture.
-void visit_lattice(const ThinPlate& surface, std::span<const Vec2> hull, double side,
+void visit_lattice(const ThinPlateSpline& surface, std::span<const Vec2> hull, double side,
                    const std::function<void(const std::array<Corner, 3>&)>& visit) {
   Vec2 low = hull.front(), high = hull.front();
   for (const Vec2& corner : hull) {
@@ -147,7 +147,7 @@ class WholeTriangles {
 
 }  // namespace
 
-ThinPlate::ThinPlate(std::span<const Vec2> places, std::span<const double> values)
+ThinPlateSpline::ThinPlateSpline(std::span<const Vec2> places, std::span<const double> values)
     : places_(places.begin(), places.end()), centre_(Vec2::Zero()) {
   const std::size_t count = places.size();
   for (const Vec2& place : places) centre_ += place / static_cast<double>(count);
@@ -171,7 +171,7 @@ ThinPlate::ThinPlate(std::span<const Vec2> places, std::span<const double> value
   weights_.assign(solved.begin(), solved.end());
 }
 
-double ThinPlate::at(const Vec2& place) const {
+double ThinPlateSpline::at(const Vec2& place) const {
   const Vec2 scaled = (place - centre_) / scale_;
   const std::size_t count = places_.size();
   double value =
@@ -210,7 +210,7 @@ bool is_inside(std::span<const Vec2> hull, const Vec2& place) {
   return hull.size() > 2;
 }
 
-std::string band_path(const ThinPlate& surface, std::span<const Vec2> hull, double level,
+std::string format_band_path(const ThinPlateSpline& surface, std::span<const Vec2> hull, double level,
                       double side) {
   std::string path;
   WholeTriangles whole;
@@ -226,7 +226,7 @@ std::string band_path(const ThinPlate& surface, std::span<const Vec2> hull, doub
   return path + whole.finish();
 }
 
-ContourLine contour_line(const ThinPlate& surface, std::span<const Vec2> hull, double level,
+ContourLine trace_contour_line(const ThinPlateSpline& surface, std::span<const Vec2> hull, double level,
                          double side) {
   ContourLine line;
   visit_lattice(surface, hull, side, [&](const std::array<Corner, 3>& triangle) {

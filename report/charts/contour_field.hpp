@@ -11,11 +11,11 @@ namespace clast::report_detail {
 /// The smoothest surface in the sense of a thin plate through the values: the sum of r^2 log r
 /// about the places and a plane.
 /// @cite duchon1977
-class ThinPlate {
+class ThinPlateSpline {
  public:
   /// @param places  not all on one line; no two the same
   /// @param values  as many
-  ThinPlate(std::span<const Vec2> places, std::span<const double> values);
+  ThinPlateSpline(std::span<const Vec2> places, std::span<const double> values);
 
   double at(const Vec2& place) const;
 
@@ -34,7 +34,7 @@ bool is_inside(std::span<const Vec2> hull, const Vec2& place);
 /// Where the surface is at least so high, within the hull: path data of one SVG path, closed parts
 /// that abut. Found on a lattice of equilateral triangles with sides of `side` px, in each of which
 /// the surface counts as flat.
-std::string band_path(const ThinPlate& surface, std::span<const Vec2> hull, double level,
+std::string format_band_path(const ThinPlateSpline& surface, std::span<const Vec2> hull, double level,
                       double side);
 
 /// A contour line.
@@ -42,7 +42,7 @@ struct ContourLine {
   std::string path;                           ///< data of an SVG path; empty: none
   std::vector<std::pair<Vec2, Vec2>> pieces;  ///< the same
 };
-ContourLine contour_line(const ThinPlate& surface, std::span<const Vec2> hull, double level,
+ContourLine trace_contour_line(const ThinPlateSpline& surface, std::span<const Vec2> hull, double level,
                          double side);
 
 }  // namespace clast::report_detail

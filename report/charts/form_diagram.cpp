@@ -43,7 +43,7 @@ std::string fields_svg(const std::vector<Field>& fields, const std::vector<Class
     }
     svg += "<polygon points=\"" + points + "\" fill=\"" + kDataColours[5] + "\" fill-opacity=\"" +
            fixed(0.45 * share.share / largest, 3) + "\" stroke=\"#5b6775\"><title>" +
-           escaped(field.name + ": " + std::to_string(share.count) + " blocks, " +
+           escape_html(field.name + ": " + std::to_string(share.count) + " blocks, " +
                    percent(share.share) + " (95 % interval " + percent(share.low) + " to " +
                    percent(share.high) + ")") +
            "</title></polygon>\n";
@@ -70,13 +70,13 @@ std::string blocks_svg(const Population& population, std::size_t number,
   std::vector<Vec2> places;
   places.reserve(population.blocks.size());
   for (const MeasuredBlock& block : population.blocks) places.push_back(place_of(block.as_written));
-  if (places.size() > kMostSingleBlocks) return density_squares(places, corner, "blocks");
+  if (places.size() > kMostSingleBlocks) return draw_density_squares(places, corner, "blocks");
   std::string svg;
   for (std::size_t i = 0; i < places.size(); ++i) {
     const MeasuredBlock& block = population.blocks[i];
-    svg += shape_mark(places[i].x(), places[i].y(), garcia_class(block.as_written), true,
-                      "class=\"block\" data-block=\"" + block_key(number, i) + "\"",
-                      block_title(block, options)) +
+    svg += draw_shape_mark(places[i].x(), places[i].y(), garcia_class(block.as_written), true,
+                      "class=\"block\" data-block=\"" + block_element_id(number, i) + "\"",
+                      format_block_title(block, options)) +
            "\n";
   }
   return svg;
@@ -98,20 +98,20 @@ std::string mark_key(const Population& population, double y) {
                               " blocks per square (7 px)",
                           kDiagramText);
   }
-  return shape_mark(110, y, "compact", true, "", "") +
+  return draw_shape_mark(110, y, "compact", true, "", "") +
          svg_text(120, y + 4, "compact, s_c \xE2\x89\xA4 0.3", kDiagramText) +
-         shape_mark(280, y, "elongated", true, "", "") +
+         draw_shape_mark(280, y, "elongated", true, "", "") +
          svg_text(290, y + 4, "elongated, s_c > 0.3", kDiagramText);
 }
 
 std::string opened(const std::string& title, double height) {
-  return svg_open(kDiagramWidth, height, title) +
+  return open_svg(kDiagramWidth, height, title) +
          svg_text(16, 18, title, "font-size=\"14\" font-weight=\"600\" fill=\"#1d2733\"");
 }
 
 std::string title_with_count(const std::string& what, const Population& population) {
   constexpr std::size_t kMostCharacters = 28;
-  return what + ": " + shortened(population.name, kMostCharacters) + " (" +
+  return what + ": " + shorten_middle(population.name, kMostCharacters) + " (" +
          std::to_string(population.blocks.size()) + ")";
 }
 
@@ -151,11 +151,11 @@ std::vector<Field> triangle_fields(const std::array<double, 4>& limits) {
 
 }  // namespace
 
-std::string block_key(std::size_t number, std::size_t block) {
+std::string block_element_id(std::size_t number, std::size_t block) {
   return std::to_string(number) + "-" + std::to_string(block);
 }
 
-std::string block_title(const MeasuredBlock& block, const PopulationOptions& options) {
+std::string format_block_title(const MeasuredBlock& block, const PopulationOptions& options) {
   const Axes& axes = block.axes;
   std::string title = block.name + "\nL " + significant(axes.L, 3) + ", I " +
                       significant(axes.I, 3) + ", S " + significant(axes.S, 3) +
@@ -231,8 +231,8 @@ std::string zingg_diagram(const Population& population, std::size_t number,
   for (int k = 0; k <= 5; ++k) {
     const double value = 0.2 * k;
     const Vec2 x = on_square(value, 0.0), y = on_square(0.0, value);
-    svg += svg_line(x.x(), bottom, x.x(), bottom + 5, "stroke=\"#5b6775\"") +
-           svg_line(kX - 5, y.y(), kX, y.y(), "stroke=\"#5b6775\"") +
+    svg += format_svg_line(x.x(), bottom, x.x(), bottom + 5, "stroke=\"#5b6775\"") +
+           format_svg_line(kX - 5, y.y(), kX, y.y(), "stroke=\"#5b6775\"") +
            svg_text(x.x(), bottom + 18, fixed(value, 1),
                     std::string(kDiagramText) + " text-anchor=\"middle\"") +
            svg_text(kX - 9, y.y() + 4, fixed(value, 1),

@@ -13,7 +13,7 @@ inline constexpr std::size_t kMostSingleBlocks = 2000;
 
 /// What is said of a block where its mark is: name, axes, classes, and which of them are near a
 /// limit.
-std::string block_title(const MeasuredBlock& block, const PopulationOptions& options);
+std::string format_block_title(const MeasuredBlock& block, const PopulationOptions& options);
 
 /// The triangle of Sneed and Folk: compact q at the top, platy (1 - q)(1 - d) left, elongate (1 -
 /// q) d right, with q = S/L and d = (L - I)/(L - S).
@@ -26,6 +26,6 @@ std::string zingg_diagram(const Population& population, std::size_t number,
                           const PopulationOptions& options = {});
 
 /// data-block of a block, see `page`.
-std::string block_key(std::size_t number, std::size_t block);
+std::string block_element_id(std::size_t number, std::size_t block);
 
 }  // namespace clast::report_detail

@@ -18,20 +18,20 @@ std::string as_file_name(const std::string& text) {
 
 }  // namespace
 
-std::vector<ResponsePicture> response_pictures(const std::vector<OutcomeOfForms>& outcomes,
+std::vector<ResponseFigure> draw_response_figures(const std::vector<OutcomeByShape>& outcomes,
                                                bool several_files) {
-  std::vector<ResponsePicture> pictures;
-  for (const OutcomeOfForms& outcome : outcomes) {
+  std::vector<ResponseFigure> pictures;
+  for (const OutcomeByShape& outcome : outcomes) {
     if (outcome.outcome == "lateral angle" || outcome.outcome == "largest energy") continue;
     const bool any_made = std::any_of(outcome.forms.begin(), outcome.forms.end(),
-                                      [](const FormOutcome& form) { return form.made; });
-    std::vector<FormResponse> forms;
-    for (const FormOutcome& form : outcome.forms) {
+                                      [](const ShapeOutcome& form) { return form.made; });
+    std::vector<ShapeResponse> forms;
+    for (const ShapeOutcome& form : outcome.forms) {
       forms.push_back({form.form, form.axes, form.mean, any_made && !form.made});
     }
     const auto [least, most] = std::minmax_element(
         forms.begin(), forms.end(),
-        [](const FormResponse& a, const FormResponse& b) { return a.value < b.value; });
+        [](const ShapeResponse& a, const ShapeResponse& b) { return a.value < b.value; });
     if (least->value == most->value) continue;
     const std::string number = several_files ? std::to_string(outcome.file + 1) + "_" : "";
     const std::string label = outcome.unit.empty()
@@ -40,8 +40,8 @@ std::vector<ResponsePicture> response_pictures(const std::vector<OutcomeOfForms>
     const std::string of =
         several_files ? " of file " + std::to_string(outcome.file + 1) : std::string();
     pictures.push_back({"response_" + number + as_file_name(outcome.outcome) + ".svg",
-                        capital(label) + of + ", over the triangle of Sneed and Folk",
-                        response_triangle(forms, label)});
+                        capitalized(label) + of + ", over the triangle of Sneed and Folk",
+                        draw_response_triangle(forms, label)});
   }
   return pictures;
 }

@@ -10,12 +10,12 @@ namespace clast::report_detail {
 /// A picture of the mean of an outcome over the triangle, and the file name it is kept by:
 /// "response_runout.svg"; of several files "response_2_runout.svg". Empty where all forms have the
 /// same mean.
-struct ResponsePicture {
+struct ResponseFigure {
   std::string file;
   std::string caption;
   std::string svg;
 };
-std::vector<ResponsePicture> response_pictures(const std::vector<OutcomeOfForms>& outcomes,
+std::vector<ResponseFigure> draw_response_figures(const std::vector<OutcomeByShape>& outcomes,
                                                bool several_files);
 
 }  // namespace clast::report_detail

@@ -10,7 +10,7 @@
 
 namespace clast::report_detail {
 
-std::string shape_mark(double x, double y, const std::string& garcia, bool filled,
+std::string draw_shape_mark(double x, double y, const std::string& garcia, bool filled,
                        const std::string& attributes, const std::string& title) {
   const std::string paint = filled ? "fill=\"" + class_colour(garcia) +
                                          "\" fill-opacity=\".8\" stroke=\"#fff\" "
@@ -18,7 +18,7 @@ std::string shape_mark(double x, double y, const std::string& garcia, bool fille
                                    : "fill=\"#fff\" fill-opacity=\".6\" stroke-width=\"1.6\" "
                                      "stroke=\"" +
                                          class_colour(garcia) + "\"";
-  const std::string tail = title.empty() ? "/>" : "><title>" + escaped(title) + "</title>";
+  const std::string tail = title.empty() ? "/>" : "><title>" + escape_html(title) + "</title>";
   if (garcia == "compact") {
     return "<circle " + attributes + " cx=\"" + fixed(x, 1) + "\" cy=\"" + fixed(y, 1) +
            "\" r=\"3.6\" " + paint + tail + (title.empty() ? "" : "</circle>");
@@ -27,7 +27,7 @@ std::string shape_mark(double x, double y, const std::string& garcia, bool fille
          "l4.8 4.8-4.8 4.8-4.8-4.8z\" " + paint + tail + (title.empty() ? "" : "</path>");
 }
 
-std::string density_squares(std::span<const Vec2> places, const Vec2& corner,
+std::string draw_density_squares(std::span<const Vec2> places, const Vec2& corner,
                             const std::string& noun) {
   constexpr double kCell = 7.0;  // px
   std::map<std::pair<int, int>, std::size_t> counts;
@@ -45,7 +45,7 @@ std::string density_squares(std::span<const Vec2> places, const Vec2& corner,
     svg += "<rect x=\"" + fixed(corner.x() + kCell * cell.first, 1) + "\" y=\"" +
            fixed(corner.y() + kCell * cell.second, 1) + "\" width=\"7\" height=\"7\" fill=\"" +
            kDensityColours[std::min(static_cast<std::size_t>(level), kDensityColours.size() - 1)] +
-           "\" fill-opacity=\".85\"><title>" + std::to_string(count) + " " + escaped(noun) +
+           "\" fill-opacity=\".85\"><title>" + std::to_string(count) + " " + escape_html(noun) +
            "</title></rect>";
   }
   return svg;

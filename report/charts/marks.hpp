@@ -13,7 +13,7 @@ namespace clast::report_detail {
 /// @param filled      else white inside
 /// @param attributes  of the element, for example its class
 /// @param title       shown when the pointer rests on it; none when empty
-std::string shape_mark(double x, double y, const std::string& garcia, bool filled,
+std::string draw_shape_mark(double x, double y, const std::string& garcia, bool filled,
                        const std::string& attributes, const std::string& title);
 
 /// Few to many.
@@ -25,7 +25,7 @@ inline constexpr std::array<const char*, 5> kDensityColours = {"#fcbba1", "#fb6a
 /// @param places  px
 /// @param corner  px; where a square begins
 /// @param noun    what is counted, for the title: "stops"
-std::string density_squares(std::span<const Vec2> places, const Vec2& corner,
+std::string draw_density_squares(std::span<const Vec2> places, const Vec2& corner,
                             const std::string& noun);
 
 }  // namespace clast::report_detail

@@ -15,10 +15,10 @@ inline constexpr std::array<const char*, 6> kDataColours = {"#0072B2", "#D55E00"
 inline constexpr std::array<const char*, 4> kDashes = {"", "6 3", "2 2", "8 3 2 3"};
 
 /// Colour of the n-th curve; they repeat after six.
-inline std::string data_colour(std::size_t n) { return kDataColours[n % kDataColours.size()]; }
+inline std::string series_colour(std::size_t n) { return kDataColours[n % kDataColours.size()]; }
 
 /// "#0072b2", as HTML, plotly.js and QGIS read it.
-inline std::string colour_text(const Rgb& colour) {
+inline std::string format_colour(const Rgb& colour) {
   constexpr const char* kDigits = "0123456789abcdef";
   std::string text = "#";
   for (const std::uint8_t part : colour) text += {kDigits[part >> 4], kDigits[part & 15]};
@@ -34,7 +34,7 @@ inline std::string mixed(const std::string& colour, const std::string& other, do
     };
     parts[i] = static_cast<std::uint8_t>((1.0 - share) * part(colour) + share * part(other) + 0.5);
   }
-  return colour_text(parts);
+  return format_colour(parts);
 }
 
 /// Compact and elongated keep their colours in every report.

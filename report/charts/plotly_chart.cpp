@@ -35,10 +35,10 @@ Json numbers(const std::vector<double>& values) {
 }
 
 /// plotly.js reads a few HTML tags in texts, so they are escaped.
-std::string plain(std::string_view text) { return escaped(text); }
+std::string plain(std::string_view text) { return escape_html(text); }
 
 Json trace_json(const Trace& trace, const ChartAxes& axes) {
-  Json json = {{"name", plain(shortened(trace.name, kMostLegendCharacters))},
+  Json json = {{"name", plain(shorten_middle(trace.name, kMostLegendCharacters))},
                {"x", numbers(trace.x)},
                {"y", numbers(trace.y)}};
   const std::string y = axes.y_in_percent ? "%{y:.1%}" : "%{y:.4~g}";
@@ -86,10 +86,10 @@ Json trace_json(const Trace& trace, const ChartAxes& axes) {
 }
 
 /// A dotted line at every place, its name beside it at the top.
-void add_places(const std::vector<ChartPlace>& places, Json& layout) {
+void add_places(const std::vector<ChartPoint>& places, Json& layout) {
   if (places.empty()) return;
   Json lines = Json::array(), names = Json::array();
-  for (const ChartPlace& place : places) {
+  for (const ChartPoint& place : places) {
     const double x = short_number(place.x);
     lines.push_back({{"type", "line"},
                      {"x0", x},
@@ -104,7 +104,7 @@ void add_places(const std::vector<ChartPlace>& places, Json& layout) {
                      {"xanchor", "left"},
                      {"yanchor", "top"},
                      {"bgcolor", "rgba(255,255,255,.7)"},
-                     {"text", plain(shortened(place.name, kMostLegendCharacters))},
+                     {"text", plain(shorten_middle(place.name, kMostLegendCharacters))},
                      {"showarrow", false},
                      {"font", {{"size", 11}}}});
   }
@@ -156,7 +156,7 @@ bool plotly_is_installed() {
   return std::filesystem::is_regular_file(plotly_file(), code);
 }
 
-std::string plotly_chart(const ChartAxes& axes, const std::vector<Trace>& traces) {
+std::string draw_plotly_chart(const ChartAxes& axes, const std::vector<Trace>& traces) {
   Json data = Json::array();
   for (const Trace& trace : traces) {
     if (!trace.x.empty()) data.push_back(trace_json(trace, axes));
@@ -167,7 +167,7 @@ std::string plotly_chart(const ChartAxes& axes, const std::vector<Trace>& traces
                        figure.dump(-1, ' ', false, Json::error_handler_t::replace), axes.title);
 }
 
-std::string interval_chart(const std::string& title, const std::string& label,
+std::string draw_interval_chart(const std::string& title, const std::string& label,
                            const std::vector<IntervalMark>& marks) {
   constexpr int kRow = 34, kAround = 120;  // px
   if (marks.empty()) return {};
@@ -177,7 +177,7 @@ std::string interval_chart(const std::string& title, const std::string& label,
          below = Json::array(), notes = Json::array();
     for (const IntervalMark& mark : marks) {
       if (mark.clear != clear) continue;
-      names.push_back(plain(shortened(mark.name, kMostLegendCharacters)));
+      names.push_back(plain(shorten_middle(mark.name, kMostLegendCharacters)));
       values.push_back(short_number(mark.value));
       above.push_back(short_number(mark.high - mark.value));
       below.push_back(short_number(mark.value - mark.low));
@@ -207,7 +207,7 @@ std::string interval_chart(const std::string& title, const std::string& label,
   }
   Json order = Json::array();
   for (auto mark = marks.rbegin(); mark != marks.rend(); ++mark) {
-    order.push_back(plain(shortened(mark->name, kMostLegendCharacters)));
+    order.push_back(plain(shorten_middle(mark->name, kMostLegendCharacters)));
   }
   const Json layout = {{"height", kAround + kRow * static_cast<int>(marks.size())},
                        {"margin", {{"l", 10}, {"r", 14}, {"t", 30}, {"b", 46}}},
@@ -237,9 +237,9 @@ std::string plotly_figure(const std::string& label, const std::string& style, st
                           const std::string& title) {
   if (!plotly_is_installed()) return {};
   return "<figure>" +
-         (title.empty() ? std::string() : "<div class=\"title\">" + escaped(title) + "</div>") +
-         "<div class=\"chart " + style + "\" role=\"img\" aria-label=\"" + escaped(label) +
-         "\"></div>" + json_element("class=\"chart-data\"", std::move(json)) + "</figure>\n";
+         (title.empty() ? std::string() : "<div class=\"title\">" + escape_html(title) + "</div>") +
+         "<div class=\"chart " + style + "\" role=\"img\" aria-label=\"" + escape_html(label) +
+         "\"></div>" + format_json_element("class=\"chart-data\"", std::move(json)) + "</figure>\n";
 }
 
 std::string charts_script() {
@@ -248,11 +248,11 @@ std::string charts_script() {
                      ". Install plotly.js (on Debian: apt install python3-plotly), or name its "
                      "folder in CLAST_PLOTLY, and compare again. The tables are complete.");
   }
-  return packed_element("plotly-code", read_text_file(plotly_file())) +
-         script_element(assets::charts_js);
+  return format_packed_element("plotly-code", read_text_file(plotly_file())) +
+         format_script_element(assets::charts_js);
 }
 
-std::vector<Trace> cumulative_traces(const std::vector<Series>& samples, bool exceeding) {
+std::vector<Trace> make_cumulative_traces(const std::vector<Series>& samples, bool exceeding) {
   std::vector<Trace> traces;
   for (const Series& sample : samples) {
     if (sample.values.empty()) continue;
@@ -288,7 +288,7 @@ std::vector<Trace> cumulative_traces(const std::vector<Series>& samples, bool ex
   return traces;
 }
 
-std::vector<Trace> histogram_traces(const std::vector<Series>& samples) {
+std::vector<Trace> make_histogram_traces(const std::vector<Series>& samples) {
   double low = INFINITY, high = -INFINITY;
   for (const Series& sample : samples) {
     for (const double value : sample.values) {
@@ -296,7 +296,7 @@ std::vector<Trace> histogram_traces(const std::vector<Series>& samples) {
       high = std::max(high, value);
     }
   }
-  const Bins bins = bins_of(axis_span(low, high));
+  const Bins bins = bins_of(nice_axis_range(low, high));
   std::vector<Trace> traces;
   for (const Series& sample : samples) {
     if (sample.values.empty()) continue;

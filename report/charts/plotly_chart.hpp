@@ -29,7 +29,7 @@ struct Trace {
 };
 
 /// A place on the x axis that a chart names: a line over its whole height.
-struct ChartPlace {
+struct ChartPoint {
   double x = 0.0;
   std::string name;  ///< plain text
 };
@@ -40,10 +40,10 @@ struct ChartAxes {
   std::string y;
   bool y_in_percent = false;  ///< y are shares
   bool equal_scales = false;  ///< of both axes, as on a map
-  std::vector<ChartPlace> places = {};
+  std::vector<ChartPoint> places = {};
 };
 
-/// A value with its interval, a row of `interval_chart`.
+/// A value with its interval, a row of `draw_interval_chart`.
 struct IntervalMark {
   std::string name;  ///< plain text
   double value = 0.0;
@@ -54,10 +54,10 @@ struct IntervalMark {
 
 /// The place of a chart in the page and what is drawn there. Empty without traces that have points,
 /// and where plotly.js is not installed: `charts_script` then says so.
-std::string plotly_chart(const ChartAxes& axes, const std::vector<Trace>& traces);
+std::string draw_plotly_chart(const ChartAxes& axes, const std::vector<Trace>& traces);
 
-/// Intervals below each other, the first on top, with a line at zero. Empty as `plotly_chart`.
-std::string interval_chart(const std::string& title, const std::string& label,
+/// Intervals below each other, the first on top, with a line at zero. Empty as `draw_plotly_chart`.
+std::string draw_interval_chart(const std::string& title, const std::string& label,
                            const std::vector<IntervalMark>& marks);
 
 /// The same for a figure written by hand: JSON with `data` and `layout` as plotly.js reads them,
@@ -77,9 +77,9 @@ inline constexpr std::size_t kFewestForCurve = 4;
 /// Share of each sample that is at or below x, or above x with `exceeding`. Samples without values
 /// are left out; of large ones about 1,500 steps are drawn, of few values points, each with what is
 /// at or beyond it.
-std::vector<Trace> cumulative_traces(const std::vector<Series>& samples, bool exceeding = false);
+std::vector<Trace> make_cumulative_traces(const std::vector<Series>& samples, bool exceeding = false);
 
 /// Share of each sample in every bin, over common bins.
-std::vector<Trace> histogram_traces(const std::vector<Series>& samples);
+std::vector<Trace> make_histogram_traces(const std::vector<Series>& samples);
 
 }  // namespace clast::report_detail

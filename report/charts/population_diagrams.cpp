@@ -19,7 +19,7 @@ constexpr double kGarciaLimit = 0.3;    // s_c above which a block is elongated
 std::string s_c_chart(const PopulationReport& report) {
   std::vector<Series> all;
   for (const ReportedPopulation& reported : report.populations) {
-    Series series{reported.population.name, data_colour(all.size()), "", {}};
+    Series series{reported.population.name, series_colour(all.size()), "", {}};
     const bool named = reported.population.blocks.size() <= kMostNamedMarks;
     for (const MeasuredBlock& block : reported.population.blocks) {
       series.values.push_back(elongation_s_c(block.as_written));
@@ -27,7 +27,7 @@ std::string s_c_chart(const PopulationReport& report) {
     }
     all.push_back(std::move(series));
   }
-  return histogram_chart({"Elongation s_c (Garcia et al. 2022)",
+  return draw_histogram({"Elongation s_c (Garcia et al. 2022)",
                           "s_c = L/I \xE2\x88\x92 1 (-)",
                           false,
                           {{kGarciaLimit, "elongated above 0.3"}}},
@@ -39,7 +39,7 @@ Share share_bar(const ClassShare& share, bool by_mass) {
             by_mass ? share.mass_low : share.low,
             by_mass ? share.mass_high : share.high,
             {}};
-  bar.note = (by_mass ? mass_text(share.mass) + " kg" : std::to_string(share.count) + " blocks") +
+  bar.note = (by_mass ? format_block_mass(share.mass) + " kg" : std::to_string(share.count) + " blocks") +
              ", " + percent(bar.value) + " (95 % interval " + percent(bar.low) + " to " +
              percent(bar.high) + ")";
   return bar;
@@ -47,10 +47,10 @@ Share share_bar(const ClassShare& share, bool by_mass) {
 
 /// By number and by mass for one population; the populations by number where there are two.
 std::string shares_chart(const PopulationReport& report, std::size_t scheme) {
-  std::vector<ShareSeries> all;
+  std::vector<ClassFractionSeries> all;
   std::vector<std::string> classes;
   const auto add = [&](const ReportedPopulation& reported, const std::string& name, bool by_mass) {
-    ShareSeries series{name, data_colour(all.size()), {}};
+    ClassFractionSeries series{name, series_colour(all.size()), {}};
     classes.clear();
     for (const ClassShare& share : reported.summary.schemes[scheme].shares) {
       classes.push_back(share.name);
@@ -63,13 +63,13 @@ std::string shares_chart(const PopulationReport& report, std::size_t scheme) {
     add(reported, two ? reported.population.name : "by number", false);
     if (!two && reported.summary.weighed > 0) add(reported, "by mass", true);
   }
-  return share_chart("Shares of classes: " + report.populations[0].summary.schemes[scheme].scheme,
+  return draw_class_fractions("Shares of classes: " + report.populations[0].summary.schemes[scheme].scheme,
                      classes, all);
 }
 
 Series size_series(const ReportedPopulation& reported, std::size_t number, bool by_mass) {
   Series series{
-      by_mass ? "by mass" : "by number", data_colour(by_mass ? 1 : 0), by_mass ? "6 3" : "", {}};
+      by_mass ? "by mass" : "by number", series_colour(by_mass ? 1 : 0), by_mass ? "6 3" : "", {}};
   const bool named = reported.population.blocks.size() <= kMostNamedMarks;
   for (std::size_t i = 0; i < reported.population.blocks.size(); ++i) {
     const MeasuredBlock& block = reported.population.blocks[i];
@@ -78,7 +78,7 @@ Series size_series(const ReportedPopulation& reported, std::size_t number, bool 
     if (by_mass) series.weights.push_back(*block.mass);
     if (!named) continue;
     series.names.push_back(block.name + ", " + significant(series.values.back(), 3) + " m");
-    series.blocks.push_back(block_key(number, i));
+    series.blocks.push_back(block_element_id(number, i));
   }
   return series;
 }
@@ -105,7 +105,7 @@ std::string sizes_chart(const PopulationReport& report) {
   for (std::size_t i = 0; i < report.populations.size(); ++i) {
     all.push_back(size_series(report.populations[i], i, false));
     all.back().name = report.populations[i].population.name;
-    all.back().colour = data_colour(i);
+    all.back().colour = series_colour(i);
   }
   const std::string measure = name_of(report.populations[0].summary.size.measure);
   return cumulative_chart({"Sizes by number", "size " + measure + ", m", true}, all);
@@ -122,14 +122,14 @@ std::string size_chart(const ReportedPopulation& reported, std::size_t number) {
   for (const SizeLaw& law : size.by_number.laws) {
     curves.push_back(law_curve(law, *smallest, *largest));
   }
-  return cumulative_chart({"Size: " + shortened(reported.population.name, kMostTitle),
+  return cumulative_chart({"Size: " + shorten_middle(reported.population.name, kMostTitle),
                            "size " + name_of(size.measure) + ", m", true},
                           series, curves);
 }
 
 }  // namespace
 
-std::string population_suffix(const PopulationReport& report, std::size_t number) {
+std::string population_file_suffix(const PopulationReport& report, std::size_t number) {
   return report.populations.size() > 1 ? "_" + std::to_string(number + 1) : "";
 }
 
@@ -137,29 +137,29 @@ bool has_sizes(const ReportedPopulation& reported) {
   return reported.summary.size.by_number.blocks > 0;
 }
 
-std::string mass_text(double mass) { return mass < 1e4 ? significant(mass, 4) : fixed(mass, 0); }
+std::string format_block_mass(double mass) { return mass < 1e4 ? significant(mass, 4) : fixed(mass, 0); }
 
-std::string shares_name(const PopulationReport& report, std::size_t scheme) {
-  return "shares_" + class_column(report.populations.front().summary.schemes[scheme].scheme);
+std::string fractions_file_name(const PopulationReport& report, std::size_t scheme) {
+  return "shares_" + class_column_name(report.populations.front().summary.schemes[scheme].scheme);
 }
 
-Diagrams population_diagrams(const PopulationReport& report) {
+Diagrams draw_population_diagrams(const PopulationReport& report) {
   Diagrams diagrams;
   for (std::size_t i = 0; i < report.populations.size(); ++i) {
     const ReportedPopulation& reported = report.populations[i];
-    diagrams["sneed_folk" + population_suffix(report, i)] =
+    diagrams["sneed_folk" + population_file_suffix(report, i)] =
         sneed_folk_diagram(reported.population, i, report.options);
-    diagrams["zingg" + population_suffix(report, i)] =
+    diagrams["zingg" + population_file_suffix(report, i)] =
         zingg_diagram(reported.population, i, report.options);
     if (has_sizes(reported)) {
-      diagrams["size" + population_suffix(report, i)] = size_chart(reported, i);
+      diagrams["size" + population_file_suffix(report, i)] = size_chart(reported, i);
     }
   }
   const bool sized = std::any_of(report.populations.begin(), report.populations.end(), has_sizes);
   if (sized && report.populations.size() > 1) diagrams["sizes"] = sizes_chart(report);
   diagrams["s_c"] = s_c_chart(report);
   for (std::size_t i = 0; i < report.populations.front().summary.schemes.size(); ++i) {
-    diagrams[shares_name(report, i)] = shares_chart(report, i);
+    diagrams[fractions_file_name(report, i)] = shares_chart(report, i);
   }
   return diagrams;
 }

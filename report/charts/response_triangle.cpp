@@ -49,18 +49,18 @@ std::string triangle_frame() {
   const Vec2 top = triangle_point(1.0, 0.0), platy = triangle_point(0.0, 0.0),
              elongate = triangle_point(0.0, 1.0);
   const std::string style = "stroke=\"#8a94a0\"";
-  std::string svg = svg_line(top.x(), top.y(), platy.x(), platy.y(), style) +
-                    svg_line(platy.x(), platy.y(), elongate.x(), elongate.y(), style) +
-                    svg_line(elongate.x(), elongate.y(), top.x(), top.y(), style);
+  std::string svg = format_svg_line(top.x(), top.y(), platy.x(), platy.y(), style) +
+                    format_svg_line(platy.x(), platy.y(), elongate.x(), elongate.y(), style) +
+                    format_svg_line(elongate.x(), elongate.y(), top.x(), top.y(), style);
   // Limits of the classes: S/L = 0.3, 0.5, 0.7, and (L - I)/(L - S) = 0.33, 0.67 below 0.7.
   const std::string limit = "stroke=\"#d3d9df\"";
   for (const double q : {0.3, 0.5, 0.7}) {
     const Vec2 a = triangle_point(q, 0.0), b = triangle_point(q, 1.0 - q);
-    svg += svg_line(a.x(), a.y(), b.x(), b.y(), limit);
+    svg += format_svg_line(a.x(), a.y(), b.x(), b.y(), limit);
   }
   for (const double d : {0.33, 0.67}) {
     const Vec2 a = triangle_point(0.0, d), b = triangle_point(0.7, 0.3 * d);
-    svg += svg_line(a.x(), a.y(), b.x(), b.y(), limit);
+    svg += format_svg_line(a.x(), a.y(), b.x(), b.y(), limit);
   }
   return svg + svg_text(top.x(), top.y() - 26.0, "compact", "text-anchor=\"middle\"") +
          svg_text(platy.x(), platy.y() + 34.0, "platy", "text-anchor=\"middle\"") +
@@ -84,13 +84,13 @@ struct ResponseRange {
   }
   /// Of the band from this level to the next.
   std::string colour(double level) const {
-    return colour_text(response_colour(share(std::min(most, level + 0.5 * step))));
+    return format_colour(response_colour(share(std::min(most, level + 0.5 * step))));
   }
 };
 
-ResponseRange response_range(std::span<const FormResponse> forms) {
+ResponseRange response_range(std::span<const ShapeResponse> forms) {
   ResponseRange range;
-  for (const FormResponse& form : forms) {
+  for (const ShapeResponse& form : forms) {
     range.least = std::min(range.least, form.value);
     range.most = std::max(range.most, form.value);
   }
@@ -132,9 +132,9 @@ class LabelPlaces {
 };
 
 /// Contour line with its value, where there is a place for it.
-std::string line_of(const ThinPlate& surface, std::span<const Vec2> hull, double level,
+std::string line_of(const ThinPlateSpline& surface, std::span<const Vec2> hull, double level,
                     LabelPlaces& places) {
-  const ContourLine line = contour_line(surface, hull, level, kLattice);
+  const ContourLine line = trace_contour_line(surface, hull, level, kLattice);
   if (line.pieces.empty()) return "";
   const std::string svg =
       "<path d=\"" + line.path + "\" fill=\"none\" stroke=\"#1d2733\" stroke-width=\"0.8\"/>";
@@ -146,13 +146,13 @@ std::string line_of(const ThinPlate& surface, std::span<const Vec2> hull, double
 }
 
 /// Bands, each over those below it, and lines, within the forms.
-std::string surface_of(std::span<const FormResponse> forms, std::span<const Vec2> places,
+std::string surface_of(std::span<const ShapeResponse> forms, std::span<const Vec2> places,
                        const ResponseRange& range, const std::string& clip) {
   const std::vector<Vec2> hull = hull_of(places);
   if (hull.size() < 3 || forms.size() > kMostForms || !(range.most > range.least)) return "";
   std::vector<double> values;
-  for (const FormResponse& form : forms) values.push_back(form.value);
-  const ThinPlate surface(places, values);
+  for (const ShapeResponse& form : forms) values.push_back(form.value);
+  const ThinPlateSpline surface(places, values);
   std::string outline;
   for (const Vec2& corner : hull) {
     outline += (outline.empty() ? "" : " ") + fixed(corner.x(), 1) + "," + fixed(corner.y(), 1);
@@ -162,7 +162,7 @@ std::string surface_of(std::span<const FormResponse> forms, std::span<const Vec2
                     "\"/></clipPath><g clip-path=\"url(#" + clip + ")\"><polygon points=\"" +
                     outline + "\" fill=\"" + range.colour(range.least - 0.5 * range.step) + "\"/>";
   for (const double level : levels) {
-    svg += "<path d=\"" + band_path(surface, hull, level, kLattice) + "\" fill=\"" +
+    svg += "<path d=\"" + format_band_path(surface, hull, level, kLattice) + "\" fill=\"" +
            range.colour(level) + "\"/>";
   }
   LabelPlaces labels(hull);
@@ -190,13 +190,13 @@ std::string legend(const ResponseRange& range, const std::string& label) {
   return svg;
 }
 
-std::string disc_of(const FormResponse& form, const Vec2& place, const ResponseRange& range,
+std::string disc_of(const ShapeResponse& form, const Vec2& place, const ResponseRange& range,
                     const std::string& label) {
   std::string svg = "<circle cx=\"" + fixed(place.x(), 1) + "\" cy=\"" + fixed(place.y(), 1) +
                     "\" r=\"" + fixed(form.marked ? kMarkedDisc : kDisc, 1) + "\" fill=\"" +
-                    colour_text(response_colour(range.share(form.value))) + "\" stroke=\"" +
+                    format_colour(response_colour(range.share(form.value))) + "\" stroke=\"" +
                     (form.marked ? "#d55e00\" stroke-width=\"2" : "#5b6670") + "\"><title>" +
-                    escaped(form.name + ": " + significant(form.value) + ", " + label) +
+                    escape_html(form.name + ": " + significant(form.value) + ", " + label) +
                     "</title></circle>";
   if (form.marked) {
     svg += svg_text(place.x() + 9.0, place.y() + 4.0, form.name,
@@ -208,9 +208,9 @@ std::string disc_of(const FormResponse& form, const Vec2& place, const ResponseR
 
 }  // namespace
 
-std::string response_triangle(std::span<const FormResponse> forms, const std::string& label) {
+std::string draw_response_triangle(std::span<const ShapeResponse> forms, const std::string& label) {
   std::vector<Vec2> places;
-  for (const FormResponse& form : forms) {
+  for (const ShapeResponse& form : forms) {
     const TernaryPlace place = ternary_place(form.axes);
     places.push_back(triangle_point(place.compact, place.elongate));
   }
@@ -219,7 +219,7 @@ std::string response_triangle(std::span<const FormResponse> forms, const std::st
   std::string clip = "clip";
   for (const char c : label) clip += std::isalnum(static_cast<unsigned char>(c)) ? c : '-';
   std::string svg =
-      svg_open(kResponseWidth, kResponseHeight, label + " over the triangle of Sneed and Folk");
+      open_svg(kResponseWidth, kResponseHeight, label + " over the triangle of Sneed and Folk");
   svg += surface_of(forms, places, range, clip) + triangle_frame() + legend(range, label);
   for (const bool marked : {false, true}) {
     for (std::size_t i = 0; i < forms.size(); ++i) {

@@ -8,7 +8,7 @@
 namespace clast::report_detail {
 
 /// The outcome of one form.
-struct FormResponse {
+struct ShapeResponse {
   std::string name;
   Axes axes;
   double value = 0.0;
@@ -22,6 +22,6 @@ struct FormResponse {
 /// from the smallest value to the largest.
 /// @param label  what is shown: "mean runout, m"
 /// @cite sneed1958
-std::string response_triangle(std::span<const FormResponse> forms, const std::string& label);
+std::string draw_response_triangle(std::span<const ShapeResponse> forms, const std::string& label);
 
 }  // namespace clast::report_detail

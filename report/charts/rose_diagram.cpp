@@ -31,7 +31,7 @@ std::string sector(double from, double to, double radius, const std::string& col
   return "<path d=\"M" + point(kCentre) + " L" + point(rose_point(from, radius)) + " A" +
          fixed(radius, 1) + "," + fixed(radius, 1) + " 0 0 1 " + point(rose_point(to, radius)) +
          " Z\" fill=\"" + colour + "\" fill-opacity=\".55\" stroke=\"" + colour + "\"><title>" +
-         escaped(note) + "</title></path>\n";
+         escape_html(note) + "</title></path>\n";
 }
 
 /// Axes of each sector of half a turn, from -90 degrees on.
@@ -48,7 +48,7 @@ std::vector<std::size_t> sector_counts(const std::vector<double>& trends) {
 
 }  // namespace
 
-std::string rose_diagram(const std::string& name, const std::string& colour,
+std::string draw_rose_diagram(const std::string& name, const std::string& colour,
                          const std::vector<double>& trends, const AxialMean& mean) {
   const std::vector<std::size_t> counts = sector_counts(trends);
   const std::size_t most =
@@ -56,8 +56,8 @@ std::string rose_diagram(const std::string& name, const std::string& colour,
   const auto radius_of = [&](double count) {
     return kRadius * std::sqrt(count / static_cast<double>(most));
   };
-  std::string svg = svg_open(kRoseWidth, kRoseHeight, "Directions of long axes: " + name);
-  svg += svg_text(kCentre.x(), 18.0, shortened(name, 40),
+  std::string svg = open_svg(kRoseWidth, kRoseHeight, "Directions of long axes: " + name);
+  svg += svg_text(kCentre.x(), 18.0, shorten_middle(name, 40),
                   "font-size=\"13\" font-weight=\"700\" fill=\"#1d2733\" text-anchor=\"middle\"");
   svg += circle(kRadius, "stroke=\"#8a94a0\"");
   // Where all sectors would end if directions were even.
@@ -80,7 +80,7 @@ std::string rose_diagram(const std::string& name, const std::string& colour,
   if (std::isfinite(mean.direction)) {
     const Vec2 a = rose_point(mean.direction, kRadius * mean.resultant);
     const Vec2 b = rose_point(mean.direction + kPi, kRadius * mean.resultant);
-    svg += svg_line(a.x(), a.y(), b.x(), b.y(), "stroke=\"#1d2733\" stroke-width=\"3\"");
+    svg += format_svg_line(a.x(), a.y(), b.x(), b.y(), "stroke=\"#1d2733\" stroke-width=\"3\"");
   }
   svg += svg_text(kCentre.x(), kCentre.y() - kRadius - 8.0, "downslope", kRoseText);
   svg += svg_text(kCentre.x(), kCentre.y() + kRadius + 16.0, "upslope", kRoseText);

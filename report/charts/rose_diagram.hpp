@@ -12,7 +12,7 @@ namespace clast::report_detail {
 /// resultant.
 /// @param name    plain text above it
 /// @param trends  rad, from downslope to the right
-std::string rose_diagram(const std::string& name, const std::string& colour,
+std::string draw_rose_diagram(const std::string& name, const std::string& colour,
                          const std::vector<double>& trends, const AxialMean& mean);
 
 }  // namespace clast::report_detail

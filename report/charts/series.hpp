@@ -13,7 +13,7 @@ struct Series {
   std::vector<double> values;
   std::vector<double> weights = {};      ///< of each value in a cumulative chart; empty: all alike
   std::vector<std::string> names = {};   ///< of each value, shown by the mark or bar that holds it
-  std::vector<std::string> blocks = {};  ///< data-block of each mark, see `report_page`
+  std::vector<std::string> blocks = {};  ///< data-block of each mark, see `make_report_page`
 };
 
 }  // namespace clast::report_detail

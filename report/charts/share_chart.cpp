@@ -18,7 +18,7 @@ struct BarLegend {
 };
 
 /// What the colours and the whiskers are, in as many rows as it takes from `top` on.
-BarLegend legend_from(const std::vector<ShareSeries>& series, double top) {
+BarLegend legend_from(const std::vector<ClassFractionSeries>& series, double top) {
   constexpr std::size_t kMostCharacters = 64;
   constexpr double kRow = 20.0;
   std::string svg;
@@ -29,8 +29,8 @@ BarLegend legend_from(const std::vector<ShareSeries>& series, double top) {
       top += kRow;
     }
   };
-  for (const ShareSeries& one : series) {
-    const std::string name = shortened(one.name, kMostCharacters);
+  for (const ClassFractionSeries& one : series) {
+    const std::string name = shorten_middle(one.name, kMostCharacters);
     const double width = 18.0 + kCharacter * static_cast<double>(name.size());
     place(width);
     svg += "<rect x=\"" + fixed(x, 1) + "\" y=\"" + fixed(top, 1) +
@@ -46,13 +46,13 @@ BarLegend legend_from(const std::vector<ShareSeries>& series, double top) {
 
 }  // namespace
 
-std::string share_chart(const std::string& title, const std::vector<std::string>& classes,
-                        const std::vector<ShareSeries>& series) {
+std::string draw_class_fractions(const std::string& title, const std::vector<std::string>& classes,
+                        const std::vector<ClassFractionSeries>& series) {
   std::size_t longest = 4;
   for (const std::string& name : classes) longest = std::max(longest, name.size());
   const double left = std::min(250.0, 16.0 + kCharacter * static_cast<double>(longest));
   double highest = 0.0;
-  for (const ShareSeries& one : series) {
+  for (const ClassFractionSeries& one : series) {
     for (const Share& share : one.shares) highest = std::max(highest, share.high);
   }
   const Ticks marks = ticks(0.0, 100.0 * std::max(highest, 0.01), 5);
@@ -62,11 +62,11 @@ std::string share_chart(const std::string& title, const std::vector<std::string>
   const double bottom = kBarsTop + row * static_cast<double>(classes.size());
   const BarLegend legend = legend_from(series, bottom + 40);
 
-  std::string svg = svg_open(kBarsWidth, legend.bottom + 4, title) +
+  std::string svg = open_svg(kBarsWidth, legend.bottom + 4, title) +
                     svg_text(8, 18, title, "font-size=\"14\" font-weight=\"600\" fill=\"#1d2733\"");
   for (const double value : marks.values) {
     const double x = left + scale * value;
-    svg += svg_line(x, kBarsTop, x, bottom,
+    svg += format_svg_line(x, kBarsTop, x, bottom,
                     value == 0.0 ? "stroke=\"#5b6775\"" : "stroke=\"#e2e6ea\"");
     svg += svg_text(x, bottom + 16, fixed(value, marks.decimals) + " %",
                     std::string(kBarText) + " text-anchor=\"middle\"");
@@ -79,13 +79,13 @@ std::string share_chart(const std::string& title, const std::vector<std::string>
       const Share& share = series[i].shares[k];
       const double y = top + kBar * static_cast<double>(i), middle = y + 0.5 * kBar;
       const double low = left + scale * 100.0 * share.low, high = left + scale * 100.0 * share.high;
-      svg += "<g><title>" + escaped(classes[k] + ", " + series[i].name + ": " + share.note) +
+      svg += "<g><title>" + escape_html(classes[k] + ", " + series[i].name + ": " + share.note) +
              "</title><rect x=\"" + fixed(left, 1) + "\" y=\"" + fixed(y + 1, 1) + "\" width=\"" +
              fixed(scale * 100.0 * share.value, 1) + "\" height=\"" + fixed(kBar - 2.0, 1) +
              "\" fill=\"" + series[i].colour + "\" fill-opacity=\".75\"/>" +
-             svg_line(low, middle, high, middle, "stroke=\"#1d2733\" stroke-width=\"1.3\"") +
-             svg_line(low, middle - 3, low, middle + 3, "stroke=\"#1d2733\"") +
-             svg_line(high, middle - 3, high, middle + 3, "stroke=\"#1d2733\"") +
+             format_svg_line(low, middle, high, middle, "stroke=\"#1d2733\" stroke-width=\"1.3\"") +
+             format_svg_line(low, middle - 3, low, middle + 3, "stroke=\"#1d2733\"") +
+             format_svg_line(high, middle - 3, high, middle + 3, "stroke=\"#1d2733\"") +
              svg_text(high + 6, middle + 4, percent(share.value),
                       "font-size=\"11\" fill=\"#33404d\"") +
              "</g>\n";

@@ -14,14 +14,14 @@ struct Share {
 };
 
 /// One way to count, such as a population or by mass.
-struct ShareSeries {
+struct ClassFractionSeries {
   std::string name;
   std::string colour;
   std::vector<Share> shares;  ///< of each class
 };
 
 /// A row for every class, also those without a block: bars from zero, intervals as whiskers.
-std::string share_chart(const std::string& title, const std::vector<std::string>& classes,
-                        const std::vector<ShareSeries>& series);
+std::string draw_class_fractions(const std::string& title, const std::vector<std::string>& classes,
+                        const std::vector<ClassFractionSeries>& series);
 
 }  // namespace clast::report_detail

@@ -38,7 +38,7 @@ AxisRange axis_range(const std::vector<Series>& series, bool logarithmic = false
     const double margin = std::max(1.08, std::pow(range.high / range.low, 0.1));
     return {range.low / margin, range.high * margin, true};
   }
-  const Span span = axis_span(range.low, range.high);
+  const Span span = nice_axis_range(range.low, range.high);
   return {span.low, span.high};
 }
 
@@ -53,7 +53,7 @@ double x_at(const AxisRange& range, double value) {
 std::vector<std::pair<double, std::string>> x_ticks(const AxisRange& range) {
   std::vector<std::pair<double, std::string>> marks;
   if (range.logarithmic) {
-    for (const double value : log_ticks(range.low, range.high, 9)) {
+    for (const double value : choose_log_ticks(range.low, range.high, 9)) {
       marks.emplace_back(value, significant(value, 1));
     }
     if (marks.size() >= 3) return marks;
@@ -74,7 +74,7 @@ std::string x_axis(const AxisRange& range, double top, double bottom, const std:
   std::string svg;
   for (const auto& [value, text] : x_ticks(range)) {
     const double x = x_at(range, value);
-    svg += svg_line(x, top, x, bottom, kGrid);
+    svg += format_svg_line(x, top, x, bottom, kGrid);
     svg += svg_text(x, bottom + 16, text, std::string(kChartText) + " text-anchor=\"middle\"");
   }
   return svg + svg_text(kChartLeft + kPlotWidth / 2, bottom + 34, label,
@@ -85,7 +85,7 @@ std::string x_axis(const AxisRange& range, double top, double bottom, const std:
 constexpr std::size_t kMostTitleCharacters = 24;
 
 std::string name_with_count(const Series& series) {
-  return shortened(series.name, kMostTitleCharacters) + " (" +
+  return shorten_middle(series.name, kMostTitleCharacters) + " (" +
          std::to_string(series.values.size()) + ")";
 }
 
@@ -100,7 +100,7 @@ std::string limit_lines(const ChartText& text, const AxisRange& range, double to
     if (limit.value < range.low || limit.value > range.high) continue;
     const double x = x_at(range, limit.value);
     const bool right = x > kChartLeft + 0.6 * kPlotWidth;  // no room on that side for words
-    svg += svg_line(x, top, x, bottom, "stroke=\"#1d2733\" stroke-dasharray=\"5 4\"");
+    svg += format_svg_line(x, top, x, bottom, "stroke=\"#1d2733\" stroke-dasharray=\"5 4\"");
     svg += svg_text(x + (right ? -5 : 5), top + 11, limit.text,
                     std::string(kChartText) + (right ? " text-anchor=\"end\"" : "") + kChartHalo);
   }
@@ -154,7 +154,7 @@ std::string named_marks(const Series& series, const std::vector<Step>& steps,
            " cx=\"" + fixed(x_at(range, step.value), 1) + "\" cy=\"" +
            fixed(top + height * (1.0 - step.share), 1) + "\" r=\"2.6\" fill=\"" + series.colour +
            "\"><title>" +
-           escaped(series.names[step.index] + "\n" + percent(step.share) + " up to here, " +
+           escape_html(series.names[step.index] + "\n" + percent(step.share) + " up to here, " +
                    series.name) +
            "</title></circle>\n";
   }
@@ -182,7 +182,7 @@ std::string legend_below(const std::vector<LegendEntry>& entries, double top) {
   for (std::size_t i = 0; i < entries.size(); ++i) {
     const double x = kChartLeft + kPlotWidth / 2 * static_cast<double>(i % 2);
     const double y = top + kLegendRow * static_cast<double>(i / 2);
-    svg += svg_line(x, y - 4, x + 24, y - 4, entries[i].pen);
+    svg += format_svg_line(x, y - 4, x + 24, y - 4, entries[i].pen);
     svg += svg_text(x + 30, y, entries[i].name, kChartText);
   }
   return svg;
@@ -217,21 +217,21 @@ std::string cumulative_chart(const ChartText& text, const std::vector<Series>& s
   }
   const double legend_rows = std::ceil(static_cast<double>(entries.size()) / 2.0);
   const double bottom = kChartTop + kHeight;
-  std::string svg = svg_open(kChartWidth, bottom + 46 + kLegendRow * legend_rows, text.title);
+  std::string svg = open_svg(kChartWidth, bottom + 46 + kLegendRow * legend_rows, text.title);
   svg += chart_title(text);
   const AxisRange range = axis_range(series, text.logarithmic);
   svg += x_axis(range, kChartTop, bottom, text.x_label);
   for (int k = 0; k <= 4; ++k) {
     const double y = bottom - kHeight * k / 4.0;
-    svg += svg_line(kChartLeft, y, kChartWidth - kChartRight, y, kGrid);
+    svg += format_svg_line(kChartLeft, y, kChartWidth - kChartRight, y, kGrid);
     svg += svg_text(kChartLeft - 6, y + 4, std::to_string(25 * k) + " %",
                     std::string(kChartText) + " text-anchor=\"end\"");
   }
-  svg += svg_line(kChartLeft, bottom, kChartWidth - kChartRight, bottom, kAxis);
+  svg += format_svg_line(kChartLeft, bottom, kChartWidth - kChartRight, bottom, kAxis);
   for (std::size_t i = 0; i < curves.size(); ++i) {
     svg += "<path fill=\"none\" " + entries[samples + i].pen + " d=\"" +
            smooth_path(curves[i], range, kChartTop, kHeight) + "\"><title>" +
-           escaped(curves[i].name) + "</title></path>";
+           escape_html(curves[i].name) + "</title></path>";
   }
   std::size_t entry = 0;
   for (const Series& one : series) {
@@ -239,7 +239,7 @@ std::string cumulative_chart(const ChartText& text, const std::vector<Series>& s
     const std::vector<Step> steps = steps_of(one);
     svg += "<path fill=\"none\" " + entries[entry].pen + " d=\"" +
            step_path(steps, range, kChartTop, kHeight) + "\"><title>" +
-           escaped(entries[entry].name) + "</title></path>" +
+           escape_html(entries[entry].name) + "</title></path>" +
            named_marks(one, steps, range, kChartTop, kHeight);
     ++entry;
   }
@@ -247,7 +247,7 @@ std::string cumulative_chart(const ChartText& text, const std::vector<Series>& s
   return svg + legend_below(entries, bottom + 54) + "</svg>\n";
 }
 
-std::string histogram_chart(const ChartText& text, const std::vector<Series>& series) {
+std::string draw_histogram(const ChartText& text, const std::vector<Series>& series) {
   constexpr double kRow = 92.0, kGap = 24.0;
   const AxisRange data = axis_range(series);
   std::vector<double> limits;
@@ -272,14 +272,14 @@ std::string histogram_chart(const ChartText& text, const std::vector<Series>& se
   if (highest == 0.0) highest = 1.0;
 
   const double bottom = kChartTop + static_cast<double>(series.size()) * (kRow + kGap);
-  std::string svg = svg_open(kChartWidth, bottom + 46, text.title) + chart_title(text);
+  std::string svg = open_svg(kChartWidth, bottom + 46, text.title) + chart_title(text);
   svg += x_axis(range, kChartTop, bottom, text.x_label);
   const Ticks levels = ticks(0.0, 100.0 * highest, 3);
   for (std::size_t i = 0; i < series.size(); ++i) {
     const double base = kChartTop + static_cast<double>(i + 1) * (kRow + kGap);
     for (const double level : levels.values) {
       const double y = base - kRow * level / (100.0 * highest);
-      if (level > 0.0) svg += svg_line(kChartLeft, y, kChartWidth - kChartRight, y, kGrid);
+      if (level > 0.0) svg += format_svg_line(kChartLeft, y, kChartWidth - kChartRight, y, kGrid);
       svg += svg_text(kChartLeft - 6, y + 4, fixed(level, levels.decimals) + " %",
                       std::string(kChartText) + " text-anchor=\"end\"");
     }
@@ -291,11 +291,11 @@ std::string histogram_chart(const ChartText& text, const std::vector<Series>& se
       svg += "<rect x=\"" + fixed(x + 0.5, 1) + "\" y=\"" + fixed(base - height, 1) +
              "\" width=\"" + fixed(width - 1.0, 1) + "\" height=\"" + fixed(height, 1) +
              "\" fill=\"" + series[i].colour + "\"><title>" +
-             escaped(significant(low, 4) + " to " + significant(low + bins.width, 4) + ": " +
+             escape_html(significant(low, 4) + " to " + significant(low + bins.width, 4) + ": " +
                      percent(shares[i][k]) + names_in_bin(names[i][k])) +
              "</title></rect>";
     }
-    svg += svg_line(kChartLeft, base, kChartWidth - kChartRight, base, kAxis);
+    svg += format_svg_line(kChartLeft, base, kChartWidth - kChartRight, base, kAxis);
     svg +=
         svg_text(kChartWidth - kChartRight, base - kRow + 2, name_with_count(series[i]),
                  std::string(kChartText) + " font-weight=\"600\" text-anchor=\"end\"" + kChartHalo);

@@ -40,6 +40,6 @@ std::string cumulative_chart(const ChartText& text, const std::vector<Series>& s
 
 /// One row of bars per sample over common bins, each in per cent of its sample. A value on the edge
 /// of a bin is in the bin below; limits are edges where that takes no more than sixty bins.
-std::string histogram_chart(const ChartText& text, const std::vector<Series>& series);
+std::string draw_histogram(const ChartText& text, const std::vector<Series>& series);
 
 }  // namespace clast::report_detail

@@ -25,7 +25,7 @@ Ticks ticks(double low, double high, int wanted) {
   return found;
 }
 
-std::vector<double> log_ticks(double low, double high, std::size_t most) {
+std::vector<double> choose_log_ticks(double low, double high, std::size_t most) {
   std::vector<double> all, decades;
   for (double power = std::pow(10.0, std::floor(std::log10(low))); power <= high * (1.0 + 1e-9);
        power *= 10.0) {

@@ -17,6 +17,6 @@ Ticks ticks(double low, double high, int wanted);
 /// Multiples of 1, 2 and 5 of powers of ten inside [low, high]; of 1 alone where there would be
 /// more than `most`.
 /// @param low, high  positive
-std::vector<double> log_ticks(double low, double high, std::size_t most);
+std::vector<double> choose_log_ticks(double low, double high, std::size_t most);
 
 }  // namespace clast::report_detail

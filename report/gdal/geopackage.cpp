@@ -100,7 +100,7 @@ void write_stops(Layer layer, const Comparison& comparison) {
 
 void write_crossings(Layer layer, const Comparison& comparison) {
   const auto columns = chosen(crossing_columns(), layer.fields());
-  for (const CrossingRow& row : comparison.crossings) {
+  for (const BarrierCrossing& row : comparison.crossings) {
     Feature feature = layer.feature();
     set_fields(*feature, columns, {comparison, row});
     layer.add(std::move(feature), OGRPoint(row.position.x(), row.position.y(), row.position.z()));
@@ -108,13 +108,13 @@ void write_crossings(Layer layer, const Comparison& comparison) {
 }
 
 void write_barriers(Layer layer, const Comparison& comparison) {
-  const auto columns = chosen(barrier_columns(), {"runs", "crossings", "probability",
+  const auto columns = chosen(barrier_table_columns(), {"runs", "crossings", "probability",
                                                   "height_p95_m", "total_energy_p95_j"});
   for (std::size_t line = 0; line < comparison.lines.size(); ++line) {
     const BarrierLine& barrier = comparison.lines[line];
     Feature feature = layer.feature();
     feature->SetField("name", barrier.name.c_str());
-    for (const BarrierGroup& row : comparison.barriers) {
+    for (const BarrierGroupStatistics& row : comparison.barriers) {
       const Group& group = comparison.groups[row.group_index];
       if (row.line == line && group.kind == GroupKind::kAll && !group.file) {
         set_fields(*feature, columns, row);
@@ -220,7 +220,7 @@ void write_geopackage(const std::filesystem::path& path, const Comparison& compa
                           {"lateral_deg", OFTReal}}),
                    *comparison.measured);
   }
-  add_style_table(*dataset, path, vector_styles(comparison));
+  add_style_table(*dataset, path, make_vector_styles(comparison));
   check_written(dataset->CommitTransaction() == OGRERR_NONE, path, "a GeoPackage");
   dataset->SetMetadataItem("PROGRAM", (std::string("clast ") + version()).c_str());
   for (std::size_t file = 0; file < comparison.results.size(); ++file) {

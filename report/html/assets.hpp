@@ -10,7 +10,7 @@ extern const std::string_view page_js;         ///< of every page
 extern const std::string_view report_css;      ///< of pages about runs and populations of blocks
 extern const std::string_view scans_css;       ///< of pages about scans
 extern const std::string_view blocks_js;       ///< highlights a block in all diagrams
-extern const std::string_view unpack_js;       ///< unpacks what `packed_element` holds
+extern const std::string_view unpack_js;       ///< unpacks what `format_packed_element` holds
 extern const std::string_view charts_js;       ///< draws what `plotly_figure` holds
 extern const std::string_view gallery_css;     ///< of galleries of blocks
 extern const std::string_view gallery_js;      ///< filters, sorts and opens blocks of a gallery

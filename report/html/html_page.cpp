@@ -11,7 +11,7 @@ namespace {
 
 /// Escaped text with what stands between backticks, the field of an option, as code.
 std::string with_code(std::string_view text) {
-  std::string html = escaped(text);
+  std::string html = escape_html(text);
   std::size_t begin = html.find('`');
   for (std::size_t end; begin != html.npos; begin = html.find('`', begin)) {
     end = html.find('`', begin + 1);
@@ -38,7 +38,7 @@ std::string anchor(std::string_view title) {
 
 }  // namespace
 
-std::string escaped(std::string_view text) {
+std::string escape_html(std::string_view text) {
   std::string result;
   result.reserve(text.size());
   for (const char c : text) {
@@ -67,7 +67,7 @@ std::string escaped(std::string_view text) {
   return result;
 }
 
-std::string shortened(std::string_view text, std::size_t most) {
+std::string shorten_middle(std::string_view text, std::size_t most) {
   std::size_t characters = 0, end = 0;  // up to and with the last character that has room
   for (std::size_t i = 0; i < text.size(); ++i) {
     if ((static_cast<unsigned char>(text[i]) & 0xc0) == 0x80) continue;
@@ -77,7 +77,7 @@ std::string shortened(std::string_view text, std::size_t most) {
   return std::string(text);
 }
 
-std::string link_to(std::string_view path) {
+std::string format_link_target(std::string_view path) {
   constexpr std::string_view kDigits = "0123456789ABCDEF";
   std::string link;
   for (const char c : path) {
@@ -108,7 +108,7 @@ HtmlTable& HtmlTable::row(std::vector<std::string> cells) {
   constexpr std::size_t kLongText = 24;  // broken anywhere from here on, if there is no room
   rows_ += "<tr>";
   for (std::size_t i = 0; i < cells.size(); ++i) {
-    add_cell(i, cells[i].size() > kLongText, escaped(cells[i]));
+    add_cell(i, cells[i].size() > kLongText, escape_html(cells[i]));
   }
   rows_ += "</tr>\n";
   return *this;
@@ -130,7 +130,7 @@ void HtmlTable::add_cell(std::size_t column, bool long_text, const std::string& 
   const bool text = column < text_columns_;
   rows_ += "<td";
   if (text) rows_ += long_text ? " class=\"t wrap\"" : " class=\"t\"";
-  if (cards_) rows_ += " data-head=\"" + escaped(heads_[column]) + "\"";
+  if (cards_) rows_ += " data-head=\"" + escape_html(heads_[column]) + "\"";
   rows_ += ">" + html + "</td>";
 }
 
@@ -145,27 +145,27 @@ std::string HtmlTable::html() const {
   html += "><thead><tr>";
   for (std::size_t i = 0; i < heads_.size(); ++i) {
     html += i < text_columns_ ? "<th class=\"t\">" : "<th>";
-    html += escaped(heads_[i]) + "</th>";
+    html += escape_html(heads_[i]) + "</th>";
   }
   return html + "</tr></thead>\n<tbody>\n" + rows_ + "</tbody></table></div>\n";
 }
 
-std::string svg_line(double x1, double y1, double x2, double y2, std::string_view style) {
+std::string format_svg_line(double x1, double y1, double x2, double y2, std::string_view style) {
   return "<line x1=\"" + fixed(x1, 1) + "\" y1=\"" + fixed(y1, 1) + "\" x2=\"" + fixed(x2, 1) +
          "\" y2=\"" + fixed(y2, 1) + "\" " + std::string(style) + "/>";
 }
 
 std::string svg_text(double x, double y, std::string_view text, std::string_view style) {
   return "<text x=\"" + fixed(x, 1) + "\" y=\"" + fixed(y, 1) + "\" " + std::string(style) + ">" +
-         escaped(text) + "</text>";
+         escape_html(text) + "</text>";
 }
 
-std::string svg_open(double width, double height, std::string_view label) {
+std::string open_svg(double width, double height, std::string_view label) {
   return "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 " + fixed(width, 0) + " " +
-         fixed(height, 0) + "\" role=\"img\" aria-label=\"" + escaped(label) + "\">";
+         fixed(height, 0) + "\" role=\"img\" aria-label=\"" + escape_html(label) + "\">";
 }
 
-std::string svg_file(const std::string& svg) {
+std::string make_svg_file(const std::string& svg) {
   const std::string_view box = "viewBox=\"0 0 ";
   const std::size_t at = svg.find(box) + box.size();
   const std::string size = svg.substr(at, svg.find('"', at) - at);  // "width height"
@@ -191,13 +191,13 @@ std::string fill(std::string_view skeleton, const std::map<std::string, std::str
 }
 
 std::string section(std::string_view title, std::string_view body) {
-  return "<section id=\"" + anchor(title) + "\">\n<h2>" + escaped(title) + "</h2>\n" +
+  return "<section id=\"" + anchor(title) + "\">\n<h2>" + escape_html(title) + "</h2>\n" +
          std::string(body) + "</section>\n";
 }
 
-std::string folded(std::string_view line, std::string_view body, OnPaper on_paper) {
-  const std::string classes = on_paper == OnPaper::kOpen ? "fold paper" : "fold";
-  return "<details class=\"" + classes + "\"><summary>" + escaped(line) + "</summary>\n" +
+std::string folded(std::string_view line, std::string_view body, PrintedState on_paper) {
+  const std::string classes = on_paper == PrintedState::kOpen ? "fold paper" : "fold";
+  return "<details class=\"" + classes + "\"><summary>" + escape_html(line) + "</summary>\n" +
          std::string(body) + "</details>\n";
 }
 
@@ -205,23 +205,23 @@ std::string paragraph(std::string_view text) { return "<p>" + with_code(text) + 
 
 std::string figure(std::string_view svg, std::string_view caption) {
   std::string html = "<figure>" + std::string(svg);
-  if (!caption.empty()) html += "<figcaption>" + escaped(caption) + "</figcaption>";
+  if (!caption.empty()) html += "<figcaption>" + escape_html(caption) + "</figcaption>";
   return html + "</figure>\n";
 }
 
 std::string fact(std::string_view name, std::string_view value) {
-  return "<div><dt>" + escaped(name) + "</dt><dd>" + escaped(value) + "</dd></div>\n";
+  return "<div><dt>" + escape_html(name) + "</dt><dd>" + escape_html(value) + "</dd></div>\n";
 }
 
-std::string note_box(std::string_view title, const std::vector<std::string>& notes) {
-  std::string html = "<div class=\"warnings\" role=\"note\"><h2>" + escaped(title) + "</h2><ul>\n";
+std::string format_note_box(std::string_view title, const std::vector<std::string>& notes) {
+  std::string html = "<div class=\"warnings\" role=\"note\"><h2>" + escape_html(title) + "</h2><ul>\n";
   for (const std::string& note : notes) html += "<li>" + with_code(note) + "</li>\n";
   return html + "</ul></div>\n";
 }
 
 std::string page(std::string_view title, std::string_view body, const PageExtras& extras) {
   return fill(assets::page_html,
-              {{"title", escaped(title)},
+              {{"title", escape_html(title)},
                {"style", std::string(assets::page_css) + std::string(extras.style)},
                {"body", std::string(body)},
                {"script", std::string(assets::page_js) + std::string(extras.script)}});

@@ -11,7 +11,7 @@ constexpr int kDeflateLevel = 6;  // a third of the time of 9, 1 % larger
 
 }  // namespace
 
-std::string script_element(std::string_view script) {
+std::string format_script_element(std::string_view script) {
   std::string code(script);
   for (std::size_t at = 0; (at = code.find("</", at)) != std::string::npos; at += 3) {
     code.insert(at + 1, 1, '\\');
@@ -19,7 +19,7 @@ std::string script_element(std::string_view script) {
   return "<script>" + code + "</script>\n";
 }
 
-std::string json_element(const std::string& attributes, std::string json) {
+std::string format_json_element(const std::string& attributes, std::string json) {
   // A "<" is inside a string wherever it is in JSON, and this is how strings may write it.
   for (std::size_t at = 0; (at = json.find('<', at)) != std::string::npos; at += 6) {
     json.replace(at, 1, "\\u003c");
@@ -27,7 +27,7 @@ std::string json_element(const std::string& attributes, std::string json) {
   return "<script type=\"application/json\" " + attributes + ">" + json + "</script>\n";
 }
 
-std::string packed_element(const std::string& id, std::string_view text) {
+std::string format_packed_element(const std::string& id, std::string_view text) {
   return "<script type=\"text/plain\" id=\"" + id + "\">" + base64(deflated(text, kDeflateLevel)) +
          "</script>\n";
 }

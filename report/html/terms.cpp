@@ -105,7 +105,7 @@ std::string explained(const std::set<std::string_view>& used) {
   for (const Term& term : kTerms) {
     if (!used.contains(term.id) || term.meaning.empty()) continue;
     list += "<dt>" + std::string(term.word) + "</dt><dd id=\"term-" + std::string(term.id) + "\">" +
-            escaped(term.meaning) + "</dd>\n";
+            escape_html(term.meaning) + "</dd>\n";
   }
   return section("Glossary", folded("What the underlined words mean",
                                     "<dl class=\"words\">\n" + list + "</dl>\n"));
@@ -113,7 +113,7 @@ std::string explained(const std::set<std::string_view>& used) {
 
 }  // namespace
 
-std::string with_terms(std::string_view body) {
+std::string link_glossary_terms(std::string_view body) {
   std::string html;
   html.reserve(body.size());
   std::set<std::string_view> seen, used;

@@ -8,6 +8,6 @@ namespace clast::report_detail {
 
 /// `body` with the first of every term in each section marked, in paragraphs, notes and heads of
 /// tables, and with a folded section that explains those that occur.
-std::string with_terms(std::string_view body);
+std::string link_glossary_terms(std::string_view body);
 
 }  // namespace clast::report_detail

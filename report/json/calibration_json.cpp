@@ -31,7 +31,7 @@ Json unknowns_json(const Calibration& calibration) {
                         {"interval_95", {marginal.low, marginal.high}},
                         {"width_of_prior", marginal.width},
                         {"determined", !marginal.is_undetermined()},
-                        {"cut_off", marginal.is_cut_off()}});
+                        {"cut_off", marginal.is_cut_off_by_range()}});
     if (i >= calibration.posterior.nearest.unknowns.size()) continue;
     const Marginal& near = calibration.posterior.nearest.unknowns[i];
     list.back()["nearest_members"] = {{"median", near.median}, {"range", {near.low, near.high}}};
@@ -46,7 +46,7 @@ Json figures_json(const Calibration& calibration) {
     for (std::size_t i = 0; i < observation.figures.size(); ++i, ++at) {
       const Figure& figure = observation.figures[i];
       Json json = figure_json(calibration.study, observation, figure);
-      for (const PredictedFigure& one : calibration.posterior.predicted) {
+      for (const PredictedStatistic& one : calibration.posterior.predicted) {
         if (one.observation != o || one.figure != i) continue;
         json["predicted"] = one.median;
         json["interval_95"] = {one.low, one.high};
@@ -86,8 +86,8 @@ Json check_json(const PredictiveCheck& check) {
 
 Json calibration_json(const Calibration& calibration) {
   return {{"file", calibration.file.string()},
-          {"answer", calibration_answer(calibration)},
-          {"findings", calibration_findings(calibration)},
+          {"answer", describe_calibration_result(calibration)},
+          {"findings", describe_calibration_findings(calibration)},
           {"members", calibration.study.design.members},
           {"releases", calibration.study.design.releases},
           {"draws", calibration.posterior.draws.cols()},
@@ -95,7 +95,7 @@ Json calibration_json(const Calibration& calibration) {
           {"figures", figures_json(calibration)},
           {"fit", check_json(calibration.posterior.fitted)},
           {"prediction", check_json(calibration.posterior.kept)},
-          {"ground", ground_block(calibration)}};
+          {"ground", format_ground_block(calibration)}};
 }
 
 Json study_json(const CalibrationStudy& study) {

@@ -20,9 +20,9 @@ nlohmann::ordered_json plan_json(const CampaignPlan& prepared) {
   nlohmann::ordered_json blocks = nlohmann::ordered_json::array();
   for (const BlockSummary& block : prepared.header.blocks) blocks.push_back(block.id);
   nlohmann::ordered_json stiffness = nlohmann::ordered_json::array();
-  for (const BlockStiffness& block : stiffness_by_block(prepared.header, prepared.runs)) {
+  for (const BlockStiffness& block : collect_stiffness_by_block(prepared.header, prepared.runs)) {
     nlohmann::ordered_json row = {{"block", block.block}};
-    for (const StiffnessValue& value : block.values) {
+    for (const StiffnessRange& value : block.values) {
       if (!value.range.empty()) row[value.name] = {value.range.low, value.range.high};
     }
     stiffness.push_back(row);
@@ -33,13 +33,13 @@ nlohmann::ordered_json plan_json(const CampaignPlan& prepared) {
                                  {"release_points", prepared.header.release_points.size()},
                                  {"stiffness", stiffness},
                                  {"warnings", prepared.header.warnings}};
-  if (const std::optional<StaySummary>& stay = prepared.header.stay) {
+  if (const std::optional<PersistentBlocksSettings>& stay = prepared.header.stay) {
     plan["realisations"] = prepared.campaign.stay->realisations;
     plan["blocks_per_realisation"] = stay->blocks_each;
-    plan["memory_bytes_per_realisation"] = realisation_memory(prepared);
-    const std::vector<MassPlan>& plans = prepared.campaign.stay->masses;
+    plan["memory_bytes_per_realisation"] = estimate_realisation_memory(prepared);
+    const std::vector<MultiBlockRelease>& plans = prepared.campaign.stay->masses;
     for (std::size_t i = 0; i < prepared.masses.size(); ++i) {
-      const MassStart& mass = prepared.masses[i];
+      const MultiBlockStart& mass = prepared.masses[i];
       const std::size_t of_realisation = i % plans.size();
       nlohmann::ordered_json row;
       if (plans.size() > 1) row["name"] = prepared.campaign.releases[of_realisation].name;
@@ -60,7 +60,7 @@ nlohmann::ordered_json plan_json(const CampaignPlan& prepared) {
 }
 
 nlohmann::ordered_json outcome_json(const CampaignResults& results) {
-  const CampaignOutcome outcome = outcome_of(results);
+  const StopReasonCounts outcome = count_stop_reasons(results);
   nlohmann::ordered_json reasons;
   for (std::size_t i = 0; i < kStopReasons.size(); ++i) {
     reasons[name_of(kStopReasons[i])] = outcome.reasons[i];
@@ -73,7 +73,7 @@ nlohmann::ordered_json outcome_json(const CampaignResults& results) {
           {"crossings", results.crossings.size()},
           {"largest_energy_error", or_null(outcome.largest_energy_error)},
           {"largest_reassigned_share", or_null(outcome.largest_reassigned)},
-          {"outcome_warnings", outcome_warnings(outcome)}};
+          {"outcome_warnings", describe_failed_runs(outcome)}};
 }
 
 }  // namespace clast

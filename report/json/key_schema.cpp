@@ -12,7 +12,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json schema_of(const ValueForm& form);
+Json schema_of(const ValueFormat& form);
 
 /// Numbers as editors of TOML compare them: 0 is allowed apart from the range where it means
 /// something.
@@ -65,29 +65,29 @@ Json named_schema(Json value) {
   return {{"type", "object"}, {"minProperties", 1}, {"additionalProperties", std::move(value)}};
 }
 
-Json schema_of(const ValueForm& form) {
+Json schema_of(const ValueFormat& form) {
   switch (form.kind) {
-    case ValueForm::Kind::kText:
+    case ValueFormat::Kind::kText:
       if (!form.pattern.empty()) return {{"type", "string"}, {"pattern", form.pattern}};
       if (form.words.empty()) return {{"type", "string"}, {"minLength", 1}};
       return {{"enum", form.words}};
-    case ValueForm::Kind::kFlag:
+    case ValueFormat::Kind::kFlag:
       return {{"type", "boolean"}};
-    case ValueForm::Kind::kCount:
+    case ValueFormat::Kind::kCount:
       return {{"type", "integer"}, {"minimum", form.least}, {"maximum", form.most}};
-    case ValueForm::Kind::kNumber:
+    case ValueFormat::Kind::kNumber:
       return number_schema(form.range);
-    case ValueForm::Kind::kList:
+    case ValueFormat::Kind::kList:
       return list_schema(schema_of(form.items.front()), form.least, form.most);
-    case ValueForm::Kind::kTable:
+    case ValueFormat::Kind::kTable:
       return keys_schema(form.keys);
-    case ValueForm::Kind::kNamed:
+    case ValueFormat::Kind::kNamed:
       return named_schema(schema_of(form.items.front()));
-    case ValueForm::Kind::kEither:
+    case ValueFormat::Kind::kEither:
       break;
   }
   Json any = Json::array();
-  for (const ValueForm& one : form.items) any.push_back(schema_of(one));
+  for (const ValueFormat& one : form.items) any.push_back(schema_of(one));
   return {{"anyOf", std::move(any)}};
 }
 
@@ -133,11 +133,11 @@ Json file_schema(const std::string& title, const std::vector<KeyTable>& tables,
 }  // namespace
 
 Json campaign_schema() {
-  return file_schema("clast campaign", campaign_tables(), {"release", "mass"});
+  return file_schema("clast campaign", campaign_key_tables(), {"release", "mass"});
 }
 
 Json calibration_schema() {
-  return file_schema("clast calibration study", calibration_tables(), {});
+  return file_schema("clast calibration study", calibration_key_tables(), {});
 }
 
 }  // namespace clast

@@ -43,10 +43,10 @@ class LegendRows {
 
 }  // namespace
 
-MapLegend map_legend(const SiteMap& site, const Sheet& sheet) {
+MapLegend draw_map_legend(const SiteMap& site, const Sheet& sheet) {
   LegendRows legend(kMapLeft + sheet.width() + 22.0);
   const auto line = [&](const std::string& stroke) {
-    return svg_line(legend.mark_x() - 8, legend.mark_y(), legend.mark_x() + 8, legend.mark_y(),
+    return format_svg_line(legend.mark_x() - 8, legend.mark_y(), legend.mark_x() + 8, legend.mark_y(),
                     stroke);
   };
   const bool has_contours = site.highest > site.lowest;  // level ground has none
@@ -56,27 +56,27 @@ MapLegend map_legend(const SiteMap& site, const Sheet& sheet) {
   std::set<std::string> named;
   for (const ReleaseOutline& outline : site.outlines) {
     if (!named.insert(outline.name).second) continue;
-    legend.row(release_outline("M" + fixed(legend.mark_x() - 8, 1) + " " +
+    legend.row(draw_release_outline("M" + fixed(legend.mark_x() - 8, 1) + " " +
                                    fixed(legend.mark_y() - 5, 1) + "h16v10h-16Z",
                                ""),
                outline.name);
   }
   if (!site.places.empty()) {
-    legend.row(release_mark(legend.mark_x(), legend.mark_y(), ""), "release point");
+    legend.row(draw_release_mark(legend.mark_x(), legend.mark_y(), ""), "release point");
   }
   if (!site.barriers.empty()) {
     legend.row(line("stroke=\"#111\" stroke-width=\"2.2\""),
                site.counts_crossings ? "barrier, crossings counted" : "barrier");
   }
   if (has_contours) {
-    legend.row(line("stroke=\"" + colour_text(kContourColour) + "\" stroke-width=\"1.2\""),
+    legend.row(line("stroke=\"" + format_colour(kContourColour) + "\" stroke-width=\"1.2\""),
                "contours every " + significant(site.contour_interval(), 2) + " m");
   }
   const std::vector<std::string>& zones = site.terrain->zone_names;
   if (!zones.empty()) legend.head("Ground zones");
   for (std::size_t zone = 0; zone < zones.size(); ++zone) {
-    legend.swatch(colour_text(zone_tint(zones[zone], zone)),
-                  shortened(zones[zone], kMostMapCharacters));
+    legend.swatch(format_colour(zone_tint(zones[zone], zone)),
+                  shorten_middle(zones[zone], kMostMapCharacters));
   }
   return {legend.svg(), legend.bottom()};
 }

@@ -12,6 +12,6 @@ struct MapLegend {
 };
 
 /// Marks and ground zones.
-MapLegend map_legend(const SiteMap& site, const Sheet& sheet);
+MapLegend draw_map_legend(const SiteMap& site, const Sheet& sheet);
 
 }  // namespace clast::report_detail

@@ -6,23 +6,23 @@
 
 namespace clast::report_detail {
 
-std::string release_mark(double x, double y, const std::string& title) {
+std::string draw_release_mark(double x, double y, const std::string& title) {
   const std::string at = fixed(x, 1) + " " + fixed(y, 1);
   return "<path fill=\"none\" stroke=\"#fff\" stroke-width=\"5\" d=\"M" + at +
          "m-6-6l12 12m0-12l-12 12\"/><path fill=\"none\" stroke=\"#111\" stroke-width=\"2.4\" "
          "d=\"M" +
          at + "m-5-5l10 10m0-10l-10 10\">" +
-         (title.empty() ? "" : "<title>" + escaped(title) + "</title>") + "</path>";
+         (title.empty() ? "" : "<title>" + escape_html(title) + "</title>") + "</path>";
 }
 
-std::string release_outline(const std::string& path, const std::string& title) {
+std::string draw_release_outline(const std::string& path, const std::string& title) {
   return "<path fill=\"none\" stroke=\"#fff\" stroke-width=\"4\" d=\"" + path +
          "\"/><path fill=\"none\" stroke=\"#111\" stroke-width=\"1.8\" "
          "stroke-dasharray=\"6 4\" d=\"" +
-         path + "\">" + (title.empty() ? "" : "<title>" + escaped(title) + "</title>") + "</path>";
+         path + "\">" + (title.empty() ? "" : "<title>" + escape_html(title) + "</title>") + "</path>";
 }
 
-CountArrow count_arrow(const BarrierLine& line) {
+CountArrow make_count_arrow(const BarrierLine& line) {
   using Counts = BarrierLine::Counts;
   // The two arrows of a ring stand at different sides.
   const std::size_t side = line.counts == Counts::kExits ? 0 : (line.through.size() - 1) / 2;
@@ -34,7 +34,7 @@ CountArrow count_arrow(const BarrierLine& line) {
   return {0.5 * (from + to), right ? to_right : Vec2(-to_right), line.counts == Counts::kEither};
 }
 
-std::string relief_image(const SiteMap& site, std::uint32_t columns) {
+std::string draw_relief_image(const SiteMap& site, std::uint32_t columns) {
   const MapFrame& frame = site.terrain->frame;
   const Vec2 origin = frame.origin.head<2>();
   const Relief relief =

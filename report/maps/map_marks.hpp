@@ -23,11 +23,11 @@ struct Sheet {
 };
 
 /// Cross with a white edge, in px.
-std::string release_mark(double x, double y, const std::string& title);
+std::string draw_release_mark(double x, double y, const std::string& title);
 
 /// Dashed outline with a white edge.
 /// @param path  of SVG, closed, px
-std::string release_outline(const std::string& path, const std::string& title);
+std::string draw_release_outline(const std::string& path, const std::string& title);
 
 /// Where a barrier is marked, and which way crossings count (unit), both on the map.
 struct CountArrow {
@@ -36,9 +36,9 @@ struct CountArrow {
   bool both_ways = false;
 };
 /// On the middle of the line's middle segment.
-CountArrow count_arrow(const BarrierLine& line);
+CountArrow make_count_arrow(const BarrierLine& line);
 
 /// Relief of the site's window with contours and zone tints, as "data:image/png;base64,...".
-std::string relief_image(const SiteMap& site, std::uint32_t columns);
+std::string draw_relief_image(const SiteMap& site, std::uint32_t columns);
 
 }  // namespace clast::report_detail

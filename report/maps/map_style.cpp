@@ -181,7 +181,7 @@ std::string ValueStyle::label(std::size_t class_index) const {
   return numbers[class_index - 1] + " to " + numbers[class_index] + unit_text;
 }
 
-std::vector<ValueStyle> value_styles(const MapRasters& rasters) {
+std::vector<ValueStyle> choose_value_styles(const MapRasterSet& rasters) {
   std::vector<ValueStyle> styles;
   for (const RasterLayer& layer : rasters.layers) {
     const Quantity quantity = quantity_of(layer);
@@ -194,7 +194,7 @@ std::vector<ValueStyle> value_styles(const MapRasters& rasters) {
   return styles;
 }
 
-StopMarks stop_marks(const Comparison& comparison) {
+StopMarks choose_stop_marks(const Comparison& comparison) {
   const auto is_kind = [](const Group& group, GroupKind kind) {
     return group.kind == kind && !group.file;
   };

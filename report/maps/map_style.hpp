@@ -34,7 +34,7 @@ inline constexpr double kPathOpacity = 0.6;
 /// heights and speeds even ones. Layers of one quantity, such as E_mean and E_max, have the same
 /// limits.
 /// @cite jaboyedoff2005
-std::vector<ValueStyle> value_styles(const MapRasters& rasters);
+std::vector<ValueStyle> choose_value_styles(const MapRasterSet& rasters);
 
 /// A mark as plotly.js and as QGIS call it.
 struct MarkShape {
@@ -66,6 +66,6 @@ struct StopMarks {
 };
 
 /// Classes differ in colour, blocks of a class in shape.
-StopMarks stop_marks(const Comparison& comparison);
+StopMarks choose_stop_marks(const Comparison& comparison);
 
 }  // namespace clast::report_detail

@@ -48,7 +48,7 @@ Json layout_of(const SiteMap& site, int height, const Json& notes) {
       {"hovermode", "closest"},
       {"annotations", notes},
       {"images",
-       {{{"source", relief_image(site, kReliefColumns)},
+       {{{"source", draw_relief_image(site, kReliefColumns)},
          {"xref", "x"},
          {"yref", "y"},
          {"x", window.low.x()},
@@ -63,11 +63,11 @@ Json layout_of(const SiteMap& site, int height, const Json& notes) {
 std::string choices(const PageMapContents& contents) {
   std::string options;
   const auto add = [&](const std::string& value, const std::string& text) {
-    options += "<option value=\"" + escaped(value) + "\">" + escaped(text) + "</option>\n";
+    options += "<option value=\"" + escape_html(value) + "\">" + escape_html(text) + "</option>\n";
   };
   if (contents.marks) add("stops", "stops");
-  for (const MapRasters* rasters : contents.rasters) {
-    const std::vector<ValueStyle> styles = value_styles(*rasters);
+  for (const MapRasterSet* rasters : contents.rasters) {
+    const std::vector<ValueStyle> styles = choose_value_styles(*rasters);
     for (std::size_t i = 0; i < styles.size(); ++i) {
       const std::string unit = styles[i].unit.empty() ? "" : ", " + styles[i].unit;
       add(rasters->layers[i].name, styles[i].title + unit);
@@ -87,12 +87,12 @@ std::string paths_box(const MapLayers& layers) {
 
 }  // namespace
 
-std::string page_map(const Comparison& comparison, const PageMapContents& contents) {
+std::string format_page_map(const Comparison& comparison, const PageMapContents& contents) {
   const std::string options = choices(contents);
   if (options.empty() || !plotly_is_installed()) return {};
-  const SiteMap site = site_map(comparison);
+  const SiteMap site = make_site_map(comparison);
   const MapLayers layers =
-      map_layers(comparison, contents.rasters, site.window.low, contents.marks);
+      make_map_layers(comparison, contents.rasters, site.window.low, contents.marks);
   Json traces = Json::array(), notes = Json::array();
   if (contents.marks) add_stops(comparison, site.window, traces);
   add_barriers(site, traces, notes);
@@ -111,7 +111,7 @@ std::string page_map(const Comparison& comparison, const PageMapContents& conten
        {"paths", paths_box(layers)},
        {"figure", plotly_figure(contents.label, "map",
                                 figure.dump(-1, ' ', false, Json::error_handler_t::replace))},
-       {"data", packed_element(contents.id, layers.json)}});
+       {"data", format_packed_element(contents.id, layers.json)}});
 }
 
 }  // namespace clast::report_detail

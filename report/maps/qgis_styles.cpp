@@ -19,7 +19,7 @@ using Attributes = std::vector<std::pair<std::string, std::string>>;
 std::string element(const std::string& name, const Attributes& attributes,
                     const std::string& inside = {}) {
   std::string xml = "<" + name;
-  for (const auto& [key, value] : attributes) xml += " " + key + "=\"" + escaped(value) + "\"";
+  for (const auto& [key, value] : attributes) xml += " " + key + "=\"" + escape_html(value) + "\"";
   return xml + (inside.empty() ? "/>\n" : ">" + inside + "</" + name + ">\n");
 }
 
@@ -100,7 +100,7 @@ class Categories {
 };
 
 std::string stops_qml(const Comparison& comparison) {
-  const StopMarks stops = stop_marks(comparison);
+  const StopMarks stops = choose_stop_marks(comparison);
   const std::string field = stops.by_block ? "\"block\"" : "\"shape\"";
   Categories categories("CASE WHEN \"stop_reason\" = '" + name_of(StopReason::kRest) + "' THEN " +
                         field + " ELSE " + field + " || '" + kNotAtRest + "' END");
@@ -167,12 +167,12 @@ std::string barriers_qml() {
 
 }  // namespace
 
-std::string raster_qml(const ValueStyle& style) {
+std::string format_raster_qml(const ValueStyle& style) {
   std::string items;
   for (std::size_t i = 0; i < style.breaks.size(); ++i) {
     items += element("item", {{"value", exact(style.breaks[i])},
                               {"label", style.label(i)},
-                              {"color", colour_text(style.colours[i])},
+                              {"color", format_colour(style.colours[i])},
                               {"alpha", "255"}});
   }
   const Attributes range = {{"classificationMin", "0"},
@@ -195,7 +195,7 @@ std::string raster_qml(const ValueStyle& style) {
                                                 element("colorrampshader", shader, items)))));
 }
 
-std::vector<LayerStyle> vector_styles(const Comparison& comparison) {
+std::vector<LayerStyle> make_vector_styles(const Comparison& comparison) {
   std::vector<LayerStyle> styles = {{"stops", stops_qml(comparison)},
                                     {"crossings", crossings_qml(comparison)},
                                     {"barriers", barriers_qml()},

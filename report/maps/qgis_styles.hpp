@@ -9,7 +9,7 @@
 namespace clast::report_detail {
 
 /// A .qml file beside a raster: QGIS opens NAME.tif with NAME.qml.
-std::string raster_qml(const ValueStyle& style);
+std::string format_raster_qml(const ValueStyle& style);
 
 /// The style of a layer of the GeoPackage.
 struct LayerStyle {
@@ -19,6 +19,6 @@ struct LayerStyle {
 
 /// Stops by block, crossings and trajectories by shape class, barriers with their names, and stops
 /// observed in the field where there are some.
-std::vector<LayerStyle> vector_styles(const Comparison& comparison);
+std::vector<LayerStyle> make_vector_styles(const Comparison& comparison);
 
 }  // namespace clast::report_detail

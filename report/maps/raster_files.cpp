@@ -6,10 +6,10 @@
 
 namespace clast::report_detail {
 std::vector<std::filesystem::path> write_rasters(const std::filesystem::path& folder,
-                                                 const MapRasters& rasters,
+                                                 const MapRasterSet& rasters,
                                                  const std::string& crs) {
   const Vec2 corner(rasters.corner.x(), rasters.corner.y() + rasters.cell * rasters.rows);
-  const std::vector<ValueStyle> styles = value_styles(rasters);
+  const std::vector<ValueStyle> styles = choose_value_styles(rasters);
   std::vector<std::filesystem::path> written;
   for (std::size_t i = 0; i < rasters.layers.size(); ++i) {
     const RasterLayer& layer = rasters.layers[i];
@@ -23,7 +23,7 @@ std::vector<std::filesystem::path> write_rasters(const std::filesystem::path& fo
                                    .meaning = layer.meaning},
                                   crs);
     written.push_back(folder / (layer.name + ".qml"));
-    write_text_file(written.back(), raster_qml(styles[i]));
+    write_text_file(written.back(), format_raster_qml(styles[i]));
   }
   return written;
 }

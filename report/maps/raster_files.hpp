@@ -14,6 +14,6 @@ namespace clast::report_detail {
 /// @return the files; none without layers
 /// @throws InputError  GDAL can't write there
 std::vector<std::filesystem::path> write_rasters(const std::filesystem::path& folder,
-                                                 const MapRasters& rasters, const std::string& crs);
+                                                 const MapRasterSet& rasters, const std::string& crs);
 
 }  // namespace clast::report_detail

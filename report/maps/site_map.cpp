@@ -38,10 +38,10 @@ class MarkBox {
 };
 
 /// Leaves the first release point of each location.
-void drop_repeats(std::vector<ReleasePlace>& places) {
+void drop_repeats(std::vector<ReleasePosition>& places) {
   std::set<std::pair<double, double>> known;
-  std::vector<ReleasePlace> kept;
-  for (const ReleasePlace& release : places) {
+  std::vector<ReleasePosition> kept;
+  for (const ReleasePosition& release : places) {
     if (known.emplace(release.place.x(), release.place.y()).second) kept.push_back(release);
   }
   places = std::move(kept);
@@ -60,7 +60,7 @@ void add_releases(const Comparison& comparison, SiteMap& site) {
     if (results.stay && results.stay->at_once) {
       MassRelease& mass = masses[{row.file, row.record->point}];
       mass.starts.push_back(row.start.head<2>());
-      mass.realisations.insert(cluster_of(results, *row.record));
+      mass.realisations.insert(find_cluster(results, *row.record));
     } else {
       site.places.push_back({row.start.head<2>(), row.record->point});
     }
@@ -108,7 +108,7 @@ double SiteMap::contour_interval() const {
   return std::max(0.1, round_up_to_nice((highest - lowest) / 12.0));
 }
 
-SiteMap site_map(const Comparison& comparison) {
+SiteMap make_site_map(const Comparison& comparison) {
   SiteMap site;
   site.terrain = &comparison.results.front().terrain;
   site.barriers = comparison.lines;
@@ -131,7 +131,7 @@ SiteMap site_map(const Comparison& comparison) {
   return site;
 }
 
-SiteMap site_map(const CampaignHeader& header) {
+SiteMap make_site_map(const CampaignHeader& header) {
   std::vector<Vec2> releases;
   for (const Vec3& point : header.release_points) {
     releases.push_back(header.frame.map(point).head<2>());
@@ -140,7 +140,7 @@ SiteMap site_map(const CampaignHeader& header) {
   for (const Barrier& barrier : header.barriers) {
     using Counts = BarrierLine::Counts;
     const Counts counts = is_ring(barrier.through)                        ? Counts::kEntries
-                          : barrier.counted == CountedCrossings::kForward ? Counts::kForward
+                          : barrier.counted == CountedDirection::kForward ? Counts::kForward
                                                                           : Counts::kEither;
     lines.push_back({barrier.name, barrier.through, {0}, counts});
     for (Vec2& point : lines.back().through) point += header.frame.origin.head<2>();
@@ -148,7 +148,7 @@ SiteMap site_map(const CampaignHeader& header) {
   return whole_site(header.terrain, releases, std::move(lines));
 }
 
-SiteMap site_map(const Terrain& terrain, std::span<const Vec2> releases,
+SiteMap make_site_map(const Terrain& terrain, std::span<const Vec2> releases,
                  const std::vector<std::vector<Vec2>>& lines) {
   check_near_ground(terrain, releases, "the release point");
   std::vector<BarrierLine> barriers;

@@ -12,7 +12,7 @@
 namespace clast {
 
 /// A location that single blocks start from.
-struct ReleasePlace {
+struct ReleasePosition {
   Vec2 place = Vec2::Zero();  ///< map, m
   std::uint32_t point = 0;    ///< number of the release point
 };
@@ -31,7 +31,7 @@ struct SiteMap {
   /// Heights over which contours are spaced, m.
   double lowest = std::numeric_limits<double>::infinity();
   double highest = -std::numeric_limits<double>::infinity();
-  std::vector<ReleasePlace> places;      ///< each once
+  std::vector<ReleasePosition> places;      ///< each once
   std::vector<ReleaseOutline> outlines;  ///< by file, then mass
   std::vector<BarrierLine> barriers;
   bool counts_crossings = true;  ///< of `barriers`; else they are lines alone, without a name
@@ -44,16 +44,16 @@ struct SiteMap {
 /// are spaced over the heights that the runs pass. Blocks that are released together have one
 /// outline over all realisations instead of a place each; those on one line have their places. The
 /// terrain is that of the first file.
-SiteMap site_map(const Comparison& comparison);
+SiteMap make_site_map(const Comparison& comparison);
 
 /// The site of a campaign: the window holds the whole terrain.
 /// @param header  of a campaign without runs
-SiteMap site_map(const CampaignHeader& header);
+SiteMap make_site_map(const CampaignHeader& header);
 
 /// The site of a terrain, all of it, with release points and barrier lines.
 /// @param releases, lines  map, m
 /// @throws InputError  a mark farther off the ground than the ground is large
-SiteMap site_map(const Terrain& terrain, std::span<const Vec2> releases,
+SiteMap make_site_map(const Terrain& terrain, std::span<const Vec2> releases,
                  const std::vector<std::vector<Vec2>>& lines);
 
 }  // namespace clast

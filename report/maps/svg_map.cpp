@@ -28,8 +28,8 @@ std::string axes(const Sheet& sheet) {
                          std::max(2, static_cast<int>(sheet.width() / 95.0)));
   for (const double value : xs.values) {
     const double x = sheet.x(value);
-    svg += svg_line(x, kMapTop, x, bottom, "stroke=\"#fff\" stroke-opacity=\".45\"");
-    svg += svg_line(x, bottom, x, bottom + 5, "stroke=\"#33404d\"");
+    svg += format_svg_line(x, kMapTop, x, bottom, "stroke=\"#fff\" stroke-opacity=\".45\"");
+    svg += format_svg_line(x, bottom, x, bottom + 5, "stroke=\"#33404d\"");
     svg += svg_text(x, bottom + 18, fixed(value, xs.decimals),
                     std::string(kMapText) + " text-anchor=\"middle\"");
   }
@@ -37,8 +37,8 @@ std::string axes(const Sheet& sheet) {
                          std::max(2, static_cast<int>(sheet.height() / 80.0)));
   for (const double value : ys.values) {
     const double y = sheet.y(value);
-    svg += svg_line(kMapLeft, y, right, y, "stroke=\"#fff\" stroke-opacity=\".45\"");
-    svg += svg_line(kMapLeft - 5, y, kMapLeft, y, "stroke=\"#33404d\"");
+    svg += format_svg_line(kMapLeft, y, right, y, "stroke=\"#fff\" stroke-opacity=\".45\"");
+    svg += format_svg_line(kMapLeft - 5, y, kMapLeft, y, "stroke=\"#33404d\"");
     svg += svg_text(kMapLeft - 8, y + 4, fixed(value, ys.decimals),
                     std::string(kMapText) + " text-anchor=\"end\"");
   }
@@ -71,7 +71,7 @@ std::string barriers(const SiteMap& site, const Sheet& sheet) {
              "\"/>";
     }
     if (!site.counts_crossings) continue;
-    const CountArrow arrow = count_arrow(line);
+    const CountArrow arrow = make_count_arrow(line);
     const Vec2 root(sheet.x(arrow.root.x()), sheet.y(arrow.root.y()));
     for (const double sign : {1.0, -1.0}) {
       if (sign < 0.0 && !arrow.both_ways) break;
@@ -80,7 +80,7 @@ std::string barriers(const SiteMap& site, const Sheet& sheet) {
       const Vec2 tip = root + 11.0 * way, a = root + 5.0 * across, b = root - 5.0 * across;
       svg += "<path fill=\"#111\" stroke=\"#fff\" d=\"M" + fixed(a.x(), 1) + " " + fixed(a.y(), 1) +
              "L" + fixed(tip.x(), 1) + " " + fixed(tip.y(), 1) + "L" + fixed(b.x(), 1) + " " +
-             fixed(b.y(), 1) + "Z\"><title>counted through " + escaped(line.name) +
+             fixed(b.y(), 1) + "Z\"><title>counted through " + escape_html(line.name) +
              "</title></path>";
     }
     // Named at that end, inside the frame.
@@ -98,10 +98,10 @@ std::string releases(const SiteMap& site, const Sheet& sheet) {
       path += (path.empty() ? "M" : "L") + fixed(sheet.x(corner.x()), 1) + " " +
               fixed(sheet.y(corner.y()), 1);
     }
-    svg += release_outline(path + "Z", outline.name);
+    svg += draw_release_outline(path + "Z", outline.name);
   }
-  for (const ReleasePlace& release : site.places) {
-    svg += release_mark(sheet.x(release.place.x()), sheet.y(release.place.y()),
+  for (const ReleasePosition& release : site.places) {
+    svg += draw_release_mark(sheet.x(release.place.x()), sheet.y(release.place.y()),
                         "release point " + std::to_string(release.point));
   }
   return svg;
@@ -137,20 +137,20 @@ std::string north_arrow(const Sheet& sheet) {
 
 }  // namespace
 
-std::string svg_map(const SiteMap& site) {
+std::string draw_svg_map(const SiteMap& site) {
   Sheet sheet;
   sheet.window = site.window;
   const Vec2 size = sheet.window.size();
   sheet.scale = std::min(kLongest / size.x(), kTallest / size.y());
-  const MapLegend keys = map_legend(site, sheet);
+  const MapLegend keys = draw_map_legend(site, sheet);
 
   const double width = kMapLeft + sheet.width() + kLegendWidth;
   const double height = std::max(kMapTop + sheet.height() + kBelow, keys.bottom);
-  return svg_file(svg_open(width, height, "map of release points and barriers") + "<image x=\"" +
+  return make_svg_file(open_svg(width, height, "map of release points and barriers") + "<image x=\"" +
                   fixed(kMapLeft, 1) + "\" y=\"" + fixed(kMapTop, 1) + "\" width=\"" +
                   fixed(sheet.width(), 1) + "\" height=\"" + fixed(sheet.height(), 1) +
                   "\" preserveAspectRatio=\"none\" href=\"" +
-                  relief_image(site, static_cast<std::uint32_t>(std::lround(sheet.width()))) +
+                  draw_relief_image(site, static_cast<std::uint32_t>(std::lround(sheet.width()))) +
                   "\"/>" + axes(sheet) + barriers(site, sheet) + releases(site, sheet) +
                   scale_bar(sheet) + north_arrow(sheet) + keys.svg + "</svg>\n");
 }

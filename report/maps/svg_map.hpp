@@ -8,6 +8,6 @@ namespace clast {
 
 /// An SVG file: relief lit from the north-west with contours and tinted zones, release points and
 /// barriers, with coordinates, legend, scale bar and north arrow.
-std::string svg_map(const SiteMap& site);
+std::string draw_svg_map(const SiteMap& site);
 
 }  // namespace clast

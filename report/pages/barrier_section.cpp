@@ -16,14 +16,14 @@ constexpr double kTurn = 2.0 * kPi;            // rad per revolution
 constexpr const char* kDash = "\xE2\x80\x93";  // en dash, for ranges
 
 /// Groups that met a barrier, classes first.
-std::vector<const BarrierGroup*> shown_groups(const Comparison& comparison, std::size_t line) {
-  std::vector<const BarrierGroup*> shown;
+std::vector<const BarrierGroupStatistics*> shown_groups(const Comparison& comparison, std::size_t line) {
+  std::vector<const BarrierGroupStatistics*> shown;
   for (const GroupKind kind :
        {GroupKind::kGarcia, GroupKind::kBlock, GroupKind::kSneedFolk, GroupKind::kAll}) {
-    for (const BarrierGroup& group : comparison.barriers) {
+    for (const BarrierGroupStatistics& group : comparison.barriers) {
       const Group& runs = comparison.groups[group.group_index];
       if (group.line == line && runs.kind == kind &&
-          runs.file.has_value() == several_files(comparison)) {
+          runs.file.has_value() == has_several_files(comparison)) {
         shown.push_back(&group);
       }
     }
@@ -43,10 +43,10 @@ std::string crossing_table(const Comparison& comparison, std::size_t line) {
                    "height p95, m", "height max, m", "top p95, m", "top max, m",
                    "clearance mean, m", "clearance p95, m", "clearance max, m"},
                   1);
-  for (const BarrierGroup* group : shown_groups(comparison, line)) {
+  for (const BarrierGroupStatistics* group : shown_groups(comparison, line)) {
     const std::optional<Interval>& interval = group->interval;
     std::vector<std::string> cells = {
-        short_name(comparison.groups[group->group_index]), std::to_string(group->started),
+        short_group_name(comparison.groups[group->group_index]), std::to_string(group->started),
         std::to_string(group->crossed), percent(group->probability),
         interval ? fixed(100.0 * interval->low, 1) + kDash + fixed(100.0 * interval->high, 1) + " %"
                  : "-"};
@@ -67,10 +67,10 @@ std::string impact_table(const Comparison& comparison, std::size_t line) {
                    "energy mean, kJ", "energy p95, kJ", "energy max, kJ", "rotational share",
                    "rotation mean, rps", "rotation p95, rps", "rotation max, rps"},
                   1);
-  for (const BarrierGroup* group : shown_groups(comparison, line)) {
+  for (const BarrierGroupStatistics* group : shown_groups(comparison, line)) {
     if (group->crossed == 0) continue;
     any = true;
-    std::vector<std::string> cells = {short_name(comparison.groups[group->group_index])};
+    std::vector<std::string> cells = {short_group_name(comparison.groups[group->group_index])};
     append_summary(cells, group->speed, 1);
     for (const double energy : {group->total.mean, group->total.p95, group->total.max}) {
       cells.push_back(significant(energy / 1000.0));
@@ -94,7 +94,7 @@ std::string directions_of(const Comparison& comparison, std::size_t line) {
            " are counted";
   }
   std::size_t crossed = 0, backward = 0;
-  for (const BarrierGroup& group : comparison.barriers) {
+  for (const BarrierGroupStatistics& group : comparison.barriers) {
     if (group.line != line || comparison.groups[group.group_index].kind != GroupKind::kAll)
       continue;
     if (comparison.groups[group.group_index].file) continue;
@@ -121,10 +121,10 @@ std::string barrier_ends(const BarrierLine& barrier) {
 }
 
 std::string barrier_charts(const Comparison& comparison, std::size_t line) {
-  const std::vector<const Crossing*> first = counted_crossings(comparison, line);
+  const std::vector<const Crossing*> first = parse_counted_direction(comparison, line);
   const auto chart = [&](const std::string& title, const std::string& label, auto value) {
-    return plotly_chart({title, label, "share of crossings", true},
-                        cumulative_traces(series_of(comparison, GroupKind::kGarcia,
+    return draw_plotly_chart({title, label, "share of crossings", true},
+                        make_cumulative_traces(make_value_series(comparison, GroupKind::kGarcia,
                                                     [&](std::size_t row) -> std::optional<double> {
                                                       if (first[row] == nullptr) {
                                                         return std::nullopt;
@@ -148,12 +148,12 @@ std::string barrier_charts(const Comparison& comparison, std::size_t line) {
 std::size_t draws_of_ground(const Comparison& comparison) {
   std::vector<std::size_t> all(comparison.rows.size());
   std::iota(all.begin(), all.end(), std::size_t{0});
-  return rows_by_draw(comparison, all).size();
+  return group_rows_by_draw(comparison, all).size();
 }
 
 }  // namespace
 
-std::string barrier_section(const ComparisonAnalyses& analyses) {
+std::string format_barrier_section(const ComparisonAnalyses& analyses) {
   const Comparison& comparison = analyses.comparison();
   if (comparison.lines.empty()) return {};
   std::string html = paragraph(
@@ -167,23 +167,23 @@ std::string barrier_section(const ComparisonAnalyses& analyses) {
                       " draws of the ground; their intervals come from release points "
                       "alone. The ranges at the top of the report show the effect of the ground.");
   }
-  const std::vector<RealisationPassages>& passages = analyses.passages();
+  const std::vector<RealisationCrossings>& passages = analyses.passages();
   std::string charts, figures;
   for (std::size_t line = 0; line < comparison.lines.size(); ++line) {
     const BarrierLine& barrier = comparison.lines[line];
-    const std::vector<const Crossing*> first = counted_crossings(comparison, line);
+    const std::vector<const Crossing*> first = parse_counted_direction(comparison, line);
     const bool any = std::any_of(first.begin(), first.end(), [](auto* one) { return one; });
-    html += passage_words(comparison, passages, line);
+    html += describe_crossings(comparison, passages, line);
     if (any)
-      charts += barrier_charts(comparison, line) + passage_charts(comparison, passages, line);
+      charts += barrier_charts(comparison, line) + draw_crossing_charts(comparison, passages, line);
     else
       figures += paragraph("No run crossed " + barrier.name + ".");
     figures +=
         folded("Figures at " + barrier.name,
-               "<p class=\"note\">" + escaped(barrier_ends(barrier)) + "; " +
+               "<p class=\"note\">" + escape_html(barrier_ends(barrier)) + "; " +
                    directions_of(comparison, line) + ".</p>\n" + crossing_table(comparison, line) +
-                   impact_table(comparison, line) + passage_table(comparison, passages, line),
-               OnPaper::kOpen);
+                   impact_table(comparison, line) + format_crossing_table(comparison, passages, line),
+               PrintedState::kOpen);
   }
   if (!charts.empty()) html += "<div class=\"charts by-three\">\n" + charts + "</div>\n";
   html += figures;

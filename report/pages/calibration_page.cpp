@@ -24,18 +24,18 @@ using Json = nlohmann::ordered_json;
 
 std::string label_of(const Unknown& unknown) {
   const std::string unit = parameter_range(unknown.parameter).unit;
-  return unknown_in_words(unknown.parameter) + (unit.empty() ? "" : ", " + unit);
+  return describe_unknown(unknown.parameter) + (unit.empty() ? "" : ", " + unit);
 }
 
 std::string calibration_head(const Calibration& calibration) {
   const CalibrationDesign& design = calibration.study.design;
   std::string html = "<header id=\"answer\">\n<h1>Ground found from what was observed</h1>\n";
   html += "<p class=\"lead\">" +
-          escaped(calibration.study.file.filename().string() + ": " +
+          escape_html(calibration.study.file.filename().string() + ": " +
                   counted(design.members, "member") + " of " + counted(design.releases, "release") +
                   " at " + counted(calibration.study.sites.size(), "site")) +
-          "</p>\n<p class=\"answer\">" + escaped(calibration_answer(calibration)) + "</p>\n";
-  for (const std::string& finding : calibration_findings(calibration)) html += paragraph(finding);
+          "</p>\n<p class=\"answer\">" + escape_html(describe_calibration_result(calibration)) + "</p>\n";
+  for (const std::string& finding : describe_calibration_findings(calibration)) html += paragraph(finding);
   return html + "</header>\n";
 }
 
@@ -61,7 +61,7 @@ std::string marginal_chart(const Calibration& calibration, std::size_t unknown) 
     prior.y.push_back(1.0 / kBins);
   }
   const std::string axis = (own.logarithmic ? "log10 of " : "") + label_of(own);
-  return plotly_chart({unknown_in_words(own.parameter), axis, "share of the draws", true},
+  return draw_plotly_chart({describe_unknown(own.parameter), axis, "share of the draws", true},
                       {posterior, prior});
 }
 
@@ -114,7 +114,7 @@ std::string pair_chart(const Calibration& calibration, Index a, Index b) {
   const Unknown& first = calibration.study.unknowns[static_cast<std::size_t>(a)];
   const Unknown& second = calibration.study.unknowns[static_cast<std::size_t>(b)];
   const auto axis = [](const Unknown& unknown) {
-    Json json = {{"title", {{"text", escaped(label_of(unknown))}}},
+    Json json = {{"title", {{"text", escape_html(label_of(unknown))}}},
                  {"gridcolor", "#e2e6ea"},
                  {"zeroline", false}};
     if (unknown.logarithmic) json["type"] = "log";
@@ -134,8 +134,8 @@ std::string pair_chart(const Calibration& calibration, Index a, Index b) {
         {"showlegend", false},
         {"xaxis", axis(first)},
         {"yaxis", axis(second)}}}};
-  const std::string title = unknown_in_words(first.parameter) + " and " +
-                            unknown_in_words(second.parameter) + " (rank correlation " +
+  const std::string title = describe_unknown(first.parameter) + " and " +
+                            describe_unknown(second.parameter) + " (rank correlation " +
                             fixed(calibration.posterior.correlation(a, b), 2) + ")";
   return plotly_figure(title, "pairs", figure.dump(), title);
 }
@@ -169,7 +169,7 @@ std::string prediction_section(const Calibration& calibration) {
                    "prior from", "prior to"},
                   3);
   std::vector<IntervalMark> marks;
-  for (const PredictedFigure& one : calibration.posterior.predicted) {
+  for (const PredictedStatistic& one : calibration.posterior.predicted) {
     const Observation& observation = calibration.study.observations[one.observation];
     const Figure& figure = observation.figures[one.figure];
     table.row({observation.name, observation.fitted ? "fit" : "keep", figure.name,
@@ -190,7 +190,7 @@ std::string prediction_section(const Calibration& calibration) {
   }
   return section(
       "Observed against predicted",
-      interval_chart("Predicted less observed",
+      draw_interval_chart("Predicted less observed",
                      "predicted less observed, in half widths of the 95 % interval", marks) +
           table.html() +
           paragraph(
@@ -204,7 +204,7 @@ std::string prediction_section(const Calibration& calibration) {
 std::string sensitivity_table(const Calibration& calibration, double SobolIndices::*share) {
   std::vector<std::string> heads = {"figure"};
   for (const Unknown& unknown : calibration.study.unknowns) {
-    heads.push_back(unknown_in_words(unknown.parameter));
+    heads.push_back(describe_unknown(unknown.parameter));
   }
   HtmlTable table(heads, 1);
   std::size_t at = 0;
@@ -255,7 +255,7 @@ std::string influence_section(const Calibration& calibration) {
                                "roughness, what is neither smooth nor chance, is added.")));
 }
 
-std::string provenance_section(const Calibration& calibration) {
+std::string format_provenance_section(const Calibration& calibration) {
   std::string facts =
       fact("Report by", std::string("clast ") + version()) +
       fact("Posterior", calibration.file.string()) +
@@ -266,22 +266,22 @@ std::string provenance_section(const Calibration& calibration) {
                         percent(calibration.posterior.accepted, 0) + " of the last moves accepted");
   std::string inputs;
   for (const std::string& input : calibration.stored.inputs) inputs += paragraph(input);
-  return section("For campaigns", "<pre>" + escaped(ground_block(calibration)) + "</pre>\n") +
+  return section("For campaigns", "<pre>" + escape_html(format_ground_block(calibration)) + "</pre>\n") +
          section("Provenance",
                  "<dl class=\"facts\">\n" + facts + "</dl>\n" +
                      folded("Input files and their SHA-256", inputs) +
-                     folded("Study file", "<pre>" + escaped(calibration.study.text) + "</pre>\n"));
+                     folded("Study file", "<pre>" + escape_html(calibration.study.text) + "</pre>\n"));
 }
 
 }  // namespace
 
-std::string calibration_page(const Calibration& calibration) {
+std::string make_calibration_page(const Calibration& calibration) {
   const std::string sections = calibration_head(calibration) + unknowns_section(calibration) +
                                prediction_section(calibration) + ridges_section(calibration) +
-                               influence_section(calibration) + provenance_section(calibration);
-  return report_page(
+                               influence_section(calibration) + format_provenance_section(calibration);
+  return make_report_page(
       "Calibration: " + calibration.study.file.stem().string(),
-      script_element(assets::unpack_js) + contents(sections) + sections + charts_script());
+      format_script_element(assets::unpack_js) + contents(sections) + sections + charts_script());
 }
 
 }  // namespace clast

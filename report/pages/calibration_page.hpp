@@ -6,6 +6,6 @@
 
 namespace clast {
 
-std::string calibration_page(const Calibration& calibration);
+std::string make_calibration_page(const Calibration& calibration);
 
 }  // namespace clast

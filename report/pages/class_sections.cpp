@@ -10,7 +10,7 @@
 
 namespace clast::report_detail {
 
-std::string class_section(const Comparison& comparison) {
+std::string format_class_section(const Comparison& comparison) {
   std::vector<std::string> heads = {"class",
                                     "blocks",
                                     "runs",
@@ -23,31 +23,31 @@ std::string class_section(const Comparison& comparison) {
                                     "lateral mean \xC2\xB1 std, deg"};
   for (const BarrierLine& line : comparison.lines) heads.push_back("past " + line.name);
   HtmlTable table(heads, 1);
-  std::vector<std::size_t> groups = groups_of(comparison, GroupKind::kGarcia);
-  for (const std::size_t g : groups_of(comparison, GroupKind::kSneedFolk)) groups.push_back(g);
-  for (const std::size_t g : groups_of(comparison, GroupKind::kAll)) groups.push_back(g);
+  std::vector<std::size_t> groups = select_groups(comparison, GroupKind::kGarcia);
+  for (const std::size_t g : select_groups(comparison, GroupKind::kSneedFolk)) groups.push_back(g);
+  for (const std::size_t g : select_groups(comparison, GroupKind::kAll)) groups.push_back(g);
   for (const std::size_t g : groups) {
     const Group& group = comparison.groups[g];
-    const DepositGroup& deposit = comparison.deposits[g];
+    const DepositStatistics& deposit = comparison.deposits[g];
     std::set<std::string> blocks;
     double mass = 0.0;
     for (const std::size_t row : group.rows) {
       blocks.insert(comparison.rows[row].block->id);
       mass += comparison.rows[row].block->mass;
     }
-    std::vector<std::string> cells = {short_name(group),
+    std::vector<std::string> cells = {short_group_name(group),
                                       std::to_string(blocks.size()),
                                       std::to_string(deposit.started),
                                       std::to_string(deposit.stops.rest),
                                       significant(mass / static_cast<double>(group.rows.size()), 4),
-                                      mean_and_std(deposit.runout, 1),
+                                      format_mean_and_deviation(deposit.runout, 1),
                                       measured(deposit.runout.median, deposit.runout, 1),
                                       measured(deposit.runout.p95, deposit.runout, 1),
                                       measured(deposit.runout.max, deposit.runout, 1),
-                                      mean_and_std(deposit.lateral, 1, kDegreesPerRadian)};
+                                      format_mean_and_deviation(deposit.lateral, 1, kDegreesPerRadian)};
     for (std::size_t line = 0; line < comparison.lines.size(); ++line) {
       std::string cell = "-";
-      for (const BarrierGroup& barrier : comparison.barriers) {
+      for (const BarrierGroupStatistics& barrier : comparison.barriers) {
         if (barrier.line == line && barrier.group_index == g) cell = percent(barrier.probability);
       }
       cells.push_back(cell);
@@ -61,7 +61,7 @@ std::string class_section(const Comparison& comparison) {
           table.html());
 }
 
-std::string block_section(const Comparison& comparison) {
+std::string format_block_section(const Comparison& comparison) {
   // Two tables, since one is wider than a page.
   HtmlTable shapes({"block", "Garcia", "Sneed-Folk", "Zingg", "mass, kg", "L, m", "I, m", "S, m"},
                    4);
@@ -69,29 +69,29 @@ std::string block_section(const Comparison& comparison) {
                    "runout mean \xC2\xB1 std, m", "runout p95, m", "lateral mean \xC2\xB1 std, deg",
                    "fastest, m/s"},
                   1);
-  for (const std::size_t g : groups_of(comparison, GroupKind::kBlock)) {
+  for (const std::size_t g : select_groups(comparison, GroupKind::kBlock)) {
     const Group& group = comparison.groups[g];
-    const DepositGroup& deposit = comparison.deposits[g];
+    const DepositStatistics& deposit = comparison.deposits[g];
     const BlockSummary& block = *comparison.rows[group.rows.front()].block;
     double fastest = 0.0;
     for (const std::size_t row : group.rows) {
       fastest = std::max(fastest, comparison.rows[row].record->result.max_speed);
     }
-    shapes.row({short_name(group), block.garcia, block.sneed_folk, block.zingg,
+    shapes.row({short_group_name(group), block.garcia, block.sneed_folk, block.zingg,
                 significant(block.mass, 4), significant(block.axes.L), significant(block.axes.I),
                 significant(block.axes.S)});
-    stops.row({short_name(group), std::to_string(deposit.started),
+    stops.row({short_group_name(group), std::to_string(deposit.started),
                std::to_string(deposit.stops.rest), std::to_string(deposit.stops.left_terrain),
                std::to_string(deposit.stops.max_time), std::to_string(deposit.stops.error),
-               mean_and_std(deposit.runout, 1), measured(deposit.runout.p95, deposit.runout, 1),
-               mean_and_std(deposit.lateral, 1, kDegreesPerRadian), fixed(fastest, 1)});
+               format_mean_and_deviation(deposit.runout, 1), measured(deposit.runout.p95, deposit.runout, 1),
+               format_mean_and_deviation(deposit.lateral, 1, kDegreesPerRadian), fixed(fastest, 1)});
   }
   return section("Blocks", folded("Shapes: L, I, S are the sides of the smallest box",
-                                  shapes.html(), OnPaper::kOpen) +
-                               folded("Runs of every block", stops.html(), OnPaper::kOpen));
+                                  shapes.html(), PrintedState::kOpen) +
+                               folded("Runs of every block", stops.html(), PrintedState::kOpen));
 }
 
-std::string runout_section(const Comparison& comparison) {
+std::string format_runout_section(const Comparison& comparison) {
   const auto at_rest = [&](std::size_t row) {
     return comparison.rows[row].record->result.stop_reason == StopReason::kRest;
   };
@@ -102,20 +102,20 @@ std::string runout_section(const Comparison& comparison) {
     return at_rest(row) ? std::optional(comparison.rows[row].lateral * kDegreesPerRadian)
                         : std::nullopt;
   };
-  const std::vector<Series> by_class = series_of(comparison, GroupKind::kGarcia, along);
+  const std::vector<Series> by_class = make_value_series(comparison, GroupKind::kGarcia, along);
   std::string charts = "<div class=\"charts\">\n";
-  charts += plotly_chart({"Runout by class", "runout, m", "share of runs", true},
-                         histogram_traces(by_class));
+  charts += draw_plotly_chart({"Runout by class", "runout, m", "share of runs", true},
+                         make_histogram_traces(by_class));
   charts +=
-      plotly_chart({"Lateral angle by class", "angle, deg (+ to the right)", "share of runs", true},
-                   histogram_traces(series_of(comparison, GroupKind::kGarcia, lateral)));
-  charts += plotly_chart({"Share of runs that stop before, by class", "runout, m", "share", true},
-                         cumulative_traces(by_class));
+      draw_plotly_chart({"Lateral angle by class", "angle, deg (+ to the right)", "share of runs", true},
+                   make_histogram_traces(make_value_series(comparison, GroupKind::kGarcia, lateral)));
+  charts += draw_plotly_chart({"Share of runs that stop before, by class", "runout, m", "share", true},
+                         make_cumulative_traces(by_class));
   // Shades and dashes distinguish a dozen curves of either class.
   constexpr std::size_t kMostCurves = 24;
-  if (groups_of(comparison, GroupKind::kBlock).size() <= kMostCurves) {
-    charts += plotly_chart({"Share of runs that stop before, by block", "runout, m", "share", true},
-                           cumulative_traces(series_of(comparison, GroupKind::kBlock, along)));
+  if (select_groups(comparison, GroupKind::kBlock).size() <= kMostCurves) {
+    charts += draw_plotly_chart({"Share of runs that stop before, by block", "runout, m", "share", true},
+                           make_cumulative_traces(make_value_series(comparison, GroupKind::kBlock, along)));
   }
   return section("Runout", paragraph("Runout of the runs at rest, their number in brackets.") +
                                charts + "</div>\n");

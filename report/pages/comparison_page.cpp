@@ -11,7 +11,7 @@
 
 namespace clast::report_detail {
 
-std::string comparison_page(const ComparisonAnalyses& analyses) {
+std::string make_comparison_page(const ComparisonAnalyses& analyses) {
   const Comparison& comparison = analyses.comparison();
   std::string title = "Rockfall report";
   const std::string file = comparison.results.front().file.stem().string();
@@ -19,17 +19,17 @@ std::string comparison_page(const ComparisonAnalyses& analyses) {
   if (comparison.results.size() > 1) {
     title += " and " + std::to_string(comparison.results.size() - 1) + " more";
   }
-  const std::string sections = with_terms(
-      "<div class=\"opening\">\n" + head_section(comparison, analyses.answer()) +
-      map_section(comparison, analyses.paths(), analyses.deposits().rasters) + "</div>\n" +
-      class_section(comparison) + differences_section(comparison) + measured_section(comparison) +
-      runout_section(comparison) + barrier_section(analyses) +
-      slope_section(comparison, analyses.profiles()) + deposit_section(analyses) +
-      energy_section(analyses) + stay_section(comparison) + ensemble_section(analyses) +
-      effects_section(analyses) + scene_section(comparison) + block_section(comparison) +
-      quality_section(comparison) + provenance_section(comparison));
-  return report_page(
-      title, script_element(assets::unpack_js) + contents(sections) + sections + charts_script());
+  const std::string sections = link_glossary_terms(
+      "<div class=\"opening\">\n" + format_head_section(comparison, analyses.answer()) +
+      format_map_section(comparison, analyses.paths(), analyses.deposits().rasters) + "</div>\n" +
+      format_class_section(comparison) + format_differences_section(comparison) + format_measured_section(comparison) +
+      format_runout_section(comparison) + format_barrier_section(analyses) +
+      format_slope_section(comparison, analyses.profiles()) + format_deposit_section(analyses) +
+      format_energy_section(analyses) + format_persistent_blocks_section(comparison) + format_ensemble_section(analyses) +
+      format_effects_section(analyses) + scene_section(comparison) + format_block_section(comparison) +
+      format_quality_section(comparison) + format_provenance_section(comparison));
+  return make_report_page(
+      title, format_script_element(assets::unpack_js) + contents(sections) + sections + charts_script());
 }
 
 }  // namespace clast::report_detail

@@ -6,6 +6,6 @@
 
 namespace clast::report_detail {
 
-std::string comparison_page(const ComparisonAnalyses& analyses);
+std::string make_comparison_page(const ComparisonAnalyses& analyses);
 
 }  // namespace clast::report_detail

@@ -14,7 +14,7 @@ namespace {
 /// Pairs of files that are put in words; of more, each file against the first is.
 constexpr std::size_t kMostPairs = 6;
 
-std::string with_unit(const RealisationFigure& figure) {
+std::string with_unit(const DepositQuantity& figure) {
   return figure.words + (figure.unit.empty() ? "" : ", " + figure.unit);
 }
 
@@ -23,29 +23,29 @@ std::string interval_text(const std::optional<Interval>& interval, int decimals)
 }
 
 /// Mean, interval, least and most of every figure, for each file.
-std::string figures_table(const Comparison& comparison, const FiguresOfFiles& figures) {
+std::string figures_table(const Comparison& comparison, const DepositQuantityComparison& figures) {
   std::vector<std::uint32_t> files;
-  for (const FigureOfFile& one : figures.files) {
+  for (const DepositQuantitySummary& one : figures.files) {
     if (files.empty() || files.back() != one.file) files.push_back(one.file);
   }
   std::vector<std::string> heads = {"quantity"};
   for (const std::uint32_t file : files) {
     const std::string of_file =
-        several_files(comparison) ? "file " + std::to_string(file + 1) + ": " : "";
+        has_several_files(comparison) ? "file " + std::to_string(file + 1) + ": " : "";
     for (const char* head : {"mean and std", "95 % interval of the mean", "least", "most"}) {
       heads.push_back(of_file + head);
     }
   }
   HtmlTable table(heads, 1);
-  for (std::size_t i = 0; i < realisation_figures().size(); ++i) {
-    const RealisationFigure& figure = realisation_figures()[i];
+  for (std::size_t i = 0; i < deposit_quantities().size(); ++i) {
+    const DepositQuantity& figure = deposit_quantities()[i];
     std::vector<std::string> cells = {with_unit(figure)};
     for (const std::uint32_t file : files) {
-      FigureOfFile found;
-      for (const FigureOfFile& one : figures.files) {
+      DepositQuantitySummary found;
+      for (const DepositQuantitySummary& one : figures.files) {
         if (one.file == file && one.figure == i) found = one;
       }
-      cells.push_back(mean_and_std(found.summary, figure.decimals));
+      cells.push_back(format_mean_and_deviation(found.summary, figure.decimals));
       cells.push_back(interval_text(found.interval, figure.decimals));
       cells.push_back(measured(found.least, found.summary, figure.decimals));
       cells.push_back(measured(found.summary.max, found.summary, figure.decimals));
@@ -57,18 +57,18 @@ std::string figures_table(const Comparison& comparison, const FiguresOfFiles& fi
 
 /// What a pair of files differs in, by how much, and what it does not.
 std::string pair_in_words(const Comparison& comparison,
-                          const std::vector<const FigureDifference*>& pair) {
+                          const std::vector<const DepositQuantityDifference*>& pair) {
   std::map<Verdict, std::string> lists;
   std::size_t fewest = pair.front()->first.summary.count, tests = 0;
-  for (const FigureDifference* one : pair) {
-    const std::string& words = realisation_figures()[one->first.figure].words;
+  for (const DepositQuantityDifference* one : pair) {
+    const std::string& words = deposit_quantities()[one->first.figure].words;
     fewest = std::min({fewest, one->first.summary.count, one->second.summary.count});
     tests = std::max(tests, one->tests);
     const Verdict verdict = one->verdict();
     const bool with_gap = verdict == Verdict::kMoreThanChance || verdict == Verdict::kOneOfMany;
-    append_item(lists[verdict], words + (with_gap ? " " + gap_in_words(*one) : std::string()));
+    append_item(lists[verdict], words + (with_gap ? " " + describe_difference(*one) : std::string()));
   }
-  const std::string names = capital(file_name(comparison, pair.front()->first.file)) + " against " +
+  const std::string names = capitalized(file_name(comparison, pair.front()->first.file)) + " against " +
                             file_name(comparison, pair.front()->second.file);
   if (tests == 0) {
     return paragraph(names + ": no interval of a difference can be given, " +
@@ -77,22 +77,22 @@ std::string pair_in_words(const Comparison& comparison,
   }
   const std::string& clear = lists[Verdict::kMoreThanChance];
   return (clear.empty() ? paragraph(names + ": no figure differs more than by chance.")
-                        : headed_list(names + ", more than chance:", clear)) +
-         headed_list("Not clear, since one of " + std::to_string(tests) +
+                        : format_headed_list(names + ", more than chance:", clear)) +
+         format_headed_list("Not clear, since one of " + std::to_string(tests) +
                          " differences tested can be as large by chance:",
                      lists[Verdict::kOneOfMany]) +
-         headed_list("Not distinguished, the 95 % interval of the difference holds zero:",
+         format_headed_list("Not distinguished, the 95 % interval of the difference holds zero:",
                      lists[Verdict::kCanBeChance]) +
-         headed_list("Without an interval, since realisations do not differ:",
+         format_headed_list("Without an interval, since realisations do not differ:",
                      lists[Verdict::kUntested]);
 }
 
-std::string differences_table(const Comparison& comparison, const FiguresOfFiles& figures) {
+std::string differences_table(const Comparison& comparison, const DepositQuantityComparison& figures) {
   HtmlTable table({"quantity", "first", "second", "realisations", "first mean", "second mean",
                    "difference", "95 % interval", "p", "p (Holm)", "distinguished"},
                   3);
-  for (const FigureDifference& one : figures.differences) {
-    const RealisationFigure& figure = realisation_figures()[one.first.figure];
+  for (const DepositQuantityDifference& one : figures.differences) {
+    const DepositQuantity& figure = deposit_quantities()[one.first.figure];
     table.row({with_unit(figure), file_name(comparison, one.first.file),
                file_name(comparison, one.second.file),
                std::to_string(one.first.summary.count) + " and " +
@@ -110,25 +110,25 @@ std::string differences_table(const Comparison& comparison, const FiguresOfFiles
 }
 
 /// The files against each other; empty where one file has realisations.
-std::string differences_of_files(const Comparison& comparison, const FiguresOfFiles& figures) {
+std::string differences_of_files(const Comparison& comparison, const DepositQuantityComparison& figures) {
   if (figures.differences.empty()) {
     std::size_t files = 0;
-    for (const FigureOfFile& one : figures.files) files += one.figure == 0;
+    for (const DepositQuantitySummary& one : figures.files) files += one.figure == 0;
     return files < 2 ? ""
                      : paragraph(std::to_string(files) + " files are more than the " +
                                  std::to_string(kMostGroups) +
                                  " that are compared pair by pair. Compare a selection.");
   }
-  std::vector<std::vector<const FigureDifference*>> pairs;
-  for (const FigureDifference& one : figures.differences) {
-    const auto same = [&](const FigureDifference* other) {
+  std::vector<std::vector<const DepositQuantityDifference*>> pairs;
+  for (const DepositQuantityDifference& one : figures.differences) {
+    const auto same = [&](const DepositQuantityDifference* other) {
       return other->first.file == one.first.file && other->second.file == one.second.file;
     };
     if (pairs.empty() || !same(pairs.back().front())) pairs.emplace_back();
     pairs.back().push_back(&one);
   }
   std::string html;
-  for (const std::vector<const FigureDifference*>& pair : pairs) {
+  for (const std::vector<const DepositQuantityDifference*>& pair : pairs) {
     const bool with_first = pair.front()->first.file == figures.differences.front().first.file;
     if (pairs.size() <= kMostPairs || with_first) html += pair_in_words(comparison, pair);
   }
@@ -142,14 +142,14 @@ std::string differences_of_files(const Comparison& comparison, const FiguresOfFi
 }
 
 /// The blocks together against the same alone; empty where no single runs are compared.
-std::string mobility_of(const Comparison& comparison, const std::vector<Mobility>& all) {
+std::string mobility_of(const Comparison& comparison, const std::vector<DepositMobility>& all) {
   if (all.empty()) return "";
   std::string html;
   HtmlTable table(
       {"group", "together", "alone", "realisations", "runs alone", "runout together, m",
        "runout alone, m", "difference, m", "95 % interval", "p", "toe together, m", "toe alone, m"},
       3);
-  for (const Mobility& one : all) {
+  for (const DepositMobility& one : all) {
     if (one.group == "all") {
       html += paragraph(
           "Runout of " + file_name(comparison, one.file) + " against single blocks of " +
@@ -173,15 +173,15 @@ std::string mobility_of(const Comparison& comparison, const std::vector<Mobility
 
 }  // namespace
 
-std::string deposit_section(const ComparisonAnalyses& analyses) {
+std::string format_deposit_section(const ComparisonAnalyses& analyses) {
   if (analyses.deposits().realisations.empty()) return "";
   const Comparison& comparison = analyses.comparison();
-  const FiguresOfFiles& figures = analyses.figures();
+  const DepositQuantityComparison& figures = analyses.figures();
   return section(
       "The deposit",
       paragraph("Mean thickness of the deposit over the realisations" +
-                std::string(several_files(comparison) ? " of all files" : "") + ", m.") +
-          deposit_map(comparison, analyses.deposits().rasters) +
+                std::string(has_several_files(comparison) ? " of all files" : "") + ", m.") +
+          format_deposit_map(comparison, analyses.deposits().rasters) +
           differences_of_files(comparison, figures) + mobility_of(comparison, analyses.mobility()) +
           folded(
               "Figures of the deposit",

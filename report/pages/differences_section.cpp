@@ -57,7 +57,7 @@ std::vector<Picture> pictures_of(const Comparison& comparison) {
 /// What a row of a picture is called.
 std::string row_name(const Comparison& comparison, const Difference& one) {
   const Group &first = comparison.groups[one.first], &second = comparison.groups[one.second];
-  return first.kind == GroupKind::kGarcia ? words_of_quantity(one.quantity).name
+  return first.kind == GroupKind::kGarcia ? quantity_text(one.quantity).name
                                           : first.key + " against " + second.key;
 }
 
@@ -72,7 +72,7 @@ std::string difference_chart(const Comparison& comparison, const Picture& pictur
                      unit * one->interval->high, one->verdict() == Verdict::kMoreThanChance,
                      in_words(*one, comparison)});
   }
-  return interval_chart(picture.title, "difference, % of the mean, with 95 % interval", marks);
+  return draw_interval_chart(picture.title, "difference, % of the mean, with 95 % interval", marks);
 }
 
 /// "More than chance: runout 13 m more (10 to 17 m), ..."
@@ -83,20 +83,20 @@ std::string words_for(const Comparison& comparison, const Picture& picture) {
     const Verdict verdict = one->verdict();
     const bool with_gap = verdict == Verdict::kMoreThanChance || verdict == Verdict::kUntested;
     append_item(lists[verdict],
-                row_name(comparison, *one) + (with_gap ? " " + gap_in_words(*one) : std::string()));
+                row_name(comparison, *one) + (with_gap ? " " + describe_difference(*one) : std::string()));
     tests = std::max(tests, one->tests);
   }
-  return headed_list(picture.title + ", more than chance:", lists[Verdict::kMoreThanChance]) +
-         headed_list("Equal on average, but spread differently:", lists[Verdict::kOtherSpread]) +
-         headed_list("Not clear, since one of " + std::to_string(tests) +
+  return format_headed_list(picture.title + ", more than chance:", lists[Verdict::kMoreThanChance]) +
+         format_headed_list("Equal on average, but spread differently:", lists[Verdict::kOtherSpread]) +
+         format_headed_list("Not clear, since one of " + std::to_string(tests) +
                          " differences tested can be as large by chance:",
                      lists[Verdict::kOneOfMany]) +
-         headed_list("No clear difference:", lists[Verdict::kCanBeChance]) +
-         headed_list(picture.title + ", of one realisation, not tested for chance:",
+         format_headed_list("No clear difference:", lists[Verdict::kCanBeChance]) +
+         format_headed_list(picture.title + ", of one realisation, not tested for chance:",
                      lists[Verdict::kUntested]);
 }
 
-std::string table_of(const Comparison& comparison) {
+std::string make_table(const Comparison& comparison) {
   HtmlTable table(
       {"first", "second", "quantity", "first mean", "second mean", "difference", "95 % from",
        "95 % to", "Cliff's delta", "Hedges' g", "KS distance", "p (Holm)", "found"},
@@ -149,14 +149,14 @@ std::string method_of(const Comparison& comparison) {
 
 }  // namespace
 
-std::string differences_section(const Comparison& comparison) {
+std::string format_differences_section(const Comparison& comparison) {
   const std::vector<Picture> pictures = pictures_of(comparison);
   std::string html = too_many_groups(comparison);
   for (const Picture& picture : pictures) {
     html += words_for(comparison, picture) + difference_chart(comparison, picture);
   }
   if (!pictures.empty()) {
-    html += folded("Tests and corrections", method_of(comparison) + table_of(comparison));
+    html += folded("Tests and corrections", method_of(comparison) + make_table(comparison));
   }
   return html.empty() ? html : section("Differences", html);
 }

@@ -12,14 +12,14 @@ namespace {
 
 /// Pictures of the outcomes over the forms, each with a link to a file of its own.
 std::string triangles(const ComparisonAnalyses& analyses) {
-  const std::vector<ResponsePicture> pictures =
-      response_pictures(analyses.forms(), several_files(analyses.comparison()));
+  const std::vector<ResponseFigure> pictures =
+      draw_response_figures(analyses.forms(), has_several_files(analyses.comparison()));
   if (pictures.empty()) return "";
   std::string html, links;
-  for (const ResponsePicture& picture : pictures) {
+  for (const ResponseFigure& picture : pictures) {
     html += figure(picture.svg, picture.caption);
-    links += (links.empty() ? "" : ", ") + ("<a href=\"" + link_to(picture.file) + "\" download>" +
-                                            escaped(picture.file) + "</a>");
+    links += (links.empty() ? "" : ", ") + ("<a href=\"" + format_link_target(picture.file) + "\" download>" +
+                                            escape_html(picture.file) + "</a>");
   }
   return html + "<p>The surface passes through the mean of every form. As files: " + links +
          "; the data: <a href=\"responses.csv\" download>responses.csv</a>.</p>\n";
@@ -28,7 +28,7 @@ std::string triangles(const ComparisonAnalyses& analyses) {
 std::string trends(const ComparisonAnalyses& analyses) {
   std::string html;
   for (const std::string& sentence :
-       trend_sentences(analyses.trends(), analyses.comparison().margin)) {
+       describe_trends(analyses.trends(), analyses.comparison().margin)) {
     html += paragraph(sentence);
   }
   return html;
@@ -46,7 +46,7 @@ bool few_blocks(const std::vector<DesignEffects>& effects) {
 
 }  // namespace
 
-std::string effects_section(const ComparisonAnalyses& analyses) {
+std::string format_effects_section(const ComparisonAnalyses& analyses) {
   std::vector<DesignEffects> effects = analyses.effects();
   bool any = false;
   for (DesignEffects& file : effects) {
@@ -56,7 +56,7 @@ std::string effects_section(const ComparisonAnalyses& analyses) {
   }
   if (!any) return "";
   std::string shares;
-  for (const std::string& sentence : effects_sentences(effects)) shares += paragraph(sentence);
+  for (const std::string& sentence : describe_effects(effects)) shares += paragraph(sentence);
   shares += paragraph(
       "Shares are estimates for blocks, orientations and points like these, with 95 % intervals.");
   if (few_blocks(effects)) {

@@ -23,7 +23,7 @@ struct Use {
   const char* blend;  ///< that the colour is mixed with: paler between blocks
   double Dissipation::*part;
   Dissipation EnergySample::*place;
-  Dissipation EnergyShares::*share;
+  Dissipation EnergyFractions::*share;
 };
 
 constexpr double kPaler = 0.5;
@@ -34,9 +34,9 @@ const std::vector<Use>& uses() {
     const auto add = [&](const char* ground, const char* blocks, std::size_t colour,
                          double Dissipation::*part) {
       uses.push_back({ground, kDataColours[colour], kDataColours[colour], part,
-                      &EnergySample::on_ground, &EnergyShares::on_ground});
+                      &EnergySample::on_ground, &EnergyFractions::on_ground});
       uses.push_back({blocks, kDataColours[colour], "#ffffff", part, &EnergySample::between_bodies,
-                      &EnergyShares::between_blocks});
+                      &EnergyFractions::between_blocks});
     };
     add("friction on the ground", "friction between blocks", 0, &Dissipation::friction);
     add("normal forces on the ground", "normal forces between blocks", 1, &Dissipation::normal);
@@ -59,7 +59,7 @@ std::vector<EnergyRealisations> energies_by_file(const std::vector<RealisationEn
 }
 
 std::string of_file(const Comparison& comparison, std::uint32_t file) {
-  return several_files(comparison) ? ", " + file_name(comparison, file) : "";
+  return has_several_files(comparison) ? ", " + file_name(comparison, file) : "";
 }
 
 /// What the energy of a mass has become until a time, each use on top of the one before, the
@@ -69,7 +69,7 @@ std::string uses_chart(const Comparison& comparison, const EnergyRealisations& r
   std::vector<double> below;
   const auto add = [&](const std::string& words, const std::string& colour,
                        const EnergyValue& value) {
-    const RealisationCurve curve = energy_curve(realisations, [&](const EnergySample& sample) {
+    const RealisationCurve curve = compute_energy_curve(realisations, [&](const EnergySample& sample) {
       return kKilojoulesPerJoule * value(sample);
     });
     if (below.empty()) {
@@ -88,7 +88,7 @@ std::string uses_chart(const Comparison& comparison, const EnergyRealisations& r
         [&](const EnergySample& sample) { return sample.*use.place.*use.part; });
   }
   add("kinetic energy", "#555555", kinetic);
-  return plotly_chart(
+  return draw_plotly_chart(
       {"Where the energy has gone, against time" + of_file(comparison, realisations.front()->file),
        "time since the first release, s",
        realisations.size() > 1 ? "energy, mean of realisations, kJ" : "energy, kJ"},
@@ -100,16 +100,16 @@ std::string kinetic_chart(const Comparison& comparison,
   std::vector<Trace> traces;
   for (std::size_t i = 0; i < masses.size(); ++i) {
     const std::string name =
-        (several_files(comparison) ? file_name(comparison, masses[i].front()->file) : "mean") +
+        (has_several_files(comparison) ? file_name(comparison, masses[i].front()->file) : "mean") +
         " of " + counted(masses[i].size(), "realisation");
-    add_realisation_curve(traces, name, data_colour(i), Trace::Kind::kLine,
-                          energy_curve(masses[i],
+    add_realisation_curve(traces, name, series_colour(i), Trace::Kind::kLine,
+                          compute_energy_curve(masses[i],
                                        [](const EnergySample& sample) {
                                          return kKilojoulesPerJoule * kinetic(sample);
                                        }),
                           masses[i].size());
   }
-  return plotly_chart({"Kinetic energy of all blocks together", "time since the first release, s",
+  return draw_plotly_chart({"Kinetic energy of all blocks together", "time since the first release, s",
                        "kinetic energy, kJ"},
                       traces);
 }
@@ -118,7 +118,7 @@ std::string shares_table(const Comparison& comparison,
                          const std::vector<EnergyRealisations>& files) {
   std::vector<std::string> heads = {"dissipated by"};
   for (const EnergyRealisations& realisations : files) {
-    const std::string file = several_files(comparison)
+    const std::string file = has_several_files(comparison)
                                  ? "file " + std::to_string(realisations.front()->file + 1) + ": "
                                  : "";
     for (const char* head : {"mean, kJ", "share", "smallest share", "largest share"}) {
@@ -127,13 +127,13 @@ std::string shares_table(const Comparison& comparison,
   }
   HtmlTable table(heads, 1);
   const auto row = [&](const std::string& words, const EnergyValue& energy,
-                       const std::function<double(const EnergyShares&)>& share) {
+                       const std::function<double(const EnergyFractions&)>& share) {
     std::vector<std::string> cells = {words};
     for (const EnergyRealisations& realisations : files) {
       std::vector<double> energies, shares;
       for (const RealisationEnergies* one : realisations) {
         energies.push_back(kKilojoulesPerJoule * energy(one->samples.back()));
-        shares.push_back(share(energy_shares(one->samples)));
+        shares.push_back(share(compute_energy_fractions(one->samples)));
       }
       const Summary summary = summarise(shares);
       cells.push_back(significant(summarise(energies).mean));
@@ -146,44 +146,44 @@ std::string shares_table(const Comparison& comparison,
   for (const Use& use : uses()) {
     row(
         use.words, [&](const EnergySample& sample) { return sample.*use.place.*use.part; },
-        [&](const EnergyShares& shares) { return shares.*use.share.*use.part; });
+        [&](const EnergyFractions& shares) { return shares.*use.share.*use.part; });
   }
   row(
       "all between blocks", [](const EnergySample& sample) { return sample.between_bodies.sum(); },
-      [](const EnergyShares& shares) { return shares.between_blocks.sum(); });
+      [](const EnergyFractions& shares) { return shares.between_blocks.sum(); });
   return table.html();
 }
 
 /// "53 % of what was dissipated was friction, 31 % ...": means over the realisations of a file.
 std::string dissipation_in_words(const Comparison& comparison,
                                  const EnergyRealisations& realisations) {
-  const auto mean = [&](const std::function<double(const EnergyShares&)>& share) {
+  const auto mean = [&](const std::function<double(const EnergyFractions&)>& share) {
     std::vector<double> shares;
     for (const RealisationEnergies* one : realisations) {
-      shares.push_back(share(energy_shares(one->samples)));
+      shares.push_back(share(compute_energy_fractions(one->samples)));
     }
     return summarise(shares).mean;
   };
   const auto by = [&](double Dissipation::*part) {
-    return mean([part](const EnergyShares& shares) {
+    return mean([part](const EnergyFractions& shares) {
       return shares.on_ground.*part + shares.between_blocks.*part;
     });
   };
   const double between =
-      mean([](const EnergyShares& shares) { return shares.between_blocks.sum(); });
+      mean([](const EnergyFractions& shares) { return shares.between_blocks.sum(); });
   if (!std::isfinite(between)) return "";
   const std::string of =
-      several_files(comparison) ? " of " + file_name(comparison, realisations.front()->file) : "";
+      has_several_files(comparison) ? " of " + file_name(comparison, realisations.front()->file) : "";
   return paragraph("Of the energy dissipated in contacts" + of + ", friction took " +
-                   share_in_words(by(&Dissipation::friction)) + ", normal forces " +
-                   share_in_words(by(&Dissipation::normal)) + " and rolling resistance " +
-                   share_in_words(by(&Dissipation::rolling)) + "; " + share_in_words(between) +
+                   format_percentage(by(&Dissipation::friction)) + ", normal forces " +
+                   format_percentage(by(&Dissipation::normal)) + " and rolling resistance " +
+                   format_percentage(by(&Dissipation::rolling)) + "; " + format_percentage(between) +
                    " was dissipated between blocks, the rest on the ground.");
 }
 
 }  // namespace
 
-std::string energy_section(const ComparisonAnalyses& analyses) {
+std::string format_energy_section(const ComparisonAnalyses& analyses) {
   const std::vector<EnergyRealisations> files = energies_by_file(analyses.energies());
   if (files.empty()) return "";
   const Comparison& comparison = analyses.comparison();

@@ -22,13 +22,13 @@ std::string effect_number(const ParameterEffect& effect, double value) {
 
 std::string runs_of(const Comparison& comparison, const ParameterEffect& effect) {
   std::string text;
-  if (several_files(comparison)) text = "file " + std::to_string(effect.file + 1) + ": ";
+  if (has_several_files(comparison)) text = "file " + std::to_string(effect.file + 1) + ": ";
   if (!effect.group.empty()) text += "group " + effect.group + ": ";
   return text;
 }
 
 std::string parameter_in_words(const std::string& parameter) {
-  for (const GroundField& field : ground_fields()) {
+  for (const GroundParameterField& field : ground_fields()) {
     if (parameter == field.name) return field.words;
   }
   return parameter;
@@ -60,12 +60,12 @@ std::string effect_sentence(const Comparison& comparison,
             " most clearly with the " + parameter_in_words(most->parameter) + " of " + most->zone +
             " (rank correlation " + fixed(most->correlation->statistic, 2) + ")";
   }
-  return capital(text) + ".";
+  return capitalized(text) + ".";
 }
 
 }  // namespace
 
-std::string ensemble_section(const ComparisonAnalyses& analyses) {
+std::string format_ensemble_section(const ComparisonAnalyses& analyses) {
   const Comparison& comparison = analyses.comparison();
   const std::vector<ParameterEffect>& effects = analyses.ensemble();
   if (effects.empty()) return "";

@@ -14,7 +14,7 @@ constexpr std::size_t kMostCautions = 3;
 
 /// Escaped, with numbers and units that stay on one line.
 std::string unbroken(const std::string& text) {
-  std::string html = escaped(text);
+  std::string html = escape_html(text);
   for (const std::string unit : {"%", "m", "kJ", "J", "kg"}) {
     for (std::size_t at = 0; (at = html.find(" " + unit, at)) != html.npos; ++at) {
       const std::size_t end = at + 1 + unit.size();
@@ -26,26 +26,26 @@ std::string unbroken(const std::string& text) {
   return html;
 }
 
-std::string figures_of(const Comparison& comparison, const Answer& answer) {
+std::string figures_of(const Comparison& comparison, const KeyResults& answer) {
   std::string html = "<dl class=\"figures\">\n";
   for (const KeyFigure& figure : key_figures(comparison, answer)) {
     html += "<div><dd class=\"value\">" + unbroken(figure.value) + "</dd><dt>" +
             unbroken(figure.label) + "</dt>" +
-            (figure.range.empty() ? "" : "<dd>(" + escaped(figure.range) + ")</dd>") +
+            (figure.range.empty() ? "" : "<dd>(" + escape_html(figure.range) + ")</dd>") +
             (figure.more.empty() ? "" : "<dd>" + unbroken(figure.more) + "</dd>") + "</div>\n";
   }
   return html + "</dl>\n";
 }
 
 /// A line that unfolds to the warnings in full.
-std::string caution_line(const Caution& caution) {
+std::string caution_line(const ComparisonWarning& caution) {
   std::string texts;
   for (const std::string& text : caution.texts) texts += paragraph(text);
   return folded(caution.brief, texts);
 }
 
 std::string cautions_of(const Comparison& comparison) {
-  const std::vector<Caution>& cautions = comparison.cautions;
+  const std::vector<ComparisonWarning>& cautions = comparison.cautions;
   if (cautions.empty()) return "";
   std::string html = "<div class=\"warnings\" role=\"note\">\n", more;
   for (std::size_t i = 0; i < cautions.size(); ++i) {
@@ -59,15 +59,15 @@ std::string cautions_of(const Comparison& comparison) {
 
 }  // namespace
 
-std::string head_section(const Comparison& comparison, const Answer& answer) {
+std::string format_head_section(const Comparison& comparison, const KeyResults& answer) {
   std::string html = "<header id=\"answer\">\n<h1>Rockfall runs compared by shape</h1>\n";
-  html += "<p class=\"lead\">" + escaped(runs_in_words(comparison)) + "</p>\n";
-  for (const std::string& sentence : answer_sentences(comparison, answer)) {
+  html += "<p class=\"lead\">" + escape_html(describe_runs(comparison)) + "</p>\n";
+  for (const std::string& sentence : describe_key_results(comparison, answer)) {
     html += "<p class=\"answer\">" + unbroken(sentence) + "</p>\n";
   }
   html += figures_of(comparison, answer);
   html += "<p class=\"note\">" +
-          escaped(intervals_in_words(answer) + " " + limits_in_words(comparison, answer)) +
+          escape_html(describe_intervals(answer) + " " + describe_limits(comparison, answer)) +
           "</p>\n";
   return html + cautions_of(comparison) + "</header>\n";
 }

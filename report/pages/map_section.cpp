@@ -7,15 +7,15 @@
 
 namespace clast::report_detail {
 
-std::string deposit_map(const Comparison& comparison, const MapRasters& rasters) {
-  return page_map(comparison, {.id = "deposit-map",
+std::string format_deposit_map(const Comparison& comparison, const MapRasterSet& rasters) {
+  return format_page_map(comparison, {.id = "deposit-map",
                                .label = "map of the thickness of the deposit",
                                .marks = false,
                                .rasters = {&rasters}});
 }
 
-std::string map_section(const Comparison& comparison, const MapRasters& paths,
-                        const MapRasters& deposits) {
+std::string format_map_section(const Comparison& comparison, const MapRasterSet& paths,
+                        const MapRasterSet& deposits) {
   const bool density = comparison.rows.size() > kMostSingleStops;
   const std::string stops =
       density ? "The " + std::to_string(comparison.rows.size()) +
@@ -30,10 +30,10 @@ std::string map_section(const Comparison& comparison, const MapRasters& paths,
       "Centres of mass at the end of each run, in map coordinates. The wheel zooms, dragging moves "
       "the map. " +
       stops + rasters + "Relief lit from the north-west, contours every " +
-      significant(site_map(comparison).contour_interval(), 2) + " m" +
-      (several_files(comparison) ? "; the surface is that of file 1." : ".");
+      significant(make_site_map(comparison).contour_interval(), 2) + " m" +
+      (has_several_files(comparison) ? "; the surface is that of file 1." : ".");
   return section("Where the blocks stop",
-                 page_map(comparison, {.id = "map",
+                 format_page_map(comparison, {.id = "map",
                                        .label = "map of stops, release points and barriers",
                                        .rasters = {&paths, &deposits}}) +
                      folded("How to read and use the map", paragraph(reading)));

@@ -53,7 +53,7 @@ std::string measured_table(const Comparison& comparison) {
 
 }  // namespace
 
-std::string measured_section(const Comparison& comparison) {
+std::string format_measured_section(const Comparison& comparison) {
   if (!comparison.measured) return "";
   const std::string title = "Measured against simulated";
   if (comparison.measured->groups.empty()) {
@@ -61,8 +61,8 @@ std::string measured_section(const Comparison& comparison) {
                                     "with."));
   }
   std::string html;
-  for (const std::string& sentence : measured_sentences(comparison)) {
-    html += "<p class=\"verdict\">" + escaped(sentence) + "</p>\n";
+  for (const std::string& sentence : describe_measured_stops(comparison)) {
+    html += "<p class=\"verdict\">" + escape_html(sentence) + "</p>\n";
   }
   html += "<div class=\"charts\">\n";
   for (const MeasuredGroup& group : comparison.measured->groups) {
@@ -71,7 +71,7 @@ std::string measured_section(const Comparison& comparison) {
               kSimulatedColour, "", traces);
     add_curve(group.curve, "measured (" + std::to_string(group.measured) + ")", kFieldColour, "6 3",
               traces);
-    html += plotly_chart({group_title(comparison.groups[group.group]) + ": share that stops before",
+    html += draw_plotly_chart({group_title(comparison.groups[group.group]) + ": share that stops before",
                           "runout, m", "share of stops", true},
                          traces);
   }

@@ -14,13 +14,13 @@
 namespace clast::report_detail {
 namespace {
 
-using PassageRealisations = std::vector<const RealisationPassages*>;
+using PassageRealisations = std::vector<const RealisationCrossings*>;
 
 /// The realisations of a barrier by file.
-std::vector<PassageRealisations> passages_by_file(const std::vector<RealisationPassages>& all,
+std::vector<PassageRealisations> passages_by_file(const std::vector<RealisationCrossings>& all,
                                                   std::size_t line) {
   std::vector<PassageRealisations> files;
-  for (const RealisationPassages& one : all) {
+  for (const RealisationCrossings& one : all) {
     if (one.line != line) continue;
     if (files.empty() || files.back().front()->file != one.file) files.emplace_back();
     files.back().push_back(&one);
@@ -41,37 +41,37 @@ RealisationCurve with_end(RealisationCurve curve) {
 
 std::string passage_chart(const Comparison& comparison,
                           const std::vector<PassageRealisations>& files, const ChartAxes& axes,
-                          const PassageValue& value) {
+                          const CrossingValue& value) {
   std::vector<Trace> traces;
   for (std::size_t i = 0; i < files.size(); ++i) {
     const RealisationCurve curve = with_end(passage_curve(files[i], value));
     const std::string name =
-        (several_files(comparison) ? file_name(comparison, files[i].front()->file) : "mean") +
+        (has_several_files(comparison) ? file_name(comparison, files[i].front()->file) : "mean") +
         " of " + counted(files[i].size(), "realisation");
-    add_realisation_curve(traces, name, data_colour(i), Trace::Kind::kSteps, curve,
+    add_realisation_curve(traces, name, series_colour(i), Trace::Kind::kSteps, curve,
                           files[i].size());
   }
-  return plotly_chart(axes, traces);
+  return draw_plotly_chart(axes, traces);
 }
 
 /// A row of the table.
 struct PassageFigure {
   const char* words;
   double unit = 1.0;  ///< on values
-  std::function<double(const RealisationPassages&)> value;
+  std::function<double(const RealisationCrossings&)> value;
 };
 
 const std::vector<PassageFigure>& figures() {
-  using Row = RealisationPassages;
+  using Row = RealisationCrossings;
   static const std::vector<PassageFigure> kFigures = {
       {"blocks that pass", 1.0,
        [](const Row& row) { return static_cast<double>(row.passages.size()); }},
       {"mass, kg", 1.0,
-       [](const Row& row) { return row.sum([](const BlockPassage& one) { return one.mass; }); }},
+       [](const Row& row) { return row.sum([](const BlockCrossing& one) { return one.mass; }); }},
       {"volume, m\xC2\xB3", 1.0,
-       [](const Row& row) { return row.sum([](const BlockPassage& one) { return one.volume; }); }},
+       [](const Row& row) { return row.sum([](const BlockCrossing& one) { return one.volume; }); }},
       {"energy, kJ", kKilojoulesPerJoule,
-       [](const Row& row) { return row.sum([](const BlockPassage& one) { return one.energy; }); }},
+       [](const Row& row) { return row.sum([](const BlockCrossing& one) { return one.energy; }); }},
       {"first passage, s", 1.0, &Row::first},
       {"from the first to the last, s", 1.0,
        [](const Row& row) { return row.last() - row.first(); }},
@@ -86,26 +86,26 @@ const std::vector<PassageFigure>& figures() {
 
 }  // namespace
 
-std::string passage_charts(const Comparison& comparison,
-                           const std::vector<RealisationPassages>& all, std::size_t line) {
+std::string draw_crossing_charts(const Comparison& comparison,
+                           const std::vector<RealisationCrossings>& all, std::size_t line) {
   const std::vector<PassageRealisations> files = passages_by_file(all, line);
   const std::string at = comparison.lines[line].name + ": ";
   const char* time = "time since the first release, s";
   return passage_chart(comparison, files, {at + "blocks that have passed", time, "blocks"},
-                       [](const BlockPassage&) { return 1.0; }) +
+                       [](const BlockCrossing&) { return 1.0; }) +
          passage_chart(comparison, files, {at + "mass that has passed", time, "mass, kg"},
-                       [](const BlockPassage& passage) { return passage.mass; }) +
+                       [](const BlockCrossing& passage) { return passage.mass; }) +
          passage_chart(
              comparison, files, {at + "energy that has passed", time, "kinetic energy, kJ"},
-             [](const BlockPassage& passage) { return kKilojoulesPerJoule * passage.energy; });
+             [](const BlockCrossing& passage) { return kKilojoulesPerJoule * passage.energy; });
 }
 
-std::string passage_words(const Comparison& comparison, const std::vector<RealisationPassages>& all,
+std::string describe_crossings(const Comparison& comparison, const std::vector<RealisationCrossings>& all,
                           std::size_t line) {
   std::string html;
   for (const PassageRealisations& realisations : passages_by_file(all, line)) {
     double blocks = 0.0, mass = 0.0, energy = 0.0, single = 0.0;
-    for (const RealisationPassages* one : realisations) {
+    for (const RealisationCrossings* one : realisations) {
       blocks = std::max(blocks, one->most_blocks.value);
       mass = std::max(mass, one->most_mass.value);
       energy = std::max(energy, one->most_energy.value);
@@ -116,24 +116,24 @@ std::string passage_words(const Comparison& comparison, const std::vector<Realis
     const bool at_once = comparison.results[file].stay->at_once;
     html +=
         paragraph(comparison.lines[line].name +
-                  (several_files(comparison) ? ", " + file_name(comparison, file) : "") +
+                  (has_several_files(comparison) ? ", " + file_name(comparison, file) : "") +
                   ": within 1 s at most " + counted(static_cast<std::size_t>(blocks), "block") +
-                  ", at most " + mass_in_words(std::ceil(mass)) + " and at most " +
-                  energy_limit(energy) + " pass; the largest energy of a " + "single block is " +
-                  energy_limit(single) + ". From " + counted(realisations.size(), "realisation") +
+                  ", at most " + format_mass(std::ceil(mass)) + " and at most " +
+                  format_energy_limit(energy) + " pass; the largest energy of a " + "single block is " +
+                  format_energy_limit(single) + ". From " + counted(realisations.size(), "realisation") +
                   (at_once ? "." : " of blocks that were released one after the other."));
   }
   return html;
 }
 
-std::string passage_table(const Comparison& comparison, const std::vector<RealisationPassages>& all,
+std::string format_crossing_table(const Comparison& comparison, const std::vector<RealisationCrossings>& all,
                           std::size_t line) {
   const std::vector<PassageRealisations> files = passages_by_file(all, line);
   if (files.empty()) return "";
   std::vector<std::string> heads = {"together"};
   for (const PassageRealisations& realisations : files) {
     const std::string of_file =
-        several_files(comparison) ? "file " + std::to_string(realisations.front()->file + 1) + ": "
+        has_several_files(comparison) ? "file " + std::to_string(realisations.front()->file + 1) + ": "
                                   : "";
     for (const char* head : {"mean", "std", "least", "most"}) heads.push_back(of_file + head);
   }
@@ -142,7 +142,7 @@ std::string passage_table(const Comparison& comparison, const std::vector<Realis
     std::vector<std::string> cells = {figure.words};
     for (const PassageRealisations& realisations : files) {
       std::vector<double> values;
-      for (const RealisationPassages* one : realisations) {
+      for (const RealisationCrossings* one : realisations) {
         const double value = figure.unit * figure.value(*one);
         if (std::isfinite(value)) values.push_back(value);
       }

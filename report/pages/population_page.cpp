@@ -30,7 +30,7 @@ std::string population_head(const PopulationReport& report) {
     std::string text = counted(reported.summary.blocks, "block");
     if (reported.summary.weighed > 0) {
       text += ", " + std::to_string(reported.summary.weighed) + " with a mass, " +
-              mass_text(reported.summary.size.total_mass) + " kg";
+              format_block_mass(reported.summary.size.total_mass) + " kg";
     }
     facts += fact(reported.population.name, text);
     facts += fact("L, I, S of " + reported.population.name, reported.measured);
@@ -53,8 +53,8 @@ std::string population_head(const PopulationReport& report) {
                                  ? ", the axis that decides which sieve lets a block through"
                                  : ", the side of a cube as large as the block's box"));
   facts += fact("Report by", std::string("clast ") + version());
-  return "<h1>Shapes and sizes of blocks</h1>\n<p class=\"lead\">" + escaped(title) + "</p>\n" +
-         (notes.empty() ? std::string() : note_box("Read this first", notes)) +
+  return "<h1>Shapes and sizes of blocks</h1>\n<p class=\"lead\">" + escape_html(title) + "</p>\n" +
+         (notes.empty() ? std::string() : format_note_box("Read this first", notes)) +
          "<dl class=\"facts\">\n" + facts + "</dl>\n";
 }
 
@@ -63,9 +63,9 @@ std::string comparison_section(const PopulationReport& report) {
   const PopulationComparison& comparison = *report.comparison;
   std::string html = "<ul>\n";
   for (const ClassDifference& one : comparison.schemes)
-    html += "<li>" + escaped(one.words) + "</li>\n";
+    html += "<li>" + escape_html(one.words) + "</li>\n";
   for (const MeasureDifference& one : comparison.measures) {
-    html += "<li>" + escaped(one.words) + "</li>\n";
+    html += "<li>" + escape_html(one.words) + "</li>\n";
   }
   const std::size_t tests = comparison.schemes.size() + comparison.measures.size();
   html += "</ul>\n" +
@@ -80,8 +80,8 @@ std::string classes_section(const PopulationReport& report, const Diagrams& diag
   std::string html;
   const std::size_t schemes = report.populations.front().summary.schemes.size();
   for (std::size_t scheme = 0; scheme < schemes; ++scheme) {
-    html += "<h3>" + escaped(report.populations[0].summary.schemes[scheme].scheme) + "</h3>\n";
-    html += "<div class=\"beside\">" + figure(diagrams.at(shares_name(report, scheme))) + "<div>";
+    html += "<h3>" + escape_html(report.populations[0].summary.schemes[scheme].scheme) + "</h3>\n";
+    html += "<div class=\"beside\">" + figure(diagrams.at(fractions_file_name(report, scheme))) + "<div>";
     for (const ReportedPopulation& reported : report.populations) {
       const bool weighed = reported.summary.weighed > 0;
       std::vector<std::string> heads = {"class", "blocks", "share", "95 % interval"};
@@ -94,7 +94,7 @@ std::string classes_section(const PopulationReport& report, const Diagrams& diag
         std::vector<std::string> cells = {share.name, std::to_string(share.count),
                                           percent(share.share), range_text(share.low, share.high)};
         if (weighed) {
-          cells.push_back(mass_text(share.mass));
+          cells.push_back(format_block_mass(share.mass));
           cells.push_back(percent(share.mass_share));
           cells.push_back(range_text(share.mass_low, share.mass_high));
         }
@@ -115,8 +115,8 @@ std::string classes_section(const PopulationReport& report, const Diagrams& diag
 std::string diagrams_section(const PopulationReport& report, const Diagrams& diagrams) {
   std::string html = "<div class=\"charts\">\n";
   for (std::size_t i = 0; i < report.populations.size(); ++i) {
-    html += figure(diagrams.at("sneed_folk" + population_suffix(report, i)));
-    html += figure(diagrams.at("zingg" + population_suffix(report, i)));
+    html += figure(diagrams.at("sneed_folk" + population_file_suffix(report, i)));
+    html += figure(diagrams.at("zingg" + population_file_suffix(report, i)));
   }
   html += figure(diagrams.at("s_c"));
   return section("Forms", paragraph("The pointer on a mark names its block and lights it up in all "
@@ -132,13 +132,13 @@ std::string boxes_section(const PopulationReport& report) {
     std::string words;
     for (const BoxEffect& effect :
          box_effects(blocks, report.options.chosen_schemes(), report.options.limits)) {
-      words += "<li>" + escaped(box_effect_words(effect)) + "</li>\n";
+      words += "<li>" + escape_html(box_effect_words(effect)) + "</li>\n";
     }
     if (words.empty()) continue;
     if (report.populations.size() > 1) html += paragraph(reported.population.name);
     html += "<ul>\n" + words + "</ul>\n";
     if (blocks.size() > kMostRows) continue;
-    std::vector<std::string> heads = {shortened(reported.population.name, kMostHead)};
+    std::vector<std::string> heads = {shorten_middle(reported.population.name, kMostHead)};
     for (const BoxConvention box : kBoxConventions) heads.push_back("s_c, " + name_of(box));
     for (const BoxConvention box : kBoxConventions) heads.push_back("S/L, " + name_of(box));
     HtmlTable table(heads, 1);
@@ -167,7 +167,7 @@ std::string blocks_section(const PopulationReport& report) {
                         ", all of them in classes.csv.");
       continue;
     }
-    std::vector<std::string> heads = {shortened(reported.population.name, kMostHead)};
+    std::vector<std::string> heads = {shorten_middle(reported.population.name, kMostHead)};
     for (const SchemeShares& scheme : reported.summary.schemes) heads.push_back(scheme.scheme);
     const std::string& first = reported.summary.schemes.front().scheme;
     heads.push_back("how sure (" + first + ")");
@@ -200,10 +200,10 @@ std::string sources_section(const PopulationReport& report) {
   std::string html = "<ul class=\"note\">\n";
   for (const ReportedPopulation& reported : report.populations) {
     for (const InputFile& input : reported.inputs) {
-      html += "<li><code>" + escaped(input.file + " " + input.sha256) + "</code></li>\n";
+      html += "<li><code>" + escape_html(input.file + " " + input.sha256) + "</code></li>\n";
     }
   }
-  return section("Inputs", html + "</ul>\n") + "<footer>Made by clast " + escaped(version()) +
+  return section("Inputs", html + "</ul>\n") + "<footer>Made by clast " + escape_html(version()) +
          ", random samples from seed " + std::to_string(report.options.seed) +
          ". Every figure here is in classes.csv, shares.csv, sizes.csv and tests.csv beside this "
          "page; every diagram is there as .svg.</footer>\n";
@@ -211,15 +211,15 @@ std::string sources_section(const PopulationReport& report) {
 
 }  // namespace
 
-std::string population_page(const PopulationReport& report, const Diagrams& diagrams) {
+std::string make_population_page(const PopulationReport& report, const Diagrams& diagrams) {
   std::string title = "Blocks";
   for (const ReportedPopulation& reported : report.populations) {
     title += (&reported == &report.populations.front() ? ": " : ", ") + reported.population.name;
   }
-  return report_page(title, population_head(report) + comparison_section(report) +
+  return make_report_page(title, population_head(report) + comparison_section(report) +
                                 classes_section(report, diagrams) +
                                 diagrams_section(report, diagrams) +
-                                size_section(report, diagrams) + blocks_section(report) +
+                                format_size_section(report, diagrams) + blocks_section(report) +
                                 boxes_section(report) + sources_section(report));
 }
 

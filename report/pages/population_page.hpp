@@ -6,7 +6,7 @@
 
 namespace clast::report_detail {
 
-/// @param diagrams  of the report, see `population_diagrams`
-std::string population_page(const PopulationReport& report, const Diagrams& diagrams);
+/// @param diagrams  of the report, see `draw_population_diagrams`
+std::string make_population_page(const PopulationReport& report, const Diagrams& diagrams);
 
 }  // namespace clast::report_detail

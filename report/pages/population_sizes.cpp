@@ -22,7 +22,7 @@ void law_rows(HtmlTable& table, const std::string& weighting, const SizeCurve& c
 
 }  // namespace
 
-std::string size_section(const PopulationReport& report, const Diagrams& diagrams) {
+std::string format_size_section(const PopulationReport& report, const Diagrams& diagrams) {
   std::string html;
   if (diagrams.contains("sizes")) {
     std::string medians;
@@ -43,7 +43,7 @@ std::string size_section(const PopulationReport& report, const Diagrams& diagram
       continue;
     }
     HtmlTable percentiles(
-        {shortened(reported.population.name, kMostHead), "blocks", "d10, m", "d50, m", "d90, m"},
+        {shorten_middle(reported.population.name, kMostHead), "blocks", "d10, m", "d50, m", "d90, m"},
         1);
     const auto add = [&](const std::string& name, const SizeCurve& curve) {
       percentiles.row({name, std::to_string(curve.blocks), significant(curve.d10, 3),
@@ -54,7 +54,7 @@ std::string size_section(const PopulationReport& report, const Diagrams& diagram
     HtmlTable laws({"law", "size, m", "spread", "KS distance", "p"}, 3);
     law_rows(laws, "by number", size.by_number);
     if (size.by_mass) law_rows(laws, "by mass", *size.by_mass);
-    html += "<div class=\"charts\">" + figure(diagrams.at("size" + population_suffix(report, i))) +
+    html += "<div class=\"charts\">" + figure(diagrams.at("size" + population_file_suffix(report, i))) +
             "<div>" + percentiles.html() + "</div></div>\n";
     html += size.by_number.laws.empty() ? paragraph("All blocks are of one size: no law is fitted.")
                                         : laws.html();
@@ -64,11 +64,11 @@ std::string size_section(const PopulationReport& report, const Diagrams& diagram
     }
     html += "<ul>\n";
     for (const SizeShape& one : reported.summary.size_and_shape) {
-      html += "<li>" + escaped(size_shape_words(one, size.measure)) + "</li>\n";
+      html += "<li>" + escape_html(size_shape_words(one, size.measure)) + "</li>\n";
     }
     html +=
         "<li>" +
-        escaped("C40, the share of blocks with S/L at most 0.4: " + percent(reported.summary.c40) +
+        escape_html("C40, the share of blocks with S/L at most 0.4: " + percent(reported.summary.c40) +
                 ".") +
         "</li>\n</ul>\n";
   }

@@ -11,6 +11,6 @@ inline constexpr std::size_t kMostHead = 14;
 
 /// The section of the page.
 /// @param diagrams  with "sizes" where there are several populations, and "size" + suffix of each
-std::string size_section(const PopulationReport& report, const Diagrams& diagrams);
+std::string format_size_section(const PopulationReport& report, const Diagrams& diagrams);
 
 }  // namespace clast::report_detail

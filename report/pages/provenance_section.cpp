@@ -17,13 +17,13 @@ namespace {
 
 /// Stiffness and time step of every block.
 std::string stiffness_table(const CampaignResults& results) {
-  const std::vector<BlockStiffness> blocks = stiffness_by_block(results, results.runs);
+  const std::vector<BlockStiffness> blocks = collect_stiffness_by_block(results, results.runs);
   if (blocks.empty()) return "";
   std::vector<std::string> heads = {"block"};
-  for (const StiffnessValue& value : blocks.front().values) heads.push_back(value.heading);
+  for (const StiffnessRange& value : blocks.front().values) heads.push_back(value.heading);
   HtmlTable table(heads, 1);
   const auto add = [&](const BlockStiffness& block) {
-    std::vector<std::string> row = stiffness_cells(block);
+    std::vector<std::string> row = format_stiffness_cells(block);
     row.insert(row.begin(), block.block);
     table.row(row);
   };
@@ -33,7 +33,7 @@ std::string stiffness_table(const CampaignResults& results) {
 }
 
 /// Whether any zone has this parameter in any draw.
-bool any_states(const CampaignResults& results, const GroundField& field) {
+bool any_states(const CampaignResults& results, const GroundParameterField& field) {
   const auto states = [&](const GroundParameters& zone) { return zone.*field.value != 0.0; };
   return std::any_of(results.ground.begin(), results.ground.end(), states) ||
          std::any_of(results.ground_sets.begin(), results.ground_sets.end(), [&](const auto& set) {
@@ -44,13 +44,13 @@ bool any_states(const CampaignResults& results, const GroundField& field) {
 /// The ground parameters that runs had: of every zone, and of block groups where theirs differ.
 /// Where members of an ensemble differ, the range drawn.
 std::string ground_table(const CampaignResults& results) {
-  std::map<std::string, std::vector<const GroundSet*>> sets_of;  // by block group
-  for (const GroundSet& set : results.ground_sets) sets_of[set.group].push_back(&set);
-  const GroundSet central{"", 0, results.ground};
+  std::map<std::string, std::vector<const GroundParameterSet*>> sets_of;  // by block group
+  for (const GroundParameterSet& set : results.ground_sets) sets_of[set.group].push_back(&set);
+  const GroundParameterSet central{"", 0, results.ground};
   if (sets_of[""].empty()) sets_of[""] = {&central};
   std::vector<std::string> heads = {"ground zone"};
-  std::vector<GroundField> fields;
-  for (const GroundField& field : ground_fields()) {
+  std::vector<GroundParameterField> fields;
+  for (const GroundParameterField& field : ground_fields()) {
     if (field.of_soil && !any_states(results, field)) continue;
     fields.push_back(field);
     heads.emplace_back(field.heading);
@@ -60,9 +60,9 @@ std::string ground_table(const CampaignResults& results) {
     std::vector<std::string> usual;
     for (const auto& [group, sets] : sets_of) {
       std::vector<std::string> cells;
-      for (const GroundField& field : fields) {
+      for (const GroundParameterField& field : fields) {
         double low = INFINITY, high = -INFINITY;
-        for (const GroundSet* set : sets) {
+        for (const GroundParameterSet* set : sets) {
           low = std::min(low, set->zones[zone].*field.value);
           high = std::max(high, set->zones[zone].*field.value);
         }
@@ -77,7 +77,7 @@ std::string ground_table(const CampaignResults& results) {
       table.row(cells);
     }
   }
-  const std::uint32_t members = ensemble_members(results);
+  const std::uint32_t members = count_ensemble_members(results);
   return table.html() + (members > 1 ? paragraph("Ranges are of the " + std::to_string(members) +
                                                  " draws; each draw is in ground_sets.csv.")
                                      : "");
@@ -86,7 +86,7 @@ std::string ground_table(const CampaignResults& results) {
 std::string released(const CampaignResults& results) {
   const std::size_t points = results.release_points.size();
   if (!results.stay) {
-    const std::size_t members = ensemble_members(results);
+    const std::size_t members = count_ensemble_members(results);
     const std::size_t sets = results.blocks.size() * points * members;
     return counted(results.blocks.size(), "block") + " \xC3\x97 " + counted(points, "point") +
            " \xC3\x97 " + counted(sets > 0 ? results.planned_runs / sets : 0, "orientation") +
@@ -94,7 +94,7 @@ std::string released(const CampaignResults& results) {
   }
   const auto removed = static_cast<std::size_t>(
       std::count_if(results.stays.begin(), results.stays.end(),
-                    [](const StayRecord& stay) { return std::isfinite(stay.removed_at); }));
+                    [](const PersistentBlockRecord& stay) { return std::isfinite(stay.removed_at); }));
   return counted(results.planned_runs / results.stay->blocks_each, "realisation") + " of " +
          counted(results.stay->blocks_each, "block") +
          (results.stay->at_once
@@ -115,7 +115,7 @@ std::string settings_of(const Comparison& comparison, const CampaignResults& res
   html += fact("Released", released(results));
   html += fact("Contact law", "energy restitution, weights " + name_of(results.weights));
   const std::vector<std::string> cells =
-      stiffness_cells(over_all(stiffness_by_block(results, results.runs)));
+      format_stiffness_cells(over_all(collect_stiffness_by_block(results, results.runs)));
   html += fact("Stiffness and time step", "k_n " + cells[0] + " N/m, step " + cells[3] + " s");
   html += fact("Downslope (x, y)",
                fixed(comparison.downslope.x(), 4) + ", " + fixed(comparison.downslope.y(), 4) +
@@ -134,7 +134,7 @@ std::string scales_of(const CampaignResults& results) {
   for (const BlockSummary& block : results.blocks) {
     if (block.scale == 1.0) continue;
     if (block.library_block() != block.id) return "";  // drawn ones are too many
-    text += (text.empty() ? "As asked, " : ", ") + scale_in_words(block);
+    text += (text.empty() ? "As asked, " : ", ") + describe_block_scale(block);
   }
   return text.empty() ? "" : paragraph(text + ".");
 }
@@ -145,7 +145,7 @@ std::string notes_of(const Comparison& comparison) {
   std::size_t count = 0;
   for (const std::string& warning : comparison.warnings) {
     const bool above = std::any_of(
-        comparison.cautions.begin(), comparison.cautions.end(), [&](const Caution& caution) {
+        comparison.cautions.begin(), comparison.cautions.end(), [&](const ComparisonWarning& caution) {
           return std::count(caution.texts.begin(), caution.texts.end(), warning) > 0;
         });
     if (above) continue;
@@ -157,25 +157,25 @@ std::string notes_of(const Comparison& comparison) {
 
 }  // namespace
 
-std::string provenance_section(const Comparison& comparison) {
+std::string format_provenance_section(const Comparison& comparison) {
   std::string html;
   for (std::size_t file = 0; file < comparison.results.size(); ++file) {
     const CampaignResults& results = comparison.results[file];
     html += "<h3>" +
-            escaped("File " + std::to_string(file + 1) + ": " + results.file.filename().string()) +
+            escape_html("File " + std::to_string(file + 1) + ": " + results.file.filename().string()) +
             "</h3>\n";
     html += settings_of(comparison, results) + scales_of(results) + ground_table(results);
     html += folded("Stiffness and time step of every block", stiffness_table(results));
-    std::string inputs = "<p>Campaign SHA-256 <code>" + escaped(results.campaign_sha256) +
+    std::string inputs = "<p>Campaign SHA-256 <code>" + escape_html(results.campaign_sha256) +
                          "</code></p>\n<ul class=\"note\">\n";
     for (const std::string& input : results.inputs) {
-      inputs += "<li><code>" + escaped(input) + "</code></li>\n";
+      inputs += "<li><code>" + escape_html(input) + "</code></li>\n";
     }
     html += folded("Input files", inputs + "</ul>\n");
-    html += folded("Campaign file", "<pre>" + escaped(results.campaign_text) + "</pre>");
+    html += folded("Campaign file", "<pre>" + escape_html(results.campaign_text) + "</pre>");
   }
   return section("What was run", html + notes_of(comparison)) + "<footer>Made by clast " +
-         escaped(version()) +
+         escape_html(version()) +
          ". All figures are in the tables beside this page, map layers in stops.gpkg.</footer>\n";
 }
 

@@ -28,7 +28,7 @@ std::vector<std::string> extreme(const Comparison& comparison, const std::string
   if (worst == nullptr) return {what + unit, "not known", "-", "-", "-"};
   const Summary summary = summarise(values);
   const std::string run =
-      (several_files(comparison) ? "file " + std::to_string(worst->file + 1) + ", run " : "run ") +
+      (has_several_files(comparison) ? "file " + std::to_string(worst->file + 1) + ", run " : "run ") +
       std::to_string(worst->record->run) + ", block " + worst->block->id;
   return {what + unit, run, significant(summary.mean), significant(summary.p95),
           significant(largest)};
@@ -48,7 +48,7 @@ std::string lost_runs(const Comparison& comparison) {
               fixed(row.stop.z(), 2) + ") m after " + fixed(result.duration, 1) + " s";
     }
     const std::string file =
-        several_files(comparison) ? std::to_string(row.file + 1) + ": " : std::string();
+        has_several_files(comparison) ? std::to_string(row.file + 1) + ": " : std::string();
     table.row({file + std::to_string(row.record->run), row.block->id,
                name_of(result.stop_reason) + (result.below_ground ? ", below ground" : ""), story});
   }
@@ -63,13 +63,13 @@ std::string lost_runs(const Comparison& comparison) {
 
 }  // namespace
 
-std::string quality_section(const Comparison& comparison) {
+std::string format_quality_section(const Comparison& comparison) {
   HtmlTable table({"measure", "worst run", "mean", "p95", "largest"}, 2);
   table.row(extreme(comparison, "energy not accounted for, share of the dissipated", "",
                     [](const RunRow& row) { return row.record->result.energy.error; }));
   table.row(extreme(
       comparison, "energy where contacts or weights change, share of the dissipated", "",
-      [](const RunRow& row) { return reassigned_share(row.record->result.energy).value_or(NAN); }));
+      [](const RunRow& row) { return reassigned_energy_fraction(row.record->result.energy).value_or(NAN); }));
   table.row(extreme(comparison, "largest penetration", ", mm",
                     [](const RunRow& row) { return row.record->result.max_penetration * 1000.0; }));
   table.row(extreme(comparison, "largest penetration, share of S", "", [](const RunRow& row) {

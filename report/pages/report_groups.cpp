@@ -7,20 +7,20 @@
 
 namespace clast::report_detail {
 
-bool several_files(const Comparison& comparison) { return comparison.results.size() > 1; }
+bool has_several_files(const Comparison& comparison) { return comparison.results.size() > 1; }
 
-std::vector<std::size_t> groups_of(const Comparison& comparison, GroupKind kind) {
+std::vector<std::size_t> select_groups(const Comparison& comparison, GroupKind kind) {
   std::vector<std::size_t> found;
   for (std::size_t g = 0; g < comparison.groups.size(); ++g) {
     const Group& group = comparison.groups[g];
-    if (group.kind == kind && group.file.has_value() == several_files(comparison)) {
+    if (group.kind == kind && group.file.has_value() == has_several_files(comparison)) {
       found.push_back(g);
     }
   }
   return found;
 }
 
-std::string short_name(const Group& group) {
+std::string short_group_name(const Group& group) {
   std::string name = group.kind == GroupKind::kAll ? "all" : group.key;
   if (group.kind == GroupKind::kSneedFolk) name += " (Sneed-Folk)";
   return group.file ? "file " + std::to_string(*group.file + 1) + ": " + name : name;
@@ -30,12 +30,12 @@ void append_item(std::string& list, const std::string& item) {
   list += (list.empty() ? "" : "; ") + item;
 }
 
-std::string headed_list(const std::string& head, const std::string& list) {
+std::string format_headed_list(const std::string& head, const std::string& list) {
   if (list.empty()) return "";
-  return "<p><b>" + escaped(head) + "</b> " + escaped(list) + ".</p>\n";
+  return "<p><b>" + escape_html(head) + "</b> " + escape_html(list) + ".</p>\n";
 }
 
-std::string class_of(const Comparison& comparison, const Group& group) {
+std::string block_class_of_group(const Comparison& comparison, const Group& group) {
   const std::string& first = comparison.rows[group.rows.front()].block->garcia;
   const bool same = std::all_of(group.rows.begin(), group.rows.end(), [&](std::size_t row) {
     return comparison.rows[row].block->garcia == first;
@@ -43,12 +43,12 @@ std::string class_of(const Comparison& comparison, const Group& group) {
   return same ? first : std::string();
 }
 
-std::pair<std::string, std::string> curve_style(const Comparison& comparison, const Group& group,
+std::pair<std::string, std::string> choose_curve_style(const Comparison& comparison, const Group& group,
                                                 const std::vector<std::string>& classes_before) {
   if (group.kind == GroupKind::kGarcia) {
     return {class_colour(group.key), kDashes[group.file.value_or(0) % kDashes.size()]};
   }
-  const std::string name = class_of(comparison, group);
+  const std::string name = block_class_of_group(comparison, group);
   const std::string colour = class_colour(name);
   const auto before =
       static_cast<std::size_t>(std::count(classes_before.begin(), classes_before.end(), name));
@@ -57,7 +57,7 @@ std::pair<std::string, std::string> curve_style(const Comparison& comparison, co
   return {shades[before / kDashes.size() % shades.size()], kDashes[before % kDashes.size()]};
 }
 
-std::string mean_and_std(const Summary& summary, int decimals, double unit) {
+std::string format_mean_and_deviation(const Summary& summary, int decimals, double unit) {
   if (summary.count == 0) return "-";
   if (summary.count == 1) return fixed(summary.mean * unit, decimals);  // one does not scatter
   return fixed(summary.mean * unit, decimals) + " \xC2\xB1 " + fixed(summary.std * unit, decimals);

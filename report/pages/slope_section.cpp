@@ -27,12 +27,12 @@ std::vector<std::string> bin_counts(const Bins& bins) {
 }
 
 /// Barriers on the axis of distance: where half of their counted crossings lie before.
-std::vector<ChartPlace> barrier_places(const Comparison& comparison,
+std::vector<ChartPoint> barrier_places(const Comparison& comparison,
                                        std::optional<std::uint32_t> file) {
-  std::vector<ChartPlace> places;
+  std::vector<ChartPoint> places;
   for (std::size_t line = 0; line < comparison.lines.size(); ++line) {
     std::vector<double> distances;
-    for (const CrossingRow& crossing : comparison.crossings) {
+    for (const BarrierCrossing& crossing : comparison.crossings) {
       const RunRow& row = comparison.rows[crossing.row];
       if (!crossing.counted || crossing.barrier != line || (file && row.file != *file)) continue;
       const Vec3 way = crossing.crossing->position - row.record->start.position;
@@ -49,7 +49,7 @@ std::string share_against_distance(const Comparison& comparison,
                                    const std::vector<ProfileBin>& bins,
                                    std::optional<std::uint32_t> file, const ChartAxes& axes) {
   std::vector<Trace> traces;
-  for (const std::size_t g : groups_of(comparison, GroupKind::kGarcia)) {
+  for (const std::size_t g : select_groups(comparison, GroupKind::kGarcia)) {
     const Group& group = comparison.groups[g];
     if (group.file != file) continue;
     Trace trace{group.key, class_colour(group.key), {}, Trace::Kind::kSteps, {}, {}};
@@ -61,7 +61,7 @@ std::string share_against_distance(const Comparison& comparison,
     trace.notes = bin_counts(along);
     traces.push_back(std::move(trace));
   }
-  return plotly_chart(axes, traces);
+  return draw_plotly_chart(axes, traces);
 }
 
 /// What a barrier would meet at every distance, over all runs of a group.
@@ -90,8 +90,8 @@ std::string least_demand(const Comparison& comparison, const std::vector<Profile
   return "Where at least half of the " + std::to_string(runs) + " runs arrive, energy is lowest " +
          with_digits(place->from, 4) + " to " + with_digits(place->to, 4) +
          " m from the release: 95 % of the " + std::to_string(place->runs) +
-         " runs there stay below " + energy_limit(place->energy.p95) +
-         ", and the centres of 95 % below " + height_limit(place->height.p95) + ". ";
+         " runs there stay below " + format_energy_limit(place->energy.p95) +
+         ", and the centres of 95 % below " + format_height_limit(place->height.p95) + ". ";
 }
 
 /// Mean, 95th percentile and largest of a quantity of every class.
@@ -99,7 +99,7 @@ std::string against_distance(const Comparison& comparison, const std::vector<Pro
                              std::optional<std::uint32_t> file, const ChartAxes& axes,
                              Summary ProfileBin::*quantity, double unit) {
   std::vector<Trace> traces;
-  for (const std::size_t g : groups_of(comparison, GroupKind::kGarcia)) {
+  for (const std::size_t g : select_groups(comparison, GroupKind::kGarcia)) {
     const Group& group = comparison.groups[g];
     if (group.file != file) continue;
     const Bins along = bins_of_group(bins, g);
@@ -119,7 +119,7 @@ std::string against_distance(const Comparison& comparison, const std::vector<Pro
     add("mean", "6 3", &Summary::mean, true);
     add("largest", "2 2", &Summary::max, false);
   }
-  return plotly_chart(axes, traces);
+  return draw_plotly_chart(axes, traces);
 }
 
 /// The ground under the mean path of a group, and how high its blocks pass over it.
@@ -146,17 +146,17 @@ std::string cut_along_the_mean_path(const Comparison& comparison,
   most.notes = all.notes = bin_counts(along);
   ChartAxes axes{title, "distance along downslope, m", "elevation, m"};
   axes.equal_scales = true;
-  return plotly_chart(axes, {ground, most, all});
+  return draw_plotly_chart(axes, {ground, most, all});
 }
 
 /// Groups of which each has a path of its own: one for each file, or for each release set of one.
 std::vector<std::size_t> groups_with_a_path(const Comparison& comparison) {
   std::vector<std::size_t> found;
-  for (const std::size_t g : groups_of(comparison, GroupKind::kAll)) {
+  for (const std::size_t g : select_groups(comparison, GroupKind::kAll)) {
     const CampaignResults& results = comparison.results[comparison.groups[g].file.value_or(0)];
     if (results.release_sets.size() < 2) found.push_back(g);
   }
-  if (several_files(comparison)) return found;
+  if (has_several_files(comparison)) return found;
   for (std::size_t g = 0; g < comparison.groups.size(); ++g) {
     if (comparison.groups[g].column == "release_set") found.push_back(g);
   }
@@ -165,7 +165,7 @@ std::vector<std::size_t> groups_with_a_path(const Comparison& comparison) {
 
 }  // namespace
 
-std::string slope_section(const Comparison& comparison, const std::vector<ProfileBin>& bins) {
+std::string format_slope_section(const Comparison& comparison, const std::vector<ProfileBin>& bins) {
   const std::string title = "Along the slope";
   if (bins.empty()) {
     return section(title, paragraph("The results hold no trajectories: set [run] "
@@ -173,7 +173,7 @@ std::string slope_section(const Comparison& comparison, const std::vector<Profil
                                     "heights against distance."));
   }
   std::string words, charts, tables;
-  for (const std::size_t all : groups_of(comparison, GroupKind::kAll)) {
+  for (const std::size_t all : select_groups(comparison, GroupKind::kAll)) {
     const std::optional<std::uint32_t> file = comparison.groups[all].file;
     const std::string where = file ? ", file " + std::to_string(*file + 1) : std::string();
     const auto axes = [&](const std::string& what, const std::string& label) {
@@ -182,7 +182,7 @@ std::string slope_section(const Comparison& comparison, const std::vector<Profil
       return chart;
     };
     const std::string least = least_demand(comparison, bins, all);
-    if (!least.empty()) words += (file ? short_name(comparison.groups[all]) + ": " : "") + least;
+    if (!least.empty()) words += (file ? short_group_name(comparison.groups[all]) + ": " : "") + least;
     ChartAxes share = axes("Runs that reach a distance", "share of runs");
     share.y_in_percent = true;
     charts += share_against_distance(comparison, bins, file, share);
@@ -198,7 +198,7 @@ std::string slope_section(const Comparison& comparison, const std::vector<Profil
                      barrier_table(comparison, bins, all));
   }
   for (const std::size_t group : groups_with_a_path(comparison)) {
-    const std::string name = short_name(comparison.groups[group]);
+    const std::string name = short_group_name(comparison.groups[group]);
     charts +=
         cut_along_the_mean_path(comparison, bins, group, "The ground along the mean path: " + name);
   }

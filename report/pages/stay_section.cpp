@@ -12,12 +12,12 @@ constexpr double kMovedShare = 0.1;
 
 /// What is kept of each row of the comparison; none where runs had the terrain to themselves, or
 /// all blocks came at once.
-std::vector<const StayRecord*> stays_of_rows(const Comparison& comparison) {
-  std::vector<const StayRecord*> stays;
+std::vector<const PersistentBlockRecord*> stays_of_rows(const Comparison& comparison) {
+  std::vector<const PersistentBlockRecord*> stays;
   for (const RunRow& row : comparison.rows) {
     const CampaignResults& results = comparison.results[row.file];
     const bool one_by_one = results.stay && !results.stay->at_once;
-    stays.push_back(one_by_one ? results.stay_of(row.record->run) : nullptr);
+    stays.push_back(one_by_one ? results.find_persistent_block(row.record->run) : nullptr);
   }
   return stays;
 }
@@ -29,13 +29,13 @@ std::string count_and_share(std::size_t count, std::size_t all) {
 
 /// The cells of a group without its name; empty where none of its blocks stayed among others.
 std::vector<std::string> cells_of(const Comparison& comparison, const Group& group,
-                                  const std::vector<const StayRecord*>& stays) {
+                                  const std::vector<const PersistentBlockRecord*>& stays) {
   std::size_t runs = 0, hitting = 0, removed = 0;
   bool known = true;  // whether blocks that were hit are
   double hit = 0.0;
   std::vector<double> moved;
   for (const std::size_t row : group.rows) {
-    const StayRecord* stay = stays[row];
+    const PersistentBlockRecord* stay = stays[row];
     if (!stay) continue;
     ++runs;
     known &= comparison.results[comparison.rows[row].file].has_contacts();
@@ -59,18 +59,18 @@ std::vector<std::string> cells_of(const Comparison& comparison, const Group& gro
 
 }  // namespace
 
-std::string stay_section(const Comparison& comparison) {
-  const std::vector<const StayRecord*> stays = stays_of_rows(comparison);
+std::string format_persistent_blocks_section(const Comparison& comparison) {
+  const std::vector<const PersistentBlockRecord*> stays = stays_of_rows(comparison);
   HtmlTable table({"class", "runs", "hit others", "others hit, mean", "moved on later",
                    "moved on, median, m", "moved on, max, m", "removed"},
                   1);
   bool any = false;
   for (const GroupKind kind : {GroupKind::kGarcia, GroupKind::kSneedFolk, GroupKind::kAll}) {
-    for (const std::size_t g : groups_of(comparison, kind)) {
+    for (const std::size_t g : select_groups(comparison, kind)) {
       std::vector<std::string> cells = cells_of(comparison, comparison.groups[g], stays);
       if (cells.empty()) continue;
       any = true;
-      cells.insert(cells.begin(), short_name(comparison.groups[g]));
+      cells.insert(cells.begin(), short_group_name(comparison.groups[g]));
       table.row(std::move(cells));
     }
   }

@@ -86,7 +86,7 @@ std::string facts(const Block& block, const std::string& scale) {
 }
 
 std::string notes(const Block& block) {
-  if (!block.warnings.empty()) return note_box("Notes", block.warnings);
+  if (!block.warnings.empty()) return format_note_box("Notes", block.warnings);
   return "<div class=\"fine\">The scan was closed and sound; nothing was repaired.</div>\n";
 }
 
@@ -96,7 +96,7 @@ std::string certificate(const Block& block, const FieldBlock& found) {
   const std::string unit = is_unscaled(block) ? " units" : " m";
   std::string html;
   if (d.hausdorff > 0.0) {
-    html += deviation_map(skin_mesh(block.body, kSkinSegments), found.scan.mesh, d.hausdorff,
+    html += draw_deviation_map(skin_mesh(block.body, kSkinSegments), found.scan.mesh, d.hausdorff,
                           !is_unscaled(block));
   }
   html += "<dl class=\"facts\">";
@@ -155,19 +155,19 @@ std::string provenance(const Block& block) {
 }
 
 /// The surface as it was read beside what it became, what was repaired, and the photographs.
-std::string scan_sections(const Block& block, const PagedScan& scan) {
+std::string scan_sections(const Block& block, const ScanOfBlock& scan) {
   if (scan.found == nullptr) return {};
   const std::string unit = is_unscaled(block) ? "u" : "m";
   const RepairReport& report = scan.found->scan.report;
   ScanOptions options = scan.options;
   options.up = scan.up;
   std::string html =
-      before_and_after(*scan.raw, options, *scan.found, repair_marks(report), !is_unscaled(block));
+      draw_before_and_after(*scan.raw, options, *scan.found, find_repair_marks(report), !is_unscaled(block));
   html +=
-      repair_section(report, scan.raw->triangles.empty(), scan.found->underside.has_value(), unit);
-  if (scan.found->underside) html += underside_section(*scan.found->underside, unit);
+      format_repair_section(report, scan.raw->triangles.empty(), scan.found->underside.has_value(), unit);
+  if (scan.found->underside) html += format_underside_section(*scan.found->underside, unit);
   if (scan.photos != nullptr) {
-    html += photo_section(
+    html += format_photo_section(
         *scan.photos,
         scan.evidence ? *scan.evidence : photo_evidence(*scan.photos, *scan.found, scan.up),
         scan.found->scan.mesh);
@@ -177,20 +177,20 @@ std::string scan_sections(const Block& block, const PagedScan& scan) {
 
 }  // namespace
 
-std::string block_page(const Block& block, const PagedScan& scan) {
-  std::string body = "<h1>Block " + escaped(block.id) + "</h1>\n<p class=\"lead\">from the scan " +
-                     escaped(block.source.file) + "</p>\n";
+std::string make_block_page(const Block& block, const ScanOfBlock& scan) {
+  std::string body = "<h1>Block " + escape_html(block.id) + "</h1>\n<p class=\"lead\">from the scan " +
+                     escape_html(block.source.file) + "</p>\n";
   if (is_unscaled(block)) {
-    body += note_box(
+    body += format_note_box(
         "Unscaled",
         {unscaled_reason() + ". u is a unit of that model; where notes say m they mean it too"});
   }
   body += facts(block, scan.photos ? "by " + scan.photos->scale_source : scan.scale);
-  body += notes(block) + turntable_section(block) + scan_sections(block, scan);
+  body += notes(block) + format_turntable_section(block) + scan_sections(block, scan);
   if (scan.found != nullptr && !block.from_core) body += certificate(block, *scan.found);
   body += mass_check(block, scan.density_given) + provenance(block);
-  body += "<footer>clast " + escaped(version()) + "</footer>\n";
-  return scan_page("Block " + block.id, body);
+  body += "<footer>clast " + escape_html(version()) + "</footer>\n";
+  return make_scan_page("Block " + block.id, body);
 }
 
 }  // namespace clast

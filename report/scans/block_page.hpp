@@ -10,7 +10,7 @@ namespace clast {
 
 /// What a page of a block is written from. Without a scan (a shape that was read from a .shp file)
 /// it has no pictures of one.
-struct PagedScan {
+struct ScanOfBlock {
   const TriangleMesh* raw = nullptr;  ///< as read, in the file's units and axes
   const FieldBlock* found = nullptr;
   ScanOptions options = {};    ///< with which it was read
@@ -22,6 +22,6 @@ struct PagedScan {
 };
 
 /// The page of a block, complete in itself.
-std::string block_page(const Block& block, const PagedScan& scan);
+std::string make_block_page(const Block& block, const ScanOfBlock& scan);
 
 }  // namespace clast

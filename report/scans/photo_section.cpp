@@ -81,13 +81,13 @@ std::string state_of(const CameraSeat& seat) {
 }
 
 std::string mark(const Vec2& at, const CameraSeat& seat) {
-  const std::string title = "<title>" + escaped(seat.name + ": " + state_of(seat)) + "</title>";
+  const std::string title = "<title>" + escape_html(seat.name + ": " + state_of(seat)) + "</title>";
   const std::string place = "cx=\"" + fixed(at.x(), 1) + "\" cy=\"" + fixed(at.y(), 1) + "\"";
   if (seat.blurred) {
     return "<g class=\"seat blurred\" stroke=\"" + std::string(kOrange) +
            "\" stroke-width=\"2.5\">" + title +
-           svg_line(at.x() - 5, at.y() - 5, at.x() + 5, at.y() + 5, "") +
-           svg_line(at.x() - 5, at.y() + 5, at.x() + 5, at.y() - 5, "") + "</g>";
+           format_svg_line(at.x() - 5, at.y() - 5, at.x() + 5, at.y() + 5, "") +
+           format_svg_line(at.x() - 5, at.y() + 5, at.x() + 5, at.y() - 5, "") + "</g>";
   }
   const bool used = seat.pairs > 0;
   return "<circle class=\"seat " + std::string(used ? "compared" : "alone") + "\" " + place +
@@ -103,7 +103,7 @@ std::string ring_plan(const PhotoEvidence& evidence, const TriangleMesh& surface
   for (const CameraSeat& seat : evidence.ring.seats) reach = std::max(reach, flat(seat));
   if (reach <= 0.0) return "";
   const Plan plan{(0.5 * std::min(kPhotoPlanWidth, kPhotoPlanHeight) - kMargin) / reach};
-  std::string svg = svg_open(kPhotoPlanWidth, kPhotoPlanHeight, "cameras from above");
+  std::string svg = open_svg(kPhotoPlanWidth, kPhotoPlanHeight, "cameras from above");
   for (const RingGap& gap : evidence.ring.gaps) svg += wedge(plan, gap, reach);
   svg += outline(plan, surface, middle);
   for (const CameraSeat& seat : evidence.ring.seats) {
@@ -111,7 +111,7 @@ std::string ring_plan(const PhotoEvidence& evidence, const TriangleMesh& surface
   }
   const char* const axis = "stroke=\"#1d2733\" stroke-width=\"1.4\"";
   const double x = 22.0, y = kPhotoPlanHeight - 22.0;
-  svg += svg_line(x, y, x + 34, y, axis) + svg_line(x, y, x, y - 34, axis) +
+  svg += format_svg_line(x, y, x + 34, y, axis) + format_svg_line(x, y, x, y - 34, axis) +
          svg_text(x + 38, y + 5, "x", "font-size=\"13\"") +
          svg_text(x - 3, y - 39, "y", "font-size=\"13\"");
   return figure(
@@ -152,7 +152,7 @@ std::string coverage_map(const PhotoEvidence& evidence, const TriangleMesh& surf
   };
   std::string html = painted_views(
       surface, colour, "The closed scan by how many compared photos see each part.", metric);
-  std::string key = svg_open(560, 26, "colours of numbers of photos");
+  std::string key = open_svg(560, 26, "colours of numbers of photos");
   double x = 4.0;
   for (const ViewColour& one : kViewColours) {
     const auto& [r, g, b] = one.colour;
@@ -203,7 +203,7 @@ std::string scale_table(const PhotoScale& scale) {
              (*scale.side_check > 0.0 ? "longer" : "shorter") + " than stated.";
   }
   return table.html() + paragraph(words) +
-         (scale.notes.empty() ? "" : note_box("About the scale", scale.notes));
+         (scale.notes.empty() ? "" : format_note_box("About the scale", scale.notes));
 }
 
 std::string scale_part(const PhotoScan& scan, const PhotoEvidence& evidence,
@@ -230,7 +230,7 @@ std::string scale_part(const PhotoScan& scan, const PhotoEvidence& evidence,
 
 }  // namespace
 
-std::string photo_section(const PhotoScan& scan, const PhotoEvidence& evidence,
+std::string format_photo_section(const PhotoScan& scan, const PhotoEvidence& evidence,
                           const TriangleMesh& surface) {
   const CameraRing& ring = evidence.ring;
   const std::string unit = scan.metric ? "m" : "units";
@@ -257,7 +257,7 @@ std::string photo_section(const PhotoScan& scan, const PhotoEvidence& evidence,
                                scan.model.source + "; " + std::to_string(compared) +
                                " compared, in " + counted(scan.cloud.pairs.size(), "pair") +
                                ", which gave " + counted(scan.cloud.points.size(), "point") + ".");
-  if (!notes.empty()) html += note_box("Photos", notes);
+  if (!notes.empty()) html += format_note_box("Photos", notes);
   html += "<div class=\"plan\">" + ring_plan(evidence, surface, ring.middle) + "</div>\n" +
           photo_table(ring, unit) + "<h3>What was seen</h3>\n" +
           coverage_map(evidence, surface, scan.metric) + scale_part(scan, evidence, unit);

@@ -8,7 +8,7 @@ namespace clast {
 
 /// Section "Photographs" of a block's page: who stood where, what was seen how often, what the
 /// scale rests on, which photos were left out.
-std::string photo_section(const PhotoScan& scan, const PhotoEvidence& evidence,
+std::string format_photo_section(const PhotoScan& scan, const PhotoEvidence& evidence,
                           const TriangleMesh& surface);
 
 }  // namespace clast

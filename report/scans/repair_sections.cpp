@@ -27,7 +27,7 @@ std::string closing(const FilledHole& hole) {
 
 }  // namespace
 
-std::string repair_section(const RepairReport& report, bool cloud, bool open_side,
+std::string format_repair_section(const RepairReport& report, bool cloud, bool open_side,
                            const std::string& unit) {
   std::string html = paragraph(
       (!cloud       ? "As read and welded: "
@@ -74,8 +74,8 @@ std::string repair_section(const RepairReport& report, bool cloud, bool open_sid
   return section("Defects found and repaired", html);
 }
 
-std::vector<PlaceMark> repair_marks(const RepairReport& report) {
-  std::vector<PlaceMark> marks;
+std::vector<PositionMark> find_repair_marks(const RepairReport& report) {
+  std::vector<PositionMark> marks;
   std::size_t number = 0;
   for (const Defect& defect : report.defects) {
     ++number;
@@ -90,7 +90,7 @@ std::vector<PlaceMark> repair_marks(const RepairReport& report) {
   return marks;
 }
 
-std::string underside_section(const Underside& side, const std::string& unit) {
+std::string format_underside_section(const Underside& side, const std::string& unit) {
   HtmlTable table({"shape", "how", "volume " + unit + "3", "against best"}, 2);
   const auto row = [&](const char* name, const char* how, double volume) {
     const double change = volume / side.best_volume - 1.0;

@@ -5,7 +5,7 @@
 
 namespace clast::report_detail {
 
-std::string scan_page(std::string_view title, std::string_view body) {
+std::string make_scan_page(std::string_view title, std::string_view body) {
   const std::string style = std::string(assets::scans_css) + std::string(assets::turntable_css);
   return page(title, body, {.style = style});
 }

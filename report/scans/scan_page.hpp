@@ -6,6 +6,6 @@
 namespace clast::report_detail {
 
 /// `page` with the style of pictures side by side and of turntables.
-std::string scan_page(std::string_view title, std::string_view body);
+std::string make_scan_page(std::string_view title, std::string_view body);
 
 }  // namespace clast::report_detail

@@ -37,7 +37,7 @@ struct Side {
 };
 
 const std::array<Side, 3>& sides() {
-  static const std::array<Side, 3> all = {{{"from the front (-y), above", front_above()},
+  static const std::array<Side, 3> all = {{{"from the front (-y), above", default_view_direction()},
                                            {"from behind (+y), above", {-0.55, 1.0, 0.55}},
                                            {"from below", {0.45, -0.8, -1.1}}}};
   return all;
@@ -46,8 +46,8 @@ const std::array<Side, 3>& sides() {
 using Cameras = std::array<Camera, 3>;
 
 Cameras cameras_on(std::span<const Vec3> points) {
-  Cameras cameras = {camera_toward(sides()[0].toward), camera_toward(sides()[1].toward),
-                     camera_toward(sides()[2].toward)};
+  Cameras cameras = {make_camera(sides()[0].toward), make_camera(sides()[1].toward),
+                     make_camera(sides()[2].toward)};
   frame(cameras, points, kViewWidth, kViewHeight);
   return cameras;
 }
@@ -64,23 +64,23 @@ std::string scale_bar(const Camera& camera, bool metric) {
   const double length = round_down_to_nice(kLongestBar * camera.width * camera.pixel);
   const double left = 14.0, y = camera.height - 14.0, right = left + length / camera.pixel;
   const char* const stroke = "stroke=\"#1d2733\" stroke-width=\"2\"";
-  return svg_line(left, y, right, y, stroke) + svg_line(left, y - 5, left, y + 5, stroke) +
-         svg_line(right, y - 5, right, y + 5, stroke) +
+  return format_svg_line(left, y, right, y, stroke) + format_svg_line(left, y - 5, left, y + 5, stroke) +
+         format_svg_line(right, y - 5, right, y + 5, stroke) +
          svg_text(left + 5, y - 8, length_text(length, metric),
                   "font-size=\"15\" fill=\"#1d2733\" stroke=\"#fff\" stroke-width=\"3\" "
                   "paint-order=\"stroke\"");
 }
 
 /// One view with its name, scale bar and marks.
-std::string view(const Canvas& canvas, const std::string& name, const std::vector<PlaceMark>& marks,
+std::string view(const Canvas& canvas, const std::string& name, const std::vector<PositionMark>& marks,
                  bool metric) {
   const Camera& camera = canvas.camera();
   const std::string size = "width=\"" + std::to_string(camera.width) + "\" height=\"" +
                            std::to_string(camera.height) + "\"";
-  std::string svg = svg_open(camera.width, camera.height, name);
+  std::string svg = open_svg(camera.width, camera.height, name);
   svg += "<image " + size + " href=\"" +
          png_link(rgb_png(camera.width, camera.height, canvas.picture())) + "\"/>";
-  for (const PlaceMark& mark : marks) {
+  for (const PositionMark& mark : marks) {
     if (!canvas.sees(mark.place)) continue;
     const Vec3 at = camera.seen(mark.place);
     svg += "<circle cx=\"" + fixed(at.x(), 1) + "\" cy=\"" + fixed(at.y(), 1) +
@@ -99,14 +99,14 @@ std::string view(const Canvas& canvas, const std::string& name, const std::vecto
 
 template <class Draw>
 std::string three_views(const Cameras& cameras, const Draw& draw, const std::string& caption,
-                        bool metric, const std::vector<PlaceMark>& marks = {}) {
+                        bool metric, const std::vector<PositionMark>& marks = {}) {
   std::string html = "<figure><div class=\"views\">";
   for (std::size_t i = 0; i < cameras.size(); ++i) {
     Canvas canvas(cameras[i]);
     draw(canvas);
     html += "<div>" + view(canvas, sides()[i].name, marks, metric) + "</div>";
   }
-  return html + "</div><figcaption>" + escaped(caption) + "</figcaption></figure>\n";
+  return html + "</div><figcaption>" + escape_html(caption) + "</figcaption></figure>\n";
 }
 
 std::vector<std::array<Vec3, 2>> border_of(const TriangleMesh& mesh) {
@@ -187,9 +187,9 @@ class Invented {
 std::string colour_bar(double reach, bool metric) {
   constexpr int kPieces = 64;
   constexpr double kLeft = 40.0, kLength = 360.0, kThick = 14.0;
-  std::string svg = svg_open(440, 44, "colours of distances");
+  std::string svg = open_svg(440, 44, "colours of distances");
   for (int i = 0; i < kPieces; ++i) {
-    const std::string colour = colour_text(deviation_colour(2.0 * (i + 0.5) / kPieces - 1.0));
+    const std::string colour = format_colour(deviation_colour(2.0 * (i + 0.5) / kPieces - 1.0));
     svg += "<rect x=\"" + fixed(kLeft + i * kLength / kPieces, 2) + "\" y=\"2\" width=\"" +
            fixed(kLength / kPieces + 0.3, 2) + "\" height=\"" + fixed(kThick, 0) + "\" fill=\"" +
            colour + "\"/>";
@@ -199,7 +199,7 @@ std::string colour_bar(double reach, bool metric) {
     std::string text = share == 0.0 ? "0" : length_text(std::abs(share) * reach, metric);
     if (share < 0.0) text = "\xE2\x88\x92" + text;
     svg +=
-        svg_line(x, 2 + kThick, x, 6 + kThick, "stroke=\"#5b6775\"") +
+        format_svg_line(x, 2 + kThick, x, 6 + kThick, "stroke=\"#5b6775\"") +
         svg_text(x, 20 + kThick, text, "font-size=\"12\" text-anchor=\"middle\" fill=\"#33404d\"");
   }
   return "<div class=\"colours\">" + svg + "</svg></div>\n";
@@ -207,8 +207,8 @@ std::string colour_bar(double reach, bool metric) {
 
 }  // namespace
 
-std::string before_and_after(const TriangleMesh& raw, const ScanOptions& options,
-                             const FieldBlock& block, const std::vector<PlaceMark>& marks,
+std::string draw_before_and_after(const TriangleMesh& raw, const ScanOptions& options,
+                             const FieldBlock& block, const std::vector<PositionMark>& marks,
                              bool metric) {
   const auto to_block = [&](Vec3 p) -> Vec3 {
     p *= options.unit;
@@ -217,8 +217,8 @@ std::string before_and_after(const TriangleMesh& raw, const ScanOptions& options
   };
   TriangleMesh read = raw;
   for (Vec3& v : read.vertices) v = to_block(v);
-  std::vector<PlaceMark> placed = marks;
-  for (PlaceMark& mark : placed) mark.place = to_block(mark.place);
+  std::vector<PositionMark> placed = marks;
+  for (PositionMark& mark : placed) mark.place = to_block(mark.place);
   const bool cloud = read.triangles.empty();
   if (!cloud) read = welded(read, options.repair.weld_tolerance * bounds(read).diagonal());
 
@@ -258,7 +258,7 @@ std::string before_and_after(const TriangleMesh& raw, const ScanOptions& options
   return section("Before and after", html);
 }
 
-std::string deviation_map(const TriangleMesh& skin, const TriangleMesh& scan, double reach,
+std::string draw_deviation_map(const TriangleMesh& skin, const TriangleMesh& scan, double reach,
                           bool metric) {
   const TriangleTree tree(scan);
   std::uint32_t hint = 0;

@@ -11,7 +11,7 @@
 namespace clast::report_detail {
 
 /// A number at a place of the scan, in the coordinates of its file.
-struct PlaceMark {
+struct PositionMark {
   std::string label;
   Vec3 place = Vec3::Zero();
 };
@@ -20,15 +20,15 @@ struct PlaceMark {
 /// of holes and what was filled in stand out, `marks` are numbered.
 /// @param raw      as read
 /// @param options  with which it was read
-std::string before_and_after(const TriangleMesh& raw, const ScanOptions& options,
-                             const FieldBlock& block, const std::vector<PlaceMark>& marks,
+std::string draw_before_and_after(const TriangleMesh& raw, const ScanOptions& options,
+                             const FieldBlock& block, const std::vector<PositionMark>& marks,
                              bool metric = true);
 
 /// The block's surface coloured by its distance from the scan, with a colour bar, as a figure.
 /// @param skin   surface of the block
 /// @param scan   closed; in the same frame
 /// @param reach  distance of the darkest colours, m
-std::string deviation_map(const TriangleMesh& skin, const TriangleMesh& scan, double reach,
+std::string draw_deviation_map(const TriangleMesh& skin, const TriangleMesh& scan, double reach,
                           bool metric = true);
 
 /// A surface from three sides as a figure, each triangle in its colour.

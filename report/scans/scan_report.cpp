@@ -70,8 +70,8 @@ ScanReport::ScanReport(fs::path folder, bool replace) : impl_(std::make_unique<I
 
 ScanReport::~ScanReport() = default;
 
-void ScanReport::prepare(const Block& block, const PagedScan& scan) {
-  std::string page = block_page(block, scan);
+void ScanReport::prepare(const Block& block, const ScanOfBlock& scan) {
+  std::string page = make_block_page(block, scan);
   const std::lock_guard lock(impl_->mutex);
   impl_->pages[block.id] = std::move(page);
 }
@@ -101,9 +101,9 @@ void ScanReport::Impl::add_page_row(const Block& block) {
   const std::optional<VolumeBracket>& unseen = block.unseen;
   const bool metric = !is_unscaled(block);
   const std::string u = metric ? "" : " u";
-  std::string name = escaped(block.id);
+  std::string name = escape_html(block.id);
   if (fs::exists(page_of(block))) {
-    name = "<a href=\"" + link_to("blocks/" + block.id + ".html") + "\">" + name + "</a>";
+    name = "<a href=\"" + format_link_target("blocks/" + block.id + ".html") + "\">" + name + "</a>";
   }
   const auto cubed = [&](double volume) { return significant(volume, 4) + (metric ? "" : " u3"); };
   std::string volume = cubed(block.mass.volume);
@@ -111,9 +111,9 @@ void ScanReport::Impl::add_page_row(const Block& block) {
     volume += "<div class=\"range\">" + cubed(unseen->lower_volume) + " to " +
               (unseen->upper_volume ? cubed(*unseen->upper_volume) : "not known") + "</div>";
   }
-  blocks.html_row({name + "<div class=\"file\">" + escaped(block.source.file) + "</div>",
+  blocks.html_row({name + "<div class=\"file\">" + escape_html(block.source.file) + "</div>",
                    thumbnail(block.surface, block.id),
-                   escaped(garcia_class(axes) + ", " + sneed_folk_class(axes)),
+                   escape_html(garcia_class(axes) + ", " + sneed_folk_class(axes)),
                    metric ? significant(block.mass.mass, 4) : "-", significant(axes.L, 3) + u,
                    significant(axes.I, 3) + u, significant(axes.S, 3) + u,
                    significant(elongation_s_c(axes), 3), volume,
@@ -181,11 +181,11 @@ void ScanReport::finish() {
                               "u are in units of an unscaled model.") +
                         impl_->blocks.html());
   }
-  body += "<footer>clast " + escaped(version()) +
+  body += "<footer>clast " + escape_html(version()) +
           "; the same as a table: <a href=\"summary.csv\">summary.csv</a></footer>\n";
   write_output(impl_->folder / "summary.csv", impl_->csv.take(),
                {.kind = "text", .replace = impl_->replace});
-  write_output(impl_->folder / "index.html", scan_page("Blocks from scans", body),
+  write_output(impl_->folder / "index.html", make_scan_page("Blocks from scans", body),
                {.kind = kPageKind, .replace = impl_->replace});
 }
 

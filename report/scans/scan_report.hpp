@@ -18,7 +18,7 @@ class ScanReport {
   ~ScanReport();
 
   /// Makes the page of a block while what it was made from is in memory; several threads at once.
-  void prepare(const Block& block, const PagedScan& scan);
+  void prepare(const Block& block, const ScanOfBlock& scan);
   /// Writes the page of a block that was prepared, and adds the block to the summary.
   /// @throws InputError  the page can't be written
   void add(const Block& block);

@@ -128,7 +128,7 @@ struct SceneRuns {
   double duration = 0.0;      ///< s, of the longest
 };
 
-SceneRuns scene_runs(const Comparison& comparison, const StoredRuns& all, const Bodies& bodies,
+SceneRuns scene_runs(const Comparison& comparison, const DrawnRuns& all, const Bodies& bodies,
                      const Vec3& origin, std::size_t most_frames) {
   SceneRuns scene;
   const std::size_t every = (all.frames + most_frames - 1) / most_frames;
@@ -159,7 +159,7 @@ SceneRuns scene_runs(const Comparison& comparison, const StoredRuns& all, const 
 Json tints_json(const std::vector<std::string>& zone_names) {
   Json tints = Json::array();
   for (std::size_t zone = 0; zone < std::max<std::size_t>(zone_names.size(), 1); ++zone) {
-    tints.push_back(colour_text(zone_tint(zone < zone_names.size() ? zone_names[zone] : "", zone)));
+    tints.push_back(format_colour(zone_tint(zone < zone_names.size() ? zone_names[zone] : "", zone)));
   }
   return tints;
 }
@@ -188,7 +188,7 @@ SceneData scene_data(const Comparison& comparison, const SceneLimits& limits) {
   limits.check();
   const Vec3 origin = scene_origin(comparison);
   const CampaignResults& first = comparison.results.front();
-  const StoredRuns all = stored_runs(comparison);
+  const DrawnRuns all = runs_with_trajectory(comparison);
   SceneData scene;
   scene.runs = all.rows.size();
   if (all.rows.empty()) return scene;

@@ -17,9 +17,9 @@ std::string scene_view(const Comparison& comparison) {
   for (const RunRow& row : comparison.rows) classes.insert(row.block->garcia);
   std::string boxes;
   for (const std::string& name : classes) {
-    boxes += "<label><input type=\"checkbox\" checked data-group=\"" + escaped(name) +
+    boxes += "<label><input type=\"checkbox\" checked data-group=\"" + escape_html(name) +
              "\"><span style=\"color:" + class_colour(name) + "\">\xE2\x97\x8F</span> " +
-             escaped(name) + "</label>\n";
+             escape_html(name) + "</label>\n";
   }
   return fill(assets::scene_html, {{"classes", boxes}});
 }
@@ -28,7 +28,7 @@ std::string scene_view(const Comparison& comparison) {
 
 std::string scene_section(const Comparison& comparison, const SceneLimits& limits) {
   const std::string title = "3-D view";
-  if (!three_is_installed()) return section(title, paragraph(no_three_text("compare again")));
+  if (!three_is_installed()) return section(title, paragraph(explain_missing_three("compare again")));
   const SceneData data = scene_data(comparison, limits);
   if (data.runs_drawn == 0) {
     return section(title, paragraph("The results hold no trajectories: set [run] "
@@ -45,8 +45,8 @@ std::string scene_section(const Comparison& comparison, const SceneLimits& limit
              paragraph("Drag to turn, use the wheel to come closer, drag with the right button to "
                        "move. " +
                        drawn + " Between stored states positions are interpolated.") +
-                 scene_view(comparison) + packed_element("scene-data", data.json)) +
-         three_scripts() + script_element(assets::scene_js);
+                 scene_view(comparison) + format_packed_element("scene-data", data.json)) +
+         three_scripts() + format_script_element(assets::scene_js);
 }
 
 }  // namespace clast::report_detail

@@ -4,8 +4,8 @@
 
 namespace clast::report_detail {
 
-StoredRuns stored_runs(const Comparison& comparison) {
-  StoredRuns stored;
+DrawnRuns runs_with_trajectory(const Comparison& comparison) {
+  DrawnRuns stored;
   for (const CampaignResults& results : comparison.results) {
     std::error_code code;
     stored.files.emplace_back();

@@ -9,7 +9,7 @@
 namespace clast::report_detail {
 
 /// The runs whose motion is stored. Files are open as long as this lives.
-struct StoredRuns {
+struct DrawnRuns {
   std::vector<std::size_t> rows;                     ///< of the comparison
   std::size_t frames = 0;                            ///< of all of them together
   std::vector<std::optional<TrajectoryFile>> files;  ///< one for each results file; none: gone
@@ -18,6 +18,6 @@ struct StoredRuns {
 };
 
 /// @throws InputError  a results file can't be read any more
-StoredRuns stored_runs(const Comparison& comparison);
+DrawnRuns runs_with_trajectory(const Comparison& comparison);
 
 }  // namespace clast::report_detail

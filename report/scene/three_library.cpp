@@ -6,12 +6,12 @@
 namespace clast::report_detail {
 namespace {
 
-std::filesystem::path core() { return three_folder() / "three.min.js"; }
-std::filesystem::path orbit() { return three_folder() / "examples/js/controls/OrbitControls.js"; }
+std::filesystem::path core() { return find_three_folder() / "three.min.js"; }
+std::filesystem::path orbit() { return find_three_folder() / "examples/js/controls/OrbitControls.js"; }
 
 }  // namespace
 
-std::filesystem::path three_folder() { return installed_folder("CLAST_THREE", CLAST_THREE_FOLDER); }
+std::filesystem::path find_three_folder() { return installed_folder("CLAST_THREE", CLAST_THREE_FOLDER); }
 
 bool three_is_installed() {
   std::error_code code;
@@ -19,12 +19,12 @@ bool three_is_installed() {
 }
 
 std::string three_scripts() {
-  return packed_element("three-code", read_text_file(core())) +
-         packed_element("orbit-code", read_text_file(orbit()));
+  return format_packed_element("three-code", read_text_file(core())) +
+         format_packed_element("orbit-code", read_text_file(orbit()));
 }
 
-std::string no_three_text(const std::string& again) {
-  return "The 3-D view was left out: three.js is not in " + three_folder().string() +
+std::string explain_missing_three(const std::string& again) {
+  return "The 3-D view was left out: three.js is not in " + find_three_folder().string() +
          ". Install it (on Debian: apt install libjs-three), or name its folder in CLAST_THREE, "
          "and " +
          again + ".";

@@ -14,16 +14,16 @@
 namespace clast::report_detail {
 
 /// Columns that map layers have too.
-const TableColumns<BarrierGroup>& barrier_columns();
-const TableColumns<ComparisonRow<CrossingRow>>& crossing_columns();
+const TableColumns<BarrierGroupStatistics>& barrier_table_columns();
+const TableColumns<ComparisonRow<BarrierCrossing>>& crossing_columns();
 
 /// Parts of `comparison_tables`.
-std::vector<ComparisonTable> run_tables();
-std::vector<ComparisonTable> group_tables();
-std::vector<ComparisonTable> effect_tables();
-std::vector<ComparisonTable> passage_tables();
-std::vector<ComparisonTable> deposit_tables();
-std::vector<ComparisonTable> energy_tables();
+std::vector<ComparisonTable> make_run_tables();
+std::vector<ComparisonTable> make_group_tables();
+std::vector<ComparisonTable> make_effect_tables();
+std::vector<ComparisonTable> make_crossing_tables();
+std::vector<ComparisonTable> make_deposit_tables();
+std::vector<ComparisonTable> make_energy_tables();
 
 /// Both ends of an interval; not a number without one.
 inline Vec2 bounds_of(const std::optional<Interval>& interval) {
@@ -32,7 +32,7 @@ inline Vec2 bounds_of(const std::optional<Interval>& interval) {
 
 /// The rows of a list in a comparison.
 template <class Item>
-std::vector<ComparisonRow<Item>> rows_of(const Comparison& comparison,
+std::vector<ComparisonRow<Item>> make_comparison_rows(const Comparison& comparison,
                                          const std::vector<Item>& items) {
   std::vector<ComparisonRow<Item>> rows;
   for (const Item& item : items) rows.push_back({comparison, item});
@@ -40,30 +40,30 @@ std::vector<ComparisonRow<Item>> rows_of(const Comparison& comparison,
 }
 
 template <class Row>
-const std::vector<Row>& rows_for(const TableColumns<Row>&, const Comparison&,
+const std::vector<Row>& select_rows(const TableColumns<Row>&, const Comparison&,
                                  const std::vector<Row>& rows) {
   return rows;
 }
 template <class Item>
-std::vector<ComparisonRow<Item>> rows_for(const TableColumns<ComparisonRow<Item>>&,
+std::vector<ComparisonRow<Item>> select_rows(const TableColumns<ComparisonRow<Item>>&,
                                           const Comparison& comparison,
                                           const std::vector<Item>& items) {
-  return rows_of(comparison, items);
+  return make_comparison_rows(comparison, items);
 }
 
 /// @param columns  live as long as the table
 /// @param items    one for each row: a function or a member of the analyses, or else of the
 ///                 comparison
 template <class Row, class Items>
-ComparisonTable table_of(const std::string& name, const TableColumns<Row>& columns,
+ComparisonTable make_table(const std::string& name, const TableColumns<Row>& columns,
                          const Items& items) {
   const auto filled = [&columns, items](const auto& fill) {
     return [&columns, items, fill](const ComparisonAnalyses& of) {
       if constexpr (std::is_invocable_v<const Items&, const ComparisonAnalyses&>) {
-        return fill(columns, rows_for(columns, of.comparison(), std::invoke(items, of)));
+        return fill(columns, select_rows(columns, of.comparison(), std::invoke(items, of)));
       } else {
         return fill(columns,
-                    rows_for(columns, of.comparison(), std::invoke(items, of.comparison())));
+                    select_rows(columns, of.comparison(), std::invoke(items, of.comparison())));
       }
     };
   };

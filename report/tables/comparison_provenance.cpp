@@ -12,9 +12,9 @@ namespace {
 // Lowest and highest of every quantity over the runs of a block; null where results have none.
 nlohmann::ordered_json stiffness_json(const CampaignResults& results) {
   nlohmann::ordered_json list = nlohmann::ordered_json::array();
-  for (const BlockStiffness& block : stiffness_by_block(results, results.runs)) {
+  for (const BlockStiffness& block : collect_stiffness_by_block(results, results.runs)) {
     nlohmann::ordered_json row = {{"block", block.block}};
-    for (const StiffnessValue& value : block.values) {
+    for (const StiffnessRange& value : block.values) {
       row[value.name] = nullptr;
       if (!value.range.empty()) row[value.name] = {value.range.low, value.range.high};
     }
@@ -25,13 +25,13 @@ nlohmann::ordered_json stiffness_json(const CampaignResults& results) {
 
 }  // namespace
 
-std::string provenance_json(const ComparisonAnalyses& analyses) {
+std::string make_provenance_json(const ComparisonAnalyses& analyses) {
   const Comparison& comparison = analyses.comparison();
   nlohmann::ordered_json json;
   json["program_version"] = version();
   json["downslope"] = {comparison.downslope.x(), comparison.downslope.y()};
   json["downslope_from"] = comparison.downslope_asked ? "campaign" : "mean release-to-stop line";
-  json["answer"] = answer_sentences(comparison, analyses.answer());
+  json["answer"] = describe_key_results(comparison, analyses.answer());
   json["warnings"] = comparison.warnings;
   json["files"] = nlohmann::ordered_json::array();
   for (std::size_t file = 0; file < comparison.results.size(); ++file) {

@@ -7,6 +7,6 @@
 namespace clast {
 
 /// What made the results, as JSON: program versions, campaigns and input files with their hashes.
-std::string provenance_json(const ComparisonAnalyses& analyses);
+std::string make_provenance_json(const ComparisonAnalyses& analyses);
 
 }  // namespace clast

@@ -10,10 +10,10 @@ namespace clast {
 using namespace report_detail;
 namespace {
 
-const TableColumns<RealisationDeposit>& realisation_columns() {
-  using Row = RealisationDeposit;
+const TableColumns<DepositMeasures>& realisation_columns() {
+  using Row = DepositMeasures;
   const auto degrees = [](const Vec3& from, const Vec3& to) {
-    return kDegreesPerRadian * std::atan(drop_ratio(from, to));
+    return kDegreesPerRadian * std::atan(height_length_ratio(from, to));
   };
   static const auto columns = joined<Row>(
       {{{"realisation", "", "from 1", [](const Row& row) { return row.realisation + 1; }},
@@ -48,8 +48,8 @@ const TableColumns<RealisationDeposit>& realisation_columns() {
   return columns;
 }
 
-const TableColumns<FigureOfFile>& realisation_figure_columns() {
-  using Row = FigureOfFile;
+const TableColumns<DepositQuantitySummary>& realisation_figure_columns() {
+  using Row = DepositQuantitySummary;
   const char* unit = "as `figure`";
   const char* interval =
       "95 % confidence interval of the mean; empty below two realisations or where they are equal";
@@ -64,7 +64,7 @@ const TableColumns<FigureOfFile>& realisation_figure_columns() {
        "over area), `thickness_m`; `largest_kinetic_j` of all blocks together, and "
        "the shares of what contacts dissipated: `dissipated_by_friction`, "
        "`dissipated_by_rolling`, `dissipated_between_blocks`",
-       [](const Row& row) { return realisation_figures()[row.figure].name; }},
+       [](const Row& row) { return deposit_quantities()[row.figure].name; }},
       {"realisations", "", "that have the figure",
        [](const Row& row) { return row.summary.count; }},
       {"mean", unit, "over realisations", [](const Row& row) { return row.summary.mean; }},
@@ -76,8 +76,8 @@ const TableColumns<FigureOfFile>& realisation_figure_columns() {
   return columns;
 }
 
-const TableColumns<FigureDifference>& realisation_difference_columns() {
-  using Row = FigureDifference;
+const TableColumns<DepositQuantityDifference>& realisation_difference_columns() {
+  using Row = DepositQuantityDifference;
   const char* unit = "as `figure`";
   const char* interval =
       "95 % confidence interval of the difference (Welch); empty below two realisations of "
@@ -88,7 +88,7 @@ const TableColumns<FigureDifference>& realisation_difference_columns() {
       {"second", "", "numbers of the results files",
        [](const Row& row) { return row.second.file + 1; }},
       {"figure", "", "as in realisation_figures.csv",
-       [](const Row& row) { return realisation_figures()[row.first.figure].name; }},
+       [](const Row& row) { return deposit_quantities()[row.first.figure].name; }},
       {"first_realisations", "", "of each file that have the figure",
        [](const Row& row) { return row.first.summary.count; }},
       {"second_realisations", "", "of each file that have the figure",
@@ -115,8 +115,8 @@ const TableColumns<FigureDifference>& realisation_difference_columns() {
   return columns;
 }
 
-const TableColumns<Mobility>& mobility_columns() {
-  using Row = Mobility;
+const TableColumns<DepositMobility>& mobility_columns() {
+  using Row = DepositMobility;
   const char* interval =
       "95 % confidence interval of the difference (Welch); empty below two realisations or points";
   static const TableColumns<Row> columns = {
@@ -156,20 +156,20 @@ const TableColumns<Mobility>& mobility_columns() {
 
 }  // namespace
 
-std::vector<ComparisonTable> report_detail::deposit_tables() {
+std::vector<ComparisonTable> report_detail::make_deposit_tables() {
   const auto part = [](auto of, auto member) {
     return [=](const ComparisonAnalyses& analyses) -> const auto& {
       return (analyses.*of)().*member;
     };
   };
   using All = ComparisonAnalyses;
-  return {table_of("realisations", realisation_columns(),
-                   part(&All::deposits, &RealisationDeposits::realisations)),
-          table_of("realisation_figures", realisation_figure_columns(),
-                   part(&All::figures, &FiguresOfFiles::files)),
-          table_of("realisation_differences", realisation_difference_columns(),
-                   part(&All::figures, &FiguresOfFiles::differences)),
-          table_of("mobility", mobility_columns(), &All::mobility)};
+  return {make_table("realisations", realisation_columns(),
+                   part(&All::deposits, &DepositResults::realisations)),
+          make_table("realisation_figures", realisation_figure_columns(),
+                   part(&All::figures, &DepositQuantityComparison::files)),
+          make_table("realisation_differences", realisation_difference_columns(),
+                   part(&All::figures, &DepositQuantityComparison::differences)),
+          make_table("mobility", mobility_columns(), &All::mobility)};
 }
 
 }  // namespace clast

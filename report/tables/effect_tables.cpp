@@ -25,8 +25,8 @@ struct TrendOfFile {
 
 /// An outcome of one form.
 struct ResponseOfForm {
-  const OutcomeOfForms& outcome;
-  const FormOutcome& form;
+  const OutcomeByShape& outcome;
+  const ShapeOutcome& form;
 };
 
 const TableColumns<EffectShare>& effect_columns() {
@@ -170,8 +170,8 @@ const TableColumns<ResponseOfForm>& response_columns() {
 
 std::vector<ResponseOfForm> response_rows(const ComparisonAnalyses& analyses) {
   std::vector<ResponseOfForm> rows;
-  for (const OutcomeOfForms& outcome : analyses.forms()) {
-    for (const FormOutcome& form : outcome.forms) rows.push_back({outcome, form});
+  for (const OutcomeByShape& outcome : analyses.forms()) {
+    for (const ShapeOutcome& form : outcome.forms) rows.push_back({outcome, form});
   }
   return rows;
 }
@@ -186,11 +186,11 @@ std::vector<TrendOfFile> trend_rows(const ComparisonAnalyses& analyses) {
 
 }  // namespace
 
-std::vector<ComparisonTable> report_detail::effect_tables() {
-  return {table_of("ensemble", ensemble_columns(), &ComparisonAnalyses::ensemble),
-          table_of("effects", effect_columns(), effect_rows),
-          table_of("trends", trend_columns(), trend_rows),
-          table_of("responses", response_columns(), response_rows)};
+std::vector<ComparisonTable> report_detail::make_effect_tables() {
+  return {make_table("ensemble", ensemble_columns(), &ComparisonAnalyses::ensemble),
+          make_table("effects", effect_columns(), effect_rows),
+          make_table("trends", trend_columns(), trend_rows),
+          make_table("responses", response_columns(), response_rows)};
 }
 
 }  // namespace clast

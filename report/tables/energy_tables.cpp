@@ -33,7 +33,7 @@ std::vector<EnergyOfFile> energy_rows(const Comparison& comparison) {
   for (std::uint32_t file = 0; file < comparison.results.size(); ++file) {
     const CampaignResults& results = comparison.results[file];
     for (const EnergyRecord& record : results.energies) {
-      rows.push_back({file, record.run / results.runs_together(), record});
+      rows.push_back({file, record.run / results.runs_per_realisation(), record});
     }
   }
   return rows;
@@ -41,8 +41,8 @@ std::vector<EnergyOfFile> energy_rows(const Comparison& comparison) {
 
 }  // namespace
 
-std::vector<ComparisonTable> report_detail::energy_tables() {
-  return {table_of("energies", energy_columns(), energy_rows)};
+std::vector<ComparisonTable> report_detail::make_energy_tables() {
+  return {make_table("energies", energy_columns(), energy_rows)};
 }
 
 }  // namespace clast

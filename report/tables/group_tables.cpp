@@ -15,7 +15,7 @@ namespace {
 /// A group and where its runs came to rest.
 struct GroupDeposit {
   const Group& group;
-  const DepositGroup& deposit;
+  const DepositStatistics& deposit;
 };
 
 /// A ground zone in a ground set of a results file.
@@ -219,14 +219,14 @@ const TableColumns<ComparisonRow<ZoneOfSet>>& ground_set_columns() {
   const auto results = [](const Row& row) -> const CampaignResults& {
     return row.comparison.results[row->file];
   };
-  const auto set = [=](const Row& row) -> const GroundSet& {
+  const auto set = [=](const Row& row) -> const GroundParameterSet& {
     return results(row).ground_sets[row->set];
   };
   const auto ground = [=](const Row& row) -> const GroundParameters& {
     return set(row).zones[row->zone];
   };
   TableColumns<Row> parameters;
-  for (const GroundField& field : ground_fields()) {
+  for (const GroundParameterField& field : ground_fields()) {
     parameters.push_back({field.name, field.unit, field.meaning,
                           [=](const Row& row) { return ground(row).*field.value; }});
   }
@@ -265,8 +265,8 @@ std::vector<ZoneOfSet> ground_set_rows(const Comparison& comparison) {
 
 }  // namespace
 
-const TableColumns<BarrierGroup>& report_detail::barrier_columns() {
-  using Row = BarrierGroup;
+const TableColumns<BarrierGroupStatistics>& report_detail::barrier_table_columns() {
+  using Row = BarrierGroupStatistics;
   const auto statistics = [](const char* name, const char* unit, const char* meaning,
                              Summary Row::*summary) {
     return summary_columns<Row>(kAllStatistics, name, unit, meaning, summary);
@@ -308,16 +308,16 @@ const TableColumns<BarrierGroup>& report_detail::barrier_columns() {
   return columns;
 }
 
-std::vector<ComparisonTable> report_detail::group_tables() {
+std::vector<ComparisonTable> report_detail::make_group_tables() {
   const auto measured_groups = [](const Comparison& comparison) {
     return comparison.measured ? comparison.measured->groups : std::vector<MeasuredGroup>();
   };
-  return {table_of("barriers", barrier_columns(), &Comparison::barriers),
-          table_of("deposits", deposit_columns(), deposit_rows),
-          table_of("ground_sets", ground_set_columns(), ground_set_rows),
-          table_of("differences", difference_columns(), &Comparison::differences),
-          table_of("profiles", profile_columns(), &ComparisonAnalyses::profiles),
-          table_of("measured", measured_columns(), measured_groups)};
+  return {make_table("barriers", barrier_table_columns(), &Comparison::barriers),
+          make_table("deposits", deposit_columns(), deposit_rows),
+          make_table("ground_sets", ground_set_columns(), ground_set_rows),
+          make_table("differences", difference_columns(), &Comparison::differences),
+          make_table("profiles", profile_columns(), &ComparisonAnalyses::profiles),
+          make_table("measured", measured_columns(), measured_groups)};
 }
 
 }  // namespace clast

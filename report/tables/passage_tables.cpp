@@ -8,24 +8,24 @@ namespace {
 
 /// A passage, and all that has passed with it in its realisation.
 struct PassedSoFar {
-  const RealisationPassages& realisation;
-  BlockPassage passage;
+  const RealisationCrossings& realisation;
+  BlockCrossing passage;
   std::uint64_t passed = 0;
   double mass = 0.0;    ///< kg
   double volume = 0.0;  ///< m^3
   double energy = 0.0;  ///< J
 };
 
-double mass_of(const BlockPassage& passage) { return passage.mass; }
-double volume_of(const BlockPassage& passage) { return passage.volume; }
-double energy_of(const BlockPassage& passage) { return passage.energy; }
+double mass_of(const BlockCrossing& passage) { return passage.mass; }
+double volume_of(const BlockCrossing& passage) { return passage.volume; }
+double energy_of(const BlockCrossing& passage) { return passage.energy; }
 
-const TableColumns<ComparisonRow<RealisationPassages>>& passage_columns() {
-  using Row = ComparisonRow<RealisationPassages>;
-  const auto sum = [](double (*value)(const BlockPassage&)) {
+const TableColumns<ComparisonRow<RealisationCrossings>>& passage_columns() {
+  using Row = ComparisonRow<RealisationCrossings>;
+  const auto sum = [](double (*value)(const BlockCrossing&)) {
     return [value](const Row& row) { return row->sum(value); };
   };
-  const auto peak = [](PassagePeak RealisationPassages::*of, double PassagePeak::*part) {
+  const auto peak = [](WindowMaximum RealisationCrossings::*of, double WindowMaximum::*part) {
     return [of, part](const Row& row) { return ((*row).*of).*part; };
   };
   const char* from = "when the first window with so much begins";
@@ -33,7 +33,7 @@ const TableColumns<ComparisonRow<RealisationPassages>>& passage_columns() {
       {"barrier", "", "name; for a ring as in barriers.csv",
        [](const Row& row) { return row.comparison.lines[row->line].name; }},
       {"realisation", "", "from 1", [](const Row& row) { return row->realisation + 1; }},
-      {"blocks", "", "released", &RealisationPassages::blocks},
+      {"blocks", "", "released", &RealisationCrossings::blocks},
       {"passed", "", "of these, blocks that passed; each counts once, at its `counted` crossing",
        [](const Row& row) { return row->passages.size(); }},
       {"mass_kg", "kg", "of the blocks that passed", sum(mass_of)},
@@ -41,26 +41,26 @@ const TableColumns<ComparisonRow<RealisationPassages>>& passage_columns() {
        sum(volume_of)},
       {"energy_j", "J", "kinetic energy, translational and rotational, of all passages",
        sum(energy_of)},
-      {"largest_energy_j", "J", "of a single passage", &RealisationPassages::largest_energy},
+      {"largest_energy_j", "J", "of a single passage", &RealisationCrossings::largest_energy},
       {"first_s", "s", "first and last passage, since the first release of the realisation",
-       &RealisationPassages::first},
+       &RealisationCrossings::first},
       {"last_s", "s", "first and last passage, since the first release of the realisation",
-       &RealisationPassages::last},
+       &RealisationCrossings::last},
       {"duration_s", "s", "from the first to the last passage",
        [](const Row& row) { return row->last() - row->first(); }},
       {"window_s", "s", "what passes within this time counts as together; the most of it follows",
        [](const Row&) { return kPassageWindow; }},
       {"most_blocks", "", "blocks that pass within one window",
-       peak(&RealisationPassages::most_blocks, &PassagePeak::value)},
+       peak(&RealisationCrossings::most_blocks, &WindowMaximum::value)},
       {"most_blocks_from_s", "s", from,
-       peak(&RealisationPassages::most_blocks, &PassagePeak::from)},
+       peak(&RealisationCrossings::most_blocks, &WindowMaximum::from)},
       {"most_mass_kg", "kg", "of the blocks that pass within one window",
-       peak(&RealisationPassages::most_mass, &PassagePeak::value)},
-      {"most_mass_from_s", "s", from, peak(&RealisationPassages::most_mass, &PassagePeak::from)},
+       peak(&RealisationCrossings::most_mass, &WindowMaximum::value)},
+      {"most_mass_from_s", "s", from, peak(&RealisationCrossings::most_mass, &WindowMaximum::from)},
       {"most_energy_j", "J", "kinetic energy of the passages within one window",
-       peak(&RealisationPassages::most_energy, &PassagePeak::value)},
+       peak(&RealisationCrossings::most_energy, &WindowMaximum::value)},
       {"most_energy_from_s", "s", from,
-       peak(&RealisationPassages::most_energy, &PassagePeak::from)},
+       peak(&RealisationCrossings::most_energy, &WindowMaximum::from)},
       {"file", "", "number of the results file", [](const Row& row) { return row->file + 1; }}};
   return columns;
 }
@@ -90,9 +90,9 @@ const TableColumns<ComparisonRow<PassedSoFar>>& passage_curve_columns() {
 
 std::vector<PassedSoFar> passage_curve_rows(const ComparisonAnalyses& analyses) {
   std::vector<PassedSoFar> rows;
-  for (const RealisationPassages& realisation : analyses.passages()) {
+  for (const RealisationCrossings& realisation : analyses.passages()) {
     PassedSoFar sum{realisation, {}};
-    for (const BlockPassage& passage : realisation.passages) {
+    for (const BlockCrossing& passage : realisation.passages) {
       rows.push_back({realisation, passage, sum.passed += 1, sum.mass += passage.mass,
                       sum.volume += passage.volume, sum.energy += passage.energy});
     }
@@ -102,9 +102,9 @@ std::vector<PassedSoFar> passage_curve_rows(const ComparisonAnalyses& analyses) 
 
 }  // namespace
 
-std::vector<ComparisonTable> report_detail::passage_tables() {
-  return {table_of("passages", passage_columns(), &ComparisonAnalyses::passages),
-          table_of("passage_curves", passage_curve_columns(), passage_curve_rows)};
+std::vector<ComparisonTable> report_detail::make_crossing_tables() {
+  return {make_table("passages", passage_columns(), &ComparisonAnalyses::passages),
+          make_table("passage_curves", passage_curve_columns(), passage_curve_rows)};
 }
 
 }  // namespace clast

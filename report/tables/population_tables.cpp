@@ -109,7 +109,7 @@ TableColumns<BlockRow> class_columns(const PopulationOptions& options) {
       {"axis_error_m", "m", "possible error of each axis, as given or assumed",
        [](const Row& row) { return row.block.unscaled ? NAN : row.block.axis_error; }}};
   for (const std::string& scheme : options.chosen_schemes()) {
-    columns.push_back({class_column(scheme), "",
+    columns.push_back({class_column_name(scheme), "",
                        "class by each requested scheme; `shape` is Garcia's `compact` or "
                        "`elongated`",
                        [scheme, limits = options.limits](const Row& row) {
@@ -261,7 +261,7 @@ PopulationTable population_table(const std::string& name,
 
 }  // namespace
 
-std::string class_column(const std::string& scheme) {
+std::string class_column_name(const std::string& scheme) {
   if (scheme == "garcia") return "shape";
   std::string column = scheme;
   std::replace(column.begin(), column.end(), '-', '_');

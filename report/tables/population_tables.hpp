@@ -11,7 +11,7 @@ namespace clast {
 
 /// Column that holds the class of a scheme: "shape" for garcia, as everywhere; else the scheme's
 /// name with _ for -.
-std::string class_column(const std::string& scheme);
+std::string class_column_name(const std::string& scheme);
 
 using PopulationTable = ReportTable<PopulationReport>;
 

@@ -28,7 +28,7 @@ std::vector<std::string> table_names(const std::vector<ReportTable<Source>>& tab
 
 /// @throws InputError  no such table; the message lists them
 template <class Source>
-const ReportTable<Source>& table_named(const std::vector<ReportTable<Source>>& tables,
+const ReportTable<Source>& find_table(const std::vector<ReportTable<Source>>& tables,
                                        const std::string& name) {
   for (const ReportTable<Source>& table : tables) {
     if (table.name == name) return table;

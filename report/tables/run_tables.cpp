@@ -17,7 +17,7 @@ struct RunImpact {
 /// A run whose block stayed among others.
 struct RunStay {
   const RunRow& run;
-  const StayRecord& stay;
+  const PersistentBlockRecord& stay;
 };
 
 /// Columns of runs.csv for rows that belong to a run.
@@ -83,7 +83,7 @@ const TableColumns<ComparisonRow<RunStay>>& stay_columns() {
   using Row = ComparisonRow<RunStay>;
   const auto run = [](const Row& row) -> const RunRow& { return row->run; };
   const auto each = [](const Row& row) -> std::uint64_t {
-    return row.comparison.results[row->run.file].runs_together();
+    return row.comparison.results[row->run.file].runs_per_realisation();
   };
   static const auto columns = joined<Row>(
       {of_run<Row>({"run", "block", "class", "shape"}, run),
@@ -91,11 +91,11 @@ const TableColumns<ComparisonRow<RunStay>>& stay_columns() {
          [=](const Row& row) { return row->stay.run / each(row) + 1; }},
         {"order", "", "of its release in the realisation, from 1",
          [=](const Row& row) { return row->stay.run % each(row) + 1; }}},
-       with_known_cells(
+       blank_unknown_cells(
            columns_of_part<Row>(
                chosen(stored_stay_columns(),
                       {"released_at_s", "raised_m", "moved_later_m", "blocks_hit", "removed_at_s"}),
-               [](const Row& row) -> const StayRecord& { return row->stay; }),
+               [](const Row& row) -> const PersistentBlockRecord& { return row->stay; }),
            [](const Row& row) -> const CampaignResults& {
              return row.comparison.results[row->run.file];
            }),
@@ -113,8 +113,8 @@ std::vector<RunStay> stay_rows(const Comparison& comparison) {
 
 }  // namespace
 
-const TableColumns<ComparisonRow<CrossingRow>>& report_detail::crossing_columns() {
-  using Row = ComparisonRow<CrossingRow>;
+const TableColumns<ComparisonRow<BarrierCrossing>>& report_detail::crossing_columns() {
+  using Row = ComparisonRow<BarrierCrossing>;
   const auto run = [](const Row& row) -> const RunRow& { return row.comparison.rows[row->row]; };
   const auto crossing = [](const Row& row) -> const Crossing& { return *row->crossing; };
   const auto line = [](const Row& row) -> const BarrierLine& {
@@ -137,7 +137,7 @@ const TableColumns<ComparisonRow<CrossingRow>>& report_detail::crossing_columns(
          "entry and for its first exit",
          [](const Row& row) { return std::uint64_t{row->counted ? 1u : 0u}; }}},
        stored({"time_s"}),
-       columns_of_list<Row>({"x_m", "y_m", "z_m"}, "m", "centre of mass", &CrossingRow::position),
+       columns_of_list<Row>({"x_m", "y_m", "z_m"}, "m", "centre of mass", &BarrierCrossing::position),
        stored({"height_m", "clearance_m"}),
        {{"speed_m_s", "m/s", "speed of the centre of mass",
          [=](const Row& row) { return crossing(row).velocity.norm(); }}},
@@ -159,11 +159,11 @@ const TableColumns<ComparisonRow<CrossingRow>>& report_detail::crossing_columns(
   return columns;
 }
 
-std::vector<ComparisonTable> report_detail::run_tables() {
-  return {table_of("runs", run_columns(), &Comparison::rows),
-          table_of("crossings", crossing_columns(), &Comparison::crossings),
-          table_of("impacts", impact_columns(), impact_rows),
-          table_of("stays", stay_columns(), stay_rows)};
+std::vector<ComparisonTable> report_detail::make_run_tables() {
+  return {make_table("runs", run_columns(), &Comparison::rows),
+          make_table("crossings", crossing_columns(), &Comparison::crossings),
+          make_table("impacts", impact_columns(), impact_rows),
+          make_table("stays", stay_columns(), stay_rows)};
 }
 
 }  // namespace clast

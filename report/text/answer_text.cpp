@@ -36,7 +36,7 @@ std::string by_draw(std::size_t draws) { return draws > 0 ? kByDraw : ""; }
 /// What a range covers beyond its numbers: " over draws of the ground parameters, for runs of these
 /// 3 blocks only".
 /// @param named  the sentence names the one block there is
-std::string covered_by(const Statement& statement, bool named) {
+std::string covered_by(const FileSummary& statement, bool named) {
   if (named || statement.samples_blocks) return by_draw(statement.draws);
   return by_draw(statement.draws) + ", for runs of " +
          (statement.blocks == 1 ? "this block" : "these " + counted(statement.blocks, "block")) +
@@ -56,15 +56,15 @@ std::string other_ends(const StopCounts& stops) {
 }
 
 /// "Of the 84 % of runs that came to rest, "; empty where all did.
-std::string at_rest_only(const RunoutAnswer& all) {
+std::string at_rest_only(const RunoutEstimate& all) {
   if (all.at_rest == all.started) return "";
   return "among the " +
-         share_in_words(static_cast<double>(all.at_rest) / static_cast<double>(all.started)) +
+         format_percentage(static_cast<double>(all.at_rest) / static_cast<double>(all.started)) +
          " of runs that came to rest, ";
 }
 
-std::string mean_runout(const Comparison& comparison, const Statement& statement) {
-  const RunoutAnswer& all = statement.all;
+std::string mean_runout(const Comparison& comparison, const FileSummary& statement) {
+  const RunoutEstimate& all = statement.all;
   if (all.at_rest == 0 || 2 * all.at_rest < all.started) {
     const std::string ends = other_ends(statement.stops);
     return (all.at_rest == 0 ? "no run" : "only " + std::to_string(all.at_rest)) + " of " +
@@ -76,46 +76,46 @@ std::string mean_runout(const Comparison& comparison, const Statement& statement
   const int decimals = decimals_of_length(all.mean, all.interval);
   const bool named = who.starts_with("block ");
   const std::string text =
-      at_rest_only(all) + who + (named ? " runs " : " run ") + length_in_words(all.mean, decimals);
+      at_rest_only(all) + who + (named ? " runs " : " run ") + format_length(all.mean, decimals);
   if (!all.stands()) return text + " (" + counted(all.at_rest, "run") + ")";
   return text + " on average" +
-         (all.interval ? " (" + lengths_in_words(*all.interval, decimals) +
+         (all.interval ? " (" + format_length_interval(*all.interval, decimals) +
                              covered_by(statement, named) + ")"
                        : "") +
          (all.at_rest < kFewestForShare
-              ? ", at most " + length_in_words(all.farthest, decimals)
-              : "; 95 % stop before " + length_in_words(all.p95, decimals));
+              ? ", at most " + format_length(all.farthest, decimals)
+              : "; 95 % stop before " + format_length(all.p95, decimals));
 }
 
 /// "; half of both stop within 17 m: the means differ because more compact blocks run on"
-std::string few_run_on(const RunoutAnswer& farther, const RunoutAnswer& nearer,
+std::string few_run_on(const RunoutEstimate& farther, const RunoutEstimate& nearer,
                        const std::string& a, const std::string& b, int decimals) {
-  const std::string first = length_in_words(farther.median, decimals);
-  const std::string second = length_in_words(nearer.median, decimals);
+  const std::string first = format_length(farther.median, decimals);
+  const std::string second = format_length(nearer.median, decimals);
   return (first == second ? "; half of both stop within " + first
                           : "; half of the " + a + " stop within " + first + ", half of the " + b +
                                 " within " + second) +
          ": the means differ because more " + a + " blocks run on";
 }
 
-std::string gap_in_words(const Comparison& comparison, const Statement& statement) {
-  const GapAnswer& gap = *statement.gap;
-  const auto of = [&](std::size_t group) -> const RunoutAnswer& {
+std::string describe_difference(const Comparison& comparison, const FileSummary& statement) {
+  const RunoutContrast& gap = *statement.gap;
+  const auto of = [&](std::size_t group) -> const RunoutEstimate& {
     return statement.classes[statement.classes[0].group == group ? 0 : 1];
   };
-  const RunoutAnswer &farther = of(gap.farther), &nearer = of(gap.nearer);
+  const RunoutEstimate &farther = of(gap.farther), &nearer = of(gap.nearer);
   const std::string &a = comparison.groups[gap.farther].key, &b = comparison.groups[gap.nearer].key;
   const int decimals = decimals_of_length(gap.gap, gap.interval);
-  const std::string interval = gap.interval ? " (" + lengths_in_words(*gap.interval, decimals) +
+  const std::string interval = gap.interval ? " (" + format_length_interval(*gap.interval, decimals) +
                                                   covered_by(statement, false) + ")"
                                             : "";
   const std::string prefix = at_rest_only(statement.all);
   const std::string means = a + " and " + b + " blocks run " +
                             with_decimals(farther.mean, decimals) + " and " +
-                            length_in_words(nearer.mean, decimals) + " on average";
+                            format_length(nearer.mean, decimals) + " on average";
   switch (gap.verdict) {
     case Verdict::kMoreThanChance:
-      return prefix + a + " blocks run " + length_in_words(gap.gap, decimals) + " farther than " +
+      return prefix + a + " blocks run " + format_length(gap.gap, decimals) + " farther than " +
              b + " ones" + (gap.of_few ? " on average" : "") + interval +
              (gap.of_few ? few_run_on(farther, nearer, a, b, decimals) : "");
     case Verdict::kOtherSpread:
@@ -145,19 +145,19 @@ std::string gap_in_words(const Comparison& comparison, const Statement& statemen
          " of " + std::to_string(nearer.started) + " " + b + " blocks came to rest (" + ends + ")";
 }
 
-std::string with_interval(const ShareAnswer& share, std::size_t draws) {
-  return share.interval ? " (" + shares_in_words(*share.interval) + by_draw(draws) + ")" : "";
+std::string with_interval(const CrossingEstimate& share, std::size_t draws) {
+  return share.interval ? " (" + format_percentage_interval(*share.interval) + by_draw(draws) + ")" : "";
 }
 
 /// "34 % of compact and 2 % of elongated blocks pass EC22".
-std::string share_sentence(const Comparison& comparison, const PassageAnswer& passage,
+std::string share_sentence(const Comparison& comparison, const BarrierSummary& passage,
                            std::size_t draws) {
-  const BarrierWords words = words_of(comparison, passage.line);
+  const BarrierText words = barrier_text(comparison, passage.line);
   if (passage.all.crossed == 0) {
     const std::string text =
         "none of " + counted(passage.all.started, "run") + " " + words.pass + "es " + words.name;
     if (!passage.all.interval || draws > 0) return text;
-    return text + " (with more runs, up to " + share_in_words(passage.all.interval->high) +
+    return text + " (with more runs, up to " + format_percentage(passage.all.interval->high) +
            " might)";
   }
   if (passage.all.crossed == passage.all.started) {
@@ -165,23 +165,23 @@ std::string share_sentence(const Comparison& comparison, const PassageAnswer& pa
            with_interval(passage.all, draws);
   }
   if (passage.classes.size() < 2) {
-    return share_in_words(passage.all.share) + " of the blocks " + words.pass + " " + words.name +
+    return format_percentage(passage.all.share) + " of the blocks " + words.pass + " " + words.name +
            with_interval(passage.all, draws);
   }
-  return share_in_words(passage.classes[0].share) + " of " +
+  return format_percentage(passage.classes[0].share) + " of " +
          comparison.groups[passage.classes[0].group].key + " and " +
-         share_in_words(passage.classes[1].share) + " of " +
+         format_percentage(passage.classes[1].share) + " of " +
          comparison.groups[passage.classes[1].group].key + " blocks " + words.pass + " " +
          words.name;
 }
 
 /// ". Of those that pass, 95 % carry less than 43 kJ, and the tops of 95 % stay below 1.6 m".
-std::string strength_of(const PassageAnswer& passage, const std::string& pass) {
+std::string strength_of(const BarrierSummary& passage, const std::string& pass) {
   if (passage.all.crossed == 0) return "";
-  const std::string energy = energy_limit(passage.all.energy) +
-                             in_brackets(range_by_draw(passage.all.energy_range, energy_limit));
-  const std::string height = height_limit(passage.all.top) +
-                             in_brackets(range_by_draw(passage.all.top_range, height_limit));
+  const std::string energy = format_energy_limit(passage.all.energy) +
+                             format_in_brackets(range_by_draw(passage.all.energy_range, format_energy_limit));
+  const std::string height = format_height_limit(passage.all.top) +
+                             format_in_brackets(range_by_draw(passage.all.top_range, format_height_limit));
   if (!passage.all.largest) {
     return ". Of those that " + pass + ", 95 % carry less than " + energy +
            ", and the tops of 95 % stay below " + height;
@@ -192,14 +192,14 @@ std::string strength_of(const PassageAnswer& passage, const std::string& pass) {
                    " and their tops at most " + height + " above the ground";
 }
 
-std::string passages_in_words(const Comparison& comparison, const Statement& statement) {
+std::string passages_in_words(const Comparison& comparison, const FileSummary& statement) {
   if (statement.passages.empty()) return "";
-  const PassageAnswer& first = statement.passages.front();
-  std::string text = capital(share_sentence(comparison, first, statement.draws)) +
-                     strength_of(first, words_of(comparison, first.line).pass) + ".";
+  const BarrierSummary& first = statement.passages.front();
+  std::string text = capitalized(share_sentence(comparison, first, statement.draws)) +
+                     strength_of(first, barrier_text(comparison, first.line).pass) + ".";
   const std::size_t shown = std::min(statement.passages.size() - 1, kMostOthers);
   for (std::size_t i = 1; i <= shown; ++i) {
-    text += " " + capital(share_sentence(comparison, statement.passages[i], statement.draws)) + ".";
+    text += " " + capitalized(share_sentence(comparison, statement.passages[i], statement.draws)) + ".";
   }
   const std::size_t left = statement.passages.size() - 1 - shown;
   if (left > 0) text += " " + counted(left, "more barrier") + " below.";
@@ -207,55 +207,55 @@ std::string passages_in_words(const Comparison& comparison, const Statement& sta
 }
 
 /// What the ground does to the runs of all classes together.
-std::string ground_in_words(const Comparison& comparison, const Statement& statement) {
+std::string ground_in_words(const Comparison& comparison, const FileSummary& statement) {
   if (statement.draws == 0) return "";
   std::string text;
   if (const auto& range = statement.all.interval) {
-    text = "mean runout is " + lengths_in_words(*range, decimals_of_length(range->high, *range));
+    text = "mean runout is " + format_length_interval(*range, decimals_of_length(range->high, *range));
   }
-  for (const PassageAnswer& passage : statement.passages) {
+  for (const BarrierSummary& passage : statement.passages) {
     if (!passage.all.interval) continue;
-    const BarrierWords words = words_of(comparison, passage.line);
-    text += (text.empty() ? "" : ", ") + shares_in_words(*passage.all.interval) + " " + words.pass +
+    const BarrierText words = barrier_text(comparison, passage.line);
+    text += (text.empty() ? "" : ", ") + format_percentage_interval(*passage.all.interval) + " " + words.pass +
             " " + words.name;
   }
   if (text.empty()) return "";
   return " Over " + std::to_string(statement.draws) + " draws of the ground, " + text +
-         (nine_of_ten(statement.draws) ? " (nine draws of ten)." : ".");
+         (is_ninety_percent_interval(statement.draws) ? " (nine draws of ten)." : ".");
 }
 
-std::string sentence_of(const Comparison& comparison, const Statement& statement) {
+std::string sentence_of(const Comparison& comparison, const FileSummary& statement) {
   const std::string runout =
-      statement.gap ? gap_in_words(comparison, statement) : mean_runout(comparison, statement);
+      statement.gap ? describe_difference(comparison, statement) : mean_runout(comparison, statement);
   const std::string prefix =
-      statement.file ? capital(file_name(comparison, *statement.file)) + ": " : "";
+      statement.file ? capitalized(file_name(comparison, *statement.file)) + ": " : "";
   const std::string passages = passages_in_words(comparison, statement);
-  return prefix + (prefix.empty() ? capital(runout) : runout) + "." +
+  return prefix + (prefix.empty() ? capitalized(runout) : runout) + "." +
          (passages.empty() ? "" : " " + passages) + ground_in_words(comparison, statement);
 }
 
-std::string files_in_words(const Comparison& comparison, const Answer& answer) {
-  const GapAnswer& gap = *answer.files;
+std::string files_in_words(const Comparison& comparison, const KeyResults& answer) {
+  const RunoutContrast& gap = *answer.files;
   const std::string a = file_name(comparison, *comparison.groups[gap.farther].file);
   const std::string b = file_name(comparison, *comparison.groups[gap.nearer].file);
   const int decimals = decimals_of_length(gap.gap, gap.interval);
-  const std::string interval = gap.interval ? " (" + lengths_in_words(*gap.interval, decimals) +
+  const std::string interval = gap.interval ? " (" + format_length_interval(*gap.interval, decimals) +
                                                   (answer.has_draws() ? kByDraw : "") + ")"
                                             : "";
   if (gap.verdict == Verdict::kMoreThanChance) {
-    return "Blocks run " + length_in_words(gap.gap, decimals) + " farther in " + a + " than in " +
+    return "Blocks run " + format_length(gap.gap, decimals) + " farther in " + a + " than in " +
            b + interval + ".";
   }
   if (gap.verdict == Verdict::kTooFew) return "";
   if (gap.verdict == Verdict::kUntested) {
-    return "Blocks run " + length_in_words(gap.gap, decimals) + " farther in " + a + " than in " +
+    return "Blocks run " + format_length(gap.gap, decimals) + " farther in " + a + " than in " +
            b + "; one realisation does not show whether this is chance.";
   }
   if (gap.verdict == Verdict::kDependsOnGround) {
     return "Whether blocks run farther in " + a + " or in " + b + " depends on the ground" +
            interval + ".";
   }
-  return "Blocks run " + length_in_words(gap.gap, decimals) + " farther in " + a + " than in " + b +
+  return "Blocks run " + format_length(gap.gap, decimals) + " farther in " + a + " than in " + b +
          ", which can be chance" + interval + ".";
 }
 
@@ -266,13 +266,13 @@ std::string masses_in_words(const Comparison& comparison) {
     low = std::min(low, row.block->mass);
     high = std::max(high, row.block->mass);
   }
-  const std::string from = mass_in_words(low), to = mass_in_words(high);
+  const std::string from = format_mass(low), to = format_mass(high);
   return from == to ? to : from.substr(0, from.find(' ')) + " to " + to;
 }
 
 }  // namespace
 
-std::vector<std::string> answer_sentences(const Comparison& comparison, const Answer& answer) {
+std::vector<std::string> describe_key_results(const Comparison& comparison, const KeyResults& answer) {
   std::vector<std::string> sentences;
   if (answer.files) {
     const std::string between = files_in_words(comparison, answer);
@@ -288,7 +288,7 @@ std::vector<std::string> answer_sentences(const Comparison& comparison, const An
   return sentences;
 }
 
-std::string runs_in_words(const Comparison& comparison) {
+std::string describe_runs(const Comparison& comparison) {
   std::size_t blocks = 0, classes = 0;
   for (const Group& group : comparison.groups) {
     if (group.file) continue;
@@ -302,10 +302,10 @@ std::string runs_in_words(const Comparison& comparison) {
   return files > 1 ? text + ", from " + counted(files, "file") : text;
 }
 
-std::string intervals_in_words(const Answer& answer) {
+std::string describe_intervals(const KeyResults& answer) {
   std::size_t fewest = SIZE_MAX, draws = 0;
   bool realisations = false, all_drawn = true;
-  for (const Statement& statement : answer.statements) {
+  for (const FileSummary& statement : answer.statements) {
     draws = std::max(draws, statement.draws);
     if (statement.draws > 0) continue;
     all_drawn = false;
@@ -315,7 +315,7 @@ std::string intervals_in_words(const Answer& answer) {
   const std::string over_draws =
       draws == 0 ? ""
                  : "Ranges over draws of the ground parameters cover " +
-                       std::string(nine_of_ten(draws) ? "nine draws of ten" : "all draws") +
+                       std::string(is_ninety_percent_interval(draws) ? "nine draws of ten" : "all draws") +
                        "; they say nothing about other release points or blocks.";
   if (all_drawn) return over_draws;
   std::string ranges = "Ranges in brackets are 95 % intervals, from ";
@@ -330,27 +330,27 @@ std::string intervals_in_words(const Answer& answer) {
   return ranges + (over_draws.empty() ? "" : " " + over_draws);
 }
 
-std::string limits_in_words(const Comparison& comparison, const Answer& answer) {
+std::string describe_limits(const Comparison& comparison, const KeyResults& answer) {
   double heaviest = 0.0;
   for (const RunRow& row : comparison.rows) heaviest = std::max(heaviest, row.block->mass);
-  std::string text = "Not run: blocks above " + mass_in_words(heaviest);
+  std::string text = "Not run: blocks above " + format_mass(heaviest);
   const auto& statements = answer.statements;
   const bool one_ground = std::all_of(statements.begin(), statements.end(),
-                                      [](const Statement& one) { return one.draws == 0; });
+                                      [](const FileSummary& one) { return one.draws == 0; });
   const bool one_point =
       std::any_of(statements.begin(), statements.end(),
-                  [](const Statement& one) { return one.clusters == 1 && !one.of_realisations; });
+                  [](const FileSummary& one) { return one.clusters == 1 && !one.of_realisations; });
   if (one_ground) text += ", other ground";
   if (one_point) text += ", other release points";
   return text + ".";
 }
 
-std::vector<std::string> first_screen(const Comparison& comparison, const Answer& answer) {
-  std::vector<std::string> lines = {runs_in_words(comparison), ""};
+std::vector<std::string> describe_first_screen(const Comparison& comparison, const KeyResults& answer) {
+  std::vector<std::string> lines = {describe_runs(comparison), ""};
   const auto add = [&](const std::vector<std::string>& more) {
     lines.insert(lines.end(), more.begin(), more.end());
   };
-  add(answer_sentences(comparison, answer));
+  add(describe_key_results(comparison, answer));
   lines.emplace_back();
   std::size_t width = 0;
   const std::vector<KeyFigure> figures = key_figures(comparison, answer);
@@ -360,13 +360,13 @@ std::vector<std::string> first_screen(const Comparison& comparison, const Answer
                     figure.label + (figure.range.empty() ? "" : " (" + figure.range + ")") +
                     (figure.more.empty() ? "" : "; " + figure.more));
   }
-  lines.push_back(intervals_in_words(answer));
-  lines.push_back(limits_in_words(comparison, answer));
-  const std::vector<std::string> measured = measured_sentences(comparison);
+  lines.push_back(describe_intervals(answer));
+  lines.push_back(describe_limits(comparison, answer));
+  const std::vector<std::string> measured = describe_measured_stops(comparison);
   if (!measured.empty()) add({"", "Measured stops against simulated ones:"});
   add(measured);
   if (!comparison.cautions.empty()) add({"", "What could reverse this answer:"});
-  for (const Caution& caution : comparison.cautions) lines.push_back("- " + caution.brief);
+  for (const ComparisonWarning& caution : comparison.cautions) lines.push_back("- " + caution.brief);
   return lines;
 }
 

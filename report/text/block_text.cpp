@@ -55,7 +55,7 @@ NamedValues unseen_lines(const Block& block) {
 
 }  // namespace
 
-std::string block_line(const Block& block) {
+std::string format_block_line(const Block& block) {
   const Axes axes = block.axes();
   const std::size_t count = block.body.vertices.size();
   const bool metric = !is_unscaled(block);
@@ -90,7 +90,7 @@ TextTable block_table(std::span<const Block* const> blocks) {
   return table;
 }
 
-std::string unscaled_note(std::span<const Block* const> blocks) {
+std::string describe_unscaled(std::span<const Block* const> blocks) {
   std::string names;
   for (const Block* block : blocks) {
     if (is_unscaled(*block)) names += (names.empty() ? "" : ", ") + block->id;
@@ -100,7 +100,7 @@ std::string unscaled_note(std::span<const Block* const> blocks) {
          unscaled_reason() + ".";
 }
 
-NamedValues block_details(const Block& block) {
+NamedValues describe_block(const Block& block) {
   NamedValues lines;
   const auto line = [&](const std::string& name, const std::string& value) {
     lines.push_back({name, value});

@@ -59,7 +59,7 @@ std::vector<std::string> contradicted(const Calibration& calibration) {
     const Marginal& near = posterior.nearest.unknowns[i];
     const Marginal& found = posterior.marginals[i];
     if (found.high < near.low || found.low > near.high) {
-      names.push_back(unknown_in_words(calibration.study.unknowns[i].parameter));
+      names.push_back(describe_unknown(calibration.study.unknowns[i].parameter));
     }
   }
   return names;
@@ -72,8 +72,8 @@ void add_ridges(const Calibration& calibration, std::vector<std::string>& findin
       const double together = calibration.posterior.correlation(static_cast<Eigen::Index>(i),
                                                                 static_cast<Eigen::Index>(k));
       if (std::abs(together) < kRidge) continue;
-      findings.push_back(unknown_in_words(unknowns[i].parameter) + " and " +
-                         unknown_in_words(unknowns[k].parameter) +
+      findings.push_back(describe_unknown(unknowns[i].parameter) + " and " +
+                         describe_unknown(unknowns[k].parameter) +
                          (together < 0.0 ? " make up for each other"
                                          : " rise together: more of one is offset by more of the "
                                            "other") +
@@ -106,15 +106,15 @@ void add_surrogate_warnings(const Calibration& calibration, std::vector<std::str
 
 }  // namespace
 
-std::string unknown_in_words(const std::string& parameter) {
+std::string describe_unknown(const std::string& parameter) {
   const std::size_t point = parameter.rfind('.');
   const std::string field = parameter.substr(point + 1);
-  for (const GroundField& one : ground_fields()) {
-    if (field != one.name || !is_of_ground(parameter)) continue;
+  for (const GroundParameterField& one : ground_fields()) {
+    if (field != one.name || !is_ground_parameter(parameter)) continue;
     const std::size_t begin = std::string("ground.").size();
     return std::string(one.words) + " of " + parameter.substr(begin, point - begin);
   }
-  if (const std::string name = share_class(parameter); !name.empty()) {
+  if (const std::string name = fraction_class(parameter); !name.empty()) {
     return "share of " + name + " blocks";
   }
   std::string words = field.substr(0, field.find("_n_m"));
@@ -126,16 +126,16 @@ std::string unknown_in_words(const std::string& parameter) {
   }
   std::replace(words.begin(), words.end(), '_', ' ');
   return words + (is_of_release(parameter)  ? " of release"
-                  : is_of_blocks(parameter) ? " of blocks"
+                  : is_block_parameter(parameter) ? " of blocks"
                                             : " of contacts");
 }
 
-std::string calibration_answer(const Calibration& calibration) {
+std::string describe_calibration_result(const Calibration& calibration) {
   std::vector<std::string> determined, undetermined;
   const std::vector<Unknown>& unknowns = calibration.study.unknowns;
   for (std::size_t i = 0; i < unknowns.size(); ++i) {
     const Marginal& marginal = calibration.posterior.marginals[i];
-    const std::string name = unknown_in_words(unknowns[i].parameter);
+    const std::string name = describe_unknown(unknowns[i].parameter);
     if (marginal.is_undetermined()) {
       undetermined.push_back(name);
       continue;
@@ -157,17 +157,17 @@ std::string calibration_answer(const Calibration& calibration) {
   if (!undetermined.empty() && !determined.empty()) {
     text += "; what was observed does not determine " + listed_in_words(undetermined);
   }
-  return capital(text) + ".";
+  return capitalized(text) + ".";
 }
 
-std::vector<std::string> calibration_findings(const Calibration& calibration) {
+std::vector<std::string> describe_calibration_findings(const Calibration& calibration) {
   const CalibrationPosterior& posterior = calibration.posterior;
   std::vector<std::string> findings = {check_sentence(posterior.fitted, true)};
   if (posterior.kept.figures > 0) findings.push_back(check_sentence(posterior.kept, false));
   for (std::size_t i = 0; i < posterior.marginals.size(); ++i) {
-    if (!posterior.marginals[i].is_cut_off()) continue;
+    if (!posterior.marginals[i].is_cut_off_by_range()) continue;
     const bool low = posterior.marginals[i].at_low > posterior.marginals[i].at_high;
-    findings.push_back("the range of " + unknown_in_words(calibration.study.unknowns[i].parameter) +
+    findings.push_back("the range of " + describe_unknown(calibration.study.unknowns[i].parameter) +
                        " ends at its " + (low ? "low" : "high") +
                        " side where values are still likely: widen it");
   }
@@ -180,11 +180,11 @@ std::vector<std::string> calibration_findings(const Calibration& calibration) {
                        ": do not trust the surrogates before more "
                        "members are simulated");
   }
-  for (std::string& finding : findings) finding = capital(finding) + ".";
+  for (std::string& finding : findings) finding = capitalized(finding) + ".";
   return findings;
 }
 
-std::string study_text(const CalibrationStudy& study) {
+std::string format_study_summary(const CalibrationStudy& study) {
   TextTable unknowns{{"parameter", "from", "to"}, {}};
   for (const Unknown& unknown : study.unknowns) {
     unknowns.rows.push_back(
@@ -203,7 +203,7 @@ std::string study_text(const CalibrationStudy& study) {
          "\n";
 }
 
-std::string unknowns_text(const Calibration& calibration) {
+std::string format_unknowns_table(const Calibration& calibration) {
   TextTable table{{"parameter", "from", "to", "median", "95 % from", "95 % to", "width left"}, {}};
   for (std::size_t i = 0; i < calibration.study.unknowns.size(); ++i) {
     const Unknown& unknown = calibration.study.unknowns[i];
@@ -216,7 +216,7 @@ std::string unknowns_text(const Calibration& calibration) {
   return table.text();
 }
 
-std::string figures_text(const Calibration& calibration) {
+std::string format_statistics_table(const Calibration& calibration) {
   TextTable table{{"observation", "use", "figure", "observed", "predicted", "95 % from", "95 % to",
                    "prior from", "prior to", "surrogate"},
                   {}};
@@ -226,10 +226,10 @@ std::string figures_text(const Calibration& calibration) {
       const Figure& figure = observations[o].figures[i];
       std::vector<std::string> row = {observations[o].name, observations[o].fitted ? "fit" : "keep",
                                       figure.name, calibrated_value(figure.observed)};
-      const std::vector<PredictedFigure>& predicted = calibration.posterior.predicted;
+      const std::vector<PredictedStatistic>& predicted = calibration.posterior.predicted;
       const auto found = std::find_if(
           predicted.begin(), predicted.end(),
-          [&](const PredictedFigure& one) { return one.observation == o && one.figure == i; });
+          [&](const PredictedStatistic& one) { return one.observation == o && one.figure == i; });
       if (found == predicted.end()) {
         row.insert(row.end(), 6, "-");
       } else {
@@ -245,7 +245,7 @@ std::string figures_text(const Calibration& calibration) {
   return table.text();
 }
 
-std::string ground_block(const Calibration& calibration) {
+std::string format_ground_block(const Calibration& calibration) {
   const CalibrationStudy& study = calibration.study;
   std::string text =
       "# Medians found by clast calibrate from " + study.file.filename().string() + ".\n";
@@ -260,21 +260,21 @@ std::string ground_block(const Calibration& calibration) {
     for (const auto& [zone, ground] : site.campaign.ground) {
       if (!written.insert(zone).second) continue;
       text += "[ground." + toml_key(zone) + "]\n";
-      for (const GroundField& field : ground_fields()) {
-        const std::optional<Uncertain>& asked = ground.*field.asked;
+      for (const GroundParameterField& field : ground_fields()) {
+        const std::optional<Distribution>& asked = ground.*field.asked;
         if (asked) text += std::string(field.name) + " = " + with_digits(asked->first, 4) + "\n";
       }
     }
   }
   for (std::size_t i = 0; i < study.unknowns.size(); ++i) {
     const std::string& parameter = study.unknowns[i].parameter;
-    if (is_of_ground(parameter)) continue;
+    if (is_ground_parameter(parameter)) continue;
     text +=
         "# " + parameter + " = " + with_digits(calibration.posterior.marginals[i].median, 4) + "\n";
   }
   const bool all_ground =
       std::all_of(study.unknowns.begin(), study.unknowns.end(),
-                  [](const Unknown& unknown) { return is_of_ground(unknown.parameter); });
+                  [](const Unknown& unknown) { return is_ground_parameter(unknown.parameter); });
   if (all_ground) {
     text +=
         "# With their uncertainty: each member has the ground of a draw.\n[ensemble]\nmembers = " +

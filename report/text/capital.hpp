@@ -6,7 +6,7 @@
 namespace clast::report_detail {
 
 /// With its first letter, if that is one of ASCII, as a capital.
-inline std::string capital(std::string text) {
+inline std::string capitalized(std::string text) {
   if (!text.empty()) text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));
   return text;
 }

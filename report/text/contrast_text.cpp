@@ -11,7 +11,7 @@ constexpr int kMostDecimals = 4;
 
 }  // namespace
 
-QuantityWords words_of_quantity(const std::string& quantity) {
+QuantityText quantity_text(const std::string& quantity) {
   const std::size_t blank = quantity.rfind(' ');
   const std::string barrier = blank == quantity.npos ? "" : " at " + quantity.substr(0, blank);
   const std::string name = blank == quantity.npos ? quantity : quantity.substr(blank + 1);
@@ -25,7 +25,7 @@ QuantityWords words_of_quantity(const std::string& quantity) {
   return {quantity, ""};
 }
 
-std::string gap_in_words(const Contrast& contrast, const std::string& unit, double factor) {
+std::string describe_difference(const Contrast& contrast, const std::string& unit, double factor) {
   const double gap = factor * contrast.estimate;
   const double sign = gap < 0.0 ? -1.0 : 1.0;
   const std::string way = gap < 0.0 ? " less" : " more";
@@ -39,24 +39,24 @@ std::string gap_in_words(const Contrast& contrast, const std::string& unit, doub
          " to " + with_decimals(high, decimals) + of_unit + ")";
 }
 
-std::string gap_in_words(const Difference& difference) {
-  const QuantityWords words = words_of_quantity(difference.quantity);
-  return gap_in_words(difference, words.unit, words.factor);
+std::string describe_difference(const Difference& difference) {
+  const QuantityText words = quantity_text(difference.quantity);
+  return describe_difference(difference, words.unit, words.factor);
 }
 
-std::string gap_in_words(const FigureDifference& difference) {
-  return gap_in_words(difference, realisation_figures()[difference.first.figure].unit);
+std::string describe_difference(const DepositQuantityDifference& difference) {
+  return describe_difference(difference, deposit_quantities()[difference.first.figure].unit);
 }
 
 std::string in_words(const Difference& difference, const Comparison& comparison) {
-  const QuantityWords words = words_of_quantity(difference.quantity);
+  const QuantityText words = quantity_text(difference.quantity);
   const auto mean = [&](double value) {
     return with_digits(words.factor * value, 3) + " " + words.unit;
   };
   const std::string means = words.name + ": " + comparison.groups[difference.first].name + " " +
                             mean(difference.first_mean) + " on average, " +
                             comparison.groups[difference.second].name + " " +
-                            mean(difference.second_mean) + "; " + gap_in_words(difference);
+                            mean(difference.second_mean) + "; " + describe_difference(difference);
   switch (difference.verdict()) {
     case Verdict::kUntested:
       return means + "; one realisation does not show whether this is chance";
@@ -71,15 +71,15 @@ std::string in_words(const Difference& difference, const Comparison& comparison)
   }
 }
 
-std::string in_words(const FigureDifference& difference) {
-  const RealisationFigure& figure = realisation_figures()[difference.first.figure];
-  const auto mean = [&](const FigureOfFile& of_file) {
+std::string in_words(const DepositQuantityDifference& difference) {
+  const DepositQuantity& figure = deposit_quantities()[difference.first.figure];
+  const auto mean = [&](const DepositQuantitySummary& of_file) {
     return "file " + std::to_string(of_file.file + 1) + " " +
            with_decimals(of_file.summary.mean, figure.decimals) +
            (figure.unit.empty() ? "" : " " + figure.unit);
   };
   const std::string text = figure.words + ": " + mean(difference.first) + ", " +
-                           mean(difference.second) + "; " + gap_in_words(difference) + ", from " +
+                           mean(difference.second) + "; " + describe_difference(difference) + ", from " +
                            std::to_string(difference.first.summary.count) + " and " +
                            counted(difference.second.summary.count, "realisation");
   switch (difference.verdict()) {
@@ -98,10 +98,10 @@ std::string in_words(const FigureDifference& difference) {
                      : "; no interval, since realisations do not differ");
 }
 
-std::string in_words(const Mobility& mobility) {
+std::string in_words(const DepositMobility& mobility) {
   std::string text = mobility.group + ": " + with_decimals(mobility.together_runout.mean, 1) +
                      " m together, " + with_decimals(mobility.alone_runout.mean, 1) + " m alone; " +
-                     gap_in_words(mobility.difference, "m");
+                     describe_difference(mobility.difference, "m");
   if (!mobility.difference.interval) {
     text += ", without an interval";
   } else if (!mobility.difference.excludes_zero()) {

@@ -44,21 +44,21 @@ std::string outcome_sentence(const DesignEffects& effects, const OutcomeEffects&
 
 }  // namespace
 
-std::vector<std::string> effects_sentences(const std::vector<DesignEffects>& effects) {
+std::vector<std::string> describe_effects(const std::vector<DesignEffects>& effects) {
   std::vector<std::string> sentences;
   for (const DesignEffects& file : effects) {
     const std::string where =
         effects.size() > 1 ? "file " + std::to_string(file.file + 1) + ": " : "";
     if (!file.refusal.empty()) {
-      sentences.push_back(capital(where + "the variance has no shares: " + file.refusal + "."));
+      sentences.push_back(capitalized(where + "the variance has no shares: " + file.refusal + "."));
     }
     if (!file.estimated.empty()) {
-      sentences.push_back(capital(
+      sentences.push_back(capitalized(
           where + "shares are estimates of a mixed model, in which levels are drawn by chance: " +
           file.estimated + "."));
     }
     for (const OutcomeEffects& outcome : file.outcomes) {
-      sentences.push_back(capital(where + outcome_sentence(file, outcome)));
+      sentences.push_back(capitalized(where + outcome_sentence(file, outcome)));
     }
   }
   return sentences;

@@ -10,6 +10,6 @@ namespace clast {
 /// A sentence for each outcome of each file, the runout first: "Form explains 22 % (15 to 29) of
 /// the runout's variance, ..."; or why a file has none. Before
 /// those that are estimated, what is missing.
-std::vector<std::string> effects_sentences(const std::vector<DesignEffects>& effects);
+std::vector<std::string> describe_effects(const std::vector<DesignEffects>& effects);
 
 }  // namespace clast

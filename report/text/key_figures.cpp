@@ -21,29 +21,29 @@ struct Pair {
   }
 };
 
-std::string class_names(const Comparison& comparison, const Statement& statement) {
+std::string class_names(const Comparison& comparison, const FileSummary& statement) {
   std::string names;
   if (statement.classes.size() < 2) return names;
-  for (const RunoutAnswer& one : statement.classes) {
+  for (const RunoutEstimate& one : statement.classes) {
     names += (names.empty() ? ", " : " / ") + comparison.groups[one.group].key;
   }
   return names;
 }
 
 /// Ranges, with what they are over.
-std::string drawn_ranges(const std::string& ranges, const Statement& statement) {
+std::string drawn_ranges(const std::string& ranges, const FileSummary& statement) {
   return ranges.empty() || statement.draws == 0 ? ranges : ranges + kByDraw;
 }
 
-KeyFigure runout_figure(const Comparison& comparison, const Statement& statement) {
-  std::vector<RunoutAnswer> shown = statement.classes;
+KeyFigure runout_figure(const Comparison& comparison, const FileSummary& statement) {
+  std::vector<RunoutEstimate> shown = statement.classes;
   if (shown.size() < 2) shown = {statement.all};
   int decimals = 2;
-  for (const RunoutAnswer& one : shown) {
+  for (const RunoutEstimate& one : shown) {
     if (one.stands()) decimals = std::min(decimals, decimals_of_length(one.mean, one.interval));
   }
   Pair means, medians, farthest;
-  for (const RunoutAnswer& one : shown) {
+  for (const RunoutEstimate& one : shown) {
     means.add(one.stands() ? with_decimals(one.mean, decimals) : "?",
               one.stands() && one.interval ? with_decimals(one.interval->low, decimals) + " to " +
                                                  with_decimals(one.interval->high, decimals)
@@ -52,7 +52,7 @@ KeyFigure runout_figure(const Comparison& comparison, const Statement& statement
     farthest.add(one.stands() ? with_decimals(one.p95, decimals) : "?", "");
   }
   const bool some =
-      std::any_of(shown.begin(), shown.end(), [](const RunoutAnswer& one) { return one.stands(); });
+      std::any_of(shown.begin(), shown.end(), [](const RunoutEstimate& one) { return one.stands(); });
   return {means.values + " m", "mean runout" + class_names(comparison, statement),
           drawn_ranges(means.ranges, statement),
           some ? "half stop before " + medians.values + " m, 95 % before " + farthest.values + " m"
@@ -60,11 +60,11 @@ KeyFigure runout_figure(const Comparison& comparison, const Statement& statement
 }
 
 /// Of each class that passes, and of all the largest: "compact 33, elongated 17 kJ; largest 37 kJ".
-std::string by_class(const Comparison& comparison, const PassageAnswer& passage,
-                     double ShareAnswer::*value, std::string (*as_limit)(double),
-                     double ShareAnswer::*largest, std::string (*in_words)(double)) {
+std::string by_class(const Comparison& comparison, const BarrierSummary& passage,
+                     double CrossingEstimate::*value, std::string (*as_limit)(double),
+                     double CrossingEstimate::*largest, std::string (*in_words)(double)) {
   std::string text;
-  for (const ShareAnswer& share : passage.classes) {
+  for (const CrossingEstimate& share : passage.classes) {
     if (share.crossed == 0) continue;
     text += (text.empty() ? "" : ", ") + comparison.groups[share.group].key + " " +
             as_limit(share.*value) +
@@ -74,21 +74,21 @@ std::string by_class(const Comparison& comparison, const PassageAnswer& passage,
   return text + (text.empty() ? "" : "; ") + "largest " + in_words(passage.all.*largest);
 }
 
-std::vector<KeyFigure> barrier_figures(const Comparison& comparison, const Statement& statement) {
-  const PassageAnswer& passage = statement.passages.front();
-  const BarrierWords words = words_of(comparison, passage.line);
-  std::vector<ShareAnswer> shown = passage.classes;
+std::vector<KeyFigure> barrier_figures(const Comparison& comparison, const FileSummary& statement) {
+  const BarrierSummary& passage = statement.passages.front();
+  const BarrierText words = barrier_text(comparison, passage.line);
+  std::vector<CrossingEstimate> shown = passage.classes;
   if (shown.empty()) shown = {passage.all};
   Pair pair;
-  for (const ShareAnswer& share : shown) {
-    std::string value = share_in_words(share.share), range;
-    if (share.interval) range = shares_in_words(*share.interval);
+  for (const CrossingEstimate& share : shown) {
+    std::string value = format_percentage(share.share), range;
+    if (share.interval) range = format_percentage_interval(*share.interval);
     for (std::string* text : {&value, &range}) {
       if (text->ends_with(" %")) text->resize(text->size() - 2);
     }
     pair.add(value, range);
   }
-  const ShareAnswer& all = passage.all;
+  const CrossingEstimate& all = passage.all;
   const std::string limit =
       all.largest ? "largest of " + counted(all.crossed, "passage") : "95 % lie below";
   std::vector<KeyFigure> figures = {
@@ -96,28 +96,28 @@ std::vector<KeyFigure> barrier_figures(const Comparison& comparison, const State
        drawn_ranges(pair.ranges, statement),
        std::to_string(all.crossed) + " of " + counted(all.started, "run") +
            (all.crossed == 0 ? ""
-                             : "; speed there: " + limit + " " + speed_limit(all.speed) +
-                                   in_brackets(range_by_draw(all.speed_range, speed_limit)))}};
+                             : "; speed there: " + limit + " " + format_speed_limit(all.speed) +
+                                   format_in_brackets(range_by_draw(all.speed_range, format_speed_limit)))}};
   if (all.crossed == 0) return figures;
-  figures.push_back({energy_limit(all.energy), "energy at " + words.name + ": " + limit,
-                     range_by_draw(all.energy_range, energy_limit),
-                     by_class(comparison, passage, &ShareAnswer::energy, energy_limit,
-                              &ShareAnswer::largest_energy, energy_in_words)});
-  figures.push_back({height_limit(all.top), "top of the blocks at " + words.name + ": " + limit,
-                     range_by_draw(all.top_range, height_limit),
-                     by_class(comparison, passage, &ShareAnswer::top, height_limit,
-                              &ShareAnswer::largest_top, height_in_words) +
-                         "; centres " + height_limit(all.height)});
+  figures.push_back({format_energy_limit(all.energy), "energy at " + words.name + ": " + limit,
+                     range_by_draw(all.energy_range, format_energy_limit),
+                     by_class(comparison, passage, &CrossingEstimate::energy, format_energy_limit,
+                              &CrossingEstimate::largest_energy, format_energy)});
+  figures.push_back({format_height_limit(all.top), "top of the blocks at " + words.name + ": " + limit,
+                     range_by_draw(all.top_range, format_height_limit),
+                     by_class(comparison, passage, &CrossingEstimate::top, format_height_limit,
+                              &CrossingEstimate::largest_top, format_height) +
+                         "; centres " + format_height_limit(all.height)});
   return figures;
 }
 
 }  // namespace
 
-std::vector<KeyFigure> key_figures(const Comparison& comparison, const Answer& answer) {
+std::vector<KeyFigure> key_figures(const Comparison& comparison, const KeyResults& answer) {
   constexpr std::size_t kMost = 4;
   std::vector<KeyFigure> figures;
   if (answer.statements.size() == 1) {
-    const Statement& statement = answer.statements.front();
+    const FileSummary& statement = answer.statements.front();
     figures.push_back(runout_figure(comparison, statement));
     if (!statement.passages.empty()) {
       for (KeyFigure& figure : barrier_figures(comparison, statement)) {
@@ -125,12 +125,12 @@ std::vector<KeyFigure> key_figures(const Comparison& comparison, const Answer& a
       }
     } else if (statement.all.stands()) {
       const int decimals = decimals_of_length(statement.all.farthest);
-      figures.push_back({length_in_words(statement.all.p95, decimals), "95 % stop before", ""});
-      figures.push_back({length_in_words(statement.all.farthest, decimals), "farthest stop", ""});
+      figures.push_back({format_length(statement.all.p95, decimals), "95 % stop before", ""});
+      figures.push_back({format_length(statement.all.farthest, decimals), "farthest stop", ""});
     }
     return figures;
   }
-  for (const Statement& statement : answer.statements) {
+  for (const FileSummary& statement : answer.statements) {
     if (figures.size() == kMost) break;
     KeyFigure figure = runout_figure(comparison, statement);
     figure.label = file_name(comparison, *statement.file) + ": " + figure.label;

@@ -16,6 +16,6 @@ struct KeyFigure {
 };
 
 /// Four at most.
-std::vector<KeyFigure> key_figures(const Comparison& comparison, const Answer& answer);
+std::vector<KeyFigure> key_figures(const Comparison& comparison, const KeyResults& answer);
 
 }  // namespace clast

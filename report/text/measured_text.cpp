@@ -8,7 +8,7 @@ namespace clast {
 
 using namespace report_detail;
 
-std::vector<std::string> measured_sentences(const Comparison& comparison) {
+std::vector<std::string> describe_measured_stops(const Comparison& comparison) {
   std::vector<std::string> sentences;
   if (!comparison.measured) return sentences;
   for (const MeasuredGroup& group : comparison.measured->groups) {
@@ -19,12 +19,12 @@ std::vector<std::string> measured_sentences(const Comparison& comparison) {
     const double gap = group.medians.estimate;
     const int decimals = decimals_of_length(gap, group.medians.interval);
     const std::string medians =
-        "half stopped before " + length_in_words(group.quartiles.median, decimals) +
-        " in the field, " + length_in_words(group.simulated_quartiles.median, decimals) +
+        "half stopped before " + format_length(group.quartiles.median, decimals) +
+        " in the field, " + format_length(group.simulated_quartiles.median, decimals) +
         " simulated";
     const Interval interval = group.medians.interval.value_or(Interval{});
     std::string verdict;
-    switch (verdict_of(group)) {
+    switch (judge_agreement(group)) {
       case Verdict::kTooFew:
         verdict = counted(group.measured, "measured stop") + ", too few to judge by; " + medians;
         break;
@@ -33,20 +33,20 @@ std::vector<std::string> measured_sentences(const Comparison& comparison) {
         break;
       case Verdict::kMoreThanChance:
         verdict = interval.low > 0.0
-                      ? length_in_words(gap, decimals) + " farther in the field than simulated (" +
-                            lengths_in_words(interval, decimals) + ")"
-                      : length_in_words(-gap, decimals) +
+                      ? format_length(gap, decimals) + " farther in the field than simulated (" +
+                            format_length_interval(interval, decimals) + ")"
+                      : format_length(-gap, decimals) +
                             " less far in the field than simulated (" +
-                            lengths_in_words({-interval.high, -interval.low}, decimals) + ")";
+                            format_length_interval({-interval.high, -interval.low}, decimals) + ")";
         break;
       case Verdict::kOtherSpread:
         verdict = "the middle agrees, the spread does not; " + medians;
         break;
       default:
         verdict = "field and simulation agree; " + medians + " (a difference of " +
-                  lengths_in_words(interval, decimals) + ")";
+                  format_length_interval(interval, decimals) + ")";
     }
-    sentences.push_back(capital(who) + ": " + verdict + ".");
+    sentences.push_back(capitalized(who) + ": " + verdict + ".");
   }
   return sentences;
 }

@@ -9,6 +9,6 @@
 namespace clast {
 
 /// A sentence for each group of observed stops; none without observed stops.
-std::vector<std::string> measured_sentences(const Comparison& comparison);
+std::vector<std::string> describe_measured_stops(const Comparison& comparison);
 
 }  // namespace clast

@@ -31,54 +31,54 @@ int decimals_of_length(double length, const std::optional<Interval>& interval) {
   return decimals_known(interval.value_or(Interval{0.0, 0.25 * std::abs(length)}), 2);
 }
 
-std::string length_in_words(double length, int decimals) {
+std::string format_length(double length, int decimals) {
   return with_decimals(length, decimals) + " m";
 }
 
-std::string lengths_in_words(const Interval& interval, int decimals) {
+std::string format_length_interval(const Interval& interval, int decimals) {
   return with_decimals(interval.low, decimals) + " to " + with_decimals(interval.high, decimals) +
          " m";
 }
 
-std::string share_in_words(double share) { return share_number(share) + " %"; }
+std::string format_percentage(double share) { return share_number(share) + " %"; }
 
-std::string shares_in_words(const Interval& interval) {
+std::string format_percentage_interval(const Interval& interval) {
   return share_number(interval.low) + " to " + share_number(interval.high) + " %";
 }
 
-std::string energy_in_words(double joules) {
+std::string format_energy(double joules) {
   const int decimals = decimals_of_energy(joules);
   if (joules >= 1e3) return with_decimals(joules / 1e3, decimals) + " kJ";
   return joules >= 10.0 ? with_decimals(joules, decimals) + " J" : with_digits(joules, 2) + " J";
 }
 
-std::string energy_limit(double joules) {
+std::string format_energy_limit(double joules) {
   const double unit = joules >= 1e3 ? 1e3 : 1.0;
-  return energy_in_words(unit * raised(joules / unit, decimals_of_energy(joules)));
+  return format_energy(unit * raised(joules / unit, decimals_of_energy(joules)));
 }
 
-std::string speed_limit(double metres_per_second) {
+std::string format_speed_limit(double metres_per_second) {
   return with_decimals(raised(metres_per_second, 1), 1) + " m/s";
 }
 
-std::string mass_in_words(double kilograms) {
+std::string format_mass(double kilograms) {
   return (kilograms < 100.0 ? with_digits(kilograms, 2) : with_decimals(kilograms, 0)) + " kg";
 }
 
-std::string height_in_words(double metres) {
+std::string format_height(double metres) {
   return with_decimals(metres, decimals_of_height(metres)) + " m";
 }
 
-std::string height_limit(double metres) {
-  return height_in_words(raised(metres, decimals_of_height(metres)));
+std::string format_height_limit(double metres) {
+  return format_height(raised(metres, decimals_of_height(metres)));
 }
 
-bool nine_of_ten(std::size_t draws) { return draws >= kDrawsForTenths; }
+bool is_ninety_percent_interval(std::size_t draws) { return draws >= kDrawsForTenths; }
 
 std::string range_by_draw(const std::optional<Interval>& range, std::string (*limit)(double)) {
   return range ? limit(range->low) + " to " + limit(range->high) + kByDraw : "";
 }
 
-std::string in_brackets(const std::string& text) { return text.empty() ? "" : " (" + text + ")"; }
+std::string format_in_brackets(const std::string& text) { return text.empty() ? "" : " (" + text + ")"; }
 
 }  // namespace clast::report_detail

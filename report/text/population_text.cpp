@@ -60,7 +60,7 @@ std::string size_text(const SizeDistribution& size) {
 
 }  // namespace
 
-std::string blocks_text(const Population& population, const PopulationOptions& options) {
+std::string format_blocks_table(const Population& population, const PopulationOptions& options) {
   const std::vector<std::string>& schemes = options.chosen_schemes();
   TextTable table{{"block", "L m", "I m", "S m", "s_c"}, {}};
   table.headings.insert(table.headings.end(), schemes.begin(), schemes.end());
@@ -82,7 +82,7 @@ std::string blocks_text(const Population& population, const PopulationOptions& o
   return table.text();
 }
 
-std::string summary_text(const PopulationSummary& summary) {
+std::string format_population_summary(const PopulationSummary& summary) {
   std::string text;
   for (const SchemeShares& scheme : summary.schemes) {
     text += "\n" + shares_text(scheme, summary.weighed > 0);
@@ -94,7 +94,7 @@ std::string summary_text(const PopulationSummary& summary) {
   return text + "C40 (S/L at most 0.4): " + percentage(summary.c40) + " %\n";
 }
 
-std::string comparison_text(const PopulationComparison& comparison) {
+std::string format_population_comparison(const PopulationComparison& comparison) {
   std::string text = "\n" + printable(comparison.name_a + " against " + comparison.name_b) + ":\n";
   for (const ClassDifference& one : comparison.schemes) text += one.words + "\n";
   for (const MeasureDifference& one : comparison.measures) text += one.words + "\n";

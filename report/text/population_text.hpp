@@ -7,10 +7,10 @@
 namespace clast {
 
 /// A row per block: axes, classes, and how sure the class of the first scheme is.
-std::string blocks_text(const Population& population, const PopulationOptions& options);
+std::string format_blocks_table(const Population& population, const PopulationOptions& options);
 /// Shares of classes, sizes, and how size and shape go together.
-std::string summary_text(const PopulationSummary& summary);
+std::string format_population_summary(const PopulationSummary& summary);
 /// A sentence per test.
-std::string comparison_text(const PopulationComparison& comparison);
+std::string format_population_comparison(const PopulationComparison& comparison);
 
 }  // namespace clast

@@ -12,7 +12,7 @@ double convexity_of(const Block& block) { return convexity(block.body, block.mas
 
 }  // namespace
 
-TextTable series_table(std::span<const Block> blocks) {
+TextTable make_series_table(std::span<const Block> blocks) {
   TextTable table;
   table.headings = {"id",        "varied",    "I/L",     "S/L",
                     "convexity", "volume m3", "mass kg", "Sneed and Folk"};
@@ -28,7 +28,7 @@ TextTable series_table(std::span<const Block> blocks) {
   return table;
 }
 
-std::string described_fit(const CopulaFit& fit) {
+std::string describe_copula_fit(const CopulaFit& fit) {
   std::string text = "Fit: distribution functions of population and bodies drawn differ by " +
                      with_decimals(fit.largest_difference, 3) +
                      " at most; rank correlations, population and drawn:\n";

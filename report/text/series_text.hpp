@@ -9,9 +9,9 @@
 namespace clast {
 
 /// A row per body: id, what was varied, I/L, S/L, convexity, volume, mass, class.
-TextTable series_table(std::span<const Block> blocks);
+TextTable make_series_table(std::span<const Block> blocks);
 
 /// How well drawn bodies stand for their population, a line for each correlation.
-std::string described_fit(const CopulaFit& fit);
+std::string describe_copula_fit(const CopulaFit& fit);
 
 }  // namespace clast

@@ -22,7 +22,7 @@ std::string with_article(const std::string& name) {
 
 }  // namespace
 
-BarrierWords words_of(const Comparison& comparison, std::size_t line) {
+BarrierText barrier_text(const Comparison& comparison, std::size_t line) {
   const BarrierLine& barrier = comparison.lines[line];
   if (!barrier.of_ring()) return {with_article(barrier.name), "pass"};
   return {with_article(barrier.name.substr(0, barrier.name.rfind(" ("))), "reach"};

@@ -11,10 +11,10 @@ namespace clast::report_detail {
 std::string file_name(const Comparison& comparison, std::uint32_t file);
 
 /// A barrier, and what blocks do there.
-struct BarrierWords {
+struct BarrierText {
   std::string name;  ///< with an article where it is a noun: "the road", "EC22"
   std::string pass;  ///< "pass", "reach"
 };
-BarrierWords words_of(const Comparison& comparison, std::size_t line);
+BarrierText barrier_text(const Comparison& comparison, std::size_t line);
 
 }  // namespace clast::report_detail

@@ -94,7 +94,7 @@ std::string why_not_known(const PlannedPower& plan) {
 
 }  // namespace
 
-std::vector<std::string> trend_sentences(const std::vector<ShapeTrends>& trends,
+std::vector<std::string> describe_trends(const std::vector<ShapeTrends>& trends,
                                          const std::optional<double>& margin) {
   std::vector<std::string> sentences;
   for (const ShapeTrends& file : trends) {
@@ -106,17 +106,17 @@ std::vector<std::string> trend_sentences(const std::vector<ShapeTrends>& trends,
       for (; i < file.trends.size() && file.trends[i].outcome == name; ++i) {
         outcome.push_back(&file.trends[i]);
       }
-      sentences.push_back(capital(where + trend_sentence(outcome)));
+      sentences.push_back(capitalized(where + trend_sentence(outcome)));
       if (name != "runout") continue;
       for (const ShapeTrend* trend : outcome) {
-        sentences.push_back(capital(where + halves_sentence(*trend, margin)));
+        sentences.push_back(capitalized(where + halves_sentence(*trend, margin)));
       }
     }
   }
   return sentences;
 }
 
-std::string planned_power_sentence(const PlannedPower& plan) {
+std::string describe_planned_power(const PlannedPower& plan) {
   if (!plan.known()) return plan.margin ? why_not_known(plan) : "";
   std::string text = "a difference in runout of " + trend_value(plan.smallest(), "m") +
                      " between two halves of the blocks is found in 80 % of such campaigns, if "

@@ -12,11 +12,11 @@ namespace clast {
 /// correlation 0.71, p < 0.001), ...; no trend with rounding." For the runout, by property, also
 /// the difference between the halves of the blocks, whether it is within the margin, and what
 /// difference such a campaign finds.
-std::vector<std::string> trend_sentences(const std::vector<ShapeTrends>& trends,
+std::vector<std::string> describe_trends(const std::vector<ShapeTrends>& trends,
                                          const std::optional<double>& margin);
 
 /// "a difference in runout of 2.1 m between two halves of the blocks is found in 80 % of such
 /// campaigns, ...; 1 m takes 6,900 runs"; empty where nothing is known.
-std::string planned_power_sentence(const PlannedPower& plan);
+std::string describe_planned_power(const PlannedPower& plan);
 
 }  // namespace clast

@@ -35,7 +35,7 @@ std::string design_digest(const CalibrationStudy& study, const std::vector<std::
 }
 
 /// What members are to be observed at must have been looked at when they were simulated.
-void check_moments(const fs::path& from, const CalibrationSimulator& simulator,
+void check_moments(const fs::path& from, const CalibrationBackend& simulator,
                    const StoredCalibration& stored) {
   for (std::size_t site = 0; site < simulator.sites.size(); ++site) {
     const std::vector<Moment>& asked = simulator.sites[site].moments;
@@ -65,7 +65,7 @@ void check_design(const fs::path& from, const StoredCalibration& stored,
 }
 
 /// Takes over the members of the parts, which are of the same design and have all together.
-StoredCalibration joined(const CalibrationStudy& study, const CalibrationSimulator& simulator,
+StoredCalibration joined(const CalibrationStudy& study, const CalibrationBackend& simulator,
                          const CalibrateOptions& options, StoredCalibration all) {
   bool known = true;
   for (const fs::path& part : options.parts) {
@@ -93,7 +93,7 @@ StoredCalibration joined(const CalibrationStudy& study, const CalibrationSimulat
 }
 
 StoredCalibration without_members(const CalibrationStudy& study,
-                                  const CalibrationSimulator& simulator) {
+                                  const CalibrationBackend& simulator) {
   StoredCalibration fresh;
   fresh.inputs = simulator.inputs;
   fresh.design_sha256 = design_digest(study, simulator.inputs);
@@ -106,12 +106,12 @@ StoredCalibration without_members(const CalibrationStudy& study,
 }
 
 /// The members that are there already.
-StoredCalibration begun(const CalibrationStudy& study, const CalibrationSimulator& simulator,
+StoredCalibration begun(const CalibrationStudy& study, const CalibrationBackend& simulator,
                         const fs::path& target, const CalibrateOptions& options) {
   StoredCalibration fresh = without_members(study, simulator);
   if (!options.parts.empty()) return joined(study, simulator, options, std::move(fresh));
   if (!options.resume) return fresh;
-  const fs::path partial = partial_calibration(target);
+  const fs::path partial = calibration_journal_path(target);
   const fs::path from = fs::exists(partial) ? partial : target;
   if (!fs::exists(from)) return fresh;
   StoredCalibration stored = read_calibration_runs(from);
@@ -125,7 +125,7 @@ StoredCalibration begun(const CalibrationStudy& study, const CalibrationSimulato
 }
 
 void check_partial(const fs::path& target, const CalibrateOptions& options) {
-  const fs::path partial = partial_calibration(target);
+  const fs::path partial = calibration_journal_path(target);
   if (options.resume || !fs::exists(partial)) return;
   throw InputError(partial.string() +
                    ": holds the members of an interrupted calibration; `resume` goes on with it, "
@@ -143,19 +143,19 @@ void check_target(const fs::path& target, const CalibrateOptions& options) {
 
 }  // namespace
 
-fs::path partial_calibration(const fs::path& target) {
+fs::path calibration_journal_path(const fs::path& target) {
   fs::path partial = target;
   partial += ".part";
   return partial;
 }
 
-Calibration calibrate_with(const CalibrationSimulator& simulator, const CalibrationStudy& study,
+Calibration calibrate_with(const CalibrationBackend& simulator, const CalibrationStudy& study,
                            const fs::path& target, const CalibrateOptions& options) {
   std::optional<FileLock> lock;
   Calibration calibration{study, {}, {}, target};
   const auto begin = [&] {
     for (const Observation& observation : study.observations) {
-      seen_by(observation, simulator.sites[observation.site], {});  // refuses blocks that it lacks
+      select_outcomes(observation, simulator.sites[observation.site], {});  // refuses blocks that it lacks
     }
     check_target(target, options);
     lock.emplace(target, FileLockOptions{.longest_wait = std::chrono::milliseconds(0)});
@@ -164,7 +164,7 @@ Calibration calibrate_with(const CalibrationSimulator& simulator, const Calibrat
     return std::string();
   };
   options.team ? options.team->agree(begin) : void(begin());
-  simulate_missing(study, simulator, target, options, calibration.stored);
+  simulate_missing_members(study, simulator, target, options, calibration.stored);
   const bool whole = options.shard.count == 1;
   if (whole) {
     calibration.posterior =
@@ -173,7 +173,7 @@ Calibration calibrate_with(const CalibrationSimulator& simulator, const Calibrat
   write_posterior(target, study, calibration.stored, whole ? &calibration.posterior : nullptr,
                   rules_of(options));
   std::error_code ignored;
-  fs::remove(partial_calibration(target), ignored);
+  fs::remove(calibration_journal_path(target), ignored);
   return calibration;
 }
 
@@ -181,8 +181,8 @@ namespace {
 
 /// The sites of a study, ready to simulate.
 struct PreparedSites {
-  std::vector<SiteSimulator> sites;
-  CalibrationSimulator simulator;
+  std::vector<SiteMemberSimulator> sites;
+  CalibrationBackend simulator;
 
   PreparedSites(const CalibrationStudy& study, const CalibrateOptions& options) {
     for (std::size_t i = 0; i < study.sites.size(); ++i) {
@@ -221,7 +221,7 @@ Calibration calibrate(const CalibrationStudy& study, const fs::path& target,
   return calibrate_with(prepared->simulator, study, target, options);
 }
 
-void follow_calibration(const CalibrationStudy& study, const CalibrateOptions& options) {
+void serve_calibration(const CalibrationStudy& study, const CalibrateOptions& options) {
   std::optional<PreparedSites> prepared;
   options.team->agree([&] {
     prepared.emplace(study, options);

@@ -36,7 +36,7 @@ struct Calibration {
 };
 
 /// Members that are simulated, until all are: target + ".part".
-std::filesystem::path partial_calibration(const std::filesystem::path& target);
+std::filesystem::path calibration_journal_path(const std::filesystem::path& target);
 
 /// Of several processes the one that leads.
 /// @throws InputError       the target can't be written or holds what is kept; what is resumed or
@@ -48,17 +48,17 @@ Calibration calibrate(const CalibrationStudy& study, const std::filesystem::path
 
 /// What the other processes of `options.team` do meanwhile.
 /// @throws Error  of their own, or that of another process
-void follow_calibration(const CalibrationStudy& study, const CalibrateOptions& options);
+void serve_calibration(const CalibrationStudy& study, const CalibrateOptions& options);
 
 /// What a calibration simulates with.
-struct CalibrationSimulator {
-  std::vector<SiteFacts> sites;
+struct CalibrationBackend {
+  std::vector<SiteDescription> sites;
   std::vector<std::string> inputs;  ///< "path sha256"
   MemberSimulator simulate;
   std::string physics_digest = {};  ///< of what it simulates with
 };
 /// The same with any simulator.
-Calibration calibrate_with(const CalibrationSimulator& simulator, const CalibrationStudy& study,
+Calibration calibrate_with(const CalibrationBackend& simulator, const CalibrationStudy& study,
                            const std::filesystem::path& target,
                            const CalibrateOptions& options = {});
 

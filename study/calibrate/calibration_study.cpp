@@ -23,9 +23,9 @@ Kernel kernel_named(const std::string& word) {
   return word == "squared-exponential" ? Kernel::kSquaredExponential : Kernel::kMatern52;
 }
 
-const BoundTable<CalibrationDesign>& design_keys() {
+const MemberTable<CalibrationDesign>& design_keys() {
   using Design = CalibrationDesign;
-  static const BoundTable<Design> keys(
+  static const MemberTable<Design> keys(
       {.name = "design", .meaning = "How the parameters are sought"},
       {{"members", "", "sets of parameters that are simulated", count(8, 4096), &Design::members},
        {"releases", "", "runs of each member at each site", count(kFewestSeen, 100'000),
@@ -37,8 +37,8 @@ const BoundTable<CalibrationDesign>& design_keys() {
   return keys;
 }
 
-const BoundTable<CalibrationSite>& site_keys() {
-  static const BoundTable<CalibrationSite> keys(
+const MemberTable<CalibrationSite>& site_keys() {
+  static const MemberTable<CalibrationSite> keys(
       {"site", "A place where blocks were released", KeyTable::Repeat::kEither, {}, true},
       {{"name", "", "of the site", required("a text in quotes", text()), &CalibrationSite::name},
        {"campaign", "", "campaign file, with [run] downslope",
@@ -49,7 +49,7 @@ const BoundTable<CalibrationSite>& site_keys() {
 /// Names of parameters, with any name in place of that of a zone or class.
 std::string parameter_pattern() {
   std::string names;
-  for (const auto& [name, range] : calibrated_parameters()) {
+  for (const auto& [name, range] : calibratable_parameters()) {
     names += names.empty() ? "" : "|";
     for (const char letter : name) names += letter == '.' ? "\\." : std::string(1, letter);
   }
@@ -64,7 +64,7 @@ std::string parameter_pattern() {
 /// Holds the ranges of all parameters.
 NumberRange any_parameter() {
   NumberRange all{0.0, 0.0};
-  for (const auto& [name, range] : calibrated_parameters()) {
+  for (const auto& [name, range] : calibratable_parameters()) {
     all.low = std::min(all.low, range.low);
     all.high = std::max(all.high, range.high);
   }
@@ -73,8 +73,8 @@ NumberRange any_parameter() {
 
 bool is_logarithmic(const std::string& scale) { return scale == "log"; }
 
-const BoundTable<Unknown>& unknown_keys() {
-  static const BoundTable<Unknown> keys(
+const MemberTable<Unknown>& unknown_keys() {
+  static const MemberTable<Unknown> keys(
       {"unknown",
        "A parameter that is sought, the same at all sites that have it",
        KeyTable::Repeat::kEither,
@@ -92,7 +92,7 @@ const BoundTable<Unknown>& unknown_keys() {
 
 CalibrationDesign read_design(const TomlTable& top) {
   CalibrationDesign design;
-  for (const DeclaredTable& table : tables_of(top, design_keys())) {
+  for (const DeclaredTable& table : find_tables(top, design_keys())) {
     design_keys().read(table, design);
   }
   return design;
@@ -114,7 +114,7 @@ void check_site(const TomlTable& table, const Campaign& campaign) {
 
 std::vector<CalibrationSite> read_sites(const TomlTable& top) {
   std::vector<CalibrationSite> sites;
-  for (const DeclaredTable& table : tables_of(top, site_keys())) {
+  for (const DeclaredTable& table : find_tables(top, site_keys())) {
     CalibrationSite site;
     site_keys().read(table, site);
     check_new_name(table, site.name, sites, "site");
@@ -153,7 +153,7 @@ Unknown read_unknown(const DeclaredTable& table) {
 std::vector<Unknown> read_unknowns(const TomlTable& top,
                                    const std::vector<CalibrationSite>& sites) {
   std::vector<Unknown> unknowns;
-  for (const DeclaredTable& table : tables_of(top, unknown_keys())) {
+  for (const DeclaredTable& table : find_tables(top, unknown_keys())) {
     Unknown unknown = read_unknown(table);
     const TomlNode& name = *table.find("parameter");
     for (const Unknown& other : unknowns) {
@@ -164,7 +164,7 @@ std::vector<Unknown> read_unknowns(const TomlTable& top,
     if (std::none_of(sites.begin(), sites.end(), [&](const CalibrationSite& site) {
           return has_parameter(site.campaign, unknown.parameter);
         })) {
-      table.refuse("parameter", name, why_no_campaign_has(unknown.parameter));
+      table.refuse("parameter", name, explain_missing_parameter(unknown.parameter));
     }
     unknowns.push_back(std::move(unknown));
   }
@@ -189,8 +189,8 @@ void check_certain(const CalibrationStudy& study) {
       }
     }
     for (const auto& [zone, table] : site.campaign.ground) {
-      for (const GroundField& field : ground_fields()) {
-        const std::optional<Uncertain>& asked = table.*field.asked;
+      for (const GroundParameterField& field : ground_fields()) {
+        const std::optional<Distribution>& asked = table.*field.asked;
         if (!asked || asked->fixed()) continue;
         throw InputError(study.file.string() + ": ground." + zone + "." + field.name +
                          " is uncertain in the campaign of site " + site.name +
@@ -206,7 +206,7 @@ void check_unknown_shares(const CalibrationStudy& study) {
     std::set<std::string> classes;
     double most = 0.0;
     for (const Unknown& unknown : study.unknowns) {
-      const std::string name = share_class(unknown.parameter);
+      const std::string name = fraction_class(unknown.parameter);
       if (name.empty() || !has_parameter(site.campaign, unknown.parameter)) continue;
       classes.insert(name);
       most += unknown.high;
@@ -227,7 +227,7 @@ void check_unknown_shares(const CalibrationStudy& study) {
 
 }  // namespace
 
-const std::vector<KeyTable>& calibration_tables() {
+const std::vector<KeyTable>& calibration_key_tables() {
   static const std::vector<KeyTable> tables = {design_keys(), site_keys(), unknown_keys(),
                                                observation_keys()};
   return tables;
@@ -258,7 +258,7 @@ std::uint64_t CalibrationStudy::runs() const {
 
 namespace study_detail {
 
-CalibrationStudy read_study_by_parts(const std::filesystem::path& file, const PartReader& read) {
+CalibrationStudy read_study_in_parts(const std::filesystem::path& file, const PartReader& read) {
   CalibrationStudy study;
   study.file = file;
   TomlNode root;
@@ -268,7 +268,7 @@ CalibrationStudy read_study_by_parts(const std::filesystem::path& file, const Pa
     root = parse_toml(study.text, file.string());
   });
   if (!is_toml) return study;
-  const TomlTable top = top_table(root, file, calibration_tables(), read);
+  const TomlTable top = parse_top_level_table(root, file, calibration_key_tables(), read);
   read([&] { study.design = read_design(top); });
   if (!read([&] { study.sites = read_sites(top); })) return study;
   if (read([&] { study.unknowns = read_unknowns(top, study.sites); })) {
@@ -282,7 +282,7 @@ CalibrationStudy read_study_by_parts(const std::filesystem::path& file, const Pa
 }  // namespace study_detail
 
 CalibrationStudy read_calibration_study(const std::filesystem::path& file) {
-  return read_study_by_parts(file, read_at_once);
+  return read_study_in_parts(file, read_at_once);
 }
 
 bool is_calibration_study(const std::filesystem::path& file) {

@@ -56,7 +56,7 @@ CalibrationStudy read_calibration_study(const std::filesystem::path& file);
 
 /// The tables of a study file and their keys, in the order of docs/formats.md: what
 /// `read_calibration_study` knows, and nothing else.
-const std::vector<KeyTable>& calibration_tables();
+const std::vector<KeyTable>& calibration_key_tables();
 
 /// Has it tables that only studies have? False of what can't be read.
 bool is_calibration_study(const std::filesystem::path& file);

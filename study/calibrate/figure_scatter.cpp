@@ -73,7 +73,7 @@ VectorXd figures_of(const std::vector<const Observation*>& observations,
     const std::span<const std::size_t> all(samples[site.of_observation[o]]);
     const std::size_t count = whole ? all.size() : observations[o]->releases;
     for (const Figure& figure : observations[o]->figures) {
-      values.push_back(figure_of(figure, seen[o], all.first(std::min(count, all.size()))));
+      values.push_back(compute_statistic(figure, seen[o], all.first(std::min(count, all.size()))));
     }
   }
   return Eigen::Map<const VectorXd>(values.data(), static_cast<Index>(values.size()));
@@ -186,7 +186,7 @@ double few_points_factor(std::size_t points) {
 
 /// Stated values do not come from a sample.
 void put_stated(const std::vector<const Observation*>& observations, const VectorXd& whole,
-                FigureScatter& scatter) {
+                StatisticScatter& scatter) {
   Index at = 0;
   for (const Observation* observation : observations) {
     for (const Figure& figure : observation->figures) {
@@ -206,14 +206,14 @@ void put_stated(const std::vector<const Observation*>& observations, const Vecto
 
 }  // namespace
 
-std::vector<SameSite> same_sites(const std::vector<Observation>& observations) {
-  std::vector<SameSite> groups;
+std::vector<SiteStatistics> group_by_site(const std::vector<Observation>& observations) {
+  std::vector<SiteStatistics> groups;
   std::size_t figure = 0;
   for (std::size_t o = 0; o < observations.size(); ++o) {
-    auto group = std::find_if(groups.begin(), groups.end(), [&](const SameSite& other) {
+    auto group = std::find_if(groups.begin(), groups.end(), [&](const SiteStatistics& other) {
       return observations[other.observations.front()].site == observations[o].site;
     });
-    if (group == groups.end()) group = groups.insert(groups.end(), SameSite());
+    if (group == groups.end()) group = groups.insert(groups.end(), SiteStatistics());
     group->observations.push_back(o);
     for (std::size_t i = 0; i < observations[o].figures.size(); ++i) {
       group->figures.push_back(figure++);
@@ -222,7 +222,7 @@ std::vector<SameSite> same_sites(const std::vector<Observation>& observations) {
   return groups;
 }
 
-FigureScatter figure_scatter(const std::vector<const Observation*>& observations,
+StatisticScatter estimate_statistic_scatter(const std::vector<const Observation*>& observations,
                              const std::vector<std::vector<Seen>>& seen, std::uint64_t seed) {
   const SiteBlocks site = blocks_of(observations, seen);
   std::vector<Sample> all;
@@ -252,7 +252,7 @@ FigureScatter figure_scatter(const std::vector<const Observation*>& observations
   }
   make_unbiased(observations, site, field_draws, field.covariance);
   make_unbiased(observations, site, rows, within.covariance);
-  FigureScatter scatter{field.mean, field.covariance, within.covariance,
+  StatisticScatter scatter{field.mean, field.covariance, within.covariance,
                         MatrixXd::Zero(whole.size(), whole.size())};
   if (site.points.size() > 1) {
     const Moments points =

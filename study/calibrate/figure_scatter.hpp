@@ -10,14 +10,14 @@
 namespace clast::study_detail {
 
 /// Observations of one site: their figures scatter together.
-struct SameSite {
+struct SiteStatistics {
   std::vector<std::size_t> observations;  ///< into CalibrationStudy::observations
   std::vector<std::size_t> figures;       ///< of these, numbered over all observations
 };
-std::vector<SameSite> same_sites(const std::vector<Observation>& observations);
+std::vector<SiteStatistics> group_by_site(const std::vector<Observation>& observations);
 
-/// Of the figures of a `SameSite`, in their order. Not a number where the member has no value.
-struct FigureScatter {
+/// Of the figures of a `SiteStatistics`, in their order. Not a number where the member has no value.
+struct StatisticScatter {
   /// What a field sample of the observation's size gives on average; of a stated value what all
   /// releases of the member give.
   Eigen::VectorXd mean;
@@ -36,7 +36,7 @@ struct FigureScatter {
 /// @param observations  of one site
 /// @param seen          by each of them
 /// @cite field2007, wood2010
-FigureScatter figure_scatter(const std::vector<const Observation*>& observations,
+StatisticScatter estimate_statistic_scatter(const std::vector<const Observation*>& observations,
                              const std::vector<std::vector<Seen>>& seen, std::uint64_t seed);
 
 }  // namespace clast::study_detail

@@ -17,25 +17,25 @@ constexpr double kKeepAfter = 20.0;
 constexpr char kSimulated = 's', kFailed = 'f';
 
 /// A member at a site, numbered for processes.
-std::uint32_t item_of(const CalibrationSimulator& simulator, std::uint32_t member,
+std::uint32_t item_of(const CalibrationBackend& simulator, std::uint32_t member,
                       std::size_t site) {
   return member * static_cast<std::uint32_t>(simulator.sites.size()) +
          static_cast<std::uint32_t>(site);
 }
 
 /// Before many members are simulated in vain.
-void check_releases(const CalibrationStudy& study, const CalibrationSimulator& simulator,
+void check_releases(const CalibrationStudy& study, const CalibrationBackend& simulator,
                     std::size_t site, const std::vector<ReleaseOutcome>& outcomes) {
   for (const Observation& observation : study.observations) {
     if (observation.site != site) continue;
-    check_enough(observation, seen_by(observation, simulator.sites[site], outcomes));
+    check_enough(observation, select_outcomes(observation, simulator.sites[site], outcomes));
   }
 }
 
 /// Simulates members.
 class Simulation {
  public:
-  Simulation(const CalibrationStudy& study, const CalibrationSimulator& simulator)
+  Simulation(const CalibrationStudy& study, const CalibrationBackend& simulator)
       : study_(study), simulator_(simulator), places_(study.design.places(study.unknowns.size())) {}
 
   std::vector<ReleaseOutcome> of(std::uint32_t item) const {
@@ -50,7 +50,7 @@ class Simulation {
 
  private:
   const CalibrationStudy& study_;
-  const CalibrationSimulator& simulator_;
+  const CalibrationBackend& simulator_;
   std::vector<std::vector<double>> places_;
 };
 
@@ -75,7 +75,7 @@ class Keeper {
 
   void keep() {
     if (!changed_) return;
-    write_posterior(partial_calibration(target_), study_, stored_, nullptr,
+    write_posterior(calibration_journal_path(target_), study_, stored_, nullptr,
                     {.kind = kPosteriorFormat});
     kept_ = std::chrono::steady_clock::now();
     changed_ = false;
@@ -98,12 +98,12 @@ std::pair<std::uint32_t, std::vector<ReleaseOutcome>> handed_in(const std::strin
   std::memcpy(&item, done.data() + 1, sizeof item);
   const std::string rest = done.substr(1 + sizeof item);
   if (done.front() == kFailed) throw SimulationError(rest);
-  return {item, unpacked_outcomes(rest)};
+  return {item, deserialize_outcomes(rest)};
 }
 
 }  // namespace
 
-void simulate_missing(const CalibrationStudy& study, const CalibrationSimulator& simulator,
+void simulate_missing_members(const CalibrationStudy& study, const CalibrationBackend& simulator,
                       const std::filesystem::path& target, const CalibrateOptions& options,
                       StoredCalibration& stored) {
   const Simulation simulation(study, simulator);
@@ -139,14 +139,14 @@ void simulate_missing(const CalibrationStudy& study, const CalibrationSimulator&
   keeper.keep();
 }
 
-void follow_missing(const CalibrationStudy& study, const CalibrationSimulator& simulator,
+void follow_missing(const CalibrationStudy& study, const CalibrationBackend& simulator,
                     ProcessTeam& team) {
   const Simulation simulation(study, simulator);
   follow_work(team, 1, [&](std::uint32_t item) {
     std::string done(1 + sizeof item, kSimulated);
     std::memcpy(done.data() + 1, &item, sizeof item);
     try {
-      done += packed_outcomes(simulation.of(item));
+      done += serialize_outcomes(simulation.of(item));
     } catch (const Error& error) {
       done.front() = kFailed;
       done += error.what();
@@ -155,11 +155,11 @@ void follow_missing(const CalibrationStudy& study, const CalibrationSimulator& s
   });
 }
 
-std::string packed_outcomes(const std::vector<ReleaseOutcome>& outcomes) {
+std::string serialize_outcomes(const std::vector<ReleaseOutcome>& outcomes) {
   std::vector<double> numbers;
-  const auto put_all = [&](const std::vector<OutcomeAt>& all) {
+  const auto put_all = [&](const std::vector<OutcomeAtMoment>& all) {
     numbers.push_back(static_cast<double>(all.size()));
-    for (const OutcomeAt& at : all) {
+    for (const OutcomeAtMoment& at : all) {
       numbers.insert(numbers.end(), {at.speed, at.spin, at.height, at.energy, at.depth,
                                      at.place.x(), at.place.y()});
     }
@@ -176,7 +176,7 @@ std::string packed_outcomes(const std::vector<ReleaseOutcome>& outcomes) {
   return {bytes, bytes + numbers.size() * sizeof(double)};
 }
 
-std::vector<ReleaseOutcome> unpacked_outcomes(const std::string& bytes) {
+std::vector<ReleaseOutcome> deserialize_outcomes(const std::string& bytes) {
   std::vector<double> numbers(bytes.size() / sizeof(double));
   if (!numbers.empty()) std::memcpy(numbers.data(), bytes.data(), bytes.size());
   std::size_t next = 0;
@@ -187,8 +187,8 @@ std::vector<ReleaseOutcome> unpacked_outcomes(const std::string& bytes) {
     return Vec2(x, take());
   };
   const auto take_all = [&] {
-    std::vector<OutcomeAt> all(take_count());
-    for (OutcomeAt& at : all) {
+    std::vector<OutcomeAtMoment> all(take_count());
+    for (OutcomeAtMoment& at : all) {
       for (double* value : {&at.speed, &at.spin, &at.height, &at.energy, &at.depth}) {
         *value = take();
       }

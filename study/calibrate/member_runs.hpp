@@ -12,16 +12,16 @@ namespace clast::study_detail {
 /// ends it, what was simulated is kept.
 /// @param stored  gets them
 /// @throws SimulationError  a member whose runs fail, here or in another process
-void simulate_missing(const CalibrationStudy& study, const CalibrationSimulator& simulator,
+void simulate_missing_members(const CalibrationStudy& study, const CalibrationBackend& simulator,
                       const std::filesystem::path& target, const CalibrateOptions& options,
                       StoredCalibration& stored);
 
-/// Simulates what `simulate_missing` of the process that leads hands out.
-void follow_missing(const CalibrationStudy& study, const CalibrationSimulator& simulator,
+/// Simulates what `simulate_missing_members` of the process that leads hands out.
+void follow_missing(const CalibrationStudy& study, const CalibrationBackend& simulator,
                     ProcessTeam& team);
 
 /// Outcomes as bytes, and back.
-std::string packed_outcomes(const std::vector<ReleaseOutcome>& outcomes);
-std::vector<ReleaseOutcome> unpacked_outcomes(const std::string& bytes);
+std::string serialize_outcomes(const std::vector<ReleaseOutcome>& outcomes);
+std::vector<ReleaseOutcome> deserialize_outcomes(const std::string& bytes);
 
 }  // namespace clast::study_detail

@@ -15,7 +15,7 @@ namespace {
 
 constexpr double kNoFigure = std::numeric_limits<double>::quiet_NaN();
 
-void check_known(const Observation& observation, const SiteFacts& site, const std::string& what,
+void check_known(const Observation& observation, const SiteDescription& site, const std::string& what,
                  const std::string& wanted, const std::vector<std::string>& known) {
   if (wanted.empty() || std::find(known.begin(), known.end(), wanted) != known.end()) return;
   std::vector<std::string> once = known;
@@ -26,7 +26,7 @@ void check_known(const Observation& observation, const SiteFacts& site, const st
                    (once.empty() ? "none" : listed(once)));
 }
 
-std::size_t place_of_moment(const Observation& observation, const SiteFacts& site) {
+std::size_t place_of_moment(const Observation& observation, const SiteDescription& site) {
   if (!observation.moment) return 0;
   const auto moment = std::find(site.moments.begin(), site.moments.end(), *observation.moment);
   if (moment == site.moments.end()) {
@@ -75,18 +75,18 @@ double figure_of_places(const Figure& figure, std::vector<double> along,
 }
 
 /// What is measured at barriers and moments; null for other figures.
-double OutcomeAt::*measured_member(Figure::Kind kind) {
+double OutcomeAtMoment::*measured_member(Figure::Kind kind) {
   switch (kind) {
     case Figure::Kind::kMeanSpeed:
-      return &OutcomeAt::speed;
+      return &OutcomeAtMoment::speed;
     case Figure::Kind::kMeanSpin:
-      return &OutcomeAt::spin;
+      return &OutcomeAtMoment::spin;
     case Figure::Kind::kMeanHeight:
-      return &OutcomeAt::height;
+      return &OutcomeAtMoment::height;
     case Figure::Kind::kMeanEnergy:
-      return &OutcomeAt::energy;
+      return &OutcomeAtMoment::energy;
     case Figure::Kind::kMeanDepth:
-      return &OutcomeAt::depth;
+      return &OutcomeAtMoment::depth;
     default:
       return nullptr;
   }
@@ -107,14 +107,14 @@ std::vector<Moment> observed_moments(const std::vector<Observation>& observation
   return {moments.begin(), moments.end()};
 }
 
-ObservedStop place_of(const Observation& observation, const SiteFacts& site, const Vec2& start,
+StopPosition stop_position_of(const Observation& observation, const SiteDescription& site, const Vec2& start,
                       const Vec2& stop) {
   const Vec2 offset = stop - (observation.from_own_start ? start : site.middle_of_starts);
   const Vec2 right(site.downslope.y(), -site.downslope.x());
   return {offset.dot(site.downslope), offset.dot(right)};
 }
 
-std::vector<Seen> seen_by(const Observation& observation, const SiteFacts& site,
+std::vector<Seen> select_outcomes(const Observation& observation, const SiteDescription& site,
                           std::span<const ReleaseOutcome> outcomes) {
   check_known(observation, site, "block", observation.block, site.blocks);
   check_known(observation, site, "block of shape", observation.shape, site.shapes);
@@ -131,11 +131,11 @@ std::vector<Seen> seen_by(const Observation& observation, const SiteFacts& site,
     if (!observation.release.empty() && site.releases[outcome.release] != observation.release) {
       continue;
     }
-    OutcomeAt at;
+    OutcomeAtMoment at;
     if (observation.moment) at = outcome.moments[moment];
     if (!observation.barrier.empty()) at = outcome.barriers[barrier];
-    const ObservedStop place =
-        place_of(observation, site, outcome.start, observation.moment ? at.place : outcome.stop);
+    const StopPosition place =
+        stop_position_of(observation, site, outcome.start, observation.moment ? at.place : outcome.stop);
     seen.push_back({outcome.point, place.along, place.aside, at});
   }
   return seen;
@@ -148,14 +148,14 @@ void check_enough(const Observation& observation, std::span<const Seen> seen) {
                    std::to_string(kFewestSeen) + " are needed; raise [design] releases");
 }
 
-double figure_of(const Figure& figure, std::span<const Seen> seen,
+double compute_statistic(const Figure& figure, std::span<const Seen> seen,
                  std::span<const std::size_t> sample) {
   std::vector<double> values, aside;
   if (figure.kind == Figure::Kind::kPassed) {
     for (const std::size_t i : sample) values.push_back(seen[i].at.passed() ? 1.0 : 0.0);
     return mean_of_values(values);
   }
-  if (double OutcomeAt::*const quantity = measured_member(figure.kind)) {
+  if (double OutcomeAtMoment::*const quantity = measured_member(figure.kind)) {
     for (const std::size_t i : sample) {
       if (seen[i].at.passed()) values.push_back(seen[i].at.*quantity);
     }
@@ -168,9 +168,9 @@ double figure_of(const Figure& figure, std::span<const Seen> seen,
   return figure_of_places(figure, std::move(values), aside);
 }
 
-double figure_of(const Figure& figure, std::span<const ObservedStop> stops) {
+double compute_statistic(const Figure& figure, std::span<const StopPosition> stops) {
   std::vector<double> along, aside;
-  for (const ObservedStop& stop : stops) {
+  for (const StopPosition& stop : stops) {
     along.push_back(stop.along);
     aside.push_back(stop.aside);
   }

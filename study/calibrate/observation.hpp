@@ -38,7 +38,7 @@ struct Figure {
 };
 
 /// A stop in the field, along the path and to the right of it, m.
-struct ObservedStop {
+struct StopPosition {
   double along = 0.0;
   double aside = 0.0;
 };
@@ -73,13 +73,13 @@ std::vector<Moment> observed_moments(const std::vector<Observation>& observation
 struct Seen {
   std::uint32_t point = 0;  ///< releases of one share its ground
   double along = 0.0, aside = 0.0;
-  OutcomeAt at;  ///< the barrier or moment
+  OutcomeAtMoment at;  ///< the barrier or moment
 };
 
 /// The releases of a member that the observation is of.
 /// @throws InputError  the site has no such block, shape, release set or barrier, or
 ///                     its members were simulated without the moment
-std::vector<Seen> seen_by(const Observation& observation, const SiteFacts& site,
+std::vector<Seen> select_outcomes(const Observation& observation, const SiteDescription& site,
                           std::span<const ReleaseOutcome> outcomes);
 
 /// Makes sure that a member has releases enough of the observed blocks to know their scatter by.
@@ -88,15 +88,15 @@ void check_enough(const Observation& observation, std::span<const Seen> seen);
 inline constexpr std::size_t kFewestSeen = 8;
 
 /// Where a stop lies for the observation.
-ObservedStop place_of(const Observation& observation, const SiteFacts& site, const Vec2& start,
+StopPosition stop_position_of(const Observation& observation, const SiteDescription& site, const Vec2& start,
                       const Vec2& stop);
 
 /// Of a sample that is given by places in `seen`, as often as they stand there; not a number where
 /// it has none: a mean speed of no passage, a spread of one stop.
-double figure_of(const Figure& figure, std::span<const Seen> seen,
+double compute_statistic(const Figure& figure, std::span<const Seen> seen,
                  std::span<const std::size_t> sample);
 
 /// Of a field sample of stops.
-double figure_of(const Figure& figure, std::span<const ObservedStop> stops);
+double compute_statistic(const Figure& figure, std::span<const StopPosition> stops);
 
 }  // namespace clast

@@ -34,7 +34,7 @@ bool is_fitted(const std::string& use) { return use == "fit"; }
 /// The numbers of a list, which is there.
 std::vector<double> numbers_of(const DeclaredTable& table, const std::string& key,
                                const std::string& expected) {
-  const ValueForm& form = table.form(key);
+  const ValueFormat& form = table.form(key);
   return table.numbers(key, table.required(key, expected), form.least, form.most, expected,
                        form.leaf().range);
 }
@@ -124,7 +124,7 @@ void read_starts(const std::vector<MeasuredStop>& stops, Observation& observatio
   for (const auto& [start, count] : starts) observation.clusters.push_back(count);
 }
 
-void read_stops(const DeclaredTable& table, const SiteFacts& site, Observation& observation) {
+void read_stops(const DeclaredTable& table, const SiteDescription& site, Observation& observation) {
   const TomlNode& file = *table.find("stops");
   const MeasuredStops measured = read_measured_stops(*table.value<std::filesystem::path>("stops"));
   observation.table = measured.file;
@@ -142,13 +142,13 @@ void read_stops(const DeclaredTable& table, const SiteFacts& site, Observation& 
   }
   observation.releases = stops.size();
   read_starts(stops, observation);
-  std::vector<ObservedStop> places;
+  std::vector<StopPosition> places;
   for (const MeasuredStop& stop : stops) {
     places.push_back(
-        place_of(observation, site, stop.start.value_or(site.middle_of_starts), stop.place));
+        stop_position_of(observation, site, stop.start.value_or(site.middle_of_starts), stop.place));
   }
   for (Figure& figure : observation.figures) {
-    figure.observed = figure_of(figure, places);
+    figure.observed = compute_statistic(figure, places);
   }
 }
 
@@ -207,11 +207,11 @@ std::vector<Figure> trajectory_figures(const DeclaredTable& table) {
 }
 
 /// One observation at each of the times.
-std::vector<Observation> read_followed(const DeclaredTable& table, const SiteFacts& site,
+std::vector<Observation> read_followed(const DeclaredTable& table, const SiteDescription& site,
                                        Observation common) {
   const TomlNode& file = *table.find("trajectories");
   common.table = *table.value<std::filesystem::path>("trajectories");
-  const ObservedTrajectories followed = read_trajectories(common.table);
+  const ObservedTrajectorySet followed = read_trajectories(common.table);
   common.sha256 = followed.sha256;
   common.releases = followed.all.size();
   if (common.releases < kFewestStops) {
@@ -240,20 +240,20 @@ std::vector<Observation> read_followed(const DeclaredTable& table, const SiteFac
     std::vector<std::size_t> all;
     for (const ObservedTrajectory& one : followed.all) {
       const TrajectoryPoint point = point_at(one, time);
-      const ObservedStop place = place_of(own, site, one.front().place, point.place);
-      OutcomeAt at;
+      const StopPosition place = stop_position_of(own, site, one.front().place, point.place);
+      OutcomeAtMoment at;
       at.speed = point.speed;
       at.spin = point.spin;
       all.push_back(seen.size());
       seen.push_back({0, place.along, place.aside, at});
     }
-    for (Figure& figure : own.figures) figure.observed = figure_of(figure, seen, all);
+    for (Figure& figure : own.figures) figure.observed = compute_statistic(figure, seen, all);
     observations.push_back(std::move(own));
   }
   return observations;
 }
 
-void read_passages(const DeclaredTable& table, const SiteFacts& site, Observation& observation) {
+void read_passages(const DeclaredTable& table, const SiteDescription& site, Observation& observation) {
   observation.barrier = *table.text("barrier");
   if (std::find(site.barriers.begin(), site.barriers.end(), observation.barrier) ==
       site.barriers.end()) {
@@ -293,7 +293,7 @@ std::size_t site_of(const DeclaredTable& table, const std::vector<CalibrationSit
   table.refuse("site", node, "there is no [[site]] of this name");
 }
 
-void check_release(const DeclaredTable& table, const SiteFacts& site, const std::string& release) {
+void check_release(const DeclaredTable& table, const SiteDescription& site, const std::string& release) {
   if (release.empty() ||
       std::find(site.releases.begin(), site.releases.end(), release) != site.releases.end()) {
     return;
@@ -306,7 +306,7 @@ std::vector<Observation> read_observation(const DeclaredTable& table,
   Observation observation;
   observation_keys().read(table, observation);
   observation.site = site_of(table, sites);
-  const SiteFacts site = path_of(sites[observation.site]);
+  const SiteDescription site = read_site_path(sites[observation.site]);
   check_release(table, site, observation.release);
   const std::string source = source_of(table);
   if (source == "trajectories") return read_followed(table, site, std::move(observation));
@@ -335,13 +335,13 @@ bool share_blocks(const Observation& a, const Observation& b) {
 
 }  // namespace
 
-const BoundTable<Observation>& observation_keys() {
+const MemberTable<Observation>& observation_keys() {
   const auto measured = [](const NumberRange& range) { return list(number(range), 2, 2); };
-  const ValueForm figure = fitting("^(mean|std|aside|speed|spin|p[0-9.+].*)$");
+  const ValueFormat figure = fitting("^(mean|std|aside|speed|spin|p[0-9.+].*)$");
   using Names = std::vector<std::string>;
   const Names stops = {"stops"}, places = {"stops", "trajectories"}, barrier = {"barrier"},
               moving = {"barrier", "impact"}, impact = {"impact"}, followed = {"trajectories"};
-  static const BoundTable<Observation> keys(
+  static const MemberTable<Observation> keys(
       {"observation",
        "What was observed of blocks of a site",
        KeyTable::Repeat::kEither,
@@ -383,17 +383,17 @@ const BoundTable<Observation>& observation_keys() {
   return keys;
 }
 
-SiteFacts path_of(const CalibrationSite& site) {
-  SiteFacts facts;
+SiteDescription read_site_path(const CalibrationSite& site) {
+  SiteDescription facts;
   facts.name = site.name;
   for (const Barrier& barrier : site.campaign.barriers) facts.barriers.push_back(barrier.name);
-  for (const ReleasePlan& release : site.campaign.releases) facts.releases.push_back(release.name);
+  for (const ReleaseSet& release : site.campaign.releases) facts.releases.push_back(release.name);
   facts.downslope = site.campaign.downslope.value_or(Vec2::UnitX()).normalized();
   // Summed from the first: map coordinates of 5e6 m would cost digits.
   const Vec2 first = site.campaign.releases.front().points.front().head<2>();
   Vec2 sum = Vec2::Zero();
   std::size_t count = 0;
-  for (const ReleasePlan& release : site.campaign.releases) {
+  for (const ReleaseSet& release : site.campaign.releases) {
     for (const Vec3& point : release.points) {
       sum += point.head<2>() - first;
       ++count;
@@ -406,7 +406,7 @@ SiteFacts path_of(const CalibrationSite& site) {
 std::vector<Observation> read_observations(const TomlTable& top,
                                            const std::vector<CalibrationSite>& sites) {
   std::vector<Observation> observations;
-  for (const DeclaredTable& table : tables_of(top, observation_keys())) {
+  for (const DeclaredTable& table : find_tables(top, observation_keys())) {
     for (Observation& observation : read_observation(table, sites)) {
       check_new_name(table, observation.name, observations, "observation");
       for (const Observation& other : observations) {

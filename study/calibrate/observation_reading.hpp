@@ -9,10 +9,10 @@
 namespace clast::study_detail {
 
 /// What observations need to know of a site before its campaign is prepared: all but its blocks.
-SiteFacts path_of(const CalibrationSite& site);
+SiteDescription read_site_path(const CalibrationSite& site);
 
 /// The keys of [[observation]].
-const BoundTable<Observation>& observation_keys();
+const MemberTable<Observation>& observation_keys();
 
 /// The tables [[observation]], with the figures of the stops that they name.
 /// @throws InputError  as `read_calibration_study`

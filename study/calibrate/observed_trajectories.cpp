@@ -10,13 +10,13 @@
 
 namespace clast::study_detail {
 
-double ObservedTrajectories::longest() const {
+double ObservedTrajectorySet::longest() const {
   double time = 0.0;
   for (const ObservedTrajectory& trajectory : all) time = std::max(time, trajectory.back().time);
   return time;
 }
 
-ObservedTrajectories read_trajectories(const std::filesystem::path& file) {
+ObservedTrajectorySet read_trajectories(const std::filesystem::path& file) {
   constexpr const char* kColumns =
       "six numbers: trajectory, time_s, x_m, y_m, speed_m_s and spin_rad_s";
   const std::vector<NumberRow> rows = read_number_table(
@@ -33,7 +33,7 @@ ObservedTrajectories read_trajectories(const std::filesystem::path& file) {
     }
     own.push_back({time, {row.values[2], row.values[3]}, row.values[4], row.values[5]});
   }
-  ObservedTrajectories read{sha256(read_text_file(file)), {}};
+  ObservedTrajectorySet read{sha256(read_text_file(file)), {}};
   for (auto& [number, trajectory] : by_number) {
     const double release = trajectory.front().time;
     for (TrajectoryPoint& point : trajectory) point.time -= release;

@@ -19,7 +19,7 @@ struct TrajectoryPoint {
 /// Rising in time, from the release.
 using ObservedTrajectory = std::vector<TrajectoryPoint>;
 
-struct ObservedTrajectories {
+struct ObservedTrajectorySet {
   std::string sha256;  ///< of the table
   std::vector<ObservedTrajectory> all;
 
@@ -29,7 +29,7 @@ struct ObservedTrajectories {
 /// A table of numbers with the columns trajectory, time_s, x_m, y_m, speed_m_s and spin_rad_s; a
 /// trajectory is the rows with its number, the first of which is its release.
 /// @throws InputError  no such table, or times of a trajectory that do not rise: file and line
-ObservedTrajectories read_trajectories(const std::filesystem::path& file);
+ObservedTrajectorySet read_trajectories(const std::filesystem::path& file);
 
 /// Between the rows in a straight line; after the last row the last row.
 /// @param time  since the release, s

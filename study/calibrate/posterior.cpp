@@ -83,8 +83,8 @@ MatrixXd predictive_draws(const SyntheticLikelihood& likelihood, const std::vect
 }
 
 /// Where a figure stands among the observations.
-PredictedFigure place_of_figure(const CalibrationStudy& study, std::size_t figure) {
-  PredictedFigure place;
+PredictedStatistic place_of_figure(const CalibrationStudy& study, std::size_t figure) {
+  PredictedStatistic place;
   while (figure >= study.observations[place.observation].figures.size()) {
     figure -= study.observations[place.observation++].figures.size();
   }
@@ -118,7 +118,7 @@ PredictedInterval interval_of(const Figure& figure, const MatrixXd& draws, Index
 
 /// As many places all over the ranges as there are draws.
 MatrixXd prior_places(const CalibrationStudy& study) {
-  SobolSequence sequence(study.unknowns.size(), named_seed(study.design.seed, "prior"));
+  SobolSequence sequence(study.unknowns.size(), derive_seed(study.design.seed, "prior"));
   MatrixXd places(static_cast<Index>(study.unknowns.size()),
                   static_cast<Index>(study.design.draws));
   for (Index i = 0; i < places.cols(); ++i) {
@@ -138,12 +138,12 @@ PredictiveCheck predict_figures(const CalibrationStudy& study,
   if (which.empty()) return check;
   const std::string name = fitted ? "fitted" : "kept";
   const MatrixXd draws =
-      predictive_draws(likelihood, which, posterior.shares, named_seed(study.design.seed, name));
+      predictive_draws(likelihood, which, posterior.shares, derive_seed(study.design.seed, name));
   const MatrixXd prior = predictive_draws(likelihood, which, prior_places(study),
-                                          named_seed(study.design.seed, name + " prior"));
+                                          derive_seed(study.design.seed, name + " prior"));
   const VectorXd observed = likelihood.observed(which);
   for (std::size_t i = 0; i < which.size(); ++i) {
-    PredictedFigure figure = place_of_figure(study, static_cast<std::size_t>(which[i]));
+    PredictedStatistic figure = place_of_figure(study, static_cast<std::size_t>(which[i]));
     const Figure& asked = study.observations[figure.observation].figures[figure.figure];
     const PredictedInterval found = interval_of(asked, draws, static_cast<Index>(i));
     figure.median = found.median;
@@ -196,13 +196,13 @@ std::vector<std::vector<SobolIndices>> sensitivities_of(const CalibrationStudy& 
     if (!likelihood.quality(k)) return;
     all[k] = sobol_indices(
         study.unknowns.size(), [&](const MatrixXd& places) { return likelihood.mean(k, places); },
-        kSamples, named_seed(study.design.seed, "sensitivity"));
+        kSamples, derive_seed(study.design.seed, "sensitivity"));
   });
   return all;
 }
 
 /// By the distance of the members' own figures, in units of the scatter.
-NearestMembers nearest_members(const CalibrationStudy& study, const MemberFigures& figures,
+NearestMembers nearest_members(const CalibrationStudy& study, const MemberStatistics& figures,
                                const SyntheticLikelihood& likelihood) {
   const std::vector<Index> which = likelihood.known(true);
   const VectorXd observed = likelihood.observed(which);
@@ -241,11 +241,11 @@ NearestMembers nearest_members(const CalibrationStudy& study, const MemberFigure
 
 CalibrationPosterior infer_posterior(const CalibrationStudy& study, const CalibrationRuns& runs,
                                      unsigned threads) {
-  const MemberFigures figures = member_figures(study, runs.sites, runs.outcomes, threads);
+  const MemberStatistics figures = compute_member_statistics(study, runs.sites, runs.outcomes, threads);
   const SyntheticLikelihood likelihood(study, figures, threads);
   TemperedSamplingOptions options;
   options.draws = study.design.draws;
-  options.seed = named_seed(study.design.seed, "posterior");
+  options.seed = derive_seed(study.design.seed, "posterior");
   TemperedSample sample = sample_tempered(
       study.unknowns.size(),
       [&](const MatrixXd& places) { return likelihood.log_likelihood(places); }, options);

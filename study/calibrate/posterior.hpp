@@ -12,7 +12,7 @@ namespace clast {
 
 /// Simulated releases of a calibration.
 struct CalibrationRuns {
-  std::vector<SiteFacts> sites;
+  std::vector<SiteDescription> sites;
   std::vector<std::vector<std::vector<ReleaseOutcome>>> outcomes;  ///< of each site, each member
 };
 
@@ -27,7 +27,7 @@ struct Marginal {
   /// The data say next to nothing of it.
   bool is_undetermined() const { return width > 0.8; }
   /// The range ends where values were still likely.
-  bool is_cut_off() const { return !is_undetermined() && (at_low > 0.25 || at_high > 0.25); }
+  bool is_cut_off_by_range() const { return !is_undetermined() && (at_low > 0.25 || at_high > 0.25); }
 };
 
 /// What would be observed of a figure.
@@ -37,7 +37,7 @@ struct PredictedInterval {
 };
 
 /// What the calibrated simulation says of a figure.
-struct PredictedFigure {
+struct PredictedStatistic {
   std::size_t observation = 0;  ///< into CalibrationStudy::observations
   std::size_t figure = 0;       ///< into its figures
   double median = 0.0;
@@ -76,7 +76,7 @@ struct CalibrationPosterior {
   double accepted = 0.0;
   std::vector<Marginal> marginals;
   Eigen::MatrixXd correlation;             ///< rank correlations of the draws
-  std::vector<PredictedFigure> predicted;  ///< of the figures that have a surrogate
+  std::vector<PredictedStatistic> predicted;  ///< of the figures that have a surrogate
   PredictiveCheck fitted, kept;
   Eigen::MatrixXd member_figures;  ///< figures by members; not a number where a member has none
   std::vector<std::optional<SurrogateQuality>> surrogates;  ///< of each figure

@@ -88,7 +88,7 @@ void write_figures(Hdf5Group group, const CalibrationStudy& study,
   }
   std::vector<double> median(count, kNotStored), low(count, kNotStored), high(count, kNotStored);
   std::vector<double> prior_median = median, prior_low = median, prior_high = median;
-  for (const PredictedFigure& figure : posterior.predicted) {
+  for (const PredictedStatistic& figure : posterior.predicted) {
     const std::size_t at = first[figure.observation] + figure.figure;
     median[at] = figure.median;
     low[at] = figure.low;
@@ -220,7 +220,7 @@ StoredCalibration read_calibration_runs(const std::filesystem::path& path) {
     stored.done.emplace_back(done.begin(), done.end());
     const CheckedGroup runs{path.string(), name + "/runs", site.group.group("runs")};
     stored.runs.outcomes.push_back(
-        read_outcomes(runs, stored.runs.sites.back(), static_cast<std::size_t>(members)));
+        read_release_outcomes(runs, stored.runs.sites.back(), static_cast<std::size_t>(members)));
   }
   return stored;
 }

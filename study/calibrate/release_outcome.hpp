@@ -26,7 +26,7 @@ struct Moment {
 
 /// A release at a barrier of its site, or at a moment; all not a number where it did not pass, or
 /// had no such impact. A run that is over counts with its end at every later time.
-struct OutcomeAt {
+struct OutcomeAtMoment {
   double speed = std::numeric_limits<double>::quiet_NaN();   ///< m/s
   double spin = std::numeric_limits<double>::quiet_NaN();    ///< rad/s
   double height = std::numeric_limits<double>::quiet_NaN();  ///< of the centre above ground, m
@@ -44,13 +44,13 @@ struct ReleaseOutcome {
   Vec2 start = Vec2::Zero();
   /// Where it came to rest, left the terrain or was at the end of the time, map, m.
   Vec2 stop = Vec2::Zero();
-  std::vector<OutcomeAt> barriers;  ///< in the order of the site's campaign
+  std::vector<OutcomeAtMoment> barriers;  ///< in the order of the site's campaign
   std::uint32_t release = 0;        ///< release set: index into the releases of its site
-  std::vector<OutcomeAt> moments;   ///< in the order of the site's
+  std::vector<OutcomeAtMoment> moments;   ///< in the order of the site's
 };
 
 /// What observations can ask of the simulations of a site.
-struct SiteFacts {
+struct SiteDescription {
   std::string name;
   std::vector<std::string> blocks;    ///< ids
   std::vector<std::string> shapes;    ///< of each block, compact or elongated

@@ -58,7 +58,7 @@ class MomentObserver {
   }
 
   /// @param end  of the run
-  std::vector<OutcomeAt> outcomes(const RigidState& end) {
+  std::vector<OutcomeAtMoment> outcomes(const RigidState& end) {
     impacts_.finish();
     for (std::size_t i = 0; i < moments_.size(); ++i) {
       if (moments_[i].kind == Moment::Kind::kTime) {
@@ -74,8 +74,8 @@ class MomentObserver {
   }
 
  private:
-  OutcomeAt at(const RigidState& state) const {
-    OutcomeAt outcome;
+  OutcomeAtMoment at(const RigidState& state) const {
+    OutcomeAtMoment outcome;
     outcome.speed = state.velocity.norm();
     outcome.spin = state.angular_velocity.norm();
     outcome.energy = translational_energy(body_, state) + rotational_energy(body_, state);
@@ -88,10 +88,10 @@ class MomentObserver {
   const MapFrame& frame_;
   double gravity_;
   ImpactObserver impacts_;
-  std::vector<OutcomeAt> outcomes_;
+  std::vector<OutcomeAtMoment> outcomes_;
 };
 
-ReleaseOutcome outcome_of(const StoredRun& run, const CampaignPlan& prepared) {
+ReleaseOutcome count_stop_reasons(const StoredRun& run, const CampaignPlan& prepared) {
   const MapFrame& frame = prepared.header.frame;
   ReleaseOutcome outcome;
   outcome.block = run.record.block;
@@ -101,9 +101,9 @@ ReleaseOutcome outcome_of(const StoredRun& run, const CampaignPlan& prepared) {
   outcome.stop = frame.map(run.record.result.final_state.position).head<2>();
   outcome.barriers.resize(prepared.header.barriers.size());
   for (const Crossing& crossing : run.crossings) {
-    OutcomeAt& at = outcome.barriers[crossing.barrier];
+    OutcomeAtMoment& at = outcome.barriers[crossing.barrier];
     const bool counts =
-        prepared.header.barriers[crossing.barrier].counted != CountedCrossings::kForward ||
+        prepared.header.barriers[crossing.barrier].counted != CountedDirection::kForward ||
         crossing.forward;
     if (at.passed() || !counts) continue;
     at.speed = crossing.velocity.norm();
@@ -116,7 +116,7 @@ ReleaseOutcome outcome_of(const StoredRun& run, const CampaignPlan& prepared) {
 
 }  // namespace
 
-struct SiteSimulator::Impl {
+struct SiteMemberSimulator::Impl {
   explicit Impl(CampaignPlan plan) : prepared(std::move(plan)) {}
 
   std::string name;
@@ -127,19 +127,19 @@ struct SiteSimulator::Impl {
   bool blocks_vary = false;
   CampaignPlan prepared;
   std::vector<RunRecord> planned;  ///< all runs of the campaign, at the middle of the ranges
-  SiteFacts facts;
+  SiteDescription facts;
   std::vector<std::string> inputs;
 
   /// So many of the planned runs, one by chance out of each equal part of them.
   std::vector<RunRecord> chosen_runs(std::uint32_t member) {
-    Random random(named_seed(design.seed, name + " member " + std::to_string(member)));
+    Random random(derive_seed(design.seed, name + " member " + std::to_string(member)));
     std::vector<std::uint32_t> numbers;
     const double each = static_cast<double>(planned.size()) / design.releases;
     for (std::uint32_t i = 0; i < design.releases; ++i) {
       const auto number = static_cast<std::size_t>((i + random.uniform()) * each);
       numbers.push_back(static_cast<std::uint32_t>(std::min(number, planned.size() - 1)));
     }
-    if (starts_vary || blocks_vary) return planned_runs(prepared, numbers);
+    if (starts_vary || blocks_vary) return make_planned_runs(prepared, numbers);
     std::vector<RunRecord> runs;
     for (const std::uint32_t number : numbers) runs.push_back(planned[number]);
     return runs;
@@ -150,8 +150,8 @@ struct SiteSimulator::Impl {
   void draw_blocks_of(std::uint32_t member) {
     const std::uint64_t seed = std::exchange(
         prepared.campaign.blocks.draw->seed,
-        named_seed(prepared.campaign.blocks.draw->seed, "member " + std::to_string(member)));
-    redraw_blocks(prepared);
+        derive_seed(prepared.campaign.blocks.draw->seed, "member " + std::to_string(member)));
+    resample_blocks(prepared);
     prepared.campaign.blocks.draw->seed = seed;
   }
 
@@ -159,7 +159,7 @@ struct SiteSimulator::Impl {
   void check_largest_blocks() {
     const Campaign middle = prepared.campaign;
     for (const Unknown& unknown : unknowns) {
-      if (!is_of_blocks(unknown.parameter) || !share_class(unknown.parameter).empty()) continue;
+      if (!is_block_parameter(unknown.parameter) || !fraction_class(unknown.parameter).empty()) continue;
       if (has_parameter(middle, unknown.parameter)) {
         set_parameter(prepared.campaign, unknown.parameter, unknown.high);
       }
@@ -190,7 +190,7 @@ struct SiteSimulator::Impl {
   }
 };
 
-SiteSimulator::SiteSimulator(const CalibrationSite& site, const std::vector<Unknown>& unknowns,
+SiteMemberSimulator::SiteMemberSimulator(const CalibrationSite& site, const std::vector<Unknown>& unknowns,
                              const CalibrationDesign& design, const std::vector<Moment>& moments)
     : impl_(std::make_unique<Impl>(prepare_campaign(with_middles(site.campaign, unknowns)))) {
   Impl& own = *impl_;
@@ -198,17 +198,17 @@ SiteSimulator::SiteSimulator(const CalibrationSite& site, const std::vector<Unkn
   own.design = design;
   own.unknowns = unknowns;
   own.starts_vary = has_any(site.campaign, unknowns, is_of_release);
-  own.blocks_vary = has_any(site.campaign, unknowns, is_of_blocks);
+  own.blocks_vary = has_any(site.campaign, unknowns, is_block_parameter);
   own.planned = own.prepared.runs;
   if (own.planned.size() < design.releases) {
     throw InputError(site.campaign.file.string() + ": plans " + std::to_string(own.planned.size()) +
                      " runs, fewer than the " + std::to_string(design.releases) +
                      " releases of each member; add orientations or points, or lower releases");
   }
-  own.facts = path_of(site);
+  own.facts = read_site_path(site);
   own.facts.moments = moments;
   if (own.blocks_vary) {
-    own.prepared.choice.library = selected_blocks(own.prepared.campaign);
+    own.prepared.choice.library = read_selected_blocks(own.prepared.campaign);
     own.check_largest_blocks();
   }
   own.name_blocks();
@@ -216,13 +216,13 @@ SiteSimulator::SiteSimulator(const CalibrationSite& site, const std::vector<Unkn
   own.inputs.insert(own.inputs.begin(), site.campaign.file.string() + " " + site.campaign.sha256);
 }
 
-SiteSimulator::~SiteSimulator() = default;
-SiteSimulator::SiteSimulator(SiteSimulator&&) noexcept = default;
+SiteMemberSimulator::~SiteMemberSimulator() = default;
+SiteMemberSimulator::SiteMemberSimulator(SiteMemberSimulator&&) noexcept = default;
 
-const SiteFacts& SiteSimulator::facts() const { return impl_->facts; }
-const std::vector<std::string>& SiteSimulator::inputs() const { return impl_->inputs; }
+const SiteDescription& SiteMemberSimulator::facts() const { return impl_->facts; }
+const std::vector<std::string>& SiteMemberSimulator::inputs() const { return impl_->inputs; }
 
-std::vector<ReleaseOutcome> SiteSimulator::simulate(std::uint32_t member,
+std::vector<ReleaseOutcome> SiteMemberSimulator::simulate(std::uint32_t member,
                                                     const std::vector<double>& values,
                                                     unsigned threads) {
   Impl& own = *impl_;
@@ -234,10 +234,10 @@ std::vector<ReleaseOutcome> SiteSimulator::simulate(std::uint32_t member,
         set_parameter(prepared.campaign, own.unknowns[i].parameter, values[i]);
       }
     }
-    prepared.header.ground_sets = ground_sets(prepared.campaign, prepared.header.zone_names);
+    prepared.header.ground_sets = draw_ground_sets(prepared.campaign, prepared.header.zone_names);
     if (own.blocks_vary) own.draw_blocks_of(member);
     prepared.runs = own.chosen_runs(member);
-    settle_stiffness(prepared);
+    choose_run_stiffness(prepared);
   } catch (const Error& error) {
     throw SimulationError(who + error.what());
   }
@@ -251,7 +251,7 @@ std::vector<ReleaseOutcome> SiteSimulator::simulate(std::uint32_t member,
     if (!own.facts.moments.empty()) observe = [&](const MotionStep& step) { moments.see(step); };
     const StoredRun run =
         runs_from(prepared, static_cast<std::uint32_t>(i), {}, 1, observe).front();
-    outcomes[i] = outcome_of(run, prepared);
+    outcomes[i] = count_stop_reasons(run, prepared);
     if (own.blocks_vary) {
       outcomes[i].block =
           static_cast<std::uint32_t>(prepared.choice.blocks[outcomes[i].block].library);

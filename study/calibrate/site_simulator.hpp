@@ -13,19 +13,19 @@ namespace clast {
 /// other. Releases of a member are taken evenly from all runs that the campaign plans, other ones
 /// for each member. Where an unknown is of drawn blocks, these are drawn anew for each member, and
 /// outcomes name the blocks of the library that they are drawn from.
-class SiteSimulator {
+class SiteMemberSimulator {
  public:
   /// @param unknowns  those that the campaign does not have are left out
   /// @param moments   of the site that are observed
   /// @throws InputError, SimulationError  as `prepare_campaign`; or the campaign has fewer runs
   /// than
   ///                                      the design asks for
-  SiteSimulator(const CalibrationSite& site, const std::vector<Unknown>& unknowns,
+  SiteMemberSimulator(const CalibrationSite& site, const std::vector<Unknown>& unknowns,
                 const CalibrationDesign& design, const std::vector<Moment>& moments = {});
-  ~SiteSimulator();
-  SiteSimulator(SiteSimulator&&) noexcept;
+  ~SiteMemberSimulator();
+  SiteMemberSimulator(SiteMemberSimulator&&) noexcept;
 
-  const SiteFacts& facts() const;
+  const SiteDescription& facts() const;
   /// Campaign, library, terrain and release files, each "path sha256".
   const std::vector<std::string>& inputs() const;
 

@@ -11,8 +11,8 @@ using namespace study_detail;
 
 CalibrationCheck check_calibration_study(const std::filesystem::path& file) {
   CalibrationCheck check;
-  const auto find = findings_into(check.findings);
-  const CalibrationStudy study = read_study_by_parts(file, find);
+  const auto find = collect_findings(check.findings);
+  const CalibrationStudy study = read_study_in_parts(file, find);
   for (std::size_t i = 0; i < study.sites.size(); ++i) {
     const CalibrationSite& site = study.sites[i];
     const CampaignCheck campaign = check_campaign(site.campaign.file);
@@ -22,10 +22,10 @@ CalibrationCheck check_calibration_study(const std::filesystem::path& file) {
     // The blocks that observations are of are known once a library is loaded.
     if (!check.findings.empty()) continue;
     find([&] {
-      const SiteSimulator simulator(site, study.unknowns, study.design,
+      const SiteMemberSimulator simulator(site, study.unknowns, study.design,
                                     observed_moments(study.observations, i));
       for (const Observation& observation : study.observations) {
-        if (observation.site == i) seen_by(observation, simulator.facts(), {});
+        if (observation.site == i) select_outcomes(observation, simulator.facts(), {});
       }
     });
   }

@@ -28,7 +28,7 @@ MatrixXd covariance_part(const MatrixXd& matrix) {
 }
 
 /// Weighted mean over members, of each entry over those that have it; 0 where none has.
-MatrixXd pooled(const std::vector<FigureScatter>& members, MatrixXd FigureScatter::*part,
+MatrixXd pooled(const std::vector<StatisticScatter>& members, MatrixXd StatisticScatter::*part,
                 const VectorXd& weights) {
   MatrixXd sum = MatrixXd::Zero((members.front().*part).rows(), (members.front().*part).cols());
   MatrixXd weight = sum;
@@ -69,7 +69,7 @@ std::size_t fewest_members(std::size_t members, std::size_t unknowns) {
   return std::min(members, std::max<std::size_t>(8, 2 * unknowns + 2));
 }
 
-std::string full_name(const CalibrationStudy& study, std::size_t figure) {
+std::string full_command_name(const CalibrationStudy& study, std::size_t figure) {
   for (const Observation& observation : study.observations) {
     if (figure < observation.figures.size()) {
       return "observation " + observation.name + ", " + observation.figures[figure].name;
@@ -81,12 +81,12 @@ std::string full_name(const CalibrationStudy& study, std::size_t figure) {
 
 }  // namespace
 
-MemberFigures member_figures(const CalibrationStudy& study, const std::vector<SiteFacts>& sites,
+MemberStatistics compute_member_statistics(const CalibrationStudy& study, const std::vector<SiteDescription>& sites,
                              const std::vector<std::vector<std::vector<ReleaseOutcome>>>& simulated,
                              unsigned threads) {
   const std::size_t members = study.design.members;
-  MemberFigures figures;
-  figures.groups = same_sites(study.observations);
+  MemberStatistics figures;
+  figures.groups = group_by_site(study.observations);
   figures.places.resize(static_cast<Index>(study.unknowns.size()), static_cast<Index>(members));
   const std::vector<std::vector<double>> places = study.design.places(study.unknowns.size());
   for (std::size_t m = 0; m < members; ++m) {
@@ -95,23 +95,23 @@ MemberFigures member_figures(const CalibrationStudy& study, const std::vector<Si
     }
   }
   figures.values.resize(static_cast<Index>(study.figures()), static_cast<Index>(members));
-  figures.scatter.assign(figures.groups.size(), std::vector<FigureScatter>(members));
+  figures.scatter.assign(figures.groups.size(), std::vector<StatisticScatter>(members));
   parallel_for(members, threads, [&](std::size_t m) {
     for (std::size_t g = 0; g < figures.groups.size(); ++g) {
-      const SameSite& group = figures.groups[g];
+      const SiteStatistics& group = figures.groups[g];
       std::vector<const Observation*> observations;
       std::vector<std::vector<Seen>> seen;
       for (const std::size_t o : group.observations) {
         const Observation& observation = study.observations[o];
         observations.push_back(&observation);
         seen.push_back(
-            seen_by(observation, sites[observation.site], simulated[observation.site][m]));
+            select_outcomes(observation, sites[observation.site], simulated[observation.site][m]));
         check_enough(observation, seen.back());
       }
       const std::uint64_t seed =
-          named_seed(study.design.seed, "scatter " + std::to_string(g) + "/" + std::to_string(m));
-      FigureScatter& scatter = figures.scatter[g][m];
-      scatter = figure_scatter(observations, seen, seed);
+          derive_seed(study.design.seed, "scatter " + std::to_string(g) + "/" + std::to_string(m));
+      StatisticScatter& scatter = figures.scatter[g][m];
+      scatter = estimate_statistic_scatter(observations, seen, seed);
       for (std::size_t k = 0; k < group.figures.size(); ++k) {
         figures.values(static_cast<Index>(group.figures[k]), static_cast<Index>(m)) =
             scatter.mean[static_cast<Index>(k)];
@@ -122,7 +122,7 @@ MemberFigures member_figures(const CalibrationStudy& study, const std::vector<Si
 }
 
 SyntheticLikelihood::SyntheticLikelihood(const CalibrationStudy& study,
-                                         const MemberFigures& figures, unsigned threads)
+                                         const MemberStatistics& figures, unsigned threads)
     : threads_(threads), surrogates_(study.figures()), fitted_(study.figures(), false) {
   const std::size_t count = study.figures();
   const std::size_t fewest = fewest_members(study.design.members, study.unknowns.size());
@@ -137,7 +137,7 @@ SyntheticLikelihood::SyntheticLikelihood(const CalibrationStudy& study,
   VectorXd chance = VectorXd::Zero(static_cast<Index>(count));
   const VectorXd equal = VectorXd::Ones(static_cast<Index>(study.design.members));
   for (std::size_t g = 0; g < figures.groups.size(); ++g) {
-    const MatrixXd within = pooled(figures.scatter[g], &FigureScatter::within, equal);
+    const MatrixXd within = pooled(figures.scatter[g], &StatisticScatter::within, equal);
     for (std::size_t k = 0; k < figures.groups[g].figures.size(); ++k) {
       const auto place = static_cast<Index>(k);
       chance[static_cast<Index>(figures.groups[g].figures[k])] = within(place, place);
@@ -151,16 +151,16 @@ SyntheticLikelihood::SyntheticLikelihood(const CalibrationStudy& study,
   for (std::size_t k = 0; k < count; ++k) {
     if (surrogates_[k] || !fitted_[k]) continue;
     const auto with_value = figures.values.row(static_cast<Index>(k)).array().isFinite().count();
-    throw InputError(study.file.string() + ": " + full_name(study, k) + ": only " +
+    throw InputError(study.file.string() + ": " + full_command_name(study, k) + ": only " +
                      counted(static_cast<std::size_t>(with_value), "member") + " of " +
                      std::to_string(study.design.members) + " have it, and " +
                      std::to_string(fewest) +
                      " are needed; widen the ranges, simulate more releases, or keep it");
   }
-  settle_scatter(figures);
+  estimate_scatter(figures);
 }
 
-void SyntheticLikelihood::settle_scatter(const MemberFigures& figures) {
+void SyntheticLikelihood::estimate_scatter(const MemberStatistics& figures) {
   const auto members = static_cast<double>(figures.places.cols());
   pool_scatter(figures, VectorXd::Ones(figures.places.cols()));
   for (int round = 0; round < kRounds; ++round) {
@@ -169,13 +169,13 @@ void SyntheticLikelihood::settle_scatter(const MemberFigures& figures) {
   }
 }
 
-void SyntheticLikelihood::pool_scatter(const MemberFigures& figures, const VectorXd& weights) {
+void SyntheticLikelihood::pool_scatter(const MemberStatistics& figures, const VectorXd& weights) {
   scatter_ = MatrixXd::Zero(observed_.size(), observed_.size());
   for (std::size_t g = 0; g < figures.groups.size(); ++g) {
-    const std::vector<FigureScatter>& members = figures.scatter[g];
-    const MatrixXd field = pooled(members, &FigureScatter::field, weights);
-    const MatrixXd points = pooled(members, &FigureScatter::points, weights);
-    const MatrixXd within = pooled(members, &FigureScatter::within, weights);
+    const std::vector<StatisticScatter>& members = figures.scatter[g];
+    const MatrixXd field = pooled(members, &StatisticScatter::field, weights);
+    const MatrixXd points = pooled(members, &StatisticScatter::points, weights);
+    const MatrixXd within = pooled(members, &StatisticScatter::within, weights);
     // A bootstrap of points has the chance of the releases in it too, which surrogates smooth out.
     const MatrixXd group = covariance_part(field) + covariance_part(points - within);
     const std::vector<std::size_t>& which = figures.groups[g].figures;

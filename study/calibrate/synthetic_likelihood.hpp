@@ -11,15 +11,15 @@
 namespace clast::study_detail {
 
 /// Figures of all members, and how they scatter.
-struct MemberFigures {
+struct MemberStatistics {
   Eigen::MatrixXd places;  ///< shares of the ranges, a column per member
   Eigen::MatrixXd values;  ///< figures by members
-  std::vector<SameSite> groups;
-  std::vector<std::vector<FigureScatter>> scatter;  ///< of each group, each member
+  std::vector<SiteStatistics> groups;
+  std::vector<std::vector<StatisticScatter>> scatter;  ///< of each group, each member
 };
 
 /// @param simulated  outcomes of each site, each member
-MemberFigures member_figures(const CalibrationStudy& study, const std::vector<SiteFacts>& sites,
+MemberStatistics compute_member_statistics(const CalibrationStudy& study, const std::vector<SiteDescription>& sites,
                              const std::vector<std::vector<std::vector<ReleaseOutcome>>>& simulated,
                              unsigned threads);
 
@@ -30,7 +30,7 @@ MemberFigures member_figures(const CalibrationStudy& study, const std::vector<Si
 class SyntheticLikelihood {
  public:
   /// @throws InputError  a fitted figure that too few members have, named
-  SyntheticLikelihood(const CalibrationStudy& study, const MemberFigures& figures,
+  SyntheticLikelihood(const CalibrationStudy& study, const MemberStatistics& figures,
                       unsigned threads);
 
   /// Figures that have a surrogate, fitted or kept ones.
@@ -59,8 +59,8 @@ class SyntheticLikelihood {
   }
 
  private:
-  void settle_scatter(const MemberFigures& figures);
-  void pool_scatter(const MemberFigures& figures, const Eigen::VectorXd& weights);
+  void estimate_scatter(const MemberStatistics& figures);
+  void pool_scatter(const MemberStatistics& figures, const Eigen::VectorXd& weights);
 
   unsigned threads_;
   std::vector<std::optional<Surrogate>> surrogates_;

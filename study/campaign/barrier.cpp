@@ -145,14 +145,14 @@ std::vector<Crossing> crossings_of_ring(const Barrier& barrier, const RigidBody&
 
 }  // namespace
 
-CountedCrossings counted_crossings(const std::string& name) {
-  if (name == "either") return CountedCrossings::kEither;
-  if (name == "forward") return CountedCrossings::kForward;
+CountedDirection parse_counted_direction(const std::string& name) {
+  if (name == "either") return CountedDirection::kEither;
+  if (name == "forward") return CountedDirection::kForward;
   throw InputError("\"" + name + "\" is unknown; use either or forward");
 }
 
-std::string name_of(CountedCrossings crossings) {
-  return crossings == CountedCrossings::kForward ? "forward" : "either";
+std::string name_of(CountedDirection crossings) {
+  return crossings == CountedDirection::kForward ? "forward" : "either";
 }
 
 std::vector<Crossing> find_crossings(const Barrier& barrier, const RigidBody& body,

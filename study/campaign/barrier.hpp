@@ -8,12 +8,12 @@
 namespace clast {
 
 /// Which crossings count at a line that is no ring; a run counts once, at its first one.
-enum class CountedCrossings { kEither, kForward };
+enum class CountedDirection { kEither, kForward };
 
 /// By name, "either" or "forward".
 /// @throws InputError  unknown name; the message lists both
-CountedCrossings counted_crossings(const std::string& name);
-std::string name_of(CountedCrossings crossings);
+CountedDirection parse_counted_direction(const std::string& name);
+std::string name_of(CountedDirection crossings);
 
 /// Vertical planes over the segments of a line on the map. Forward is from the left of the line, as
 /// it runs, to its right. A line that ends at its first point is a ring, which is entered and left:
@@ -21,7 +21,7 @@ std::string name_of(CountedCrossings crossings);
 struct Barrier {
   std::string name;
   std::vector<Vec2> through;  ///< local frame, m; as `check_barrier_line` wants it
-  CountedCrossings counted = CountedCrossings::kEither;
+  CountedDirection counted = CountedDirection::kEither;
 };
 
 /// One passage of a centre of mass through a barrier.

@@ -64,7 +64,7 @@ bool is_ring(std::span<const Vec2> line) { return line.size() > 3 && line.front(
 
 bool inside_is_left(std::span<const Vec2> ring) { return signed_area(ring) > 0.0; }
 
-std::optional<SelfContact> find_self_contact(std::span<const Vec2> line) {
+std::optional<SelfTouch> find_self_touch(std::span<const Vec2> line) {
   std::vector<Segment> segments;
   for (std::size_t i = 0; i + 1 < line.size(); ++i) segments.push_back({line[i], line[i + 1]});
   const std::size_t count = segments.size();
@@ -74,7 +74,7 @@ std::optional<SelfContact> find_self_contact(std::span<const Vec2> line) {
   std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
     return segments[a].low().x() < segments[b].low().x();
   });
-  std::optional<SelfContact> first;
+  std::optional<SelfTouch> first;
   for (std::size_t i = 0; i < count; ++i) {
     for (std::size_t k = i + 1; k < count; ++k) {
       const auto [a, b] = std::minmax(order[i], order[k]);
@@ -95,7 +95,7 @@ std::optional<SelfContact> find_self_contact(std::span<const Vec2> line) {
 }
 
 void check_barrier_line(std::span<const Vec2> line) {
-  const std::optional<SelfContact> found = find_self_contact(line);
+  const std::optional<SelfTouch> found = find_self_touch(line);
   if (!found) return;
   throw InputError("segments " + std::to_string(found->first + 1) + " and " +
                    std::to_string(found->second + 1) + " meet at (" +

@@ -17,13 +17,13 @@ bool inside_is_left(std::span<const Vec2> ring);
 
 /// Two segments of a line that meet beside the points that they share: it crosses, touches or
 /// retraces itself there.
-struct SelfContact {
+struct SelfTouch {
   std::size_t first = 0, second = 0;  ///< segments, from 0
   Vec2 place = Vec2::Zero();
 };
 /// The first of them.
 /// @param line  map, m; two points at least, neighbours differ; a ring ends at its first point
-std::optional<SelfContact> find_self_contact(std::span<const Vec2> line);
+std::optional<SelfTouch> find_self_touch(std::span<const Vec2> line);
 
 /// Refuses a line at which a block could not be counted, since two of its segments meet beside the
 /// points that they share: it crosses, touches or retraces itself.

@@ -38,10 +38,10 @@ void read_zone_names(const DeclaredTable& table, Campaign& campaign) {
 
 }  // namespace
 
-const BoundTable<Campaign>& terrain_keys() {
+const MemberTable<Campaign>& terrain_keys() {
   using Options = TerrainOptions;
   constexpr auto kTerrain = &Campaign::terrain;
-  static const BoundTable<Campaign> keys(
+  static const MemberTable<Campaign> keys(
       {.name = "terrain", .meaning = "The surface that blocks move on", .required = true},
       {{"surface", "", "TIN, raster, cloud or terrain file; or a list of files",
         required("a file or a list of files", texts()), kTerrain, &Options::surface},
@@ -79,10 +79,10 @@ const BoundTable<Campaign>& terrain_keys() {
   return keys;
 }
 
-const BoundTable<Campaign>& contact_keys() {
+const MemberTable<Campaign>& contact_keys() {
   using Options = StiffnessOptions;
   constexpr auto kStiffnesses = &Campaign::stiffness;
-  static const BoundTable<Campaign> keys(
+  static const MemberTable<Campaign> keys(
       {.name = "contact", .meaning = "Law of contacts, their stiffness, and the time step"},
       {{"law", "", "of the normal force", words(contact_law_names()), &contact_law, kStiffnesses,
         &Options::law},
@@ -103,9 +103,9 @@ const BoundTable<Campaign>& contact_keys() {
   return keys;
 }
 
-const BoundTable<Barrier>& barrier_keys() {
-  static const ValueForm plan = list(number(kMapCoordinate), 2, 2);
-  static const BoundTable<Barrier> keys(
+const MemberTable<Barrier>& barrier_keys() {
+  static const ValueFormat plan = list(number(kMapCoordinate), 2, 2);
+  static const MemberTable<Barrier> keys(
       {"barrier", "A line at which passing blocks are recorded", KeyTable::Repeat::kMany},
       {{"name", "", "of the barrier", required("a text in quotes", text()), &Barrier::name},
        {"from", "m", "first end, [x, y]", plan},
@@ -115,8 +115,8 @@ const BoundTable<Barrier>& barrier_keys() {
   return keys;
 }
 
-const BoundTable<Campaign>& run_keys() {
-  static const BoundTable<Campaign> keys(
+const MemberTable<Campaign>& run_keys() {
+  static const MemberTable<Campaign> keys(
       {.name = "run", .meaning = "When a run ends, and what is stored"},
       {{"max_time_s", "s", "longest time of a run", number(kRunTime), &Campaign::max_time},
        {"rest_energy_j_kg", "J/kg", "a block rests below this kinetic energy per mass ...",
@@ -134,11 +134,11 @@ const BoundTable<Campaign>& run_keys() {
 namespace {
 
 void read_terrain_table(const TomlTable& top, Campaign& campaign) {
-  terrain_keys().read(required_table(top, terrain_keys()), campaign);
+  terrain_keys().read(find_required_table(top, terrain_keys()), campaign);
 }
 
 void read_contact(const TomlTable& top, Campaign& campaign) {
-  for (const DeclaredTable& table : tables_of(top, contact_keys())) {
+  for (const DeclaredTable& table : find_tables(top, contact_keys())) {
     contact_keys().read(table, campaign);
     const TomlNode* automatic = table.find("stiffness");
     if (automatic && (automatic->kind != TomlNode::Kind::kString || automatic->text != "auto")) {
@@ -186,7 +186,7 @@ std::vector<Vec2> read_barrier_line(const DeclaredTable& table, const std::strin
 
 std::vector<Barrier> read_campaign_barriers(const TomlTable& top) {
   std::vector<Barrier> barriers;
-  for (const DeclaredTable& table : tables_of(top, barrier_keys())) {
+  for (const DeclaredTable& table : find_tables(top, barrier_keys())) {
     Barrier barrier;
     barrier_keys().read(table, barrier);
     barrier.through = read_barrier_line(table, barrier.name);
@@ -194,7 +194,7 @@ std::vector<Barrier> read_campaign_barriers(const TomlTable& top) {
       if (is_ring(barrier.through)) {
         table.refuse("direction", "is not for a ring, whose entries and exits both count");
       }
-      barrier.counted = table.checked("direction", [&] { return counted_crossings(*direction); });
+      barrier.counted = table.checked("direction", [&] { return parse_counted_direction(*direction); });
     }
     check_new_name(table, barrier.name, barriers, "barrier");
     barriers.push_back(barrier);
@@ -203,7 +203,7 @@ std::vector<Barrier> read_campaign_barriers(const TomlTable& top) {
 }
 
 void read_run(const TomlTable& top, Campaign& campaign) {
-  for (const DeclaredTable& table : tables_of(top, run_keys())) {
+  for (const DeclaredTable& table : find_tables(top, run_keys())) {
     run_keys().read(table, campaign);
     if (campaign.downslope && !kDirectionLength.holds(campaign.downslope->norm())) {
       table.refuse("downslope", "must point somewhere, with a length " + kDirectionLength.words());
@@ -224,7 +224,7 @@ Campaign read_by_parts(const fs::path& file, const std::optional<std::string>& t
     root = parse_toml(campaign.text, file.string());
   });
   if (!is_toml) return campaign;
-  const TomlTable top = top_table(root, file, campaign_tables(), read);
+  const TomlTable top = parse_top_level_table(root, file, campaign_key_tables(), read);
   const bool blocks = read([&] { campaign.blocks = read_blocks(top); });
   const bool terrain = read([&] {
     Campaign with_terrain = campaign;
@@ -240,8 +240,8 @@ Campaign read_by_parts(const fs::path& file, const std::optional<std::string>& t
                           campaign.releases = read_releases(top, up == "y");
                         });
   if (blocks && groups && releases) {
-    const bool stay = read([&] { campaign.stay = read_stay_plan(top, campaign); });
-    if (stay && ensemble) read([&] { check_posterior_starts(top, campaign); });
+    const bool stay = read([&] { campaign.stay = read_persistent_blocks_plan(top, campaign); });
+    if (stay && ensemble) read([&] { check_posterior_parameters(top, campaign); });
   }
   read([&] { read_contact(top, campaign); });
   read([&] { campaign.barriers = read_campaign_barriers(top); });
@@ -261,24 +261,24 @@ Campaign parse_campaign(const std::string& text, const fs::path& file) {
   return read_by_parts(file, text, read_at_once);
 }
 
-double StayPlan::last_release() const {
+double PersistentBlocksPlan::last_release_time() const {
   double last = 0.0;
-  for (const MassPlan& mass : masses) {
+  for (const MultiBlockRelease& mass : masses) {
     const double faces = mass.face_interval * static_cast<double>(mass.polygon.size());
     last = std::max(last, mass.release_time + faces);
   }
   return last;
 }
 
-double StayPlan::settling_time() const {
+double PersistentBlocksPlan::settling_time() const {
   double longest = 0.0;
-  for (const MassPlan& mass : masses) {
+  for (const MultiBlockRelease& mass : masses) {
     if (mass.settle) longest = std::max(longest, mass.settle_time);
   }
   return longest;
 }
 
-std::vector<Quat> grid_45_orientations() {
+std::vector<Quat> orientations_in_45_degree_grid() {
   std::vector<Quat> orientations;
   const auto turn = [](int steps, const Vec3& axis) {
     return Quat(Eigen::AngleAxisd(steps * kPi / 4.0, axis));

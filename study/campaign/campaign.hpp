@@ -34,7 +34,7 @@ struct BlockScale {
 
 /// Blocks drawn from those selected: so many of each class, each scaled to a drawn mass; where
 /// blocks stay, anew for each realisation.
-struct BlockDraw {
+struct BlockSampling {
   std::size_t count = 0;         ///< 0: as many as have `volume` on average
   std::optional<double> volume;  ///< of all of them together, in place of `count`, m^3
   std::uint64_t seed = 1;
@@ -42,7 +42,7 @@ struct BlockDraw {
   std::vector<std::pair<std::string, double>> shares;  ///< of classes, sum 1; empty: as they are
   /// In place of those of these classes; the others divide what is left as they did before.
   std::map<std::string, double> set_shares = {};
-  std::optional<Uncertain> mass;  ///< kg; none: the block's own
+  std::optional<Distribution> mass;  ///< kg; none: the block's own
 };
 
 /// Which blocks run, and how large.
@@ -50,7 +50,7 @@ struct BlockSelection {
   std::filesystem::path library;
   BlockFilter filter;
   BlockScale scale;
-  std::optional<BlockDraw> draw;
+  std::optional<BlockSampling> draw;
   /// Bodies that are made of the selected blocks and run in their place; its library and blocks are
   /// those above.
   std::optional<SeriesRequest> vary;
@@ -58,24 +58,24 @@ struct BlockSelection {
 };
 
 /// Ground parameters of a zone as the campaign gives them; in a block group only what differs.
-struct GroundTable {
-  std::optional<Uncertain> energy_restitution;
-  std::optional<Uncertain> friction;
-  std::optional<Uncertain> rolling_friction;
-  std::optional<Uncertain> rolling_length;  ///< m
-  std::optional<Uncertain> friction_min;
-  std::optional<Uncertain> slip_growth;  ///< 1/m
-  std::optional<Uncertain> slip_memory;  ///< s
-  std::optional<Uncertain> scar_drag;
-  std::optional<Uncertain> soil_density;  ///< kg/m^3
-  std::optional<Uncertain> soil_memory;   ///< m
+struct GroundDistributions {
+  std::optional<Distribution> energy_restitution;
+  std::optional<Distribution> friction;
+  std::optional<Distribution> rolling_friction;
+  std::optional<Distribution> rolling_length;  ///< m
+  std::optional<Distribution> friction_min;
+  std::optional<Distribution> slip_growth;  ///< 1/m
+  std::optional<Distribution> slip_memory;  ///< s
+  std::optional<Distribution> scar_drag;
+  std::optional<Distribution> soil_density;  ///< kg/m^3
+  std::optional<Distribution> soil_memory;   ///< m
 };
 
 /// Blocks to which the ground behaves differently.
 struct BlockGroup {
   std::string name;
   BlockFilter filter;
-  std::map<std::string, GroundTable> ground;  ///< by zone
+  std::map<std::string, GroundDistributions> ground;  ///< by zone
 };
 
 /// How often the uncertain parameters are drawn.
@@ -93,7 +93,7 @@ struct Ensemble {
 };
 
 /// Where and how blocks start. Points are of the centre of mass, in map coordinates, z up.
-struct ReleasePlan {
+struct ReleaseSet {
   std::string name;  ///< empty where there is only one
   std::vector<Vec3> points;
   std::string orientation_source;  ///< as written: "grid-45", "random", or a file
@@ -111,8 +111,8 @@ struct ReleasePlan {
 };
 
 /// A rock mass whose blocks are released at once, from where they lie in the frame of their
-/// library, or out of a heap put together without overlap. Its name is that of its ReleasePlan.
-struct MassPlan {
+/// library, or out of a heap put together without overlap. Its name is that of its ReleaseSet.
+struct MultiBlockRelease {
   bool in_place = false;
   double raised = 0.0;  ///< above their places in the library, m
   /// In map coordinates: that the heap lies in; of blocks in place, where there are several masses,
@@ -131,15 +131,15 @@ struct MassPlan {
 
 /// Blocks that stay where they stop: in each realisation they are released one after the other,
 /// each when those before it have come to rest, or as rock masses.
-struct StayPlan {
+struct PersistentBlocksPlan {
   std::uint32_t realisations = 1;
-  std::vector<MassPlan> masses;  ///< none: one after the other; else one to each ReleasePlan
+  std::vector<MultiBlockRelease> masses;  ///< none: one after the other; else one to each ReleaseSet
   bool random_order = true;      ///< of the blocks, drawn for each realisation; else as selected
   std::vector<std::string> cleared_zones;  ///< blocks that come to rest there are removed
   GroundParameters between_blocks;         ///< what two blocks do to each other
 
   /// Of the masses, since the first, s; 0 without. Faces that are removed one by one count.
-  double last_release() const;
+  double last_release_time() const;
   /// That the blocks of masses that settle must rest after, s; 0: none settles.
   double settling_time() const;
 };
@@ -155,12 +155,12 @@ struct Campaign {
   double terrain_radius = 0.0;  ///< m
   /// Release points nearer to the border are warned of, m.
   std::optional<double> border_distance;
-  std::map<std::string, GroundTable> ground;  ///< complete
+  std::map<std::string, GroundDistributions> ground;  ///< complete
   std::vector<BlockGroup> groups;             ///< a block is in one at most
   Ensemble ensemble;
   /// One at least; names differ. Those of masses have no points.
-  std::vector<ReleasePlan> releases;
-  std::optional<StayPlan> stay;  ///< none: every run has the terrain to itself
+  std::vector<ReleaseSet> releases;
+  std::optional<PersistentBlocksPlan> stay;  ///< none: every run has the terrain to itself
   ContactWeights weights = ContactWeights::kPatch;
   StiffnessOptions stiffness;     ///< with the contact law; all else empty: auto
   std::vector<Barrier> barriers;  ///< in map coordinates
@@ -184,6 +184,6 @@ Campaign parse_campaign(const std::string& text, const std::filesystem::path& fi
 
 /// The 4^3 rotations by 45 degrees: qz(c) qy(b) qx(a), a, b, c in 0, 45, 90, 135 degrees, c
 /// fastest.
-std::vector<Quat> grid_45_orientations();
+std::vector<Quat> orientations_in_45_degree_grid();
 
 }  // namespace clast

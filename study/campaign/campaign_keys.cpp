@@ -6,7 +6,7 @@ namespace clast {
 
 using namespace study_detail;
 
-const std::vector<KeyTable>& campaign_tables() {
+const std::vector<KeyTable>& campaign_key_tables() {
   static const std::vector<KeyTable> tables = {
       blocks_keys(),  vary_keys(),           block_group_keys(), terrain_keys(),
       ground_keys(),  ensemble_keys(),       release_keys(),     mass_keys(),

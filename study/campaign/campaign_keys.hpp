@@ -7,6 +7,6 @@ namespace clast {
 
 /// In the order of docs/formats.md. "ground" has the keys of a ground zone, "blocks.vary" those
 /// of the key `vary` of [blocks], and "contact.blocks" those of `blocks` of [contact].
-const std::vector<KeyTable>& campaign_tables();
+const std::vector<KeyTable>& campaign_key_tables();
 
 }  // namespace clast

@@ -6,7 +6,7 @@
 
 namespace clast::study_detail {
 
-PartReader findings_into(std::vector<std::string>& findings) {
+PartReader collect_findings(std::vector<std::string>& findings) {
   return [&findings](const std::function<void()>& part) {
     try {
       part();
@@ -20,7 +20,7 @@ PartReader findings_into(std::vector<std::string>& findings) {
   };
 }
 
-TomlTable top_table(const TomlNode& root, const std::filesystem::path& file,
+TomlTable parse_top_level_table(const TomlNode& root, const std::filesystem::path& file,
                     const std::vector<KeyTable>& declared, const PartReader& read) {
   std::vector<std::string> names;
   for (const KeyTable& table : declared) {

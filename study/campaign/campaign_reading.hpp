@@ -26,7 +26,7 @@ inline const std::vector<std::string> kSelectingSchemes = {"garcia", "sneed-folk
 using PartReader = std::function<bool(const std::function<void()>&)>;
 
 /// Runs parts, and puts what they refuse into `findings`, each refusal once.
-PartReader findings_into(std::vector<std::string>& findings);
+PartReader collect_findings(std::vector<std::string>& findings);
 
 /// Reads parts so that the first refusal ends it.
 inline bool read_at_once(const std::function<void()>& part) {
@@ -35,7 +35,7 @@ inline bool read_at_once(const std::function<void()>& part) {
 }
 
 /// A whole file. Tables that are not declared are refused through `read`.
-TomlTable top_table(const TomlNode& root, const std::filesystem::path& file,
+TomlTable parse_top_level_table(const TomlNode& root, const std::filesystem::path& file,
                     const std::vector<KeyTable>& declared, const PartReader& read);
 
 /// A campaign, read part by part through `read`; a part that needs another is left out where that
@@ -45,43 +45,43 @@ Campaign read_by_parts(const std::filesystem::path& file, const std::optional<st
                        const PartReader& read);
 
 // Its tables, in the order of docs/formats.md.
-const BoundTable<BlockSelection>& blocks_keys();
-const BoundTable<SeriesRequest>& vary_keys();
-const BoundTable<BlockGroup>& block_group_keys();
-const BoundTable<Campaign>& terrain_keys();
-const BoundTable<GroundTable>& ground_keys();
-const BoundTable<Ensemble>& ensemble_keys();
-const BoundTable<ReleasePlan>& release_keys();
-const BoundTable<MassPlan>& mass_keys();
-const BoundTable<Campaign>& contact_keys();
-const BoundTable<GroundParameters>& between_blocks_keys();
-const BoundTable<Barrier>& barrier_keys();
-const BoundTable<Campaign>& run_keys();
+const MemberTable<BlockSelection>& blocks_keys();
+const MemberTable<SeriesRequest>& vary_keys();
+const MemberTable<BlockGroup>& block_group_keys();
+const MemberTable<Campaign>& terrain_keys();
+const MemberTable<GroundDistributions>& ground_keys();
+const MemberTable<Ensemble>& ensemble_keys();
+const MemberTable<ReleaseSet>& release_keys();
+const MemberTable<MultiBlockRelease>& mass_keys();
+const MemberTable<Campaign>& contact_keys();
+const MemberTable<GroundParameters>& between_blocks_keys();
+const MemberTable<Barrier>& barrier_keys();
+const MemberTable<Campaign>& run_keys();
 
 BlockSelection read_blocks(const TomlTable& top);
 /// `vary` of [blocks], without library and blocks.
 SeriesRequest read_vary(const DeclaredTable& blocks);
-std::map<std::string, GroundTable> read_ground(const TomlTable& top);
+std::map<std::string, GroundDistributions> read_ground(const TomlTable& top);
 /// @param campaign  with its ground
 std::vector<BlockGroup> read_block_groups(const TomlTable& top, const Campaign& campaign);
 /// @param campaign  with its ground and groups
 Ensemble read_ensemble(const TomlTable& top, const Campaign& campaign);
 /// Can all releases have the starts that members take from a posterior?
 /// @param campaign  with its ensemble, releases and what stays
-void check_posterior_starts(const TomlTable& top, const Campaign& campaign);
+void check_posterior_parameters(const TomlTable& top, const Campaign& campaign);
 /// How often blocks that stay are released: of [release] or the first [[mass]].
 std::uint32_t read_realisations(const DeclaredTable& table);
 /// [contact.blocks].
 /// @param who  needs it, for the message
 GroundParameters read_between_blocks(const TomlTable& top, const std::string& who);
 /// Names of the masses, seed, and that orientations are random: one to each [[mass]]; none without.
-std::vector<ReleasePlan> read_mass_releases(const TomlTable& top);
+std::vector<ReleaseSet> read_mass_releases(const TomlTable& top);
 /// All [[mass]]; none without.
 /// @param campaign  with its blocks and groups
-std::optional<StayPlan> read_masses(const TomlTable& top, const Campaign& campaign);
+std::optional<PersistentBlocksPlan> read_multi_block_releases(const TomlTable& top, const Campaign& campaign);
 /// Of [release], or those of [[mass]].
-std::vector<ReleasePlan> read_releases(const TomlTable& top, bool y_up);
+std::vector<ReleaseSet> read_releases(const TomlTable& top, bool y_up);
 /// @param campaign  with its blocks, groups and releases
-std::optional<StayPlan> read_stay_plan(const TomlTable& top, const Campaign& campaign);
+std::optional<PersistentBlocksPlan> read_persistent_blocks_plan(const TomlTable& top, const Campaign& campaign);
 
 }  // namespace clast::study_detail

@@ -23,15 +23,15 @@ std::string data_folder() {
 
 /// The keys of a table, or of all tables that a value can be; a name that several have is there
 /// once.
-void add_keys(const ValueForm& form, std::vector<const TableKey*>& keys) {
+void add_keys(const ValueFormat& form, std::vector<const TableKey*>& keys) {
   for (const TableKey& key : form.keys) {
     if (std::none_of(keys.begin(), keys.end(),
                      [&](const TableKey* known) { return known->name == key.name; })) {
       keys.push_back(&key);
     }
   }
-  for (const ValueForm& item : form.items) {
-    if (item.kind == ValueForm::Kind::kTable) add_keys(item, keys);
+  for (const ValueFormat& item : form.items) {
+    if (item.kind == ValueFormat::Kind::kTable) add_keys(item, keys);
   }
 }
 
@@ -41,7 +41,7 @@ std::vector<std::string> names_of_keys(const std::vector<const TableKey*>& keys)
   return names;
 }
 
-std::vector<const TableKey*> keys_of(const KeyTable& declared) {
+std::vector<const TableKey*> to_key_dict(const KeyTable& declared) {
   std::vector<const TableKey*> keys;
   for (const TableKey& key : declared.keys) keys.push_back(&key);
   return keys;
@@ -55,7 +55,7 @@ DeclaredTable::DeclaredTable(const TomlNode& node, const std::string& file,
 
 DeclaredTable::DeclaredTable(const TomlNode& node, const std::string& file,
                              const std::string& title, const KeyTable& declared)
-    : DeclaredTable(node, file, title, keys_of(declared)) {}
+    : DeclaredTable(node, file, title, to_key_dict(declared)) {}
 
 DeclaredTable DeclaredTable::inner(const std::string& key) const {
   std::vector<const TableKey*> keys;
@@ -63,7 +63,7 @@ DeclaredTable DeclaredTable::inner(const std::string& key) const {
   return {*find(key), file(), title_ + " " + key, std::move(keys)};
 }
 
-const ValueForm& DeclaredTable::form(const std::string& key) const {
+const ValueFormat& DeclaredTable::form(const std::string& key) const {
   for (const TableKey* declared : keys_) {
     if (declared->name == key) return declared->form;
   }
@@ -85,7 +85,7 @@ std::optional<std::string> DeclaredTable::word(const std::string& key) const {
   return words.empty() ? text(key) : choice(*this, key, words);
 }
 
-std::optional<std::vector<std::string>> DeclaredTable::one_or_more_words(
+std::optional<std::vector<std::string>> DeclaredTable::word_or_words(
     const std::string& key) const {
   const std::optional<std::vector<std::string>> names = texts(key);
   const std::vector<std::string>& words = form(key).leaf().words;
@@ -97,20 +97,20 @@ std::optional<std::vector<std::string>> DeclaredTable::one_or_more_words(
   return names;
 }
 
-std::optional<std::vector<double>> DeclaredTable::one_or_more_numbers(
+std::optional<std::vector<double>> DeclaredTable::number_or_numbers(
     const std::string& key, const NumberRange& range) const {
   const TomlNode* node = find(key);
   if (!node) return std::nullopt;
   if (node->kind != TomlNode::Kind::kList) return std::vector{*number(key, range)};
-  const ValueForm& list = form(key).items.back();
+  const ValueFormat& list = form(key).items.back();
   return numbers(key, *node, list.least, list.most, "a number or a list of numbers", range);
 }
 
-std::optional<std::vector<std::size_t>> DeclaredTable::one_or_more_counts(
+std::optional<std::vector<std::size_t>> DeclaredTable::count_or_counts(
     const std::string& key) const {
-  const ValueForm& leaf = form(key).leaf();
+  const ValueFormat& leaf = form(key).leaf();
   const std::optional<std::vector<double>> numbers =
-      one_or_more_numbers(key, {static_cast<double>(leaf.least), static_cast<double>(leaf.most)});
+      number_or_numbers(key, {static_cast<double>(leaf.least), static_cast<double>(leaf.most)});
   if (!numbers) return std::nullopt;
   for (const double value : *numbers) {
     if (value != std::floor(value)) refuse(key, *find(key), "must be whole numbers");
@@ -149,7 +149,7 @@ std::optional<std::vector<fs::path>> DeclaredTable::files_of(const std::string& 
   return files;
 }
 
-std::vector<DeclaredTable> tables_of(const TomlTable& top, const KeyTable& declared) {
+std::vector<DeclaredTable> find_tables(const TomlTable& top, const KeyTable& declared) {
   using Repeat = KeyTable::Repeat;
   const std::string one = "[" + declared.name + "]", many = "[[" + declared.name + "]]";
   const TomlNode* node = top.find(declared.name);
@@ -172,8 +172,8 @@ std::vector<DeclaredTable> tables_of(const TomlTable& top, const KeyTable& decla
   return tables;
 }
 
-DeclaredTable required_table(const TomlTable& top, const KeyTable& declared) {
-  std::vector<DeclaredTable> tables = tables_of(top, declared);
+DeclaredTable find_required_table(const TomlTable& top, const KeyTable& declared) {
+  std::vector<DeclaredTable> tables = find_tables(top, declared);
   if (tables.empty()) {
     throw InputError(top.file() + ": the table [" + declared.name + "] is missing");
   }
@@ -217,11 +217,11 @@ const TomlNode& element(const TomlNode& node, std::size_t index) {
   return node.kind == TomlNode::Kind::kList ? node.list[index] : node;
 }
 
-std::optional<Uncertain> read_uncertain(const TomlTable& table, const std::string& key,
+std::optional<Distribution> read_distribution(const TomlTable& table, const std::string& key,
                                         const NumberRange& range) {
   const TomlNode* node = table.find(key);
   if (!node) return std::nullopt;
-  Uncertain number;
+  Distribution number;
   number.low = range.low;
   number.high = range.high;
   if (node->kind != TomlNode::Kind::kTable) {
@@ -234,11 +234,11 @@ std::optional<Uncertain> read_uncertain(const TomlTable& table, const std::strin
   if (node->table.size() != 1) table.refuse(key, *node, expected);
   const auto& [law, value] = node->table.front();
   if (law == "uniform") {
-    number.law = Uncertain::Law::kUniform;
+    number.law = Distribution::Law::kUniform;
   } else if (law == "normal") {
-    number.law = Uncertain::Law::kNormal;
+    number.law = Distribution::Law::kNormal;
   } else if (law == "log_normal") {
-    number.law = Uncertain::Law::kLogNormal;
+    number.law = Distribution::Law::kLogNormal;
   } else {
     table.refuse(key, *node, expected);
   }
@@ -250,7 +250,7 @@ std::optional<Uncertain> read_uncertain(const TomlTable& table, const std::strin
   if (!range.holds(number.first)) {
     table.refuse(key, *node, "its first number must be " + range.words());
   }
-  if (number.law == Uncertain::Law::kUniform) {
+  if (number.law == Distribution::Law::kUniform) {
     if (!range.holds(number.second)) {
       table.refuse(key, *node, "its second number must be " + range.words());
     }
@@ -260,13 +260,13 @@ std::optional<Uncertain> read_uncertain(const TomlTable& table, const std::strin
     return number;
   }
   // A wider law hardly ever draws a value inside the range.
-  const NumberRange spread = number.law == Uncertain::Law::kLogNormal
+  const NumberRange spread = number.law == Distribution::Law::kLogNormal
                                  ? kLogSigma
                                  : NumberRange{range.low, range.high, range.unit};
   if (!spread.holds(number.second)) {
     table.refuse(key, *node, "its second number, the spread, must be " + spread.words());
   }
-  if (number.law == Uncertain::Law::kLogNormal && !(number.first > 0.0)) {
+  if (number.law == Distribution::Law::kLogNormal && !(number.first > 0.0)) {
     table.refuse(key, *node, "a median must be more than zero");
   }
   return number;

@@ -1,6 +1,6 @@
 #pragma once
 /// Tables of TOML files, read as their keys are declared: each key has its words, range or limits
-/// from its `ValueForm`.
+/// from its `ValueFormat`.
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -51,14 +51,14 @@ class DeclaredTable : public TomlTable {
     value = this->value<Value>(key);
   }
 
-  const ValueForm& form(const std::string& key) const;
+  const ValueFormat& form(const std::string& key) const;
 
  private:
   std::optional<std::string> word(const std::string& key) const;
-  std::optional<std::vector<std::string>> one_or_more_words(const std::string& key) const;
-  std::optional<std::vector<double>> one_or_more_numbers(const std::string& key,
+  std::optional<std::vector<std::string>> word_or_words(const std::string& key) const;
+  std::optional<std::vector<double>> number_or_numbers(const std::string& key,
                                                          const NumberRange& range) const;
-  std::optional<std::vector<std::size_t>> one_or_more_counts(const std::string& key) const;
+  std::optional<std::vector<std::size_t>> count_or_counts(const std::string& key) const;
   std::optional<std::vector<Vec2>> places(const std::string& key) const;
   std::optional<std::filesystem::path> file_of(const std::string& key) const;
   std::optional<std::vector<std::filesystem::path>> files_of(const std::string& key) const;
@@ -70,7 +70,7 @@ class DeclaredTable : public TomlTable {
 /// The tables of this name in a file, titled as they are written: [name] or [[name]]; none when it
 /// is absent.
 /// @throws InputError  neither a table nor several, or with a key that is not declared
-std::vector<DeclaredTable> tables_of(const TomlTable& top, const KeyTable& declared);
+std::vector<DeclaredTable> find_tables(const TomlTable& top, const KeyTable& declared);
 
 /// Refuses the name of a table that one of those before it has.
 /// @param what  has the name, "barrier"
@@ -84,7 +84,7 @@ void check_new_name(const TomlTable& table, const std::string& name,
 
 /// The only table of this name.
 /// @throws InputError  missing
-DeclaredTable required_table(const TomlTable& top, const KeyTable& declared);
+DeclaredTable find_required_table(const TomlTable& top, const KeyTable& declared);
 
 /// One of a few words; none when the key is absent.
 std::optional<std::string> choice(const TomlTable& table, const std::string& key,
@@ -107,12 +107,12 @@ const TomlNode& element(const TomlNode& node, std::size_t index);
 /// None when the key is absent.
 /// @param range  for the number, both bounds, or mean and median
 /// @throws InputError  anything else; file, line, key and value
-std::optional<Uncertain> read_uncertain(const TomlTable& table, const std::string& key,
+std::optional<Distribution> read_distribution(const TomlTable& table, const std::string& key,
                                         const NumberRange& range);
 
 template <class Value>
 std::optional<Value> DeclaredTable::value(const std::string& key) const {
-  const ValueForm& leaf = form(key).leaf();
+  const ValueFormat& leaf = form(key).leaf();
   if constexpr (std::is_same_v<Value, bool>) {
     return boolean(key);
   } else if constexpr (std::is_integral_v<Value>) {
@@ -120,18 +120,18 @@ std::optional<Value> DeclaredTable::value(const std::string& key) const {
     return number ? std::optional(static_cast<Value>(*number)) : std::nullopt;
   } else if constexpr (std::is_same_v<Value, double>) {
     return number(key, leaf.range);
-  } else if constexpr (std::is_same_v<Value, Uncertain>) {
-    return read_uncertain(*this, key, leaf.range);
+  } else if constexpr (std::is_same_v<Value, Distribution>) {
+    return read_distribution(*this, key, leaf.range);
   } else if constexpr (std::is_same_v<Value, std::string>) {
     return word(key);
   } else if constexpr (std::is_same_v<Value, std::filesystem::path>) {
     return file_of(key);
   } else if constexpr (std::is_same_v<Value, std::vector<double>>) {
-    return one_or_more_numbers(key, leaf.range);
+    return number_or_numbers(key, leaf.range);
   } else if constexpr (std::is_same_v<Value, std::vector<std::size_t>>) {
-    return one_or_more_counts(key);
+    return count_or_counts(key);
   } else if constexpr (std::is_same_v<Value, std::vector<std::string>>) {
-    return one_or_more_words(key);
+    return word_or_words(key);
   } else if constexpr (std::is_same_v<Value, std::vector<std::filesystem::path>>) {
     return files_of(key);
   } else if constexpr (std::is_same_v<Value, std::vector<Vec2>>) {

@@ -8,10 +8,10 @@ namespace clast {
 
 using namespace study_detail;
 
-std::span<const GroundField> ground_fields() {
+std::span<const GroundParameterField> ground_fields() {
   using Parameters = GroundParameters;
-  using Table = GroundTable;
-  static constexpr std::array<GroundField, 10> kFields{
+  using Table = GroundDistributions;
+  static constexpr std::array<GroundParameterField, 10> kFields{
       {{"energy_restitution", "", "e_n^2", "e_n\xC2\xB2", "energy restitution", kEnergyRestitution,
         true, false, &Parameters::energy_restitution, &Table::energy_restitution},
        {"friction", "", "mu", "friction \xC2\xB5", "friction", kFriction, true, false,
@@ -41,7 +41,7 @@ std::span<const GroundField> ground_fields() {
   return kFields;
 }
 
-std::string GroundField::explanation() const {
+std::string GroundParameterField::explanation() const {
   return (of_soil ? "experimental, unmeasured: " : "") + std::string(words) + ": " + meaning;
 }
 

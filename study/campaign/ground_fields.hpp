@@ -10,7 +10,7 @@
 namespace clast {
 
 /// A parameter of a ground zone.
-struct GroundField {
+struct GroundParameterField {
   const char* name;     ///< in campaign files, results and tables, with its unit
   const char* unit;     ///< empty: a pure number
   const char* meaning;  ///< by its symbol in the formulas, "mu"
@@ -22,13 +22,13 @@ struct GroundField {
   /// each other has none of it.
   bool of_soil;
   double GroundParameters::*value;
-  std::optional<Uncertain> GroundTable::*asked;
+  std::optional<Distribution> GroundDistributions::*asked;
 
   /// What an editor says of the key.
   std::string explanation() const;
 };
 
 /// In the order of the columns; those of the soil last.
-std::span<const GroundField> ground_fields();
+std::span<const GroundParameterField> ground_fields();
 
 }  // namespace clast

@@ -16,7 +16,7 @@ constexpr double kImpactSpeed = 10.0;        ///< normal to the ground, m/s, of 
 constexpr double kHalvingSpeed = 9.0;        ///< m/s, at which Rockyfor3D halves R_n
 
 /// e_n^2 of R_n at the speed of usual impacts, two digits.
-UsualValue restitution_of(double r_n) {
+TypicalValue restitution_of(double r_n) {
   const double slowed = r_n / (1.0 + kImpactSpeed * kImpactSpeed / (kHalvingSpeed * kHalvingSpeed));
   const auto hundredths = [](double share) {
     return static_cast<double>(static_cast<int>(100.0 * share + 0.5)) / 100.0;
@@ -113,7 +113,7 @@ bool any_of(const std::set<std::string>& words, std::span<const std::string> nam
 
 }  // namespace
 
-std::span<const GroundType> ground_types() { return types(); }
+std::span<const GroundType> typical_ground_types() { return types(); }
 
 const GroundType& ground_type(const std::string& name) {
   std::vector<std::string> names;
@@ -124,7 +124,7 @@ const GroundType& ground_type(const std::string& name) {
   throw InputError("\"" + name + "\" is no ground type; there are " + listed(names));
 }
 
-const GroundType* ground_type_of_zone(const std::string& zone) {
+const GroundType* find_ground_type(const std::string& zone) {
   const std::set<std::string> words = words_of(zone);
   const GroundType* found = nullptr;
   for (const GroundType& type : types()) {

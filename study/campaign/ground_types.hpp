@@ -7,7 +7,7 @@
 namespace clast {
 
 /// A number to start from, and between which limits to vary it.
-struct UsualValue {
+struct TypicalValue {
   double value = 0.0;
   double low = 0.0;
   double high = 0.0;
@@ -24,22 +24,22 @@ struct UsualValue {
 struct GroundType {
   std::string name;                     ///< "talus"
   std::string description;              ///< what it looks like
-  UsualValue energy_restitution;        ///< e_n^2
-  UsualValue friction;                  ///< mu
-  UsualValue rolling_friction;          ///< mu_R
+  TypicalValue energy_restitution;        ///< e_n^2
+  TypicalValue friction;                  ///< mu
+  TypicalValue rolling_friction;          ///< mu_R
   std::string source;                   ///< where mu and mu_R come from, and R_n
   std::vector<std::string> names = {};  ///< of zones: words, lower case, singular
 };
 
 /// Rock, talus, scree, and hard, medium and soft soil.
-std::span<const GroundType> ground_types();
+std::span<const GroundType> typical_ground_types();
 
 /// @throws InputError  no such type; the message lists them
 const GroundType& ground_type(const std::string& name);
 
 /// The type that the name of a zone speaks of, whatever else is in it: "upper_cliff" is rock. None
 /// where it says nothing ("blue"), or names two types.
-const GroundType* ground_type_of_zone(const std::string& zone);
+const GroundType* find_ground_type(const std::string& zone);
 
 /// What a zone is taken for whose name says nothing: between rock and soil.
 const GroundType& default_ground_type();

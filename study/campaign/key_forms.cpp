@@ -6,20 +6,20 @@
 
 namespace clast::study_detail {
 
-ValueForm point() { return list(number(kMapCoordinate), 2, 3); }
+ValueFormat point() { return list(number(kMapCoordinate), 2, 3); }
 
-ValueForm with_unit(ValueForm form, const char* unit) {
-  ValueForm* leaf = &form;
+ValueFormat with_unit(ValueFormat form, const char* unit) {
+  ValueFormat* leaf = &form;
   while (!leaf->items.empty()) leaf = &leaf->items.front();
   if (*leaf->range.unit == '\0') leaf->range.unit = unit;
   return form;
 }
 
-ValueForm uncertain(const NumberRange& range) {
-  const auto law = [](const char* name, const char* meaning, ValueForm values) {
+ValueFormat uncertain(const NumberRange& range) {
+  const auto law = [](const char* name, const char* meaning, ValueFormat values) {
     return table({{name, "", meaning, required("two numbers", std::move(values))}});
   };
-  const ValueForm spread = number({0.0, std::max(range.high, kLogSigma.high)});
+  const ValueFormat spread = number({0.0, std::max(range.high, kLogSigma.high)});
   return either({number(range), law("uniform", "[low, high]", list(number(range), 2, 2)),
                  law("normal", "[mean, standard deviation]", list(spread, 2, 2)),
                  law("log_normal", "[median, standard deviation of the natural logarithm]",

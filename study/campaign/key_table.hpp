@@ -12,7 +12,7 @@ namespace clast {
 struct TableKey;
 
 /// What a value may be.
-struct ValueForm {
+struct ValueFormat {
   enum class Kind {
     kText,    ///< one of `words`, or any that fits `pattern`
     kFlag,    ///< true or false
@@ -28,20 +28,20 @@ struct ValueForm {
   std::string pattern = {};  ///< regular expression of a text that is none of `words`
   std::uint64_t least = 0, most = INT64_MAX;
   NumberRange range = {0.0, 0.0};
-  std::vector<ValueForm> items = {};
+  std::vector<ValueFormat> items = {};
   std::vector<TableKey> keys = {};
   /// What a value that is missing must be, for its refusal; empty: it may be missing.
   std::string required = {};
 
   /// The words, range and limits that a value has in the first of its forms.
-  const ValueForm& leaf() const { return items.empty() ? *this : items.front().leaf(); }
+  const ValueFormat& leaf() const { return items.empty() ? *this : items.front().leaf(); }
 };
 
 struct TableKey {
   std::string name;
   std::string unit;     ///< empty: none, or those of the parts
   std::string meaning;  ///< a sentence's part, for who points at the key in an editor
-  ValueForm form;
+  ValueFormat form;
   std::vector<std::string> with = {};  ///< it has a meaning only beside one of these keys
 
   bool is_required() const { return !form.required.empty(); }

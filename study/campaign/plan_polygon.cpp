@@ -20,7 +20,7 @@ bool turns_right(const Vec2& way, const Vec2& next) {
 
 }  // namespace
 
-std::optional<std::size_t> reflex_corner(std::span<const Vec2> polygon) {
+std::optional<std::size_t> find_reflex_vertex(std::span<const Vec2> polygon) {
   const double sense = signed_area(polygon) < 0.0 ? -1.0 : 1.0;
   const std::size_t corners = polygon.size();
   const auto way = [&](std::size_t from, std::size_t to) {

@@ -6,7 +6,7 @@
 
 namespace clast {
 
-double assumed_design_effect(std::size_t runs, std::size_t blocks) {
+double assume_design_effect(std::size_t runs, std::size_t blocks) {
   const double each = static_cast<double>(runs) / static_cast<double>(blocks);
   return 1.0 + (each - 1.0) * kAssumedBlockShare;
 }

@@ -10,7 +10,7 @@ namespace clast {
 inline constexpr double kAssumedBlockShare = 0.1;
 /// Design effect of the difference of two halves of the blocks: 1 + (runs of a block - 1) times
 /// that share. @cite kish1965
-double assumed_design_effect(std::size_t runs, std::size_t blocks);
+double assume_design_effect(std::size_t runs, std::size_t blocks);
 
 /// Blocks whose halves are compared.
 inline constexpr std::size_t kFewestBlocksOfPower = 4;
@@ -25,7 +25,7 @@ struct PlannedPower {
 
   /// Four blocks, two trial runs and a scatter; else there is nothing to say.
   bool known() const;
-  double design_effect() const { return assumed_design_effect(runs, blocks); }
+  double design_effect() const { return assume_design_effect(runs, blocks); }
   double smallest() const;     ///< difference that is found in 80 % of such campaigns, m
   double runs_needed() const;  ///< of the margin, with as many more blocks
 };

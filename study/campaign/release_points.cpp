@@ -65,7 +65,7 @@ Quat turned_z_up(const Quat& orientation) {
   return (Quat(half, half, 0.0, 0.0) * orientation).normalized();
 }
 
-std::vector<Vec3> points_on_line(std::span<const Vec3> line, std::size_t count) {
+std::vector<Vec3> space_points_on_line(std::span<const Vec3> line, std::size_t count) {
   std::vector<double> reached{0.0};
   for (std::size_t i = 1; i < line.size(); ++i) {
     reached.push_back(reached.back() + (line[i] - line[i - 1]).norm());
@@ -83,7 +83,7 @@ std::vector<Vec3> points_on_line(std::span<const Vec3> line, std::size_t count) 
   return points;
 }
 
-std::vector<Vec3> points_in_polygon(std::span<const Vec2> polygon, std::size_t count,
+std::vector<Vec3> sample_points_in_polygon(std::span<const Vec2> polygon, std::size_t count,
                                     std::uint64_t seed) {
   check_has_area(polygon);
   Bounds box;
@@ -104,7 +104,7 @@ std::vector<Vec3> points_in_polygon(std::span<const Vec2> polygon, std::size_t c
   return points;
 }
 
-std::vector<Quat> random_orientations(std::size_t count, std::uint64_t seed) {
+std::vector<Quat> draw_random_orientations(std::size_t count, std::uint64_t seed) {
   Random random(seed);
   std::vector<Quat> orientations;
   for (std::size_t i = 0; i < count; ++i) orientations.push_back(random.rotation());

@@ -24,14 +24,14 @@ std::vector<Quat> read_orientations(const std::filesystem::path& file);
 Quat turned_z_up(const Quat& orientation);
 
 /// `count` points at equal distances along a polyline, both ends included; the middle for one.
-std::vector<Vec3> points_on_line(std::span<const Vec3> line, std::size_t count);
+std::vector<Vec3> space_points_on_line(std::span<const Vec3> line, std::size_t count);
 
 /// `count` points spread evenly at random over a plan polygon, z = 0.
 /// @throws InputError  the polygon has no area
-std::vector<Vec3> points_in_polygon(std::span<const Vec2> polygon, std::size_t count,
+std::vector<Vec3> sample_points_in_polygon(std::span<const Vec2> polygon, std::size_t count,
                                     std::uint64_t seed);
 
 /// `count` rotations, uniform over all rotations.
-std::vector<Quat> random_orientations(std::size_t count, std::uint64_t seed);
+std::vector<Quat> draw_random_orientations(std::size_t count, std::uint64_t seed);
 
 }  // namespace clast

@@ -48,7 +48,7 @@ MassBlocks blocks_of_released_mass(const ReleasedMass& mass, const MassTerrains&
       ""};
   std::vector<TriangleMesh> masses;
   for (const MassBody& body : mass.bodies) masses.push_back(body.mesh);
-  return blocks_of_masses(masses, source, cutting);
+  return distribute_blocks(masses, source, cutting);
 }
 
 TriangleMesh mesh_of(const ReleasedMass& mass) {

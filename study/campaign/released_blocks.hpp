@@ -20,7 +20,7 @@ ReleasedMass read_released_mass(const MassTerrains& terrains, const ReleasedMass
 
 /// Cuts every body of the mass by joints, in map coordinates as `[[mass]] in_place` has them.
 /// Blocks name both terrains and what was asked of them as their source.
-/// @throws InputError, GeometryError  as `blocks_of_masses`
+/// @throws InputError, GeometryError  as `distribute_blocks`
 MassBlocks blocks_of_released_mass(const ReleasedMass& mass, const MassTerrains& terrains,
                                    const ReleasedMassOptions& options,
                                    const MassBlockOptions& cutting);

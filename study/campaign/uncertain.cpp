@@ -8,15 +8,15 @@
 namespace clast {
 namespace {
 
-double drawn_once(const Uncertain& number, Random& random) {
+double drawn_once(const Distribution& number, Random& random) {
   switch (number.law) {
-    case Uncertain::Law::kFixed:
+    case Distribution::Law::kFixed:
       return number.first;
-    case Uncertain::Law::kUniform:
+    case Distribution::Law::kUniform:
       return random.uniform(number.first, number.second);
-    case Uncertain::Law::kNormal:
+    case Distribution::Law::kNormal:
       return number.first + number.second * random.normal();
-    case Uncertain::Law::kLogNormal:
+    case Distribution::Law::kLogNormal:
       return number.first * std::exp(number.second * random.normal());
   }
   return number.first;
@@ -24,9 +24,9 @@ double drawn_once(const Uncertain& number, Random& random) {
 
 }  // namespace
 
-double Uncertain::central() const { return law == Law::kUniform ? 0.5 * (first + second) : first; }
+double Distribution::central() const { return law == Law::kUniform ? 0.5 * (first + second) : first; }
 
-double Uncertain::mean() const {
+double Distribution::mean() const {
   if (law == Law::kFixed || law == Law::kUniform) return central();
   // Of a law cut off at both ends, in standard deviations from its middle.
   const auto deviations = [&](double value) {
@@ -43,7 +43,7 @@ double Uncertain::mean() const {
   return first + second * (density(from) - density(to)) / all;
 }
 
-double Uncertain::draw(Random& random) const {
+double Distribution::draw(Random& random) const {
   // Mean and median lie inside the range, so about every second draw does at worst.
   while (true) {
     const double value = drawn_once(*this, random);
@@ -51,7 +51,7 @@ double Uncertain::draw(Random& random) const {
   }
 }
 
-double Uncertain::quantile(double below) const {
+double Distribution::quantile(double below) const {
   // Shares of a normal law that no draw in a campaign is beyond.
   constexpr double kLeast = 1e-12;
   if (fixed()) return first;

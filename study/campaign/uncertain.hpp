@@ -5,7 +5,7 @@
 namespace clast {
 
 /// A number, or the law that it is drawn from.
-struct Uncertain {
+struct Distribution {
   enum class Law { kFixed, kUniform, kNormal, kLogNormal };
   Law law = Law::kFixed;
   double first = 0.0;   ///< the number; lower bound; mean; median

@@ -32,36 +32,36 @@ struct Settable {
 
 template <class Set>
 void in_releases(Campaign& campaign, const Set& set) {
-  for (ReleasePlan& release : campaign.releases) set(release);
+  for (ReleaseSet& release : campaign.releases) set(release);
 }
 
 template <int axis>
 void set_velocity(Campaign& campaign, double value) {
-  in_releases(campaign, [&](ReleasePlan& release) { release.velocity[axis] = value; });
+  in_releases(campaign, [&](ReleaseSet& release) { release.velocity[axis] = value; });
 }
 template <int axis>
 void set_spin(Campaign& campaign, double value) {
-  in_releases(campaign, [&](ReleasePlan& release) { release.angular_velocity[axis] = value; });
+  in_releases(campaign, [&](ReleaseSet& release) { release.angular_velocity[axis] = value; });
 }
 
 bool has_height(const Campaign& campaign) {
   return std::all_of(campaign.releases.begin(), campaign.releases.end(),
-                     [](const ReleasePlan& release) { return release.drop_height.has_value(); });
+                     [](const ReleaseSet& release) { return release.drop_height.has_value(); });
 }
 
 /// Are the masses of drawn blocks of this law?
-template <Uncertain::Law law>
+template <Distribution::Law law>
 bool has_mass(const Campaign& campaign) {
-  const std::optional<BlockDraw>& draw = campaign.blocks.draw;
+  const std::optional<BlockSampling>& draw = campaign.blocks.draw;
   return draw && draw->mass && draw->mass->law == law;
 }
-template <double Uncertain::*number>
+template <double Distribution::*number>
 void set_mass(Campaign& campaign, double value) {
   (*campaign.blocks.draw->mass).*number = value;
 }
 
 std::span<const Settable> settables() {
-  using Law = Uncertain::Law;
+  using Law = Distribution::Law;
   static constexpr NumberRange kSpeed{-kMostSpeed, kMostSpeed, "m/s"};
   static constexpr NumberRange kSpin{-kMostSpin, kMostSpin, "rad/s"};
   static constexpr const char* kLogNormal =
@@ -69,15 +69,15 @@ std::span<const Settable> settables() {
   static constexpr const char* kNormal =
       "no campaign has [blocks] draw with mass_kg = { normal = [mean, std] }";
   static constexpr std::array<Settable, 15> kSettables{
-      {{"blocks.mass_kg", kBlockMass, &set_mass<&Uncertain::first>, &has_mass<Law::kFixed>,
+      {{"blocks.mass_kg", kBlockMass, &set_mass<&Distribution::first>, &has_mass<Law::kFixed>,
         "no campaign has [blocks] draw with a number as mass_kg"},
-       {"blocks.mass_median_kg", kBlockMass, &set_mass<&Uncertain::first>,
+       {"blocks.mass_median_kg", kBlockMass, &set_mass<&Distribution::first>,
         &has_mass<Law::kLogNormal>, kLogNormal},
-       {"blocks.mass_sigma", kLogSigma, &set_mass<&Uncertain::second>, &has_mass<Law::kLogNormal>,
+       {"blocks.mass_sigma", kLogSigma, &set_mass<&Distribution::second>, &has_mass<Law::kLogNormal>,
         kLogNormal},
-       {"blocks.mass_mean_kg", kBlockMass, &set_mass<&Uncertain::first>, &has_mass<Law::kNormal>,
+       {"blocks.mass_mean_kg", kBlockMass, &set_mass<&Distribution::first>, &has_mass<Law::kNormal>,
         kNormal},
-       {"blocks.mass_std_kg", kBlockMass, &set_mass<&Uncertain::second>, &has_mass<Law::kNormal>,
+       {"blocks.mass_std_kg", kBlockMass, &set_mass<&Distribution::second>, &has_mass<Law::kNormal>,
         kNormal},
        {"contact.stiffness_n_m", kStiffness,
         [](Campaign& campaign, double value) { campaign.stiffness.normal = value; }},
@@ -87,7 +87,7 @@ std::span<const Settable> settables() {
         [](Campaign& campaign, double value) { campaign.stiffness.rolling = value; }},
        {"release.height_m", kDropHeight,
         [](Campaign& campaign, double value) {
-          in_releases(campaign, [&](ReleasePlan& release) { release.drop_height = value; });
+          in_releases(campaign, [&](ReleaseSet& release) { release.drop_height = value; });
         },
         &has_height, "no campaign releases blocks at a height_m"},
        {"release.velocity_x_m_s", kSpeed, &set_velocity<0>},
@@ -109,7 +109,7 @@ const Settable* settable(const std::string& parameter) {
 /// "ground.ZONE.FIELD", where zones may have points in their names; null: no such field.
 struct ZoneField {
   std::string zone;
-  const GroundField* field = nullptr;
+  const GroundParameterField* field = nullptr;
 };
 
 ZoneField zone_field(const std::string& parameter) {
@@ -118,7 +118,7 @@ ZoneField zone_field(const std::string& parameter) {
   const std::size_t begin = std::string(kGround).size();
   if (!parameter.starts_with(kGround) || point <= begin) return found;
   found.zone = parameter.substr(begin, point - begin);
-  for (const GroundField& field : ground_fields()) {
+  for (const GroundParameterField& field : ground_fields()) {
     if (parameter.substr(point + 1) == field.name) found.field = &field;
   }
   return found;
@@ -136,9 +136,9 @@ double Unknown::share_below(double value) const {
   return std::log(value / low) / std::log(high / low);
 }
 
-std::vector<std::pair<std::string, NumberRange>> calibrated_parameters() {
+std::vector<std::pair<std::string, NumberRange>> calibratable_parameters() {
   std::vector<std::pair<std::string, NumberRange>> all;
-  for (const GroundField& field : ground_fields()) {
+  for (const GroundParameterField& field : ground_fields()) {
     all.push_back({kGround + std::string("ZONE.") + field.name, field.range});
   }
   all.push_back({kSharePrefix + std::string("CLASS"), kClassShare});
@@ -148,8 +148,8 @@ std::vector<std::pair<std::string, NumberRange>> calibrated_parameters() {
 
 NumberRange parameter_range(const std::string& parameter) {
   if (const Settable* found = settable(parameter)) return found->range;
-  if (const GroundField* field = zone_field(parameter).field) return field->range;
-  if (!share_class(parameter).empty()) return kClassShare;
+  if (const GroundParameterField* field = zone_field(parameter).field) return field->range;
+  if (!fraction_class(parameter).empty()) return kClassShare;
   std::vector<std::string> names;
   if (parameter.starts_with(kSharePrefix)) {
     for (const std::string& scheme : kSelectingSchemes) {
@@ -158,7 +158,7 @@ NumberRange parameter_range(const std::string& parameter) {
     }
     throw InputError("is the share of no class; classes are " + listed(names));
   }
-  for (const auto& [name, range] : calibrated_parameters()) names.push_back(name);
+  for (const auto& [name, range] : calibratable_parameters()) names.push_back(name);
   throw InputError("is no parameter that can be calibrated; these are " + listed(names));
 }
 
@@ -166,8 +166,8 @@ bool has_parameter(const Campaign& campaign, const std::string& parameter) {
   if (const ZoneField of_zone = zone_field(parameter); of_zone.field) {
     return campaign.ground.contains(of_zone.zone);
   }
-  if (const std::string name = share_class(parameter); !name.empty()) {
-    const std::optional<BlockDraw>& draw = campaign.blocks.draw;
+  if (const std::string name = fraction_class(parameter); !name.empty()) {
+    const std::optional<BlockSampling>& draw = campaign.blocks.draw;
     return draw && std::any_of(draw->shares.begin(), draw->shares.end(),
                                [&](const auto& share) { return share.first == name; });
   }
@@ -175,8 +175,8 @@ bool has_parameter(const Campaign& campaign, const std::string& parameter) {
   return found && (!found->has || found->has(campaign));
 }
 
-std::string why_no_campaign_has(const std::string& parameter) {
-  if (!share_class(parameter).empty()) {
+std::string explain_missing_parameter(const std::string& parameter) {
+  if (!fraction_class(parameter).empty()) {
     return "no campaign has [blocks] draw with this class in shares";
   }
   const Settable* found = settable(parameter);
@@ -185,30 +185,30 @@ std::string why_no_campaign_has(const std::string& parameter) {
 
 void set_parameter(Campaign& campaign, const std::string& parameter, double value) {
   if (const ZoneField of_zone = zone_field(parameter); of_zone.field) {
-    Uncertain number;
+    Distribution number;
     number.first = value;
     campaign.ground.at(of_zone.zone).*of_zone.field->asked = number;
     return;
   }
-  if (const std::string name = share_class(parameter); !name.empty()) {
+  if (const std::string name = fraction_class(parameter); !name.empty()) {
     campaign.blocks.draw->set_shares[name] = value;
     return;
   }
   if (const Settable* found = settable(parameter)) found->set(campaign, value);
 }
 
-bool is_of_ground(const std::string& parameter) { return zone_field(parameter).field != nullptr; }
+bool is_ground_parameter(const std::string& parameter) { return zone_field(parameter).field != nullptr; }
 
 bool is_of_release(const std::string& parameter) {
   return parameter.starts_with("release.") && settable(parameter);
 }
 
-bool is_of_blocks(const std::string& parameter) {
-  return !share_class(parameter).empty() ||
+bool is_block_parameter(const std::string& parameter) {
+  return !fraction_class(parameter).empty() ||
          (parameter.starts_with("blocks.") && settable(parameter));
 }
 
-std::string share_class(const std::string& parameter) {
+std::string fraction_class(const std::string& parameter) {
   if (!parameter.starts_with(kSharePrefix)) return "";
   const std::string name = parameter.substr(std::string(kSharePrefix).size());
   for (const std::string& scheme : kSelectingSchemes) {

@@ -26,7 +26,7 @@ struct Unknown {
 
 /// All that can be calibrated, by name, with the range that campaigns allow; "ZONE" stands for the
 /// name of a ground zone, "CLASS" for that of a shape class.
-std::vector<std::pair<std::string, NumberRange>> calibrated_parameters();
+std::vector<std::pair<std::string, NumberRange>> calibratable_parameters();
 /// @throws InputError  no parameter that can be calibrated; lists those that can
 NumberRange parameter_range(const std::string& parameter);
 
@@ -34,21 +34,21 @@ NumberRange parameter_range(const std::string& parameter);
 /// are drawn by such a law or class?
 bool has_parameter(const Campaign& campaign, const std::string& parameter);
 /// Why a campaign has not: "no campaign has this zone".
-std::string why_no_campaign_has(const std::string& parameter);
+std::string explain_missing_parameter(const std::string& parameter);
 
 /// Gives the parameter this value, in all block groups that do not have one of their own and in all
 /// release sets. The order in which several are set does not matter: shares of classes are settled
-/// when blocks are drawn (`drawn_shares`).
+/// when blocks are drawn (`class_fractions`).
 /// @param campaign  that has it
 void set_parameter(Campaign& campaign, const std::string& parameter, double value);
 
 /// Does it shape the ground alone, so that starts and contacts stay as they are planned?
-bool is_of_ground(const std::string& parameter);
+bool is_ground_parameter(const std::string& parameter);
 /// Does it change where or how blocks start?
 bool is_of_release(const std::string& parameter);
 /// Does it change which blocks are drawn, or how large?
-bool is_of_blocks(const std::string& parameter);
+bool is_block_parameter(const std::string& parameter);
 /// The shape class whose share it is; empty: it is no share.
-std::string share_class(const std::string& parameter);
+std::string fraction_class(const std::string& parameter);
 
 }  // namespace clast

@@ -53,10 +53,10 @@ bool share_points(const CampaignResults& a, const CampaignResults& b) {
                     });
 }
 
-bool is_one_realisation(const Comparison& comparison, const std::vector<std::size_t>& rows) {
-  RunClusters clusters(comparison.results);
+bool has_single_realisation(const Comparison& comparison, const std::vector<std::size_t>& rows) {
+  RunClustering clusters(comparison.results);
   for (const std::size_t row : rows) clusters.of(comparison.rows[row]);
-  return clusters.is_one_realisation();
+  return clusters.has_single_realisation();
 }
 
 /// Mean runout of the runs at rest; none where none is.
@@ -73,13 +73,13 @@ std::optional<double> mean_at_rest(const Comparison& comparison,
 
 std::optional<Interval> range_of_draws(std::vector<double> values) {
   if (values.empty()) return std::nullopt;
-  return range_over_draws(std::move(values));
+  return range_of_draw_means(std::move(values));
 }
 
-RunoutAnswer runout_of(const Comparison& comparison, std::size_t group) {
-  RunoutAnswer found;
+RunoutEstimate runout_of(const Comparison& comparison, std::size_t group) {
+  RunoutEstimate found;
   found.group = group;
-  const DepositGroup& deposit = comparison.deposits[group];
+  const DepositStatistics& deposit = comparison.deposits[group];
   found.started = deposit.started;
   found.at_rest = deposit.stops.rest;
   found.mean = deposit.runout.mean;
@@ -87,16 +87,16 @@ RunoutAnswer runout_of(const Comparison& comparison, std::size_t group) {
   found.p95 = deposit.runout.p95;
   found.farthest = deposit.runout.max;
   const std::vector<std::size_t>& rows = comparison.groups[group].rows;
-  if (const std::vector<RowsOfDraw> draws = rows_by_draw(comparison, rows); !draws.empty()) {
+  if (const std::vector<GroundDrawRows> draws = group_rows_by_draw(comparison, rows); !draws.empty()) {
     std::vector<double> means;
-    for (const RowsOfDraw& draw : draws) {
+    for (const GroundDrawRows& draw : draws) {
       if (const auto mean = mean_at_rest(comparison, draw.rows)) means.push_back(*mean);
     }
     found.interval = range_of_draws(std::move(means));
     return found;
   }
-  if (is_one_realisation(comparison, rows)) return found;
-  RunClusters clusters(comparison.results);
+  if (has_single_realisation(comparison, rows)) return found;
+  RunClustering clusters(comparison.results);
   ClusteredValues values;
   for (const std::size_t row : rows) {
     const RunRow& run = comparison.rows[row];
@@ -115,12 +115,12 @@ RunoutAnswer runout_of(const Comparison& comparison, std::size_t group) {
 /// two files are independent, so that each of one is set against all of the other.
 std::vector<double> gaps_by_draw(const Comparison& comparison, std::size_t first,
                                  std::size_t second) {
-  const std::vector<RowsOfDraw> a = rows_by_draw(comparison, comparison.groups[first].rows);
-  const std::vector<RowsOfDraw> b = rows_by_draw(comparison, comparison.groups[second].rows);
+  const std::vector<GroundDrawRows> a = group_rows_by_draw(comparison, comparison.groups[first].rows);
+  const std::vector<GroundDrawRows> b = group_rows_by_draw(comparison, comparison.groups[second].rows);
   std::vector<double> gaps;
-  for (const RowsOfDraw& of_first : a) {
+  for (const GroundDrawRows& of_first : a) {
     const std::optional<double> mean = mean_at_rest(comparison, of_first.rows);
-    for (const RowsOfDraw& of_second : b) {
+    for (const GroundDrawRows& of_second : b) {
       if (of_first.file == of_second.file && of_first.member != of_second.member) continue;
       const std::optional<double> other = mean_at_rest(comparison, of_second.rows);
       if (mean && other) gaps.push_back(*mean - *other);
@@ -129,10 +129,10 @@ std::vector<double> gaps_by_draw(const Comparison& comparison, std::size_t first
   return gaps;
 }
 
-GapAnswer gap_between(const Comparison& comparison, const RunoutAnswer& a, const RunoutAnswer& b,
+RunoutContrast gap_between(const Comparison& comparison, const RunoutEstimate& a, const RunoutEstimate& b,
                       const std::optional<Difference>& difference) {
   const bool ahead = a.mean >= b.mean;
-  GapAnswer gap;
+  RunoutContrast gap;
   gap.farther = ahead ? a.group : b.group;
   gap.nearer = ahead ? b.group : a.group;
   gap.gap = std::abs(a.mean - b.mean);
@@ -141,7 +141,7 @@ GapAnswer gap_between(const Comparison& comparison, const RunoutAnswer& a, const
   gap.verdict = difference->verdict();
   if (gap.verdict == Verdict::kUntested) return gap;
   if (const auto by_draw = gaps_by_draw(comparison, gap.farther, gap.nearer); !by_draw.empty()) {
-    gap.interval = range_over_draws(by_draw);
+    gap.interval = range_of_draw_means(by_draw);
     if (gap.interval->low < 0.0 && gap.interval->high > 0.0) {
       gap.verdict = Verdict::kDependsOnGround;
     }
@@ -160,7 +160,7 @@ std::optional<Difference> class_difference(const Comparison& comparison, std::si
   for (const Difference& one : comparison.differences) {
     if (one.first == a && one.second == b && one.quantity == "runout_m") return one;
   }
-  return runout_difference(comparison, a, b);
+  return compute_runout_difference(comparison, a, b);
 }
 
 /// What 95 % of the passages stay below; the largest, where they are few.
@@ -168,9 +168,9 @@ double limit_of_passages(const Summary& of, bool largest) { return largest ? of.
 
 /// Sets the ranges over the draws of the ground.
 void add_draw_ranges(const Comparison& comparison, std::size_t line,
-                     const std::vector<RowsOfDraw>& draws, ShareAnswer& share) {
+                     const std::vector<GroundDrawRows>& draws, CrossingEstimate& share) {
   std::vector<double> shares, energies, speeds, tops;
-  for (const BarrierGroup& of_draw : passages_by_draw(comparison, line, draws)) {
+  for (const BarrierGroupStatistics& of_draw : barrier_groups_by_draw(comparison, line, draws)) {
     shares.push_back(of_draw.probability);
     if (of_draw.crossed == 0) continue;
     energies.push_back(limit_of_passages(of_draw.total, share.largest));
@@ -183,8 +183,8 @@ void add_draw_ranges(const Comparison& comparison, std::size_t line,
   share.top_range = range_of_draws(std::move(tops));
 }
 
-ShareAnswer share_of(const Comparison& comparison, const BarrierGroup& group) {
-  ShareAnswer share;
+CrossingEstimate share_of(const Comparison& comparison, const BarrierGroupStatistics& group) {
+  CrossingEstimate share;
   share.group = group.group_index;
   share.started = group.started;
   share.crossed = group.crossed;
@@ -197,15 +197,15 @@ ShareAnswer share_of(const Comparison& comparison, const BarrierGroup& group) {
   share.top = limit_of_passages(group.top, share.largest);
   share.largest_energy = group.total.max;
   share.largest_top = group.top.max;
-  const std::vector<RowsOfDraw> draws =
-      rows_by_draw(comparison, comparison.groups[group.group_index].rows);
+  const std::vector<GroundDrawRows> draws =
+      group_rows_by_draw(comparison, comparison.groups[group.group_index].rows);
   if (!draws.empty()) add_draw_ranges(comparison, group.line, draws, share);
   return share;
 }
 
-const BarrierGroup* barrier_group(const Comparison& comparison, std::size_t line,
+const BarrierGroupStatistics* barrier_group(const Comparison& comparison, std::size_t line,
                                   std::size_t group) {
-  for (const BarrierGroup& one : comparison.barriers) {
+  for (const BarrierGroupStatistics& one : comparison.barriers) {
     if (one.line == line && one.group_index == group) return &one;
   }
   return nullptr;
@@ -219,24 +219,24 @@ double place_downslope(const Comparison& comparison, std::size_t line) {
   return comparison.downslope.dot(through.front() + sum / static_cast<double>(through.size()));
 }
 
-std::vector<PassageAnswer> passages_of(const Comparison& comparison, const Statement& statement) {
-  std::vector<PassageAnswer> found;
+std::vector<BarrierSummary> passages_of(const Comparison& comparison, const FileSummary& statement) {
+  std::vector<BarrierSummary> found;
   for (std::size_t line = 0; line < comparison.lines.size(); ++line) {
     if (comparison.lines[line].counts == BarrierLine::Counts::kExits) continue;
-    const BarrierGroup* all = barrier_group(comparison, line, statement.all.group);
+    const BarrierGroupStatistics* all = barrier_group(comparison, line, statement.all.group);
     if (all == nullptr) continue;
-    PassageAnswer passage;
+    BarrierSummary passage;
     passage.line = line;
     passage.all = share_of(comparison, *all);
-    for (const RunoutAnswer& one : statement.classes) {
-      const BarrierGroup* group = barrier_group(comparison, line, one.group);
+    for (const RunoutEstimate& one : statement.classes) {
+      const BarrierGroupStatistics* group = barrier_group(comparison, line, one.group);
       if (group != nullptr && statement.classes.size() > 1) {
         passage.classes.push_back(share_of(comparison, *group));
       }
     }
     found.push_back(std::move(passage));
   }
-  std::stable_sort(found.begin(), found.end(), [&](const PassageAnswer& a, const PassageAnswer& b) {
+  std::stable_sort(found.begin(), found.end(), [&](const BarrierSummary& a, const BarrierSummary& b) {
     const bool passed = a.all.crossed > 0, other = b.all.crossed > 0;
     if (passed != other) return passed;
     return place_downslope(comparison, a.line) > place_downslope(comparison, b.line);
@@ -246,7 +246,7 @@ std::vector<PassageAnswer> passages_of(const Comparison& comparison, const State
 
 /// True where places or realisations of a file have other blocks each.
 bool samples_blocks(const Comparison& comparison, const std::vector<std::size_t>& rows) {
-  RunClusters clusters(comparison.results);
+  RunClustering clusters(comparison.results);
   std::map<std::uint32_t, std::set<std::uint32_t>> of_file;
   std::map<std::pair<std::uint32_t, std::string>, std::set<std::uint32_t>> of_block;
   for (const std::size_t row : rows) {
@@ -263,13 +263,13 @@ bool samples_blocks(const Comparison& comparison, const std::vector<std::size_t>
   return static_cast<double>(met) < kSameBlocksShare * static_cast<double>(possible);
 }
 
-Statement statement_of(const Comparison& comparison, const File& file) {
-  Statement statement;
+FileSummary statement_of(const Comparison& comparison, const File& file) {
+  FileSummary statement;
   statement.file = file;
   const std::size_t all = groups_in(comparison, GroupKind::kAll, file).front();
   statement.stops = comparison.deposits[all].stops;
   statement.all = runout_of(comparison, all);
-  RunClusters clusters(comparison.results);
+  RunClustering clusters(comparison.results);
   for (const std::size_t row : comparison.groups[all].rows) {
     clusters.of(comparison.rows[row]);
     statement.of_realisations =
@@ -280,12 +280,12 @@ Statement statement_of(const Comparison& comparison, const File& file) {
     statement.classes.push_back(runout_of(comparison, group));
   }
   if (statement.classes.size() > 1) {
-    const RunoutAnswer &a = statement.classes[0], &b = statement.classes[1];
+    const RunoutEstimate &a = statement.classes[0], &b = statement.classes[1];
     statement.gap = gap_between(comparison, a, b, class_difference(comparison, a.group, b.group));
   }
   statement.passages = passages_of(comparison, statement);
   const std::vector<std::size_t>& rows = comparison.groups[all].rows;
-  statement.draws = rows_by_draw(comparison, rows).size();
+  statement.draws = group_rows_by_draw(comparison, rows).size();
   std::set<std::string> blocks;
   for (const std::size_t row : rows) blocks.insert(comparison.rows[row].block->library_block());
   statement.blocks = blocks.size();
@@ -295,13 +295,13 @@ Statement statement_of(const Comparison& comparison, const File& file) {
 
 }  // namespace
 
-bool Answer::has_draws() const {
+bool KeyResults::has_draws() const {
   return std::any_of(statements.begin(), statements.end(),
-                     [](const Statement& statement) { return statement.draws > 0; });
+                     [](const FileSummary& statement) { return statement.draws > 0; });
 }
 
-Answer answer(const Comparison& comparison) {
-  Answer answer;
+KeyResults answer(const Comparison& comparison) {
+  KeyResults answer;
   const std::size_t files = comparison.results.size();
   if (files == 1 || are_classes_apart(comparison)) {
     answer.statements.push_back(statement_of(comparison, std::nullopt));
@@ -315,8 +315,8 @@ Answer answer(const Comparison& comparison) {
   if (answer.statements.size() == 2 &&
       share_points(comparison.results[*answer.statements[0].file],
                    comparison.results[*answer.statements[1].file])) {
-    const RunoutAnswer &a = answer.statements[0].all, &b = answer.statements[1].all;
-    answer.files = gap_between(comparison, a, b, runout_difference(comparison, a.group, b.group));
+    const RunoutEstimate &a = answer.statements[0].all, &b = answer.statements[1].all;
+    answer.files = gap_between(comparison, a, b, compute_runout_difference(comparison, a.group, b.group));
   }
   return answer;
 }

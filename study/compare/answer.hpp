@@ -11,9 +11,9 @@
 namespace clast {
 
 /// Where the runs of a group come to rest. Here and below `interval` is the 95 % interval; where
-/// the ground is drawn more than once (`Statement::draws`) it is the range over the draws instead,
-/// as `range_over_draws`.
-struct RunoutAnswer {
+/// the ground is drawn more than once (`FileSummary::draws`) it is the range over the draws instead,
+/// as `range_of_draw_means`.
+struct RunoutEstimate {
   std::size_t group = 0;  ///< into Comparison::groups
   std::size_t started = 0;
   std::size_t at_rest = 0;
@@ -28,7 +28,7 @@ struct RunoutAnswer {
 };
 
 /// Which of two groups runs farther.
-struct GapAnswer {
+struct RunoutContrast {
   std::size_t farther = 0;  ///< into Comparison::groups: the one with the larger mean
   std::size_t nearer = 0;
   /// Too few where few runs, or less than half of a group, came to rest.
@@ -40,7 +40,7 @@ struct GapAnswer {
 };
 
 /// How many runs of a group pass a barrier, and how strongly.
-struct ShareAnswer {
+struct CrossingEstimate {
   std::size_t group = 0;
   std::size_t started = 0;
   std::size_t crossed = 0;
@@ -50,7 +50,7 @@ struct ShareAnswer {
   double energy = 0.0;  ///< J
   double speed = 0.0;   ///< m/s
   double height = 0.0;  ///< of the centre above the ground, m
-  double top = 0.0;     ///< as `BarrierGroup::top`, m
+  double top = 0.0;     ///< as `BarrierGroupStatistics::top`, m
   bool largest = false;
   double largest_energy = 0.0;  ///< of all passages, J
   double largest_top = 0.0;     ///< m
@@ -60,20 +60,20 @@ struct ShareAnswer {
 };
 
 /// One barrier.
-struct PassageAnswer {
+struct BarrierSummary {
   std::size_t line = 0;  ///< into Comparison::lines
-  ShareAnswer all;
-  std::vector<ShareAnswer> classes;  ///< those of Garcia that occur, if more than one
+  CrossingEstimate all;
+  std::vector<CrossingEstimate> classes;  ///< those of Garcia that occur, if more than one
 };
 
 /// What is said of the runs of one file, or of all of them.
-struct Statement {
+struct FileSummary {
   std::optional<std::uint32_t> file;
   StopCounts stops;
-  RunoutAnswer all;
-  std::vector<RunoutAnswer> classes;    ///< those of Garcia that occur
-  std::optional<GapAnswer> gap;         ///< between the first two classes
-  std::vector<PassageAnswer> passages;  ///< the last that is passed on the way down comes first
+  RunoutEstimate all;
+  std::vector<RunoutEstimate> classes;    ///< those of Garcia that occur
+  std::optional<RunoutContrast> gap;         ///< between the first two classes
+  std::vector<BarrierSummary> passages;  ///< the last that is passed on the way down comes first
   /// Independent places, or realisations, behind the intervals.
   std::size_t clusters = 0;
   bool of_realisations = false;
@@ -84,11 +84,11 @@ struct Statement {
   bool samples_blocks = false;
 };
 
-struct Answer {
+struct KeyResults {
   /// One for all files where each class has files of its own, else one for each file.
-  std::vector<Statement> statements;
+  std::vector<FileSummary> statements;
   /// Between two files with the same release points.
-  std::optional<GapAnswer> files;
+  std::optional<RunoutContrast> files;
 
   /// Ground is drawn more than once in a statement.
   bool has_draws() const;
@@ -100,6 +100,6 @@ inline constexpr double kGapOfFew = 0.25;
 /// Passages from which on 95 % of them mean something.
 inline constexpr std::size_t kFewestPassages = 20;
 
-Answer answer(const Comparison& comparison);
+KeyResults answer(const Comparison& comparison);
 
 }  // namespace clast

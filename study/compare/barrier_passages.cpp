@@ -10,9 +10,9 @@ namespace {
 
 constexpr std::size_t kPassageCurvePoints = 241;
 
-double mass_of(const BlockPassage& passage) { return passage.mass; }
-double energy_of(const BlockPassage& passage) { return passage.energy; }
-double one(const BlockPassage&) { return 1.0; }
+double mass_of(const BlockCrossing& passage) { return passage.mass; }
+double energy_of(const BlockCrossing& passage) { return passage.energy; }
+double one(const BlockCrossing&) { return 1.0; }
 
 /// Blocks that were released, by file and realisation of those that stay.
 std::map<std::pair<std::uint32_t, std::uint32_t>, std::size_t> released(
@@ -20,27 +20,27 @@ std::map<std::pair<std::uint32_t, std::uint32_t>, std::size_t> released(
   std::map<std::pair<std::uint32_t, std::uint32_t>, std::size_t> blocks;
   for (const RunRow& row : comparison.rows) {
     const CampaignResults& results = comparison.results[row.file];
-    if (results.stay) ++blocks[{row.file, cluster_of(results, *row.record)}];
+    if (results.stay) ++blocks[{row.file, find_cluster(results, *row.record)}];
   }
   return blocks;
 }
 
-void find_peaks(RealisationPassages& found) {
+void find_peaks(RealisationCrossings& found) {
   std::stable_sort(found.passages.begin(), found.passages.end(),
-                   [](const BlockPassage& a, const BlockPassage& b) { return a.time < b.time; });
-  found.most_blocks = largest_within(found.passages, kPassageWindow, one);
-  found.most_mass = largest_within(found.passages, kPassageWindow, mass_of);
-  found.most_energy = largest_within(found.passages, kPassageWindow, energy_of);
-  for (const BlockPassage& passage : found.passages) {
+                   [](const BlockCrossing& a, const BlockCrossing& b) { return a.time < b.time; });
+  found.most_blocks = find_window_maximum(found.passages, kPassageWindow, one);
+  found.most_mass = find_window_maximum(found.passages, kPassageWindow, mass_of);
+  found.most_energy = find_window_maximum(found.passages, kPassageWindow, energy_of);
+  for (const BlockCrossing& passage : found.passages) {
     found.largest_energy = std::max(found.largest_energy, passage.energy);
   }
 }
 
 }  // namespace
 
-PassagePeak largest_within(const std::vector<BlockPassage>& passages, double window,
-                           const PassageValue& value) {
-  PassagePeak peak;
+WindowMaximum find_window_maximum(const std::vector<BlockCrossing>& passages, double window,
+                           const CrossingValue& value) {
+  WindowMaximum peak;
   // Each window is added up anew: what is subtracted again leaves rounding behind.
   for (std::size_t first = 0; first < passages.size(); ++first) {
     double sum = 0.0;
@@ -53,38 +53,38 @@ PassagePeak largest_within(const std::vector<BlockPassage>& passages, double win
   return peak;
 }
 
-double RealisationPassages::sum(const PassageValue& value) const {
+double RealisationCrossings::sum(const CrossingValue& value) const {
   double sum = 0.0;
-  for (const BlockPassage& passage : passages) sum += value(passage);
+  for (const BlockCrossing& passage : passages) sum += value(passage);
   return sum;
 }
 
-std::vector<RealisationPassages> barrier_passages(const Comparison& comparison) {
-  std::map<std::tuple<std::size_t, std::uint32_t, std::uint32_t>, RealisationPassages> found;
+std::vector<RealisationCrossings> collect_barrier_crossings(const Comparison& comparison) {
+  std::map<std::tuple<std::size_t, std::uint32_t, std::uint32_t>, RealisationCrossings> found;
   const auto blocks = released(comparison);
   for (std::size_t line = 0; line < comparison.lines.size(); ++line) {
     for (const auto& [key, count] : blocks) {
       if (!comparison.lines[line].is_in(key.first)) continue;
-      RealisationPassages& of_realisation = found[{line, key.first, key.second}];
+      RealisationCrossings& of_realisation = found[{line, key.first, key.second}];
       of_realisation.line = line;
       of_realisation.file = key.first;
       of_realisation.realisation = key.second;
       of_realisation.blocks = count;
     }
   }
-  for (const CrossingRow& crossing : comparison.crossings) {
+  for (const BarrierCrossing& crossing : comparison.crossings) {
     if (!crossing.counted) continue;
     const RunRow& row = comparison.rows[crossing.row];
     const CampaignResults& results = comparison.results[row.file];
-    const StayRecord* stay = results.stay_of(row.record->run);
+    const PersistentBlockRecord* stay = results.find_persistent_block(row.record->run);
     if (!results.stay || !stay) continue;
     // Times of blocks released at once count from the first release, others from their own.
     const double begun = results.stay->at_once ? 0.0 : stay->released_at;
-    found[{crossing.barrier, row.file, cluster_of(results, *row.record)}].passages.push_back(
+    found[{crossing.barrier, row.file, find_cluster(results, *row.record)}].passages.push_back(
         {crossing.row, begun + crossing.crossing->time, row.block->mass, row.block->volume,
          crossing.crossing->translational_energy + crossing.crossing->rotational_energy});
   }
-  std::vector<RealisationPassages> all;
+  std::vector<RealisationCrossings> all;
   for (auto& [key, of_realisation] : found) {
     find_peaks(of_realisation);
     all.push_back(std::move(of_realisation));
@@ -92,11 +92,11 @@ std::vector<RealisationPassages> barrier_passages(const Comparison& comparison) 
   return all;
 }
 
-RealisationCurve passage_curve(const std::vector<const RealisationPassages*>& realisations,
-                               const PassageValue& value) {
+RealisationCurve passage_curve(const std::vector<const RealisationCrossings*>& realisations,
+                               const CrossingValue& value) {
   RealisationCurve curve;
   double last = -INFINITY;
-  for (const RealisationPassages* one : realisations) {
+  for (const RealisationCrossings* one : realisations) {
     if (!one->passages.empty()) last = std::max(last, one->last());
   }
   if (!std::isfinite(last)) return curve;
@@ -109,7 +109,7 @@ RealisationCurve passage_curve(const std::vector<const RealisationPassages*>& re
             ? last
             : last * static_cast<double>(i) / static_cast<double>(kPassageCurvePoints - 1);
     for (std::size_t k = 0; k < realisations.size(); ++k) {
-      const std::vector<BlockPassage>& passages = realisations[k]->passages;
+      const std::vector<BlockCrossing>& passages = realisations[k]->passages;
       for (; next[k] < passages.size() && passages[next[k]].time <= time; ++next[k]) {
         sums[k] += value(passages[next[k]]);
       }

@@ -216,8 +216,8 @@ void append_file_groups(const std::vector<RunRow>& rows, std::optional<std::uint
   }
 }
 
-DepositGroup deposits_of(const Group& group, const std::vector<RunRow>& rows) {
-  DepositGroup deposit;
+DepositStatistics deposits_of(const Group& group, const std::vector<RunRow>& rows) {
+  DepositStatistics deposit;
   deposit.started = group.rows.size();
   std::vector<double> along, lateral;
   Vec3 sum = Vec3::Zero();
@@ -253,9 +253,9 @@ DepositGroup deposits_of(const Group& group, const std::vector<RunRow>& rows) {
 
 }  // namespace
 
-std::vector<const Crossing*> counted_crossings(const Comparison& comparison, std::size_t line) {
+std::vector<const Crossing*> parse_counted_direction(const Comparison& comparison, std::size_t line) {
   std::vector<const Crossing*> found(comparison.rows.size(), nullptr);
-  for (const CrossingRow& crossing : comparison.crossings) {
+  for (const BarrierCrossing& crossing : comparison.crossings) {
     if (crossing.counted && crossing.barrier == line) found[crossing.row] = crossing.crossing;
   }
   return found;
@@ -288,18 +288,18 @@ bool BarrierLine::counted(const Crossing& crossing) const {
   return counts == Counts::kEither || direction(crossing) == counted_direction();
 }
 
-std::uint32_t cluster_of(const CampaignResults& results, const RunRecord& run) {
+std::uint32_t find_cluster(const CampaignResults& results, const RunRecord& run) {
   return results.stay ? run.run / results.stay->blocks_each : run.point;
 }
 
-std::uint32_t RunClusters::of(const RunRow& row) {
-  const std::pair key(row.file, cluster_of(results_[row.file], *row.record));
+std::uint32_t RunClustering::of(const RunRow& row) {
+  const std::pair key(row.file, find_cluster(results_[row.file], *row.record));
   const auto [found, added] = numbers_.emplace(key, static_cast<std::uint32_t>(numbers_.size()));
   if (added && results_[row.file].stay) ++realisations_;
   return found->second;
 }
 
-const std::string& release_set_of(const CampaignResults& results, std::uint32_t point) {
+const std::string& find_release_set(const CampaignResults& results, std::uint32_t point) {
   static const std::string none;
   if (point >= results.set_of_point.size()) return none;
   return results.release_sets[results.set_of_point[point]];
@@ -324,7 +324,7 @@ Comparison compare(std::vector<CampaignResults> results, const CompareOptions& o
   comparison.downslope_asked = asked.has_value();
   comparison.downslope = asked ? *asked : mean.value_or(Vec2::UnitX());
   for (RunRow& row : comparison.rows) {
-    const Runout measured = runout(row.start, row.stop, comparison.downslope);
+    const RunoutDistances measured = runout(row.start, row.stop, comparison.downslope);
     row.runout = measured.along;
     row.lateral = measured.lateral;
   }

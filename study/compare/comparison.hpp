@@ -62,7 +62,7 @@ struct BarrierLine {
 };
 
 /// One row of crossings.csv.
-struct CrossingRow {
+struct BarrierCrossing {
   const Crossing* crossing = nullptr;
   std::size_t row = 0;           ///< into Comparison::rows
   std::size_t barrier = 0;       ///< into Comparison::lines
@@ -71,7 +71,7 @@ struct CrossingRow {
 };
 
 /// Runs of one group at one barrier. Summaries are over counted crossings.
-struct BarrierGroup {
+struct BarrierGroupStatistics {
   std::string barrier;
   std::string group;
   std::string counted;          ///< as `BarrierLine::counted_direction`
@@ -98,7 +98,7 @@ struct StopCounts {
 };
 
 /// Where the runs of a group came to rest. Runs that ended otherwise are counted only.
-struct DepositGroup {
+struct DepositStatistics {
   std::size_t started = 0;
   StopCounts stops;
   Summary runout;                 ///< m
@@ -108,18 +108,18 @@ struct DepositGroup {
 
 /// Runs with the same number depend on each other: those of a realisation, where blocks stay, else
 /// those from one release point, which share its ground.
-std::uint32_t cluster_of(const CampaignResults& results, const RunRecord& run);
+std::uint32_t find_cluster(const CampaignResults& results, const RunRecord& run);
 
 /// Those clusters, numbered over all files.
-class RunClusters {
+class RunClustering {
  public:
-  explicit RunClusters(const std::vector<CampaignResults>& results) : results_(results) {}
+  explicit RunClustering(const std::vector<CampaignResults>& results) : results_(results) {}
 
   std::uint32_t of(const RunRow& row);
   std::size_t count() const { return numbers_.size(); }
   /// True if blocks that stay are among the runs, of one realisation only. They depend on each
   /// other, so that nothing is known of chance: neither an interval nor a test can be given.
-  bool is_one_realisation() const { return realisations_ == 1; }
+  bool has_single_realisation() const { return realisations_ == 1; }
 
  private:
   const std::vector<CampaignResults>& results_;
@@ -128,10 +128,10 @@ class RunClusters {
 };
 
 /// Name of the release set of a point; empty where there is one set.
-const std::string& release_set_of(const CampaignResults& results, std::uint32_t point);
+const std::string& find_release_set(const CampaignResults& results, std::uint32_t point);
 
 /// A warning that could turn an answer round.
-struct Caution {
+struct ComparisonWarning {
   std::string brief;               ///< a sentence
   std::vector<std::string> texts;  ///< the warnings in full
 };
@@ -148,21 +148,21 @@ struct Comparison {
   bool downslope_asked = false;
   std::vector<RunRow> rows;  ///< in order of file and run
   std::vector<Group> groups;
-  std::vector<DepositGroup> deposits;  ///< of every group
+  std::vector<DepositStatistics> deposits;  ///< of every group
   std::vector<BarrierLine> lines;
-  std::vector<CrossingRow> crossings;  ///< in order of file, run and time
-  std::vector<BarrierGroup>
+  std::vector<BarrierCrossing> crossings;  ///< in order of file, run and time
+  std::vector<BarrierGroupStatistics>
       barriers;  ///< by barrier, then group; groups that never met it left out
   std::vector<Difference> differences;
   std::optional<MeasuredStops> measured;
   std::optional<double> margin;       ///< as asked for
   std::vector<std::string> warnings;  ///< for example "mass differs between classes"
-  std::vector<Caution> cautions;      ///< of the warnings
+  std::vector<ComparisonWarning> cautions;      ///< of the warnings
 };
 
 /// The crossing of a barrier that counts, for each row of the comparison; null where a run has
 /// none.
-std::vector<const Crossing*> counted_crossings(const Comparison& comparison, std::size_t line);
+std::vector<const Crossing*> parse_counted_direction(const Comparison& comparison, std::size_t line);
 
 /// What to compare beyond blocks and classes.
 struct CompareOptions {
@@ -180,7 +180,7 @@ Comparison compare(std::vector<CampaignResults> results, const CompareOptions& o
 
 /// How much of the energy that a run dissipates is lost or gained where contacts or weights change;
 /// none when it dissipates nothing.
-std::optional<double> reassigned_share(const EnergyLedger& energy);
+std::optional<double> reassigned_energy_fraction(const EnergyLedger& energy);
 /// Runs above this share are warned of. It acts like that much more or less friction, which surveys
 /// rarely know to 10 %; a few per cent are the price of contacts that begin and end, in most runs.
 inline constexpr double kNotableReassigned = 0.1;

@@ -29,52 +29,52 @@ class ComparisonAnalyses {
 
   const Comparison& comparison() const { return comparison_; }
 
-  const Answer& answer() const { return kept(answer_, clast::answer); }
-  const std::vector<RealisationPassages>& passages() const {
-    return kept(passages_, barrier_passages);
+  const KeyResults& answer() const { return kept(answer_, clast::answer); }
+  const std::vector<RealisationCrossings>& passages() const {
+    return kept(passages_, collect_barrier_crossings);
   }
-  const std::vector<DesignEffects>& effects() const { return kept(effects_, design_effects); }
-  const std::vector<ParameterEffect>& ensemble() const { return kept(ensemble_, ensemble_effects); }
-  const std::vector<OutcomeOfForms>& forms() const { return kept(forms_, outcomes_of_forms); }
-  const std::vector<Mobility>& mobility() const { return kept(mobility_, mass_mobility); }
-  const MapRasters& paths() const { return kept(paths_, path_rasters); }
+  const std::vector<DesignEffects>& effects() const { return kept(effects_, compute_design_effects); }
+  const std::vector<ParameterEffect>& ensemble() const { return kept(ensemble_, compute_ensemble_effects); }
+  const std::vector<OutcomeByShape>& forms() const { return kept(forms_, compute_outcomes_by_shape); }
+  const std::vector<DepositMobility>& mobility() const { return kept(mobility_, compute_mass_mobility); }
+  const MapRasterSet& paths() const { return kept(paths_, compute_path_rasters); }
   const std::vector<ProfileBin>& profiles() const { return kept(profiles_, clast::profiles); }
-  const RealisationDeposits& deposits() const { return kept(deposits_, realisation_deposits); }
+  const DepositResults& deposits() const { return kept(deposits_, measure_deposits); }
   const std::vector<RealisationEnergies>& energies() const {
-    return kept(energies_, realisation_energies);
+    return kept(energies_, collect_realisation_energies);
   }
-  const FiguresOfFiles& figures() const {
+  const DepositQuantityComparison& figures() const {
     return kept(figures_,
-                [this](const Comparison&) { return figures_of_files(deposits().realisations); });
+                [this](const Comparison&) { return compare_deposit_quantities(deposits().realisations); });
   }
-  const std::vector<ShapeTrends>& trends() const { return kept(trends_, shape_trends); }
+  const std::vector<ShapeTrends>& trends() const { return kept(trends_, compute_shape_trends); }
 
  private:
   template <class Analysis>
-  struct Kept {
+  struct CachedAnalysis {
     std::once_flag once;
     std::optional<Analysis> value;
   };
 
   template <class Analysis, class Compute>
-  const Analysis& kept(Kept<Analysis>& of, const Compute& compute) const {
+  const Analysis& kept(CachedAnalysis<Analysis>& of, const Compute& compute) const {
     std::call_once(of.once, [&] { of.value = compute(comparison_); });
     return *of.value;
   }
 
   const Comparison& comparison_;
-  mutable Kept<Answer> answer_;
-  mutable Kept<std::vector<RealisationPassages>> passages_;
-  mutable Kept<std::vector<DesignEffects>> effects_;
-  mutable Kept<std::vector<ParameterEffect>> ensemble_;
-  mutable Kept<std::vector<OutcomeOfForms>> forms_;
-  mutable Kept<std::vector<Mobility>> mobility_;
-  mutable Kept<MapRasters> paths_;
-  mutable Kept<std::vector<ProfileBin>> profiles_;
-  mutable Kept<RealisationDeposits> deposits_;
-  mutable Kept<std::vector<RealisationEnergies>> energies_;
-  mutable Kept<FiguresOfFiles> figures_;
-  mutable Kept<std::vector<ShapeTrends>> trends_;
+  mutable CachedAnalysis<KeyResults> answer_;
+  mutable CachedAnalysis<std::vector<RealisationCrossings>> passages_;
+  mutable CachedAnalysis<std::vector<DesignEffects>> effects_;
+  mutable CachedAnalysis<std::vector<ParameterEffect>> ensemble_;
+  mutable CachedAnalysis<std::vector<OutcomeByShape>> forms_;
+  mutable CachedAnalysis<std::vector<DepositMobility>> mobility_;
+  mutable CachedAnalysis<MapRasterSet> paths_;
+  mutable CachedAnalysis<std::vector<ProfileBin>> profiles_;
+  mutable CachedAnalysis<DepositResults> deposits_;
+  mutable CachedAnalysis<std::vector<RealisationEnergies>> energies_;
+  mutable CachedAnalysis<DepositQuantityComparison> figures_;
+  mutable CachedAnalysis<std::vector<ShapeTrends>> trends_;
 };
 
 }  // namespace clast

@@ -55,7 +55,7 @@ void warn_of_unfinished(Comparison& comparison) {
 }
 
 void warn_of_lost_runs(Comparison& comparison) {
-  const DepositGroup& all = comparison.deposits.front();
+  const DepositStatistics& all = comparison.deposits.front();
   // What the caution says too, and what it leaves to the warning.
   const auto count_of = [&](std::size_t count, const std::string& what, const std::string& advice) {
     if (count == 0) return;
@@ -91,7 +91,7 @@ void warn_of_reassigned(Comparison& comparison) {
   double largest = 0.0;
   const RunRow* worst = nullptr;
   for (const RunRow& row : comparison.rows) {
-    const std::optional<double> share = reassigned_share(row.record->result.energy);
+    const std::optional<double> share = reassigned_energy_fraction(row.record->result.energy);
     if (!share || !(*share > kNotableReassigned)) continue;
     ++count;
     if (*share > largest) worst = &row;
@@ -341,7 +341,7 @@ void warn_of_measured(Comparison& comparison) {
 
 /// A barrier drawn the wrong way must not make what lies behind it look safe.
 void warn_of_directions(Comparison& comparison) {
-  for (const BarrierGroup& group : comparison.barriers) {
+  for (const BarrierGroupStatistics& group : comparison.barriers) {
     const BarrierLine& line = comparison.lines[group.line];
     const Group& runs = comparison.groups[group.group_index];
     if (line.counts != BarrierLine::Counts::kForward || runs.kind != GroupKind::kAll || runs.file ||
@@ -349,7 +349,7 @@ void warn_of_directions(Comparison& comparison) {
       continue;
     }
     double most = 0.0;
-    for (const CrossingRow& row : comparison.crossings) {
+    for (const BarrierCrossing& row : comparison.crossings) {
       if (row.barrier != group.line || row.crossing->forward) continue;
       most = std::max(most, row.crossing->translational_energy + row.crossing->rotational_energy);
     }
@@ -366,7 +366,7 @@ void warn_of_directions(Comparison& comparison) {
 
 }  // namespace
 
-std::optional<double> reassigned_share(const EnergyLedger& energy) {
+std::optional<double> reassigned_energy_fraction(const EnergyLedger& energy) {
   const double dissipated = energy.normal + energy.friction + energy.rolling;
   // Where next to nothing is dissipated both are rounding.
   const double rounding =
@@ -397,7 +397,7 @@ void add_warnings(Comparison& comparison) {
     for (const std::string& warning : results.warnings) {
       const bool asked =
           std::any_of(results.blocks.begin(), results.blocks.end(),
-                      [&](const BlockSummary& block) { return warning == scale_in_words(block); });
+                      [&](const BlockSummary& block) { return warning == describe_block_scale(block); });
       if (asked) continue;
       if (!in_all_files(warning)) {
         warn(comparison, "file " + std::to_string(file + 1) + ": " + warning);

@@ -40,11 +40,11 @@ FactorLevels levels_by(const std::string& name, const std::vector<const RunRow*>
 
 /// Form and mass where they are crossed, else the block.
 std::vector<FactorLevels> block_factors(const std::vector<const RunRow*>& rows) {
-  const std::vector<double> masses = distinct_masses(rows);
+  const std::vector<double> masses = find_distinct_masses(rows);
   const FactorLevels form = levels_by<std::string>(
       "form", rows, [](const RunRow& row) { return row.block->library_block(); });
   const FactorLevels mass = levels_by<std::size_t>(
-      "mass", rows, [&](const RunRow& row) { return mass_level(masses, row.block->mass); });
+      "mass", rows, [&](const RunRow& row) { return find_mass_level(masses, row.block->mass); });
   const FactorLevels block =
       levels_by<std::uint32_t>("block", rows, [](const RunRow& row) { return row.record->block; });
   std::set<std::pair<std::size_t, std::size_t>> met;
@@ -173,7 +173,7 @@ DesignEffects effects_of(const Comparison& comparison, std::uint32_t file) {
     effects.refusal = "its blocks stay among others, so that runs depend on each other";
     return effects;
   }
-  const std::vector<const RunRow*> rows = rows_of_file(comparison, file);
+  const std::vector<const RunRow*> rows = select_rows_of_file(comparison, file);
   std::vector<FactorLevels> factors = factors_of(rows, results);
   const bool fresh = has_fresh_orientations(rows, results);
   if (fresh) {
@@ -186,7 +186,7 @@ DesignEffects effects_of(const Comparison& comparison, std::uint32_t file) {
     return effects;
   }
   for (const FactorLevels& factor : factors) effects.factors.push_back({factor.name, factor.count});
-  const std::vector<RunOutcome> outcomes = run_outcomes(comparison, file, rows);
+  const std::vector<RunOutcome> outcomes = collect_run_outcomes(comparison, file, rows);
   const std::vector<std::size_t> places = places_in(factors, rows.size());
   if (fresh) {
     effects.estimated =
@@ -203,7 +203,7 @@ DesignEffects effects_of(const Comparison& comparison, std::uint32_t file) {
 
 }  // namespace
 
-std::vector<DesignEffects> design_effects(const Comparison& comparison) {
+std::vector<DesignEffects> compute_design_effects(const Comparison& comparison) {
   std::vector<DesignEffects> effects;
   for (std::uint32_t file = 0; file < comparison.results.size(); ++file) {
     effects.push_back(effects_of(comparison, file));

@@ -43,6 +43,6 @@ struct DesignEffects {
 /// thus are no factor, shares are estimated (core/statistics/unbalanced_shares.hpp). A campaign in
 /// which blocks stay and one with nothing but one level have no effects, and `refusal` says why. A
 /// run counts where it ended, also if it left the terrain.
-std::vector<DesignEffects> design_effects(const Comparison& comparison);
+std::vector<DesignEffects> compute_design_effects(const Comparison& comparison);
 
 }  // namespace clast

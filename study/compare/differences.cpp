@@ -45,7 +45,7 @@ std::vector<ComparedQuantity> quantities(const Comparison& comparison) {
       of_row("max_speed_m_s", StopReason::kError,
              [](const RunRow& row) { return row.record->result.max_speed; })};
   for (std::size_t line = 0; line < comparison.lines.size(); ++line) {
-    const std::vector<const Crossing*> first = counted_crossings(comparison, line);
+    const std::vector<const Crossing*> first = parse_counted_direction(comparison, line);
     const auto at_line = [&](const char* name, double (*value)(const Crossing&)) {
       all.push_back({comparison.lines[line].name + " " + name,
                      [first, value](std::size_t row) -> std::optional<double> {
@@ -68,9 +68,9 @@ struct GroupSample {
 };
 
 GroupSample sample_of(const Comparison& comparison, const Group& group,
-                      const ComparedQuantity& quantity, RunClusters& clusters) {
+                      const ComparedQuantity& quantity, RunClustering& clusters) {
   GroupSample sample;
-  RunClusters own(comparison.results);
+  RunClustering own(comparison.results);
   for (const std::size_t row : group.rows) {
     const std::optional<double> value = quantity.value(row);
     if (!value || !std::isfinite(*value)) continue;
@@ -78,7 +78,7 @@ GroupSample sample_of(const Comparison& comparison, const Group& group,
     sample.values.clusters.push_back(clusters.of(comparison.rows[row]));
     own.of(comparison.rows[row]);
   }
-  sample.one_realisation = own.is_one_realisation();
+  sample.one_realisation = own.has_single_realisation();
   return sample;
 }
 
@@ -94,7 +94,7 @@ bool are_points_alone(const ClusteredValues& a, const ClusteredValues& b) {
 
 std::optional<Difference> difference_between(const Comparison& comparison, std::size_t first,
                                              std::size_t second, const ComparedQuantity& quantity) {
-  RunClusters clusters(comparison.results);
+  RunClustering clusters(comparison.results);
   const GroupSample first_sample =
       sample_of(comparison, comparison.groups[first], quantity, clusters);
   const GroupSample second_sample =
@@ -168,7 +168,7 @@ std::vector<Difference> differences(const Comparison& comparison) {
   return found;
 }
 
-std::optional<Difference> runout_difference(const Comparison& comparison, std::size_t first,
+std::optional<Difference> compute_runout_difference(const Comparison& comparison, std::size_t first,
                                             std::size_t second) {
   std::optional<Difference> found =
       difference_between(comparison, first, second, quantities(comparison).front());

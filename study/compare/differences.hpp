@@ -40,7 +40,7 @@ std::vector<Difference> differences(const Comparison& comparison);
 
 /// The runouts of any two groups, alone: `p_holm` is `p_value`.
 /// @return none where a group has fewer than three runs at rest
-std::optional<Difference> runout_difference(const Comparison& comparison, std::size_t first,
+std::optional<Difference> compute_runout_difference(const Comparison& comparison, std::size_t first,
                                             std::size_t second);
 
 }  // namespace clast

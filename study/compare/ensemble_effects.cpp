@@ -34,7 +34,7 @@ const std::string& group_of(const RunRow& row, const CampaignResults& results) {
 MemberRuns runs_by_member(const Comparison& comparison, std::uint32_t file,
                           const std::string& group) {
   const CampaignResults& results = comparison.results[file];
-  const std::size_t members = ensemble_members(results);
+  const std::size_t members = count_ensemble_members(results);
   MemberRuns runs{std::vector<std::size_t>(members, 0), std::vector<std::vector<double>>(members),
                   std::vector<std::vector<std::size_t>>(comparison.lines.size(),
                                                         std::vector<std::size_t>(members, 0))};
@@ -51,7 +51,7 @@ MemberRuns runs_by_member(const Comparison& comparison, std::uint32_t file,
       runs.runouts[member_of(row)].push_back(row.runout);
     }
   }
-  for (const CrossingRow& crossing : comparison.crossings) {
+  for (const BarrierCrossing& crossing : comparison.crossings) {
     const RunRow& row = comparison.rows[crossing.row];
     if (crossing.counted && is_meant(row)) ++runs.passed[crossing.barrier][member_of(row)];
   }
@@ -89,15 +89,15 @@ std::vector<double> ascending(std::vector<double> values) {
 void add_effects(const Comparison& comparison, std::uint32_t file, const std::string& group,
                  std::vector<ParameterEffect>& effects) {
   const CampaignResults& results = comparison.results[file];
-  std::vector<const GroundSet*> set_of(ensemble_members(results), nullptr);
-  for (const GroundSet& set : results.ground_sets) {
+  std::vector<const GroundParameterSet*> set_of(count_ensemble_members(results), nullptr);
+  for (const GroundParameterSet& set : results.ground_sets) {
     if (set.group == group) set_of[set.member] = &set;
   }
   for (const Outcome& outcome :
        outcomes_of(comparison, file, runs_by_member(comparison, file, group))) {
     const std::vector<double> ordered = ascending(outcome.values);
     for (std::size_t zone = 0; zone < results.zone_names.size(); ++zone) {
-      for (const GroundField& field : ground_fields()) {
+      for (const GroundParameterField& field : ground_fields()) {
         std::vector<double> drawn;
         for (const std::uint32_t member : outcome.members) {
           drawn.push_back(set_of[member]->zones[zone].*field.value);
@@ -108,7 +108,7 @@ void add_effects(const Comparison& comparison, std::uint32_t file, const std::st
                            values.front(), quantile(values, 0.5), values.back(), outcome.name,
                            quantile(ordered, 0.05), quantile(ordered, 0.5), quantile(ordered, 0.95),
                            spearman(drawn, outcome.values),
-                           first_order_index(drawn, outcome.values)});
+                           estimate_first_order_index(drawn, outcome.values)});
       }
     }
   }
@@ -116,13 +116,13 @@ void add_effects(const Comparison& comparison, std::uint32_t file, const std::st
 
 }  // namespace
 
-std::uint32_t ensemble_members(const CampaignResults& results) {
+std::uint32_t count_ensemble_members(const CampaignResults& results) {
   std::uint32_t members = 1;
-  for (const GroundSet& set : results.ground_sets) members = std::max(members, set.member + 1);
+  for (const GroundParameterSet& set : results.ground_sets) members = std::max(members, set.member + 1);
   return members;
 }
 
-std::optional<double> first_order_index(std::span<const double> x, std::span<const double> y) {
+std::optional<double> estimate_first_order_index(std::span<const double> x, std::span<const double> y) {
   const std::size_t count = x.size();
   if (count < kFewestForIndex) return std::nullopt;
   const auto equal = [](std::span<const double> values) {
@@ -153,13 +153,13 @@ std::optional<double> first_order_index(std::span<const double> x, std::span<con
   return std::clamp(share, 0.0, 1.0);
 }
 
-std::vector<ParameterEffect> ensemble_effects(const Comparison& comparison) {
+std::vector<ParameterEffect> compute_ensemble_effects(const Comparison& comparison) {
   std::vector<ParameterEffect> effects;
   for (std::uint32_t file = 0; file < comparison.results.size(); ++file) {
     const CampaignResults& results = comparison.results[file];
-    if (ensemble_members(results) < 2) continue;
+    if (count_ensemble_members(results) < 2) continue;
     std::vector<std::string> groups;
-    for (const GroundSet& set : results.ground_sets) {
+    for (const GroundParameterSet& set : results.ground_sets) {
       if (std::find(groups.begin(), groups.end(), set.group) == groups.end()) {
         groups.push_back(set.group);
       }

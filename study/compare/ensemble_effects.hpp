@@ -24,7 +24,7 @@ struct ParameterEffect {
   std::string outcome;  ///< "mean runout", m, of the runs at rest, or "past BARRIER", a share
   double outcome_p5 = 0.0, outcome_median = 0.0, outcome_p95 = 0.0;  ///< over members
   std::optional<TestResult> correlation;  ///< Spearman's; none below three members
-  std::optional<double> first_order;      ///< as `first_order_index`
+  std::optional<double> first_order;      ///< as `estimate_first_order_index`
 };
 
 /// The share of the variance of `y` that goes with `x` alone, in [0, 1]: the members in the order
@@ -33,12 +33,12 @@ struct ParameterEffect {
 /// @param x, y  finite, of one length
 /// @return none below 40 pairs, or when all x or all y are equal
 /// @cite hays1963, plischke2013
-std::optional<double> first_order_index(std::span<const double> x, std::span<const double> y);
+std::optional<double> estimate_first_order_index(std::span<const double> x, std::span<const double> y);
 
 /// In order of file, block group, outcome, zone and parameter. Empty without ensembles.
-std::vector<ParameterEffect> ensemble_effects(const Comparison& comparison);
+std::vector<ParameterEffect> compute_ensemble_effects(const Comparison& comparison);
 
 /// How often the ground of a campaign was drawn; 1 without an ensemble.
-std::uint32_t ensemble_members(const CampaignResults& results);
+std::uint32_t count_ensemble_members(const CampaignResults& results);
 
 }  // namespace clast

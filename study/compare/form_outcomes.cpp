@@ -21,8 +21,8 @@ bool is_stretched(const std::string& name) {
 
 }  // namespace
 
-std::vector<OutcomeOfForms> outcomes_of_forms(const Comparison& comparison) {
-  std::vector<OutcomeOfForms> outcomes;
+std::vector<OutcomeByShape> compute_outcomes_by_shape(const Comparison& comparison) {
+  std::vector<OutcomeByShape> outcomes;
   for (std::uint32_t file = 0; file < comparison.results.size(); ++file) {
     if (comparison.results[file].stay) continue;
     std::map<std::string, Axes> axes;
@@ -30,14 +30,14 @@ std::vector<OutcomeOfForms> outcomes_of_forms(const Comparison& comparison) {
       axes.emplace(block.library_block(), block.axes);
     }
     if (axes.size() < kFewestForms) continue;
-    const std::vector<const RunRow*> rows = rows_of_file(comparison, file);
-    for (const RunOutcome& of_runs : run_outcomes(comparison, file, rows)) {
+    const std::vector<const RunRow*> rows = select_rows_of_file(comparison, file);
+    for (const RunOutcome& of_runs : collect_run_outcomes(comparison, file, rows)) {
       std::map<std::string, std::vector<double>> of_form;
       for (std::size_t i = 0; i < rows.size(); ++i) {
         of_form[rows[i]->block->library_block()].push_back(of_runs.values[i]);
       }
       if (of_form.size() < kFewestForms) continue;
-      OutcomeOfForms outcome{file, of_runs.name, of_runs.unit, {}};
+      OutcomeByShape outcome{file, of_runs.name, of_runs.unit, {}};
       for (const auto& [name, all] : of_form) {
         const Summary summary = summarise(all);
         outcome.forms.push_back(

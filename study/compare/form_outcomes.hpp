@@ -10,7 +10,7 @@
 namespace clast {
 
 /// What the runs of one form came to.
-struct FormOutcome {
+struct ShapeOutcome {
   std::string form;  ///< block of the library
   Axes axes;
   bool made = false;  ///< stretched to this form (`clast vary`), not a scanned block
@@ -20,14 +20,14 @@ struct FormOutcome {
 };
 
 /// One outcome of a file with six forms or more.
-struct OutcomeOfForms {
+struct OutcomeByShape {
   std::uint32_t file = 0;
   std::string outcome;  ///< "runout", "lateral angle", "largest energy", or "passing BARRIER"
   std::string unit;
-  std::vector<FormOutcome> forms;  ///< by name
+  std::vector<ShapeOutcome> forms;  ///< by name
 };
 
 /// Over all runs of each form, where they ended; none of files whose blocks stay.
-std::vector<OutcomeOfForms> outcomes_of_forms(const Comparison& comparison);
+std::vector<OutcomeByShape> compute_outcomes_by_shape(const Comparison& comparison);
 
 }  // namespace clast

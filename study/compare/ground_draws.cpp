@@ -8,19 +8,19 @@
 
 namespace clast {
 
-std::vector<RowsOfDraw> rows_by_draw(const Comparison& comparison,
+std::vector<GroundDrawRows> group_rows_by_draw(const Comparison& comparison,
                                      const std::vector<std::size_t>& rows) {
   std::map<std::pair<std::uint32_t, std::uint32_t>, std::vector<std::size_t>> by_draw;
   bool drawn = false;
   for (const std::size_t row : rows) {
     const RunRow& run = comparison.rows[row];
     const CampaignResults& results = comparison.results[run.file];
-    drawn = drawn || ensemble_members(results) > 1;
+    drawn = drawn || count_ensemble_members(results) > 1;
     const std::uint32_t member =
         results.ground_sets.empty() ? 0 : results.ground_sets[run.record->ground_set].member;
     by_draw[{run.file, member}].push_back(row);
   }
-  std::vector<RowsOfDraw> draws;
+  std::vector<GroundDrawRows> draws;
   if (!drawn) return draws;
   for (auto& [draw, of_draw] : by_draw) {
     draws.push_back({draw.first, draw.second, std::move(of_draw)});
@@ -28,7 +28,7 @@ std::vector<RowsOfDraw> rows_by_draw(const Comparison& comparison,
   return draws;
 }
 
-Interval range_over_draws(std::vector<double> values) {
+Interval range_of_draw_means(std::vector<double> values) {
   std::sort(values.begin(), values.end());
   if (values.size() < kDrawsForTenths) return {values.front(), values.back()};
   return {quantile(values, 0.05), quantile(values, 0.95)};

@@ -5,20 +5,20 @@
 
 namespace clast {
 
-std::size_t MapRasters::index(const MapCell& place) const {
+std::size_t MapRasterSet::index(const MapCell& place) const {
   const std::int64_t top = std::llround(corner.y() / cell) + rows - 1;
   const std::int64_t left = std::llround(corner.x() / cell);
   return static_cast<std::size_t>((top - place.first) * columns + place.second - left);
 }
 
-MapRasters rasters_over(const std::vector<MapCell>& cells, double width,
+MapRasterSet rasterize_cells(const std::vector<MapCell>& cells, double width,
                         std::vector<RasterLayer> layers) {
   MapCell low = cells.front(), high = low;
   for (const MapCell& cell : cells) {
     low = {std::min(low.first, cell.first), std::min(low.second, cell.second)};
     high = {std::max(high.first, cell.first), std::max(high.second, cell.second)};
   }
-  MapRasters rasters;
+  MapRasterSet rasters;
   rasters.cell = width;
   rasters.corner = width * Vec2(static_cast<double>(low.second), static_cast<double>(low.first));
   rasters.columns = static_cast<std::uint32_t>(high.second - low.second + 1);

@@ -18,7 +18,7 @@ struct RasterLayer {
 
 using MapCell = std::pair<std::int64_t, std::int64_t>;  ///< row and column from the map's origin
 
-struct MapRasters {
+struct MapRasterSet {
   Vec2 corner = Vec2::Zero();  ///< lowest x and y of the map, m, a multiple of `cell`
   double cell = 1.0;           ///< m
   std::uint32_t columns = 0;
@@ -32,7 +32,7 @@ struct MapRasters {
 /// The smallest grid that holds all cells, with these layers, without a value yet.
 /// @param cells  not empty
 /// @param width  of a cell, m
-MapRasters rasters_over(const std::vector<MapCell>& cells, double width,
+MapRasterSet rasterize_cells(const std::vector<MapCell>& cells, double width,
                         std::vector<RasterLayer> layers);
 
 }  // namespace clast

@@ -36,10 +36,10 @@ Runouts runouts_of(const Comparison& comparison, std::uint32_t file,
   for (const RunRow& row : comparison.rows) {
     if (row.file != file || !blocks.contains(row.block->library_block())) continue;
     if (!garcia.empty() && row.block->garcia != garcia) continue;
-    const bool at_rest = results.stay ? lies_there(comparison, row)
+    const bool at_rest = results.stay ? is_in_deposit(comparison, row)
                                       : row.record->result.stop_reason == StopReason::kRest;
     if (!at_rest) continue;
-    runouts.by_cluster[cluster_of(results, *row.record)].push_back(row.runout);
+    runouts.by_cluster[find_cluster(results, *row.record)].push_back(row.runout);
     runouts.masses.push_back(row.block->mass);
     runouts.start_x.push_back(row.start.x());
     runouts.start_y.push_back(row.start.y());
@@ -63,7 +63,7 @@ std::vector<double> joined_values(const Runouts& runouts) {
   return all;
 }
 
-std::optional<Mobility> mobility_of(const Comparison& comparison, std::uint32_t file,
+std::optional<DepositMobility> mobility_of(const Comparison& comparison, std::uint32_t file,
                                     std::uint32_t alone, const std::string& garcia) {
   std::set<std::string> both;
   const std::set<std::string> blocks = library_blocks(comparison, file);
@@ -75,7 +75,7 @@ std::optional<Mobility> mobility_of(const Comparison& comparison, std::uint32_t 
   if (together.masses.empty() || single.masses.empty()) return std::nullopt;
   const auto mean = [](const std::vector<double>& values) { return summarise(values).mean; };
   const std::vector<double> runs = joined_values(single);
-  Mobility found;
+  DepositMobility found;
   found.file = file;
   found.alone = alone;
   found.group = garcia.empty() ? "all" : "class " + garcia;
@@ -110,15 +110,15 @@ double expected_largest(std::span<const double> values, double count) {
   return sum;
 }
 
-std::vector<Mobility> mass_mobility(const Comparison& comparison) {
-  std::vector<Mobility> all;
+std::vector<DepositMobility> compute_mass_mobility(const Comparison& comparison) {
+  std::vector<DepositMobility> all;
   const auto count = static_cast<std::uint32_t>(comparison.results.size());
   for (std::uint32_t file = 0; file < count; ++file) {
     if (!comparison.results[file].stay) continue;
     for (std::uint32_t alone = 0; alone < count; ++alone) {
       if (comparison.results[alone].stay) continue;
       for (const char* garcia : {"", "compact", "elongated"}) {
-        if (std::optional<Mobility> found = mobility_of(comparison, file, alone, garcia)) {
+        if (std::optional<DepositMobility> found = mobility_of(comparison, file, alone, garcia)) {
           all.push_back(std::move(*found));
         }
       }

@@ -16,7 +16,7 @@ namespace clast {
 /// Blocks that lie in realisations of one file, against runs of another whose blocks had the
 /// terrain to themselves. Runouts are of blocks that came to rest, along downslope from the start
 /// of each.
-struct Mobility {
+struct DepositMobility {
   std::uint32_t file = 0;   ///< of realisations
   std::uint32_t alone = 0;  ///< file of single runs
   std::string group;        ///< "all", or "class compact"
@@ -47,6 +47,6 @@ double expected_largest(std::span<const double> values, double count);
 /// Every file of realisations against every file of single runs, over the blocks of the library
 /// that both have; of all blocks and of each class (compact, elongated). Groups without a block at
 /// rest in either are left out.
-std::vector<Mobility> mass_mobility(const Comparison& comparison);
+std::vector<DepositMobility> compute_mass_mobility(const Comparison& comparison);
 
 }  // namespace clast

@@ -130,7 +130,7 @@ struct BootstrapIntervals {
   Interval ks_distance;
 };
 
-/// Measured stops are drawn one by one, simulated ones by whole clusters (`cluster_of`); by runs
+/// Measured stops are drawn one by one, simulated ones by whole clusters (`find_cluster`); by runs
 /// where there is one cluster only.
 BootstrapIntervals bootstrap_intervals(
     const std::vector<double>& seen,
@@ -192,7 +192,7 @@ StopCurve curve_of(const ClusteredValues& stops, std::size_t clusters, bool band
 
 }  // namespace
 
-Verdict verdict_of(const MeasuredGroup& group) {
+Verdict judge_agreement(const MeasuredGroup& group) {
   if (group.measured < kFewestMeasured) return Verdict::kTooFew;
   const Verdict verdict = group.medians.verdict();
   return verdict == Verdict::kOneOfMany ? Verdict::kMoreThanChance : verdict;
@@ -231,7 +231,7 @@ void compare_stops(const Comparison& comparison, MeasuredStops& measured) {
   const Vec2 mean = mean_release(comparison);
   for (MeasuredStop& stop : measured.stops) {
     const Vec2 start = stop.start.value_or(mean);
-    const Runout offset = runout(Vec3(start.x(), start.y(), 0.0),
+    const RunoutDistances offset = runout(Vec3(start.x(), start.y(), 0.0),
                                  Vec3(stop.place.x(), stop.place.y(), 0.0), comparison.downslope);
     stop.runout = offset.along;
     stop.lateral = offset.lateral;
@@ -241,7 +241,7 @@ void compare_stops(const Comparison& comparison, MeasuredStops& measured) {
     if (group.file) continue;
     std::vector<double> seen, lateral, simulated;
     std::map<std::uint32_t, std::vector<double>> by_cluster;
-    RunClusters clusters(comparison.results);
+    RunClustering clusters(comparison.results);
     std::vector<std::uint32_t> cluster_of_run;
     for (const MeasuredStop& stop : measured.stops) {
       if (!belongs(stop, group)) continue;
@@ -269,7 +269,7 @@ void compare_stops(const Comparison& comparison, MeasuredStops& measured) {
     found.medians.estimate = found.quartiles.median - found.simulated_quartiles.median;
     found.cliffs_delta = *cliffs_delta(seen, simulated);
     found.ks_distance = test.statistic;
-    const bool tested = !clusters.is_one_realisation();
+    const bool tested = !clusters.has_single_realisation();
     if (tested) {
       const BootstrapIntervals intervals = bootstrap_intervals(seen, by_cluster);
       found.medians.interval = intervals.median_difference;

@@ -59,7 +59,7 @@ inline constexpr std::size_t kFewestMeasured = 5;
 
 /// How field and simulation go together: more than chance where the interval of the medians
 /// excludes zero, whatever the test says.
-Verdict verdict_of(const MeasuredGroup& group);
+Verdict judge_agreement(const MeasuredGroup& group);
 
 struct MeasuredStops {
   std::filesystem::path file;

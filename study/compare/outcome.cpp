@@ -8,8 +8,8 @@
 
 namespace clast {
 
-CampaignOutcome outcome_of(const CampaignResults& results) {
-  CampaignOutcome outcome;
+StopReasonCounts count_stop_reasons(const CampaignResults& results) {
+  StopReasonCounts outcome;
   for (const RunRecord& run : results.runs) {
     const auto reason = std::find(kStopReasons.begin(), kStopReasons.end(), run.result.stop_reason);
     ++outcome.reasons[static_cast<std::size_t>(reason - kStopReasons.begin())];
@@ -17,7 +17,7 @@ CampaignOutcome outcome_of(const CampaignResults& results) {
     if (results.has_contacts()) {
       outcome.largest_energy_error =
           std::max(outcome.largest_energy_error.value_or(0.0), run.result.energy.error);
-      const double reassigned = reassigned_share(run.result.energy).value_or(0.0);
+      const double reassigned = reassigned_energy_fraction(run.result.energy).value_or(0.0);
       if (reassigned > kNotableReassigned) ++outcome.reassigned;
       outcome.largest_reassigned = std::max(outcome.largest_reassigned.value_or(0.0), reassigned);
     }
@@ -28,7 +28,7 @@ CampaignOutcome outcome_of(const CampaignResults& results) {
   return outcome;
 }
 
-std::vector<std::string> outcome_warnings(const CampaignOutcome& outcome) {
+std::vector<std::string> describe_failed_runs(const StopReasonCounts& outcome) {
   std::vector<std::string> warnings;
   if (outcome.reassigned > 0) {
     warnings.push_back(
@@ -41,7 +41,7 @@ std::vector<std::string> outcome_warnings(const CampaignOutcome& outcome) {
 }
 
 void check_outcome(const CampaignResults& results, const std::filesystem::path& file) {
-  const CampaignOutcome outcome = outcome_of(results);
+  const StopReasonCounts outcome = count_stop_reasons(results);
   if (outcome.errors() == 0) return;
   // A mass that does not settle says itself what to do.
   const std::string advice = outcome.first_error.find(": [mass]") != std::string::npos

@@ -14,7 +14,7 @@ namespace clast {
 inline constexpr std::array<StopReason, 4> kStopReasons = {
     StopReason::kRest, StopReason::kLeftTerrain, StopReason::kMaxTime, StopReason::kError};
 
-struct CampaignOutcome {
+struct StopReasonCounts {
   std::array<std::size_t, 4> reasons = {};  ///< runs by `kStopReasons`
   std::size_t below_ground = 0;
   std::optional<double> largest_energy_error;  ///< none where contacts are not known
@@ -25,10 +25,10 @@ struct CampaignOutcome {
   std::size_t errors() const { return reasons.back(); }
 };
 
-CampaignOutcome outcome_of(const CampaignResults& results);
+StopReasonCounts count_stop_reasons(const CampaignResults& results);
 
 /// What must be known of the runs, in sentences.
-std::vector<std::string> outcome_warnings(const CampaignOutcome& outcome);
+std::vector<std::string> describe_failed_runs(const StopReasonCounts& outcome);
 
 /// All runs are kept, but a campaign with failed ones has failed.
 /// @param file  that holds the results

@@ -115,14 +115,14 @@ std::map<MapCell, Passed> cell_passages(const Comparison& comparison, double siz
 
 }  // namespace
 
-MapRasters path_rasters(const Comparison& comparison) {
-  MapRasters rasters;
+MapRasterSet compute_path_rasters(const Comparison& comparison) {
+  MapRasterSet rasters;
   rasters.cell = path_cell_size(comparison);
   const std::map<MapCell, Passed> cells = cell_passages(comparison, rasters.cell);
   if (cells.empty()) return rasters;
   std::vector<MapCell> covered;
   for (const auto& [cell, passed] : cells) covered.push_back(cell);
-  rasters = rasters_over(
+  rasters = rasterize_cells(
       covered, rasters.cell,
       {{"Reach_probability", "share of runs started that pass the cell", {}},
        {"Nr_passages", "runs that pass the cell", {}},

@@ -9,6 +9,6 @@ namespace clast {
 /// Each run counts once in every cell that the path of its centre crosses, with its largest value
 /// there, read from its stored trajectory; without trajectories there are no cells. A cell is about
 /// a four-hundredth of the longer side, a round number of metres, and at least 0.5 m.
-MapRasters path_rasters(const Comparison& comparison);
+MapRasterSet compute_path_rasters(const Comparison& comparison);
 
 }  // namespace clast

@@ -101,10 +101,10 @@ std::map<MapCell, double> thicknesses(const CampaignResults& results, const Terr
 }
 
 /// Adds up what is said of a realisation.
-RealisationDeposit deposit_of(std::uint32_t file, std::uint32_t realisation,
+DepositMeasures deposit_of(std::uint32_t file, std::uint32_t realisation,
                               const std::vector<const RunRow*>& rows,
                               const std::vector<const RunRow*>& lying) {
-  RealisationDeposit deposit;
+  DepositMeasures deposit;
   deposit.file = file;
   deposit.realisation = realisation;
   deposit.blocks = rows.size();
@@ -143,12 +143,12 @@ class Layers {
     }
   }
 
-  MapRasters rasters(double width) const {
+  MapRasterSet rasters(double width) const {
     if (cells_.empty()) return {};
     std::vector<MapCell> covered;
     for (const auto& [cell, sums] : cells_) covered.push_back(cell);
-    MapRasters rasters =
-        rasters_over(covered, width,
+    MapRasterSet rasters =
+        rasterize_cells(covered, width,
                      {{"Deposit_mean", "thickness of the deposit, mean over realisations, m", {}},
                       {"Deposit_max", "largest thickness of the deposit, m", {}},
                       {"Deposit_probability", "share of realisations with a block there", {}}});
@@ -175,25 +175,25 @@ class Layers {
 
 }  // namespace
 
-bool lies_there(const Comparison& comparison, const RunRow& row) {
+bool is_in_deposit(const Comparison& comparison, const RunRow& row) {
   if (row.record->result.stop_reason != StopReason::kRest) return false;
-  const StayRecord* stay = comparison.results[row.file].stay_of(row.record->run);
+  const PersistentBlockRecord* stay = comparison.results[row.file].find_persistent_block(row.record->run);
   return stay && !std::isfinite(stay->removed_at);
 }
 
-double drop_ratio(const Vec3& from, const Vec3& to) {
+double height_length_ratio(const Vec3& from, const Vec3& to) {
   return (from.z() - to.z()) / (to - from).head<2>().norm();
 }
 
-RealisationDeposits realisation_deposits(const Comparison& comparison) {
-  RealisationDeposits deposits;
+DepositResults measure_deposits(const Comparison& comparison) {
+  DepositResults deposits;
   std::map<std::pair<std::uint32_t, std::uint32_t>, std::vector<const RunRow*>> rows;
   std::vector<const RunRow*> all_lying;
   for (const RunRow& row : comparison.rows) {
     const CampaignResults& results = comparison.results[row.file];
     if (!results.stay) continue;
     rows[{row.file, row.record->run / results.stay->blocks_each}].push_back(&row);
-    if (lies_there(comparison, row)) all_lying.push_back(&row);
+    if (is_in_deposit(comparison, row)) all_lying.push_back(&row);
   }
   if (rows.empty()) return deposits;
   const double width = all_lying.empty() ? 1.0 : deposit_cell_size(all_lying);
@@ -209,9 +209,9 @@ RealisationDeposits realisation_deposits(const Comparison& comparison) {
     }
     std::vector<const RunRow*> lying;
     for (const RunRow* row : of_realisation) {
-      if (lies_there(comparison, *row)) lying.push_back(row);
+      if (is_in_deposit(comparison, *row)) lying.push_back(row);
     }
-    RealisationDeposit deposit = deposit_of(file, realisation, of_realisation, lying);
+    DepositMeasures deposit = deposit_of(file, realisation, of_realisation, lying);
     const std::map<MapCell, double> cells = thicknesses(results, *ground, lying, last_state, width);
     if (!lying.empty()) deposit.area = deposit.bulk_volume = deposit.thickness = 0.0;
     for (const auto& [cell, thickness] : cells) {
@@ -230,10 +230,10 @@ RealisationDeposits realisation_deposits(const Comparison& comparison) {
     }
     deposits.realisations.push_back(deposit);
   }
-  for (const RealisationEnergies& energies : realisation_energies(comparison)) {
-    for (RealisationDeposit& deposit : deposits.realisations) {
+  for (const RealisationEnergies& energies : collect_realisation_energies(comparison)) {
+    for (DepositMeasures& deposit : deposits.realisations) {
       if (deposit.file != energies.file || deposit.realisation != energies.realisation) continue;
-      deposit.energy = energy_shares(energies.samples);
+      deposit.energy = compute_energy_fractions(energies.samples);
     }
   }
   deposits.rasters = layers.rasters(width);

@@ -11,11 +11,11 @@
 namespace clast {
 
 /// Did the block of a run among others stay where it came to rest?
-bool lies_there(const Comparison& comparison, const RunRow& row);
+bool is_in_deposit(const Comparison& comparison, const RunRow& row);
 
 /// Blocks of one realisation. Places are of centres of mass, on the map; "that lie there" are
 /// blocks that came to rest and were not removed.
-struct RealisationDeposit {
+struct DepositMeasures {
   std::uint32_t file = 0;         ///< index into Comparison::results
   std::uint32_t realisation = 0;  ///< from 0
   std::size_t blocks = 0;
@@ -37,21 +37,21 @@ struct RealisationDeposit {
   double first_volume = NAN;       ///< without the space between them, m^3
   double first_bulk_volume = NAN;  ///< between ground and the top of the blocks, m^3
   /// What its energy was dissipated by; none where the results do not know.
-  std::optional<EnergyShares> energy;
+  std::optional<EnergyFractions> energy;
 };
 
 /// Drop over distance in plan, H/L.
 /// @cite heim1932
-double drop_ratio(const Vec3& from, const Vec3& to);
+double height_length_ratio(const Vec3& from, const Vec3& to);
 
-struct RealisationDeposits {
-  std::vector<RealisationDeposit> realisations;  ///< by file; none where no block stayed
+struct DepositResults {
+  std::vector<DepositMeasures> realisations;  ///< by file; none where no block stayed
   /// Thickness of the deposit, mean over all realisations and largest, and the share of
   /// realisations with a block there. A cell is at most a third of the mean S, a round number.
-  MapRasters rasters;
+  MapRasterSet rasters;
 };
 
 /// Tops are those of the blocks' skins over the middle of each cell.
-RealisationDeposits realisation_deposits(const Comparison& comparison);
+DepositResults measure_deposits(const Comparison& comparison);
 
 }  // namespace clast

@@ -33,12 +33,12 @@ class Along {
 
 }  // namespace
 
-std::vector<RealisationEnergies> realisation_energies(const Comparison& comparison) {
+std::vector<RealisationEnergies> collect_realisation_energies(const Comparison& comparison) {
   std::map<std::pair<std::uint32_t, std::uint32_t>, RealisationEnergies> found;
   for (std::uint32_t file = 0; file < comparison.results.size(); ++file) {
     const CampaignResults& results = comparison.results[file];
     for (const EnergyRecord& record : results.energies) {
-      const std::uint32_t realisation = record.run / results.runs_together();
+      const std::uint32_t realisation = record.run / results.runs_per_realisation();
       RealisationEnergies& energies = found[{file, realisation}];
       energies.file = file;
       energies.realisation = realisation;
@@ -50,7 +50,7 @@ std::vector<RealisationEnergies> realisation_energies(const Comparison& comparis
   return all;
 }
 
-RealisationCurve energy_curve(const std::vector<const RealisationEnergies*>& realisations,
+RealisationCurve compute_energy_curve(const std::vector<const RealisationEnergies*>& realisations,
                               const EnergyValue& value) {
   RealisationCurve curve;
   double last = 0.0;
@@ -72,8 +72,8 @@ RealisationCurve energy_curve(const std::vector<const RealisationEnergies*>& rea
   return curve;
 }
 
-EnergyShares energy_shares(const std::vector<EnergySample>& samples) {
-  EnergyShares shares;
+EnergyFractions compute_energy_fractions(const std::vector<EnergySample>& samples) {
+  EnergyFractions shares;
   const auto share_of = [lost =
                              samples.back().on_ground.sum() + samples.back().between_bodies.sum()](
                             const Dissipation& part) -> Dissipation {

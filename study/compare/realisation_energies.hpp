@@ -18,7 +18,7 @@ struct RealisationEnergies {
 };
 
 /// By file and realisation; none of older results and other engines.
-std::vector<RealisationEnergies> realisation_energies(const Comparison& comparison);
+std::vector<RealisationEnergies> collect_realisation_energies(const Comparison& comparison);
 
 /// A figure of an instant.
 using EnergyValue = std::function<double(const EnergySample&)>;
@@ -27,15 +27,15 @@ using EnergyValue = std::function<double(const EnergySample&)>;
 /// realisation that rests keeps its last value.
 /// @param realisations  with the samples asked for
 /// @return empty without realisations, or where they take no time
-RealisationCurve energy_curve(const std::vector<const RealisationEnergies*>& realisations,
+RealisationCurve compute_energy_curve(const std::vector<const RealisationEnergies*>& realisations,
                               const EnergyValue& value);
 
 /// What the energy of one realisation was dissipated by until its end, as shares.
-struct EnergyShares {
+struct EnergyFractions {
   Dissipation on_ground, between_blocks;
   double largest_kinetic = NAN;  ///< of all blocks together, at any sample, J
 };
 /// @return all not a number but `largest_kinetic` where nothing was dissipated
-EnergyShares energy_shares(const std::vector<EnergySample>& samples);
+EnergyFractions compute_energy_fractions(const std::vector<EnergySample>& samples);
 
 }  // namespace clast

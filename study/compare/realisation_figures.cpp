@@ -13,31 +13,31 @@ constexpr Interval kPossibleShare{0.0, 1.0};
 
 double plan_distance(const Vec3& from, const Vec3& to) { return (to - from).head<2>().norm(); }
 
-FigureOfFile figure_of_file(const std::vector<RealisationDeposit>& realisations, std::uint32_t file,
+DepositQuantitySummary figure_of_file(const std::vector<DepositMeasures>& realisations, std::uint32_t file,
                             std::size_t figure) {
-  FigureOfFile found;
+  DepositQuantitySummary found;
   found.file = file;
   found.figure = figure;
   std::vector<double> values;
-  for (const RealisationDeposit& deposit : realisations) {
+  for (const DepositMeasures& deposit : realisations) {
     if (deposit.file != file) continue;
-    const double value = realisation_figures()[figure].value(deposit);
+    const double value = deposit_quantities()[figure].value(deposit);
     if (!std::isfinite(value)) continue;
     if (!(found.least <= value)) found.least = value;
     values.push_back(value);
   }
   found.summary = summarise(values);
-  found.interval = mean_interval(found.summary, realisation_figures()[figure].possible);
+  found.interval = mean_interval(found.summary, deposit_quantities()[figure].possible);
   return found;
 }
 
 /// The pairs of files in each figure, uncorrected.
-std::vector<FigureDifference> pairs_of(const std::vector<std::vector<FigureOfFile>>& by_file) {
-  std::vector<FigureDifference> pairs;
+std::vector<DepositQuantityDifference> pairs_of(const std::vector<std::vector<DepositQuantitySummary>>& by_file) {
+  std::vector<DepositQuantityDifference> pairs;
   for (std::size_t i = 0; i < by_file.size(); ++i) {
     for (std::size_t k = i + 1; k < by_file.size(); ++k) {
-      for (std::size_t figure = 0; figure < realisation_figures().size(); ++figure) {
-        const FigureOfFile &first = by_file[i][figure], &second = by_file[k][figure];
+      for (std::size_t figure = 0; figure < deposit_quantities().size(); ++figure) {
+        const DepositQuantitySummary &first = by_file[i][figure], &second = by_file[k][figure];
         if (first.summary.count == 0 || second.summary.count == 0) continue;
         pairs.push_back({welch_difference(first.summary, second.summary), first, second});
       }
@@ -48,12 +48,12 @@ std::vector<FigureDifference> pairs_of(const std::vector<std::vector<FigureOfFil
 
 }  // namespace
 
-const std::vector<RealisationFigure>& realisation_figures() {
-  using Row = RealisationDeposit;
+const std::vector<DepositQuantity>& deposit_quantities() {
+  using Row = DepositMeasures;
   const auto of_energy = [](auto value) {
     return [value](const Row& row) { return row.energy ? value(*row.energy) : NAN; };
   };
-  static const std::vector<RealisationFigure> kFigures = {
+  static const std::vector<DepositQuantity> kFigures = {
       {"lying", "", "blocks that lie there", 1,
        [](const Row& row) { return static_cast<double>(row.lying); }, kPositive},
       {"lying_share", "", "share of blocks that lie there", 3,
@@ -69,16 +69,16 @@ const std::vector<RealisationFigure>& realisation_figures() {
       {"centre_drop_m", "m", "drop of the centre of mass", 2,
        [](const Row& row) { return row.first_centre.z() - row.centre.z(); }},
       {"centre_drop_ratio", "", "drop / distance of the centre of mass", 3,
-       [](const Row& row) { return drop_ratio(row.first_centre, row.centre); }},
+       [](const Row& row) { return height_length_ratio(row.first_centre, row.centre); }},
       {"toe_distance_m", "m", "distance L from crest to toe", 2,
        [](const Row& row) { return plan_distance(row.crest, row.toe); }, kPositive},
       {"toe_drop_m", "m", "drop H from crest to toe", 2,
        [](const Row& row) { return row.crest.z() - row.toe.z(); }},
       {"toe_drop_ratio", "", "H / L from crest to toe", 3,
-       [](const Row& row) { return drop_ratio(row.crest, row.toe); }},
+       [](const Row& row) { return height_length_ratio(row.crest, row.toe); }},
       {"travel_angle_deg", "\xC2\xB0", "travel angle", 1,
        [](const Row& row) {
-         return kDegreesPerRadian * std::atan(drop_ratio(row.crest, row.toe));
+         return kDegreesPerRadian * std::atan(height_length_ratio(row.crest, row.toe));
        }},
       {"area_m2", "m\xC2\xB2", "area", 1, &Row::area, kPositive},
       {"bulk_volume_m3", "m\xC2\xB3", "bulk volume", 2, &Row::bulk_volume, kPositive},
@@ -90,30 +90,30 @@ const std::vector<RealisationFigure>& realisation_figures() {
        [](const Row& row) { return row.bulk_volume / row.area; }, kPositive},
       {"thickness_m", "m", "largest thickness", 2, &Row::thickness, kPositive},
       {"largest_kinetic_j", "J", "largest kinetic energy of all blocks together", 0,
-       of_energy([](const EnergyShares& energy) { return energy.largest_kinetic; }), kPositive},
+       of_energy([](const EnergyFractions& energy) { return energy.largest_kinetic; }), kPositive},
       {"dissipated_by_friction", "", "share dissipated by friction", 3,
-       of_energy([](const EnergyShares& energy) {
+       of_energy([](const EnergyFractions& energy) {
          return energy.on_ground.friction + energy.between_blocks.friction;
        }),
        kPossibleShare},
       {"dissipated_by_rolling", "", "share dissipated by rolling resistance", 3,
-       of_energy([](const EnergyShares& energy) {
+       of_energy([](const EnergyFractions& energy) {
          return energy.on_ground.rolling + energy.between_blocks.rolling;
        }),
        kPossibleShare},
       {"dissipated_between_blocks", "", "share dissipated between blocks", 3,
-       of_energy([](const EnergyShares& energy) { return energy.between_blocks.sum(); }),
+       of_energy([](const EnergyFractions& energy) { return energy.between_blocks.sum(); }),
        kPossibleShare}};
   return kFigures;
 }
 
-FiguresOfFiles figures_of_files(const std::vector<RealisationDeposit>& realisations) {
-  FiguresOfFiles found;
-  std::vector<std::vector<FigureOfFile>> by_file;
-  for (const RealisationDeposit& deposit : realisations) {
+DepositQuantityComparison compare_deposit_quantities(const std::vector<DepositMeasures>& realisations) {
+  DepositQuantityComparison found;
+  std::vector<std::vector<DepositQuantitySummary>> by_file;
+  for (const DepositMeasures& deposit : realisations) {
     if (!by_file.empty() && by_file.back().front().file == deposit.file) continue;
-    std::vector<FigureOfFile>& of_file = by_file.emplace_back();
-    for (std::size_t figure = 0; figure < realisation_figures().size(); ++figure) {
+    std::vector<DepositQuantitySummary>& of_file = by_file.emplace_back();
+    for (std::size_t figure = 0; figure < deposit_quantities().size(); ++figure) {
       of_file.push_back(figure_of_file(realisations, deposit.file, figure));
       if (of_file.back().summary.count > 0) found.files.push_back(of_file.back());
     }

@@ -15,21 +15,21 @@
 namespace clast {
 
 /// A figure of a realisation.
-struct RealisationFigure {
+struct DepositQuantity {
   std::string name;  ///< with its unit: "toe_distance_m"
   std::string unit;  ///< "m"; empty for counts and shares
   std::string words;
   int decimals = 2;                                        ///< that are worth printing
-  std::function<double(const RealisationDeposit&)> value;  ///< not finite: there is none
+  std::function<double(const DepositMeasures&)> value;  ///< not finite: there is none
   Interval possible = {-INFINITY, INFINITY};
 };
 /// Blocks at rest, volume, centre of mass, crest to toe, area, bulk volume, thickness.
-const std::vector<RealisationFigure>& realisation_figures();
+const std::vector<DepositQuantity>& deposit_quantities();
 
 /// A figure over the realisations of a file.
-struct FigureOfFile {
+struct DepositQuantitySummary {
   std::uint32_t file = 0;  ///< index into Comparison::results
-  std::size_t figure = 0;  ///< index into `realisation_figures`
+  std::size_t figure = 0;  ///< index into `deposit_quantities`
   Summary summary;         ///< its count is that of realisations with the figure
   double least = NAN;
   std::optional<Interval> interval;  ///< 95 %, of the mean; as `mean_interval`
@@ -37,16 +37,16 @@ struct FigureOfFile {
 
 /// A figure of one file less that of another, as `welch_difference`; corrected for all that are
 /// tested.
-struct FigureDifference : Contrast {
-  FigureOfFile first;
-  FigureOfFile second;
+struct DepositQuantityDifference : Contrast {
+  DepositQuantitySummary first;
+  DepositQuantitySummary second;
 };
 
-struct FiguresOfFiles {
-  std::vector<FigureOfFile> files;  ///< by file, then figure; figures without a value left out
+struct DepositQuantityComparison {
+  std::vector<DepositQuantitySummary> files;  ///< by file, then figure; figures without a value left out
   /// Of each pair of files, in the order of figures; none with more than `kMostGroups` files.
-  std::vector<FigureDifference> differences;
+  std::vector<DepositQuantityDifference> differences;
 };
-FiguresOfFiles figures_of_files(const std::vector<RealisationDeposit>& realisations);
+DepositQuantityComparison compare_deposit_quantities(const std::vector<DepositMeasures>& realisations);
 
 }  // namespace clast

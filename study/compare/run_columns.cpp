@@ -19,7 +19,7 @@ using Row = ComparisonRow<RunRow>;
 const CampaignResults& results_of(const Row& row) { return row.comparison.results[row->file]; }
 
 std::uint64_t ensemble_member(const Row& row) {
-  const std::vector<GroundSet>& sets = results_of(row).ground_sets;
+  const std::vector<GroundParameterSet>& sets = results_of(row).ground_sets;
   const std::uint32_t set = row->record->ground_set;
   return set < sets.size() ? sets[set].member : 0;
 }
@@ -64,7 +64,7 @@ TableColumns<Row> own_columns() {
         {"stop_reason", "", "`rest`, `left_terrain`, `max_time`, `error`",
          [](const Row& r) { return name_of(r->record->result.stop_reason); }},
         {"release_set", "", "of the campaign",
-         [](const Row& r) { return release_set_of(results_of(r), r->record->point); }},
+         [](const Row& r) { return find_release_set(results_of(r), r->record->point); }},
         {"ground_set", "", "of the campaign; ground_sets.csv has the parameters",
          [](const Row& r) { return std::uint64_t{r->record->ground_set}; }},
         {"ensemble_member", "", "of the ground set", ensemble_member},
@@ -77,7 +77,7 @@ TableColumns<Row> own_columns() {
 /// Own columns first: where the file has one of the same name, it holds an index, or is local.
 const TableColumns<Row>& all_columns() {
   static const TableColumns<Row> columns = joined<Row>(
-      {own_columns(), with_known_cells(columns_of_part<Row>(stored_run_columns(),
+      {own_columns(), blank_unknown_cells(columns_of_part<Row>(stored_run_columns(),
                                                             [](const Row& row) -> const RunRecord& {
                                                               return *row->record;
                                                             }),

@@ -76,10 +76,10 @@ struct Grouping {
 
 /// Is every block of the library there with several masses?
 bool has_crossed_masses(const std::vector<const RunRow*>& rows) {
-  const std::vector<double> masses = distinct_masses(rows);
+  const std::vector<double> masses = find_distinct_masses(rows);
   std::map<std::string, std::set<std::size_t>> of_form;
   for (const RunRow* row : rows) {
-    of_form[row->block->library_block()].insert(mass_level(masses, row->block->mass));
+    of_form[row->block->library_block()].insert(find_mass_level(masses, row->block->mass));
   }
   return std::all_of(of_form.begin(), of_form.end(),
                      [](const auto& form) { return form.second.size() > 1; });
@@ -104,11 +104,11 @@ Grouping grouping_by(const ShapeProperty& property, const std::vector<const RunR
   Grouping grouping;
   Numbers<std::string> units, forms;
   Numbers<std::pair<std::uint32_t, std::uint32_t>> strata;
-  const std::vector<double> masses = distinct_masses(rows);
+  const std::vector<double> masses = find_distinct_masses(rows);
   for (const RunRow* row : rows) {
     const std::uint32_t form = forms.of(row->block->library_block());
     const std::uint32_t unit = units.of(of_blocks ? row->block->id : row->block->library_block());
-    const auto mass = static_cast<std::uint32_t>(mass_level(masses, row->block->mass));
+    const auto mass = static_cast<std::uint32_t>(find_mass_level(masses, row->block->mass));
     if (unit == grouping.trend.property.size()) {
       grouping.trend.property.push_back(property.of(*row->block));
       grouping.trend.strata.push_back(of_mass && crossed_masses ? form : 0);
@@ -165,7 +165,7 @@ ShapeTrends trends_of(const Comparison& comparison, std::uint32_t file) {
   ShapeTrends result;
   result.file = file;
   const CampaignResults& results = comparison.results[file];
-  const std::vector<const RunRow*> rows = rows_of_file(comparison, file);
+  const std::vector<const RunRow*> rows = select_rows_of_file(comparison, file);
   std::set<std::uint32_t> blocks;
   for (const RunRow* row : rows) blocks.insert(row->record->block);
   if (results.stay || blocks.size() < kFewestBlocksOfPower) return result;
@@ -175,7 +175,7 @@ ShapeTrends trends_of(const Comparison& comparison, std::uint32_t file) {
     Grouping grouping = grouping_by(property, rows, crossed_masses);
     if (differs(property, grouping.trend)) groupings.emplace_back(property, std::move(grouping));
   }
-  for (const RunOutcome& outcome : run_outcomes(comparison, file, rows)) {
+  for (const RunOutcome& outcome : collect_run_outcomes(comparison, file, rows)) {
     std::vector<ShapeTrend> found;
     std::vector<double> p_values;
     for (auto& [property, grouping] : groupings) {
@@ -195,7 +195,7 @@ ShapeTrends trends_of(const Comparison& comparison, std::uint32_t file) {
 
 }  // namespace
 
-std::vector<ShapeTrends> shape_trends(const Comparison& comparison) {
+std::vector<ShapeTrends> compute_shape_trends(const Comparison& comparison) {
   std::vector<ShapeTrends> all;
   for (std::uint32_t file = 0; file < comparison.results.size(); ++file) {
     all.push_back(trends_of(comparison, file));

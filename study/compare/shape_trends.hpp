@@ -41,6 +41,6 @@ struct ShapeTrends {
 /// blocks stay. Rounding is the Minkowski radius over S. Properties that differ by less than a
 /// hundredth over all blocks are left out. Where each block of the library comes in several masses,
 /// masses are compared within blocks of the library, and forms over all masses.
-std::vector<ShapeTrends> shape_trends(const Comparison& comparison);
+std::vector<ShapeTrends> compute_shape_trends(const Comparison& comparison);
 
 }  // namespace clast

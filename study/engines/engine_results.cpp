@@ -93,8 +93,8 @@ class RockableReader {
 
   /// Of the scene that begins with this run; none where it was not run.
   std::vector<StoredRun> read(std::uint32_t first) {
-    const Scene scene = scene_of(prepared_, set_, first);
-    const std::vector<fs::path> files = rockable_series(folder_ / scene.name);
+    const Scene scene = build_scene(prepared_, set_, first);
+    const std::vector<fs::path> files = list_rockable_states(folder_ / scene.name);
     if (files.empty()) return {};
     std::vector<RockableConf> confs;
     try {
@@ -121,7 +121,7 @@ class RockableReader {
     for (std::uint32_t run = first; run < first + count; ++run) {
       const RunRecord& planned = prepared_.runs[run];
       runs.push_back(
-          run_of_states(prepared_, planned, {{0.0}, {planned.start}}, {StopReason::kError, why}));
+          make_run_from_states(prepared_, planned, {{0.0}, {planned.start}}, {StopReason::kError, why}));
       add_stay(runs.back());
     }
     return runs;
@@ -196,7 +196,7 @@ class RockableReader {
       return std::nullopt;
     }
     const fs::path track = folder_ / scene.name / tracker_->file;
-    const std::optional<TrackedState> end = read_track_end(track);
+    const std::optional<TrackedState> end = read_last_tracked_state(track);
     const double interval = last.time_step * kTrackedSteps;
     if (end && end->time + interval < (1.0 - kSixDigits) * last.time) {
       throw InputError(file.string() + ": is at t = " + with_digits(last.time, 6) + " s, and " +
@@ -224,16 +224,16 @@ class RockableReader {
     };
     for (const RockableConf& conf : confs) add(conf.time, conf.bodies[driven_ + body].state);
     if (end) add(end->time, end->state);
-    const SeriesEnd how = end_of(planned, confs, series, lost);
-    StoredRun run = run_of_states(prepared_, planned, series, how);
+    const RunEnd how = end_of(planned, confs, series, lost);
+    StoredRun run = make_run_from_states(prepared_, planned, series, how);
     add_stay(run);
     return run;
   }
 
   /// How the series ends; what comes after the terrain is cut off.
-  SeriesEnd end_of(const RunRecord& planned, const std::vector<RockableConf>& confs,
+  RunEnd end_of(const RunRecord& planned, const std::vector<RockableConf>& confs,
                    StateSeries& series, const std::optional<double>& lost) const {
-    const std::size_t off = first_off_terrain(prepared_, series);
+    const std::size_t off = find_first_off_terrain(prepared_, series);
     if (off < series.states.size()) {
       series.time.resize(off + 1);
       series.states.resize(off + 1);
@@ -261,14 +261,14 @@ class RockableReader {
 
   void add_stay(StoredRun& run) const {
     if (!prepared_.header.stay) return;
-    StayRecord stay;
+    PersistentBlockRecord stay;
     stay.run = run.record.run;
     run.stays = {stay};
   }
 
   const CampaignPlan& prepared_;
   fs::path folder_;
-  SceneSet set_;
+  SceneContents set_;
   std::size_t driven_ = 0;  ///< zones that have ground
   std::optional<RockfallTracker> tracker_;
 };
@@ -291,28 +291,28 @@ std::vector<std::string> notes_of(const RockableReader& reader, std::size_t with
 
 }  // namespace
 
-const std::vector<std::string>& result_engines() {
+const std::vector<std::string>& importable_engines() {
   static const std::vector<std::string> kEngines = {"rockable"};
   return kEngines;
 }
 
 void EngineResultsOptions::check() const {
-  const std::vector<std::string>& known = result_engines();
+  const std::vector<std::string>& known = importable_engines();
   if (std::find(known.begin(), known.end(), engine) == known.end()) {
     throw InputError("engine \"" + engine + "\" is not known; results are read of " +
                      known.front());
   }
 }
 
-EngineRuns import_engine_results(const EngineResultsOptions& options, const fs::path& target) {
+EngineImportSummary import_engine_results(const EngineResultsOptions& options, const fs::path& target) {
   options.check();
-  check_results_place(target, options.replace);
+  check_results_target(target, options.replace);
   refuse_interrupted(target);
   CampaignPlan prepared = prepare(options);
   RockableReader reader(prepared, options.scenes);
-  const std::uint32_t together = prepared.header.runs_together();
+  const std::uint32_t together = prepared.header.runs_per_realisation();
   std::vector<StoredRun> runs;
-  EngineRuns found;
+  EngineImportSummary found;
   found.planned = prepared.runs.size();
   for (std::uint32_t first = 0; first < prepared.runs.size(); first += together) {
     const std::vector<StoredRun> some = reader.read(first);

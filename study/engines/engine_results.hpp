@@ -13,7 +13,7 @@
 namespace clast {
 
 /// Names of the engines whose results are read: "rockable".
-const std::vector<std::string>& result_engines();
+const std::vector<std::string>& importable_engines();
 
 struct EngineResultsOptions {
   std::string engine = "rockable";
@@ -28,7 +28,7 @@ struct EngineResultsOptions {
 };
 
 /// What was found.
-struct EngineRuns {
+struct EngineImportSummary {
   std::size_t runs = 0;
   std::size_t planned = 0;
   std::size_t without = 0;         ///< scenes that were written but not run
@@ -41,7 +41,7 @@ struct EngineRuns {
 /// @throws InputError  no scenes of this engine; another campaign, or one whose inputs have
 ///                     changed; no scene was run; a file that can't be read, or is of another
 ///                     scene; the target can't be written, or holds what is kept
-EngineRuns import_engine_results(const EngineResultsOptions& options,
+EngineImportSummary import_engine_results(const EngineResultsOptions& options,
                                  const std::filesystem::path& target);
 
 }  // namespace clast

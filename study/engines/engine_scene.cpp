@@ -17,13 +17,13 @@ using namespace study_detail;
 namespace {
 
 bool is_rockable(const EngineSceneOptions& options) {
-  return options.engine == scene_engines().front();
+  return options.engine == exportable_engines().front();
 }
 
 /// The first runs of the scenes that are asked for.
 std::vector<std::uint32_t> first_runs(const CampaignPlan& prepared,
                                       const EngineSceneOptions& options) {
-  const std::uint32_t together = prepared.header.runs_together();
+  const std::uint32_t together = prepared.header.runs_per_realisation();
   const auto count = static_cast<std::uint32_t>(prepared.runs.size() / together);
   std::vector<std::uint32_t> first;
   for (const std::uint32_t run : options.runs) {
@@ -53,7 +53,7 @@ void check_campaign_fits(const CampaignPlan& prepared, const EngineSceneOptions&
                      ": its masses settle behind faces first, which a scene can't say; leave "
                      "settle out");
   }
-  if (prepared.header.stay && prepared.campaign.stay->last_release() > 0.0) {
+  if (prepared.header.stay && prepared.campaign.stay->last_release_time() > 0.0) {
     throw InputError(file +
                      ": its masses are released at different times, which a scene can't say; "
                      "leave release_time_s out, or export a campaign for each");
@@ -66,7 +66,7 @@ void check_campaign_fits(const CampaignPlan& prepared, const EngineSceneOptions&
 }
 
 std::string scene_text(const CampaignPlan& prepared, const EngineSceneOptions& options,
-                       const SceneSet& set, const EngineScenes& scenes) {
+                       const SceneContents& set, const EngineScenes& scenes) {
   std::string text = std::string(kSceneMark) + " for " + options.engine + ", written by clast " +
                      prepared.header.program_version + "\n\ncampaign " +
                      prepared.campaign.file.string() + "\nsha256 " + prepared.campaign.sha256 +
@@ -92,18 +92,18 @@ std::string scene_text(const CampaignPlan& prepared, const EngineSceneOptions& o
 
 }  // namespace
 
-const std::vector<std::string>& scene_engines() {
+const std::vector<std::string>& exportable_engines() {
   static const std::vector<std::string> kEngines = {"rockable", "exadem"};
   return kEngines;
 }
 
 void EngineSceneOptions::check() const {
-  const std::vector<std::string>& known = scene_engines();
+  const std::vector<std::string>& known = exportable_engines();
   if (std::find(known.begin(), known.end(), engine) != known.end()) return;
   throw InputError("`engine` \"" + engine + "\" is not known; take rockable or exadem");
 }
 
-FolderKind scene_folder() {
+FolderKind scene_folder_kind() {
   return {"scenes", kSceneFile, kSceneMark, [](const std::filesystem::path& file) {
             const std::string first = file.begin()->string();
             return first.starts_with("run") || first.starts_with("realisation") ||
@@ -117,9 +117,9 @@ EngineScenes write_engine_scenes(const CampaignPlan& prepared, const EngineScene
   options.check();
   check_campaign_fits(prepared, options);
   const std::vector<std::uint32_t> runs = first_runs(prepared, options);
-  const SceneSet set = scene_set(prepared);
+  const SceneContents set = scene_set(prepared);
   EngineScenes scenes;
-  scenes.notes = is_rockable(options) ? rockable_notes(prepared) : exadem_notes(prepared);
+  scenes.notes = is_rockable(options) ? check_rockable_limits(prepared) : check_exadem_limits(prepared);
   std::vector<ShpShape> shapes;
   for (const SceneShape& shape : set.shapes) shapes.push_back(shape.shape);
   if (is_rockable(options)) {
@@ -129,7 +129,7 @@ EngineScenes write_engine_scenes(const CampaignPlan& prepared, const EngineScene
   }
   write_shp(folder / "shapes.shp", shapes);
   for (const std::uint32_t first : runs) {
-    const Scene scene = scene_of(prepared, set, first);
+    const Scene scene = build_scene(prepared, set, first);
     (is_rockable(options) ? write_rockable_scene : write_exadem_scene)(prepared, set, scene,
                                                                        folder);
     scenes.folders.push_back(scene.name);

@@ -11,7 +11,7 @@
 namespace clast {
 
 /// Names of the engines, "rockable" and "exadem".
-const std::vector<std::string>& scene_engines();
+const std::vector<std::string>& exportable_engines();
 
 struct EngineSceneOptions {
   std::string engine = "rockable";
@@ -34,7 +34,7 @@ inline constexpr const char* kSceneMark = "Scenes of a clast campaign";
 inline constexpr const char* kSceneCampaign = "campaign.toml";
 
 /// How folders of scenes are recognised.
-FolderKind scene_folder();
+FolderKind scene_folder_kind();
 
 /// Writes one scene for each run, or for each realisation of a mass, into `folder`: starts, blocks
 /// as sphero-polyhedra with their exact mass properties, the terrain as one surface for each zone,

@@ -57,7 +57,7 @@ ProposedBlocks propose_blocks(const BlockLibrary& library, double extent) {
     const std::string why = blocks.mass ? ""
                             : is_unscaled(block)
                                 ? block.id + " has no size"
-                                : unusual_size(block.id, block.axes().L, block.mass.mass, extent);
+                                : describe_unusual_size(block.id, block.axes().L, block.mass.mass, extent);
     if (!why.empty()) {
       blocks.left_out.push_back(why);
       continue;
@@ -81,9 +81,9 @@ CampaignProposal propose_campaign(const BlockLibrary& library, const Terrain& te
   CampaignProposal proposal;
   const Bounds box = bounds(terrain.surface);
   proposal.blocks = propose_blocks(library, (box.high - box.low).head<2>().maxCoeff());
-  proposal.places = propose_places(terrain, terrain_surface(terrain), proposal.blocks.longest_side);
+  proposal.places = propose_release_and_barrier(terrain, terrain_surface(terrain), proposal.blocks.longest_side);
   for (const std::string& zone : terrain.zone_names) {
-    const GroundType* type = ground_type_of_zone(zone);
+    const GroundType* type = find_ground_type(zone);
     proposal.ground.push_back({zone, type ? *type : default_ground_type(), type != nullptr});
   }
   proposal.orientations = std::clamp<std::size_t>(
@@ -95,7 +95,7 @@ CampaignProposal propose_campaign(const BlockLibrary& library, const Terrain& te
 /// that is placed where half of them have passed.
 void try_runs(const CampaignPlan& prepared, CampaignProposal& proposal) {
   TrialRuns& trial = proposal.trial;
-  ProposedPlaces& places = proposal.places;
+  ProposedLines& places = proposal.places;
   trial.count = std::min(kTrialRuns, prepared.runs.size());
   std::vector<StoredRun> runs(trial.count);
   parallel_for(trial.count, 0, [&](std::size_t i) {

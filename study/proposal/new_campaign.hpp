@@ -17,7 +17,7 @@ struct ProposedLine {
 };
 
 /// Where to release blocks and where to count them.
-struct ProposedPlaces {
+struct ProposedLines {
   /// Across the slope: in the upper part of the terrain, on steep ground.
   ProposedLine releases;
   std::size_t release_points = 1;  ///< evenly spaced on the line; of one, both ends are the same
@@ -62,7 +62,7 @@ struct ProposedBlocks {
 
 struct CampaignProposal {
   ProposedBlocks blocks;
-  ProposedPlaces places;
+  ProposedLines places;
   std::vector<ProposedGround> ground;  ///< of every zone of the terrain
   std::size_t orientations = 1;        ///< at each release point
   double max_time = 0.0;               ///< that runs have, s
@@ -74,12 +74,12 @@ struct CampaignProposal {
 /// @param block_length  L of the longest block, m
 /// @throws InputError  no ground is steep enough for blocks to start on, or all of it is too near
 ///                     to the border
-ProposedPlaces propose_places(const Terrain& terrain, const TerrainSurface& surface,
+ProposedLines propose_release_and_barrier(const Terrain& terrain, const TerrainSurface& surface,
                               double block_length);
 
 /// Puts the barrier across the path, at most this far from the releases in the plan, m.
 void place_barrier(const Terrain& terrain, const TerrainSurface& surface, double distance,
-                   ProposedPlaces& places);
+                   ProposedLines& places);
 
 /// The campaign file: every value with a comment, to be read from top to bottom.
 /// @param library, surface  paths as they are to stand in it
@@ -92,7 +92,7 @@ std::string campaign_text(const CampaignProposal& proposal, const std::string& l
 /// @param surface  as in `TerrainOptions`; zones are those of a terrain file, else there is one
 /// @param rules    whether it may replace a campaign; nothing else is ever replaced
 /// @throws InputError  an input can't be read; the library holds no block that fits the terrain; or
-///                     as `propose_places` or `OutputFile`
+///                     as `propose_release_and_barrier` or `OutputFile`
 CampaignProposal write_new_campaign(const std::filesystem::path& library,
                                     const std::vector<std::filesystem::path>& surface,
                                     const std::filesystem::path& target,

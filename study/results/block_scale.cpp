@@ -4,7 +4,7 @@
 
 namespace clast {
 
-std::string scale_in_words(const BlockSummary& block) {
+std::string describe_block_scale(const BlockSummary& block) {
   return "block " + block.id + " is scaled by " + with_digits(block.scale, 4) + " to " +
          with_digits(block.mass, 4) + " kg";
 }

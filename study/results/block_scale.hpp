@@ -7,6 +7,6 @@
 namespace clast {
 
 /// "block B01 is scaled by 1.2 to 430 kg".
-std::string scale_in_words(const BlockSummary& block);
+std::string describe_block_scale(const BlockSummary& block);
 
 }  // namespace clast

@@ -54,7 +54,7 @@ void ValueRange::include(double value) {
   high = std::max(high, value);
 }
 
-std::vector<BlockStiffness> stiffness_by_block(const CampaignHeader& header,
+std::vector<BlockStiffness> collect_stiffness_by_block(const CampaignHeader& header,
                                                std::span<const RunRecord> runs) {
   std::vector<BlockStiffness> list;
   for (const BlockSummary& block : header.blocks) list.push_back(without_runs(block.id));
@@ -86,9 +86,9 @@ BlockStiffness over_all(std::span<const BlockStiffness> blocks) {
   return all;
 }
 
-std::vector<std::string> stiffness_cells(const BlockStiffness& block) {
+std::vector<std::string> format_stiffness_cells(const BlockStiffness& block) {
   std::vector<std::string> cells;
-  for (const StiffnessValue& value : block.values) {
+  for (const StiffnessRange& value : block.values) {
     if (value.range.empty()) {
       cells.emplace_back("-");
       continue;

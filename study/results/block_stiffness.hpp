@@ -19,7 +19,7 @@ struct ValueRange {
 };
 
 /// One quantity of `BlockStiffness`.
-struct StiffnessValue {
+struct StiffnessRange {
   std::string name;     ///< as the column of /runs: "stiffness_n_m"; or "rolling_limit_deg"
   std::string heading;  ///< "k_n, N/m"
   ValueRange range;     ///< over the runs of the block
@@ -33,18 +33,18 @@ struct BlockStiffness {
   /// k_n, k_t, k_r, time step, settled depth, impact depth, and the turn of the block after which
   /// rolling resistance is at its limit mu_R l f in the deepest impact, l = S/2, f = k_n h. k_r and
   /// that turn are over the ground zones too.
-  std::vector<StiffnessValue> values;
+  std::vector<StiffnessRange> values;
 };
 
 /// Every block, in order; one without runs has empty ranges.
 /// @param header  blocks and ground
 /// @param runs    planned or done
-std::vector<BlockStiffness> stiffness_by_block(const CampaignHeader& header,
+std::vector<BlockStiffness> collect_stiffness_by_block(const CampaignHeader& header,
                                                std::span<const RunRecord> runs);
 /// Of the runs of all of them, as if they were one block's.
 BlockStiffness over_all(std::span<const BlockStiffness> blocks);
 
 /// The quantities as text, in order: "9.52e+07", "2.1e+06 to 3.4e+06", or "-" for none.
-std::vector<std::string> stiffness_cells(const BlockStiffness& block);
+std::vector<std::string> format_stiffness_cells(const BlockStiffness& block);
 
 }  // namespace clast

@@ -27,7 +27,7 @@ void ImpactObserver::end_impact() {
 }
 
 // Called at every time step: what costs is done only where it can change something.
-void ImpactObserver::see_maxima(const RigidState& state) {
+void ImpactObserver::update_maxima(const RigidState& state) {
   const double spin = state.angular_velocity.squaredNorm();
   const double bound =
       0.5 * (body_.mass * state.velocity.squaredNorm() + body_.moments.maxCoeff() * spin);
@@ -40,9 +40,9 @@ void ImpactObserver::see_maxima(const RigidState& state) {
 
 void ImpactObserver::see(const MotionStep& step) {
   const double duration = step.end_time - step.begin_time;
-  if (first_) see_maxima(step.begin);
+  if (first_) update_maxima(step.begin);
   first_ = false;
-  if (!step.to_be_balanced) see_maxima(step.end);
+  if (!step.to_be_balanced) update_maxima(step.end);
   statistics.most_points = std::max<std::uint64_t>(statistics.most_points, step.touch.points);
   if (step.flight) {
     if (!take_off_) take_off_ = step.begin.position.head<2>();

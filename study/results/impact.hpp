@@ -71,7 +71,7 @@ class ImpactObserver {
  private:
   void begin_impact(const MotionStep& step);
   void end_impact();
-  void see_maxima(const RigidState& state);
+  void update_maxima(const RigidState& state);
 
   const RigidBody& body_;
   std::uint32_t run_;

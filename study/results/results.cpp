@@ -18,27 +18,27 @@ namespace clast {
 using namespace study_detail;
 namespace fs = std::filesystem;
 
-const StayRecord* CampaignResults::stay_of(std::uint32_t run) const {
+const PersistentBlockRecord* CampaignResults::find_persistent_block(std::uint32_t run) const {
   const auto found = std::lower_bound(
       stays.begin(), stays.end(), run,
-      [](const StayRecord& record, std::uint32_t other) { return record.run < other; });
+      [](const PersistentBlockRecord& record, std::uint32_t other) { return record.run < other; });
   return found != stays.end() && found->run == run ? &*found : nullptr;
 }
 
-fs::path partial_results(const fs::path& target) {
+fs::path journal_path(const fs::path& target) {
   fs::path part = target;
   part += ".part";
   return part;
 }
 
-void check_results_place(const fs::path& target, bool replace) {
+void check_results_target(const fs::path& target, bool replace) {
   check_output(target, {.kind = kResultsFormat, .replace = replace});
 }
 
 bool is_finished(const fs::path& target, const CampaignHeader& header, std::size_t runs) {
   if (kind_of_file(target) != kResultsFormat) return false;
   const CampaignResults stored = read_results(target);
-  std::string difference = campaign_difference(stored, header);
+  std::string difference = describe_campaign_difference(stored, header);
   if (difference.empty() && stored.runs.size() != runs) {
     difference = counted(stored.runs.size(), "run") + ", where this one has " +
                  std::to_string(runs) + " (another shard)";
@@ -52,7 +52,7 @@ namespace {
 
 /// Held while the file is being written: two programs would mix their runs.
 std::unique_ptr<FileLock> locked(const fs::path& target) {
-  check_results_place(target, true);
+  check_results_target(target, true);
   return std::make_unique<FileLock>(target,
                                     FileLockOptions{.longest_wait = std::chrono::milliseconds(0)});
 }
@@ -74,29 +74,29 @@ ResultsWriter::ResultsWriter(ResultsWriter&&) noexcept = default;
 ResultsWriter ResultsWriter::create(const fs::path& target, const CampaignHeader& header,
                                     std::size_t runs) {
   std::unique_ptr<FileLock> lock = locked(target);
-  check_room_for(target, header, runs);
+  check_results_disk_space(target, header, runs);
   return ResultsWriter(
       std::unique_ptr<Impl>(new Impl{std::move(lock),
                                      target,
                                      header,
-                                     ResultsJournal::create(partial_results(target), header),
+                                     ResultsJournal::create(journal_path(target), header),
                                      {}}));
 }
 
 ResultsWriter ResultsWriter::resume(const fs::path& target, const CampaignHeader& header,
                                     std::size_t runs) {
   std::unique_ptr<FileLock> lock = locked(target);
-  ResultsJournal journal = ResultsJournal::resume(partial_results(target), header);
+  ResultsJournal journal = ResultsJournal::resume(journal_path(target), header);
   std::vector<std::uint32_t> stored = journal.runs();
   std::sort(stored.begin(), stored.end());
-  check_room_for(target, header, runs - std::min(runs, stored.size()));
+  check_results_disk_space(target, header, runs - std::min(runs, stored.size()));
   CampaignHeader with_old_runs = header;
   with_old_runs.physics_digest = journal.physics();
   return ResultsWriter(std::unique_ptr<Impl>(new Impl{
       std::move(lock), target, std::move(with_old_runs), std::move(journal), std::move(stored)}));
 }
 
-const std::vector<std::uint32_t>& ResultsWriter::stored_runs() const { return impl_->stored; }
+const std::vector<std::uint32_t>& ResultsWriter::runs_with_trajectory() const { return impl_->stored; }
 
 void ResultsWriter::add(const StoredRun& run) {
   impl_->journal.add(run);

@@ -24,7 +24,7 @@ struct RunRecord {
   std::uint32_t block = 0;        ///< index into CampaignHeader::blocks
   std::uint32_t point = 0;        ///< index of the release point
   std::uint32_t orientation = 0;  ///< index of the orientation in its release set
-  std::uint32_t ground_set = 0;   ///< index into CampaignHeader::ground_sets
+  std::uint32_t ground_set = 0;   ///< index into CampaignHeader::draw_ground_sets
   RigidState start;
   ContactStiffness stiffness;  ///< and time step, chosen for this run or given
   /// Of the block at rest, m g/(k_n e_n^2) or m g/k_n by law, and of an impact at the fastest speed
@@ -56,7 +56,7 @@ struct BlockSummary {
 };
 
 /// What else is kept of a run whose block stayed among others.
-struct StayRecord {
+struct PersistentBlockRecord {
   std::uint32_t run = 0;
   double released_at = 0.0;      ///< since the first block of the realisation was released, s
   double raised = 0.0;           ///< above the start that was planned, m
@@ -78,14 +78,14 @@ struct EnergyRecord {
 };
 
 /// Realisations of blocks that stay: runs are in order of realisations, then of release.
-struct StaySummary {
+struct PersistentBlocksSettings {
   std::uint32_t blocks_each = 1;  ///< in each realisation
   GroundParameters between_blocks;
   bool at_once = false;  ///< released together, as a mass; else one after the other
 };
 
 /// Ground parameters that some of the runs have: of one block group in one member of the ensemble.
-struct GroundSet {
+struct GroundParameterSet {
   std::string group;         ///< empty: blocks in no group
   std::uint32_t member = 0;  ///< from 0
   std::vector<GroundParameters> zones;
@@ -102,7 +102,7 @@ struct StoredRun {
   RunRecord record;
   std::vector<Crossing> crossings;
   std::vector<Impact> impacts;
-  std::vector<StayRecord> stays;       ///< one where blocks stay, else none
+  std::vector<PersistentBlockRecord> stays;       ///< one where blocks stay, else none
   std::vector<EnergyRecord> energies;  ///< of its realisation, if it is the first run of one
   Trajectory trajectory;
 };
@@ -126,20 +126,20 @@ struct CampaignHeader {
   std::vector<SpheroPolyhedron> shapes;     ///< of library blocks, body frame, unscaled
   std::vector<std::string> zone_names;
   std::vector<GroundParameters> ground;  ///< by zone, without groups; uncertain ones in the middle
-  std::vector<GroundSet> ground_sets;
+  std::vector<GroundParameterSet> ground_sets;
   ContactLaw law;
   ContactWeights weights = ContactWeights::kPatch;
   std::vector<std::string> warnings;
   MapFrame frame;
   std::optional<Vec2> downslope;    ///< as asked for
   Terrain terrain;                  ///< the surface that was used, for maps
-  std::optional<StaySummary> stay;  ///< none: every run had the terrain to itself
+  std::optional<PersistentBlocksSettings> stay;  ///< none: every run had the terrain to itself
   std::uint32_t planned_runs = 0;
 
   /// Whether the runs tell of contacts: penetration, impacts, dissipation.
   bool has_contacts() const { return engine.empty(); }
   /// Runs that are computed together: those of a realisation, or one.
-  std::uint32_t runs_together() const { return stay ? stay->blocks_each : 1; }
+  std::uint32_t runs_per_realisation() const { return stay ? stay->blocks_each : 1; }
 };
 
 /// A results file, read whole except for the trajectories.
@@ -147,12 +147,12 @@ struct CampaignResults : CampaignHeader {
   std::vector<RunRecord> runs;      ///< in run order
   std::vector<Crossing> crossings;  ///< in run order, then time
   std::vector<Impact> impacts;      ///< in run order, then time
-  std::vector<StayRecord> stays;    ///< in run order
+  std::vector<PersistentBlockRecord> stays;    ///< in run order
   /// In order of realisation, then time; none in results of older programs.
   std::vector<EnergyRecord> energies;
 
   /// What is kept of a run whose block stayed among others; null: none.
-  const StayRecord* stay_of(std::uint32_t run) const;
+  const PersistentBlockRecord* find_persistent_block(std::uint32_t run) const;
 };
 
 /// @throws InputError  missing, not clast results, damaged, or of a newer schema
@@ -191,7 +191,7 @@ void merge_results(const std::vector<std::filesystem::path>& parts,
 /// @throws InputError  a folder, a device, a link in a circle, write-protected, in a folder that
 ///                     can't be written to, a file that is not empty and holds no results, or one
 ///                     that is to be kept
-void check_results_place(const std::filesystem::path& target, bool replace);
+void check_results_target(const std::filesystem::path& target, bool replace);
 
 /// Are the results of this campaign in `target` already, finished?
 /// @param runs  that will be in the file
@@ -200,7 +200,7 @@ bool is_finished(const std::filesystem::path& target, const CampaignHeader& head
                  std::size_t runs);
 
 /// Where runs are kept until all are done: target + ".part", a journal, not HDF5.
-std::filesystem::path partial_results(const std::filesystem::path& target);
+std::filesystem::path journal_path(const std::filesystem::path& target);
 
 /// Keeps results run by run, so that a kill costs no run that was added, and writes the file when
 /// all are done. Until then it holds the lock on the target (core/files/file_lock.hpp).
@@ -208,11 +208,11 @@ class ResultsWriter {
  public:
   /// Starts anew, in place of what an interrupted campaign left. Makes missing parent folders.
   /// @param runs  that will be in the file
-  /// @throws InputError  as `check_results_place`; another program is writing to the target; or
+  /// @throws InputError  as `check_results_target`; another program is writing to the target; or
   ///                     the disk is too full for the header and as many runs
   static ResultsWriter create(const std::filesystem::path& target, const CampaignHeader& header,
                               std::size_t runs = 0);
-  /// Goes on with `partial_results(target)`; half a run that a kill left is dropped.
+  /// Goes on with `journal_path(target)`; half a run that a kill left is dropped.
   /// @throws InputError  it is missing, damaged, or of another campaign (by hash of campaign and
   ///                     inputs); or as `create`
   static ResultsWriter resume(const std::filesystem::path& target, const CampaignHeader& header,
@@ -221,7 +221,7 @@ class ResultsWriter {
   ResultsWriter(ResultsWriter&&) noexcept;
 
   /// Runs that are in the file already, sorted.
-  const std::vector<std::uint32_t>& stored_runs() const;
+  const std::vector<std::uint32_t>& runs_with_trajectory() const;
   /// Adds one run and flushes. Order does not matter.
   void add(const StoredRun& run);
   /// Writes the target, whole, with runs in order of their number; the journal goes.

@@ -63,12 +63,12 @@ void write_shapes(Hdf5Group group, const std::vector<SpheroPolyhedron>& shapes) 
 }
 
 void write_ground_sets(Hdf5Group group, const CampaignHeader& header) {
-  const std::vector<GroundSet>& sets = header.ground_sets;
-  write_column(group, "group", "", sets, [](const GroundSet& set) { return set.group; });
-  write_column(group, "member", "", sets, [](const GroundSet& set) { return set.member; });
-  for (const GroundField& field : ground_fields()) {
+  const std::vector<GroundParameterSet>& sets = header.ground_sets;
+  write_column(group, "group", "", sets, [](const GroundParameterSet& set) { return set.group; });
+  write_column(group, "member", "", sets, [](const GroundParameterSet& set) { return set.member; });
+  for (const GroundParameterField& field : ground_fields()) {
     std::vector<double> values;
-    for (const GroundSet& set : sets) {
+    for (const GroundParameterSet& set : sets) {
       for (const GroundParameters& zone : set.zones) values.push_back(zone.*field.value);
     }
     group.write<double>(field.name, values, {sets.size(), header.zone_names.size()});
@@ -130,7 +130,7 @@ void write_header(Hdf5Group root, const CampaignHeader& header) {
   Hdf5Group ground = root.create_group("ground");
   const auto& zones = header.ground;
   write_texts(ground, "zone", header.zone_names);
-  for (const GroundField& field : ground_fields()) {
+  for (const GroundParameterField& field : ground_fields()) {
     write_column(ground, field.name, field.unit, zones,
                  [&](const GroundParameters& zone) { return zone.*field.value; });
   }
@@ -156,11 +156,11 @@ void write_rows(Hdf5Group group, const std::vector<Row>& rows, bool contacts = t
 }
 
 void write_stays(Hdf5Group group, const CampaignHeader& header,
-                 const std::vector<StayRecord>& rows) {
-  const StaySummary& stay = *header.stay;
+                 const std::vector<PersistentBlockRecord>& rows) {
+  const PersistentBlocksSettings& stay = *header.stay;
   group.set_attribute<std::int64_t>("blocks_each", stay.blocks_each);
   group.set_attribute<std::int64_t>("at_once", stay.at_once ? 1 : 0);
-  for (const GroundField& field : ground_fields()) {
+  for (const GroundParameterField& field : ground_fields()) {
     if (!field.of_soil) group.set_attribute<double>(field.name, stay.between_blocks.*field.value);
   }
   write_rows(group, rows, header.has_contacts());
@@ -172,12 +172,12 @@ void write_trajectory(Hdf5Group& group, std::uint32_t run, const Trajectory& tra
   visit_columns(kRowsOf<RigidState>, [&](const auto&, const auto&, const auto&, const auto& field) {
     for (const RigidState& state : trajectory.states) rows.push_back(field(state));
   });
-  group.write<double>(trajectory_name(run), rows, {trajectory_rows(), trajectory.time.size()});
+  group.write<double>(trajectory_dataset_name(run), rows, {trajectory_chunk_rows(), trajectory.time.size()});
 }
 
 }  // namespace
 
-std::string trajectory_name(std::uint32_t run) {
+std::string trajectory_dataset_name(std::uint32_t run) {
   char name[16];
   std::snprintf(name, sizeof name, "%08u", run);
   return name;
@@ -198,7 +198,7 @@ void write_results_file(const fs::path& target, const CampaignHeader& header, st
     std::vector<RunRecord> records;
     std::vector<Crossing> crossings;
     std::vector<Impact> impacts;
-    std::vector<StayRecord> stays;
+    std::vector<PersistentBlockRecord> stays;
     std::vector<EnergyRecord> energies;
     for (std::size_t i = 0; i < count; ++i) {
       const StoredRun stored = run(i);
@@ -219,7 +219,7 @@ void write_results_file(const fs::path& target, const CampaignHeader& header, st
   output.commit();
 }
 
-void check_room_for(const fs::path& target, const CampaignHeader& header, std::size_t runs) {
+void check_results_disk_space(const fs::path& target, const CampaignHeader& header, std::size_t runs) {
   const OutputFile trial(target, {.kind = kResultsFormat});
   {
     Hdf5File file = Hdf5File::create(trial.temporary(), kResultsFormat, kResultsSchema);
@@ -228,7 +228,7 @@ void check_room_for(const fs::path& target, const CampaignHeader& header, std::s
   }
   const std::uint64_t without_runs = fs::file_size(trial.temporary());
   fs::resize_file(trial.temporary(), 0);  // what it takes is free again
-  check_room(trial.target(), {without_runs, runs * ResultsJournal::smallest_record()});
+  check_room(trial.target(), {without_runs, runs * ResultsJournal::smallest_record_size()});
 }
 
 }  // namespace clast::study_detail

@@ -15,7 +15,7 @@ void write_results_file(const std::filesystem::path& target, const CampaignHeade
 /// Checks that the target can be written and that there is room for as many runs in the journal,
 /// beside a file that holds no run yet. That file is written, which finds any other problem.
 /// @throws InputError  as `ResultsWriter::create`
-void check_room_for(const std::filesystem::path& target, const CampaignHeader& header,
+void check_results_disk_space(const std::filesystem::path& target, const CampaignHeader& header,
                     std::size_t runs);
 
 }  // namespace clast::study_detail

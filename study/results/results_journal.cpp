@@ -147,16 +147,16 @@ std::string packed(StoredRun run) {
   return std::move(text).str();
 }
 
-std::string campaign_identity(const CampaignHeader& header) {
+std::string format_campaign_identity(const CampaignHeader& header) {
   Identity identity = identity_of(header);
   return bytes_of(identity);
 }
 
-std::string campaign_difference(const CampaignHeader& stored, const CampaignHeader& now) {
+std::string describe_campaign_difference(const CampaignHeader& stored, const CampaignHeader& now) {
   return identity_difference(identity_of(stored), identity_of(now));
 }
 
-std::string campaign_difference(ByteReader& stored, const CampaignHeader& now) {
+std::string describe_campaign_difference(ByteReader& stored, const CampaignHeader& now) {
   Identity identity;
   stored(identity);
   return identity_difference(identity, identity_of(now));
@@ -170,7 +170,7 @@ StoredRun unpacked(const std::string& bytes) {
 }
 
 ResultsJournal ResultsJournal::create(const fs::path& path, const CampaignHeader& header) {
-  const std::string begin = kJournalMagic + record_of(campaign_identity(header));
+  const std::string begin = kJournalMagic + record_of(format_campaign_identity(header));
   write_text_file(path, begin);
   ResultsJournal journal(path, opened(path));
   journal.physics_ = header.physics_digest;
@@ -210,7 +210,7 @@ ResultsJournal ResultsJournal::resume(const fs::path& path, const CampaignHeader
   return journal;
 }
 
-std::uint64_t ResultsJournal::smallest_record() { return record_size(packed(StoredRun{})); }
+std::uint64_t ResultsJournal::smallest_record_size() { return record_size(packed(StoredRun{})); }
 
 void ResultsJournal::add(const StoredRun& run) {
   const std::string record = record_of(packed(run));

@@ -18,13 +18,13 @@ std::string packed(StoredRun run);
 StoredRun unpacked(const std::string& bytes);
 
 /// What a campaign is recognised by, with its inputs and the program, as bytes.
-std::string campaign_identity(const CampaignHeader& header);
+std::string format_campaign_identity(const CampaignHeader& header);
 /// How the campaign of stored results differs from this one: campaign file, inputs, version,
 /// number of runs or physics. Empty: not at all.
-std::string campaign_difference(const CampaignHeader& stored, const CampaignHeader& now);
-/// The same of a stored `campaign_identity`, which it reads.
+std::string describe_campaign_difference(const CampaignHeader& stored, const CampaignHeader& now);
+/// The same of a stored `format_campaign_identity`, which it reads.
 /// @throws InputError  no such bytes
-std::string campaign_difference(ByteReader& stored, const CampaignHeader& now);
+std::string describe_campaign_difference(ByteReader& stored, const CampaignHeader& now);
 
 class ResultsJournal {
  public:
@@ -36,7 +36,7 @@ class ResultsJournal {
   static ResultsJournal resume(const std::filesystem::path& path, const CampaignHeader& header);
 
   /// Bytes that a run takes at least.
-  static std::uint64_t smallest_record();
+  static std::uint64_t smallest_record_size();
 
   const std::filesystem::path& path() const { return path_; }
   /// Physics digest of the program that began it; empty: an older one.

@@ -109,7 +109,7 @@ void check_complete(const std::vector<Part>& parts, const std::vector<RunPlace>&
   throw InputError(std::to_string(first.planned_runs - places.size()) + " of " +
                    std::to_string(first.planned_runs) + " runs are in no part, run " +
                    std::to_string(missing) + " first; of n shards it belongs to number (" +
-                   std::to_string(missing / first.runs_together()) +
+                   std::to_string(missing / first.runs_per_realisation()) +
                    " mod n) + 1. Run the missing shard, then join");
 }
 

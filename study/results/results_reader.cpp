@@ -32,7 +32,7 @@ void read_shapes(const CheckedGroup& reader, CampaignHeader& results) {
 /// What zones need not state was added to schema 4 later, and is 0 where it is absent.
 std::vector<GroundParameters> read_ground_parameters(const CheckedGroup& reader, std::size_t rows) {
   std::vector<GroundParameters> parameters(rows);
-  for (const GroundField& field : ground_fields()) {
+  for (const GroundParameterField& field : ground_fields()) {
     if (!field.required && !reader.group.has(field.name)) continue;
     const auto values = reader.column<double>(field.name, rows);
     for (std::size_t i = 0; i < rows; ++i) parameters[i].*field.value = values[i];
@@ -140,7 +140,7 @@ void read_stored_barriers(const CheckedGroup& reader, CampaignHeader& results) {
         reader.damaged("direction", "is neither either nor forward");
       }
       results.barriers.push_back(
-          {names[i], {begin, begin + counts[i]}, counted_crossings(directions[i])});
+          {names[i], {begin, begin + counts[i]}, parse_counted_direction(directions[i])});
       at += counts[i];
     }
     if (at != points.size()) reader.damaged("points_m", "has more points than barriers have");
@@ -153,7 +153,7 @@ void read_stored_barriers(const CheckedGroup& reader, CampaignHeader& results) {
     reader.damaged("from_m", "and to_m do not have one row per name");
   }
   for (std::size_t i = 0; i < names.size(); ++i) {
-    results.barriers.push_back({names[i], {from[i], to[i]}, CountedCrossings::kEither});
+    results.barriers.push_back({names[i], {from[i], to[i]}, CountedDirection::kEither});
   }
 }
 
@@ -268,7 +268,7 @@ void read_stays(const CheckedGroup& reader, CampaignResults& results) {
                                        std::to_string(results.planned_runs) + " runs");
   }
   GroundParameters between_blocks;
-  for (const GroundField& field : ground_fields()) {
+  for (const GroundParameterField& field : ground_fields()) {
     if (!field.required && !reader.group.has_attribute(field.name)) continue;
     between_blocks.*field.value = reader.group.attribute<double>(field.name);
   }

@@ -5,11 +5,11 @@
 namespace clast {
 
 /// A run's offset from its release point on the map.
-struct Runout {
+struct RunoutDistances {
   double along = 0.0;    ///< m, along downslope
   double lateral = 0.0;  ///< rad, + to the right looking downslope
 };
 /// @param downslope  unit
-Runout runout(const Vec3& start, const Vec3& stop, const Vec2& downslope);
+RunoutDistances runout(const Vec3& start, const Vec3& stop, const Vec2& downslope);
 
 }  // namespace clast

@@ -55,8 +55,8 @@ const TableColumns<Impact>& stored_impact_columns() {
   return columns;
 }
 
-const TableColumns<StayRecord>& stored_stay_columns() {
-  static const TableColumns<StayRecord> columns = stored_columns<StayRecord>();
+const TableColumns<PersistentBlockRecord>& stored_stay_columns() {
+  static const TableColumns<PersistentBlockRecord> columns = stored_columns<PersistentBlockRecord>();
   return columns;
 }
 

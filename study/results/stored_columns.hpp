@@ -12,7 +12,7 @@ namespace clast {
 const TableColumns<RunRecord>& stored_run_columns();
 const TableColumns<Crossing>& stored_crossing_columns();
 const TableColumns<Impact>& stored_impact_columns();
-const TableColumns<StayRecord>& stored_stay_columns();
+const TableColumns<PersistentBlockRecord>& stored_stay_columns();
 const TableColumns<EnergyRecord>& stored_energy_columns();
 
 /// Columns of runs and stays that take contacts to know, which other engines do not tell: results
@@ -22,7 +22,7 @@ bool is_of_contacts(std::string_view column);
 /// The same columns, with empty cells for what is not known of a row.
 /// @param results_of  the results that a row is of
 template <class Row, class ResultsOf>
-TableColumns<Row> with_known_cells(TableColumns<Row> columns, const ResultsOf& results_of) {
+TableColumns<Row> blank_unknown_cells(TableColumns<Row> columns, const ResultsOf& results_of) {
   for (TableColumn<Row>& column : columns) {
     if (!is_of_contacts(column.name)) continue;
     column.value = [results_of, value = column.value](const Row& row) -> TableCell {

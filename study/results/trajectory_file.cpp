@@ -21,18 +21,18 @@ TrajectoryFile::TrajectoryFile(TrajectoryFile&&) noexcept = default;
 
 std::size_t TrajectoryFile::frames(std::uint32_t run) const {
   const CheckedGroup& reader = impl_->reader;
-  const std::string name = trajectory_name(run);
+  const std::string name = trajectory_dataset_name(run);
   if (!reader.group.has(name)) return 0;
   const std::vector<std::size_t> shape = reader.group.shape(name);
-  if (shape.size() != 2 || shape[0] != trajectory_rows()) {
-    reader.damaged(name, "is not a table of " + std::to_string(trajectory_rows()) + " rows");
+  if (shape.size() != 2 || shape[0] != trajectory_chunk_rows()) {
+    reader.damaged(name, "is not a table of " + std::to_string(trajectory_chunk_rows()) + " rows");
   }
   return shape[1];
 }
 
 Trajectory TrajectoryFile::read(std::uint32_t run) const {
   const CheckedGroup& reader = impl_->reader;
-  const std::string name = trajectory_name(run);
+  const std::string name = trajectory_dataset_name(run);
   const std::size_t count = frames(run);
   if (!reader.group.has(name)) {
     const bool any = !reader.group.names().empty();

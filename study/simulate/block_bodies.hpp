@@ -22,13 +22,13 @@ class BlockBodies {
   /// The body of a block of `BlockChoice::blocks`, scaled.
   RigidBody operator[](std::size_t block) const;
   /// The first block that has the same body.
-  std::uint32_t first_like(std::size_t block) const { return blocks_[block].first_like; }
+  std::uint32_t first_equal_body(std::size_t block) const { return blocks_[block].first_equal_body; }
 
  private:
   struct Scaled {
     std::size_t of_library;
     double scale;
-    std::uint32_t first_like;
+    std::uint32_t first_equal_body;
   };
   std::vector<RigidBody> library_;
   std::vector<Scaled> blocks_;

@@ -42,7 +42,7 @@ std::vector<Block> selected_from(const BlockLibrary& library, const Campaign& ca
 }
 
 /// The bodies that are made of the blocks, in place of them.
-void vary(const Campaign& campaign, const BlockLibrary& library, const BlockMaking& making,
+void vary(const Campaign& campaign, const BlockLibrary& library, const BlockPreparationOptions& making,
           BlockChoice& choice) {
   SeriesRequest request = *campaign.blocks.vary;
   request.library = campaign.blocks.library;
@@ -158,14 +158,14 @@ struct DrawPools {
 };
 
 DrawPools pools_of_shares(const Campaign& campaign, const std::vector<Block>& blocks) {
-  const BlockDraw& draw = *campaign.blocks.draw;
+  const BlockSampling& draw = *campaign.blocks.draw;
   DrawPools result;
   if (draw.shares.empty()) {
     result.pools.emplace_back(blocks.size());
     std::iota(result.pools.back().begin(), result.pools.back().end(), std::size_t{0});
     result.shares.push_back(1.0);
   }
-  for (const auto& [name, share] : drawn_shares(draw)) {
+  for (const auto& [name, share] : class_fractions(draw)) {
     std::vector<std::size_t> pool;
     for (std::size_t i = 0; i < blocks.size(); ++i) {
       if (shape_class(draw.scheme, blocks[i].axes()) == name) pool.push_back(i);
@@ -184,7 +184,7 @@ DrawPools pools_of_shares(const Campaign& campaign, const std::vector<Block>& bl
 
 /// Of the blocks that a draw gives, on average, m^3.
 double mean_drawn_volume(const Campaign& campaign, const std::vector<Block>& blocks) {
-  const std::optional<Uncertain>& drawn_mass = campaign.blocks.draw->mass;
+  const std::optional<Distribution>& drawn_mass = campaign.blocks.draw->mass;
   const double mean_mass = drawn_mass ? drawn_mass->mean() : 0.0;
   const auto [pools, shares] = pools_of_shares(campaign, blocks);
   double volume = 0.0;
@@ -231,7 +231,7 @@ void drop_unused(BlockChoice& choice) {
 
 }  // namespace
 
-BlockChoice choose_blocks(const Campaign& campaign, const BlockMaking& making) {
+BlockChoice choose_blocks(const Campaign& campaign, const BlockPreparationOptions& making) {
   BlockChoice choice;
   const BlockLibrary library = BlockLibrary::read(campaign.blocks.library);
   choice.library = selected_from(library, campaign);
@@ -245,20 +245,20 @@ BlockChoice choose_blocks(const Campaign& campaign, const BlockMaking& making) {
   return choice;
 }
 
-std::vector<Block> selected_blocks(const Campaign& campaign) {
+std::vector<Block> read_selected_blocks(const Campaign& campaign) {
   return selected_from(BlockLibrary::read(campaign.blocks.library), campaign);
 }
 
 std::vector<CampaignBlock> draw_blocks(const Campaign& campaign, const std::vector<Block>& blocks) {
-  const BlockDraw& draw = *campaign.blocks.draw;
+  const BlockSampling& draw = *campaign.blocks.draw;
   const auto [pools, shares] = pools_of_shares(campaign, blocks);
   std::vector<CampaignBlock> drawn;
   const std::vector<std::size_t> counts =
-      quotas(shares, draw.count > 0 ? draw.count : count_of_volume(campaign, blocks));
+      allocate_quotas(shares, draw.count > 0 ? draw.count : count_of_volume(campaign, blocks));
   const std::uint32_t draws = campaign.stay ? campaign.stay->realisations : 1;
   for (std::uint32_t k = 0; k < draws; ++k) {
     Random random(k == 0 ? draw.seed
-                         : study_detail::named_seed(draw.seed, "realisation " + std::to_string(k)));
+                         : study_detail::derive_seed(draw.seed, "realisation " + std::to_string(k)));
     for (std::size_t pool = 0; pool < pools.size(); ++pool) {
       for (std::size_t i = 0; i < counts[pool]; ++i) {
         const std::size_t block = pools[pool][random.below(pools[pool].size())];
@@ -272,7 +272,7 @@ std::vector<CampaignBlock> draw_blocks(const Campaign& campaign, const std::vect
   return drawn;
 }
 
-std::vector<std::pair<std::string, double>> drawn_shares(const BlockDraw& draw) {
+std::vector<std::pair<std::string, double>> class_fractions(const BlockSampling& draw) {
   if (draw.set_shares.empty()) return draw.shares;
   double set = 0.0, others = 0.0;
   for (const auto& [name, share] : draw.shares) {
@@ -292,7 +292,7 @@ std::vector<std::pair<std::string, double>> drawn_shares(const BlockDraw& draw) 
   return shares;
 }
 
-std::vector<std::size_t> quotas(const std::vector<double>& shares, std::size_t count) {
+std::vector<std::size_t> allocate_quotas(const std::vector<double>& shares, std::size_t count) {
   std::vector<std::size_t> whole;
   std::vector<double> rest;
   std::size_t given = 0;

@@ -28,7 +28,7 @@ struct BlockChoice {
 };
 
 /// How blocks are made where the campaign varies them; no matter for what is made.
-struct BlockMaking {
+struct BlockPreparationOptions {
   unsigned threads = 0;    ///< 0: one per core
   Progress progress = {};  ///< bodies made, from any thread, one at a time
 };
@@ -40,25 +40,25 @@ struct BlockMaking {
 ///                     without a block, that names a block which is not there, or a block in two
 ///                     groups; a body that is asked for twice
 /// @throws GeometryError  a body that can't be made
-BlockChoice choose_blocks(const Campaign& campaign, const BlockMaking& making = {});
+BlockChoice choose_blocks(const Campaign& campaign, const BlockPreparationOptions& making = {});
 
 /// The blocks that [blocks] selects of its library, unscaled: what a draw draws from.
 /// @throws InputError  a missing id, or nothing selected
-std::vector<Block> selected_blocks(const Campaign& campaign);
+std::vector<Block> read_selected_blocks(const Campaign& campaign);
 
 /// Draws as [blocks] draw asks.
 /// @param pool  selected blocks; those drawn name their places in it
-/// @throws InputError  a class that shall be drawn and has no block; shares as `drawn_shares`; a
+/// @throws InputError  a class that shall be drawn and has no block; shares as `class_fractions`; a
 ///                     volume of less than half a block or of too many
 std::vector<CampaignBlock> draw_blocks(const Campaign& campaign, const std::vector<Block>& pool);
 
 /// Shares of the classes of a draw, sum 1; empty: as they are. Shares that are set stay, the other
 /// classes divide what is left in the proportions that they have.
 /// @throws InputError  those set add up to more than 1, or to less and there is no other class
-std::vector<std::pair<std::string, double>> drawn_shares(const BlockDraw& draw);
+std::vector<std::pair<std::string, double>> class_fractions(const BlockSampling& draw);
 
 /// How many of `count` go to each share: whole numbers, largest remainders first.
-std::vector<std::size_t> quotas(const std::vector<double>& shares, std::size_t count);
+std::vector<std::size_t> allocate_quotas(const std::vector<double>& shares, std::size_t count);
 
 /// The same shape and density at another size: lengths times `factor`, mass times its cube, moments
 /// times its fifth power.

@@ -13,7 +13,7 @@ namespace {
 CampaignCheck check(const std::filesystem::path& file, const std::optional<std::string>& text) {
   CampaignCheck result;
   std::vector<std::string>& findings = result.findings;
-  const PartReader read = findings_into(findings);
+  const PartReader read = collect_findings(findings);
   const Campaign campaign = read_by_parts(file, text, read);
   if (findings.empty() && read([&] { result.prepared.emplace(prepare_campaign(campaign)); }))
     return result;
@@ -22,7 +22,7 @@ CampaignCheck check(const std::filesystem::path& file, const std::optional<std::
   if (!campaign.terrain.surface.empty()) {
     read([&] {
       const Terrain terrain = read_terrain(campaign.terrain);
-      if (!campaign.ground.empty()) ground_sets(campaign, terrain.zone_names);
+      if (!campaign.ground.empty()) draw_ground_sets(campaign, terrain.zone_names);
     });
   }
   return result;

@@ -53,7 +53,7 @@ void tell_of_scales(const CampaignPlan& prepared, std::vector<std::string>& warn
   if (prepared.campaign.blocks.draw) return;
   for (const BlockSummary& block : prepared.header.blocks) {
     if (block.scale == 1.0) continue;
-    warnings.push_back(scale_in_words(block));
+    warnings.push_back(describe_block_scale(block));
   }
 }
 
@@ -105,7 +105,7 @@ void tell_of_friction(const CampaignPlan& prepared, std::vector<std::string>& wa
 /// A restitution of speeds, R_n, that stands where one of energy belongs.
 void tell_of_restitution(const CampaignPlan& prepared, std::vector<std::string>& warnings) {
   double usual = 0.0;
-  for (const GroundType& type : ground_types()) {
+  for (const GroundType& type : typical_ground_types()) {
     usual = std::max(usual, type.energy_restitution.high);
   }
   const auto question = [&](const std::string& table, double value) {
@@ -122,7 +122,7 @@ void tell_of_restitution(const CampaignPlan& prepared, std::vector<std::string>&
   if (header.stay) largest = {header.stay->between_blocks.energy_restitution, "contact.blocks"};
   for (std::size_t zone = 0; zone < header.ground.size(); ++zone) {
     double most = header.ground[zone].energy_restitution;
-    for (const GroundSet& set : header.ground_sets) {
+    for (const GroundParameterSet& set : header.ground_sets) {
       most = std::max(most, set.zones[zone].energy_restitution);
     }
     question("ground." + header.zone_names[zone], most);
@@ -140,10 +140,10 @@ void tell_of_restitution(const CampaignPlan& prepared, std::vector<std::string>&
 }
 
 void tell_of_releases(const CampaignPlan& prepared, std::vector<std::string>& warnings) {
-  for (const ReleasePlan& release : prepared.campaign.releases) {
+  for (const ReleaseSet& release : prepared.campaign.releases) {
     const std::size_t repeated = repeated_points(release.points, release.drop_height.has_value());
     if (repeated > 0 && !release.fresh_orientations) {
-      warnings.push_back(set_name(release) + std::to_string(repeated) + " of " +
+      warnings.push_back(format_release_set_name(release) + std::to_string(repeated) + " of " +
                          std::to_string(release.points.size()) +
                          " release points repeat another; all are run, so they count more than "
                          "once");
@@ -153,7 +153,7 @@ void tell_of_releases(const CampaignPlan& prepared, std::vector<std::string>& wa
     const std::size_t distinct = distinct_rotations(release.orientations);
     if (distinct == release.orientations.size()) continue;
     warnings.push_back(
-        set_name(release) + release.orientation_source + ": " +
+        format_release_set_name(release) + release.orientation_source + ": " +
         std::to_string(release.orientations.size()) + " orientations, of which " +
         std::to_string(distinct) +
         " are different rotations; all are run, so repeated ones count more than once");
@@ -193,7 +193,7 @@ void tell_of_barriers(const CampaignPlan& prepared, std::vector<std::string>& wa
       warnings.push_back("barrier " + barrier.name +
                          " lies off the terrain, so nothing can cross it; its points are x, y of "
                          "the z-up map");
-    } else if (barrier.counted == CountedCrossings::kForward &&
+    } else if (barrier.counted == CountedDirection::kForward &&
                places_that_fall_forward(barrier, *prepared.surface) < 0) {
       warnings.push_back("barrier " + barrier.name +
                          " counts only crossings from the left of its line to the right, but the "
@@ -205,11 +205,11 @@ void tell_of_barriers(const CampaignPlan& prepared, std::vector<std::string>& wa
 
 }  // namespace
 
-std::string set_name(const ReleasePlan& release) {
+std::string format_release_set_name(const ReleaseSet& release) {
   return release.name.empty() ? "" : "release set " + release.name + ", ";
 }
 
-std::string unusual_size(const std::string& block, double length, double mass, double extent) {
+std::string describe_unusual_size(const std::string& block, double length, double mass, double extent) {
   std::string usual;
   if (length > kLongestUsual) {
     usual = "blocks are no longer than " + with_digits(kLongestUsual, 3) + " m";
@@ -230,7 +230,7 @@ void check_sizes(const CampaignPlan& prepared) {
   const Bounds ground = bounds(prepared.header.terrain.surface);
   const double extent = (ground.high - ground.low).head<2>().maxCoeff();
   for (const BlockSummary& block : prepared.header.blocks) {
-    const std::string problem = unusual_size(block.id, block.axes.L, block.mass, extent);
+    const std::string problem = describe_unusual_size(block.id, block.axes.L, block.mass, extent);
     if (problem.empty()) continue;
     throw InputError(prepared.campaign.file.string() + ": [blocks] " + problem +
                      ": check scale and the units of scans and terrain, or set allow_any_size = "
@@ -253,7 +253,7 @@ void check_falls(const CampaignPlan& prepared) {
   }
 }
 
-std::vector<std::string> campaign_warnings(const CampaignPlan& prepared) {
+std::vector<std::string> check_campaign_settings(const CampaignPlan& prepared) {
   std::vector<std::string> warnings;
   tell_of_scales(prepared, warnings);
   tell_of_steps(prepared, warnings);
@@ -271,7 +271,7 @@ std::vector<std::string> campaign_warnings(const CampaignPlan& prepared) {
   }
   warn(cell_size_warning(prepared.header.terrain, smallest, largest));
   if (prepared.campaign.border_distance) {
-    for (const ReleasePlan& release : prepared.campaign.releases) {
+    for (const ReleaseSet& release : prepared.campaign.releases) {
       warn(border_warning(prepared.header.terrain, release.points,
                           *prepared.campaign.border_distance));
     }

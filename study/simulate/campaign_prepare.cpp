@@ -62,7 +62,7 @@ CampaignHeader header_of(const CampaignPlan& prepared, Terrain terrain) {
     header.inputs.push_back(with_digest(campaign.blocks.vary->table));
   }
   header.inputs.insert(header.inputs.end(), terrain.sources.begin(), terrain.sources.end());
-  for (const ReleasePlan& release : campaign.releases) {
+  for (const ReleaseSet& release : campaign.releases) {
     for (const auto& file : release.files) header.inputs.push_back(with_digest(file));
   }
   if (campaign.ensemble.posterior) {
@@ -80,8 +80,8 @@ CampaignHeader header_of(const CampaignPlan& prepared, Terrain terrain) {
     header.barriers.push_back(barrier);
   }
   header.zone_names = terrain.zone_names;
-  header.ground_sets = ground_sets(campaign, terrain.zone_names);
-  header.ground = central_ground(campaign, terrain.zone_names);
+  header.ground_sets = draw_ground_sets(campaign, terrain.zone_names);
+  header.ground = median_ground(campaign, terrain.zone_names);
   header.law = campaign.stiffness.law;
   header.weights = campaign.weights;
   header.frame = terrain.frame;
@@ -92,17 +92,17 @@ CampaignHeader header_of(const CampaignPlan& prepared, Terrain terrain) {
 
 }  // namespace
 
-void redraw_blocks(CampaignPlan& prepared) {
+void resample_blocks(CampaignPlan& prepared) {
   prepared.choice.blocks = draw_blocks(prepared.campaign, prepared.choice.library);
   prepared.bodies = BlockBodies(prepared.choice);
   prepared.header.blocks = block_summaries(prepared);
 }
 
-CampaignPlan prepare_campaign(const Campaign& campaign, const BlockMaking& making) {
+CampaignPlan prepare_campaign(const Campaign& campaign, const BlockPreparationOptions& making) {
   CampaignPlan prepared;
   prepared.campaign = campaign;
   prepared.choice = choose_blocks(campaign, making);
-  if (std::optional<BlockDraw>& draw = prepared.campaign.blocks.draw) {
+  if (std::optional<BlockSampling>& draw = prepared.campaign.blocks.draw) {
     // Later redraws give the same number of blocks.
     draw->count = prepared.choice.blocks.size() / (campaign.stay ? campaign.stay->realisations : 1);
   }
@@ -114,12 +114,12 @@ CampaignPlan prepare_campaign(const Campaign& campaign, const BlockMaking& makin
 
   plan_runs(prepared);
   check_falls(prepared);
-  std::vector<std::string> warnings = settle_stiffness(prepared);
-  const std::optional<StayPlan>& stay = campaign.stay;
+  std::vector<std::string> warnings = choose_run_stiffness(prepared);
+  const std::optional<PersistentBlocksPlan>& stay = campaign.stay;
   if (stay && !stay->masses.empty() && stay->masses.front().in_place) {
     check_mass_start(prepared, 0);
   }
-  header.warnings = campaign_warnings(prepared);
+  header.warnings = check_campaign_settings(prepared);
   header.warnings.insert(header.warnings.begin(), warnings.begin(), warnings.end());
   const std::vector<std::string>& notes = prepared.choice.notes;
   header.warnings.insert(header.warnings.end(), notes.begin(), notes.end());

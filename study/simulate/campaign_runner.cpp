@@ -33,7 +33,7 @@ class Collector {
  public:
   Collector(ResultsWriter& writer, std::size_t planned, const RunOptions& options)
       : writer_(writer),
-        before_(writer.stored_runs()),
+        before_(writer.runs_with_trajectory()),
         done_(before_.size()),
         planned_(planned),
         options_(options) {}
@@ -101,10 +101,10 @@ std::vector<StoredRun> unpacked_together(const std::string& bytes) {
 std::vector<std::uint32_t> open_runs(const CampaignPlan& prepared, const Shard& shard,
                                      const std::filesystem::path& target,
                                      const std::vector<std::uint32_t>& stored) {
-  const std::uint32_t together = prepared.header.runs_together();
+  const std::uint32_t together = prepared.header.runs_per_realisation();
   for (const std::uint32_t run : stored) {
     if (shard.has(run / together)) continue;
-    throw InputError(partial_results(target).string() + ": was begun with other runs than shard " +
+    throw InputError(journal_path(target).string() + ": was begun with other runs than shard " +
                      std::to_string(shard.index) + " of " + std::to_string(shard.count) +
                      " has; give the shard it was begun with, or delete it");
   }
@@ -150,11 +150,11 @@ TimeProbe probe_time(const CampaignPlan& prepared, double budget) {
   constexpr double kGoldenRatio = 0.61803398874989485;
   // A run that takes this many times the budget is not waited for.
   constexpr double kLongestProbe = 5.0;
-  const std::uint32_t together = prepared.header.runs_together();
+  const std::uint32_t together = prepared.header.runs_per_realisation();
   const bool at_once = prepared.header.stay && prepared.header.stay->at_once;
   const double max_time = prepared.campaign.max_time;
   const double longest_run =  // s, simulated
-      at_once ? prepared.campaign.stay->settling_time() + prepared.campaign.stay->last_release() +
+      at_once ? prepared.campaign.stay->settling_time() + prepared.campaign.stay->last_release_time() +
                     max_time
               : together * max_time;
   const auto begin = std::chrono::steady_clock::now();
@@ -219,17 +219,17 @@ PlannedPower planned_power(const CampaignPlan& prepared, const TimeProbe& probe)
           summarise(probe.runouts).std, std::nullopt};
 }
 
-double expected_time(const CampaignPlan& prepared, const TimeProbe& probe, const Shard& shard,
+double estimate_time(const CampaignPlan& prepared, const TimeProbe& probe, const Shard& shard,
                      unsigned threads) {
   // Realisations are computed one by one.
-  const std::size_t together = prepared.header.runs_together();
+  const std::size_t together = prepared.header.runs_per_realisation();
   const std::size_t items = shard.runs_of(prepared) / together;
   return probe.each * static_cast<double>(together) * static_cast<double>(items) /
          static_cast<double>(std::clamp<std::size_t>(items, 1, threads));
 }
 
 std::size_t Shard::runs_of(const CampaignPlan& prepared) const {
-  const std::uint32_t together = prepared.header.runs_together();
+  const std::uint32_t together = prepared.header.runs_per_realisation();
   const std::size_t items = prepared.runs.size() / together;
   return (items / count + (items % count >= index ? 1 : 0)) * together;
 }
@@ -249,7 +249,7 @@ void run_campaign(const CampaignPlan& prepared, const std::filesystem::path& tar
                      " s; must be 0 or more");
   }
   const std::size_t runs = options.shard.runs_of(prepared);
-  if (options.resume && !options.replace && !std::filesystem::exists(partial_results(target)) &&
+  if (options.resume && !options.replace && !std::filesystem::exists(journal_path(target)) &&
       is_finished(target, prepared.header, runs)) {
     return;
   }
@@ -258,18 +258,18 @@ void run_campaign(const CampaignPlan& prepared, const std::filesystem::path& tar
   // given.
   const unsigned threads = options.threads == 0 && team ? 1 : thread_count(options.threads);
   check_memory(prepared,
-               std::clamp<std::size_t>(runs / prepared.header.runs_together(), 1, threads),
+               std::clamp<std::size_t>(runs / prepared.header.runs_per_realisation(), 1, threads),
                available_memory());
   const ResumableRuns resumable(prepared, target, options);
   std::optional<ResultsWriter> writer;
   std::vector<std::uint32_t> open;
   const auto open_results = [&] {
-    if (team && !team->leads()) return std::string();
-    const bool go_on = options.resume && std::filesystem::exists(partial_results(target));
-    if (!go_on) check_results_place(target, options.replace);
+    if (team && !team->is_leader()) return std::string();
+    const bool go_on = options.resume && std::filesystem::exists(journal_path(target));
+    if (!go_on) check_results_target(target, options.replace);
     writer.emplace(go_on ? ResultsWriter::resume(target, prepared.header, runs)
                          : ResultsWriter::create(target, prepared.header, runs));
-    open = open_runs(prepared, options.shard, target, writer->stored_runs());
+    open = open_runs(prepared, options.shard, target, writer->runs_with_trajectory());
     if (!options.resume) CheckpointFile::remove_all(target);
     resumable.check_checkpoints(open);
     return std::string();
@@ -287,7 +287,7 @@ void run_campaign(const CampaignPlan& prepared, const std::filesystem::path& tar
     return;
   }
   team->agree(open_results);
-  if (team->leads()) {
+  if (team->is_leader()) {
     Collector collector(*writer, runs, options);
     lead_work(
         *team, open, threads, [&](std::uint32_t run) { collector.compute(resumable, run); },

@@ -15,7 +15,7 @@
 namespace clast {
 
 /// What the blocks of a mass start as, of one realisation.
-struct MassStart {
+struct MultiBlockStart {
   std::size_t blocks = 0;
   double volume = 0.0;             ///< of the blocks, m^3
   double mass = 0.0;               ///< kg
@@ -37,7 +37,7 @@ struct CampaignPlan {
   /// Planned runs in order: blocks, release sets, their points, their orientations, members of the
   /// ensemble (fastest); where blocks stay: realisations, blocks in the order of their release.
   std::vector<RunRecord> runs;    ///< with their stiffness; `result` still empty
-  std::vector<MassStart> masses;  ///< of each realisation, one to each mass
+  std::vector<MultiBlockStart> masses;  ///< of each realisation, one to each mass
 };
 
 /// What the campaign and the run itself, its stiffness and time step, ask of the dynamics.
@@ -50,12 +50,12 @@ ReleaseSettings release_settings(const Campaign& campaign, const RunRecord& run)
 ///                          zone, no block selected, a point off the terrain
 /// @throws SimulationError  a start inside the ground: block, point, orientation and depth
 /// @throws GeometryError    a body of [blocks] vary can't be made
-CampaignPlan prepare_campaign(const Campaign& campaign, const BlockMaking& making = {});
+CampaignPlan prepare_campaign(const Campaign& campaign, const BlockPreparationOptions& making = {});
 
 /// Draws the blocks anew, as the campaign asks by now, out of `prepared.choice.library`, which
 /// stays whole; runs are left as they are.
 /// @throws InputError  as `draw_blocks`
-void redraw_blocks(CampaignPlan& prepared);
+void resample_blocks(CampaignPlan& prepared);
 
 /// Every n-th run of a campaign, or realisation where blocks stay, so that n jobs that know nothing
 /// of each other do it all: `merge_results` joins what they wrote.
@@ -90,7 +90,7 @@ TimeProbe probe_time(const CampaignPlan& prepared, double budget);
 /// What could be told apart, judging by those runs; nothing where blocks stay.
 PlannedPower planned_power(const CampaignPlan& prepared, const TimeProbe& probe);
 /// How long a shard of the campaign takes on so many threads, s.
-double expected_time(const CampaignPlan& prepared, const TimeProbe& probe, const Shard& shard,
+double estimate_time(const CampaignPlan& prepared, const TimeProbe& probe, const Shard& shard,
                      unsigned threads);
 
 struct RunOptions {

@@ -34,11 +34,11 @@ void check_zones(const Campaign& campaign, const std::vector<std::string>& zones
 }
 
 // Puts the values of all that the tables name over `values`, each taken from its law by `take`.
-void put(const std::map<std::string, GroundTable>& tables,
-         const std::function<double(const Uncertain&)>& take, Values& values) {
+void put(const std::map<std::string, GroundDistributions>& tables,
+         const std::function<double(const Distribution&)>& take, Values& values) {
   for (const auto& [zone, table] : tables) {
     GroundParameters& parameters = values[zone];
-    for (const GroundField& field : ground_fields()) {
+    for (const GroundParameterField& field : ground_fields()) {
       if (table.*field.asked) parameters.*field.value = take(*(table.*field.asked));
     }
   }
@@ -48,7 +48,7 @@ void put(const std::map<std::string, GroundTable>& tables,
 void put(const PosteriorDraws& posterior, std::size_t draw, Values& values) {
   for (std::size_t i = 0; i < posterior.parameters.size(); ++i) {
     for (auto& [zone, parameters] : values) {
-      for (const GroundField& field : ground_fields()) {
+      for (const GroundParameterField& field : ground_fields()) {
         if (posterior.parameters[i] != "ground." + zone + "." + field.name) continue;
         parameters.*field.value = posterior.draws[draw][i];
       }
@@ -61,7 +61,7 @@ void put(const PosteriorDraws& posterior, std::size_t draw, Values& values) {
 std::optional<SobolSequence> sobol_design(const Campaign& campaign) {
   if (campaign.ensemble.design != Ensemble::Design::kSobol) return std::nullopt;
   std::size_t coordinates = 0;
-  const auto count = [&](const Uncertain& number) {
+  const auto count = [&](const Distribution& number) {
     coordinates += number.fixed() ? 0 : 1;
     return 0.0;
   };
@@ -100,25 +100,25 @@ std::vector<GroundParameters> in_order(const Campaign& campaign, const Values& v
 
 }  // namespace
 
-std::vector<GroundSet> ground_sets(const Campaign& campaign,
+std::vector<GroundParameterSet> draw_ground_sets(const Campaign& campaign,
                                    const std::vector<std::string>& zones) {
   check_zones(campaign, zones);
   const std::size_t groups = 1 + campaign.groups.size();
   const std::uint32_t members = campaign.ensemble.members;
-  std::vector<GroundSet> sets(groups * members);
+  std::vector<GroundParameterSet> sets(groups * members);
   std::optional<SobolSequence> design = sobol_design(campaign);
-  const std::vector<std::size_t> chosen = chosen_draws(campaign.ensemble);
+  const std::vector<std::size_t> chosen = choose_posterior_draws(campaign.ensemble);
   // Every group draws from a sequence of its own, so that no group changes what others get.
   std::vector<Random> random = {Random(campaign.ensemble.seed)};
   for (const BlockGroup& group : campaign.groups) {
-    random.emplace_back(named_seed(campaign.ensemble.seed, group.name));
+    random.emplace_back(derive_seed(campaign.ensemble.seed, group.name));
   }
   for (std::uint32_t member = 0; member < members; ++member) {
     const std::vector<double> shares = design ? design->next() : std::vector<double>();
     auto share = shares.begin();
     Values base;
     for (std::size_t g = 0; g < groups; ++g) {
-      const auto draw = [&](const Uncertain& number) {
+      const auto draw = [&](const Distribution& number) {
         if (!design || number.fixed()) return number.draw(random[g]);
         return number.quantile(*share++);
       };
@@ -135,11 +135,11 @@ std::vector<GroundSet> ground_sets(const Campaign& campaign,
   return sets;
 }
 
-std::vector<GroundParameters> central_ground(const Campaign& campaign,
+std::vector<GroundParameters> median_ground(const Campaign& campaign,
                                              const std::vector<std::string>& zones) {
   Values values;
   put(
-      campaign.ground, [](const Uncertain& number) { return number.central(); }, values);
+      campaign.ground, [](const Distribution& number) { return number.central(); }, values);
   if (campaign.ensemble.posterior) put(middle_of(*campaign.ensemble.posterior), 0, values);
   return in_order(campaign, values, zones);
 }

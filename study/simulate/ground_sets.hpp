@@ -12,10 +12,10 @@ namespace clast::study_detail {
 /// A parameter that a group does not name is the same for all groups of a member.
 /// @param zones  names, in the terrain's order
 /// @throws InputError  a zone without parameters, or parameters of no zone
-std::vector<GroundSet> ground_sets(const Campaign& campaign, const std::vector<std::string>& zones);
+std::vector<GroundParameterSet> draw_ground_sets(const Campaign& campaign, const std::vector<std::string>& zones);
 
 /// The parameters of blocks in no group, uncertain ones at their middle, mean or median.
-std::vector<GroundParameters> central_ground(const Campaign& campaign,
+std::vector<GroundParameters> median_ground(const Campaign& campaign,
                                              const std::vector<std::string>& zones);
 
 }  // namespace clast::study_detail

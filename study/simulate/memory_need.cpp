@@ -17,7 +17,7 @@ constexpr double kOfState = 14.0 * sizeof(double);
 
 }  // namespace
 
-double realisation_memory(const CampaignPlan& prepared) {
+double estimate_realisation_memory(const CampaignPlan& prepared) {
   if (!prepared.header.stay) return 0.0;
   const Campaign& campaign = prepared.campaign;
   const std::size_t blocks = prepared.header.stay->blocks_each;
@@ -29,7 +29,7 @@ double realisation_memory(const CampaignPlan& prepared) {
   }
   if (campaign.trajectory_interval > 0.0) {
     const double longest = prepared.header.stay->at_once
-                               ? campaign.max_time + campaign.stay->last_release()
+                               ? campaign.max_time + campaign.stay->last_release_time()
                                : campaign.max_time;
     bytes += kOfState * static_cast<double>(blocks) * longest / campaign.trajectory_interval;
   }
@@ -38,20 +38,20 @@ double realisation_memory(const CampaignPlan& prepared) {
 
 void check_memory(const CampaignPlan& prepared, std::size_t at_a_time,
                   std::optional<double> available) {
-  const double each = realisation_memory(prepared);
+  const double each = estimate_realisation_memory(prepared);
   const double all = each * static_cast<double>(at_a_time);
   if (!available || all <= *available) return;
   const std::string blocks = counted(at_a_time, "realisation") + " of " +
                              counted(prepared.header.stay->blocks_each, "block") +
                              (at_a_time > 1 ? " at a time need about " : " needs about ");
   throw InputError(
-      prepared.campaign.file.string() + ": " + blocks + memory_text(all) + " of memory, and " +
-      memory_text(*available) + " is free; use " +
+      prepared.campaign.file.string() + ": " + blocks + format_memory(all) + " of memory, and " +
+      format_memory(*available) + " is free; use " +
       (each <= *available ? "fewer threads" : "fewer blocks, or blocks with fewer vertices") +
       (prepared.campaign.trajectory_interval > 0.0 ? ", or a longer trajectory_interval_s" : ""));
 }
 
-std::string memory_text(double bytes) {
+std::string format_memory(double bytes) {
   return bytes >= 0.95e9 ? with_digits(bytes / 1e9, 2) + " GB"
                          : with_decimals(std::max(1.0, bytes / 1e6), 0) + " MB";
 }

@@ -11,7 +11,7 @@ namespace clast {
 /// About what the first realisation takes while it is simulated, in addition to the prepared
 /// campaign, bytes: by the vertices of its blocks, and by the states that are stored of them. 0
 /// where blocks are run one by one.
-double realisation_memory(const CampaignPlan& prepared);
+double estimate_realisation_memory(const CampaignPlan& prepared);
 
 /// @param at_a_time  realisations that are simulated at the same time
 /// @param available  bytes; none where that is not known, and nothing is refused
@@ -21,6 +21,6 @@ void check_memory(const CampaignPlan& prepared, std::size_t at_a_time,
                   std::optional<double> available);
 
 /// "1.3 GB", "45 MB".
-std::string memory_text(double bytes);
+std::string format_memory(double bytes);
 
 }  // namespace clast

@@ -25,7 +25,7 @@ class ProcessTeam {
 
   unsigned rank() const { return rank_; }
   unsigned size() const { return size_; }
-  bool leads() const { return rank_ == 0; }
+  bool is_leader() const { return rank_ == 0; }
 
   /// Runs `prepare` on every process, then makes sure that all succeeded and that all came to the
   /// same `fingerprint`, which `prepare` returns.
@@ -44,11 +44,11 @@ class ProcessTeam {
   std::optional<std::size_t> exchange(const std::string& done);
 
   /// On the leader: what a process handed in, if one did.
-  struct Delivery {
+  struct TeamMessage {
     unsigned from = 0;
     std::string done;
   };
-  std::optional<Delivery> delivery();
+  std::optional<TeamMessage> delivery();
   /// On the leader: answers a delivery with the next item, or that there is none.
   void answer(unsigned to, std::optional<std::size_t> item);
 

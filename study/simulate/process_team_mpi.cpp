@@ -93,14 +93,14 @@ std::optional<std::size_t> ProcessTeam::exchange(const std::string& done) {
   return static_cast<std::size_t>(item);
 }
 
-std::optional<ProcessTeam::Delivery> ProcessTeam::delivery() {
+std::optional<ProcessTeam::TeamMessage> ProcessTeam::delivery() {
   int there = 0;
   MPI_Status status;
   MPI_Iprobe(MPI_ANY_SOURCE, kDone, MPI_COMM_WORLD, &there, &status);
   if (!there) return std::nullopt;
   int length = 0;
   MPI_Get_count(&status, MPI_CHAR, &length);
-  Delivery delivery{static_cast<unsigned>(status.MPI_SOURCE),
+  TeamMessage delivery{static_cast<unsigned>(status.MPI_SOURCE),
                     std::string(static_cast<std::size_t>(length), '\0')};
   MPI_Recv(delivery.done.data(), length, MPI_CHAR, status.MPI_SOURCE, kDone, MPI_COMM_WORLD,
            MPI_STATUS_IGNORE);

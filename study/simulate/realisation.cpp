@@ -178,7 +178,7 @@ struct ShapesOfRuns {
     std::map<std::uint32_t, std::size_t> place;  // of a body, by the first block that has it
     for (const RunRecord& run : runs) {
       const auto [found, is_new] =
-          place.try_emplace(prepared.bodies.first_like(run.block), shapes.size());
+          place.try_emplace(prepared.bodies.first_equal_body(run.block), shapes.size());
       if (is_new) shapes.push_back(prepared.bodies[run.block]);
       of_run.push_back(found->second);
     }
@@ -194,13 +194,13 @@ std::vector<StoredRun> realisation(const CampaignPlan& prepared, std::span<const
   std::vector<SequenceBlock> blocks;
   std::vector<std::unique_ptr<RunObserver>> observers;
   for (const RunRecord& run : planned) {
-    const std::vector<MassPlan>& masses = prepared.campaign.stay->masses;
+    const std::vector<MultiBlockRelease>& masses = prepared.campaign.stay->masses;
     const double held = masses.empty() ? 0.0 : masses[run.point].release_time;
     blocks.push_back({shape_of_run[blocks.size()], run.start, held});
   }
   SequenceSettings settings = sequence_settings(prepared, planned.front());
   settings.world.threads = threads;
-  HoldingFaces faces = holding_faces(prepared, planned);
+  ConfiningWalls faces = build_confining_walls(prepared, planned);
   for (SequenceForm& form : faces.forms) form.shape += shapes.size();
   shapes.insert(shapes.end(), faces.shapes.begin(), faces.shapes.end());
   settings.forms = std::move(faces.forms);
@@ -270,7 +270,7 @@ double depth_inside(const RigidBody& body, const RigidState& state, const Vec3& 
 }  // namespace
 
 void check_mass_start(const CampaignPlan& prepared, std::uint32_t first) {
-  const std::span runs(&prepared.runs[first], prepared.header.runs_together());
+  const std::span runs(&prepared.runs[first], prepared.header.runs_per_realisation());
   WorldSettings settings = sequence_settings(prepared, runs.front()).world;
   const double allowed = std::exchange(settings.start_overlap, 1e300);
   const auto [shapes, shape_of_run] = ShapesOfRuns(prepared, runs);

@@ -5,7 +5,7 @@
 
 namespace clast {
 
-std::filesystem::path shard_output(std::filesystem::path target,
+std::filesystem::path shard_file(std::filesystem::path target,
                                    const std::optional<Shard>& shard) {
   if (!shard) return target;
   const std::string part = "." + std::to_string(shard->index) + "of" + std::to_string(shard->count);
@@ -14,7 +14,7 @@ std::filesystem::path shard_output(std::filesystem::path target,
 }
 
 void refuse_interrupted(const std::filesystem::path& target) {
-  const std::filesystem::path part = partial_results(target);
+  const std::filesystem::path part = journal_path(target);
   if (!std::filesystem::exists(part)) return;
   if (std::filesystem::exists(FileLock::lock_file(target))) {
     const FileLock lock(target, {.longest_wait = {}});  // refused while that campaign runs

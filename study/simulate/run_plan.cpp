@@ -24,7 +24,7 @@ namespace clast::study_detail {
 namespace {
 
 // Points in the local frame, each over the terrain.
-std::vector<Vec3> local_points(const Campaign& campaign, const ReleasePlan& release,
+std::vector<Vec3> local_points(const Campaign& campaign, const ReleaseSet& release,
                                const TerrainSurface& surface, const MapFrame& frame) {
   std::vector<Vec3> points;
   for (std::size_t i = 0; i < release.points.size(); ++i) {
@@ -40,7 +40,7 @@ std::vector<Vec3> local_points(const Campaign& campaign, const ReleasePlan& rele
       };
       const bool inside =
           map.x() > low.x() && map.x() < high.x() && map.y() > low.y() && map.y() < high.y();
-      throw InputError(campaign.file.string() + ": " + set_name(release) + "release point " +
+      throw InputError(campaign.file.string() + ": " + format_release_set_name(release) + "release point " +
                        std::to_string(i + 1) + " at x " + with_decimals(map.x(), 3) + ", y " +
                        with_decimals(map.y(), 3) +
                        (inside ? " is over a hole in the terrain" : " is off the terrain") +
@@ -73,10 +73,10 @@ void place_above_ground(const TerrainSurface& surface, const RigidBody& body, do
 /// A height of fall is measured under core vertices: on a slope, or over an edge, a rounded block
 /// can be in the ground all the same. It then starts in touch.
 void clear_ground(const CampaignPlan& prepared, const MeasuredBody& measured,
-                  const ReleasePlan& release, std::size_t point_of_set, RunRecord& run) {
+                  const ReleaseSet& release, std::size_t point_of_set, RunRecord& run) {
   const TerrainSurface& surface = *prepared.surface;
   const std::optional<double> depth =
-      depth_in_ground(measured.overlap, surface, measured.body, run.start);
+      find_depth_in_ground(measured.overlap, surface, measured.body, run.start);
   if (!depth) return;
   if (release.drop_height && lift_to_touch(measured.overlap, surface, measured.body, run.start)) {
     return;
@@ -84,7 +84,7 @@ void clear_ground(const CampaignPlan& prepared, const MeasuredBody& measured,
   const std::string table = release.name.empty() ? "[release]" : "[[release]] " + release.name;
   throw SimulationError(
       "run " + std::to_string(run.run) + ", block " + prepared.header.blocks[run.block].id + ", " +
-      set_name(release) + "release point " + std::to_string(point_of_set + 1) + ", orientation " +
+      format_release_set_name(release) + "release point " + std::to_string(point_of_set + 1) + ", orientation " +
       std::to_string(run.orientation + 1) + ": starts " + with_decimals(*depth, 3) +
       " m inside the ground, with its centre at " +
       place_on_map(prepared.header.frame.map(run.start.position)) +
@@ -97,9 +97,9 @@ class Planner {
  public:
   explicit Planner(CampaignPlan& prepared)
       : prepared_(prepared),
-        settings_(member_settings(prepared.campaign)),
+        settings_(draw_member_settings(prepared.campaign)),
         bodies_(*prepared.surface, prepared.bodies) {
-    for (const ReleasePlan& release : prepared.campaign.releases) {
+    for (const ReleaseSet& release : prepared.campaign.releases) {
       points_.push_back(
           local_points(prepared.campaign, release, *prepared.surface, prepared.header.frame));
     }
@@ -114,11 +114,11 @@ class Planner {
     const std::uint32_t members = campaign.ensemble.members;
     std::uint32_t point = 0;
     for (std::size_t set = 0; set < campaign.releases.size(); ++set) {
-      const ReleasePlan& release = campaign.releases[set];
+      const ReleaseSet& release = campaign.releases[set];
       for (std::size_t of_set = 0; of_set < points_[set].size(); ++of_set, ++point) {
         const std::vector<Quat> orientations =
             release.fresh_orientations
-                ? fresh_orientations(release, chosen.id, std::to_string(of_set),
+                ? draw_run_orientations(release, chosen.id, std::to_string(of_set),
                                      release.orientations.size())
                 : release.orientations;
         for (std::uint32_t turn = 0; turn < orientations.size(); ++turn) {
@@ -149,7 +149,7 @@ class Planner {
       rest -= runs_of_set(set);
       point += points_[set].size();
     }
-    const ReleasePlan& release = campaign.releases[set];
+    const ReleaseSet& release = campaign.releases[set];
     const std::size_t turns = release.orientations.size();
     const std::size_t member = rest % campaign.ensemble.members;
     const std::size_t turn = rest / campaign.ensemble.members % turns;
@@ -157,7 +157,7 @@ class Planner {
     const CampaignBlock& chosen = prepared_.choice.blocks[block];
     const Quat orientation =
         release.fresh_orientations
-            ? fresh_orientations(release, chosen.id, std::to_string(of_set), turns)[turn]
+            ? draw_run_orientations(release, chosen.id, std::to_string(of_set), turns)[turn]
             : release.orientations[turn];
     RunRecord run = start_of(block, set, of_set, member, orientation);
     run.run = number;
@@ -172,10 +172,10 @@ class Planner {
   void plan_mass(std::uint32_t realisation) {
     const Campaign& campaign = prepared_.campaign;
     const std::string name = "realisation " + std::to_string(realisation);
-    Random random(named_seed(campaign.releases.front().seed, name));
+    Random random(derive_seed(campaign.releases.front().seed, name));
     if (!mass_) mass_.emplace(prepared_);
     const std::vector<std::vector<std::uint32_t>> blocks =
-        blocks_of_masses(prepared_, order_of(realisation, random));
+        distribute_blocks(prepared_, order_of(realisation, random));
     std::vector<std::size_t> counts;
     for (const std::vector<std::uint32_t>& of_mass : blocks) counts.push_back(of_mass.size());
     mass_->begin(name, counts);
@@ -189,22 +189,22 @@ class Planner {
         add(run);
       }
     }
-    const std::vector<MassStart> placed = mass_->placed();
+    const std::vector<MultiBlockStart> placed = mass_->placed();
     prepared_.masses.insert(prepared_.masses.end(), placed.begin(), placed.end());
   }
 
   /// The blocks of a realisation in the order of their release; points and orientations are drawn.
   void plan_realisation(std::uint32_t realisation) {
     const Campaign& campaign = prepared_.campaign;
-    const ReleasePlan& release = campaign.releases.front();
+    const ReleaseSet& release = campaign.releases.front();
     const std::string name = "realisation " + std::to_string(realisation);
-    Random random(named_seed(release.seed, name));
+    Random random(derive_seed(release.seed, name));
     for (const std::uint32_t block : order_of(realisation, random)) {
       const std::uint64_t point = random.below(points_.front().size());
       const std::uint64_t turn = random.below(release.orientations.size());
       const Quat orientation =
           release.fresh_orientations
-              ? fresh_orientations(release, prepared_.choice.blocks[block].id, name, 1).front()
+              ? draw_run_orientations(release, prepared_.choice.blocks[block].id, name, 1).front()
               : release.orientations[turn];
       const std::uint32_t member = realisation % campaign.ensemble.members;
       RunRecord run = start_of(block, 0, point, member, orientation);
@@ -231,7 +231,7 @@ class Planner {
   RunRecord start_of(std::uint32_t block, std::size_t set, std::size_t of_set, std::size_t member,
                      const Quat& orientation) {
     const ReleaseStart& start = settings_[std::min(member, settings_.size() - 1)].starts[set];
-    const ReleasePlan& release = prepared_.campaign.releases[set];
+    const ReleaseSet& release = prepared_.campaign.releases[set];
     const Block& source = prepared_.choice.library[prepared_.choice.blocks[block].library];
     RunRecord run;
     run.block = block;
@@ -266,7 +266,7 @@ class Planner {
   std::vector<MemberSettings> settings_;
   std::vector<std::vector<Vec3>> points_;  ///< of each release set, local frame
   MeasuredBodies bodies_;
-  std::optional<MassStarts> mass_;
+  std::optional<MultiBlockPlacement> mass_;
 };
 
 /// Run numbers have eight digits in the results.
@@ -277,7 +277,7 @@ void check_count(const Campaign& campaign, std::size_t blocks) {
     if (!campaign.blocks.draw) count *= campaign.stay->realisations;
   } else {
     double per_block = 0.0;
-    for (const ReleasePlan& release : campaign.releases) {
+    for (const ReleaseSet& release : campaign.releases) {
       per_block += static_cast<double>(release.points.size()) *
                    static_cast<double>(release.orientations.size());
     }
@@ -341,7 +341,7 @@ void plan_runs(CampaignPlan& prepared) {
   }
 }
 
-std::vector<RunRecord> planned_runs(CampaignPlan& prepared,
+std::vector<RunRecord> make_planned_runs(CampaignPlan& prepared,
                                     std::span<const std::uint32_t> numbers) {
   Planner planner(prepared);
   std::vector<RunRecord> runs;

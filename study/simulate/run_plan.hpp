@@ -18,6 +18,6 @@ void plan_runs(CampaignPlan& prepared);
 /// @param prepared  planned, without blocks that stay; its blocks and starts may have changed since
 /// then, but not how many there are
 /// @throws SimulationError  a start inside the ground
-std::vector<RunRecord> planned_runs(CampaignPlan& prepared, std::span<const std::uint32_t> numbers);
+std::vector<RunRecord> make_planned_runs(CampaignPlan& prepared, std::span<const std::uint32_t> numbers);
 
 }  // namespace clast::study_detail

@@ -40,7 +40,7 @@ std::vector<std::string> settle_together(CampaignPlan& prepared,
                                          const std::vector<ContactBody>& bodies,
                                          const std::vector<ContactGround>& grounds) {
   const Campaign& campaign = prepared.campaign;
-  const std::vector<MemberSettings> members = member_settings(campaign);
+  const std::vector<MemberSettings> members = draw_member_settings(campaign);
   const std::size_t each = prepared.header.stay->blocks_each;
   const ContactGround between =
       contact_ground(std::span(&campaign.stay->between_blocks, 1), campaign.stiffness.law);
@@ -77,17 +77,17 @@ std::vector<std::string> settle_together(CampaignPlan& prepared,
 
 }  // namespace
 
-std::vector<std::string> settle_stiffness(CampaignPlan& prepared) {
-  const std::vector<MemberSettings> members = member_settings(prepared.campaign);
+std::vector<std::string> choose_run_stiffness(CampaignPlan& prepared) {
+  const std::vector<MemberSettings> members = draw_member_settings(prepared.campaign);
   const double gravity = prepared.campaign.gravity;
   const double lowest = prepared.surface->extent().low.z();
   std::vector<ContactGround> grounds;
-  for (const GroundSet& set : prepared.header.ground_sets) {
+  for (const GroundParameterSet& set : prepared.header.ground_sets) {
     grounds.push_back(contact_ground(set.zones, prepared.campaign.stiffness.law));
   }
   std::vector<ContactBody> bodies;
   for (std::size_t i = 0; i < prepared.bodies.size(); ++i) {
-    const std::uint32_t first = prepared.bodies.first_like(i);
+    const std::uint32_t first = prepared.bodies.first_equal_body(i);
     bodies.push_back(first < i ? bodies[first] : contact_body(prepared.bodies[i]));
   }
   if (prepared.header.stay) return settle_together(prepared, bodies, grounds);

@@ -14,6 +14,6 @@ namespace clast::study_detail {
 ///         there is something to know of
 /// @throws SimulationError  a time step of the user's that is too long for a block: its name
 /// @throws InputError       settings that no run can have: field and value
-std::vector<std::string> settle_stiffness(CampaignPlan& prepared);
+std::vector<std::string> choose_run_stiffness(CampaignPlan& prepared);
 
 }  // namespace clast::study_detail

@@ -43,7 +43,7 @@ TEST(CalibrationSample, FindsTheGroundThatTheStopsWereMadeWith) {
 
   const CalibrationStudy study = read_calibration_study(folder / "out/study.toml");
   const Campaign truth = read_campaign(folder / "out/truth-p2.toml");
-  const GroundTable& ground = truth.ground.at("blue");
+  const GroundDistributions& ground = truth.ground.at("blue");
   const std::vector<double> values = {ground.friction->first, ground.rolling_length->first};
   const PosteriorDraws found = read_posterior_draws(folder / "out/posterior.h5");
   ASSERT_EQ(found.parameters.size(), values.size());

@@ -190,7 +190,7 @@ TEST_F(WithLibrary, ABadScanNeverCostsTheBatch) {
   EXPECT_EQ(shown().size(), 3u);
 }
 
-Json classified(const BlockReading& reading) {
+Json classified(const BlockMeasuringOptions& reading) {
   std::ostringstream out;
   write_population_json(out,
                         read_populations({.first = {{"blocks.h5"}, "", ""}, .reading = reading}));

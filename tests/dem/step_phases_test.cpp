@@ -26,7 +26,7 @@ ReleaseSettings automatic(const RigidBody& body, const GroundParameters& zone,
 RigidBody phase_rock() { return box(1.0, {0.3, 0.2, 0.15}); }
 
 // By the closed form, and as a matrix.
-TEST(Mobility, IsTheLargestEigenvalueAtEachVertex) {
+TEST(DepositMobility, IsTheLargestEigenvalueAtEachVertex) {
   RigidBody body = phase_rock();
   body.shape.radius = 0.02;
   const std::vector<double> mobilities = vertex_mobilities(body);
@@ -43,7 +43,7 @@ TEST(Mobility, IsTheLargestEigenvalueAtEachVertex) {
   }
 }
 
-TEST(Mobility, OfABallIsSevenHalvesOfItsInverseMass) {
+TEST(DepositMobility, OfABallIsSevenHalvesOfItsInverseMass) {
   EXPECT_NEAR(vertex_mobilities(ball(4.0, 0.3))[0], 3.5 / 4.0, 1e-7);
 }
 

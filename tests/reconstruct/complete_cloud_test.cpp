@@ -94,7 +94,7 @@ std::vector<Kind> kinds(std::size_t points) {
           {"2 % outliers", {.points = points, .outliers = 0.02}, bars}};
 }
 
-std::string class_of(const Vec3& sides) { return sneed_folk_class({sides[0], sides[1], sides[2]}); }
+std::string block_class_of_group(const Vec3& sides) { return sneed_folk_class({sides[0], sides[1], sides[2]}); }
 
 /// Classes that sides off by up to `share` may have.
 bool is_class_within(const std::string& name, const Vec3& sides, double share) {
@@ -159,14 +159,14 @@ std::optional<std::string> fault_of(const Body& body, Kind kind, std::uint64_t s
     const std::string figures =
         "volume " + with_digits(100.0 * (found / truth - 1.0), 3) + " %, L, I, S " +
         with_digits(100.0 * off[0], 3) + ", " + with_digits(100.0 * off[1], 3) + ", " +
-        with_digits(100.0 * off[2], 3) + " %, " + class_of(box.lengths) + " for " + class_of(sides);
+        with_digits(100.0 * off[2], 3) + " %, " + block_class_of_group(box.lengths) + " for " + block_class_of_group(sides);
     if (block.underside) return "a side called unseen; " + figures;
     if (!holds(block, truth, sides)) return "the truth is outside the bounds stated; " + figures;
     const double farthest = farthest_from_points(block.scan.mesh, points);
     if (farthest > kFarthest) return with_digits(farthest, 3) + " spacings off; " + figures;
     if (std::abs(found / truth - 1.0) > kind.bars.volume ||
         off.cwiseAbs().maxCoeff() > kind.bars.side ||
-        !is_class_within(class_of(box.lengths), sides, kind.bars.side)) {
+        !is_class_within(block_class_of_group(box.lengths), sides, kind.bars.side)) {
       return figures;
     }
   } catch (const Error& error) {

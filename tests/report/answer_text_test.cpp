@@ -25,7 +25,7 @@ using namespace report_detail;
 
 std::string sentences(const Comparison& comparison) {
   std::string text;
-  for (const std::string& sentence : answer_sentences(comparison, answer(comparison))) {
+  for (const std::string& sentence : describe_key_results(comparison, answer(comparison))) {
     text += sentence + "\n";
   }
   return text;
@@ -38,43 +38,43 @@ TEST(PlainNumbers, HaveTheDigitsThatAreKnown) {
   EXPECT_EQ(decimals_of_length(13.2, Interval{13.0, 14.0}), 1);
   EXPECT_EQ(decimals_of_length(1.32, Interval{1.25, 1.4}), 2);
   EXPECT_EQ(decimals_of_length(130.0), 0);
-  EXPECT_EQ(lengths_in_words({-1.2, 5.4}, 0), "-1 to 5 m");
-  EXPECT_EQ(share_in_words(0.34), "34 %");
-  EXPECT_EQ(share_in_words(0.0), "0 %");
-  EXPECT_EQ(share_in_words(0.004), "0.4 %");
-  EXPECT_EQ(share_in_words(0.997), "99.7 %") << "nearly all is not all";
-  EXPECT_EQ(shares_in_words({0.004, 0.051}), "0.4 to 5 %");
-  EXPECT_EQ(energy_in_words(1'075'300.0), "1075 kJ");
-  EXPECT_EQ(energy_in_words(43'200.0), "43 kJ");
-  EXPECT_EQ(energy_in_words(4320.0), "4.3 kJ");
-  EXPECT_EQ(energy_in_words(432.0), "432 J");
-  EXPECT_EQ(height_in_words(1.04), "1.0 m");
-  EXPECT_EQ(height_in_words(0.354), "0.35 m");
-  EXPECT_EQ(energy_limit(33'400.0), "34 kJ") << "no load is rounded down";
-  EXPECT_EQ(energy_limit(33'000.0), "33 kJ");
-  EXPECT_EQ(energy_limit(4310.0), "4.4 kJ");
-  EXPECT_EQ(energy_limit(431.2), "432 J");
-  EXPECT_EQ(height_limit(1.04), "1.1 m");
-  EXPECT_EQ(height_limit(0.354), "0.36 m");
-  EXPECT_EQ(speed_limit(10.11), "10.2 m/s");
+  EXPECT_EQ(format_length_interval({-1.2, 5.4}, 0), "-1 to 5 m");
+  EXPECT_EQ(format_percentage(0.34), "34 %");
+  EXPECT_EQ(format_percentage(0.0), "0 %");
+  EXPECT_EQ(format_percentage(0.004), "0.4 %");
+  EXPECT_EQ(format_percentage(0.997), "99.7 %") << "nearly all is not all";
+  EXPECT_EQ(format_percentage_interval({0.004, 0.051}), "0.4 to 5 %");
+  EXPECT_EQ(format_energy(1'075'300.0), "1075 kJ");
+  EXPECT_EQ(format_energy(43'200.0), "43 kJ");
+  EXPECT_EQ(format_energy(4320.0), "4.3 kJ");
+  EXPECT_EQ(format_energy(432.0), "432 J");
+  EXPECT_EQ(format_height(1.04), "1.0 m");
+  EXPECT_EQ(format_height(0.354), "0.35 m");
+  EXPECT_EQ(format_energy_limit(33'400.0), "34 kJ") << "no load is rounded down";
+  EXPECT_EQ(format_energy_limit(33'000.0), "33 kJ");
+  EXPECT_EQ(format_energy_limit(4310.0), "4.4 kJ");
+  EXPECT_EQ(format_energy_limit(431.2), "432 J");
+  EXPECT_EQ(format_height_limit(1.04), "1.1 m");
+  EXPECT_EQ(format_height_limit(0.354), "0.36 m");
+  EXPECT_EQ(format_speed_limit(10.11), "10.2 m/s");
 }
 
 TEST(AnswerText, SaysWhichClassRunsFartherAndWhoPasses) {
   CampaignResults results = made_up_results();
   add_barrier(results, "EC22", 38.0);
   const Comparison comparison = compared(std::move(results));
-  const Statement statement = answer(comparison).statements.at(0);
-  const GapAnswer& gap = *statement.gap;
-  const PassageAnswer& passage = statement.passages.at(0);
+  const FileSummary statement = answer(comparison).statements.at(0);
+  const RunoutContrast& gap = *statement.gap;
+  const BarrierSummary& passage = statement.passages.at(0);
   const int decimals = decimals_of_length(gap.gap, gap.interval);
   EXPECT_EQ(sentences(comparison),
-            "Compact blocks run " + length_in_words(gap.gap, decimals) +
-                " farther than elongated ones (" + lengths_in_words(*gap.interval, decimals) +
-                ", for runs of these 2 blocks only). " + share_in_words(passage.classes[0].share) +
-                " of compact and " + share_in_words(passage.classes[1].share) +
+            "Compact blocks run " + format_length(gap.gap, decimals) +
+                " farther than elongated ones (" + format_length_interval(*gap.interval, decimals) +
+                ", for runs of these 2 blocks only). " + format_percentage(passage.classes[0].share) +
+                " of compact and " + format_percentage(passage.classes[1].share) +
                 " of elongated blocks pass EC22. Of those that pass, 95 % carry less than " +
-                energy_limit(passage.all.energy) + ", and the tops of 95 % stay below " +
-                height_limit(passage.all.top) + ".\n");
+                format_energy_limit(passage.all.energy) + ", and the tops of 95 % stay below " +
+                format_height_limit(passage.all.top) + ".\n");
 }
 
 TEST(AnswerText, SaysWhenItCanBeChance) {
@@ -126,7 +126,7 @@ TEST(AnswerText, OneRealisationIsNotEvidence) {
   EXPECT_TRUE(
       contains(sentences(comparison), "; one realisation does not show whether this is chance."));
   EXPECT_FALSE(contains(sentences(comparison), "farther"));
-  EXPECT_TRUE(contains(intervals_in_words(answer(comparison)), "One realisation: no interval"));
+  EXPECT_TRUE(contains(describe_intervals(answer(comparison)), "One realisation: no interval"));
   for (const KeyFigure& figure : key_figures(comparison, answer(comparison))) {
     EXPECT_EQ(figure.range, "") << figure.label;
   }
@@ -138,15 +138,15 @@ TEST(AnswerText, OneRealisationHasNoIntervalOnItsPage) {
   add_barrier(results, "foot", 30.0);
   let_stay(results, 1);
   const Comparison comparison = compared(std::move(results));
-  const std::string differences = differences_section(comparison);
+  const std::string differences = format_differences_section(comparison);
   EXPECT_FALSE(contains(differences, "more than chance:"));
   EXPECT_FALSE(contains(differences, "No clear difference"));
   EXPECT_TRUE(contains(differences, "of one realisation, which can&#39;t tell what is chance:") ||
               contains(differences, "of one realisation, not tested for chance:"))
       << differences.substr(0, 800);
   EXPECT_FALSE(contains(differences, "95 % interval</"));
-  for (const BarrierGroup& group : comparison.barriers) EXPECT_FALSE(group.interval);
-  EXPECT_FALSE(contains(barrier_section(comparison), "\xE2\x80\x93"));
+  for (const BarrierGroupStatistics& group : comparison.barriers) EXPECT_FALSE(group.interval);
+  EXPECT_FALSE(contains(format_barrier_section(comparison), "\xE2\x80\x93"));
 }
 
 TEST(AnswerText, UncertainGroundIsInTheTiles) {
@@ -154,15 +154,15 @@ TEST(AnswerText, UncertainGroundIsInTheTiles) {
   draw_ground(results, 5, 3.0);
   add_barrier(results, "road", 30.0);
   const Comparison comparison = compared(std::move(results));
-  const Answer found = answer(comparison);
+  const KeyResults found = answer(comparison);
   const std::vector<KeyFigure> figures = key_figures(comparison, found);
   ASSERT_EQ(figures.size(), 4u);
   for (const KeyFigure& figure : figures) {
     EXPECT_TRUE(contains(figure.range, " over draws of the ground parameters")) << figure.label;
   }
-  const ShareAnswer& all = found.statements[0].passages[0].all;
-  EXPECT_EQ(figures[2].range, energy_limit(all.energy_range->low) + " to " +
-                                  energy_limit(all.energy_range->high) +
+  const CrossingEstimate& all = found.statements[0].passages[0].all;
+  EXPECT_EQ(figures[2].range, format_energy_limit(all.energy_range->low) + " to " +
+                                  format_energy_limit(all.energy_range->high) +
                                   " over draws of the ground parameters");
   const std::string text = sentences(comparison);
   EXPECT_TRUE(
@@ -170,10 +170,10 @@ TEST(AnswerText, UncertainGroundIsInTheTiles) {
       << text;
   EXPECT_TRUE(contains(text, "Over 5 draws of the ground, mean runout is ")) << text;
   EXPECT_FALSE(contains(text, "nine draws of ten"));
-  EXPECT_TRUE(contains(intervals_in_words(found),
+  EXPECT_TRUE(contains(describe_intervals(found),
                        "cover all draws; they say nothing about "
                        "other release points or blocks."));
-  EXPECT_FALSE(contains(intervals_in_words(found), "95 %"));
+  EXPECT_FALSE(contains(describe_intervals(found), "95 %"));
 }
 
 // Most runs of both classes stop at the same place, a quarter of one class runs on.
@@ -194,16 +194,16 @@ TEST(AnswerText, LargeNumbersSayWhatClassesAndTheLargestAre) {
   CampaignResults results = made_up_results();
   add_barrier(results, "road", 30.0);
   const Comparison comparison = compared(std::move(results));
-  const Answer said = answer(comparison);
+  const KeyResults said = answer(comparison);
   const std::vector<KeyFigure> figures = key_figures(comparison, said);
   ASSERT_EQ(figures.size(), 4u);
-  const RunoutAnswer& compact = said.statements[0].classes[0];
+  const RunoutEstimate& compact = said.statements[0].classes[0];
   EXPECT_TRUE(figures[0].more.starts_with("half stop before " + with_decimals(compact.median, 0)))
       << figures[0].more;
-  const PassageAnswer& road = said.statements[0].passages[0];
-  EXPECT_EQ(figures[2].more, "compact " + energy_limit(road.classes[0].energy) + ", elongated " +
-                                 energy_limit(road.classes[1].energy) + "; largest " +
-                                 energy_in_words(road.all.largest_energy));
+  const BarrierSummary& road = said.statements[0].passages[0];
+  EXPECT_EQ(figures[2].more, "compact " + format_energy_limit(road.classes[0].energy) + ", elongated " +
+                                 format_energy_limit(road.classes[1].energy) + "; largest " +
+                                 format_energy(road.all.largest_energy));
   EXPECT_TRUE(figures[1].more.starts_with(std::to_string(road.all.crossed) + " of 192 runs; "))
       << figures[1].more;
   EXPECT_TRUE(contains(figures[3].label, "top of the blocks at the road")) << figures[3].label;
@@ -227,7 +227,7 @@ TEST(AnswerText, NamesThatAreNounsHaveAnArticle) {
 TEST(AnswerText, SaysWhatWasNotRun) {
   const auto limits = [](CampaignResults results) {
     const Comparison comparison = compared(std::move(results));
-    return limits_in_words(comparison, answer(comparison));
+    return describe_limits(comparison, answer(comparison));
   };
   EXPECT_EQ(limits(made_up_results({.points = 1, .runs_each = 12})),
             "Not run: blocks above 300 kg, other ground, other release points.");
@@ -306,9 +306,9 @@ TEST(AnswerText, MeasuredStopsHaveAVerdict) {
     all.push_back(made_up_results({.elongated = NAN}));
     const Comparison comparison =
         compare(std::move(all), {.by = {}, .measured = folder / "seen.csv", .margin = {}});
-    const std::string html = measured_section(comparison);
+    const std::string html = format_measured_section(comparison);
     EXPECT_EQ(unbalanced(html), "");
-    return measured_sentences(comparison).at(0);
+    return describe_measured_stops(comparison).at(0);
   };
   EXPECT_TRUE(contains(verdict(0.0, 30), "All blocks: field and simulation agree"));
   EXPECT_TRUE(contains(verdict(25.0, 30), " farther in the field than simulated ("));
@@ -325,7 +325,7 @@ TEST(AnswerText, StandsWhatIsAlmostEmpty) {
   EXPECT_EQ(sentences(one), "Block round<1> runs 10.0 m (1 run).\n");
   EXPECT_TRUE(contains(sentences(hand_made_results()),
                        "There are too few runs to compare runouts (4 compact, 2 elongated)."));
-  for (const std::string& line : first_screen(one, answer(one))) {
+  for (const std::string& line : describe_first_screen(one, answer(one))) {
     EXPECT_EQ(line.find("nan"), std::string::npos) << line;
   }
   results.runs[0].result = ReleaseResult();
@@ -338,12 +338,12 @@ TEST(AnswerText, StandsWhatIsAlmostEmpty) {
 TEST(AnswerText, TheFirstScreenHasTheCautionsAndNoSettings) {
   const Comparison comparison = compared(hand_made_results());
   std::string text;
-  for (const std::string& line : first_screen(comparison, answer(comparison))) text += line + "\n";
+  for (const std::string& line : describe_first_screen(comparison, answer(comparison))) text += line + "\n";
   EXPECT_TRUE(contains(text, "- The classes differ in mass (compact 300 kg, elongated 500 kg)"));
   for (const char* setting : {"k_n", "1e-05", "clast 0"}) {
     EXPECT_EQ(text.find(setting), std::string::npos) << setting;
   }
-  const std::string html = head_section(comparison, answer(comparison));
+  const std::string html = format_head_section(comparison, answer(comparison));
   EXPECT_EQ(unbalanced(html), "");
   EXPECT_TRUE(contains(html, "<p class=\"answer\">"));
   EXPECT_EQ(html.find("k_n"), std::string::npos);
@@ -352,15 +352,15 @@ TEST(AnswerText, TheFirstScreenHasTheCautionsAndNoSettings) {
 TEST(AnswerText, WhatTheCampaignAskedForIsNoWarning) {
   CampaignResults results = hand_made_results();
   results.blocks[0].scale = 1.25;
-  results.warnings = {scale_in_words(results.blocks[0]), "block long: its underside was not seen"};
+  results.warnings = {describe_block_scale(results.blocks[0]), "block long: its underside was not seen"};
   const Comparison comparison = compared(std::move(results));
   for (const std::string& warning : comparison.warnings) {
     EXPECT_EQ(warning.find("is scaled by"), std::string::npos);
   }
-  const std::string html = provenance_section(comparison);
+  const std::string html = format_provenance_section(comparison);
   EXPECT_TRUE(contains(html, "As asked, block round&lt;1&gt; is scaled by 1.25 to 300 kg."));
   EXPECT_TRUE(contains(html, "its underside was not seen"));
-  EXPECT_EQ(head_section(comparison, answer(comparison)).find("underside"), std::string::npos);
+  EXPECT_EQ(format_head_section(comparison, answer(comparison)).find("underside"), std::string::npos);
 }
 
 }  // namespace

@@ -242,7 +242,7 @@ TEST(ProvenanceJson, HasTheStiffnessOfEveryBlock) {
   CampaignResults results = hand_made_results();
   results.runs[0].impact_depth = 0.05;
   for (RunRecord& run : results.runs) run.rest_depth = std::nan("");
-  const auto json = nlohmann::json::parse(provenance_json(compared(std::move(results))));
+  const auto json = nlohmann::json::parse(make_provenance_json(compared(std::move(results))));
   const nlohmann::json& blocks = json["files"][0]["stiffness"];
   ASSERT_EQ(blocks.size(), 2u);
   EXPECT_EQ(blocks[0]["block"], "round<1>");

@@ -28,7 +28,7 @@ DesignEffects effects() {
 }
 
 TEST(EffectsText, SaysWhatEachFactorExplains) {
-  const std::vector<std::string> sentences = effects_sentences({effects()});
+  const std::vector<std::string> sentences = describe_effects({effects()});
   ASSERT_EQ(sentences.size(), 2u);
   EXPECT_EQ(
       sentences[0],
@@ -43,7 +43,7 @@ TEST(EffectsText, SaysWhatEachFactorExplains) {
 TEST(EffectsText, GivesNoMiddleOfAnIntervalThatIsTooWide) {
   DesignEffects file = effects();
   file.outcomes[0].shares.factors[0] = share(0.09, 0.02, 0.82);
-  const std::string text = effects_sentences({file}).front();
+  const std::string text = describe_effects({file}).front();
   EXPECT_TRUE(
       text.starts_with("Form explains between 2 and 82 % (too few to say more) of the "
                        "runout's variance, the orientation at release 31 % (10 to 50)"))
@@ -55,7 +55,7 @@ TEST(EffectsText, NamesTheFileWhereThereAreSeveralAndSaysWhyThereIsNothing) {
   DesignEffects second;
   second.file = 1;
   second.refusal = "its 11 runs are not every combination once";
-  const std::vector<std::string> sentences = effects_sentences({effects(), second});
+  const std::vector<std::string> sentences = describe_effects({effects(), second});
   ASSERT_EQ(sentences.size(), 3u);
   EXPECT_TRUE(sentences[0].starts_with("File 1: form explains"));
   EXPECT_EQ(sentences[2],
@@ -65,7 +65,7 @@ TEST(EffectsText, NamesTheFileWhereThereAreSeveralAndSaysWhyThereIsNothing) {
 TEST(EffectsText, SaysThatSharesAreEstimates) {
   DesignEffects file = effects();
   file.estimated = "11 runs are not every combination once";
-  EXPECT_EQ(effects_sentences({file}).front(),
+  EXPECT_EQ(describe_effects({file}).front(),
             "Shares are estimates of a mixed model, in which levels are drawn by chance: 11 runs "
             "are not every combination once.");
 }

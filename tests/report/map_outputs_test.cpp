@@ -36,7 +36,7 @@ class ThrownRuns : public testing::Test {
 // The longest way is 20 m, so cells are of the least size, 0.5 m; the runs fly along y = 0 from x =
 // 0, over one row of cells, one to 5 m and one to 2.5 m.
 TEST_F(ThrownRuns, FillTheCellsTheyPass) {
-  const MapRasters rasters = path_rasters(comparison_);
+  const MapRasterSet rasters = compute_path_rasters(comparison_);
   EXPECT_EQ(rasters.cell, 0.5);
   EXPECT_EQ(rasters.columns, 11u);
   EXPECT_EQ(rasters.rows, 1u);
@@ -70,7 +70,7 @@ TEST(Rasters, CountCellsThatAreCutAtACorner) {
   const ScratchFolder folder;
   const double slope = 0.71;
   store_thrown(folder / "r.h5", Vec3(1.0, slope, 0.0).normalized());
-  const MapRasters rasters = path_rasters(compared(read_results(folder / "r.h5")));
+  const MapRasterSet rasters = compute_path_rasters(compared(read_results(folder / "r.h5")));
   ASSERT_EQ(rasters.layers[1].name, "Nr_passages");
   const double end = 5.0 / std::hypot(1.0, slope);  // x where the longer run stops
   std::size_t cut = 0;
@@ -86,7 +86,7 @@ TEST(Rasters, CountCellsThatAreCutAtACorner) {
 }
 
 TEST_F(ThrownRuns, AreGeoTiffsOnTheMap) {
-  const MapRasters rasters = path_rasters(comparison_);
+  const MapRasterSet rasters = compute_path_rasters(comparison_);
   const auto files = write_rasters(folder_ / "rasters", rasters, "EPSG:2154");
   ASSERT_EQ(files.size(), 14u) << "each with its style";
   GDALAllRegister();
@@ -188,8 +188,8 @@ TEST_F(ThrownRuns, MoveAsBlocksInAnAnimation) {
 TEST(MapOutputs, WithoutTrajectoriesThereIsNothingToDraw) {
   const ScratchFolder folder;
   const Comparison comparison = compared(hand_made_results());
-  EXPECT_TRUE(path_rasters(comparison).layers.empty());
-  EXPECT_TRUE(write_rasters(folder / "rasters", path_rasters(comparison), "").empty());
+  EXPECT_TRUE(compute_path_rasters(comparison).layers.empty());
+  EXPECT_TRUE(write_rasters(folder / "rasters", compute_path_rasters(comparison), "").empty());
   EXPECT_TRUE(write_animation(folder / "animation", comparison, 3).empty());
 }
 

@@ -24,8 +24,8 @@ namespace {
 
 using namespace report_detail;
 
-MapRasters rasters_with(std::vector<RasterLayer> layers) {
-  MapRasters rasters;
+MapRasterSet rasters_with(std::vector<RasterLayer> layers) {
+  MapRasterSet rasters;
   rasters.columns = static_cast<std::uint32_t>(layers.front().value.size());
   rasters.rows = 1;
   rasters.layers = std::move(layers);
@@ -33,7 +33,7 @@ MapRasters rasters_with(std::vector<RasterLayer> layers) {
 }
 
 ValueStyle style_of(const std::string& layer, std::vector<float> values) {
-  return value_styles(rasters_with({{layer, "", std::move(values)}})).front();
+  return choose_value_styles(rasters_with({{layer, "", std::move(values)}})).front();
 }
 
 using Numbers = std::vector<std::string>;
@@ -51,7 +51,7 @@ TEST(MapStyle, EnergiesHaveTheLimitsOfHazardMaps) {
 }
 
 TEST(MapStyle, LayersOfOneQuantityHaveTheSameLimits) {
-  const auto styles = value_styles(rasters_with(
+  const auto styles = choose_value_styles(rasters_with(
       {{"E_mean", "", {2e3F, 5e3F}}, {"E_max", "", {8e3F, 9e4F}}, {"V_max", "", {8.0F, 9.0F}}}));
   EXPECT_EQ(styles[0].breaks, styles[1].breaks);
   EXPECT_EQ(styles[0].numbers, (Numbers{"3", "10", "30", "100"}));
@@ -70,7 +70,7 @@ TEST(MapStyle, CountsAndSharesHaveOneTwoFiveAndOthersEvenLimits) {
 }
 
 /// The class of a value, as page and QGIS find it: the first limit that is not below.
-std::size_t class_of(const ValueStyle& style, float value) {
+std::size_t block_class_of_group(const ValueStyle& style, float value) {
   std::size_t k = 0;
   while (k < style.breaks.size() && static_cast<double>(value) > style.breaks[k]) ++k;
   return k;
@@ -93,7 +93,7 @@ TEST(MapStyle, EveryValueHasAClassAndTheOutermostAreNotEmpty) {
                 style.colours.size());
       EXPECT_TRUE(std::is_sorted(style.breaks.begin(), style.breaks.end()));
       std::set<std::size_t> classes;
-      for (const float value : values) classes.insert(class_of(style, value));
+      for (const float value : values) classes.insert(block_class_of_group(style, value));
       EXPECT_EQ(*classes.rbegin() + 1, style.breaks.size()) << name << " " << largest;
       if (style.breaks.size() == 8) continue;  // rare small values share the lowest class
       EXPECT_EQ(*classes.begin(), 0u) << name << " " << largest;
@@ -106,12 +106,12 @@ TEST(MapStyle, AValueOnALimitBelongsToTheClassBelow) {
   const std::vector<float> shares = {0.01F, 0.02F, 0.05F, 0.1F, 0.2F, 0.5F, 1.0F};
   const ValueStyle style = style_of("Reach_probability", shares);
   ASSERT_EQ(style.breaks.size(), shares.size());
-  for (std::size_t i = 0; i < shares.size(); ++i) EXPECT_EQ(class_of(style, shares[i]), i);
+  for (std::size_t i = 0; i < shares.size(); ++i) EXPECT_EQ(block_class_of_group(style, shares[i]), i);
   EXPECT_EQ(style_of("E_mean", {0.0F, 0.0F}).breaks.size(), 1u) << "nothing but zeros";
 }
 
 TEST(MapStyle, BlocksOfAClassDifferInShapeAndClassesInColour) {
-  const StopMarks stops = stop_marks(compared(hand_made_results()));
+  const StopMarks stops = choose_stop_marks(compared(hand_made_results()));
   EXPECT_TRUE(stops.by_block);
   ASSERT_EQ(stops.marks.size(), 2u);
   EXPECT_NE(stops.marks[0].colour, stops.marks[1].colour);
@@ -124,7 +124,7 @@ TEST(MapStyle, BlocksOfAClassDifferInShapeAndClassesInColour) {
     many.runs.push_back(hand_made_run(run, block, 10.0, 0.0));
   }
   std::set<std::string> seen;
-  for (const StopMark& mark : stop_marks(compared(std::move(many))).marks) {
+  for (const StopMark& mark : choose_stop_marks(compared(std::move(many))).marks) {
     seen.insert(mark.colour + mark.shape.plotly);
   }
   EXPECT_EQ(seen.size(), 10u);
@@ -143,7 +143,7 @@ std::vector<std::string> attributes(const std::string& xml, const std::string& t
 
 TEST(QgisStyles, ARasterHasTheClassesOfThePage) {
   const ScratchFolder folder;
-  const MapRasters rasters = rasters_with({{"Reach_probability", "", {0.003F, 0.2F, 0.7F}}});
+  const MapRasterSet rasters = rasters_with({{"Reach_probability", "", {0.003F, 0.2F, 0.7F}}});
   const auto files = write_rasters(folder.path(), rasters, "EPSG:2154");
   ASSERT_EQ(files.size(), 2u);
   EXPECT_EQ(files[1], folder / "Reach_probability.qml");
@@ -153,7 +153,7 @@ TEST(QgisStyles, ARasterHasTheClassesOfThePage) {
             std::vector<std::string>{"singlebandpseudocolor"});
   EXPECT_EQ(attributes(qml, "colorrampshader", "colorRampType"),
             std::vector<std::string>{"DISCRETE"});
-  const ValueStyle style = value_styles(rasters).front();
+  const ValueStyle style = choose_value_styles(rasters).front();
   const std::vector<std::string> values = attributes(qml, "item", "value");
   const std::vector<std::string> labels = attributes(qml, "item", "label");
   const std::vector<std::string> colours = attributes(qml, "item", "color");

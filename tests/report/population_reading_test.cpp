@@ -104,7 +104,7 @@ TEST_F(Talus, ComparesTwoPopulations) {
   EXPECT_EQ(s_c["ks_distance"], 1.0);
   EXPECT_NEAR(s_c["p_value"], 2.0 / 35.0, 1e-12);
   EXPECT_EQ(json["comparison"]["schemes"].size(), json["population"].size());
-  const std::string text = comparison_text(*report.comparison);
+  const std::string text = format_population_comparison(*report.comparison);
   EXPECT_TRUE(contains(text, "east against west"));
   EXPECT_TRUE(contains(text, "No difference in s_c"));
 }
@@ -150,7 +150,7 @@ TEST_F(Talus, SizesAreWeighedAndPopulationsCompared) {
   write_text_file("talus.csv", talus + "0,1,1,5\n");
   write_text_file("rods.csv", rods);
   json_of({.first = tables({"talus.csv"}, "L=L,I=I,S=S,mass=kg")});
-  EXPECT_TRUE(contains(summary_text(report.populations[0].summary), "by mass"));
+  EXPECT_TRUE(contains(format_population_summary(report.populations[0].summary), "by mass"));
   EXPECT_EQ(report.populations[0].skipped, 1u);
   EXPECT_TRUE(contains(brief(), "row 22 skipped"));
 

@@ -62,7 +62,7 @@ PopulationReport report_of(std::vector<Population> populations) {
 }
 
 std::string page_of(const PopulationReport& report) {
-  return population_page(report, population_diagrams(report));
+  return make_population_page(report, draw_population_diagrams(report));
 }
 
 class Sizes : public testing::TestWithParam<std::size_t> {};
@@ -75,8 +75,8 @@ TEST_P(Sizes, PageAndPicturesAreWellFormedAndNeedNothingElse) {
   expect_self_contained(html);
   EXPECT_EQ(html.find("\"nan"), std::string::npos);
   EXPECT_EQ(html.find("\"-\""), std::string::npos);  // how a number that is none would be written
-  for (const auto& [name, svg] : population_diagrams(report)) {
-    const std::string file = svg_file(svg);
+  for (const auto& [name, svg] : draw_population_diagrams(report)) {
+    const std::string file = make_svg_file(svg);
     EXPECT_EQ(unbalanced(file), "") << name;
     EXPECT_TRUE(file.starts_with("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<svg width=\"520\""));
     EXPECT_TRUE(contains(file, "font-family"));
@@ -159,7 +159,7 @@ TEST(PopulationPage, TwoPopulationsAreComparedInWords) {
   EXPECT_TRUE(contains(html, "P1 &amp; co against P2"));
   EXPECT_TRUE(contains(html, "Kolmogorov-Smirnov") && contains(html, "chi-squared"));
   std::set<std::string> names;
-  for (const auto& [name, svg] : population_diagrams(report)) names.insert(name);
+  for (const auto& [name, svg] : draw_population_diagrams(report)) names.insert(name);
   EXPECT_EQ(names, (std::set<std::string>{"sneed_folk_1", "sneed_folk_2", "zingg_1", "zingg_2",
                                           "size_1", "size_2", "sizes", "s_c", "shares_sneed_folk",
                                           "shares_zingg", "shares_shape"}));
@@ -217,18 +217,18 @@ TEST(PopulationPage, EverySchemeHasItsDiagramAndColumn) {
   report.options.limits.sneed_folk_thirds = true;
   report.populations[0].summary =
       summarise_population(report.populations[0].population, report.options);
-  const Diagrams diagrams = population_diagrams(report);
+  const Diagrams diagrams = draw_population_diagrams(report);
   const ScratchFolder folder;
   write_classes_csv(report, folder / "classes.csv");
   const CsvTable table = read_csv(read_text_file(folder / "classes.csv"));
   for (const std::string& scheme : scheme_names()) {
-    const std::string& svg = diagrams.at("shares_" + class_column(scheme));
-    for (const std::string& name : class_names(scheme)) EXPECT_TRUE(contains(svg, escaped(name)));
+    const std::string& svg = diagrams.at("shares_" + class_column_name(scheme));
+    for (const std::string& name : class_names(scheme)) EXPECT_TRUE(contains(svg, escape_html(name)));
     const MeasuredBlock& block = report.populations[0].population.blocks[3];
-    EXPECT_EQ(table.rows[3].at(class_column(scheme)),
+    EXPECT_EQ(table.rows[3].at(class_column_name(scheme)),
               shape_class(scheme, block.axes, report.options.limits));
   }
-  EXPECT_EQ(unbalanced(population_page(report, diagrams)), "");
+  EXPECT_EQ(unbalanced(make_population_page(report, diagrams)), "");
 }
 
 // A block on the limit of C says so where its mark is.
@@ -236,28 +236,28 @@ TEST(PopulationPage, BlocksNearALimitSaySo) {
   Population population{
       "two", {measured_block("edge", {1.0, 0.85, 0.7}), measured_block("clear", {1.0, 0.9, 0.1})}};
   population.blocks[0].axis_error = 0.05;
-  const std::string edge = block_title(population.blocks[0], {.schemes = {"sneed-folk"}});
+  const std::string edge = format_block_title(population.blocks[0], {.schemes = {"sneed-folk"}});
   EXPECT_TRUE(contains(edge, "sneed-folk: C (") && contains(edge, "0.7"));
-  EXPECT_EQ(block_title(population.blocks[1], {.schemes = {"zingg"}}).find('('), std::string::npos);
+  EXPECT_EQ(format_block_title(population.blocks[1], {.schemes = {"zingg"}}).find('('), std::string::npos);
 }
 
 TEST(PopulationTables, SharesAndSizesAreThoseOfTheSummary) {
   const PopulationReport report = report_of({blocks("a", 30), blocks("b", 20, false)});
-  const CsvTable shares = read_csv(table_named(population_tables(), "shares").csv(report));
+  const CsvTable shares = read_csv(find_table(population_tables(), "shares").csv(report));
   EXPECT_EQ(shares.rows.size(), 2u * (10 + 4 + 2));
   const ClassShare& first = report.populations[0].summary.schemes[0].shares[0];
   EXPECT_EQ(shares.number(0, "blocks"), double(first.count));
   EXPECT_EQ(shares.number(0, "mass_share_high"), first.mass_high);
   EXPECT_EQ(shares.rows[16].at("population"), "b");
   EXPECT_EQ(shares.rows[16].at("mass_share"), "");
-  const CsvTable sizes = read_csv(table_named(population_tables(), "sizes").csv(report));
+  const CsvTable sizes = read_csv(find_table(population_tables(), "sizes").csv(report));
   const std::size_t d50 = sizes.find("quantity", "d50");
   EXPECT_EQ(sizes.number(d50, "value"), report.populations[0].summary.size.by_number.d50);
   EXPECT_EQ(sizes.rows[d50].at("unit"), "m");
   const std::size_t d63 = sizes.find("quantity", "rosin_rammler_d63");
   EXPECT_EQ(sizes.number(d63, "standard_error"),
             report.populations[0].summary.size.by_number.laws[1].location_error);
-  const CsvTable tests = read_csv(table_named(population_tables(), "tests").csv(report));
+  const CsvTable tests = read_csv(find_table(population_tables(), "tests").csv(report));
   EXPECT_EQ(tests.rows.size(), 3u + 3u + 3u + 3u);
   EXPECT_EQ(tests.number(6, "statistic"), report.comparison->measures[0].test->statistic);
 }
@@ -270,7 +270,7 @@ TEST(PopulationTables, TheJsonHasTheFiguresOfTheTables) {
   write_population_json(text, report);
   const auto json = nlohmann::json::parse(text.str());
 
-  const CsvTable shares = read_csv(table_named(population_tables(), "shares").csv(report));
+  const CsvTable shares = read_csv(find_table(population_tables(), "shares").csv(report));
   std::size_t row = 0;
   for (const std::string& scheme : report.options.schemes) {
     for (const auto& share : json["population"][scheme]) {
@@ -302,7 +302,7 @@ TEST(PopulationTables, TheJsonHasTheFiguresOfTheTables) {
     EXPECT_EQ(classes.number(i, "S_m"), block["box_m"][2].get<double>());
     EXPECT_EQ(classes.number(i, "mass_kg"), block["mass_kg"].get<double>());
     for (const std::string& scheme : report.options.schemes) {
-      EXPECT_EQ(classes.rows[i].at(class_column(scheme)), block["classes"][scheme]["class"]);
+      EXPECT_EQ(classes.rows[i].at(class_column_name(scheme)), block["classes"][scheme]["class"]);
     }
     for (const auto& [name, value] : block["indices"].items()) {
       EXPECT_EQ(classes.number(i, name), value.get<double>()) << name;
@@ -361,7 +361,7 @@ TEST(PopulationReports, DiagramsOfAnEarlierReportAreRemoved) {
   };
   const auto write = [&](const PopulationReport& report) {
     const std::filesystem::path target = folder / "out";
-    OutputFolder whole(target, population_folder(target), true);
+    OutputFolder whole(target, population_folder_kind(target), true);
     write_population_report(report, whole.temporary());
     whole.commit();
   };
@@ -394,8 +394,8 @@ TEST(PopulationReports, DiagramsOfAnEarlierReportAreRemoved) {
 }
 
 TEST(LogTicks, AreRoundAndFew) {
-  EXPECT_EQ(log_ticks(0.09, 2.0, 9), (std::vector<double>{0.1, 0.2, 0.5, 1.0, 2.0}));
-  EXPECT_EQ(log_ticks(0.001, 1000.0, 9).size(), 7u);
+  EXPECT_EQ(choose_log_ticks(0.09, 2.0, 9), (std::vector<double>{0.1, 0.2, 0.5, 1.0, 2.0}));
+  EXPECT_EQ(choose_log_ticks(0.001, 1000.0, 9).size(), 7u);
 }
 
 // 1.3/1.0 - 1 is a hair above 0.3 in binary and compact all the same: its bar ends at the limit.
@@ -404,7 +404,7 @@ TEST(Histogram, AValueOnALimitIsBelowIt) {
     for (const double lowest : {0.0, 0.3}) {
       Series series{"talus", "#000000", "", {lowest, 1.3 / 1.0 - 1.0, 0.301, highest}};
       series.names = {"low", "edge", "over", "high"};
-      const std::string svg = histogram_chart({"s_c", "s_c", false, {{0.3, "limit"}}}, {series});
+      const std::string svg = draw_histogram({"s_c", "s_c", false, {{0.3, "limit"}}}, {series});
       const double limit = number_after(svg, "stroke-dasharray", " x1=\"");
       const auto bar = [&](const std::string& name) {
         const std::size_t rect = svg.rfind("<rect", svg.find("\n" + name));
@@ -424,7 +424,7 @@ TEST(Histogram, AValueOnALimitIsBelowIt) {
 TEST(PopulationPage, LongNamesStayInThePictures) {
   const std::string name = "Ch\xc3\xa2teau " + std::string(150, 'n');
   const PopulationReport report = report_of({blocks(name + "1", 9), blocks(name + "2", 9)});
-  for (const auto& [file, svg] : population_diagrams(report)) {
+  for (const auto& [file, svg] : draw_population_diagrams(report)) {
     for (std::size_t at = svg.find("<text "); at != std::string::npos;
          at = svg.find("<text ", at + 1)) {
       const std::size_t begin = svg.find('>', at) + 1;
@@ -433,7 +433,7 @@ TEST(PopulationPage, LongNamesStayInThePictures) {
     EXPECT_TRUE(is_utf8(svg)) << file;
   }
   const std::string shares =
-      share_chart("t", {"C"},
+      draw_class_fractions("t", {"C"},
                   {{std::string(60, 'a'), "#000000", {{0.5, 0.4, 0.6, ""}}},
                    {std::string(60, 'b'), "#000000", {{0.5, 0.4, 0.6, ""}}}});
   // Two names and the whiskers, a row each, inside the height.
@@ -446,10 +446,10 @@ TEST(PopulationPage, LongNamesStayInThePictures) {
 }
 
 TEST(Html, ShortenedTextKeepsItsCharactersWhole) {
-  EXPECT_EQ(shortened("talus", 5), "talus");
-  EXPECT_EQ(shortened("taluses", 5), "talu\xe2\x80\xa6");
-  EXPECT_EQ(shortened("\xc3\xa9\xc3\xa9\xc3\xa9", 3), "\xc3\xa9\xc3\xa9\xc3\xa9");
-  EXPECT_EQ(shortened("\xc3\xa9\xc3\xa9\xc3\xa9", 2), "\xc3\xa9\xe2\x80\xa6");
+  EXPECT_EQ(shorten_middle("talus", 5), "talus");
+  EXPECT_EQ(shorten_middle("taluses", 5), "talu\xe2\x80\xa6");
+  EXPECT_EQ(shorten_middle("\xc3\xa9\xc3\xa9\xc3\xa9", 3), "\xc3\xa9\xc3\xa9\xc3\xa9");
+  EXPECT_EQ(shorten_middle("\xc3\xa9\xc3\xa9\xc3\xa9", 2), "\xc3\xa9\xe2\x80\xa6");
 }
 
 // Half of the mass lies up to 2 m: the step to 50 % stands where the axis has 2 m.

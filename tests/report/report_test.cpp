@@ -28,7 +28,7 @@ namespace {
 
 using namespace report_detail;
 
-std::string comparison_report(const Comparison& comparison) { return comparison_page(comparison); }
+std::string comparison_report(const Comparison& comparison) { return make_comparison_page(comparison); }
 
 TEST(HtmlReport, TagsAreBalanced) {
   EXPECT_EQ(unbalanced(comparison_report(compared(hand_made_results()))), "");
@@ -48,7 +48,7 @@ TEST(HtmlReport, NamesEveryBlockWithItsCharactersEscaped) {
 
 TEST(HtmlReport, ListsTheStiffnessOfEveryBlock) {
   const Comparison comparison = compared(hand_made_results());
-  const std::string section = provenance_section(comparison);
+  const std::string section = format_provenance_section(comparison);
   for (const char* part : {"k_n, N/m", "k_r, N m/rad", "time step, s", "1e+08", "3e+08 to 4e+08",
                            "1e-05", "2e-05", "0.012", "0.016"}) {
     EXPECT_TRUE(contains(section, part)) << part;
@@ -79,8 +79,8 @@ TEST(HtmlReport, AnEnsembleIsNeitherMoreOrientationsNorFixedParameters) {
   EXPECT_TRUE(contains(html, "1 orientation \xC3\x97 3 draws of the ground"));
   EXPECT_TRUE(contains(html, "0.500 to 0.700"));
   EXPECT_TRUE(
-      contains(ensemble_section(comparison), "Over 3 draws of the ground the mean runout is"));
-  EXPECT_TRUE(contains(answer_sentences(comparison, answer(comparison)).front(),
+      contains(format_ensemble_section(comparison), "Over 3 draws of the ground the mean runout is"));
+  EXPECT_TRUE(contains(describe_key_results(comparison, answer(comparison)).front(),
                        "Over 3 draws of the ground, mean runout is"));
 }
 
@@ -91,7 +91,7 @@ TEST(HtmlReport, RefersToNothingOutsideItself) {
   ASSERT_EQ(::setenv("CLAST_PLOTLY", folder.path().c_str(), 1), 0);
   std::string html = comparison_report(compared(hand_made_results()));
   ::unsetenv("CLAST_PLOTLY");
-  EXPECT_TRUE(contains(html, packed_element("plotly-code", "var Plotly={};")));
+  EXPECT_TRUE(contains(html, format_packed_element("plotly-code", "var Plotly={};")));
   // The relief is data, too.
   const std::string picture = "data:image/png;base64,";
   EXPECT_EQ(count_of(html, picture), 1u);
@@ -155,7 +155,7 @@ const Json& trace_named(const Json& figure, const std::string& name) {
 }
 
 TEST(ReportMap, MarksEveryStopUntilThereAreTooMany) {
-  const auto few = figures_of(map_section(compared(hand_made_results()), {}, {}));
+  const auto few = figures_of(format_map_section(compared(hand_made_results()), {}, {}));
   const Json& map = few.at("map of stops, release points and barriers");
   const Json& stops = trace_named(map, "long, &quot;2&quot; (elongated)");
   ASSERT_EQ(stops["x"].size(), 2u);
@@ -177,7 +177,7 @@ TEST(ReportMap, MarksEveryStopUntilThereAreTooMany) {
         hand_made_run(run, run % 2, random.uniform(5.0, 45.0), random.uniform(-15.0, 15.0)));
   }
   const std::size_t runs = many.runs.size();
-  const auto crowded = figures_of(map_section(compared(std::move(many)), {}, {}));
+  const auto crowded = figures_of(format_map_section(compared(std::move(many)), {}, {}));
   const Json& density =
       trace_named(crowded.at("map of stops, release points and barriers"), "stops");
   std::size_t counted = 0;
@@ -217,7 +217,7 @@ TEST(HtmlReport, SharesOfFewBlocksAreFolded) {
 TEST(ReportCharts, LargeSamplesAreThinnedToTheirEnds) {
   Series sample{"many", "#000000", "", {}};
   for (int i = 0; i < 100'000; ++i) sample.values.push_back(i);
-  const std::vector<Trace> traces = cumulative_traces({sample});
+  const std::vector<Trace> traces = make_cumulative_traces({sample});
   ASSERT_EQ(traces.size(), 1u);
   EXPECT_LT(traces[0].x.size(), 2000u);
   EXPECT_EQ(traces[0].x.front(), 0.0);
@@ -241,8 +241,8 @@ TEST(ReportCharts, SayWhatIsMissingWhereTheLibraryIs) {
 }
 
 TEST(HtmlPage, LinksKeepOddNames) {
-  EXPECT_EQ(link_to("blocks/B 1 #2?.html"), "blocks/B%201%20%232%3F.html");
-  EXPECT_EQ(link_to("\xC3\xA9"), "%C3%A9");
+  EXPECT_EQ(format_link_target("blocks/B 1 #2?.html"), "blocks/B%201%20%232%3F.html");
+  EXPECT_EQ(format_link_target("\xC3\xA9"), "%C3%A9");
 }
 
 TEST(Base64, EncodesTheVectorsOfRfc4648) {
@@ -312,7 +312,7 @@ TEST(PageNumbers, AreWrittenAsAReaderExpects) {
   EXPECT_EQ(significant(9.996, 3), "10.0");
   EXPECT_EQ(significant(8.7e7, 3), "8.70e+07");
   EXPECT_EQ(percent(0.03125), "3.1 %");
-  EXPECT_EQ(escaped("a<b & \"c\">'\x01"), "a&lt;b &amp; &quot;c&quot;&gt;&#39;");
+  EXPECT_EQ(escape_html("a<b & \"c\">'\x01"), "a&lt;b &amp; &quot;c&quot;&gt;&#39;");
 }
 
 TEST(ZoneTint, FollowsTheNameWhenItIsAColour) {

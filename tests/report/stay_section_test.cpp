@@ -17,7 +17,7 @@ namespace {
 using namespace report_detail;
 
 TEST(StaySection, SaysHowBlocksWereInEachOthersWay) {
-  EXPECT_EQ(stay_section(compared(hand_made_results())), "");
+  EXPECT_EQ(format_persistent_blocks_section(compared(hand_made_results())), "");
   CampaignResults results = hand_made_results();
   results.stay = {3, {0.01, 0.5, 0.3}};
   results.planned_runs = 6;
@@ -30,10 +30,10 @@ TEST(StaySection, SaysHowBlocksWereInEachOthersWay) {
   results.stays[5].blocks_hit = 1;
   results.stays[5].removed_at = 12.0;
   const Comparison comparison = compared(std::move(results));
-  const std::string head = provenance_section(comparison);
+  const std::string head = format_provenance_section(comparison);
   EXPECT_TRUE(contains(head, "2 realisations of 3 blocks"));
   EXPECT_TRUE(contains(head, "but for 1 block that was removed"));
-  const std::string html = stay_section(comparison);
+  const std::string html = format_persistent_blocks_section(comparison);
   EXPECT_EQ(unbalanced(html), "");
   const std::string all = html.substr(html.find(">all<"));
   for (const char* cell : {">2 (33.3 %)<", ">0.50<", ">1.88<", ">2.50<", ">1 (16.7 %)<"}) {
@@ -43,7 +43,7 @@ TEST(StaySection, SaysHowBlocksWereInEachOthersWay) {
 
 TEST(DepositSection, GivesMeansOverRealisationsForEachFile) {
   const Comparison single = compared(hand_made_results());
-  EXPECT_EQ(deposit_section(single), "");
+  EXPECT_EQ(format_deposit_section(single), "");
   CampaignResults results = hand_made_results();
   results.stay = {3, {0.01, 0.5, 0.3}, true};
   results.planned_runs = 6;
@@ -54,19 +54,19 @@ TEST(DepositSection, GivesMeansOverRealisationsForEachFile) {
   for (RunRecord& run : gone.runs) run.result.stop_reason = StopReason::kLeftTerrain;
   const Comparison comparison = compared(results, gone);
   EXPECT_TRUE(
-      contains(provenance_section(comparison), "2 realisations of 3 blocks, released at once"));
+      contains(format_provenance_section(comparison), "2 realisations of 3 blocks, released at once"));
   CampaignResults masses = results;
   masses.release_points.resize(3);
   masses.set_of_point.resize(3);
-  EXPECT_TRUE(contains(provenance_section(compared(masses)),
+  EXPECT_TRUE(contains(format_provenance_section(compared(masses)),
                        "2 realisations of 3 blocks, released as 3 masses"));
-  EXPECT_EQ(stay_section(comparison), "");
-  const RealisationDeposits deposits = realisation_deposits(comparison);
+  EXPECT_EQ(format_persistent_blocks_section(comparison), "");
+  const DepositResults deposits = measure_deposits(comparison);
   ASSERT_EQ(deposits.realisations.size(), 4u);
   const double least = deposits.realisations[0].thickness;
   const double most = deposits.realisations[1].thickness;
   ASSERT_GT(most, least + 0.5);
-  const std::string html = deposit_section(comparison);
+  const std::string html = format_deposit_section(comparison);
   EXPECT_EQ(unbalanced(html), "");
   EXPECT_TRUE(contains(html, "file 2: least"));
   const std::string thickness = html.substr(html.find(">largest thickness"));
@@ -81,9 +81,9 @@ TEST(DepositSection, GivesMeansOverRealisationsForEachFile) {
 }
 
 TEST(EnergySection, SaysWhatTheEnergyWasDissipatedBy) {
-  EXPECT_EQ(energy_section(compared(boxes_that_stay())), "");
+  EXPECT_EQ(format_energy_section(compared(boxes_that_stay())), "");
   CampaignResults results = energies_that_are_lost();
-  const std::string one_by_one = energy_section(compared(results));
+  const std::string one_by_one = format_energy_section(compared(results));
   EXPECT_TRUE(
       contains(one_by_one,
                "Of the energy dissipated in contacts, friction took 70 %, normal forces "
@@ -91,7 +91,7 @@ TEST(EnergySection, SaysWhatTheEnergyWasDissipatedBy) {
                "on the ground."));
   EXPECT_FALSE(contains(one_by_one, "Where the energy has gone, against time"));
   results.stay->at_once = true;
-  const std::string html = energy_section(compared(results, results));
+  const std::string html = format_energy_section(compared(results, results));
   EXPECT_EQ(unbalanced(html), "");
   EXPECT_TRUE(contains(html, "file 2: smallest share"));
   const std::string friction = html.substr(html.find(">friction on the ground<"));
@@ -119,7 +119,7 @@ CampaignResults realisations_that_stop_at(const std::vector<double>& distances) 
 TEST(DepositSection, SaysWhatFilesDifferIn) {
   const auto page = [](CampaignResults first, CampaignResults second) {
     const Comparison comparison = compared(std::move(first), std::move(second));
-    return deposit_section(comparison);
+    return format_deposit_section(comparison);
   };
   const std::string far =
       page(realisations_that_stop_at({30.0, 30.1}), realisations_that_stop_at({10.0, 10.1}));
@@ -133,7 +133,7 @@ TEST(DepositSection, SaysWhatFilesDifferIn) {
   EXPECT_TRUE(contains(same, "Not distinguished, the 95 % interval of the difference holds zero:"));
   // One file alone has intervals of means, but nothing to differ from.
   const Comparison alone = compared(realisations_that_stop_at({30.0, 31.0}));
-  const std::string one = deposit_section(alone);
+  const std::string one = format_deposit_section(alone);
   EXPECT_TRUE(contains(one, "95 % interval of the mean"));
   EXPECT_EQ(one.find("Differences between the files"), std::string::npos);
 }
@@ -142,13 +142,13 @@ TEST(DepositSection, WithOneRealisationSaysWhatAnIntervalTakes) {
   CampaignResults single = realisations_that_stop_at({30.0, 30.0});
   single.stay->blocks_each = 6;
   const Comparison comparison = compared(single, single);
-  EXPECT_TRUE(contains(deposit_section(comparison), "which takes two realisations of each file"));
+  EXPECT_TRUE(contains(format_deposit_section(comparison), "which takes two realisations of each file"));
 }
 
 TEST(DepositSection, SetsBlocksTogetherAgainstTheSameAlone) {
   const Comparison comparison =
       compared(realisations_that_stop_at({30.0, 31.0}), hand_made_results());
-  const std::string html = deposit_section(comparison);
+  const std::string html = format_deposit_section(comparison);
   EXPECT_EQ(unbalanced(html), "");
   EXPECT_TRUE(contains(html,
                        "Runout of file 1 (hand-made) against single blocks of file 2 "
@@ -164,11 +164,11 @@ TEST(DepositSection, SetsBlocksTogetherAgainstTheSameAlone) {
 }
 
 TEST(BarrierSection, SaysWhatPassesTogether) {
-  EXPECT_EQ(barrier_section(compared(hand_made_results())).find("within 1 s"), std::string::npos);
+  EXPECT_EQ(format_barrier_section(compared(hand_made_results())).find("within 1 s"), std::string::npos);
   CampaignResults results = hand_made_results();
   results.stay = {3, {0.01, 0.5, 0.3}, true};
   for (std::uint32_t run = 0; run < 6; ++run) results.stays.push_back({.run = run});
-  const std::string at_once = barrier_section(compared(results));
+  const std::string at_once = format_barrier_section(compared(results));
   EXPECT_EQ(unbalanced(at_once), "");
   // Runs 3 and 5: 150 v^2 + 50 J at 6 and 3 m/s, of 300 and 500 kg.
   EXPECT_TRUE(
@@ -178,7 +178,7 @@ TEST(BarrierSection, SaysWhatPassesTogether) {
                "realisations."));
   EXPECT_TRUE(contains(at_once, "most energy in 1 s, kJ"));
   results.stay->at_once = false;
-  EXPECT_TRUE(contains(barrier_section(compared(std::move(results))),
+  EXPECT_TRUE(contains(format_barrier_section(compared(std::move(results))),
                        "From 2 realisations of blocks that were released one after the other."));
 }
 

@@ -119,7 +119,7 @@ class SvgMap : public testing::Test {
 
 TEST_F(SvgMap, ShowsZonesReleasePointsAndBarriersWhereTheyAre) {
   const Terrain terrain = ground();
-  const std::string svg = svg_map(site_map(terrain, release_, line_));
+  const std::string svg = draw_svg_map(make_site_map(terrain, release_, line_));
   EXPECT_EQ(unbalanced(svg), "");
   const std::vector<double> cross =
       numbers_of(svg, "stroke=\"#111\"[^>]*d=\"M([0-9.]+) ([0-9.]+)m[^>]*><title>release point 0<");
@@ -153,7 +153,7 @@ TEST_F(SvgMap, ShowsZonesReleasePointsAndBarriersWhereTheyAre) {
 TEST_F(SvgMap, HoldsAllMarks) {
   const Terrain terrain = ground();
   const std::vector<Vec2> far = {Vec2(652035, 5203008), Vec2(651995, 5202985)};
-  const std::string svg = svg_map(site_map(terrain, far, {}));
+  const std::string svg = draw_svg_map(make_site_map(terrain, far, {}));
   const std::vector<double> size = numbers_of(svg, "<svg width=\"([0-9]+)\" height=\"([0-9]+)\"");
   const std::vector<double> frame =
       numbers_of(svg, "width=\"([0-9.]+)\" height=\"([0-9.]+)\" fill=\"none\" stroke=\"#33404d\"");
@@ -176,7 +176,7 @@ TEST_F(SvgMap, HasAScaleBarOfItsLengthAndAnArrowToTheNorth) {
   for (const double larger : {1.0, 3.0, 700.0}) {
     Terrain terrain = ground();
     for (Vec3& v : terrain.surface.vertices) v *= larger;
-    const std::string svg = svg_map(site_map(terrain, {}, {}));
+    const std::string svg = draw_svg_map(make_site_map(terrain, {}, {}));
     const std::vector<double> bar =
         numbers_of(svg,
                    "width=\"([0-9.]+)\" height=\"5.0\" fill=\"#111\" stroke=\"#111\"/><rect [^>]*"
@@ -187,7 +187,7 @@ TEST_F(SvgMap, HasAScaleBarOfItsLengthAndAnArrowToTheNorth) {
     EXPECT_GT(bar[0] + bar[1], 80.0);
   }
   const Terrain terrain = ground();
-  const std::string svg = svg_map(site_map(terrain, {}, {}));
+  const std::string svg = draw_svg_map(make_site_map(terrain, {}, {}));
   // A tip up, over an N.
   const std::vector<double> arrow = numbers_of(
       svg,
@@ -200,12 +200,12 @@ TEST_F(SvgMap, HasAScaleBarOfItsLengthAndAnArrowToTheNorth) {
 TEST_F(SvgMap, HasALegendOfMarksContoursAndZones) {
   using Words = std::vector<std::string>;
   const Terrain level = ground(), slope = ground(0.5);
-  EXPECT_EQ(legend_of(svg_map(site_map(level, release_, line_))),
+  EXPECT_EQ(legend_of(draw_svg_map(make_site_map(level, release_, line_))),
             (Words{"Site", "release point", "barrier", "Ground zones", "green", "red"}));
   EXPECT_EQ(
-      legend_of(svg_map(site_map(slope, release_, {}))),
+      legend_of(draw_svg_map(make_site_map(slope, release_, {}))),
       (Words{"Site", "release point", "contours every 1.0 m", "Ground zones", "green", "red"}));
-  const std::string bare = svg_map(site_map(level, {}, {}));
+  const std::string bare = draw_svg_map(make_site_map(level, {}, {}));
   EXPECT_EQ(legend_of(bare), (Words{"Ground zones", "green", "red"}));
   EXPECT_TRUE(contains(bare, "fill=\"#d0e4c8\"")) << "the swatch of \"green\"";
   EXPECT_TRUE(contains(bare, "fill=\"#f5ccc6\"")) << "the swatch of \"red\"";
@@ -214,7 +214,7 @@ TEST_F(SvgMap, HasALegendOfMarksContoursAndZones) {
 // The floor of a quarry at a round height, high on the map: its heights are round but for rounding.
 TEST_F(SvgMap, LevelGroundHasNoContoursAndASlopeHas) {
   const auto contour_pixels = [&](const Terrain& terrain) {
-    const Pixels relief(folder_, svg_map(site_map(terrain, {}, {})));
+    const Pixels relief(folder_, draw_svg_map(make_site_map(terrain, {}, {})));
     EXPECT_EQ(relief.colours.at(1), (std::array<int, 3>{122, 98, 69}));
     return std::count(relief.indices.begin(), relief.indices.end(), 1);
   };
@@ -237,13 +237,13 @@ TEST_F(SvgMap, LegendsFitWhateverTheNames) {
        {std::string("Ger\xC3\xB6ll"), std::string(300, 'x'), std::string("\xE5\xB2\xA9"),
         std::string("rock (wet), 2: <a>/\"b\"&")}) {
     const Terrain terrain = read_terrain({.surface = {folder_ / "a.ply"}, .zones = {name}});
-    const std::string svg = svg_map(site_map(terrain, {}, {}));
+    const std::string svg = draw_svg_map(make_site_map(terrain, {}, {}));
     EXPECT_EQ(unbalanced(svg), "") << name;
     EXPECT_FALSE(contains(svg, std::string(30, 'x')));
   }
   Terrain many = read_terrain({.surface = {folder_ / "a.ply"}});
   many.zone_names.assign(60, "zone");
-  const std::string svg = svg_map(site_map(many, {}, {}));
+  const std::string svg = draw_svg_map(make_site_map(many, {}, {}));
   EXPECT_EQ(legend_of(svg).size(), 63u);
   const std::vector<double> size = numbers_of(svg, "<svg width=\"([0-9]+)\" height=\"([0-9]+)\"");
   EXPECT_GT(size.at(1), 60.0 * 19.0);
@@ -252,12 +252,12 @@ TEST_F(SvgMap, LegendsFitWhateverTheNames) {
 TEST_F(SvgMap, AMarkInAnotherPlaceIsRefused) {
   const Terrain terrain = ground();
   const std::vector<Vec2> release = {Vec2(3, 8)};
-  EXPECT_EQ(refusal<Error>([&] { site_map(terrain, release, {}); }),
+  EXPECT_EQ(refusal<Error>([&] { make_site_map(terrain, release, {}); }),
             "the release point at x 3.000, y 8.000, z 0.000 is far off the ground, which begins at "
             "x 652000.000, y 5203000.000, z 0.000; bring both into one map system");
   EXPECT_TRUE(
       contains(refusal<Error>([&] {
-                 site_map(terrain, {}, {line_[0], {line_[0][0], Vec2(652041, 5203001)}});
+                 make_site_map(terrain, {}, {line_[0], {line_[0][0], Vec2(652041, 5203001)}});
                }),
                "the barrier at x 652041.000, y 5203001.000, z 0.000 is far off the ground"));
 }
@@ -267,16 +267,16 @@ TEST(SvgMapOfCampaign, ShowsReleasePointsOnceAndTheWayThatCounts) {
   header.runs.clear();
   header.crossings.clear();
   header.release_points = {Vec3(0, 0, 2), Vec3(5, 3, 2), Vec3(0, 0, 3)};
-  header.barriers[0].counted = CountedCrossings::kForward;
+  header.barriers[0].counted = CountedDirection::kForward;
   header.barriers.push_back({"ring", {Vec2(30, 0), Vec2(40, 0), Vec2(40, 9), Vec2(30, 0)}});
-  const SiteMap site = site_map(header);
+  const SiteMap site = make_site_map(header);
   ASSERT_EQ(site.places.size(), 2u);
   EXPECT_EQ(site.places[1].point, 1u);
   EXPECT_EQ(site.places[1].place, Vec2(kMapOrigin.head<2>() + Vec2(5, 3)));
   EXPECT_TRUE(site.outlines.empty());
   // Heights of the ground, 30 m on 70 m.
   EXPECT_EQ(site.contour_interval(), 5.0);
-  const std::string svg = svg_map(site);
+  const std::string svg = draw_svg_map(site);
   EXPECT_EQ(unbalanced(svg), "");
   EXPECT_EQ(count_of(svg, "<title>release point"), 2u);
   EXPECT_EQ(count_of(svg, "<title>counted through B&lt;1&gt;</title>"), 1u);
@@ -287,7 +287,7 @@ TEST(SvgMapOfCampaign, ShowsReleasePointsOnceAndTheWayThatCounts) {
 
 TEST(SvgMapOfComparison, HoldsTheRunsAndOutlinesOfMasses) {
   CampaignResults results = hand_made_results();
-  const SiteMap apart = site_map(compared(results));
+  const SiteMap apart = make_site_map(compared(results));
   ASSERT_EQ(apart.places.size(), 1u);
   EXPECT_TRUE(apart.outlines.empty());
   // Stops at x 10 to 40 and y -10 to 20, barriers at y -20 and 20.
@@ -301,12 +301,12 @@ TEST(SvgMapOfComparison, HoldsTheRunsAndOutlinesOfMasses) {
     results.runs[run].start.position = Vec3(run % 3, run % 2, 2.0);
   }
   const Comparison comparison = compared(std::move(results));
-  const SiteMap mass = site_map(comparison);
+  const SiteMap mass = make_site_map(comparison);
   EXPECT_TRUE(mass.places.empty());
   ASSERT_EQ(mass.outlines.size(), 1u);
   EXPECT_EQ(mass.outlines[0].name, "release of 3 blocks") << "in each of two realisations";
   EXPECT_EQ(mass.outlines[0].corners.size(), 4u);
-  const std::string svg = svg_map(mass);
+  const std::string svg = draw_svg_map(mass);
   EXPECT_EQ(unbalanced(svg), "");
   EXPECT_EQ(count_of(svg, "stroke-dasharray=\"6 4\""), 2u) << "on the map and in the legend";
   EXPECT_EQ(legend_of(svg)[1], "release of 3 blocks");

@@ -110,7 +110,7 @@ INSTANTIATE_TEST_SUITE_P(Hdf5, ResultsColumnsOf,
                          testing::Values(Table{"runs", datasets_of<RunRecord>("runs")},
                                          Table{"impacts", datasets_of<Impact>("impacts")},
                                          Table{"crossings", datasets_of<Crossing>("crossings")},
-                                         Table{"stays", datasets_of<StayRecord>("stays")},
+                                         Table{"stays", datasets_of<PersistentBlockRecord>("stays")},
                                          Table{"energies", datasets_of<EnergyRecord>("energies")}));
 
 }  // namespace

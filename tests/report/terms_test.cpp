@@ -15,7 +15,7 @@ using namespace report_detail;
 
 TEST(Terms, AreMarkedOnceInASectionAndExplainedAtTheEnd) {
   const std::string html =
-      with_terms(section("One", paragraph("Runout, and runout again.")) +
+      link_glossary_terms(section("One", paragraph("Runout, and runout again.")) +
                  section("Two", "<table><tr><th>runout mean, m</th><td>runout</td></tr></table>"));
   const std::string mark = "aria-describedby=\"term-runout\"";
   EXPECT_EQ(count_of(html, mark), 2u) << html;
@@ -29,8 +29,8 @@ TEST(Terms, AreWholeWordsOutsideScriptsAndTitles) {
   const std::string plain =
       "<h2>Runout</h2><p>runouts</p><script>var runout='<p>runout</p>';"
       "</script><p><code>runout</code></p>";
-  EXPECT_EQ(with_terms(plain), plain);
-  const std::string html = with_terms("<p>A 95 % interval, Cliff&#39;s delta.</p>");
+  EXPECT_EQ(link_glossary_terms(plain), plain);
+  const std::string html = link_glossary_terms("<p>A 95 % interval, Cliff&#39;s delta.</p>");
   EXPECT_TRUE(contains(html, ">95 % interval</span>"));
   EXPECT_TRUE(contains(html, ">Cliff&#39;s delta</span>"));
 }

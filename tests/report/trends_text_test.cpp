@@ -28,7 +28,7 @@ ShapeTrend trend(const std::string& property, double correlation, double p) {
 TEST(TrendsText, SaysWhatRisesAndFallsAndWhatCouldBeFound) {
   const std::vector<ShapeTrends> trends = {
       {0, {trend("S/L", 0.714, 1e-4), trend("mass", -0.3, 0.02), trend("rounding", 0.1, 0.6)}}};
-  const std::vector<std::string> text = trend_sentences(trends, std::nullopt);
+  const std::vector<std::string> text = describe_trends(trends, std::nullopt);
   ASSERT_EQ(text.size(), 4u);
   EXPECT_EQ(text[0],
             "Runout rises with S/L (rank correlation 0.71, p < 0.001), falls with mass (rank "
@@ -44,14 +44,14 @@ TEST(TrendsText, SaysWhetherADifferenceIsWithinTheMargin) {
   none.halves.interval = Interval{-0.5, 0.9};
   none.equivalence = 0.004;
   none.runs_needed = 3564.0;
-  const std::string within = trend_sentences({{0, {none}}}, 2.0).back();
+  const std::string within = describe_trends({{0, {none}}}, 2.0).back();
   EXPECT_TRUE(contains(within, "within +-2 m: no effect that matters (p = 0.004)")) << within;
   EXPECT_TRUE(contains(within, "and 2 m with 3600 runs")) << within;
   none.equivalence = 0.3;
-  EXPECT_TRUE(contains(trend_sentences({{0, {none}}}, 2.0).back(), "not shown to be within +-2 m"));
+  EXPECT_TRUE(contains(describe_trends({{0, {none}}}, 2.0).back(), "not shown to be within +-2 m"));
   none.halves.interval = Interval{2.5, 4.0};
-  EXPECT_TRUE(contains(trend_sentences({{0, {none}}}, 2.0).back(), ", more than +-2 m;"));
-  EXPECT_EQ(trend_sentences({{0, {none}}}, 2.0).front(),
+  EXPECT_TRUE(contains(describe_trends({{0, {none}}}, 2.0).back(), ", more than +-2 m;"));
+  EXPECT_EQ(describe_trends({{0, {none}}}, 2.0).front(),
             "Runout has no trend with S/L beyond chance.");
 }
 
@@ -60,7 +60,7 @@ TEST(TrendsText, SaysBeforeACampaignWhatItCouldTellApart) {
   PlannedPower plan{1600, 16, 30, 5.0, 1.0};
   EXPECT_NEAR(plan.design_effect(), 10.9, 1e-12);
   EXPECT_NEAR(plan.smallest(), 5.0 * std::sqrt(4.0 * 10.9 * 7.8489 / 1600.0), 1e-3);
-  const std::string text = planned_power_sentence(plan);
+  const std::string text = describe_planned_power(plan);
   EXPECT_TRUE(contains(text, "a difference in runout of 2.3 m between two halves")) << text;
   EXPECT_TRUE(contains(text, "scatters by 5 m as in 30 trial runs")) << text;
   EXPECT_TRUE(contains(text, "; 1 m takes 8600 runs")) << text;
@@ -71,7 +71,7 @@ TEST(TrendsText, SaysWhyNothingCanBeSaidOfAMargin) {
   const auto said = [&](auto change) {
     PlannedPower plan = known;
     change(plan);
-    return planned_power_sentence(plan);
+    return describe_planned_power(plan);
   };
   EXPECT_TRUE(contains(said([](PlannedPower& plan) { plan.blocks = 2; }),
                        "the dry run can't say whether this campaign detects a difference of 1 m "

@@ -41,18 +41,18 @@ TEST_F(Unpack, GivesBackWhatWasPacked) {
   Random random(7);
   std::string text = "caf\xC3\xA9 </script> \\ \"quoted\"\n";
   for (int i = 0; i < 100'000; ++i) text += static_cast<char>('a' + random.below(26));
-  EXPECT_EQ(evaluated(packed_element("a", text), "clastUnpacked('a')"), text);
-  EXPECT_EQ(evaluated(packed_element("a", ""), "clastUnpacked('a')"), "");
+  EXPECT_EQ(evaluated(format_packed_element("a", text), "clastUnpacked('a')"), text);
+  EXPECT_EQ(evaluated(format_packed_element("a", ""), "clastUnpacked('a')"), "");
 }
 
 TEST_F(Unpack, RunsAScriptOnce) {
-  EXPECT_EQ(evaluated(packed_element("a", "globalThis.runs = (globalThis.runs || 0) + 1"),
+  EXPECT_EQ(evaluated(format_packed_element("a", "globalThis.runs = (globalThis.runs || 0) + 1"),
                       "Promise.all([clastRun('a'), clastRun('a')]).then(() => String(runs))"),
             "1");
 }
 
 TEST_F(Unpack, SaysWhenTheBrowserIsTooOld) {
-  EXPECT_EQ(evaluated(packed_element("a", "b"),
+  EXPECT_EQ(evaluated(format_packed_element("a", "b"),
                       "delete globalThis.DecompressionStream;\n"
                       "clastUnpacked('a').catch((error) => error.message)"),
             "This browser can't unpack charts and 3-D views: it is of before 2023.");

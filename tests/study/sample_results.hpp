@@ -36,7 +36,7 @@ inline CampaignResults sample_header() {
   header.shapes[0].vertices = {{0, 0, 0}};
   header.shapes[1] = sphero_polyhedron(cuboid(2.9, 1.9, 0.9), 0.05);
   header.barriers = {{"EC11", {{25, -400}, {25, -340}}},
-                     {"EC12", {{36, -400}, {36, -370}, {40, -340}}, CountedCrossings::kForward}};
+                     {"EC12", {{36, -400}, {36, -370}, {40, -340}}, CountedDirection::kForward}};
   header.release_points = {{1, 2, 3}, {4, 5, 6}};
   header.release_sets = {"crest", "bench"};
   header.set_of_point = {0, 1};

@@ -29,7 +29,7 @@ struct Joined {
   std::vector<float> value;
 };
 
-Joined joined(const MapRasters& rasters, const RasterLayer& layer) {
+Joined joined(const MapRasterSet& rasters, const RasterLayer& layer) {
   const double cells = static_cast<double>(rasters.columns) * rasters.rows;
   Joined grid;
   grid.factor = static_cast<std::uint32_t>(
@@ -48,12 +48,12 @@ Joined joined(const MapRasters& rasters, const RasterLayer& layer) {
   return grid;
 }
 
-Json layer_json(const MapRasters& rasters, const RasterLayer& layer, const ValueStyle& style,
+Json layer_json(const MapRasterSet& rasters, const RasterLayer& layer, const ValueStyle& style,
                 const Vec2& origin) {
   Joined grid = joined(rasters, layer);
   for (float& value : grid.value) value = visible_on_map(value);
   Json colours = Json::array();
-  for (const Rgb& colour : style.colours) colours.push_back(colour_text(colour));
+  for (const Rgb& colour : style.colours) colours.push_back(format_colour(colour));
   const double width = rasters.cell * grid.factor;
   const double top = rasters.corner.y() + rasters.cell * rasters.rows - origin.y();
   return {{"name", layer.name},
@@ -87,7 +87,7 @@ void append_path(const Trajectory& trajectory, const Vec2& shift, double step,
   y.push_back(NAN);
 }
 
-Json paths_json(const Comparison& comparison, const StoredRuns& stored, const Vec2& origin) {
+Json paths_json(const Comparison& comparison, const DrawnRuns& stored, const Vec2& origin) {
   constexpr double kSteps = 1500.0;  // over the longer side of what the runs cover
   Bounds box;
   for (const RunRow& row : comparison.rows) {
@@ -119,18 +119,18 @@ Json paths_json(const Comparison& comparison, const StoredRuns& stored, const Ve
 
 }  // namespace
 
-MapLayers map_layers(const Comparison& comparison, const std::vector<const MapRasters*>& rasters,
+MapLayers make_map_layers(const Comparison& comparison, const std::vector<const MapRasterSet*>& rasters,
                      const Vec2& origin, bool with_paths) {
   Json layers = Json::array(), paths = Json::array();
-  for (const MapRasters* grid : rasters) {
-    const std::vector<ValueStyle> styles = value_styles(*grid);
+  for (const MapRasterSet* grid : rasters) {
+    const std::vector<ValueStyle> styles = choose_value_styles(*grid);
     for (std::size_t i = 0; i < grid->layers.size(); ++i) {
       layers.push_back(layer_json(*grid, grid->layers[i], styles[i], origin));
     }
   }
   MapLayers result;
   if (with_paths) {
-    const StoredRuns stored = stored_runs(comparison);
+    const DrawnRuns stored = runs_with_trajectory(comparison);
     result.stored_paths = stored.rows.size();
     result.paths = std::min(kMostMapPaths, stored.rows.size());
     paths = paths_json(comparison, stored, origin);

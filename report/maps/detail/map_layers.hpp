@@ -25,7 +25,7 @@ struct MapLayers {
 /// Places are map coordinates less `origin`.
 /// @param with_paths  else none are read
 /// @throws InputError  a results file can't be read any more
-MapLayers map_layers(const Comparison& comparison, const std::vector<const MapRasters*>& rasters,
+MapLayers make_map_layers(const Comparison& comparison, const std::vector<const MapRasterSet*>& rasters,
                      const Vec2& origin, bool with_paths);
 
 }  // namespace clast::report_detail

@@ -23,7 +23,7 @@ std::string stop_note(const Comparison& comparison, const RunRow& row) {
   const ReleaseResult& result = row.record->result;
   const std::string file =
       comparison.results.size() > 1 ? "file " + std::to_string(row.file + 1) + ", " : std::string();
-  return escaped(file + "run " + std::to_string(row.record->run) + ", block " + row.block->id +
+  return escape_html(file + "run " + std::to_string(row.record->run) + ", block " + row.block->id +
                  ", point " + std::to_string(row.record->point) + ", orientation " +
                  std::to_string(row.record->orientation)) +
          "<br>" + name_of(result.stop_reason) + " after " + fixed(result.duration, 1) +
@@ -34,7 +34,7 @@ std::string stop_note(const Comparison& comparison, const RunRow& row) {
 Json points_trace(const std::string& name) {
   return {{"type", "scatter"},
           {"mode", "markers"},
-          {"name", escaped(shortened(name, 40))},
+          {"name", escape_html(shorten_middle(name, 40))},
           {"x", Json::array()},
           {"y", Json::array()},
           {"text", Json::array()},
@@ -49,7 +49,7 @@ void add_point(Json& trace, const Vec2& place, const std::string& note) {
 
 /// One entry of the legend for every block, or for every class where blocks are many.
 void add_single_stops(const Comparison& comparison, Json& data) {
-  const StopMarks stops = stop_marks(comparison);
+  const StopMarks stops = choose_stop_marks(comparison);
   for (const StopMark& mark : stops.marks) {
     Json trace = points_trace(stops.by_block ? mark.key + " (" + mark.garcia + ")" : mark.garcia);
     Json symbols = Json::array();
@@ -131,7 +131,7 @@ void add_measured(const Comparison& comparison, Json& data) {
   Json trace = points_trace("measured stop");
   for (const MeasuredStop& stop : comparison.measured->stops) {
     add_point(trace, stop.place,
-              "measured stop" + (stop.block.empty() ? "" : ", block " + escaped(stop.block)) +
+              "measured stop" + (stop.block.empty() ? "" : ", block " + escape_html(stop.block)) +
                   "<br>runout " + fixed(stop.runout, 1) + " m");
   }
   trace["marker"] = {{"color", kMeasuredColour},
@@ -156,14 +156,14 @@ void add_releases(const SiteMap& site, Json& data) {
   for (const ReleaseOutline& outline : site.outlines) {
     Json trace = points_trace(outline.name);
     trace["mode"] = "lines";
-    for (const Vec2& corner : outline.corners) add_point(trace, corner, escaped(outline.name));
-    add_point(trace, outline.corners.front(), escaped(outline.name));
+    for (const Vec2& corner : outline.corners) add_point(trace, corner, escape_html(outline.name));
+    add_point(trace, outline.corners.front(), escape_html(outline.name));
     trace["line"] = {{"color", "#111"}, {"width", 2}, {"dash", "dash"}};
     data.push_back(std::move(trace));
   }
   if (site.places.empty()) return;
   Json trace = points_trace("release point");
-  for (const ReleasePlace& release : site.places) {
+  for (const ReleasePosition& release : site.places) {
     add_point(trace, release.place, "release point " + std::to_string(release.point));
   }
   trace["marker"] = {
@@ -175,11 +175,11 @@ void add_barriers(const SiteMap& site, Json& data, Json& notes) {
   for (const BarrierLine& line : site.barriers) {
     Json trace = points_trace(line.name);
     trace["mode"] = "lines";
-    for (const Vec2& point : line.through) add_point(trace, point, escaped(line.name));
+    for (const Vec2& point : line.through) add_point(trace, point, escape_html(line.name));
     trace["line"] = {{"color", kBarrierColour}, {"width", 3}};
     trace["showlegend"] = false;
     data.push_back(std::move(trace));
-    const CountArrow arrow = count_arrow(line);
+    const CountArrow arrow = make_count_arrow(line);
     constexpr double kArrow = 26.0;  // px
     notes.push_back({{"x", on_map(arrow.root.x())},
                      {"y", on_map(arrow.root.y())},
@@ -191,7 +191,7 @@ void add_barriers(const SiteMap& site, Json& data, Json& notes) {
                      {"startarrowhead", 2},
                      {"arrowwidth", 2},
                      {"arrowcolor", kBarrierColour},
-                     {"text", "<b>" + escaped(line.name) + "</b>"},
+                     {"text", "<b>" + escape_html(line.name) + "</b>"},
                      {"bgcolor", "rgba(255,255,255,.7)"}});
   }
 }
@@ -203,7 +203,7 @@ void add_zones(const SiteMap& site, Json& data) {
     trace["x"].push_back(Json());
     trace["y"].push_back(Json());
     trace["marker"] = {
-        {"symbol", "square"}, {"size", 12}, {"color", colour_text(zone_tint(zones[zone], zone))}};
+        {"symbol", "square"}, {"size", 12}, {"color", format_colour(zone_tint(zones[zone], zone))}};
     data.push_back(std::move(trace));
   }
 }

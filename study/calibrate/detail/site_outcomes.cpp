@@ -11,28 +11,28 @@ namespace {
 struct OutcomeColumn {
   const char* name;
   const char* unit;
-  double (*value)(const OutcomeAt&);
-  void (*set)(OutcomeAt&, double);
+  double (*value)(const OutcomeAtMoment&);
+  void (*set)(OutcomeAtMoment&, double);
 };
-template <double OutcomeAt::*member>
+template <double OutcomeAtMoment::*member>
 constexpr OutcomeColumn column_of(const char* name, const char* unit) {
-  return {name, unit, [](const OutcomeAt& at) { return at.*member; },
-          [](OutcomeAt& at, double value) { at.*member = value; }};
+  return {name, unit, [](const OutcomeAtMoment& at) { return at.*member; },
+          [](OutcomeAtMoment& at, double value) { at.*member = value; }};
 }
 template <int axis>
 constexpr OutcomeColumn place_column(const char* name) {
-  return {name, "m", [](const OutcomeAt& at) { return at.place[axis]; },
-          [](OutcomeAt& at, double value) { at.place[axis] = value; }};
+  return {name, "m", [](const OutcomeAtMoment& at) { return at.place[axis]; },
+          [](OutcomeAtMoment& at, double value) { at.place[axis] = value; }};
 }
 using OutcomeColumns = std::span<const OutcomeColumn>;
-constexpr OutcomeColumn kBarrierColumns[] = {column_of<&OutcomeAt::speed>("speed_m_s", "m/s"),
-                                             column_of<&OutcomeAt::spin>("spin_rad_s", "rad/s"),
-                                             column_of<&OutcomeAt::height>("height_m", "m"),
-                                             column_of<&OutcomeAt::energy>("energy_j", "J")};
-constexpr OutcomeColumn kMomentColumns[] = {column_of<&OutcomeAt::speed>("speed_m_s", "m/s"),
-                                            column_of<&OutcomeAt::spin>("spin_rad_s", "rad/s"),
-                                            column_of<&OutcomeAt::energy>("energy_j", "J"),
-                                            column_of<&OutcomeAt::depth>("depth_m", "m"),
+constexpr OutcomeColumn kBarrierColumns[] = {column_of<&OutcomeAtMoment::speed>("speed_m_s", "m/s"),
+                                             column_of<&OutcomeAtMoment::spin>("spin_rad_s", "rad/s"),
+                                             column_of<&OutcomeAtMoment::height>("height_m", "m"),
+                                             column_of<&OutcomeAtMoment::energy>("energy_j", "J")};
+constexpr OutcomeColumn kMomentColumns[] = {column_of<&OutcomeAtMoment::speed>("speed_m_s", "m/s"),
+                                            column_of<&OutcomeAtMoment::spin>("spin_rad_s", "rad/s"),
+                                            column_of<&OutcomeAtMoment::energy>("energy_j", "J"),
+                                            column_of<&OutcomeAtMoment::depth>("depth_m", "m"),
                                             place_column<0>("x_m"),
                                             place_column<1>("y_m")};
 
@@ -44,22 +44,22 @@ void write_doubles(Hdf5Group& group, const std::string& name, const std::string&
 
 /// A table of runs x barriers or moments for each column.
 void write_outcomes(Hdf5Group& group, OutcomeColumns columns, const Outcomes& members,
-                    std::vector<OutcomeAt> ReleaseOutcome::*of, std::size_t width) {
+                    std::vector<OutcomeAtMoment> ReleaseOutcome::*of, std::size_t width) {
   for (const OutcomeColumn& column : columns) {
     std::vector<double> values;
     std::size_t rows = 0;
     for (const std::vector<ReleaseOutcome>& member : members) {
       rows += member.size();
       for (const ReleaseOutcome& outcome : member) {
-        for (const OutcomeAt& at : outcome.*of) values.push_back(column.value(at));
+        for (const OutcomeAtMoment& at : outcome.*of) values.push_back(column.value(at));
       }
     }
     write_doubles(group, column.name, column.unit, values, {rows, width});
   }
 }
 
-void read_outcomes(const CheckedGroup& group, OutcomeColumns columns,
-                   std::vector<ReleaseOutcome>& runs, std::vector<OutcomeAt> ReleaseOutcome::*of,
+void read_release_outcomes(const CheckedGroup& group, OutcomeColumns columns,
+                   std::vector<ReleaseOutcome>& runs, std::vector<OutcomeAtMoment> ReleaseOutcome::*of,
                    std::size_t width) {
   if (width == 0) return;
   for (ReleaseOutcome& run : runs) (run.*of).resize(width);
@@ -71,7 +71,7 @@ void read_outcomes(const CheckedGroup& group, OutcomeColumns columns,
   }
 }
 
-/// Impacts by their number, then times, as `SiteFacts::moments` has them.
+/// Impacts by their number, then times, as `SiteDescription::moments` has them.
 void write_moments(Hdf5Group& group, const std::vector<Moment>& moments) {
   std::vector<double> impacts, times;
   for (const Moment& moment : moments) {
@@ -95,7 +95,7 @@ std::vector<Moment> read_moments(const Hdf5Group& group) {
 
 }  // namespace
 
-void write_site(Hdf5Group group, const SiteFacts& site, const Outcomes& members,
+void write_site(Hdf5Group group, const SiteDescription& site, const Outcomes& members,
                 const std::vector<bool>& done) {
   group.set_attribute<std::string>("name", site.name);
   group.write<std::string>("blocks", site.blocks);
@@ -132,8 +132,8 @@ void write_site(Hdf5Group group, const SiteFacts& site, const Outcomes& members,
   write_outcomes(moments, kMomentColumns, members, &ReleaseOutcome::moments, site.moments.size());
 }
 
-SiteFacts read_facts(const CheckedGroup& site) {
-  SiteFacts facts;
+SiteDescription read_facts(const CheckedGroup& site) {
+  SiteDescription facts;
   facts.name = site.group.attribute<std::string>("name");
   facts.blocks = site.group.read<std::string>("blocks");
   facts.shapes = site.column<std::string>("shapes", facts.blocks.size());
@@ -147,7 +147,7 @@ SiteFacts read_facts(const CheckedGroup& site) {
   return facts;
 }
 
-Outcomes read_outcomes(const CheckedGroup& runs, const SiteFacts& facts, std::size_t members) {
+Outcomes read_release_outcomes(const CheckedGroup& runs, const SiteDescription& facts, std::size_t members) {
   const auto member = runs.group.read<std::uint32_t>("member");
   const std::size_t rows = member.size();
   const auto block = runs.column<std::uint32_t>("block", rows);
@@ -157,9 +157,9 @@ Outcomes read_outcomes(const CheckedGroup& runs, const SiteFacts& facts, std::si
   const auto release = runs.group.has("release") ? runs.column<std::uint32_t>("release", rows)
                                                  : std::vector<std::uint32_t>(rows, 0);
   std::vector<ReleaseOutcome> outcomes(rows);
-  read_outcomes(runs, kBarrierColumns, outcomes, &ReleaseOutcome::barriers, facts.barriers.size());
+  read_release_outcomes(runs, kBarrierColumns, outcomes, &ReleaseOutcome::barriers, facts.barriers.size());
   if (!facts.moments.empty()) {
-    read_outcomes(runs.into("moments"), kMomentColumns, outcomes, &ReleaseOutcome::moments,
+    read_release_outcomes(runs.into("moments"), kMomentColumns, outcomes, &ReleaseOutcome::moments,
                   facts.moments.size());
   }
   Outcomes all(members);

@@ -9,6 +9,6 @@ namespace clast::study_detail {
 
 /// A study, read part by part through `read`; a part that needs another is left out where that one
 /// was not read.
-CalibrationStudy read_study_by_parts(const std::filesystem::path& file, const PartReader& read);
+CalibrationStudy read_study_in_parts(const std::filesystem::path& file, const PartReader& read);
 
 }  // namespace clast::study_detail

@@ -18,7 +18,7 @@ namespace {
 constexpr double kShareSum = 2e-3;
 
 /// `select` of a table.
-ValueForm selection() {
+ValueFormat selection() {
   return either(
       {text(), list(text(), 1),
        table({{"scheme", "", "scheme of shape classes",
@@ -62,7 +62,7 @@ BlockScale read_scale(const DeclaredTable& table) {
 }
 
 /// @param draw  with its scheme
-void read_shares(const DeclaredTable& table, BlockDraw& draw) {
+void read_shares(const DeclaredTable& table, BlockSampling& draw) {
   const TomlNode& node = *table.find("shares");
   const TomlTable shares(node, table.file(), "[blocks] draw shares", class_names(draw.scheme));
   double sum = 0.0;
@@ -78,26 +78,26 @@ void read_shares(const DeclaredTable& table, BlockDraw& draw) {
   for (auto& [name, share] : draw.shares) share /= sum;
 }
 
-const BoundTable<BlockDraw>& draw_keys() {
-  static const BoundTable<BlockDraw> keys(
+const MemberTable<BlockSampling>& draw_keys() {
+  static const MemberTable<BlockSampling> keys(
       {"blocks.draw", "Blocks drawn from those selected"},
-      {{"count", "", "how many", count(1, kMostPerSet), &BlockDraw::count},
+      {{"count", "", "how many", count(1, kMostPerSet), &BlockSampling::count},
        {"volume_m3", "m^3", "total volume of rock, on average; in place of count",
-        number({1e-9, 1e9}), &BlockDraw::volume},
-       {"seed", "", "of the draw", seed(), &BlockDraw::seed},
+        number({1e-9, 1e9}), &BlockSampling::volume},
+       {"seed", "", "of the draw", seed(), &BlockSampling::seed},
        {"scheme", "", "scheme of the classes in shares", words(kSelectingSchemes),
-        &BlockDraw::scheme},
+        &BlockSampling::scheme},
        {"shares", "", "share of each class; they add up to 1", named(number(kClassShare)),
         &read_shares},
        {"mass_kg", "kg", "mass of a drawn block; without, its own", uncertain(kBlockMass),
-        &BlockDraw::mass}});
+        &BlockSampling::mass}});
   return keys;
 }
 
-BlockDraw read_draw(const DeclaredTable& blocks) {
+BlockSampling read_draw(const DeclaredTable& blocks) {
   blocks.refuse_if_there("scale", "drawn blocks are scaled by mass_kg of draw; leave scale out");
   const DeclaredTable table = blocks.inner("draw");
-  BlockDraw draw;
+  BlockSampling draw;
   draw_keys().read(table, draw);
   if (!draw.volume) {
     table.required("count", "a whole number of blocks; or give volume_m3 instead");
@@ -109,10 +109,10 @@ BlockDraw read_draw(const DeclaredTable& blocks) {
 
 /// Keys of a ground zone.
 /// @param complete  what every zone must have is required
-BoundTable<GroundTable> zone_keys(bool complete) {
-  std::vector<BoundKey<GroundTable>> keys;
-  for (const GroundField& field : ground_fields()) {
-    ValueForm form = uncertain(field.range);
+MemberTable<GroundDistributions> zone_keys(bool complete) {
+  std::vector<MemberKey<GroundDistributions>> keys;
+  for (const GroundParameterField& field : ground_fields()) {
+    ValueFormat form = uncertain(field.range);
     if (complete && field.required) {
       form = required(field.meaning + (", " + field.range.words()), std::move(form));
     }
@@ -122,8 +122,8 @@ BoundTable<GroundTable> zone_keys(bool complete) {
           std::move(keys)};
 }
 
-const BoundTable<GroundTable>& group_ground_keys() {
-  static const BoundTable<GroundTable> keys = zone_keys(false);
+const MemberTable<GroundDistributions>& group_ground_keys() {
+  static const MemberTable<GroundDistributions> keys = zone_keys(false);
   return keys;
 }
 
@@ -133,14 +133,14 @@ bool any_field(const Test& test) {
 }
 
 /// The tables of a table [ground], by zone.
-std::map<std::string, GroundTable> read_zones(const TomlNode& node, const std::string& file,
+std::map<std::string, GroundDistributions> read_zones(const TomlNode& node, const std::string& file,
                                               const std::string& title,
-                                              const BoundTable<GroundTable>& keys) {
+                                              const MemberTable<GroundDistributions>& keys) {
   std::vector<std::string> names;
   for (const auto& [name, value] : node.table) names.push_back(name);
   const TomlTable all(node, file, "[" + title + "]", names);
   if (names.empty()) all.refuse("empty; write one table [" + title + ".NAME] per zone");
-  std::map<std::string, GroundTable> ground;
+  std::map<std::string, GroundDistributions> ground;
   for (const auto& [name, value] : node.table) {
     all.checked(name, [&] { check_zone_name(name); });
     if (value.kind != TomlNode::Kind::kTable) {
@@ -153,8 +153,8 @@ std::map<std::string, GroundTable> read_zones(const TomlNode& node, const std::s
 
 }  // namespace
 
-const BoundTable<BlockSelection>& blocks_keys() {
-  static const BoundTable<BlockSelection> keys(
+const MemberTable<BlockSelection>& blocks_keys() {
+  static const MemberTable<BlockSelection> keys(
       {.name = "blocks", .meaning = "Which blocks run, and how large", .required = true},
       {{"library", "", "block library (HDF5)",
         required("a block library made by clast reconstruct", text()), &BlockSelection::library},
@@ -175,13 +175,13 @@ const BoundTable<BlockSelection>& blocks_keys() {
   return keys;
 }
 
-const BoundTable<GroundTable>& ground_keys() {
-  static const BoundTable<GroundTable> keys = zone_keys(true);
+const MemberTable<GroundDistributions>& ground_keys() {
+  static const MemberTable<GroundDistributions> keys = zone_keys(true);
   return keys;
 }
 
-const BoundTable<BlockGroup>& block_group_keys() {
-  static const BoundTable<BlockGroup> keys(
+const MemberTable<BlockGroup>& block_group_keys() {
+  static const MemberTable<BlockGroup> keys(
       {"block_group", "Blocks for which the ground behaves differently", KeyTable::Repeat::kEither},
       {{"name", "", "of the group", required("a text in quotes", text()), &BlockGroup::name},
        {"select", "", "ids, or a class",
@@ -195,11 +195,11 @@ const BoundTable<BlockGroup>& block_group_keys() {
 
 BlockSelection read_blocks(const TomlTable& top) {
   BlockSelection blocks;
-  blocks_keys().read(required_table(top, blocks_keys()), blocks);
+  blocks_keys().read(find_required_table(top, blocks_keys()), blocks);
   return blocks;
 }
 
-std::map<std::string, GroundTable> read_ground(const TomlTable& top) {
+std::map<std::string, GroundDistributions> read_ground(const TomlTable& top) {
   const TomlNode* node = top.find("ground");
   if (!node) {
     throw InputError(top.file() + ": no ground: write one table [ground.NAME] per zone");
@@ -209,7 +209,7 @@ std::map<std::string, GroundTable> read_ground(const TomlTable& top) {
 
 std::vector<BlockGroup> read_block_groups(const TomlTable& top, const Campaign& campaign) {
   std::vector<BlockGroup> groups;
-  for (const DeclaredTable& table : tables_of(top, block_group_keys())) {
+  for (const DeclaredTable& table : find_tables(top, block_group_keys())) {
     BlockGroup group;
     block_group_keys().read(table, group);
     check_new_name(table, group.name, groups, "block group");
@@ -217,7 +217,7 @@ std::vector<BlockGroup> read_block_groups(const TomlTable& top, const Campaign& 
     group.ground = read_zones(ground, top.file(), "block_group.ground", group_ground_keys());
     if (std::all_of(group.ground.begin(), group.ground.end(), [](const auto& zone) {
           return !any_field(
-              [&](const GroundField& field) { return (zone.second.*field.asked).has_value(); });
+              [&](const GroundParameterField& field) { return (zone.second.*field.asked).has_value(); });
         })) {
       table.refuse(
           "ground names no parameter that differs; write for example ground.scree = { friction = "

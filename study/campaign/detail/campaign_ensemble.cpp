@@ -13,11 +13,11 @@
 namespace clast::study_detail {
 namespace {
 
-std::size_t uncertain_numbers(const std::map<std::string, GroundTable>& ground) {
+std::size_t uncertain_numbers(const std::map<std::string, GroundDistributions>& ground) {
   std::size_t count = 0;
   for (const auto& [zone, table] : ground) {
-    for (const GroundField& field : ground_fields()) {
-      const std::optional<Uncertain>& asked = table.*field.asked;
+    for (const GroundParameterField& field : ground_fields()) {
+      const std::optional<Distribution>& asked = table.*field.asked;
       if (asked && !asked->fixed()) ++count;
     }
   }
@@ -31,7 +31,7 @@ std::size_t uncertain_numbers(const Campaign& campaign) {
 }
 
 /// "release" of "release.height_m".
-std::string table_of(const std::string& parameter) {
+std::string make_table(const std::string& parameter) {
   return parameter.substr(0, parameter.find('.'));
 }
 
@@ -46,7 +46,7 @@ std::vector<std::string> quoted_names(const std::set<std::string>& names) {
 std::set<std::string> taken_tables(const DeclaredTable& table, const PosteriorDraws& posterior) {
   std::set<std::string> there;  // that members can take
   for (const std::string& parameter : posterior.parameters) {
-    if (!is_of_blocks(parameter)) there.insert(table_of(parameter));
+    if (!is_block_parameter(parameter)) there.insert(make_table(parameter));
   }
   const std::string same_blocks =
       "members of an ensemble have the same blocks; write the values that were found into [blocks] "
@@ -59,7 +59,7 @@ std::set<std::string> taken_tables(const DeclaredTable& table, const PosteriorDr
   const std::optional<std::vector<std::string>> take = table.texts("take");
   if (!take) {
     for (const std::string& parameter : posterior.parameters) {
-      if (is_of_ground(parameter)) continue;
+      if (is_ground_parameter(parameter)) continue;
       table.refuse("posterior", "was calibrated with " + parameter +
                                     " too; say which tables members have from it: take = [" +
                                     listed(quoted_names(there)) +
@@ -89,7 +89,7 @@ std::set<std::string> taken_tables(const DeclaredTable& table, const PosteriorDr
 PosteriorDraws only(const std::set<std::string>& tables, const PosteriorDraws& all) {
   PosteriorDraws taken{all.file, {}, std::vector<std::vector<double>>(all.draws.size())};
   for (std::size_t i = 0; i < all.parameters.size(); ++i) {
-    if (!tables.contains(table_of(all.parameters[i]))) continue;
+    if (!tables.contains(make_table(all.parameters[i]))) continue;
     taken.parameters.push_back(all.parameters[i]);
     for (std::size_t draw = 0; draw < all.draws.size(); ++draw) {
       taken.draws[draw].push_back(all.draws[draw][i]);
@@ -121,7 +121,7 @@ PosteriorDraws read_posterior(const DeclaredTable& table, const Campaign& campai
   PosteriorDraws taken = only(taken_tables(table, all), all);
   check_values(table, taken);
   const auto is_in_campaign = [&](const std::string& parameter) {
-    return !is_of_ground(parameter) || has_parameter(campaign, parameter);
+    return !is_ground_parameter(parameter) || has_parameter(campaign, parameter);
   };
   if (std::none_of(taken.parameters.begin(), taken.parameters.end(), is_in_campaign)) {
     table.refuse("posterior", node,
@@ -141,9 +141,9 @@ Ensemble::Design design_named(const std::string& word) {
 
 }  // namespace
 
-const BoundTable<Ensemble>& ensemble_keys() {
-  static const ValueForm taken = words({"ground", "contact", "release"});
-  static const BoundTable<Ensemble> keys(
+const MemberTable<Ensemble>& ensemble_keys() {
+  static const ValueFormat taken = words({"ground", "contact", "release"});
+  static const MemberTable<Ensemble> keys(
       {.name = "ensemble", .meaning = "How often uncertain parameters are drawn"},
       {{"members", "", "number of draws",
         required("how often the parameters are drawn, a whole number", count(1, kMostPerSet)),
@@ -166,7 +166,7 @@ Ensemble read_ensemble(const TomlTable& top, const Campaign& campaign) {
     }
     return {};
   }
-  const DeclaredTable table = required_table(top, ensemble_keys());
+  const DeclaredTable table = find_required_table(top, ensemble_keys());
   Ensemble ensemble;
   ensemble_keys().read(table, ensemble);
   if (!anything && !table.find("posterior")) {
@@ -188,9 +188,9 @@ Ensemble read_ensemble(const TomlTable& top, const Campaign& campaign) {
   return ensemble;
 }
 
-void check_posterior_starts(const TomlTable& top, const Campaign& campaign) {
+void check_posterior_parameters(const TomlTable& top, const Campaign& campaign) {
   if (!campaign.ensemble.posterior) return;
-  const DeclaredTable table = required_table(top, ensemble_keys());
+  const DeclaredTable table = find_required_table(top, ensemble_keys());
   for (const std::string& parameter : campaign.ensemble.posterior->parameters) {
     if (!is_of_release(parameter)) continue;
     if (campaign.stay && !campaign.stay->masses.empty()) {

@@ -25,7 +25,7 @@ void refuse_repeated(const std::vector<DeclaredTable>& tables) {
   }
 }
 
-void check_polygon(const DeclaredTable& table, const MassPlan& mass) {
+void check_polygon(const DeclaredTable& table, const MultiBlockRelease& mass) {
   const TomlNode& node = *table.find("polygon");
   table.checked("polygon", [&] { check_has_area(mass.polygon); });
   std::vector<Vec2> ring;
@@ -33,7 +33,7 @@ void check_polygon(const DeclaredTable& table, const MassPlan& mass) {
     if (ring.empty() || corner != ring.back()) ring.push_back(corner);
   }
   if (ring.front() != ring.back()) ring.push_back(ring.front());
-  if (const std::optional<SelfContact> found = find_self_contact(ring)) {
+  if (const std::optional<SelfTouch> found = find_self_touch(ring)) {
     table.refuse("polygon", node,
                  "must not cross, touch or retrace itself, and its sides " +
                      std::to_string(found->first + 1) + " and " +
@@ -44,7 +44,7 @@ void check_polygon(const DeclaredTable& table, const MassPlan& mass) {
 }
 
 /// Checks a mass whose blocks are where they were cut or scanned.
-void check_places(const DeclaredTable& table, const Campaign& campaign, const MassPlan& mass) {
+void check_places(const DeclaredTable& table, const Campaign& campaign, const MultiBlockRelease& mass) {
   for (const char* key :
        {"thickness_m", "share", "count", "settle", "settle_time_s", "faces", "face_interval_s"}) {
     table.refuse_if_there(key, "is for a heap; blocks that are in place have theirs already");
@@ -68,7 +68,7 @@ void check_places(const DeclaredTable& table, const Campaign& campaign, const Ma
 }
 
 /// Checks how the blocks of a heap settle.
-void check_settling(const DeclaredTable& table, const MassPlan& mass) {
+void check_settling(const DeclaredTable& table, const MultiBlockRelease& mass) {
   if (!mass.settle) {
     for (const char* key : {"settle_time_s", "faces", "face_interval_s"}) {
       table.refuse_if_there(key, "is for a heap that settles; add settle = true");
@@ -80,7 +80,7 @@ void check_settling(const DeclaredTable& table, const MassPlan& mass) {
   } else {
     table.refuse_if_there("face_interval_s", "is for faces = \"one by one\"");
   }
-  if (const std::optional<std::size_t> corner = reflex_corner(mass.polygon)) {
+  if (const std::optional<std::size_t> corner = find_reflex_vertex(mass.polygon)) {
     const Vec2& place = mass.polygon[*corner];
     table.refuse("polygon",
                  "is not convex at its corner " + std::to_string(*corner + 1) + ", [" +
@@ -91,7 +91,7 @@ void check_settling(const DeclaredTable& table, const MassPlan& mass) {
 }
 
 /// Checks a heap.
-void check_heap(const DeclaredTable& table, const MassPlan& mass) {
+void check_heap(const DeclaredTable& table, const MultiBlockRelease& mass) {
   table.refuse_if_there("height_m", "is for blocks in place; a heap lies on the ground");
   table.required("polygon", "[[x, y], ...]; or give in_place = true");
   check_polygon(table, mass);
@@ -103,7 +103,7 @@ void check_heap(const DeclaredTable& table, const MassPlan& mass) {
 
 /// Refuses shares that leave nothing to a mass, or a part of the blocks to none.
 void check_mass_shares(const std::vector<DeclaredTable>& tables,
-                       const std::vector<MassPlan>& masses) {
+                       const std::vector<MultiBlockRelease>& masses) {
   double sum = 0.0;
   bool all = true, any = false;
   const DeclaredTable* last = nullptr;
@@ -120,8 +120,8 @@ void check_mass_shares(const std::vector<DeclaredTable>& tables,
                                  : "; they must leave something to the mass without a share"));
 }
 
-MassPlan read_mass(const DeclaredTable& table, const Campaign& campaign) {
-  MassPlan mass;
+MultiBlockRelease read_mass(const DeclaredTable& table, const Campaign& campaign) {
+  MultiBlockRelease mass;
   mass_keys().read(table, mass);
   if (mass.in_place) {
     check_places(table, campaign, mass);
@@ -133,9 +133,9 @@ MassPlan read_mass(const DeclaredTable& table, const Campaign& campaign) {
 
 }  // namespace
 
-const BoundTable<MassPlan>& mass_keys() {
-  using Mass = MassPlan;
-  static const BoundTable<Mass> keys(
+const MemberTable<MultiBlockRelease>& mass_keys() {
+  using Mass = MultiBlockRelease;
+  static const MemberTable<Mass> keys(
       {"mass", "A rock mass, all blocks of which are released at once", KeyTable::Repeat::kEither},
       {{"name", "", "of the mass, required where there are several", text()},
        {"in_place", "", "blocks start where they lie in their library", flag(), &Mass::in_place},
@@ -160,16 +160,16 @@ const BoundTable<MassPlan>& mass_keys() {
   return keys;
 }
 
-std::vector<ReleasePlan> read_mass_releases(const TomlTable& top) {
-  const std::vector<DeclaredTable> tables = tables_of(top, mass_keys());
-  std::vector<ReleasePlan> releases;
+std::vector<ReleaseSet> read_mass_releases(const TomlTable& top) {
+  const std::vector<DeclaredTable> tables = find_tables(top, mass_keys());
+  std::vector<ReleaseSet> releases;
   if (tables.empty()) return releases;
   if (top.find("release")) {
     tables.front().refuse(
         "the blocks of a mass are not released from points; leave out [release], or [mass]");
   }
   refuse_repeated(tables);
-  ReleasePlan release;
+  ReleaseSet release;
   tables.front().read("seed", release.seed);
   release.orientation_seed = release.seed;
   release.orientation_source = "random";
@@ -189,14 +189,14 @@ std::vector<ReleasePlan> read_mass_releases(const TomlTable& top) {
   return releases;
 }
 
-std::optional<StayPlan> read_masses(const TomlTable& top, const Campaign& campaign) {
-  const std::vector<DeclaredTable> tables = tables_of(top, mass_keys());
+std::optional<PersistentBlocksPlan> read_multi_block_releases(const TomlTable& top, const Campaign& campaign) {
+  const std::vector<DeclaredTable> tables = find_tables(top, mass_keys());
   if (tables.empty()) return std::nullopt;
   const DeclaredTable& first = tables.front();
   if (!campaign.groups.empty()) {
     first.refuse("the blocks of a mass share one ground; leave the block groups out");
   }
-  StayPlan plan;
+  PersistentBlocksPlan plan;
   plan.realisations = read_realisations(first);
   for (const DeclaredTable& table : tables) {
     plan.masses.push_back(read_mass(table, campaign));
@@ -207,7 +207,7 @@ std::optional<StayPlan> read_masses(const TomlTable& top, const Campaign& campai
     }
   }
   check_mass_shares(tables, plan.masses);
-  const auto at_first = [](const MassPlan& mass) { return mass.release_time == 0.0; };
+  const auto at_first = [](const MultiBlockRelease& mass) { return mass.release_time == 0.0; };
   if (std::none_of(plan.masses.begin(), plan.masses.end(), at_first)) {
     first.refuse("release_time_s",
                  "times count from the first release, and no mass is released then; leave "

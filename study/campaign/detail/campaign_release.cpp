@@ -19,7 +19,7 @@ const char* const kPoints =
     "count = N }";
 const char* const kOrientations = "\"grid-45\", a quaternion file, or { random = N, seed = S }";
 
-std::vector<Vec3> read_release_points(const DeclaredTable& table, bool y_up, ReleasePlan& plan) {
+std::vector<Vec3> read_release_points(const DeclaredTable& table, bool y_up, ReleaseSet& plan) {
   const TomlNode& node = *table.find("points");
   const bool plan_only = plan.drop_height.has_value();
   const auto point_of = [&](const TomlTable& from, const std::string& key, const TomlNode& row) {
@@ -66,16 +66,16 @@ std::vector<Vec3> read_release_points(const DeclaredTable& table, bool y_up, Rel
                     [&](const Vec3& corner) { return corner == corners.front(); })) {
       rule.refuse("line", *line, "all its points are the same, so it has no length");
     }
-    return points_on_line(corners, count);
+    return space_points_on_line(corners, count);
   }
   if (!plan_only) rule.refuse("a polygon gives plan positions and needs height_m");
   const std::vector<Vec2> corners = *rule.value<std::vector<Vec2>>("polygon");
   return rule.checked("polygon", [&] {
-    return points_in_polygon(corners, count, rule.value<std::uint64_t>("seed").value_or(plan.seed));
+    return sample_points_in_polygon(corners, count, rule.value<std::uint64_t>("seed").value_or(plan.seed));
   });
 }
 
-void read_orientation_set(const DeclaredTable& table, bool y_up, ReleasePlan& plan) {
+void read_orientation_set(const DeclaredTable& table, bool y_up, ReleaseSet& plan) {
   const TomlNode& node = *table.find("orientations");
   const std::optional<std::string> frame = table.value<std::string>("frame");
   plan.in_principal_frame = frame == "principal";
@@ -86,7 +86,7 @@ void read_orientation_set(const DeclaredTable& table, bool y_up, ReleasePlan& pl
     plan.orientation_seed = plan.seed;
     rule.read("seed", plan.orientation_seed);
     plan.orientations =
-        random_orientations(*rule.value<std::size_t>("random"), plan.orientation_seed);
+        draw_random_orientations(*rule.value<std::size_t>("random"), plan.orientation_seed);
     rule.read("fresh", plan.fresh_orientations);
     return;
   }
@@ -99,7 +99,7 @@ void read_orientation_set(const DeclaredTable& table, bool y_up, ReleasePlan& pl
                    "the orientations of grid-45 turn the principal frame; leave frame out");
     }
     plan.in_principal_frame = true;
-    plan.orientations = grid_45_orientations();
+    plan.orientations = orientations_in_45_degree_grid();
     return;
   }
   if (fs::path(plan.orientation_source).extension().empty() &&
@@ -120,8 +120,8 @@ void check_rate(const DeclaredTable& table, const std::string& key, const Vec3& 
   }
 }
 
-ReleasePlan read_release(const DeclaredTable& table, bool y_up) {
-  ReleasePlan plan;
+ReleaseSet read_release(const DeclaredTable& table, bool y_up) {
+  ReleaseSet plan;
   release_keys().read(table, plan);
   check_rate(table, "velocity_m_s", plan.velocity, kMostSpeed);
   check_rate(table, "angular_velocity_rad_s", plan.angular_velocity, kMostSpin);
@@ -132,12 +132,12 @@ ReleasePlan read_release(const DeclaredTable& table, bool y_up) {
 
 }  // namespace
 
-const BoundTable<ReleasePlan>& release_keys() {
-  using Plan = ReleasePlan;
+const MemberTable<ReleaseSet>& release_keys() {
+  using Plan = ReleaseSet;
   static const TableKey how_many{
       "count", "", "how many points",
       required("how many points, a whole number", count(1, kMostPerSet))};
-  static const ValueForm points = either({text(), list(point(), 1),
+  static const ValueFormat points = either({text(), list(point(), 1),
                                           table({{"line", "m", "points are spaced evenly along it",
                                                   required("a list of points", list(point(), 2))},
                                                  how_many}),
@@ -145,12 +145,12 @@ const BoundTable<ReleasePlan>& release_keys() {
                                                   required("a list of points", list(point(), 3))},
                                                  how_many,
                                                  {"seed", "", "of the points", seed()}})});
-  static const ValueForm orientations = either(
+  static const ValueFormat orientations = either(
       {text(), table({{"random", "", "how many",
                        required("how many orientations, a whole number", count(1, kMostPerSet))},
                       {"seed", "", "of the orientations", seed()},
                       {"fresh", "", "different ones for every block and point", flag()}})});
-  static const BoundTable<Plan> keys(
+  static const MemberTable<Plan> keys(
       {"release", "Where and how blocks start", KeyTable::Repeat::kEither},
       {{"name", "", "of the release set, where there are several", text(), &Plan::name},
        {"points", "m", "of centres of mass: a file, a list, along a line or in a polygon",
@@ -176,19 +176,19 @@ const BoundTable<ReleasePlan>& release_keys() {
   return keys;
 }
 
-std::vector<ReleasePlan> read_releases(const TomlTable& top, bool y_up) {
-  if (std::vector<ReleasePlan> masses = read_mass_releases(top); !masses.empty()) return masses;
-  const std::vector<DeclaredTable> tables = tables_of(top, release_keys());
+std::vector<ReleaseSet> read_releases(const TomlTable& top, bool y_up) {
+  if (std::vector<ReleaseSet> masses = read_mass_releases(top); !masses.empty()) return masses;
+  const std::vector<DeclaredTable> tables = find_tables(top, release_keys());
   if (tables.empty()) {
     throw InputError(
         top.file() +
         ": the table [release] is missing; add it with points = FILE or a list of them, or [mass] "
         "with the polygon of a rock mass");
   }
-  std::vector<ReleasePlan> releases;
+  std::vector<ReleaseSet> releases;
   for (const DeclaredTable& table : tables) {
     if (tables.size() > 1) table.required("name", "a text in quotes, since there are several");
-    ReleasePlan release = read_release(table, y_up);
+    ReleaseSet release = read_release(table, y_up);
     check_new_name(table, release.name, releases, "release set");
     releases.push_back(std::move(release));
   }

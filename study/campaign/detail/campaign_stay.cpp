@@ -45,16 +45,16 @@ std::uint32_t read_realisations(const DeclaredTable& table) {
   return table.value<std::uint32_t>("realisations").value_or(1);
 }
 
-const BoundTable<GroundParameters>& between_blocks_keys() {
-  static const BoundTable<GroundParameters> keys = [] {
-    std::vector<BoundKey<GroundParameters>> all;
-    for (const GroundField& field : ground_fields()) {
+const MemberTable<GroundParameters>& between_blocks_keys() {
+  static const MemberTable<GroundParameters> keys = [] {
+    std::vector<MemberKey<GroundParameters>> all;
+    for (const GroundParameterField& field : ground_fields()) {
       if (field.of_soil) continue;
-      ValueForm form = number(field.range);
+      ValueFormat form = number(field.range);
       if (field.required) form = required(field.range.words(), std::move(form));
       all.push_back({field.name, field.unit, field.explanation(), std::move(form), field.value});
     }
-    return BoundTable<GroundParameters>(
+    return MemberTable<GroundParameters>(
         {.name = "contact.blocks", .meaning = "What two blocks do to each other"}, std::move(all));
   }();
   return keys;
@@ -74,9 +74,9 @@ GroundParameters read_between_blocks(const TomlTable& top, const std::string& wh
   return between_blocks;
 }
 
-std::optional<StayPlan> read_stay_plan(const TomlTable& top, const Campaign& campaign) {
-  if (std::optional<StayPlan> masses = read_masses(top, campaign)) return masses;
-  const std::vector<DeclaredTable> tables = tables_of(top, release_keys());
+std::optional<PersistentBlocksPlan> read_persistent_blocks_plan(const TomlTable& top, const Campaign& campaign) {
+  if (std::optional<PersistentBlocksPlan> masses = read_multi_block_releases(top, campaign)) return masses;
+  const std::vector<DeclaredTable> tables = find_tables(top, release_keys());
   const DeclaredTable& table = tables.front();
   const bool stay = table.value<std::string>("sequence") == "stay";
   if (!stay) {
@@ -99,7 +99,7 @@ std::optional<StayPlan> read_stay_plan(const TomlTable& top, const Campaign& cam
     table.refuse("sequence", sequence,
                  "blocks that stay share one ground; leave the block groups out");
   }
-  StayPlan plan;
+  PersistentBlocksPlan plan;
   plan.realisations = read_realisations(table);
   plan.random_order = table.value<std::string>("order") != "listed";
   if (!plan.random_order && campaign.blocks.draw) {

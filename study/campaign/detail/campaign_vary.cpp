@@ -24,8 +24,8 @@ std::vector<BoxRatios> read_ratios(const DeclaredTable& table) {
   return all;
 }
 
-const BoundTable<FormGrid>& grid_keys() {
-  static const BoundTable<FormGrid> keys(
+const MemberTable<FormGrid>& grid_keys() {
+  static const MemberTable<FormGrid> keys(
       {"blocks.vary.grid", "Forms all over a diagram"},
       {{"diagram", "", "of form", required("\"sneed-folk\" or \"zingg\"", words(form_grid_names())),
         &FormGrid::diagram},
@@ -42,8 +42,8 @@ FormGrid read_grid(const DeclaredTable& vary) {
   return grid;
 }
 
-const BoundTable<SeriesRequest>& population_keys() {
-  static const BoundTable<SeriesRequest> keys(
+const MemberTable<SeriesRequest>& population_keys() {
+  static const MemberTable<SeriesRequest> keys(
       {"blocks.vary.population", "Bodies with drawn sizes and forms"},
       {{"count", "", "how many",
         required("how many bodies, a whole number", count(1, kMostSeriesBodies)),
@@ -88,13 +88,13 @@ void check_steps(const DeclaredTable& table, const SeriesSteps& steps) {
 
 }  // namespace
 
-const BoundTable<SeriesRequest>& vary_keys() {
+const MemberTable<SeriesRequest>& vary_keys() {
   using Steps = SeriesSteps;
   constexpr auto kSteps = &SeriesRequest::steps;
   const auto numbers = [](const NumberRange& range) {
     return one_or_more(number(range), kMostSeriesBodies);
   };
-  static const BoundTable<SeriesRequest> keys(
+  static const MemberTable<SeriesRequest> keys(
       {"blocks.vary", "Bodies made of the blocks, that run in their place"},
       {{"to", "", "stretch to these ratios, [I/L, S/L] each",
         list(list(number(kVariedRatio), 2, 2), 1), &read_ratios, kSteps, &Steps::to},

@@ -30,7 +30,7 @@ Lines collect_lines(const std::vector<CampaignResults>& results) {
       std::vector<Vec2> through = barrier.through;
       for (Vec2& point : through) point += origin;
       const Counts counts =
-          barrier.counted == CountedCrossings::kForward ? Counts::kForward : Counts::kEither;
+          barrier.counted == CountedDirection::kForward ? Counts::kForward : Counts::kEither;
       std::size_t line = 0;
       bool name_taken = false;
       for (; line < found.lines.size(); ++line) {
@@ -78,10 +78,10 @@ std::map<std::pair<std::uint32_t, std::uint32_t>, std::size_t> rows_by_run(
   return found;
 }
 
-std::vector<CrossingRow> collect_crossings(const std::vector<CampaignResults>& results,
+std::vector<BarrierCrossing> collect_crossings(const std::vector<CampaignResults>& results,
                                            const std::vector<RunRow>& rows, const Lines& lines) {
   const auto row_of = rows_by_run(results, rows);
-  std::vector<CrossingRow> crossings;
+  std::vector<BarrierCrossing> crossings;
   for (std::uint32_t file = 0; file < results.size(); ++file) {
     for (const Crossing& crossing : results[file].crossings) {
       const auto row = row_of.find({file, crossing.run});
@@ -98,11 +98,11 @@ std::vector<CrossingRow> collect_crossings(const std::vector<CampaignResults>& r
     }
   }
   std::stable_sort(crossings.begin(), crossings.end(),
-                   [](const CrossingRow& a, const CrossingRow& b) {
+                   [](const BarrierCrossing& a, const BarrierCrossing& b) {
                      return std::pair(a.row, a.crossing->time) < std::pair(b.row, b.crossing->time);
                    });
   std::map<std::pair<std::size_t, std::size_t>, bool> counted;  // by row and barrier
-  for (CrossingRow& crossing : crossings) {
+  for (BarrierCrossing& crossing : crossings) {
     if (!lines.lines[crossing.barrier].counted(*crossing.crossing)) continue;
     crossing.counted = counted.emplace(std::pair(crossing.row, crossing.barrier), true).second;
   }
@@ -128,9 +128,9 @@ std::vector<double> farthest_skin_points(const std::vector<CampaignResults>& res
 }
 
 /// @param farthest  skin point of each crossing's block, m from its centre
-BarrierGroup measure_crossings(const std::vector<const Crossing*>& crossings,
+BarrierGroupStatistics measure_crossings(const std::vector<const Crossing*>& crossings,
                                const std::vector<double>& farthest) {
-  BarrierGroup group;
+  BarrierGroupStatistics group;
   std::vector<double> tops;
   for (std::size_t i = 0; i < crossings.size(); ++i) {
     tops.push_back(crossings[i]->height + farthest[i]);
@@ -158,11 +158,11 @@ struct CrossingsOfLine {
   std::vector<const Crossing*> any;    ///< first, counted or not
 };
 
-CrossingsOfLine first_crossings(const std::vector<CrossingRow>& crossings, std::size_t line,
+CrossingsOfLine first_crossings(const std::vector<BarrierCrossing>& crossings, std::size_t line,
                                 std::size_t rows) {
   CrossingsOfLine found{std::vector<const Crossing*>(rows, nullptr),
                         std::vector<const Crossing*>(rows, nullptr)};
-  for (const CrossingRow& crossing : crossings) {
+  for (const BarrierCrossing& crossing : crossings) {
     if (crossing.barrier != line) continue;
     if (crossing.counted) found.first[crossing.row] = crossing.crossing;
     if (found.any[crossing.row] == nullptr) found.any[crossing.row] = crossing.crossing;
@@ -173,7 +173,7 @@ CrossingsOfLine first_crossings(const std::vector<CrossingRow>& crossings, std::
 /// Runs at a barrier; the group's name and index are still to be set.
 /// @param farthest  skin point of the block of every row, m from its centre
 /// @return none where no run met the barrier
-std::optional<BarrierGroup> group_at_line(const std::vector<CampaignResults>& results,
+std::optional<BarrierGroupStatistics> group_at_line(const std::vector<CampaignResults>& results,
                                           const std::vector<RunRow>& rows, const BarrierLine& line,
                                           const CrossingsOfLine& of_line,
                                           const std::vector<double>& farthest,
@@ -181,7 +181,7 @@ std::optional<BarrierGroup> group_at_line(const std::vector<CampaignResults>& re
   std::size_t started = 0, backward = 0;
   std::vector<const Crossing*> crossings;
   std::vector<double> of_crossings;
-  RunClusters clusters(results);
+  RunClustering clusters(results);
   ClusteredValues hits;
   for (const std::size_t row : members) {
     if (!line.is_in(rows[row].file)) continue;
@@ -198,14 +198,14 @@ std::optional<BarrierGroup> group_at_line(const std::vector<CampaignResults>& re
     backward += !line.of_ring() && of_line.any[row] != nullptr && !of_line.any[row]->forward;
   }
   if (started == 0) return std::nullopt;
-  BarrierGroup group = measure_crossings(crossings, of_crossings);
+  BarrierGroupStatistics group = measure_crossings(crossings, of_crossings);
   group.barrier = line.name;
   group.counted = line.counted_direction();
   group.started = started;
   group.crossed = crossings.size();
   group.backward = backward;
   group.probability = static_cast<double>(group.crossed) / static_cast<double>(started);
-  if (!clusters.is_one_realisation()) {
+  if (!clusters.has_single_realisation()) {
     group.interval = clustered_share_interval(hits, clusters.count());
   }
   return group;
@@ -225,7 +225,7 @@ BarrierComparison compare_barriers(const std::vector<CampaignResults>& results,
   for (std::size_t line = 0; line < compared.lines.size(); ++line) {
     const CrossingsOfLine of_line = first_crossings(compared.crossings, line, rows.size());
     for (std::size_t g = 0; g < groups.size(); ++g) {
-      std::optional<BarrierGroup> group =
+      std::optional<BarrierGroupStatistics> group =
           group_at_line(results, rows, compared.lines[line], of_line, farthest, groups[g].rows);
       if (!group) continue;
       group->group = groups[g].name;
@@ -237,14 +237,14 @@ BarrierComparison compare_barriers(const std::vector<CampaignResults>& results,
   return compared;
 }
 
-std::vector<BarrierGroup> passages_by_draw(const Comparison& comparison, std::size_t line,
-                                           const std::vector<RowsOfDraw>& draws) {
+std::vector<BarrierGroupStatistics> barrier_groups_by_draw(const Comparison& comparison, std::size_t line,
+                                           const std::vector<GroundDrawRows>& draws) {
   const CrossingsOfLine of_line =
       first_crossings(comparison.crossings, line, comparison.rows.size());
   const std::vector<double> farthest = farthest_skin_points(comparison.results, comparison.rows);
-  std::vector<BarrierGroup> found;
-  for (const RowsOfDraw& draw : draws) {
-    std::optional<BarrierGroup> group = group_at_line(
+  std::vector<BarrierGroupStatistics> found;
+  for (const GroundDrawRows& draw : draws) {
+    std::optional<BarrierGroupStatistics> group = group_at_line(
         comparison.results, comparison.rows, comparison.lines[line], of_line, farthest, draw.rows);
     if (group) found.push_back(std::move(*group));
   }

@@ -9,8 +9,8 @@ namespace clast::study_detail {
 
 struct BarrierComparison {
   std::vector<BarrierLine> lines;
-  std::vector<CrossingRow> crossings;
-  std::vector<BarrierGroup> groups;
+  std::vector<BarrierCrossing> crossings;
+  std::vector<BarrierGroupStatistics> groups;
 };
 
 /// @throws InputError  a crossing of a run or barrier that is not in its file
@@ -19,7 +19,7 @@ BarrierComparison compare_barriers(const std::vector<CampaignResults>& results,
                                    const std::vector<Group>& groups);
 
 /// What passes a barrier in each draw of the ground; draws whose runs never met it left out.
-std::vector<BarrierGroup> passages_by_draw(const Comparison& comparison, std::size_t line,
-                                           const std::vector<RowsOfDraw>& draws);
+std::vector<BarrierGroupStatistics> barrier_groups_by_draw(const Comparison& comparison, std::size_t line,
+                                           const std::vector<GroundDrawRows>& draws);
 
 }  // namespace clast::study_detail

@@ -12,7 +12,7 @@ constexpr double kMassLevelShare = 5e-3;
 
 }  // namespace
 
-std::vector<const RunRow*> rows_of_file(const Comparison& comparison, std::uint32_t file) {
+std::vector<const RunRow*> select_rows_of_file(const Comparison& comparison, std::uint32_t file) {
   std::vector<const RunRow*> rows;
   for (const RunRow& row : comparison.rows) {
     if (row.file == file) rows.push_back(&row);
@@ -20,7 +20,7 @@ std::vector<const RunRow*> rows_of_file(const Comparison& comparison, std::uint3
   return rows;
 }
 
-std::vector<RunOutcome> run_outcomes(const Comparison& comparison, std::uint32_t file,
+std::vector<RunOutcome> collect_run_outcomes(const Comparison& comparison, std::uint32_t file,
                                      const std::vector<const RunRow*>& rows) {
   std::vector<RunOutcome> outcomes = {
       {"runout", "m", {}}, {"lateral angle", "rad", {}}, {"largest energy", "J", {}}};
@@ -33,7 +33,7 @@ std::vector<RunOutcome> run_outcomes(const Comparison& comparison, std::uint32_t
   for (std::size_t line = 0; line < comparison.lines.size(); ++line) {
     const BarrierLine& barrier = comparison.lines[line];
     if (!barrier.is_in(file)) continue;
-    const std::vector<const Crossing*> crossings = counted_crossings(comparison, line);
+    const std::vector<const Crossing*> crossings = parse_counted_direction(comparison, line);
     RunOutcome outcome{"passing " + barrier.name, "", {}};
     for (const RunRow* row : rows) {
       const auto index = static_cast<std::size_t>(row - comparison.rows.data());
@@ -44,7 +44,7 @@ std::vector<RunOutcome> run_outcomes(const Comparison& comparison, std::uint32_t
   return outcomes;
 }
 
-std::vector<double> distinct_masses(const std::vector<const RunRow*>& rows) {
+std::vector<double> find_distinct_masses(const std::vector<const RunRow*>& rows) {
   std::set<double> all;
   for (const RunRow* row : rows) all.insert(row->block->mass);
   std::vector<double> distinct;
@@ -55,7 +55,7 @@ std::vector<double> distinct_masses(const std::vector<const RunRow*>& rows) {
   return distinct;
 }
 
-std::size_t mass_level(const std::vector<double>& masses, double mass) {
+std::size_t find_mass_level(const std::vector<double>& masses, double mass) {
   return static_cast<std::size_t>(std::upper_bound(masses.begin(), masses.end(), mass) -
                                   masses.begin());
 }

@@ -42,7 +42,7 @@ std::string stiffness_lists(const std::vector<SceneContact>& contacts) {
 }
 
 /// Zones that have ground, as drivers by number.
-std::vector<std::size_t> drivers_of(const SceneSet& set) {
+std::vector<std::size_t> drivers_of(const SceneContents& set) {
   std::vector<std::size_t> zones;
   for (std::size_t zone = 0; zone < set.zones.size(); ++zone) {
     if (!set.zones[zone].surface.triangles.empty()) zones.push_back(zone);
@@ -50,7 +50,7 @@ std::vector<std::size_t> drivers_of(const SceneSet& set) {
   return zones;
 }
 
-std::string contacts_text(const SceneSet& set, const Scene& scene) {
+std::string contacts_text(const SceneContents& set, const Scene& scene) {
   const std::vector<std::size_t> drivers = drivers_of(set);
   std::vector<SceneContact> ground, between;
   for (const SceneContact& contact : scene.contacts) {
@@ -96,7 +96,7 @@ Bounds domain_of(const CampaignPlan& prepared, const Scene& scene, double cell) 
   return box;
 }
 
-std::string drivers_text(const CampaignPlan& prepared, const SceneSet& set) {
+std::string drivers_text(const CampaignPlan& prepared, const SceneContents& set) {
   const double radius = std::max(prepared.campaign.terrain_radius, kLeastRadius);
   std::string text = "setup_drivers:\n";
   const std::vector<std::size_t> drivers = drivers_of(set);
@@ -108,7 +108,7 @@ std::string drivers_text(const CampaignPlan& prepared, const SceneSet& set) {
   return text;
 }
 
-std::string exadem_input(const CampaignPlan& prepared, const SceneSet& set, const Scene& scene) {
+std::string exadem_input(const CampaignPlan& prepared, const SceneContents& set, const Scene& scene) {
   const Campaign& campaign = prepared.campaign;
   double size = 0.0;
   for (const SceneBody& body : scene.bodies) {
@@ -141,7 +141,7 @@ std::string exadem_input(const CampaignPlan& prepared, const SceneSet& set, cons
          " m\n";
 }
 
-std::string conf_text(const SceneSet& set, const Scene& scene) {
+std::string conf_text(const SceneContents& set, const Scene& scene) {
   std::string text = "Rockable 29-11-2018\nt 0\ndt " + exact(scene.time_step) + "\n";
   for (std::size_t i = 0; i < set.shapes.size(); ++i) {
     text += "density " + std::to_string(i) + " " + exact(set.shapes[i].density) + "\n";
@@ -149,14 +149,14 @@ std::string conf_text(const SceneSet& set, const Scene& scene) {
   text +=
       "nDriven 0\nshapeFile ../shapes.shp\nParticles " + std::to_string(scene.bodies.size()) + "\n";
   for (const SceneBody& body : scene.bodies) {
-    text += conf_line(set.shapes[body.shape].shape.name, body.shape, body.scale, body.start);
+    text += format_conf_line(set.shapes[body.shape].shape.name, body.shape, body.scale, body.start);
   }
   return text;
 }
 
 }  // namespace
 
-void write_exadem_scene(const CampaignPlan& prepared, const SceneSet& set, const Scene& scene,
+void write_exadem_scene(const CampaignPlan& prepared, const SceneContents& set, const Scene& scene,
                         const std::filesystem::path& folder) {
   std::filesystem::create_directories(folder / scene.name);
   write_output(folder / scene.name / "input.msp", exadem_input(prepared, set, scene), {});
@@ -167,7 +167,7 @@ void write_exadem_scene(const CampaignPlan& prepared, const SceneSet& set, const
   }
 }
 
-std::vector<std::string> exadem_notes(const CampaignPlan& prepared) {
+std::vector<std::string> check_exadem_limits(const CampaignPlan& prepared) {
   std::vector<std::string> notes = {
       "Not run here: the input follows the keys of ExaDEM 1.2.2 as read in its sources.",
       "The normal force there is a spring with a dashpot: the damping rate -ln e_n / sqrt(pi^2 + "

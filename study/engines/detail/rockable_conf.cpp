@@ -135,7 +135,7 @@ RockableConf read_rockable_conf(const fs::path& file) {
   lines.refuse("ends without Particles; Rockable may have been stopped while it wrote");
 }
 
-std::vector<fs::path> rockable_series(const fs::path& folder) {
+std::vector<fs::path> list_rockable_states(const fs::path& folder) {
   std::vector<std::pair<std::uint64_t, fs::path>> numbered;
   if (!fs::is_directory(folder)) return {};
   for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
@@ -160,7 +160,7 @@ std::optional<RockfallTracker> read_rockfall_tracker(const fs::path& folder) {
   return std::nullopt;
 }
 
-std::optional<TrackedState> read_track_end(const fs::path& file) {
+std::optional<TrackedState> read_last_tracked_state(const fs::path& file) {
   constexpr std::size_t kNumbers = 20;  // time, state, force and moment
   if (!fs::is_regular_file(file)) return std::nullopt;
   WordLines lines(file);

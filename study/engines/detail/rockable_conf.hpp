@@ -33,7 +33,7 @@ struct RockableConf {
 RockableConf read_rockable_conf(const std::filesystem::path& file);
 
 /// The snapshots of a folder in order of their numbers; none where the scene was not run.
-std::vector<std::filesystem::path> rockable_series(const std::filesystem::path& folder);
+std::vector<std::filesystem::path> list_rockable_states(const std::filesystem::path& folder);
 
 /// What ends the run of a single block: TrackRockfall of dataExtractors.txt.
 struct RockfallTracker {
@@ -50,6 +50,6 @@ struct TrackedState {
   RigidState state;
 };
 /// The last whole line of a track; none where there is none.
-std::optional<TrackedState> read_track_end(const std::filesystem::path& file);
+std::optional<TrackedState> read_last_tracked_state(const std::filesystem::path& file);
 
 }  // namespace clast::study_detail

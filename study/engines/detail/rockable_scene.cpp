@@ -22,16 +22,16 @@ std::string contact_lines(const SceneContact& contact) {
          exact(contact.rolling) + "\nmurContact" + pair + exact(ground.rolling_friction) + "\n\n";
 }
 
-std::string bodies_text(const SceneSet& set, const Scene& scene) {
+std::string bodies_text(const SceneContents& set, const Scene& scene) {
   std::string lines;
   std::size_t driven = 0;
   for (std::size_t zone = 0; zone < set.zones.size(); ++zone) {
     if (set.zones[zone].surface.triangles.empty()) continue;
-    lines += conf_line(set.zones[zone].shape.name, set.zone_group(zone), 1.0, {});
+    lines += format_conf_line(set.zones[zone].shape.name, set.zone_group(zone), 1.0, {});
     ++driven;
   }
   for (const SceneBody& body : scene.bodies) {
-    lines += conf_line(set.shapes[body.shape].shape.name, body.shape, body.scale, body.start);
+    lines += format_conf_line(set.shapes[body.shape].shape.name, body.shape, body.scale, body.start);
   }
   return "nDriven " + std::to_string(driven) + "\nshapeFile ../shapes.shp\nParticles " +
          std::to_string(driven + scene.bodies.size()) + "\n" + lines;
@@ -50,7 +50,7 @@ std::string weights_of(ContactWeights weights) {
   return "None";
 }
 
-std::string rockable_input(const CampaignPlan& prepared, const SceneSet& set, const Scene& scene) {
+std::string rockable_input(const CampaignPlan& prepared, const SceneContents& set, const Scene& scene) {
   const Campaign& campaign = prepared.campaign;
   const double interval =
       campaign.trajectory_interval > 0.0 ? campaign.trajectory_interval : kRockableSnapshot;
@@ -74,7 +74,7 @@ std::string rockable_input(const CampaignPlan& prepared, const SceneSet& set, co
 
 }  // namespace
 
-void write_rockable_scene(const CampaignPlan& prepared, const SceneSet& set, const Scene& scene,
+void write_rockable_scene(const CampaignPlan& prepared, const SceneContents& set, const Scene& scene,
                           const std::filesystem::path& folder) {
   std::filesystem::create_directories(folder / scene.name);
   write_output(folder / scene.name / "input.txt", rockable_input(prepared, set, scene), {});
@@ -112,7 +112,7 @@ std::string depth_note(const CampaignPlan& prepared) {
 
 }  // namespace
 
-std::vector<std::string> rockable_notes(const CampaignPlan& prepared) {
+std::vector<std::string> check_rockable_limits(const CampaignPlan& prepared) {
   const Campaign& campaign = prepared.campaign;
   std::vector<std::string> notes = {
       depth_note(prepared),

@@ -57,8 +57,8 @@ double path_length(const RigidBody& body, const MotionStep& step, double gravity
 
 }  // namespace
 
-StoredRun run_of_states(const CampaignPlan& prepared, const RunRecord& planned,
-                        const StateSeries& series, const SeriesEnd& end) {
+StoredRun make_run_from_states(const CampaignPlan& prepared, const RunRecord& planned,
+                        const StateSeries& series, const RunEnd& end) {
   const RigidBody body = prepared.bodies[planned.block];
   const double gravity = prepared.campaign.gravity;
   StoredRun run;
@@ -103,7 +103,7 @@ StoredRun run_of_states(const CampaignPlan& prepared, const RunRecord& planned,
   return run;
 }
 
-std::size_t first_off_terrain(const CampaignPlan& prepared, const StateSeries& series) {
+std::size_t find_first_off_terrain(const CampaignPlan& prepared, const StateSeries& series) {
   const auto found =
       std::find_if(series.states.begin(), series.states.end(), [&](const RigidState& state) {
         return !prepared.surface->covers(state.position.x(), state.position.y());

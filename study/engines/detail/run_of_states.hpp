@@ -13,7 +13,7 @@ struct StateSeries {
 };
 
 /// How a series ended.
-struct SeriesEnd {
+struct RunEnd {
   StopReason reason = StopReason::kError;
   std::string message = {};  ///< of an error
 };
@@ -23,12 +23,12 @@ struct SeriesEnd {
 /// exact flight where one leads to the other, else interpolated (`state_at`). What needs contacts
 /// is not a number, or 0 where it is a count: `CampaignHeader::engine` says that it is not known.
 /// The trajectory is the series.
-StoredRun run_of_states(const CampaignPlan& prepared, const RunRecord& planned,
-                        const StateSeries& series, const SeriesEnd& end);
+StoredRun make_run_from_states(const CampaignPlan& prepared, const RunRecord& planned,
+                        const StateSeries& series, const RunEnd& end);
 
 /// Number of the first state whose centre is not over the ground; the number of states where all
 /// are.
-std::size_t first_off_terrain(const CampaignPlan& prepared, const StateSeries& series);
+std::size_t find_first_off_terrain(const CampaignPlan& prepared, const StateSeries& series);
 
 /// Is the block at rest, as [run] rest_energy_j_kg and rest_duration_s say, at the end of the
 /// series? One state alone can't tell.

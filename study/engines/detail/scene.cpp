@@ -73,7 +73,7 @@ double fastest(const CampaignPlan& prepared, const SceneBody& body) {
   return std::sqrt(body.start.velocity.squaredNorm() + 2.0 * prepared.campaign.gravity * fall);
 }
 
-void add_contacts(const CampaignPlan& prepared, const SceneSet& set, std::uint32_t first,
+void add_contacts(const CampaignPlan& prepared, const SceneContents& set, std::uint32_t first,
                   std::uint32_t count, Scene& scene) {
   std::set<std::uint32_t> shapes;
   for (std::uint32_t i = first; i < first + count; ++i) {
@@ -101,12 +101,12 @@ void add_contacts(const CampaignPlan& prepared, const SceneSet& set, std::uint32
 }  // namespace
 
 std::string scene_name(const CampaignPlan& prepared, std::uint32_t first) {
-  return prepared.header.stay ? "realisation" + padded(first / prepared.header.runs_together(), 4)
+  return prepared.header.stay ? "realisation" + padded(first / prepared.header.runs_per_realisation(), 4)
                               : "run" + padded(first, 5);
 }
 
-SceneSet scene_set(const CampaignPlan& prepared) {
-  SceneSet set;
+SceneContents scene_set(const CampaignPlan& prepared) {
+  SceneContents set;
   const Terrain& terrain = prepared.header.terrain;
   std::set<std::string> used;
   for (std::size_t zone = 0; zone < terrain.zone_names.size(); ++zone) {
@@ -122,8 +122,8 @@ SceneSet scene_set(const CampaignPlan& prepared) {
   return set;
 }
 
-Scene scene_of(const CampaignPlan& prepared, const SceneSet& set, std::uint32_t first) {
-  const std::uint32_t together = prepared.header.runs_together();
+Scene build_scene(const CampaignPlan& prepared, const SceneContents& set, std::uint32_t first) {
+  const std::uint32_t together = prepared.header.runs_per_realisation();
   Scene scene;
   scene.name = scene_name(prepared, first);
   double speed = 0.0, step = prepared.runs[first].stiffness.time_step;

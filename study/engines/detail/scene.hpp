@@ -26,7 +26,7 @@ struct SceneZone {
 
 /// What all scenes of a campaign have in common. The group of a block is the index of its shape,
 /// that of a zone `shapes.size()` and its index.
-struct SceneSet {
+struct SceneContents {
   std::vector<SceneShape> shapes;
   std::vector<SceneZone> zones;
 
@@ -65,19 +65,19 @@ struct Scene {
 /// Of the scene that begins with this run.
 std::string scene_name(const CampaignPlan& prepared, std::uint32_t first);
 
-SceneSet scene_set(const CampaignPlan& prepared);
+SceneContents scene_set(const CampaignPlan& prepared);
 
 /// @param first  number of the first run of those that are computed together
-Scene scene_of(const CampaignPlan& prepared, const SceneSet& set, std::uint32_t first);
+Scene build_scene(const CampaignPlan& prepared, const SceneContents& set, std::uint32_t first);
 
 /// Shapes and conf file of Rockable, with the input of its tracker.
-void write_rockable_scene(const CampaignPlan& prepared, const SceneSet& set, const Scene& scene,
+void write_rockable_scene(const CampaignPlan& prepared, const SceneContents& set, const Scene& scene,
                           const std::filesystem::path& folder);
-std::vector<std::string> rockable_notes(const CampaignPlan& prepared);
+std::vector<std::string> check_rockable_limits(const CampaignPlan& prepared);
 
 /// Input file of ExaDEM, with the bodies as a conf file and the terrain as STL files.
-void write_exadem_scene(const CampaignPlan& prepared, const SceneSet& set, const Scene& scene,
+void write_exadem_scene(const CampaignPlan& prepared, const SceneContents& set, const Scene& scene,
                         const std::filesystem::path& folder);
-std::vector<std::string> exadem_notes(const CampaignPlan& prepared);
+std::vector<std::string> check_exadem_limits(const CampaignPlan& prepared);
 
 }  // namespace clast::study_detail

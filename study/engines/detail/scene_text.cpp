@@ -12,7 +12,7 @@ std::string exact(double value) {
 
 std::string exact(const Vec3& v) { return exact(v.x()) + " " + exact(v.y()) + " " + exact(v.z()); }
 
-std::string conf_line(const std::string& shape, std::uint32_t group, double scale,
+std::string format_conf_line(const std::string& shape, std::uint32_t group, double scale,
                       const RigidState& start) {
   const Quat& turn = start.orientation;
   const std::string none = "0 0 0";

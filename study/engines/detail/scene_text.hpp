@@ -13,7 +13,7 @@ std::string exact(const Vec3& v);
 
 /// Bodies as lines of a conf file: name, group, cluster, homothety, position, velocity,
 /// acceleration, orientation (w x y z), angular velocity and acceleration, in world axes.
-std::string conf_line(const std::string& shape, std::uint32_t group, double scale,
+std::string format_conf_line(const std::string& shape, std::uint32_t group, double scale,
                       const RigidState& start);
 
 }  // namespace clast::study_detail

@@ -101,7 +101,7 @@ std::string pair_text(double x, double y) {
 
 std::string place_text(const Vec3& place) { return pair_text(place.x(), place.y()); }
 
-std::string blocks_text(const ProposedBlocks& blocks) {
+std::string format_blocks_table(const ProposedBlocks& blocks) {
   const std::string select =
       blocks.selected.empty() ? "" : "select             = " + toml_list(blocks.selected) + "\n";
   const std::string about = blocks.mass
@@ -118,7 +118,7 @@ std::string commented(double value, const std::string& remark) {
 }
 
 std::string zone_text(const ProposedGround& zone, double rolling_length) {
-  const auto usual = [](const UsualValue& number, const std::string& symbol) {
+  const auto usual = [](const TypicalValue& number, const std::string& symbol) {
     return commented(number.value, symbol + ", usual " + with_digits(number.low, 3) + " to " +
                                        with_digits(number.high, 3));
   };
@@ -138,7 +138,7 @@ std::string zone_text(const ProposedGround& zone, double rolling_length) {
 
 std::string campaign_text(const CampaignProposal& proposal, const std::string& library,
                           const std::vector<std::string>& surface) {
-  const ProposedPlaces& places = proposal.places;
+  const ProposedLines& places = proposal.places;
   std::string notes, ground;
   for (const std::string& doubt : proposal.doubts) notes += "#\n# NOTE: " + doubt + "\n";
   for (const ProposedGround& zone : proposal.ground) {
@@ -149,7 +149,7 @@ std::string campaign_text(const CampaignProposal& proposal, const std::string& l
       kCampaign,
       {{"notes", notes},
        {"library", toml_string(library)},
-       {"blocks", blocks_text(proposal.blocks)},
+       {"blocks", format_blocks_table(proposal.blocks)},
        {"surface", surface.size() == 1 ? toml_string(surface.front()) : toml_list(surface)},
        {"margin", with_digits(places.margin, 2)},
        {"ground", ground},

@@ -190,10 +190,10 @@ ProposedLine line_through(const UpperGround& ground, const MapFrame& frame, cons
 
 }  // namespace
 
-ProposedPlaces propose_places(const Terrain& terrain, const TerrainSurface& surface,
+ProposedLines propose_release_and_barrier(const Terrain& terrain, const TerrainSurface& surface,
                               double block_length) {
   const UpperGround ground(surface, block_length);
-  ProposedPlaces places;
+  ProposedLines places;
   places.block_length = block_length;
   places.margin = std::max(
       2.0 * block_length,
@@ -231,7 +231,7 @@ ProposedPlaces propose_places(const Terrain& terrain, const TerrainSurface& surf
 }
 
 void place_barrier(const Terrain& terrain, const TerrainSurface& surface, double distance,
-                   ProposedPlaces& places) {
+                   ProposedLines& places) {
   const UpperGround ground(surface, places.block_length);
   const std::vector<Vec3>& path = places.path;
   const double clear = std::max(places.block_length, ground.step);

@@ -217,18 +217,18 @@ void visit_columns(std::type_identity<Impact>, const Visit& visit) {
 }
 
 template <class Visit>
-void visit_columns(std::type_identity<StayRecord>, const Visit& visit) {
-  visit("run", "", "number of the run", &StayRecord::run);
+void visit_columns(std::type_identity<PersistentBlockRecord>, const Visit& visit) {
+  visit("run", "", "number of the run", &PersistentBlockRecord::run);
   visit("released_at_s", "s", "since the first release of its realisation",
-        &StayRecord::released_at);
+        &PersistentBlockRecord::released_at);
   visit("raised_m", "m", "by which it started higher than planned, above blocks that lay there",
-        &StayRecord::raised);
+        &PersistentBlockRecord::raised);
   visit("moved_later_m", "m", "by later blocks, from where it had stopped",
-        &StayRecord::moved_later);
+        &PersistentBlockRecord::moved_later);
   visit("blocks_hit", "", "other blocks that it touched during its own release",
-        &StayRecord::blocks_hit);
+        &PersistentBlockRecord::blocks_hit);
   visit("removed_at_s", "s", "when it was removed, likewise; NaN if it stayed",
-        &StayRecord::removed_at);
+        &PersistentBlockRecord::removed_at);
 }
 
 template <class Visit>
@@ -266,13 +266,13 @@ void visit_columns(std::type_identity<EnergyRecord>, const Visit& visit) {
 }
 
 /// Rows of a trajectory dataset: time, then the state.
-inline std::size_t trajectory_rows() {
+inline std::size_t trajectory_chunk_rows() {
   std::size_t rows = 1;
   visit_columns(kRowsOf<RigidState>, [&](const auto&...) { ++rows; });
   return rows;
 }
 
 /// "00000012": sorts by name as by number.
-std::string trajectory_name(std::uint32_t run);
+std::string trajectory_dataset_name(std::uint32_t run);
 
 }  // namespace clast::study_detail

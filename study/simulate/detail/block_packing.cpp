@@ -78,7 +78,7 @@ const BlockPacking::Cell* BlockPacking::find(std::int64_t i, std::int64_t j) con
   return cell ? &*cell : nullptr;
 }
 
-std::optional<double> BlockPacking::rest_height(std::span<const CoveredCell> covered,
+std::optional<double> BlockPacking::find_rest_height(std::span<const CoveredCell> covered,
                                                 std::int64_t move_i, std::int64_t move_j,
                                                 std::optional<double> thickness) const {
   double height = -std::numeric_limits<double>::infinity();
@@ -101,7 +101,7 @@ std::optional<RigidState> BlockPacking::place(const RigidBody& body, const Groun
   // The centre is in the middle of a cell.
   state.position = {0.5 * width_, 0.5 * width_, 0.0};
   const std::vector<CoveredCell> covered =
-      covered_cells(core_mesh(body.shape), body.shape.radius, state.world_from_body(), width_);
+      compute_covered_cells(core_mesh(body.shape), body.shape.radius, state.world_from_body(), width_);
   struct Place {
     std::int64_t i = 0, j = 0;
     double height = 0.0;
@@ -111,7 +111,7 @@ std::optional<RigidState> BlockPacking::place(const RigidBody& body, const Groun
   for (int draw = 0; draw < kPlaceDraws && found < kComparedPlaces; ++draw) {
     const auto at = static_cast<std::int64_t>(inside_[random.below(inside_.size())]);
     const std::int64_t i = first_i_ + at % columns_, j = first_j_ + at / columns_;
-    const std::optional<double> height = rest_height(covered, i, j, thickness);
+    const std::optional<double> height = find_rest_height(covered, i, j, thickness);
     if (!height) continue;
     ++found;
     const double above = *height - find(i, j)->ground;
@@ -131,7 +131,7 @@ std::optional<RigidState> BlockPacking::place(const RigidBody& body, const Groun
   return state;
 }
 
-double BlockPacking::common_area(const BlockPacking& other) const {
+double BlockPacking::overlapping_area(const BlockPacking& other) const {
   std::size_t common = 0;
   for (const std::size_t cell : inside_) {
     const auto at = static_cast<std::int64_t>(cell);
@@ -140,8 +140,8 @@ double BlockPacking::common_area(const BlockPacking& other) const {
   return static_cast<double>(common) * width_ * width_;
 }
 
-Filling BlockPacking::filling() const {
-  Filling filling;
+FilledArea BlockPacking::filling() const {
+  FilledArea filling;
   double sum = 0.0;
   for (const std::size_t at : inside_) {
     const double thickness = cells_[at]->top - cells_[at]->ground;

@@ -11,7 +11,7 @@
 namespace clast::study_detail {
 
 /// How a heap fills its outline.
-struct Filling {
+struct FilledArea {
   double area = 0.0;               ///< of the outline, m^2
   double mean_thickness = 0.0;     ///< of the heap above the ground, over the outline, m
   double largest_thickness = 0.0;  ///< m
@@ -39,11 +39,11 @@ class BlockPacking {
                                   const Quat& orientation, std::optional<double> thickness,
                                   Random& random);
 
-  Filling filling() const;
+  FilledArea filling() const;
 
   /// Area of the cells that belong to the outlines of both, m^2.
   /// @param other  of the same width
-  double common_area(const BlockPacking& other) const;
+  double overlapping_area(const BlockPacking& other) const;
 
  private:
   struct Cell {
@@ -54,7 +54,7 @@ class BlockPacking {
   const Cell* find(std::int64_t i, std::int64_t j) const;
   /// Height that a block must be raised by to lie on the heap when it is moved by so many cells;
   /// none where it sticks out of the outline or the thickness.
-  std::optional<double> rest_height(std::span<const CoveredCell> covered, std::int64_t move_i,
+  std::optional<double> find_rest_height(std::span<const CoveredCell> covered, std::int64_t move_i,
                                     std::int64_t move_j, std::optional<double> thickness) const;
 
   double width_;

@@ -24,7 +24,7 @@ const std::string kInTheWay = "is in the place of a checkpoint; move it away";
 
 /// Of the files of all realisations, before the number.
 std::string name_begin(const fs::path& target) {
-  return partial_results(target).filename().string() + ".";
+  return journal_path(target).filename().string() + ".";
 }
 
 /// While it is written.
@@ -69,7 +69,7 @@ std::optional<std::string> CheckpointFile::read() const {
   std::string difference = "another version of clast";
   if (file.starts_with(kCheckpointMagic)) {
     ByteReader reader(std::string_view(file).substr(kCheckpointMagic.size()));
-    difference = campaign_difference(reader, header_);
+    difference = describe_campaign_difference(reader, header_);
     std::uint32_t of = 0;
     reader(of);
     if (difference.empty() && of != realisation_) {
@@ -89,7 +89,7 @@ void CheckpointFile::write(const std::function<void(ByteWriter& to)>& save) cons
   }
   const fs::path written = unfinished(path_);
   std::ofstream file(written, std::ios::binary);
-  file << kCheckpointMagic << campaign_identity(header_);
+  file << kCheckpointMagic << format_campaign_identity(header_);
   ByteWriter writer(file);
   std::uint32_t of = realisation_;
   writer(of);

@@ -15,7 +15,7 @@ namespace clast::study_detail {
 /// the lock on the target.
 class CheckpointFile {
  public:
-  /// @param target       of the results; the file is beside it, `partial_results` and the number
+  /// @param target       of the results; the file is beside it, `journal_path` and the number
   /// @param header       must outlive it
   /// @param realisation  from 0; in the name from 1
   CheckpointFile(const std::filesystem::path& target, const CampaignHeader& header,

@@ -76,7 +76,7 @@ class Cells {
 
 }  // namespace
 
-std::vector<CoveredCell> covered_cells(const TriangleMesh& core, double radius, const Pose& place,
+std::vector<CoveredCell> compute_covered_cells(const TriangleMesh& core, double radius, const Pose& place,
                                        double width) {
   const TriangleMesh placed = transformed(core, place);
   Cells cells(bounds(placed), radius, width);

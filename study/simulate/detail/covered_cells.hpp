@@ -20,7 +20,7 @@ struct CoveredCell {
 /// @param core   triangles of the core, closed, body frame
 /// @param place  world_from_body
 /// @param width  of a cell, m
-std::vector<CoveredCell> covered_cells(const TriangleMesh& core, double radius, const Pose& place,
+std::vector<CoveredCell> compute_covered_cells(const TriangleMesh& core, double radius, const Pose& place,
                                        double width);
 
 }  // namespace clast::study_detail

@@ -31,7 +31,7 @@ struct Heap {
   }
 };
 
-std::vector<Vec2> local_outline(const MassPlan& mass, const Vec3& origin) {
+std::vector<Vec2> local_outline(const MultiBlockRelease& mass, const Vec3& origin) {
   std::vector<Vec2> outline;
   for (const Vec2& corner : mass.polygon) {
     const Vec2 local = corner - origin.head<2>();
@@ -105,9 +105,9 @@ double beyond_corner(const Heap& heap, std::size_t corner, double reach) {
 }
 
 void add_faces(const CampaignPlan& prepared, std::span<const RunRecord> runs, std::uint32_t mass,
-               HoldingFaces& faces) {
+               ConfiningWalls& faces) {
   const Heap heap = heap_of(prepared, runs, mass);
-  const MassPlan& plan = prepared.campaign.stay->masses[mass];
+  const MultiBlockRelease& plan = prepared.campaign.stay->masses[mass];
   std::vector<double> reaches;
   for (std::size_t side = 0; side < heap.outline.size(); ++side) {
     reaches.push_back(reach_over(prepared, runs, heap, side));
@@ -135,9 +135,9 @@ void add_faces(const CampaignPlan& prepared, std::span<const RunRecord> runs, st
 
 }  // namespace
 
-HoldingFaces holding_faces(const CampaignPlan& prepared, std::span<const RunRecord> runs) {
-  HoldingFaces faces;
-  const std::vector<MassPlan>& masses = prepared.campaign.stay->masses;
+ConfiningWalls build_confining_walls(const CampaignPlan& prepared, std::span<const RunRecord> runs) {
+  ConfiningWalls faces;
+  const std::vector<MultiBlockRelease>& masses = prepared.campaign.stay->masses;
   for (std::uint32_t mass = 0; mass < masses.size(); ++mass) {
     if (masses[mass].settle) add_faces(prepared, runs, mass, faces);
   }

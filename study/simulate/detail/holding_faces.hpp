@@ -8,7 +8,7 @@
 
 namespace clast::study_detail {
 
-struct HoldingFaces {
+struct ConfiningWalls {
   std::vector<RigidBody> shapes;    ///< one to each form
   std::vector<SequenceForm> forms;  ///< `shape` counts in `shapes`
 };
@@ -17,6 +17,6 @@ struct HoldingFaces {
 /// the heap, so far out that no block of the heap reaches into them at its start: a fraction of a
 /// cell of the packing. They close at the corners.
 /// @param runs  of one realisation, mass by mass
-HoldingFaces holding_faces(const CampaignPlan& prepared, std::span<const RunRecord> runs);
+ConfiningWalls build_confining_walls(const CampaignPlan& prepared, std::span<const RunRecord> runs);
 
 }  // namespace clast::study_detail

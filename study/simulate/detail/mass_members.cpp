@@ -17,7 +17,7 @@ constexpr double kMemberShareSlack = 1e-6;
 /// The mass in place that a block belongs to.
 /// @param centre  of the block, on the map
 std::size_t mass_around(const Campaign& campaign, const std::string& block, const Vec3& centre) {
-  const std::vector<MassPlan>& masses = campaign.stay->masses;
+  const std::vector<MultiBlockRelease>& masses = campaign.stay->masses;
   if (masses.size() == 1) return 0;
   std::optional<std::size_t> found;
   const std::string where = campaign.file.string() + ": block " + block + " in place at x " +
@@ -26,7 +26,7 @@ std::size_t mass_around(const Campaign& campaign, const std::string& block, cons
   for (std::size_t i = 0; i < masses.size(); ++i) {
     if (!is_inside(masses[i].polygon, centre.head<2>())) continue;
     if (found) {
-      throw InputError(where + mass_name(campaign, *found) + " and of " + mass_name(campaign, i) +
+      throw InputError(where + multi_block_release_name(campaign, *found) + " and of " + multi_block_release_name(campaign, i) +
                        "; they must not overlap");
     }
     found = i;
@@ -37,13 +37,13 @@ std::size_t mass_around(const Campaign& campaign, const std::string& block, cons
 
 }  // namespace
 
-std::string mass_name(const Campaign& campaign, std::size_t mass) {
+std::string multi_block_release_name(const Campaign& campaign, std::size_t mass) {
   const std::string& name = campaign.releases[mass].name;
   return name.empty() ? "[mass]" : "[mass] " + name;
 }
 
-std::vector<std::size_t> heap_counts(const Campaign& campaign, std::size_t blocks) {
-  const std::vector<MassPlan>& masses = campaign.stay->masses;
+std::vector<std::size_t> blocks_per_release(const Campaign& campaign, std::size_t blocks) {
+  const std::vector<MultiBlockRelease>& masses = campaign.stay->masses;
   const auto all = static_cast<double>(blocks);
   double area = 0.0, counted_blocks = 0.0, shared = 0.0;
   std::string by_area;  // a mass with neither count nor share
@@ -54,7 +54,7 @@ std::vector<std::size_t> heap_counts(const Campaign& campaign, std::size_t block
       shared += *masses[i].share * all;
     } else {
       area += std::abs(signed_area(masses[i].polygon));
-      by_area = mass_name(campaign, i);
+      by_area = multi_block_release_name(campaign, i);
     }
   }
   const double rest = all - counted_blocks - shared;
@@ -68,7 +68,7 @@ std::vector<std::size_t> heap_counts(const Campaign& campaign, std::size_t block
              : " of a realisation and leave none to " + by_area + "; give fewer, or draw more"));
   }
   std::vector<double> shares;
-  for (const MassPlan& mass : masses) {
+  for (const MultiBlockRelease& mass : masses) {
     const double wanted = mass.count   ? 0.0
                           : mass.share ? *mass.share * all
                                        : rest * std::abs(signed_area(mass.polygon)) / area;
@@ -78,24 +78,24 @@ std::vector<std::size_t> heap_counts(const Campaign& campaign, std::size_t block
   std::vector<std::size_t> counts(masses.size(), 0);
   if (sum > 0.0) {
     for (double& share : shares) share /= sum;
-    counts = quotas(shares, blocks - static_cast<std::size_t>(counted_blocks));
+    counts = allocate_quotas(shares, blocks - static_cast<std::size_t>(counted_blocks));
   }
   for (std::size_t i = 0; i < masses.size(); ++i) {
     if (masses[i].count) counts[i] = *masses[i].count;
     if (counts[i] > 0) continue;
-    throw InputError(campaign.file.string() + ": " + mass_name(campaign, i) + " gets none of the " +
+    throw InputError(campaign.file.string() + ": " + multi_block_release_name(campaign, i) + " gets none of the " +
                      counted(blocks, "block") +
                      " of a realisation; give it a count or a larger share, or draw more");
   }
   return counts;
 }
 
-std::vector<std::vector<std::uint32_t>> blocks_of_masses(const CampaignPlan& prepared,
+std::vector<std::vector<std::uint32_t>> distribute_blocks(const CampaignPlan& prepared,
                                                          std::span<const std::uint32_t> order) {
   const Campaign& campaign = prepared.campaign;
   std::vector<std::vector<std::uint32_t>> blocks(campaign.stay->masses.size());
   if (!campaign.stay->masses.front().in_place) {
-    const std::vector<std::size_t> counts = heap_counts(campaign, order.size());
+    const std::vector<std::size_t> counts = blocks_per_release(campaign, order.size());
     auto next = order.begin();
     for (std::size_t i = 0; i < counts.size(); ++i) {
       const auto end = next + static_cast<std::ptrdiff_t>(counts[i]);
@@ -111,7 +111,7 @@ std::vector<std::vector<std::uint32_t>> blocks_of_masses(const CampaignPlan& pre
   }
   for (std::size_t i = 0; i < blocks.size(); ++i) {
     if (!blocks[i].empty()) continue;
-    throw InputError(campaign.file.string() + ": " + mass_name(campaign, i) +
+    throw InputError(campaign.file.string() + ": " + multi_block_release_name(campaign, i) +
                      ": no block in place has its centre in its polygon; check its corners and "
                      "the map frame");
   }

@@ -20,7 +20,7 @@ constexpr double kMostStartCells = 1e6;
 /// Of each mass, local frame.
 std::vector<std::vector<Vec2>> outlines(const CampaignPlan& prepared) {
   std::vector<std::vector<Vec2>> outlines;
-  for (const MassPlan& mass : prepared.campaign.stay->masses) {
+  for (const MultiBlockRelease& mass : prepared.campaign.stay->masses) {
     std::vector<Vec2>& outline = outlines.emplace_back(mass.polygon);
     for (Vec2& corner : outline) corner -= prepared.header.frame.origin.head<2>();
   }
@@ -32,7 +32,7 @@ double width_of_cells(const CampaignPlan& prepared,
                       const std::vector<std::vector<Vec2>>& outlines) {
   double smallest = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < prepared.bodies.size(); ++i) {
-    if (prepared.bodies.first_like(i) < i) continue;
+    if (prepared.bodies.first_equal_body(i) < i) continue;
     smallest = std::min(smallest, prepared.bodies[i].size());
   }
   double width = kStartCellShare * smallest;
@@ -47,7 +47,7 @@ double width_of_cells(const CampaignPlan& prepared,
 
 }  // namespace
 
-MassStarts::MassStarts(const CampaignPlan& prepared)
+MultiBlockPlacement::MultiBlockPlacement(const CampaignPlan& prepared)
     : prepared_(prepared), plans_(prepared.campaign.stay->masses) {
   if (plans_.front().in_place) return;
   const std::vector<std::vector<Vec2>> all = outlines(prepared);
@@ -56,49 +56,49 @@ MassStarts::MassStarts(const CampaignPlan& prepared)
     try {
       packings_.emplace_back(*prepared.surface, all[i], width);
     } catch (const InputError& error) {
-      throw InputError(prepared.campaign.file.string() + ": " + mass_name(prepared.campaign, i) +
+      throw InputError(prepared.campaign.file.string() + ": " + multi_block_release_name(prepared.campaign, i) +
                        " " + error.what() + "; check its corners and the map frame");
     }
   }
-  refuse_common_places();
+  check_no_common_space();
 }
 
-void MassStarts::refuse_common_places() const {
+void MultiBlockPlacement::check_no_common_space() const {
   for (std::size_t i = 0; i < packings_.size(); ++i) {
     for (std::size_t other = 0; other < i; ++other) {
-      const double area = packings_[i].common_area(packings_[other]);
+      const double area = packings_[i].overlapping_area(packings_[other]);
       if (area == 0.0) continue;
       throw InputError(prepared_.campaign.file.string() + ": the polygons of " +
-                       mass_name(prepared_.campaign, other) + " and " +
-                       mass_name(prepared_.campaign, i) + " overlap on " + with_digits(area, 3) +
+                       multi_block_release_name(prepared_.campaign, other) + " and " +
+                       multi_block_release_name(prepared_.campaign, i) + " overlap on " + with_digits(area, 3) +
                        " m^2, where blocks of both would be; move one of them, or draw one "
                        "polygon around both");
     }
   }
 }
 
-void MassStarts::begin(const std::string& name, const std::vector<std::size_t>& blocks) {
+void MultiBlockPlacement::begin(const std::string& name, const std::vector<std::size_t>& blocks) {
   for (BlockPacking& packing : packings_) packing.clear();
   name_ = name;
   expected_ = blocks;
   placed_.assign(plans_.size(), {});
 }
 
-RigidState MassStarts::place(std::size_t mass, std::uint32_t block, const MeasuredBody& body,
+RigidState MultiBlockPlacement::place(std::size_t mass, std::uint32_t block, const MeasuredBody& body,
                              Random& random) {
   const RigidState state =
-      plans_[mass].in_place ? in_place(mass, block, body) : on_heap(mass, block, body, random);
-  MassStart& placed = placed_[mass];
+      plans_[mass].in_place ? in_place(mass, block, body) : place_in_heap(mass, block, body, random);
+  MultiBlockStart& placed = placed_[mass];
   ++placed.blocks;
   placed.volume += prepared_.header.blocks[block].volume;
   placed.mass += prepared_.header.blocks[block].mass;
   return state;
 }
 
-std::vector<MassStart> MassStarts::placed() const {
-  std::vector<MassStart> placed = placed_;
+std::vector<MultiBlockStart> MultiBlockPlacement::placed() const {
+  std::vector<MultiBlockStart> placed = placed_;
   for (std::size_t i = 0; i < packings_.size(); ++i) {
-    const Filling filling = packings_[i].filling();
+    const FilledArea filling = packings_[i].filling();
     placed[i].area = filling.area;
     placed[i].mean_thickness = filling.mean_thickness;
     placed[i].largest_thickness = filling.largest_thickness;
@@ -106,7 +106,7 @@ std::vector<MassStart> MassStarts::placed() const {
   return placed;
 }
 
-RigidState MassStarts::in_place(std::size_t mass, std::uint32_t block,
+RigidState MultiBlockPlacement::in_place(std::size_t mass, std::uint32_t block,
                                 const MeasuredBody& body) const {
   const BlockChoice& choice = prepared_.choice;
   const Pose place = choice.library[choice.blocks[block].library].source_from_body();
@@ -122,16 +122,16 @@ RigidState MassStarts::in_place(std::size_t mass, std::uint32_t block,
                      " is off the terrain; check the map frame and the axis that points up");
   }
   const std::optional<double> depth =
-      depth_in_ground(body.overlap, *prepared_.surface, body.body, state);
+      find_depth_in_ground(body.overlap, *prepared_.surface, body.body, state);
   if (!depth) return state;
   throw SimulationError(where + " starts " + with_decimals(*depth, 3) +
                         " m inside the ground; the terrain must be the one without the mass, or "
                         "give [mass] height_m");
 }
 
-RigidState MassStarts::on_heap(std::size_t mass, std::uint32_t block, const MeasuredBody& body,
+RigidState MultiBlockPlacement::place_in_heap(std::size_t mass, std::uint32_t block, const MeasuredBody& body,
                                Random& random) {
-  const Quat turn = fresh_orientations(prepared_.campaign.releases.front(),
+  const Quat turn = draw_run_orientations(prepared_.campaign.releases.front(),
                                        prepared_.choice.blocks[block].id, name_, 1)
                         .front();
   const std::optional<RigidState> start =
@@ -140,11 +140,11 @@ RigidState MassStarts::on_heap(std::size_t mass, std::uint32_t block, const Meas
   return *start;
 }
 
-void MassStarts::refuse_block(std::size_t mass, std::uint32_t block) const {
+void MultiBlockPlacement::refuse_block(std::size_t mass, std::uint32_t block) const {
   const BlockSummary& summary = prepared_.header.blocks[block];
   const std::size_t realisation = prepared_.masses.size() / plans_.size() + 1;
   const std::string text =
-      prepared_.campaign.file.string() + ": " + mass_name(prepared_.campaign, mass) + " holds " +
+      prepared_.campaign.file.string() + ": " + multi_block_release_name(prepared_.campaign, mass) + " holds " +
       std::to_string(placed_[mass].blocks) + " of " + std::to_string(expected_[mass]) +
       " blocks of realisation " + std::to_string(realisation) + ", and block " + summary.id +
       " with L = " + with_decimals(summary.axes.L, 3) + " m fits nowhere";

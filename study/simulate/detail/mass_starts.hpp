@@ -12,11 +12,11 @@ namespace clast::study_detail {
 
 /// Places the blocks of one realisation after the other: where they lie in the frame of their
 /// library, or on a heap.
-class MassStarts {
+class MultiBlockPlacement {
  public:
   /// @param prepared  with campaign, blocks, terrain and header; must outlive it
   /// @throws InputError  a polygon without area, beyond the terrain, or over that of another heap
-  explicit MassStarts(const CampaignPlan& prepared);
+  explicit MultiBlockPlacement(const CampaignPlan& prepared);
 
   /// Begins a realisation.
   /// @param name    that orientations are drawn by
@@ -27,21 +27,21 @@ class MassStarts {
   /// @throws SimulationError  its place is inside the ground
   RigidState place(std::size_t mass, std::uint32_t block, const MeasuredBody& body, Random& random);
   /// What was placed of each mass since `begin`.
-  std::vector<MassStart> placed() const;
+  std::vector<MultiBlockStart> placed() const;
 
  private:
-  void refuse_common_places() const;
+  void check_no_common_space() const;
   RigidState in_place(std::size_t mass, std::uint32_t block, const MeasuredBody& body) const;
-  RigidState on_heap(std::size_t mass, std::uint32_t block, const MeasuredBody& body,
+  RigidState place_in_heap(std::size_t mass, std::uint32_t block, const MeasuredBody& body,
                      Random& random);
   [[noreturn]] void refuse_block(std::size_t mass, std::uint32_t block) const;
 
   const CampaignPlan& prepared_;
-  const std::vector<MassPlan>& plans_;
+  const std::vector<MultiBlockRelease>& plans_;
   std::vector<BlockPacking> packings_;  ///< of the heaps; none in place
   std::string name_;
   std::vector<std::size_t> expected_;  ///< blocks of each mass
-  std::vector<MassStart> placed_;      ///< of each mass
+  std::vector<MultiBlockStart> placed_;      ///< of each mass
 };
 
 }  // namespace clast::study_detail

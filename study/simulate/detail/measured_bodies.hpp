@@ -30,7 +30,7 @@ class MeasuredBodies {
 
   /// Of a block; holds until the next call.
   const MeasuredBody& of(std::size_t block) {
-    const std::uint32_t first = bodies_.first_like(block);
+    const std::uint32_t first = bodies_.first_equal_body(block);
     const auto found = kept_.find(first);
     if (found != kept_.end()) return *found->second;
     if (kept_.size() == kMostKept) kept_.clear();
@@ -42,7 +42,7 @@ class MeasuredBodies {
   static constexpr std::size_t kMostKept = 500;
   const TerrainSurface& ground_;
   const BlockBodies& bodies_;
-  std::map<std::uint32_t, std::unique_ptr<MeasuredBody>> kept_;  ///< by `first_like`
+  std::map<std::uint32_t, std::unique_ptr<MeasuredBody>> kept_;  ///< by `first_equal_body`
 };
 
 }  // namespace clast::study_detail

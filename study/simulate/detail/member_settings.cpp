@@ -15,8 +15,8 @@ namespace {
 Campaign without_points(const Campaign& campaign) {
   Campaign bare;
   bare.stiffness = campaign.stiffness;
-  for (const ReleasePlan& release : campaign.releases) {
-    ReleasePlan start;
+  for (const ReleaseSet& release : campaign.releases) {
+    ReleaseSet start;
     start.drop_height = release.drop_height;
     start.velocity = release.velocity;
     start.angular_velocity = release.angular_velocity;
@@ -27,19 +27,19 @@ Campaign without_points(const Campaign& campaign) {
 
 MemberSettings settings_of(const Campaign& bare) {
   MemberSettings settings{{}, bare.stiffness};
-  for (const ReleasePlan& release : bare.releases) {
+  for (const ReleaseSet& release : bare.releases) {
     settings.starts.push_back({release.drop_height, release.velocity, release.angular_velocity});
   }
   return settings;
 }
 
 bool has_settings(const PosteriorDraws& posterior) {
-  return !std::all_of(posterior.parameters.begin(), posterior.parameters.end(), is_of_ground);
+  return !std::all_of(posterior.parameters.begin(), posterior.parameters.end(), is_ground_parameter);
 }
 
 MemberSettings settings_of(Campaign bare, const PosteriorDraws& posterior, std::size_t draw) {
   for (std::size_t i = 0; i < posterior.parameters.size(); ++i) {
-    if (is_of_ground(posterior.parameters[i])) continue;
+    if (is_ground_parameter(posterior.parameters[i])) continue;
     set_parameter(bare, posterior.parameters[i], posterior.draws[draw][i]);
   }
   return settings_of(bare);
@@ -47,11 +47,11 @@ MemberSettings settings_of(Campaign bare, const PosteriorDraws& posterior, std::
 
 }  // namespace
 
-std::vector<std::size_t> chosen_draws(const Ensemble& ensemble) {
+std::vector<std::size_t> choose_posterior_draws(const Ensemble& ensemble) {
   if (!ensemble.posterior) return {};
   std::vector<std::size_t> order(ensemble.posterior->draws.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
-  Random random(named_seed(ensemble.seed, "posterior"));
+  Random random(derive_seed(ensemble.seed, "posterior"));
   for (std::uint32_t member = 0; member < ensemble.members; ++member) {
     std::swap(order[member], order[member + random.below(order.size() - member)]);
   }
@@ -70,12 +70,12 @@ PosteriorDraws middle_of(const PosteriorDraws& posterior) {
   return middle;
 }
 
-std::vector<MemberSettings> member_settings(const Campaign& campaign) {
+std::vector<MemberSettings> draw_member_settings(const Campaign& campaign) {
   const Campaign bare = without_points(campaign);
   const std::optional<PosteriorDraws>& posterior = campaign.ensemble.posterior;
   if (!posterior || !has_settings(*posterior)) return {settings_of(bare)};
   std::vector<MemberSettings> settings;
-  for (const std::size_t draw : chosen_draws(campaign.ensemble)) {
+  for (const std::size_t draw : choose_posterior_draws(campaign.ensemble)) {
     settings.push_back(settings_of(bare, *posterior, draw));
   }
   return settings;

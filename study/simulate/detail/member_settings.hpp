@@ -8,7 +8,7 @@
 namespace clast::study_detail {
 
 /// The number of a different draw for every member, by chance; none without a posterior.
-std::vector<std::size_t> chosen_draws(const Ensemble& ensemble);
+std::vector<std::size_t> choose_posterior_draws(const Ensemble& ensemble);
 
 /// The median of each parameter, as a single draw.
 PosteriorDraws middle_of(const PosteriorDraws& posterior);
@@ -27,7 +27,7 @@ struct MemberSettings {
 };
 
 /// The settings of all members, in order; a single one where all have the same.
-std::vector<MemberSettings> member_settings(const Campaign& campaign);
+std::vector<MemberSettings> draw_member_settings(const Campaign& campaign);
 
 /// Of blocks in general: the campaign's, or the medians of the posterior.
 MemberSettings central_settings(const Campaign& campaign);

@@ -23,7 +23,7 @@ struct Stopped {
 };
 
 /// ": 12.5 s simulated, 31 of 60 blocks at rest".
-std::string progress_text(const SequenceProgress& progress, const StaySummary& stay) {
+std::string progress_text(const SequenceProgress& progress, const PersistentBlocksSettings& stay) {
   std::string text = ": " + with_decimals(progress.time, 1) + " s simulated";
   if (!stay.at_once) {
     return text + ", block " + std::to_string(progress.released) + " of " +
@@ -50,7 +50,7 @@ class Timer {
 
 CheckpointFile checkpoint_of(const CampaignPlan& prepared, const std::filesystem::path& target,
                              std::uint32_t first) {
-  return {target, prepared.header, first / prepared.header.runs_together()};
+  return {target, prepared.header, first / prepared.header.runs_per_realisation()};
 }
 
 }  // namespace
@@ -65,7 +65,7 @@ std::vector<StoredRun> ResumableRuns::compute(std::uint32_t first, unsigned thre
   if (!prepared_.header.stay) return runs_from(prepared_, first, {}, threads);
   const CheckpointFile file = checkpoint_of(prepared_, target_, first);
   const std::string name =
-      "realisation " + std::to_string(first / prepared_.header.runs_together() + 1);
+      "realisation " + std::to_string(first / prepared_.header.runs_per_realisation() + 1);
   Timer report_timer, checkpoint_timer;
   double interval = options_.checkpoint_interval;
   std::string problem;  // with the last checkpoint

@@ -18,7 +18,7 @@ constexpr double kFirstLift = 0.01;
 
 }  // namespace
 
-std::optional<double> depth_in_ground(const GroundOverlap& ground_overlap,
+std::optional<double> find_depth_in_ground(const GroundOverlap& ground_overlap,
                                       const TerrainSurface& surface, const RigidBody& body,
                                       const RigidState& state) {
   const double overlap = ground_overlap.deepest(state);
@@ -43,7 +43,7 @@ bool lift_to_touch(const GroundOverlap& ground_overlap, const TerrainSurface& su
   const auto in_ground = [&](double lift) {
     const RigidState lifted = lifted_by(lift);
     return ground_overlap.deepest(lifted) > 0.0 ||
-           depth_in_ground(ground_overlap, surface, body, lifted).has_value();
+           find_depth_in_ground(ground_overlap, surface, body, lifted).has_value();
   };
   double below = 0.0, above = kFirstLift * size;
   while (in_ground(above)) {
@@ -59,11 +59,11 @@ bool lift_to_touch(const GroundOverlap& ground_overlap, const TerrainSurface& su
   return true;
 }
 
-std::vector<Quat> fresh_orientations(const ReleasePlan& release, const std::string& block,
+std::vector<Quat> draw_run_orientations(const ReleaseSet& release, const std::string& block,
                                      const std::string& where, std::size_t count) {
   std::uint64_t seed = release.orientation_seed;
-  for (const std::string& name : {release.name, block, where}) seed = named_seed(seed, name);
-  return random_orientations(count, seed);
+  for (const std::string& name : {release.name, block, where}) seed = derive_seed(seed, name);
+  return draw_random_orientations(count, seed);
 }
 
 }  // namespace clast::study_detail

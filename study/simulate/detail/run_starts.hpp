@@ -10,7 +10,7 @@
 namespace clast::study_detail {
 
 /// How deep a block is in the ground, m; none when it is clear of it.
-std::optional<double> depth_in_ground(const GroundOverlap& ground_overlap,
+std::optional<double> find_depth_in_ground(const GroundOverlap& ground_overlap,
                                       const TerrainSurface& surface, const RigidBody& body,
                                       const RigidState& state);
 
@@ -23,7 +23,7 @@ bool lift_to_touch(const GroundOverlap& ground_overlap, const TerrainSurface& su
 /// Random orientations of one block at one point of a set, or in one realisation. Their seed is
 /// made from names, not from places in the campaign, so that they do not depend on what else runs.
 /// @param where  number of the point, or name of the realisation
-std::vector<Quat> fresh_orientations(const ReleasePlan& release, const std::string& block,
+std::vector<Quat> draw_run_orientations(const ReleaseSet& release, const std::string& block,
                                      const std::string& where, std::size_t count);
 
 }  // namespace clast::study_detail

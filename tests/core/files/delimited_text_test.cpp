@@ -15,7 +15,7 @@ namespace {
 
 using Rows = std::vector<std::vector<std::string>>;
 
-Rows rows_of(const std::string& content, const TableRules& rules = {}) {
+Rows make_comparison_rows(const std::string& content, const TableRules& rules = {}) {
   const TableText table = table_text(content, "t.csv");
   DelimitedText text(table.text, "t.csv", rules);
   Rows rows;
@@ -31,12 +31,12 @@ TEST(DelimitedText, EverySeparatorGivesTheSameRows) {
                            "\xef\xbb\xbf"
                            "a,b\n1.5,x\n",
                            "# taped\n\na , \"b\"\n\"1.5\",x\n,\n", "sep=,\r\na,b\r\n1.5,x"}) {
-    EXPECT_EQ(rows_of(text), rows) << text;
+    EXPECT_EQ(make_comparison_rows(text), rows) << text;
   }
 }
 
 TEST(DelimitedText, ARowOfAnotherNumberOfFieldsIsRefusedWithItsLine) {
-  const auto refused = [](const std::string& text) { return refusal([&] { rows_of(text); }); };
+  const auto refused = [](const std::string& text) { return refusal([&] { make_comparison_rows(text); }); };
   // 50.5 and 20.1, as a program that writes decimal commas separates them with commas.
   EXPECT_EQ(refused("x,y\n50,5,20,1\n"),
             "t.csv:2: has 4 fields, but line 1 has 2; where commas are decimal signs, separate the "
@@ -63,9 +63,9 @@ TEST(DelimitedText, DecimalCommasAreReadWhereCommasDoNotSeparate) {
 }
 
 TEST(DelimitedText, RemarksEndRowsWhereTheyAreAskedFor) {
-  EXPECT_EQ(rows_of("1;2 # edge\n#\n3;4\n", {.remarks_in_rows = true}),
+  EXPECT_EQ(make_comparison_rows("1;2 # edge\n#\n3;4\n", {.remarks_in_rows = true}),
             (Rows{{"1", "2"}, {"3", "4"}}));
-  EXPECT_EQ(rows_of("id;L\nB #7;2\n"), (Rows{{"id", "L"}, {"B #7", "2"}}));
+  EXPECT_EQ(make_comparison_rows("id;L\nB #7;2\n"), (Rows{{"id", "L"}, {"B #7", "2"}}));
 }
 
 // Texts that a spreadsheet would run are written so that it shows them, and come back as they were.
@@ -89,7 +89,7 @@ TEST(DelimitedText, GivesBackWhatCsvTextWrote) {
     csv.cell(text);
     csv.cell(1.0);
     csv.end_row();
-    EXPECT_EQ(rows_of(csv.take()).at(1).at(0), text);
+    EXPECT_EQ(make_comparison_rows(csv.take()).at(1).at(0), text);
   }
 }
 

@@ -38,7 +38,7 @@ TEST(Gallery, HasACardWithItsNumbersForEveryBlock) {
 }
 
 TEST(Gallery, ItsFolderIsKnown) {
-  const FolderKind kind = gallery_folder();
+  const FolderKind kind = gallery_folder_kind();
   EXPECT_TRUE(kind.owns("gallery.html"));
   EXPECT_FALSE(kind.owns("report.html"));
   const ScratchFolder folder;

@@ -112,10 +112,10 @@ TEST(Turntable, CoarsensAFineScanAndLeavesOutWhatIsNotThere) {
 
 TEST(Turntable, SaysWhatIsMissing) {
   ASSERT_EQ(::setenv("CLAST_THREE", "/nowhere", 1), 0);
-  const std::string none = turntable_section(scanned_block());
+  const std::string none = format_turntable_section(scanned_block());
   ::unsetenv("CLAST_THREE");
   EXPECT_TRUE(contains(none, "three.js is not in /nowhere"));
-  EXPECT_TRUE(contains(turntable_section(scanned_block()), "class=\"turntable\""));
+  EXPECT_TRUE(contains(format_turntable_section(scanned_block()), "class=\"turntable\""));
 }
 
 }  // namespace

@@ -26,7 +26,7 @@ Canvas::Paint all(const Rgb& colour) {
 
 Camera camera_on(const std::vector<Vec3>& points, const Vec3& toward, std::uint32_t width,
                  std::uint32_t height) {
-  std::array<Camera, 1> camera = {camera_toward(toward)};
+  std::array<Camera, 1> camera = {make_camera(toward)};
   frame(camera, points, width, height);
   return camera[0];
 }
@@ -40,18 +40,18 @@ std::size_t drawn_pixels(const Canvas& canvas) {
 TEST(MeshPicture, CamerasAreUprightAndRightHanded) {
   Random random(3);
   for (int i = 0; i < 50; ++i) {
-    const Camera camera = camera_toward(random.direction());
+    const Camera camera = make_camera(random.direction());
     EXPECT_LT((camera.right.cross(camera.up) - camera.toward).norm(), 1e-12);
     EXPECT_NEAR(camera.right.z(), 0.0, 1e-12);
     EXPECT_GE(camera.up.z(), 0.0);
   }
-  EXPECT_LT((camera_toward(-Vec3::UnitZ()).up - Vec3::UnitY()).norm(), 1e-12);
+  EXPECT_LT((make_camera(-Vec3::UnitZ()).up - Vec3::UnitY()).norm(), 1e-12);
 }
 
 TEST(MeshPicture, AFramedSceneIsInsideEveryPictureAtOneScale) {
   const TriangleMesh rock = rock_mesh(8, {0.7, 0.3, 0.2}, 4);
-  std::array<Camera, 3> cameras = {camera_toward({1, 0, 0}), camera_toward({0.2, -1, 0.5}),
-                                   camera_toward({0, 0, -1})};
+  std::array<Camera, 3> cameras = {make_camera({1, 0, 0}), make_camera({0.2, -1, 0.5}),
+                                   make_camera({0, 0, -1})};
   frame(cameras, rock.vertices, 200, 120);
   double widest = 0.0;
   for (const Camera& camera : cameras) {
@@ -181,21 +181,21 @@ TEST(ScanPage, TablesNameEveryDefectAndHoleWithItsPlace) {
   hole.area_share = 0.04;
   hole.centre = Vec3(4.0, 5.0, 6.0);
   report.holes = {hole};
-  const std::string html = repair_section(report);
+  const std::string html = format_repair_section(report);
   for (const char* text : {"spikes, put back", ">3<", "(1, 2, 3)", "loose scraps", "1.0 %",
                            "holes, filled", ">H1<", ">17<", ">0.625<", "4.0 %", "(4, 5, 6)"}) {
     EXPECT_NE(html.find(text), std::string::npos) << text << " is missing in " << html;
   }
   EXPECT_EQ(unbalanced(html), "");
-  const std::vector<PlaceMark> marks = repair_marks(report);
+  const std::vector<PositionMark> marks = find_repair_marks(report);
   ASSERT_EQ(marks.size(), 2u);
   EXPECT_EQ(marks[0].label, "1");
   EXPECT_EQ(marks[1].label, "H1");
   RepairReport sound;
-  EXPECT_EQ(count_of(repair_section(sound), "None beside the open side"), 1u);
+  EXPECT_EQ(count_of(format_repair_section(sound), "None beside the open side"), 1u);
   sound.as_read.triangles = 4;
-  EXPECT_EQ(count_of(repair_section(sound), "None: the surface was closed"), 1u);
-  EXPECT_EQ(count_of(repair_section(sound, true, true), "None beside the open side"), 1u);
+  EXPECT_EQ(count_of(format_repair_section(sound), "None: the surface was closed"), 1u);
+  EXPECT_EQ(count_of(format_repair_section(sound, true, true), "None beside the open side"), 1u);
 }
 
 TEST(ScanPage, EveryKindOfDefectHasAName) {
@@ -208,10 +208,10 @@ TEST(ScanPage, PicturesAreInsideThePageAndWellFormed) {
   const TriangleMesh open = above_level(rock_mesh(8, {0.5, 0.4, 0.3}, 3), -0.15);
   FieldBlock block = field_blocks(open, "open")[0];
   ASSERT_TRUE(block.underside.has_value());
-  const std::string html = before_and_after(open, {}, block, {{"1", open.vertices[0]}}) +
-                           underside_section(*block.underside) +
-                           deviation_map(block.scan.mesh, block.scan.mesh, 0.01);
-  EXPECT_EQ(unbalanced(scan_page("a < b", html)), "");
+  const std::string html = draw_before_and_after(open, {}, block, {{"1", open.vertices[0]}}) +
+                           format_underside_section(*block.underside) +
+                           draw_deviation_map(block.scan.mesh, block.scan.mesh, 0.01);
+  EXPECT_EQ(unbalanced(make_scan_page("a < b", html)), "");
   EXPECT_EQ(count_of(html, "<image "), 9u);  // as read, closed, deviation: three views each
   expect_self_contained(html);
   EXPECT_GT(count_of(html, ">1</text>"), 0u) << "the mark is drawn where it is seen";

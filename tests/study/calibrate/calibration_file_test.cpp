@@ -34,7 +34,7 @@ class CalibrationFile : public testing::Test {
   std::filesystem::path target() const { return folder / "posterior.h5"; }
 
   MadeUpStudy made;
-  CalibrationSimulator simulator;
+  CalibrationBackend simulator;
   std::size_t simulated = 0, most = 1000;
   ScratchFolder folder;
 };
@@ -64,12 +64,12 @@ TEST_F(CalibrationFile, InterruptedGoesOnToTheSameBits) {
   EXPECT_THROW(run(), Cancelled);
   EXPECT_FALSE(std::filesystem::exists(target()));
   EXPECT_EQ(refusal<InputError>([&] { run(); }),
-            partial_calibration(target()).string() +
+            calibration_journal_path(target()).string() +
                 ": holds the members of an interrupted calibration; `resume` goes on with it, or "
                 "delete the file to start afresh");
   EXPECT_EQ(
-      refusal<InputError>([&] { read_posterior_draws(partial_calibration(target())); }),
-      partial_calibration(target()).string() +
+      refusal<InputError>([&] { read_posterior_draws(calibration_journal_path(target())); }),
+      calibration_journal_path(target()).string() +
           ": is a calibration without draws, interrupted or one of several shards; go on with "
           "it, or join the shards first");
   simulated = 0;
@@ -81,7 +81,7 @@ TEST_F(CalibrationFile, InterruptedGoesOnToTheSameBits) {
   EXPECT_EQ(run(options).posterior.draws, whole.posterior.draws);
   EXPECT_EQ(simulated, 21u);
   EXPECT_EQ(before, 11u);
-  EXPECT_FALSE(std::filesystem::exists(partial_calibration(target())));
+  EXPECT_FALSE(std::filesystem::exists(calibration_journal_path(target())));
 }
 
 TEST_F(CalibrationFile, ShardsJoinedAreTheWhole) {

@@ -162,9 +162,9 @@ TEST_F(StudyFile, LawsAndSharesOfDrawnBlocksAreUnknowns) {
   set_parameter(campaign, "blocks.share.disc", 0.3);
   EXPECT_EQ(campaign.blocks.draw->mass->second, 40.0);
   EXPECT_EQ(campaign.blocks.draw->set_shares.at("disc"), 0.3);
-  EXPECT_TRUE(is_of_blocks("blocks.share.disc"));
+  EXPECT_TRUE(is_block_parameter("blocks.share.disc"));
   EXPECT_FALSE(is_of_release("blocks.mass_kg"));
-  EXPECT_FALSE(is_of_blocks("ground.blocks.friction"));
+  EXPECT_FALSE(is_block_parameter("ground.blocks.friction"));
 }
 
 TEST_F(StudyFile, WhatMakesNoSenseIsRefused) {

@@ -104,7 +104,7 @@ TEST(Calibration, AFitOfOneFigureCannotBeContradicted) {
 TEST(Calibration, AFigureThatNoMemberHasIsRefusedWhereItIsFitted) {
   MadeUpStudy made = study_of({1.0});
   for (auto& member : made.runs.outcomes[0]) {
-    for (ReleaseOutcome& outcome : member) outcome.barriers = {OutcomeAt()};
+    for (ReleaseOutcome& outcome : member) outcome.barriers = {OutcomeAtMoment()};
   }
   EXPECT_EQ(refusal<InputError>([&] { made.posterior(); }),
             "study.toml: observation site 1 compact passages, mean_speed_m_s: only 0 members of "
@@ -121,7 +121,7 @@ TEST(Calibration, AFewReleasesOfABlockAreRefused) {
 
 TEST(Calibration, PredictionsEndWhereFiguresDo) {
   MadeUpStudy made = study_of({1.0});
-  for (const PredictedFigure& one : made.posterior().predicted) {
+  for (const PredictedStatistic& one : made.posterior().predicted) {
     const Figure& figure = made.study.observations[one.observation].figures[one.figure];
     if (figure.kind != Figure::Kind::kPassed) continue;
     EXPECT_GE(one.low, 0.0);
@@ -133,7 +133,7 @@ TEST(Calibration, PredictionsEndWhereFiguresDo) {
 // ln mu_R from ln 0.05 to ln 0.5.
 TEST(Calibration, PriorPredictionsAreOfTheWholeRanges) {
   const MadeUpStudy made = study_of({1.0});
-  const PredictedFigure mean = made.posterior().predicted.front();
+  const PredictedStatistic mean = made.posterior().predicted.front();
   ASSERT_EQ(made.study.observations[mean.observation].figures[mean.figure].name, "mean_place_m");
   std::vector<double> means;
   Random random(11);
@@ -162,8 +162,8 @@ TEST(MemberRuns, GoFromProcessToProcessBitByBit) {
   outcomes[0] = {3, 4294967295u, {0.1, -1e300}, {1.0 / 3.0, 5e-324}, {{}, {1.0, 2.0}}, 7, {}};
   outcomes[1].moments.resize(3);
   outcomes[1].moments[2].place = {652013.25, 5203000.125};
-  const std::string bytes = study_detail::packed_outcomes(outcomes);
-  const std::vector<ReleaseOutcome> back = study_detail::unpacked_outcomes(bytes);
+  const std::string bytes = study_detail::serialize_outcomes(outcomes);
+  const std::vector<ReleaseOutcome> back = study_detail::deserialize_outcomes(bytes);
   ASSERT_EQ(back.size(), 2u);
   EXPECT_EQ(back[0].block, 3u);
   EXPECT_EQ(back[0].point, 4294967295u);
@@ -174,8 +174,8 @@ TEST(MemberRuns, GoFromProcessToProcessBitByBit) {
   EXPECT_FALSE(back[0].barriers[0].passed());
   EXPECT_EQ(back[0].barriers[1].spin, 2.0);
   EXPECT_EQ(back[1].moments[2].place, outcomes[1].moments[2].place);
-  EXPECT_EQ(study_detail::packed_outcomes(back), bytes);
-  EXPECT_TRUE(study_detail::unpacked_outcomes("").empty());
+  EXPECT_EQ(study_detail::serialize_outcomes(back), bytes);
+  EXPECT_TRUE(study_detail::deserialize_outcomes("").empty());
 }
 
 }  // namespace

@@ -87,8 +87,8 @@ class ChantSuraStudy : public testing::Test {
     const Calibration found =
         calibrate(read_calibration_study(folder_ / "study.toml"), folder_ / (law + ".h5"), options);
     std::printf("\n%s, scars %s\n%s\n%s\n", law.c_str(), fit_scars ? "fitted" : "kept",
-                calibration_answer(found).c_str(), unknowns_text(found).c_str());
-    for (const std::string& finding : calibration_findings(found)) {
+                describe_calibration_result(found).c_str(), format_unknowns_table(found).c_str());
+    for (const std::string& finding : describe_calibration_findings(found)) {
       std::printf("%s\n", finding.c_str());
     }
     return found;

@@ -15,12 +15,12 @@ namespace {
 using Shares = std::vector<std::pair<std::string, double>>;
 
 TEST(DrawnShares, OtherClassesDivideWhatIsLeftAsBefore) {
-  BlockDraw draw;
+  BlockSampling draw;
   draw.shares = {{"disc", 0.5}, {"spheroid", 0.2}, {"blade", 0.2}, {"rod", 0.1}};
-  EXPECT_EQ(drawn_shares(draw), draw.shares);
+  EXPECT_EQ(class_fractions(draw), draw.shares);
   draw.set_shares = {{"spheroid", 0.5}, {"rod", 0.15}};
   // 0.35 is left for disc and blade, 5 : 2.
-  const Shares shares = drawn_shares(draw);
+  const Shares shares = class_fractions(draw);
   EXPECT_NEAR(shares[0].second, 0.25, 1e-15);
   EXPECT_EQ(shares[1].second, 0.5);
   EXPECT_NEAR(shares[2].second, 0.1, 1e-15);
@@ -28,15 +28,15 @@ TEST(DrawnShares, OtherClassesDivideWhatIsLeftAsBefore) {
 }
 
 TEST(DrawnShares, MoreThanAllOrTooLittleIsRefused) {
-  BlockDraw draw;
+  BlockSampling draw;
   draw.shares = {{"compact", 0.5}, {"elongated", 0.5}};
   draw.set_shares = {{"compact", 1.0}};
-  EXPECT_EQ(drawn_shares(draw)[1].second, 0.0);
+  EXPECT_EQ(class_fractions(draw)[1].second, 0.0);
   draw.set_shares["elongated"] = 0.25;
-  EXPECT_EQ(clast::refusal<InputError>([&] { drawn_shares(draw); }),
+  EXPECT_EQ(clast::refusal<InputError>([&] { class_fractions(draw); }),
             "the shares of classes that are set add up to 1.25, more than 1");
   draw.set_shares["compact"] = 0.5;
-  EXPECT_EQ(clast::refusal<InputError>([&] { drawn_shares(draw); }),
+  EXPECT_EQ(clast::refusal<InputError>([&] { class_fractions(draw); }),
             "the shares of classes that are set add up to 0.75, and no other class makes up the "
             "rest");
 }
@@ -66,17 +66,17 @@ class DrawnBlocks : public CampaignRun {
     study.sites = {site(text)};
     std::vector<Moment> moments;
     if (observation.moment) moments = {*observation.moment};
-    SiteSimulator simulator(study.sites[0], study.unknowns, study.design, moments);
+    SiteMemberSimulator simulator(study.sites[0], study.unknowns, study.design, moments);
     CalibrationRuns runs{{simulator.facts()}, {{}}};
     std::uint32_t number = 0;
     for (const std::vector<double>& place : study.design.places(unknowns.size())) {
       runs.outcomes[0].push_back(simulator.simulate(number++, study.values(place), 2));
     }
     const std::vector<ReleaseOutcome> field = simulator.simulate(1000, truth, 2);
-    const std::vector<Seen> seen = seen_by(observation, runs.sites[0], field);
+    const std::vector<Seen> seen = select_outcomes(observation, runs.sites[0], field);
     std::vector<std::size_t> all(seen.size());
     std::iota(all.begin(), all.end(), std::size_t{0});
-    for (Figure& figure : observation.figures) figure.observed = figure_of(figure, seen, all);
+    for (Figure& figure : observation.figures) figure.observed = compute_statistic(figure, seen, all);
     observation.releases = seen.size();
     study.observations = {observation};
     return infer_posterior(study, runs, 2);
@@ -100,7 +100,7 @@ TEST_F(DrawnBlocks, RunsOfSomeNumbersAreThoseOfTheWholePlan) {
   ASSERT_EQ(plan.runs.size(), 3u * (3 + 2 * 20));
   std::vector<std::uint32_t> numbers(plan.runs.size());
   std::iota(numbers.rbegin(), numbers.rend(), 0u);
-  const std::vector<RunRecord> runs = study_detail::planned_runs(plan, numbers);
+  const std::vector<RunRecord> runs = study_detail::make_planned_runs(plan, numbers);
   for (std::size_t i = 0; i < numbers.size(); ++i) {
     const RunRecord& whole = plan.runs[numbers[i]];
     EXPECT_EQ(runs[i].run, whole.run);
@@ -120,7 +120,7 @@ TEST_F(DrawnBlocks, EachMemberHasBlocksOfItsOwn) {
                 "} }"));
   CalibrationDesign design;
   design.releases = 120;  // all that the campaign plans
-  SiteSimulator simulator(north,
+  SiteMemberSimulator simulator(north,
                           {{"blocks.mass_median_kg", 100.0, 900.0, true},
                            {"blocks.mass_sigma", 0.1, 0.5, false},
                            {"blocks.share.elongated", 0.1, 0.9, false}},
@@ -130,8 +130,8 @@ TEST_F(DrawnBlocks, EachMemberHasBlocksOfItsOwn) {
   simulator.simulate(0, {800.0, 0.2, 0.2}, 2);
   const std::vector<ReleaseOutcome> member = simulator.simulate(1, {500.0, 0.4, 0.7}, 2);
   Campaign same = north.campaign;
-  BlockDraw& draw = *same.blocks.draw;
-  draw.seed = study_detail::named_seed(2, "member 1");
+  BlockSampling& draw = *same.blocks.draw;
+  draw.seed = study_detail::derive_seed(2, "member 1");
   draw.mass->first = 500.0;
   draw.mass->second = 0.4;
   draw.shares = {{"compact", 0.3}, {"elongated", 0.7}};
@@ -152,7 +152,7 @@ TEST_F(DrawnBlocks, MembersDoNotDisturbEachOther) {
                                          {"release.velocity_x_m_s", 0.0, 3.0, false}};
   CalibrationDesign design;
   design.releases = 10;
-  SiteSimulator one(north, unknowns, design), other(north, unknowns, design);
+  SiteMemberSimulator one(north, unknowns, design), other(north, unknowns, design);
   one.simulate(0, {120.0, 2.0}, 1);
   one.simulate(1, {800.0, 1.0}, 1);
   const std::vector<ReleaseOutcome> a = one.simulate(2, {300.0, 0.5}, 2);
@@ -196,7 +196,7 @@ TEST_F(DrawnBlocks, UnusualSizesAtTheUpperEndsAreRefused) {
   const CalibrationSite north = site(text(kLogNormal));
   const auto refused = [&](double high) {
     return clast::refusal<InputError>([&] {
-      SiteSimulator(north, {{"blocks.mass_median_kg", 100.0, high, true}}, CalibrationDesign());
+      SiteMemberSimulator(north, {{"blocks.mass_median_kg", 100.0, high, true}}, CalibrationDesign());
     });
   };
   EXPECT_EQ(refused(900.0), "");

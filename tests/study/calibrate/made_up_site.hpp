@@ -35,7 +35,7 @@ struct MadeUpSite {
     outcome.block = shape;
     outcome.point = point;
     outcome.stop = {mean + effect + kRunSpread * random.normal(), 2.0 * random.normal()};
-    OutcomeAt passage;
+    OutcomeAtMoment passage;
     const double speed = 12.0 - 5.0 * mu - 2.0 * rolling + 1.5 * random.normal();
     const double spin = 9.0 - 12.0 * rolling - 2.0 * mu + 1.2 * random.normal();
     const double height = 1.0 + 0.2 * random.normal();
@@ -44,7 +44,7 @@ struct MadeUpSite {
     return outcome;
   }
 
-  SiteFacts facts(const std::string& name) const {
+  SiteDescription facts(const std::string& name) const {
     return {name, {"A", "B"}, {"compact", "elongated"}, {"EC"}, Vec2::UnitX(), Vec2::Zero()};
   }
 
@@ -69,7 +69,7 @@ struct MadeUpThrows {
   ReleaseOutcome thrown(const std::vector<double>& values, std::uint32_t number,
                         Random& random) const {
     const double incoming = 5.0 + number;
-    OutcomeAt after;
+    OutcomeAtMoment after;
     after.speed = incoming * (0.9 - 0.6 * values[0]) + 0.5 * random.normal() +
                   (number % 2 == 0 ? bend : -bend);
     after.spin = incoming * (1.2 - 0.3 * values[0] - 1.5 * values[1]) + 0.6 * random.normal();
@@ -81,8 +81,8 @@ struct MadeUpThrows {
   }
 
   static std::string name(std::uint32_t number) { return "throw " + std::to_string(number); }
-  static SiteFacts facts() {
-    SiteFacts facts{"throws", {"A"}, {"compact"}, {}, Vec2::UnitX(), Vec2::Zero()};
+  static SiteDescription facts() {
+    SiteDescription facts{"throws", {"A"}, {"compact"}, {}, Vec2::UnitX(), Vec2::Zero()};
     for (std::uint32_t i = 0; i < kThrows; ++i) facts.releases.push_back(name(i));
     facts.moments = {{Moment::Kind::kImpact, 1.0}};
     return facts;
@@ -156,7 +156,7 @@ struct MadeUpStudy {
                       const std::vector<double>& truth, std::uint64_t seed) {
     Random random(seed);
     for (std::uint32_t i = 0; i < MadeUpThrows::kThrows; ++i) {
-      const OutcomeAt after = field.thrown(truth, i, random).moments.front();
+      const OutcomeAtMoment after = field.thrown(truth, i, random).moments.front();
       Observation impact;
       impact.name = MadeUpThrows::name(i);
       impact.site = number;
@@ -213,10 +213,10 @@ struct MadeUpStudy {
     return observation;
   }
   void observe_figures(Observation& observation, const std::vector<ReleaseOutcome>& field) {
-    const std::vector<Seen> seen = seen_by(observation, runs.sites[observation.site], field);
+    const std::vector<Seen> seen = select_outcomes(observation, runs.sites[observation.site], field);
     std::vector<std::size_t> all(seen.size());
     for (std::size_t i = 0; i < all.size(); ++i) all[i] = i;
-    for (Figure& figure : observation.figures) figure.observed = figure_of(figure, seen, all);
+    for (Figure& figure : observation.figures) figure.observed = compute_statistic(figure, seen, all);
     study.observations.push_back(observation);
   }
 };

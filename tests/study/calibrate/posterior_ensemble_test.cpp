@@ -17,7 +17,7 @@ class PosteriorEnsemble : public CampaignRun {
     const MadeUpSite site;
     made.add_site("slope", site);
     made.observe(0, site, {0.6, 0.2}, 24, true, 4);
-    CalibrationSimulator simulator{made.runs.sites, {"made-up 00"}, {}};
+    CalibrationBackend simulator{made.runs.sites, {"made-up 00"}, {}};
     simulator.simulate = [&](std::size_t number, std::uint32_t member, const std::vector<double>&) {
       return made.runs.outcomes[number][member];
     };
@@ -36,7 +36,7 @@ TEST_F(PosteriorEnsemble, MembersHaveTheGroundOfDifferentDraws) {
   const PosteriorDraws posterior = read_posterior_draws(*folder_ / "posterior.h5");
   ASSERT_EQ(plan.header.ground_sets.size(), 40u);
   std::set<std::vector<double>> drawn(posterior.draws.begin(), posterior.draws.end()), taken;
-  for (const GroundSet& set : plan.header.ground_sets) {
+  for (const GroundParameterSet& set : plan.header.ground_sets) {
     const std::vector<double> own = {set.zones[0].friction, set.zones[1].rolling_friction};
     EXPECT_TRUE(drawn.contains(own));
     taken.insert(own);
@@ -101,7 +101,7 @@ TEST_F(PosteriorEnsemble, OtherParametersMayBeUncertainToo) {
   const std::string text = replaced_once(with_posterior("design = \"sobol\"\n"), "friction = 0.6",
                                          "friction = { uniform = [0.5, 0.7] }");
   std::set<double> frictions;
-  for (const GroundSet& set : prepared(text).header.ground_sets) {
+  for (const GroundParameterSet& set : prepared(text).header.ground_sets) {
     EXPECT_GE(set.zones[1].friction, 0.5);
     EXPECT_LT(set.zones[1].friction, 0.7);
     frictions.insert(set.zones[1].friction);

@@ -46,14 +46,14 @@ class SiteSimulation : public CampaignRun {
 TEST_F(SiteSimulation, MembersAreTheRunsOfTheCampaignWithTheirGround) {
   CalibrationDesign design;
   design.releases = 12;  // all that the campaign plans
-  SiteSimulator simulator(site(), kFriction, design);
+  SiteMemberSimulator simulator(site(), kFriction, design);
   expect_runs_of(with("friction = 0.4", "friction = 0.25"), simulator.simulate(0, {0.25}, 2));
 }
 
 TEST_F(SiteSimulation, MembersDoNotDisturbEachOther) {
   CalibrationDesign design;
   design.releases = 5;
-  SiteSimulator one(site(), kFriction, design), other(site(), kFriction, design);
+  SiteMemberSimulator one(site(), kFriction, design), other(site(), kFriction, design);
   one.simulate(0, {0.55}, 1);
   one.simulate(1, {0.25}, 1);
   const std::vector<ReleaseOutcome> a = one.simulate(2, {0.3}, 2), b = other.simulate(2, {0.3}, 1);
@@ -67,7 +67,7 @@ TEST_F(SiteSimulation, MembersDoNotDisturbEachOther) {
 TEST_F(SiteSimulation, StartsFollowTheirUnknowns) {
   CalibrationDesign design;
   design.releases = 12;
-  SiteSimulator simulator(site(), {{"release.velocity_x_m_s", 0.0, 6.0, false}}, design);
+  SiteMemberSimulator simulator(site(), {{"release.velocity_x_m_s", 0.0, 6.0, false}}, design);
   simulator.simulate(0, {5.0}, 2);
   expect_runs_of(with("orientations =", "velocity_m_s = [2.5, 0, 0]\norientations ="),
                  simulator.simulate(1, {2.5}, 2));
@@ -81,7 +81,7 @@ TEST_F(SiteSimulation, DrawnBlocksAreThoseOfTheCampaign) {
            "0.3] } }");
   CalibrationDesign design;
   design.releases = 18;
-  SiteSimulator simulator(site(text), kFriction, design);
+  SiteMemberSimulator simulator(site(text), kFriction, design);
   EXPECT_EQ(simulator.facts().blocks.size(), 3u);
   simulator.simulate(0, {0.55}, 2);
   expect_runs_of(replaced_once(text, "friction = 0.4", "friction = 0.25"),
@@ -95,7 +95,7 @@ TEST_F(SiteSimulation, ImpactsAndTimesAreThoseOfTheRuns) {
                                        {Moment::Kind::kImpact, 1e6},
                                        {Moment::Kind::kTime, 0.1},
                                        {Moment::Kind::kTime, 1e4}};
-  SiteSimulator simulator(site(), kFriction, design, moments);
+  SiteMemberSimulator simulator(site(), kFriction, design, moments);
   EXPECT_EQ(simulator.facts().moments, moments);
   const std::vector<ReleaseOutcome> member = simulator.simulate(0, {0.4}, 2);
   const std::filesystem::path file = *folder_ / "results.h5";
@@ -106,7 +106,7 @@ TEST_F(SiteSimulation, ImpactsAndTimesAreThoseOfTheRuns) {
   std::size_t seen = 0;
   for (const Impact& impact : results.impacts) {
     if (impact.run != seen) continue;  // the first of each run
-    const OutcomeAt& at = member[seen++].moments[0];
+    const OutcomeAtMoment& at = member[seen++].moments[0];
     EXPECT_EQ(at.speed, impact.speed_after);
     EXPECT_EQ(at.depth, impact.depth);
     EXPECT_EQ(at.energy, impact.translational_after + impact.rotational_after);
@@ -131,7 +131,7 @@ TEST_F(SiteSimulation, TheGroundIsFoundAgainFromImpactsAlone) {
   study.sites = {site(replaced_once(with("max_time_s = 6", "max_time_s = 1.2"), "\"turns.txt\"",
                                     "{ random = 50, fresh = true }"))};
   const std::vector<Moment> moments = {{Moment::Kind::kImpact, 1.0}};
-  SiteSimulator simulator(study.sites[0], study.unknowns, study.design, moments);
+  SiteMemberSimulator simulator(study.sites[0], study.unknowns, study.design, moments);
   CalibrationRuns runs{{simulator.facts()}, {{}}};
   std::uint32_t number = 0;
   for (const std::vector<double>& place : study.design.places(1)) {
@@ -146,11 +146,11 @@ TEST_F(SiteSimulation, TheGroundIsFoundAgainFromImpactsAlone) {
   CalibrationDesign all_runs = study.design;
   all_runs.releases = 200;
   const std::vector<ReleaseOutcome> field =
-      SiteSimulator(study.sites[0], study.unknowns, all_runs, moments).simulate(number, truth, 2);
-  const std::vector<Seen> seen = seen_by(impacts, runs.sites[0], field);
+      SiteMemberSimulator(study.sites[0], study.unknowns, all_runs, moments).simulate(number, truth, 2);
+  const std::vector<Seen> seen = select_outcomes(impacts, runs.sites[0], field);
   std::vector<std::size_t> all(seen.size());
   std::iota(all.begin(), all.end(), std::size_t{0});
-  for (Figure& figure : impacts.figures) figure.observed = figure_of(figure, seen, all);
+  for (Figure& figure : impacts.figures) figure.observed = compute_statistic(figure, seen, all);
   study.observations = {impacts};
   const CalibrationPosterior found = infer_posterior(study, runs, 2);
   EXPECT_LE(found.marginals[0].low, truth[0]);
@@ -162,7 +162,7 @@ TEST_F(SiteSimulation, MoreReleasesThanPlannedAreRefused) {
   CalibrationDesign design;
   design.releases = 13;
   EXPECT_TRUE(
-      contains(clast::refusal<InputError>([&] { SiteSimulator(site(), kFriction, design); }),
+      contains(clast::refusal<InputError>([&] { SiteMemberSimulator(site(), kFriction, design); }),
                "plans 12 runs, fewer than the 13 releases of each member"));
 }
 

@@ -32,8 +32,8 @@ std::size_t letters_of(const DeclaredTable& table) {
   return table.value<std::string>("word")->size();
 }
 
-const BoundTable<Settings>& settings_keys() {
-  static const BoundTable<Settings> keys(
+const MemberTable<Settings>& settings_keys() {
+  static const MemberTable<Settings> keys(
       {"settings", "Of a test", KeyTable::Repeat::kEither},
       {{"length_m", "m", "of it", required("a length", number({0.1, 10.0})), &Settings::length},
        {"width_m", "m", "of it", number({0.1, 10.0}), &Settings::width},
@@ -51,7 +51,7 @@ Settings read(const std::string& text) {
   const TomlNode root = parse_toml(text, "a.toml");
   const TomlTable top(root, "a.toml", "", {"settings"});
   Settings settings;
-  for (const DeclaredTable& table : tables_of(top, settings_keys())) {
+  for (const DeclaredTable& table : find_tables(top, settings_keys())) {
     settings_keys().read(table, settings);
   }
   return settings;
@@ -61,7 +61,7 @@ std::string refusal_of(const std::string& text) {
   return refusal([&] { read(text); });
 }
 
-TEST(BoundTable, EachKeySetsItsMember) {
+TEST(MemberTable, EachKeySetsItsMember) {
   const Settings settings = read(
       "[settings]\nlength_m = 2\nwidth_m = 3\nrounds = 4\nopen = true\nstep_s = 0.25\n"
       "colour = \"blue\"\nword = \"four\"\npolygon = [[0, 0], [1, 0, 9], [0, 1]]\n");
@@ -76,14 +76,14 @@ TEST(BoundTable, EachKeySetsItsMember) {
   EXPECT_EQ(settings.polygon[1], Vec2(1.0, 0.0));
 }
 
-TEST(BoundTable, AbsentKeysLeaveTheirMembers) {
+TEST(MemberTable, AbsentKeysLeaveTheirMembers) {
   const Settings settings = read("[settings]\nlength_m = 2\n");
   EXPECT_FALSE(settings.width);
   EXPECT_EQ(settings.rounds, 3);
   EXPECT_EQ(settings.inner.step, 0.5);
 }
 
-TEST(BoundTable, RefusalsHaveTheRangeTheUnitAndTheTableAsItIsWritten) {
+TEST(MemberTable, RefusalsHaveTheRangeTheUnitAndTheTableAsItIsWritten) {
   EXPECT_EQ(refusal_of("[settings]\nlength_m = 20\n"),
             "a.toml:2: [settings] length_m = 20: must be from 0.1 to 10 m");
   EXPECT_EQ(refusal_of("[[settings]]\nrounds = 3\n"),

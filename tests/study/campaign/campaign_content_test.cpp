@@ -126,9 +126,9 @@ draw = { count = 4, shares = { elongated = 1.0 } }
 }
 
 TEST(Quotas, AddUpAndFollowTheLargestRemainder) {
-  EXPECT_EQ(quotas({0.5, 0.3, 0.2}, 7), (std::vector<std::size_t>{4, 2, 1}));  // 3.5, 2.1, 1.4
-  EXPECT_EQ(quotas({1.0}, 3), (std::vector<std::size_t>{3}));
-  EXPECT_EQ(quotas({0.4, 0.6}, 0), (std::vector<std::size_t>{0, 0}));
+  EXPECT_EQ(allocate_quotas({0.5, 0.3, 0.2}, 7), (std::vector<std::size_t>{4, 2, 1}));  // 3.5, 2.1, 1.4
+  EXPECT_EQ(allocate_quotas({1.0}, 3), (std::vector<std::size_t>{3}));
+  EXPECT_EQ(allocate_quotas({0.4, 0.6}, 0), (std::vector<std::size_t>{0, 0}));
 }
 
 TEST_F(CampaignContent, BlockGroupHasItsOwnGround) {
@@ -138,7 +138,7 @@ select = ["slab"]
 ground.slope = { friction = 0.25 }
 )");
   ASSERT_EQ(plan.header.ground_sets.size(), 2u);
-  const GroundSet& schist = plan.header.ground_sets[1];
+  const GroundParameterSet& schist = plan.header.ground_sets[1];
   EXPECT_EQ(schist.group, "schist");
   EXPECT_EQ(schist.zones[0].friction, 0.25);
   EXPECT_EQ(schist.zones[0].rolling_friction, 0.1);
@@ -172,7 +172,7 @@ TEST_F(CampaignContent, RollingLengthIsOfAZoneAndNeedNotBeStated) {
   // k_r by zone: k_t (S/2)^2, or k_n a^2 where a is stated.
   const double k_n = plan.runs.front().stiffness.normal;
   const double arm = 0.5 * plan.header.blocks.front().axes.S;
-  const ValueRange k_r = stiffness_by_block(plan.header, plan.runs).front().values[2].range;
+  const ValueRange k_r = collect_stiffness_by_block(plan.header, plan.runs).front().values[2].range;
   EXPECT_NEAR(k_r.low, k_n * std::min(0.01, arm * arm), 1e-6 * k_n);
   EXPECT_NEAR(k_r.high, k_n * std::max(0.01, arm * arm), 1e-6 * k_n);
 }
@@ -185,7 +185,7 @@ TEST_F(CampaignContent, SoilOfAZoneReachesItsRunsAndMustGoTogether) {
       prepared(soil("friction_min = 0.1\nslip_growth_per_m = { uniform = [2.0, 4.0] }\n"
                     "slip_memory_s = 0.005\nscar_drag = 1.5\nsoil_density_kg_m3 = 1800") +
                "[ensemble]\nmembers = 3\n");
-  for (const GroundSet& set : plan.header.ground_sets) {
+  for (const GroundParameterSet& set : plan.header.ground_sets) {
     EXPECT_EQ(set.zones[0].slip_growth, 0.0);
     EXPECT_GT(set.zones[1].slip_growth, 2.0);
     EXPECT_LT(set.zones[1].slip_growth, 4.0);
@@ -236,7 +236,7 @@ TEST_F(CampaignContent, EnsembleDrawsTheGroundForEveryMember) {
   ASSERT_EQ(plan.runs.size(), 12u * 50u);
   double friction = 0.0, rolling = 0.0;
   for (std::uint32_t member = 0; member < 50; ++member) {
-    const GroundSet& set = plan.header.ground_sets[member];
+    const GroundParameterSet& set = plan.header.ground_sets[member];
     EXPECT_EQ(set.member, member);
     EXPECT_GE(set.zones[0].friction, 0.3);
     EXPECT_LT(set.zones[0].friction, 0.5);
@@ -270,8 +270,8 @@ TEST_F(CampaignContent, SobolEnsembleFillsTheLawsEvenly) {
   ASSERT_EQ(plan.header.ground_sets.size(), 64u);
   std::set<int> friction, rolling, of_group;
   for (std::uint32_t member = 0; member < 32; ++member) {
-    const GroundSet& set = plan.header.ground_sets[member];
-    const GroundSet& group = plan.header.ground_sets[32 + member];
+    const GroundParameterSet& set = plan.header.ground_sets[member];
+    const GroundParameterSet& group = plan.header.ground_sets[32 + member];
     friction.insert(static_cast<int>((set.zones[0].friction - 0.3) / 0.2 * 32));
     rolling.insert(
         static_cast<int>(normal_below((set.zones[1].rolling_friction - 0.3) / 0.05) * 32));
@@ -283,23 +283,23 @@ TEST_F(CampaignContent, SobolEnsembleFillsTheLawsEvenly) {
   EXPECT_EQ(of_group.size(), 32u);
 }
 
-TEST(Uncertain, QuantilesAreThoseOfTheLaw) {
-  EXPECT_EQ((Uncertain{Uncertain::Law::kFixed, 0.7}.quantile(0.2)), 0.7);
-  EXPECT_DOUBLE_EQ((Uncertain{Uncertain::Law::kUniform, 1.0, 3.0}.quantile(0.25)), 1.5);
-  const Uncertain normal{Uncertain::Law::kNormal, 2.0, 0.5};
+TEST(Distribution, QuantilesAreThoseOfTheLaw) {
+  EXPECT_EQ((Distribution{Distribution::Law::kFixed, 0.7}.quantile(0.2)), 0.7);
+  EXPECT_DOUBLE_EQ((Distribution{Distribution::Law::kUniform, 1.0, 3.0}.quantile(0.25)), 1.5);
+  const Distribution normal{Distribution::Law::kNormal, 2.0, 0.5};
   EXPECT_NEAR(normal.quantile(0.975), 2.0 + 1.959963985 * 0.5, 1e-8);
-  const Uncertain log_normal{Uncertain::Law::kLogNormal, 300.0, 0.5};
+  const Distribution log_normal{Distribution::Law::kLogNormal, 300.0, 0.5};
   EXPECT_NEAR(log_normal.quantile(0.5), 300.0, 1e-9);
   EXPECT_NEAR(log_normal.quantile(0.1), 300.0 * std::exp(-1.281551566 * 0.5), 1e-6);
   // Cut at its mean, the upper half is left, whose median is the upper quartile.
-  const Uncertain cut{Uncertain::Law::kNormal, 0.0, 1.0, 0.0, 1e300};
+  const Distribution cut{Distribution::Law::kNormal, 0.0, 1.0, 0.0, 1e300};
   EXPECT_NEAR(cut.quantile(0.5), 0.6744897502, 1e-8);
   EXPECT_GE(cut.quantile(0.0), 0.0);
 }
 
-TEST(Uncertain, DrawsFollowTheirLaw) {
+TEST(Distribution, DrawsFollowTheirLaw) {
   Random random(3);
-  const Uncertain normal{Uncertain::Law::kNormal, 0.1, 0.2, 0.0, 1.0};
+  const Distribution normal{Distribution::Law::kNormal, 0.1, 0.2, 0.0, 1.0};
   double least = 1.0;
   for (int i = 0; i < 1000; ++i) {
     const double value = normal.draw(random);
@@ -308,10 +308,10 @@ TEST(Uncertain, DrawsFollowTheirLaw) {
     least = std::min(least, value);
   }
   EXPECT_LT(least, 0.01);
-  const Uncertain log_normal{Uncertain::Law::kLogNormal, 300.0, 0.5};
+  const Distribution log_normal{Distribution::Law::kLogNormal, 300.0, 0.5};
   EXPECT_EQ(log_normal.central(), 300.0);
-  EXPECT_EQ((Uncertain{Uncertain::Law::kUniform, 1.0, 2.0}.central()), 1.5);
-  EXPECT_EQ((Uncertain{Uncertain::Law::kFixed, 0.7}.draw(random)), 0.7);
+  EXPECT_EQ((Distribution{Distribution::Law::kUniform, 1.0, 2.0}.central()), 1.5);
+  EXPECT_EQ((Distribution{Distribution::Law::kFixed, 0.7}.draw(random)), 0.7);
 }
 
 }  // namespace

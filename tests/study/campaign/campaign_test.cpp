@@ -197,7 +197,7 @@ TEST_F(CampaignFile, DataFolderIsTakenFromTheEnvironment) {
 }
 
 TEST(Grid45, HasSixtyFourRotationsInTheOrderOfTheDefinition) {
-  const std::vector<Quat> grid = grid_45_orientations();
+  const std::vector<Quat> grid = orientations_in_45_degree_grid();
   ASSERT_EQ(grid.size(), 64u);
   EXPECT_EQ(grid[0].coeffs(), Quat::Identity().coeffs());
   // c fastest: the second turns 45 degrees about z, the fifth about y, the 17th about x.

@@ -14,8 +14,8 @@ namespace clast {
 namespace {
 
 TEST(GroundTypes, StartWithinTheirRangesAndAreValid) {
-  for (const GroundType& type : ground_types()) {
-    for (const UsualValue& number :
+  for (const GroundType& type : typical_ground_types()) {
+    for (const TypicalValue& number :
          {type.energy_restitution, type.friction, type.rolling_friction}) {
       EXPECT_LE(number.low, number.value) << type.name;
       EXPECT_LE(number.value, number.high) << type.name;
@@ -46,9 +46,9 @@ TEST(GroundTypes, TakeRestitutionFromRockyfor3D) {
   const std::map<std::string, double> r_n = {{"rock", 0.53},        {"talus", 0.38},
                                              {"scree", 0.33},       {"soil hard", 0.38},
                                              {"soil medium", 0.33}, {"soil soft", 0.23}};
-  EXPECT_EQ(ground_types().size(), r_n.size());
+  EXPECT_EQ(typical_ground_types().size(), r_n.size());
   for (const auto& [name, r] : r_n) {
-    const UsualValue& restitution = ground_type(name).energy_restitution;
+    const TypicalValue& restitution = ground_type(name).energy_restitution;
     const double e_n = r / (1.0 + std::pow(10.0 / 9.0, 2.0));
     EXPECT_NEAR(restitution.value, e_n * e_n, 0.005) << name;
     EXPECT_NEAR(restitution.high, r * r, 0.005) << name;
@@ -58,7 +58,7 @@ TEST(GroundTypes, TakeRestitutionFromRockyfor3D) {
 
 TEST(GroundTypes, AreFoundInNamesOfZones) {
   const auto found = [](const std::string& zone) -> std::string {
-    const GroundType* type = ground_type_of_zone(zone);
+    const GroundType* type = find_ground_type(zone);
     return type ? type->name : "";
   };
   EXPECT_EQ(found("rock"), "rock");

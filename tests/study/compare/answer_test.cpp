@@ -13,14 +13,14 @@
 namespace clast {
 namespace {
 
-const Statement& only(const Answer& answer) { return answer.statements.at(0); }
+const FileSummary& only(const KeyResults& answer) { return answer.statements.at(0); }
 
-TEST(Answer, ADifferenceThatIsThereIsToldWithItsInterval) {
+TEST(KeyResults, ADifferenceThatIsThereIsToldWithItsInterval) {
   int inside = 0;
   for (std::uint64_t seed = 0; seed < 20; ++seed) {
     const Comparison comparison = compared(made_up_results({.seed = seed}));
-    const Answer found = answer(comparison);
-    const GapAnswer& gap = only(found).gap.value();
+    const KeyResults found = answer(comparison);
+    const RunoutContrast& gap = only(found).gap.value();
     EXPECT_EQ(comparison.groups[gap.farther].key, "compact");
     EXPECT_EQ(gap.verdict, Verdict::kMoreThanChance) << seed;
     ASSERT_TRUE(gap.interval);
@@ -30,9 +30,9 @@ TEST(Answer, ADifferenceThatIsThereIsToldWithItsInterval) {
   EXPECT_GE(inside, 15) << "of 20; eight points give intervals that are a little too narrow";
 }
 
-TEST(Answer, TheFartherClassIsNamedFirstAndItsGapIsPositive) {
+TEST(KeyResults, TheFartherClassIsNamedFirstAndItsGapIsPositive) {
   const Comparison comparison = compared(made_up_results({.compact = 30.0, .elongated = 40.0}));
-  const GapAnswer gap = *only(answer(comparison)).gap;
+  const RunoutContrast gap = *only(answer(comparison)).gap;
   EXPECT_EQ(comparison.groups[gap.farther].key, "elongated");
   EXPECT_GT(gap.gap, 0.0);
   EXPECT_GT(gap.interval->low, 0.0);
@@ -40,18 +40,18 @@ TEST(Answer, TheFartherClassIsNamedFirstAndItsGapIsPositive) {
   EXPECT_GT(gap.interval->high, gap.gap);
 }
 
-TEST(Answer, WhatIsNotThereIsSeldomTold) {
+TEST(KeyResults, WhatIsNotThereIsSeldomTold) {
   int found = 0;
   for (std::uint64_t seed = 0; seed < 40; ++seed) {
     const Comparison comparison =
         compared(made_up_results({.compact = 30.0, .elongated = 30.0, .seed = seed}));
-    const GapAnswer gap = *only(answer(comparison)).gap;
+    const RunoutContrast gap = *only(answer(comparison)).gap;
     found += gap.verdict == Verdict::kMoreThanChance ? 1 : 0;
   }
   EXPECT_LE(found, 5) << "of 40";
 }
 
-TEST(Answer, AnotherSpreadAroundTheSameMeanIsNoOtherRunout) {
+TEST(KeyResults, AnotherSpreadAroundTheSameMeanIsNoOtherRunout) {
   CampaignResults results = made_up_results({.compact = 30.0, .elongated = 30.0, .runs_each = 40});
   // Elongated blocks stop at either of two places, as far above as below.
   int i = 0;
@@ -62,36 +62,36 @@ TEST(Answer, AnotherSpreadAroundTheSameMeanIsNoOtherRunout) {
   EXPECT_EQ(only(answer(comparison)).gap->verdict, Verdict::kOtherSpread);
 }
 
-TEST(Answer, RunsThatLeaveTheTerrainLeaveNothingToCompare) {
+TEST(KeyResults, RunsThatLeaveTheTerrainLeaveNothingToCompare) {
   CampaignResults results = made_up_results();
   for (RunRecord& run : results.runs) {
     if (run.block == 0 && run.run % 3 != 0) run.result.stop_reason = StopReason::kLeftTerrain;
   }
   const Comparison comparison = compared(std::move(results));
-  const Statement statement = only(answer(comparison));
+  const FileSummary statement = only(answer(comparison));
   EXPECT_EQ(statement.gap->verdict, Verdict::kTooFew) << "a third of the compact runs is left";
   EXPECT_FALSE(statement.gap->interval);
   EXPECT_GT(statement.stops.left_terrain, 0u);
 }
 
-TEST(Answer, OneRealisationTellsNothingOfChance) {
+TEST(KeyResults, OneRealisationTellsNothingOfChance) {
   CampaignResults results = made_up_results();
   let_stay(results, 1);
   const Comparison comparison = compared(std::move(results));
-  const Statement statement = only(answer(comparison));
+  const FileSummary statement = only(answer(comparison));
   EXPECT_EQ(statement.gap->verdict, Verdict::kUntested);
   EXPECT_FALSE(statement.gap->interval);
   EXPECT_FALSE(statement.all.interval);
   EXPECT_TRUE(statement.of_realisations);
 }
 
-TEST(Answer, TheLastBarrierThatIsPassedComesFirst) {
+TEST(KeyResults, TheLastBarrierThatIsPassedComesFirst) {
   CampaignResults results = made_up_results();
   add_barrier(results, "upper", 10.0);
   add_barrier(results, "lower", 38.0);
   add_barrier(results, "never", 500.0);
   const Comparison comparison = compared(std::move(results));
-  const std::vector<PassageAnswer> passages = only(answer(comparison)).passages;
+  const std::vector<BarrierSummary> passages = only(answer(comparison)).passages;
   ASSERT_EQ(passages.size(), 3u);
   EXPECT_EQ(comparison.lines[passages[0].line].name, "lower");
   EXPECT_EQ(comparison.lines[passages[1].line].name, "upper");
@@ -119,11 +119,11 @@ TEST(Answer, TheLastBarrierThatIsPassedComesFirst) {
   EXPECT_NEAR(passages[0].all.height, 1e-5 * quantile(energies, 0.95), 1e-12);
 }
 
-TEST(Answer, OfFewPassagesTheLargestIsSaid) {
+TEST(KeyResults, OfFewPassagesTheLargestIsSaid) {
   CampaignResults results = made_up_results({.points = 1, .runs_each = 12});
   add_barrier(results, "B", 40.0);
   const Comparison comparison = compared(std::move(results));
-  const PassageAnswer passage = only(answer(comparison)).passages.at(0);
+  const BarrierSummary passage = only(answer(comparison)).passages.at(0);
   ASSERT_GT(passage.all.crossed, 0u);
   ASSERT_LT(passage.all.crossed, kFewestPassages);
   EXPECT_TRUE(passage.all.largest);
@@ -134,20 +134,20 @@ TEST(Answer, OfFewPassagesTheLargestIsSaid) {
   EXPECT_EQ(passage.all.energy, most);
 }
 
-TEST(Answer, SharesOfRunsThatDependOnTheirPointHaveWiderIntervals) {
+TEST(KeyResults, SharesOfRunsThatDependOnTheirPointHaveWiderIntervals) {
   // From half of the points every run passes, from the others none.
   CampaignResults results = made_up_results({.scatter = 0.01, .places = 20.0, .runs_each = 40});
   add_barrier(results, "B", 40.0);
   const Comparison comparison = compared(std::move(results));
-  const ShareAnswer all = only(answer(comparison)).passages.at(0).all;
+  const CrossingEstimate all = only(answer(comparison)).passages.at(0).all;
   const Interval runs = wilson_interval(all.crossed, all.started);
   EXPECT_GT(all.interval->high - all.interval->low, 3.0 * (runs.high - runs.low));
 }
 
-TEST(Answer, FilesOfOneClassEachAreComparedAsOneStudy) {
+TEST(KeyResults, FilesOfOneClassEachAreComparedAsOneStudy) {
   const Comparison comparison =
       compared(made_up_results({.elongated = NAN}), made_up_results({.compact = NAN, .seed = 2}));
-  const Answer found = answer(comparison);
+  const KeyResults found = answer(comparison);
   ASSERT_EQ(found.statements.size(), 1u);
   EXPECT_FALSE(found.files);
   EXPECT_EQ(only(found).gap->verdict, Verdict::kMoreThanChance);
@@ -155,15 +155,15 @@ TEST(Answer, FilesOfOneClassEachAreComparedAsOneStudy) {
 }
 
 // Pooled, the elongated blocks would seem to run farther, since most of them run on the long slope.
-TEST(Answer, SitesAreNotMixed) {
+TEST(KeyResults, SitesAreNotMixed) {
   CampaignResults near = made_up_results({.compact = 30.0, .elongated = 20.0, .runs_each = 12});
   std::erase_if(near.runs, [](const RunRecord& run) { return run.block == 1 && run.run % 4 != 0; });
   CampaignResults far = made_up_results({.compact = 90.0, .elongated = 80.0, .seed = 2});
   std::erase_if(far.runs, [](const RunRecord& run) { return run.block == 0 && run.run % 4 != 0; });
   const Comparison comparison = compared(std::move(near), std::move(far));
-  const Answer found = answer(comparison);
+  const KeyResults found = answer(comparison);
   ASSERT_EQ(found.statements.size(), 2u);
-  for (const Statement& statement : found.statements) {
+  for (const FileSummary& statement : found.statements) {
     EXPECT_EQ(comparison.groups[statement.gap->farther].key, "compact");
     EXPECT_EQ(statement.gap->verdict, Verdict::kMoreThanChance);
     EXPECT_NEAR(statement.gap->gap, 10.0, 3.0);
@@ -186,13 +186,13 @@ double mean_of_draw(const CampaignResults& results, std::uint32_t draw,
   return sum / count;
 }
 
-TEST(Answer, UncertainGroundGivesRangesOverItsDraws) {
+TEST(KeyResults, UncertainGroundGivesRangesOverItsDraws) {
   CampaignResults results = made_up_results({.runs_each = 20});
   draw_ground(results, 5, 4.0);
   add_barrier(results, "road", 35.0);
   const Comparison comparison = compared(std::move(results));
   const CampaignResults& stored = comparison.results[0];
-  const Statement statement = only(answer(comparison));
+  const FileSummary statement = only(answer(comparison));
   EXPECT_EQ(statement.draws, 5u);
   std::vector<double> means, gaps, shares, energies;
   for (std::uint32_t draw = 0; draw < 5; ++draw) {
@@ -226,7 +226,7 @@ TEST(Answer, UncertainGroundGivesRangesOverItsDraws) {
   EXPECT_GT(statement.passages[0].all.energy_range->high, statement.passages[0].all.energy);
 }
 
-TEST(Answer, ManyDrawsGiveTheRangeOfNineOfTen) {
+TEST(KeyResults, ManyDrawsGiveTheRangeOfNineOfTen) {
   CampaignResults results = made_up_results({.runs_each = 20});
   draw_ground(results, 20, 1.0);
   const Comparison comparison = compared(std::move(results));
@@ -235,7 +235,7 @@ TEST(Answer, ManyDrawsGiveTheRangeOfNineOfTen) {
   EXPECT_NEAR(range->high - range->low, 17.1, 4.0) << "19 m from first to last draw";
 }
 
-TEST(Answer, WhichRunsFartherCanDependOnTheDraw) {
+TEST(KeyResults, WhichRunsFartherCanDependOnTheDraw) {
   CampaignResults results = made_up_results({.compact = 40.0, .elongated = 34.0, .runs_each = 20});
   draw_ground(results, 4, 0.0);
   // In the last draw elongated blocks run on.
@@ -243,20 +243,20 @@ TEST(Answer, WhichRunsFartherCanDependOnTheDraw) {
     if (run.block == 1 && run.ground_set == 3) run.result.final_state.position.x() += 15.0;
   }
   const Comparison comparison = compared(std::move(results));
-  const GapAnswer gap = *only(answer(comparison)).gap;
+  const RunoutContrast gap = *only(answer(comparison)).gap;
   EXPECT_EQ(gap.verdict, Verdict::kDependsOnGround);
   EXPECT_LT(gap.interval->low, 0.0);
   EXPECT_GT(gap.interval->high, 0.0);
 }
 
-TEST(Answer, OneDrawIsNoRange) {
+TEST(KeyResults, OneDrawIsNoRange) {
   const Comparison comparison = compared(made_up_results());
-  const Statement statement = only(answer(comparison));
+  const FileSummary statement = only(answer(comparison));
   EXPECT_EQ(statement.draws, 0u);
   EXPECT_FALSE(answer(comparison).has_draws());
 }
 
-TEST(Answer, IntervalsOfTheSameBlocksEverywhereSpeakOfThemAlone) {
+TEST(KeyResults, IntervalsOfTheSameBlocksEverywhereSpeakOfThemAlone) {
   const Comparison same = compared(made_up_results());
   EXPECT_EQ(only(answer(same)).blocks, 2u);
   EXPECT_FALSE(only(answer(same)).samples_blocks);

@@ -10,29 +10,29 @@
 namespace clast {
 namespace {
 
-double one(const BlockPassage&) { return 1.0; }
+double one(const BlockCrossing&) { return 1.0; }
 
-std::vector<BlockPassage> passages_at(const std::vector<double>& times) {
-  std::vector<BlockPassage> passages;
+std::vector<BlockCrossing> passages_at(const std::vector<double>& times) {
+  std::vector<BlockCrossing> passages;
   for (const double time : times) passages.push_back({.time = time, .energy = 10.0 * time});
   return passages;
 }
 
 TEST(LargestWithin, IsTheFullestWindowWhereverItBegins) {
-  const std::vector<BlockPassage> passages = passages_at({0.0, 0.9, 1.1, 1.5, 1.9, 2.2, 7.0});
-  const PassagePeak most = largest_within(passages, 1.0, one);
+  const std::vector<BlockCrossing> passages = passages_at({0.0, 0.9, 1.1, 1.5, 1.9, 2.2, 7.0});
+  const WindowMaximum most = find_window_maximum(passages, 1.0, one);
   EXPECT_EQ(most.value, 4.0);  // from 0.9 to 1.9, both ends included
   EXPECT_EQ(most.from, 0.9);
-  const PassagePeak energy =
-      largest_within(passages, 1.0, [](const BlockPassage& passage) { return passage.energy; });
+  const WindowMaximum energy =
+      find_window_maximum(passages, 1.0, [](const BlockCrossing& passage) { return passage.energy; });
   EXPECT_EQ(energy.value, 70.0);  // one block alone, more than the four
   EXPECT_EQ(energy.from, 7.0);
-  EXPECT_EQ(largest_within(passages, 10.0, one).value, 7.0);
-  EXPECT_EQ(largest_within(passages, 0.0, one).value, 1.0);
+  EXPECT_EQ(find_window_maximum(passages, 10.0, one).value, 7.0);
+  EXPECT_EQ(find_window_maximum(passages, 0.0, one).value, 1.0);
 }
 
 TEST(LargestWithin, OfNothingIsNone) {
-  const PassagePeak none = largest_within({}, 1.0, one);
+  const WindowMaximum none = find_window_maximum({}, 1.0, one);
   EXPECT_EQ(none.value, 0.0);
   EXPECT_TRUE(std::isnan(none.from));
 }
@@ -53,9 +53,9 @@ CampaignResults results_that_stay(bool at_once) {
 // three times and counts once.
 TEST(BarrierPassages, AreTheCountedCrossingsOfEachRealisation) {
   const Comparison comparison = compared(results_that_stay(true));
-  const std::vector<RealisationPassages> all = barrier_passages(comparison);
+  const std::vector<RealisationCrossings> all = collect_barrier_crossings(comparison);
   ASSERT_EQ(all.size(), 4u);
-  const RealisationPassages &first = all[0], &second = all[1];
+  const RealisationCrossings &first = all[0], &second = all[1];
   EXPECT_EQ(first.line, 0u);
   EXPECT_EQ(first.realisation, 0u);
   EXPECT_EQ(first.blocks, 3u);
@@ -67,7 +67,7 @@ TEST(BarrierPassages, AreTheCountedCrossingsOfEachRealisation) {
   EXPECT_EQ(first.most_mass.value, 600.0);
   EXPECT_NEAR(first.most_energy.value, 650.0 + 2450.0, 1e-9);
   EXPECT_NEAR(first.largest_energy, 2450.0, 1e-9);
-  EXPECT_NEAR(first.sum([](const BlockPassage& passage) { return passage.volume; }), 0.2, 1e-12);
+  EXPECT_NEAR(first.sum([](const BlockCrossing& passage) { return passage.volume; }), 0.2, 1e-12);
   // In order of time, not of runs: run 5 passes before run 3.
   ASSERT_EQ(second.passages.size(), 2u);
   EXPECT_EQ(comparison.rows[second.passages[0].row].record->run, 5u);
@@ -80,18 +80,18 @@ TEST(BarrierPassages, AreTheCountedCrossingsOfEachRealisation) {
 }
 
 TEST(BarrierPassages, AreByTheClockOfTheRealisation) {
-  const std::vector<RealisationPassages> all = barrier_passages(compared(results_that_stay(false)));
+  const std::vector<RealisationCrossings> all = collect_barrier_crossings(compared(results_that_stay(false)));
   EXPECT_EQ(all[0].first(), 11.0);
   EXPECT_EQ(all[0].last(), 21.5);
   EXPECT_EQ(all[0].most_blocks.value, 1.0);
 }
 
 TEST(BarrierPassages, AreNoneWhereNoBlockStayed) {
-  EXPECT_TRUE(barrier_passages(compared(hand_made_results())).empty());
+  EXPECT_TRUE(collect_barrier_crossings(compared(hand_made_results())).empty());
 }
 
 TEST(PassageCurve, IsTheMeanAndTheRangeOfWhatHasPassed) {
-  RealisationPassages first, second, none;
+  RealisationCrossings first, second, none;
   first.passages = passages_at({1.0, 2.0});
   second.passages = passages_at({4.0});
   const RealisationCurve curve = passage_curve({&first, &second, &none}, one);

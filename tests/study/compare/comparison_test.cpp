@@ -21,13 +21,13 @@ std::size_t group_index(const Comparison& comparison, const std::string& name) {
   return 0;
 }
 
-const DepositGroup& deposit(const Comparison& comparison, const std::string& name) {
+const DepositStatistics& deposit(const Comparison& comparison, const std::string& name) {
   return comparison.deposits[group_index(comparison, name)];
 }
 
-const BarrierGroup& at_barrier(const Comparison& comparison, const std::string& barrier,
+const BarrierGroupStatistics& at_barrier(const Comparison& comparison, const std::string& barrier,
                                const std::string& group) {
-  for (const BarrierGroup& one : comparison.barriers) {
+  for (const BarrierGroupStatistics& one : comparison.barriers) {
     if (one.barrier == barrier && one.group == group) return one;
   }
   throw std::runtime_error("no group " + group + " at " + barrier);
@@ -48,40 +48,40 @@ std::string refused(const CampaignResults& results) {
   return refused(std::vector<CampaignResults>{results});
 }
 
-TEST(Runout, IsMeasuredAlongDownslope) {
+TEST(RunoutDistances, IsMeasuredAlongDownslope) {
   const Vec2 down = Vec2(3.0, 4.0).normalized();
-  const Runout measured = runout(Vec3(1, 1, 9), Vec3(7, 9, 0), down);
+  const RunoutDistances measured = runout(Vec3(1, 1, 9), Vec3(7, 9, 0), down);
   EXPECT_NEAR(measured.along, 10.0, 1e-12);
   EXPECT_NEAR(measured.lateral, 0.0, 1e-12);
 }
 
-TEST(Runout, LateralIsPositiveToTheRightLookingDownslope) {
+TEST(RunoutDistances, LateralIsPositiveToTheRightLookingDownslope) {
   // Looking along +x with z up, the right hand is -y; looking along +y it is +x.
   EXPECT_NEAR(runout(Vec3::Zero(), Vec3(5, -5, 0), Vec2::UnitX()).lateral, kPi / 4, 1e-15);
   EXPECT_NEAR(runout(Vec3::Zero(), Vec3(5, 5, 0), Vec2::UnitX()).lateral, -kPi / 4, 1e-15);
   EXPECT_NEAR(runout(Vec3::Zero(), Vec3(5, 5, 0), Vec2::UnitY()).lateral, kPi / 4, 1e-15);
 }
 
-TEST(Runout, UphillIsNegativeAndBehind) {
-  const Runout measured = runout(Vec3::Zero(), Vec3(-2, 0, 1), Vec2::UnitX());
+TEST(RunoutDistances, UphillIsNegativeAndBehind) {
+  const RunoutDistances measured = runout(Vec3::Zero(), Vec3(-2, 0, 1), Vec2::UnitX());
   EXPECT_DOUBLE_EQ(measured.along, -2.0);
   EXPECT_NEAR(std::abs(measured.lateral), kPi, 1e-15);
 }
 
-TEST(Runout, OfABlockThatStaysIsZero) {
-  const Runout measured = runout(Vec3(1, 2, 3), Vec3(1, 2, 2), Vec2::UnitX());
+TEST(RunoutDistances, OfABlockThatStaysIsZero) {
+  const RunoutDistances measured = runout(Vec3(1, 2, 3), Vec3(1, 2, 2), Vec2::UnitX());
   EXPECT_EQ(measured.along, 0.0);
   EXPECT_EQ(measured.lateral, 0.0);
 }
 
-TEST(Runout, TurnsWithTheSite) {
+TEST(RunoutDistances, TurnsWithTheSite) {
   Random random(7);
   for (int i = 0; i < 50; ++i) {
     const Vec3 start = 10.0 * random.direction(), stop = 50.0 * random.direction();
     const Eigen::Rotation2Dd turn(random.uniform(-kPi, kPi));
     const Eigen::AngleAxisd turn3(turn.angle(), Vec3::UnitZ());
-    const Runout before = runout(start, stop, Vec2::UnitX());
-    const Runout after = runout(turn3 * start, turn3 * stop, turn * Vec2::UnitX());
+    const RunoutDistances before = runout(start, stop, Vec2::UnitX());
+    const RunoutDistances after = runout(turn3 * start, turn3 * stop, turn * Vec2::UnitX());
     EXPECT_NEAR(after.along, before.along, 1e-12);
     EXPECT_NEAR(std::sin(after.lateral - before.lateral), 0.0, 1e-12);
   }
@@ -107,7 +107,7 @@ TEST(Compare, OneSneedFolkClassGetsNoGroupOfItsOwn) {
 
 TEST(Compare, DepositsAreAsComputedByHand) {
   const Comparison comparison = compared(hand_made_results());
-  const DepositGroup& compact = deposit(comparison, "class compact");
+  const DepositStatistics& compact = deposit(comparison, "class compact");
   EXPECT_EQ(compact.runout.count, 4u);
   EXPECT_NEAR(compact.runout.mean, 25.0, 1e-9);
   EXPECT_NEAR(compact.runout.std, std::sqrt(500.0 / 3.0), 1e-9);
@@ -116,7 +116,7 @@ TEST(Compare, DepositsAreAsComputedByHand) {
   EXPECT_NEAR(compact.runout.max, 40.0, 1e-9);
   EXPECT_LT((compact.mean_stop - (kMapOrigin + Vec3(25.0, 0.0, -12.5))).norm(), 1e-9);
 
-  const DepositGroup& elongated = deposit(comparison, "block long, \"2\"");
+  const DepositStatistics& elongated = deposit(comparison, "block long, \"2\"");
   EXPECT_NEAR(elongated.runout.mean, 15.0, 1e-9);
   EXPECT_NEAR(elongated.lateral.mean, 0.0, 1e-9);  // 45 degrees right and 45 left
   EXPECT_NEAR(elongated.lateral.std, kPi / 4 * std::sqrt(2.0), 1e-9);
@@ -129,7 +129,7 @@ TEST(Compare, OnlyRunsAtRestAreDeposits) {
   results.runs[1].result.stop_reason = StopReason::kError;
   results.runs[1].result.final_state.position = Vec3::Constant(NAN);
   const Comparison comparison = compared(std::move(results));
-  const DepositGroup& compact = deposit(comparison, "class compact");
+  const DepositStatistics& compact = deposit(comparison, "class compact");
   EXPECT_EQ(compact.started, 4u);
   EXPECT_EQ(compact.stops.rest, 1u);
   EXPECT_EQ(compact.stops.left_terrain, 1u);
@@ -168,7 +168,7 @@ TEST(Compare, StopsAtTheReleaseLeaveDownslopeUndefined) {
 
 TEST(Compare, FirstCrossingCounts) {
   const Comparison comparison = compared(hand_made_results());
-  const BarrierGroup& compact = at_barrier(comparison, "B<1>", "class compact");
+  const BarrierGroupStatistics& compact = at_barrier(comparison, "B<1>", "class compact");
   EXPECT_EQ(compact.started, 4u);
   EXPECT_EQ(compact.crossed, 3u);
   EXPECT_DOUBLE_EQ(compact.probability, 0.75);
@@ -192,7 +192,7 @@ CampaignResults results_with_a_barrier_drawn_the_wrong_way() {
 
 TEST(Compare, ABarrierDrawnTheWrongWayCountsTheSameRuns) {
   const Comparison comparison = compared(results_with_a_barrier_drawn_the_wrong_way());
-  const BarrierGroup& compact = at_barrier(comparison, "B<1>", "class compact");
+  const BarrierGroupStatistics& compact = at_barrier(comparison, "B<1>", "class compact");
   EXPECT_EQ(compact.counted, "either");
   EXPECT_EQ(compact.crossed, 3u);
   EXPECT_EQ(compact.backward, 3u);
@@ -202,9 +202,9 @@ TEST(Compare, ABarrierDrawnTheWrongWayCountsTheSameRuns) {
 
 TEST(Compare, OfAStatedDirectionOnlyThatCountsAndMostlyTheOtherIsWarnedOf) {
   CampaignResults results = results_with_a_barrier_drawn_the_wrong_way();
-  results.barriers[0].counted = CountedCrossings::kForward;
+  results.barriers[0].counted = CountedDirection::kForward;
   const Comparison comparison = compared(results);
-  const BarrierGroup& compact = at_barrier(comparison, "B<1>", "class compact");
+  const BarrierGroupStatistics& compact = at_barrier(comparison, "B<1>", "class compact");
   EXPECT_EQ(compact.counted, "forward");
   EXPECT_EQ(compact.crossed, 1u) << "that came back";
   EXPECT_EQ(compact.backward, 3u);
@@ -249,7 +249,7 @@ TEST(Compare, EnergyThatContactsLoseOrGainIsNamedAboveATenthOfTheDissipated) {
   const Comparison comparison = compared(std::move(results));
   EXPECT_TRUE(warns(comparison, "2 of 6 runs lose or gain more than 10 %"));
   EXPECT_TRUE(warns(comparison, "at most 25 %, run 2, block round<1>"));
-  EXPECT_FALSE(reassigned_share(EnergyLedger()));
+  EXPECT_FALSE(reassigned_energy_fraction(EnergyLedger()));
 }
 
 // Blocks of one mass on a slope of 26.6 deg that brakes what rolls: atan 0.6 = 31 deg.
@@ -293,7 +293,7 @@ TEST(Compare, ZoneThatStopsBlocksIsNotCalledTooSteepToStopThem) {
   const Comparison some = at_rest_on_scree(2);
   EXPECT_TRUE(warns(some, "but 2 of 6 runs stopped where it is flatter"));
   EXPECT_FALSE(warns(some, "friction stops nothing there"));
-  for (const Caution& caution : some.cautions) {
+  for (const ComparisonWarning& caution : some.cautions) {
     EXPECT_FALSE(contains(caution.brief, "too steep")) << caution.brief;
   }
 }
@@ -403,7 +403,7 @@ TEST(ComparisonWarnings, SpeedsThatAreSeldomSeenAreQuestioned) {
     for (RunRecord& run : results.runs) run.result.max_speed = speed;
     const Comparison comparison = compared(std::move(results));
     const bool said = std::any_of(
-        comparison.cautions.begin(), comparison.cautions.end(), [](const Caution& caution) {
+        comparison.cautions.begin(), comparison.cautions.end(), [](const ComparisonWarning& caution) {
           return caution.brief.find("5 % of the runs are faster than 36 m/s") != std::string::npos;
         });
     EXPECT_EQ(said, questioned) << speed;
@@ -417,7 +417,7 @@ TEST(ComparisonWarnings, SpeedsThatAreSeldomSeenAreQuestioned) {
   }
   results.runs[7].result.max_speed = 80.0;
   results.planned_runs = 60;
-  for (const Caution& caution : compared(std::move(results)).cautions) {
+  for (const ComparisonWarning& caution : compared(std::move(results)).cautions) {
     EXPECT_EQ(caution.brief.find("faster"), std::string::npos) << caution.brief;
   }
 }

@@ -38,7 +38,7 @@ CampaignResults factorial_results() {
 }
 
 DesignEffects effects_of(CampaignResults results) {
-  return design_effects(compared(std::move(results))).at(0);
+  return compute_design_effects(compared(std::move(results))).at(0);
 }
 
 TEST(DesignEffects, AreTheSharesOfWhatTheRunoutIsMadeOf) {

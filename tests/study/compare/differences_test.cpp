@@ -217,14 +217,14 @@ TEST(Differences, AreSaidInASentence) {
   std::swap(back.first_mean, back.second_mean);
   back.estimate = -runout.estimate;
   back.interval = Interval{-interval.high, -interval.low};
-  EXPECT_EQ(gap_in_words(back), with_decimals(runout.first_mean - runout.second_mean, decimals) +
+  EXPECT_EQ(describe_difference(back), with_decimals(runout.first_mean - runout.second_mean, decimals) +
                                     " m less (" + with_decimals(interval.low, decimals) + " to " +
                                     with_decimals(interval.high, decimals) + " m)");
 }
 
 TEST(Differences, NameTheirQuantitiesForReaders) {
-  EXPECT_EQ(words_of_quantity("path_length_m").name, "path length");
-  const QuantityWords energy = words_of_quantity("lower road total_energy_j");
+  EXPECT_EQ(quantity_text("path_length_m").name, "path length");
+  const QuantityText energy = quantity_text("lower road total_energy_j");
   EXPECT_EQ(energy.name, "energy at lower road");
   EXPECT_EQ(energy.unit, "kJ");
   EXPECT_EQ(energy.factor * 5000.0, 5.0);

@@ -55,9 +55,9 @@ TEST(FirstOrderIndex, IsTheShareOfAdditiveParts) {
     nothing.push_back(random.uniform(0.0, 1.0));
     y.push_back(2.0 * u1.back() + u2.back() + 0.5 * random.uniform(0.0, 1.0));
   }
-  EXPECT_NEAR(first_order_index(u1, y).value(), 4.0 / 5.25, 0.02);
-  EXPECT_NEAR(first_order_index(u2, y).value(), 1.0 / 5.25, 0.04);
-  EXPECT_NEAR(first_order_index(nothing, y).value(), 0.0, 0.015);
+  EXPECT_NEAR(estimate_first_order_index(u1, y).value(), 4.0 / 5.25, 0.02);
+  EXPECT_NEAR(estimate_first_order_index(u2, y).value(), 1.0 / 5.25, 0.04);
+  EXPECT_NEAR(estimate_first_order_index(nothing, y).value(), 0.0, 0.015);
 }
 
 // Without the correction for chance five groups of eight would seem to explain a tenth.
@@ -70,7 +70,7 @@ TEST(FirstOrderIndex, OfAParameterWithoutInfluenceIsZeroOnAverage) {
       x.push_back(random.uniform(0.0, 1.0));
       y.push_back(random.uniform(0.0, 1.0));
     }
-    sum += first_order_index(x, y).value();
+    sum += estimate_first_order_index(x, y).value();
   }
   EXPECT_LT(sum / 200.0, 0.05);
 }
@@ -81,7 +81,7 @@ TEST(FirstOrderIndex, SeesWhatRisesAndFallsAndRankCorrelationDoesNot) {
     x.push_back(i);
     y.push_back(std::abs(i - 199.5));
   }
-  EXPECT_GT(first_order_index(x, y).value(), 0.95);
+  EXPECT_GT(estimate_first_order_index(x, y).value(), 0.95);
   EXPECT_NEAR(spearman(x, y)->statistic, 0.0, 0.01);
 }
 
@@ -89,14 +89,14 @@ TEST(FirstOrderIndex, NeedsFortyPairsThatDiffer) {
   const std::vector<double> few(39, 1.0), same(40, 1.0);
   std::vector<double> rising;
   for (int i = 0; i < 40; ++i) rising.push_back(i);
-  EXPECT_FALSE(first_order_index(few, few));
-  EXPECT_FALSE(first_order_index(same, rising));
-  EXPECT_FALSE(first_order_index(rising, same));
-  EXPECT_EQ(first_order_index(rising, rising).has_value(), true);
+  EXPECT_FALSE(estimate_first_order_index(few, few));
+  EXPECT_FALSE(estimate_first_order_index(same, rising));
+  EXPECT_FALSE(estimate_first_order_index(rising, same));
+  EXPECT_EQ(estimate_first_order_index(rising, rising).has_value(), true);
 }
 
 TEST(EnsembleEffects, NameTheParameterThatMovesTheOutcome) {
-  const auto effects = ensemble_effects(compared(drawn_results(80)));
+  const auto effects = compute_ensemble_effects(compared(drawn_results(80)));
   // 3 drawn parameters; the mean runout and the two barriers.
   ASSERT_EQ(effects.size(), 9u);
   const ParameterEffect& strong = effect_of(effects, "mean runout", "blue", "friction");
@@ -115,29 +115,29 @@ TEST(EnsembleEffects, NameTheParameterThatMovesTheOutcome) {
 }
 
 TEST(EnsembleEffects, OfFewMembersHaveNoIndex) {
-  const auto effects = ensemble_effects(compared(drawn_results(5)));
+  const auto effects = compute_ensemble_effects(compared(drawn_results(5)));
   ASSERT_EQ(effects.size(), 9u);
   EXPECT_TRUE(effects.front().correlation);
   EXPECT_FALSE(effects.front().first_order);
 }
 
 TEST(EnsembleEffects, AreNoneWithoutAnEnsemble) {
-  EXPECT_TRUE(ensemble_effects(compared(hand_made_results())).empty());
-  EXPECT_TRUE(ensemble_effects(compared(drawn_results(1))).empty());
-  EXPECT_EQ(ensemble_members(hand_made_results()), 1u);
+  EXPECT_TRUE(compute_ensemble_effects(compared(hand_made_results())).empty());
+  EXPECT_TRUE(compute_ensemble_effects(compared(drawn_results(1))).empty());
+  EXPECT_EQ(count_ensemble_members(hand_made_results()), 1u);
 }
 
 TEST(EnsembleEffects, AreOfTheRunsOfEachBlockGroup) {
   CampaignResults results = drawn_results(6);
-  const std::vector<GroundSet> sets = results.ground_sets;
-  for (GroundSet set : sets) {
+  const std::vector<GroundParameterSet> sets = results.ground_sets;
+  for (GroundParameterSet set : sets) {
     set.group = "schist";
     set.zones[0].friction = 0.5;  // of this group it is not drawn
     results.ground_sets.push_back(set);
   }
   for (std::uint32_t i = 0; i < 12; i += 2) results.runs[i].ground_set += 6;
   std::size_t of_group = 0;
-  for (const ParameterEffect& effect : ensemble_effects(compared(std::move(results)))) {
+  for (const ParameterEffect& effect : compute_ensemble_effects(compared(std::move(results)))) {
     if (effect.group != "schist") continue;
     ++of_group;
     EXPECT_NE(effect.zone, "blue");

@@ -44,10 +44,10 @@ CampaignResults alone(const std::vector<double>& runouts) {
 }
 
 TEST(MassMobility, IsTheDifferenceOfRealisationsAndReleasePoints) {
-  const std::vector<Mobility> all =
-      mass_mobility(compared(together(10.0, 12.0), alone({19.0, 20.0, 21.0, 21.0, 22.0, 23.0})));
+  const std::vector<DepositMobility> all =
+      compute_mass_mobility(compared(together(10.0, 12.0), alone({19.0, 20.0, 21.0, 21.0, 22.0, 23.0})));
   ASSERT_EQ(all.size(), 3u);
-  const Mobility& every = all[0];
+  const DepositMobility& every = all[0];
   EXPECT_EQ(every.file, 0u);
   EXPECT_EQ(every.alone, 1u);
   EXPECT_EQ(every.blocks, 6u);
@@ -79,7 +79,7 @@ TEST(MassMobility, SaysWhereStartsAndMassesDiffer) {
     run.result.final_state.position.y() += 30.0;
   }
   for (BlockSummary& block : single.blocks) block.mass *= 2.0;
-  const std::vector<Mobility> all = mass_mobility(compared(together(10.0, 12.0), single));
+  const std::vector<DepositMobility> all = compute_mass_mobility(compared(together(10.0, 12.0), single));
   ASSERT_FALSE(all.empty());
   EXPECT_NEAR(all[0].starts_apart, 30.0, 1e-6);
   EXPECT_TRUE(in_words(all[0]).ends_with(
@@ -90,7 +90,7 @@ TEST(MassMobility, SaysWhereStartsAndMassesDiffer) {
 TEST(MassMobility, OfOneReleasePointIsOverRuns) {
   CampaignResults single = alone({19.0, 20.0, 21.0, 21.0, 22.0, 23.0});
   for (RunRecord& run : single.runs) run.point = 0;
-  const std::vector<Mobility> all = mass_mobility(compared(together(10.0, 12.0), single));
+  const std::vector<DepositMobility> all = compute_mass_mobility(compared(together(10.0, 12.0), single));
   ASSERT_FALSE(all.empty());
   EXPECT_EQ(all[0].alone_runout.count, 6u);
 }
@@ -98,9 +98,9 @@ TEST(MassMobility, OfOneReleasePointIsOverRuns) {
 TEST(MassMobility, IsNoneForOtherBlocksAndWithoutSingleRuns) {
   CampaignResults others = alone({19.0, 20.0, 21.0, 21.0, 22.0, 23.0});
   for (BlockSummary& block : others.blocks) block.id += " of another library";
-  EXPECT_TRUE(mass_mobility(compared(together(10.0, 12.0), others)).empty());
-  EXPECT_TRUE(mass_mobility(compared(together(10.0, 12.0), together(10.0, 12.0))).empty());
-  EXPECT_TRUE(mass_mobility(compared(hand_made_results())).empty());
+  EXPECT_TRUE(compute_mass_mobility(compared(together(10.0, 12.0), others)).empty());
+  EXPECT_TRUE(compute_mass_mobility(compared(together(10.0, 12.0), together(10.0, 12.0))).empty());
+  EXPECT_TRUE(compute_mass_mobility(compared(hand_made_results())).empty());
 }
 
 }  // namespace

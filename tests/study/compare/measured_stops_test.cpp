@@ -45,7 +45,7 @@ TEST(MeasuredStops, AreHeldAgainstSimulatedOnesOfTheirGroup) {
   EXPECT_NEAR(table.number(compact, "cliffs_delta"), (2 - 2 + 3 - 1) / 8.0, 1e-12);
   const std::size_t elongated = table.find("group", "class elongated");
   EXPECT_NEAR(table.number(elongated, "lateral_mean_deg"), -45.0, 1e-6);
-  EXPECT_NE(provenance_json(comparison).find("seen.csv"), std::string::npos);
+  EXPECT_NE(make_provenance_json(comparison).find("seen.csv"), std::string::npos);
 }
 
 TEST(MeasuredStops, QuartilesAndIntervalsStandBesideTheMeans) {

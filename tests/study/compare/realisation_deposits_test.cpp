@@ -10,7 +10,7 @@
 namespace clast {
 namespace {
 
-TEST(RealisationDeposits, OfBoxesThatLieOnThePlane) {
+TEST(DepositResults, OfBoxesThatLieOnThePlane) {
   CampaignResults results = boxes_that_stay();
   // In the second realisation one lies on another, and one is removed.
   results.runs[4].result.final_state.position = {0.0, 0.0, 0.75};
@@ -18,9 +18,9 @@ TEST(RealisationDeposits, OfBoxesThatLieOnThePlane) {
   // Both masses start as three boxes one over the other, the highest with its top at 10.25 m.
   results.stay->at_once = true;
   const Comparison comparison = compared(std::move(results));
-  const RealisationDeposits deposits = realisation_deposits(comparison);
+  const DepositResults deposits = measure_deposits(comparison);
   ASSERT_EQ(deposits.realisations.size(), 2u);
-  const RealisationDeposit &first = deposits.realisations[0], &second = deposits.realisations[1];
+  const DepositMeasures &first = deposits.realisations[0], &second = deposits.realisations[1];
   EXPECT_EQ(first.blocks, 3u);
   EXPECT_EQ(first.lying, 3u);
   EXPECT_EQ(second.lying, 2u);
@@ -41,7 +41,7 @@ TEST(RealisationDeposits, OfBoxesThatLieOnThePlane) {
   EXPECT_LT((first.first_centre - kMapOrigin - Vec3(-10.0, 0.0, 9.0)).norm(), 1e-6);
   EXPECT_LT((first.crest - kMapOrigin - Vec3(-10.0, 0.0, 10.0)).norm(), 1e-6);
   EXPECT_LT((first.toe - kMapOrigin - Vec3(8.0, 0.0, 0.25)).norm(), 1e-6);
-  EXPECT_NEAR(drop_ratio(first.crest, first.toe), 9.75 / 18.0, 1e-9);
+  EXPECT_NEAR(height_length_ratio(first.crest, first.toe), 9.75 / 18.0, 1e-9);
   // The mean over both: half of the realisations have a box at the far end.
   const auto layer = [&](std::size_t i, const Vec2& place) {
     const Vec2 map = place + kMapOrigin.head<2>();
@@ -57,12 +57,12 @@ TEST(RealisationDeposits, OfBoxesThatLieOnThePlane) {
   EXPECT_TRUE(std::isnan(layer(0, {2.05, 0.05})));
 }
 
-TEST(RealisationDeposits, WithoutABlockAtRestHaveNoFigures) {
+TEST(DepositResults, WithoutABlockAtRestHaveNoFigures) {
   CampaignResults results = boxes_that_stay();
   for (std::size_t i = 3; i < 6; ++i) {
     results.runs[i].result.stop_reason = StopReason::kLeftTerrain;
   }
-  const RealisationDeposits deposits = realisation_deposits(compared(std::move(results)));
+  const DepositResults deposits = measure_deposits(compared(std::move(results)));
   ASSERT_EQ(deposits.realisations.size(), 2u);
   EXPECT_EQ(deposits.realisations[1].left_terrain, 3u);
   EXPECT_EQ(deposits.realisations[1].mass, 0.0);
@@ -71,8 +71,8 @@ TEST(RealisationDeposits, WithoutABlockAtRestHaveNoFigures) {
   EXPECT_TRUE(deposits.realisations[1].crest.allFinite());
 }
 
-TEST(RealisationDeposits, AreNoneWhereNoBlockStayed) {
-  const RealisationDeposits deposits = realisation_deposits(compared(hand_made_results()));
+TEST(DepositResults, AreNoneWhereNoBlockStayed) {
+  const DepositResults deposits = measure_deposits(compared(hand_made_results()));
   EXPECT_TRUE(deposits.realisations.empty());
   EXPECT_TRUE(deposits.rasters.layers.empty());
 }

@@ -18,7 +18,7 @@ double kinetic(const EnergySample& sample) { return sample.translational + sampl
 
 TEST(RealisationEnergies, GoByFileAndRealisation) {
   const Comparison comparison = compared(energies_that_are_lost());
-  const std::vector<RealisationEnergies> all = realisation_energies(comparison);
+  const std::vector<RealisationEnergies> all = collect_realisation_energies(comparison);
   ASSERT_EQ(all.size(), 2u);
   EXPECT_EQ(all[1].file, 0u);
   EXPECT_EQ(all[1].realisation, 1u);
@@ -28,22 +28,22 @@ TEST(RealisationEnergies, GoByFileAndRealisation) {
 
 TEST(RealisationEnergies, SharesAreOfWhatContactsDissipated) {
   const Comparison comparison = compared(energies_that_are_lost());
-  const EnergyShares shares = energy_shares(realisation_energies(comparison)[0].samples);
+  const EnergyFractions shares = compute_energy_fractions(collect_realisation_energies(comparison)[0].samples);
   EXPECT_DOUBLE_EQ(shares.on_ground.friction, 0.4);
   EXPECT_DOUBLE_EQ(shares.on_ground.normal, 0.2);
   EXPECT_DOUBLE_EQ(shares.between_blocks.friction, 0.3);
   EXPECT_DOUBLE_EQ(shares.between_blocks.rolling, 0.1);
   EXPECT_DOUBLE_EQ(shares.on_ground.sum() + shares.between_blocks.sum(), 1.0);
   EXPECT_DOUBLE_EQ(shares.largest_kinetic, 500.0);
-  const EnergyShares none = energy_shares({EnergySample{}});
+  const EnergyFractions none = compute_energy_fractions({EnergySample{}});
   EXPECT_TRUE(std::isnan(none.on_ground.friction));
   EXPECT_EQ(none.largest_kinetic, 0.0);
 }
 
 TEST(RealisationEnergies, CurvesAreLinearBetweenSamplesAndLast) {
   const Comparison comparison = compared(energies_that_are_lost());
-  const std::vector<RealisationEnergies> all = realisation_energies(comparison);
-  const RealisationCurve curve = energy_curve({&all[0], &all[1]}, kinetic);
+  const std::vector<RealisationEnergies> all = collect_realisation_energies(comparison);
+  const RealisationCurve curve = compute_energy_curve({&all[0], &all[1]}, kinetic);
   ASSERT_GT(curve.time.size(), 2u);
   EXPECT_EQ(curve.time.front(), 0.0);
   EXPECT_DOUBLE_EQ(curve.time.back(), 8.0);  // the second takes twice as long
@@ -56,16 +56,16 @@ TEST(RealisationEnergies, CurvesAreLinearBetweenSamplesAndLast) {
     EXPECT_NEAR(curve.least[i], std::min(first, second), 1e-9) << t;
     EXPECT_NEAR(curve.most[i], std::max(first, second), 1e-9) << t;
   }
-  EXPECT_TRUE(energy_curve({}, kinetic).time.empty());
+  EXPECT_TRUE(compute_energy_curve({}, kinetic).time.empty());
 }
 
 TEST(RealisationEnergies, AreFiguresOfTheDeposit) {
   CampaignResults results = energies_that_are_lost();
   const auto mean_of = [](const CampaignResults& of, const std::string& name) -> double {
-    const FiguresOfFiles figures =
-        figures_of_files(realisation_deposits(compared(of)).realisations);
-    for (const FigureOfFile& one : figures.files) {
-      if (realisation_figures()[one.figure].name == name) return one.summary.mean;
+    const DepositQuantityComparison figures =
+        compare_deposit_quantities(measure_deposits(compared(of)).realisations);
+    for (const DepositQuantitySummary& one : figures.files) {
+      if (deposit_quantities()[one.figure].name == name) return one.summary.mean;
     }
     return NAN;
   };
@@ -75,7 +75,7 @@ TEST(RealisationEnergies, AreFiguresOfTheDeposit) {
   EXPECT_DOUBLE_EQ(mean_of(results, "largest_kinetic_j"), 500.0);
   results.energies.clear();  // of an older program
   EXPECT_TRUE(std::isnan(mean_of(results, "dissipated_by_friction")));
-  EXPECT_TRUE(realisation_energies(compared(results)).empty());
+  EXPECT_TRUE(collect_realisation_energies(compared(results)).empty());
 }
 
 }  // namespace

@@ -13,16 +13,16 @@ namespace clast {
 namespace {
 
 std::size_t figure_named(const std::string& name) {
-  for (std::size_t i = 0; i < realisation_figures().size(); ++i) {
-    if (realisation_figures()[i].name == name) return i;
+  for (std::size_t i = 0; i < deposit_quantities().size(); ++i) {
+    if (deposit_quantities()[i].name == name) return i;
   }
   throw std::out_of_range(name);
 }
 
 /// Ten blocks, of which nine lie, at the place where the toe is `length` from the crest and 5
 /// lower.
-RealisationDeposit realisation(std::uint32_t file, std::uint32_t number, double length) {
-  RealisationDeposit deposit;
+DepositMeasures realisation(std::uint32_t file, std::uint32_t number, double length) {
+  DepositMeasures deposit;
   deposit.file = file;
   deposit.realisation = number;
   deposit.blocks = 10;
@@ -41,17 +41,17 @@ RealisationDeposit realisation(std::uint32_t file, std::uint32_t number, double 
   return deposit;
 }
 
-const FigureDifference& named(const FiguresOfFiles& figures, const std::string& name) {
-  for (const FigureDifference& one : figures.differences) {
+const DepositQuantityDifference& named(const DepositQuantityComparison& figures, const std::string& name) {
+  for (const DepositQuantityDifference& one : figures.differences) {
     if (one.first.figure == figure_named(name)) return one;
   }
   throw std::out_of_range(name);
 }
 
 TEST(RealisationFigures, AreThoseOfTheDeposit) {
-  const RealisationDeposit deposit = realisation(0, 0, 10.0);
+  const DepositMeasures deposit = realisation(0, 0, 10.0);
   const auto value = [&](const char* name) {
-    return realisation_figures()[figure_named(name)].value(deposit);
+    return deposit_quantities()[figure_named(name)].value(deposit);
   };
   EXPECT_DOUBLE_EQ(value("lying"), 9.0);
   EXPECT_DOUBLE_EQ(value("lying_share"), 0.9);
@@ -69,11 +69,11 @@ TEST(RealisationFigures, AreThoseOfTheDeposit) {
 }
 
 TEST(RealisationFigures, DifferByFileWithWelchsInterval) {
-  const FiguresOfFiles figures =
-      figures_of_files({realisation(0, 0, 20.0), realisation(0, 1, 22.0), realisation(2, 0, 10.0),
+  const DepositQuantityComparison figures =
+      compare_deposit_quantities({realisation(0, 0, 20.0), realisation(0, 1, 22.0), realisation(2, 0, 10.0),
                         realisation(2, 1, 12.0)});
-  ASSERT_EQ(figures.files.size(), 2 * realisation_figures().size());
-  const FigureDifference& length = named(figures, "toe_distance_m");
+  ASSERT_EQ(figures.files.size(), 2 * deposit_quantities().size());
+  const DepositQuantityDifference& length = named(figures, "toe_distance_m");
   EXPECT_EQ(length.first.file, 0u);
   EXPECT_EQ(length.second.file, 2u);
   EXPECT_EQ(length.first.summary.count, 2u);
@@ -88,7 +88,7 @@ TEST(RealisationFigures, DifferByFileWithWelchsInterval) {
   EXPECT_EQ(length.tests, 3u);
   EXPECT_GT(*length.p_holm, *length.p_value);
   // What never differs has neither interval nor verdict.
-  const FigureDifference& area = named(figures, "area_m2");
+  const DepositQuantityDifference& area = named(figures, "area_m2");
   EXPECT_FALSE(area.interval);
   EXPECT_EQ(area.verdict(), Verdict::kUntested);
   EXPECT_TRUE(contains(in_words(area), "area: file 1 8.0 m\xC2\xB2, file 3 8.0 m\xC2\xB2;"));
@@ -98,46 +98,46 @@ TEST(RealisationFigures, DifferByFileWithWelchsInterval) {
 TEST(RealisationFigures, AreDistinguishedWhereTheIntervalAndTheCorrectedTestSaySo) {
   const auto compared_lengths = [](const std::vector<double>& first,
                                    const std::vector<double>& second) {
-    std::vector<RealisationDeposit> all;
+    std::vector<DepositMeasures> all;
     for (const double length : first) all.push_back(realisation(0, 0, length));
     for (const double length : second) all.push_back(realisation(1, 0, length));
-    return named(figures_of_files(all), "toe_distance_m");
+    return named(compare_deposit_quantities(all), "toe_distance_m");
   };
-  const FigureDifference clear = compared_lengths({20.0, 21.0, 22.0, 21.0}, {10.0, 11.0, 12.0});
+  const DepositQuantityDifference clear = compared_lengths({20.0, 21.0, 22.0, 21.0}, {10.0, 11.0, 12.0});
   EXPECT_EQ(clear.verdict(), Verdict::kMoreThanChance);
   EXPECT_EQ(in_words(clear), "distance L from crest to toe: file 1 21.00 m, file 2 11.00 m; " +
-                                 gap_in_words(clear) + ", from 4 and 3 realisations");
-  EXPECT_TRUE(contains(gap_in_words(clear), "m more (")) << gap_in_words(clear);
-  const FigureDifference open = compared_lengths({20.0, 22.0}, {13.0, 15.0});
+                                 describe_difference(clear) + ", from 4 and 3 realisations");
+  EXPECT_TRUE(contains(describe_difference(clear), "m more (")) << describe_difference(clear);
+  const DepositQuantityDifference open = compared_lengths({20.0, 22.0}, {13.0, 15.0});
   EXPECT_EQ(open.verdict(), Verdict::kOneOfMany) << *open.p_holm;
   EXPECT_TRUE(contains(in_words(open), "; one of 3 differences can be as large by chance"));
-  const FigureDifference none = compared_lengths({20.0, 22.0}, {20.5, 22.5});
+  const DepositQuantityDifference none = compared_lengths({20.0, 22.0}, {20.5, 22.5});
   EXPECT_EQ(none.verdict(), Verdict::kCanBeChance);
-  EXPECT_TRUE(contains(gap_in_words(none), "m less (")) << gap_in_words(none);
+  EXPECT_TRUE(contains(describe_difference(none), "m less (")) << describe_difference(none);
   EXPECT_TRUE(in_words(none).ends_with("; not distinguished"));
-  const FigureDifference single = compared_lengths({20.0, 22.0}, {10.0});
+  const DepositQuantityDifference single = compared_lengths({20.0, 22.0}, {10.0});
   EXPECT_EQ(single.verdict(), Verdict::kUntested);
   EXPECT_TRUE(contains(in_words(single), "an interval takes two realisations of each file"));
 }
 
 TEST(RealisationFigures, WithoutADepositAreLeftOut) {
-  RealisationDeposit empty;
+  DepositMeasures empty;
   empty.blocks = 10;
-  RealisationDeposit other = empty;
+  DepositMeasures other = empty;
   other.file = 1;
-  const FiguresOfFiles figures = figures_of_files({empty, other});
-  for (const FigureOfFile& one : figures.files) {
-    EXPECT_TRUE(std::isfinite(one.summary.mean)) << realisation_figures()[one.figure].name;
+  const DepositQuantityComparison figures = compare_deposit_quantities({empty, other});
+  for (const DepositQuantitySummary& one : figures.files) {
+    EXPECT_TRUE(std::isfinite(one.summary.mean)) << deposit_quantities()[one.figure].name;
   }
   EXPECT_THROW(named(figures, "area_m2"), std::out_of_range);
 }
 
 TEST(RealisationFigures, OfManyFilesAreNotComparedPairByPair) {
-  std::vector<RealisationDeposit> all;
+  std::vector<DepositMeasures> all;
   for (std::uint32_t file = 0; file < 13; ++file) all.push_back(realisation(file, 0, 20.0));
-  EXPECT_TRUE(figures_of_files(all).differences.empty());
+  EXPECT_TRUE(compare_deposit_quantities(all).differences.empty());
   all.pop_back();
-  EXPECT_EQ(figures_of_files(all).differences.size(), 66 * realisation_figures().size());
+  EXPECT_EQ(compare_deposit_quantities(all).differences.size(), 66 * deposit_quantities().size());
 }
 
 }  // namespace

@@ -45,7 +45,7 @@ std::vector<ShapeTrend> trends_of(CampaignResults results, double margin) {
   files.push_back(std::move(results));
   CompareOptions options;
   options.margin = margin;
-  return shape_trends(compare(std::move(files), options)).at(0).trends;
+  return compute_shape_trends(compare(std::move(files), options)).at(0).trends;
 }
 
 TEST(ShapeTrends, FindWhatRunoutGrowsWith) {

@@ -74,8 +74,8 @@ class EngineResultsOf : public CampaignRun {
       return state;
     };
   }
-  CampaignResults imported(EngineRuns* found = nullptr) const {
-    const EngineRuns runs = import_engine_results({.scenes = scenes()}, target());
+  CampaignResults imported(EngineImportSummary* found = nullptr) const {
+    const EngineImportSummary runs = import_engine_results({.scenes = scenes()}, target());
     if (found) *found = runs;
     return read_results(target());
   }
@@ -98,7 +98,7 @@ std::vector<double> every(double interval, double end) {
 
 TEST_F(EngineResultsOf, AFlightHasItsEndItsPathAndItsEnergy) {
   write_series(0, every(0.3, 1.2), flight(0));
-  EngineRuns found;
+  EngineImportSummary found;
   const CampaignResults results = imported(&found);
   EXPECT_EQ(found.runs, 1u);
   EXPECT_EQ(found.planned, plan_.runs.size());
@@ -273,7 +273,7 @@ TEST_F(EngineResultsOf, ADamagedRunCostsNoOther) {
   const std::string changed = read_text_file(scenes() / folders_[0] / "conf0");
   write_text_file(scenes() / folders_[0] / "conf0",
                   replaced_once(changed, "muContact 1 0 0.4", "muContact 1 0 0.5"));
-  EngineRuns found;
+  EngineImportSummary found;
   const CampaignResults results = imported(&found);
   ASSERT_EQ(results.runs.size(), 2u);
   EXPECT_EQ(results.runs[0].result.stop_reason, StopReason::kRest);

@@ -23,7 +23,7 @@ TEST(Results, RunsOfOtherPhysicsAreNotResumedOrJoined) {
   other.physics_digest = std::string(64, 'b');
   { ResultsWriter writer = ResultsWriter::create(target, header); }
   EXPECT_EQ(refusal([&] { ResultsWriter::resume(target, other); }),
-            partial_results(target).string() + ": was begun with clast " + header.program_version +
+            journal_path(target).string() + ": was begun with clast " + header.program_version +
                 " too, but blocks move differently in this clast (physics digest aaaaaaaaaa, here "
                 "bbbbbbbbbb); delete it and start without `resume`");
   const auto finished = [&](const fs::path& file, const CampaignResults& of, std::uint32_t run) {
@@ -50,7 +50,7 @@ TEST(Results, RunsOfOtherPhysicsAreNotResumedOrJoined) {
 // Their first record ends before the digest; what is not known of their runs is not said.
 TEST(Results, JournalsOfOlderProgramsGoOn) {
   const ScratchFolder folder;
-  const fs::path target = folder / "r.h5", part = partial_results(target);
+  const fs::path target = folder / "r.h5", part = journal_path(target);
   { ResultsWriter writer = ResultsWriter::create(target, sample_header()); }
   const std::string begun = read_text_file(part);
   const std::size_t line = begun.find('\n') + 1, content = line + 8 + 64;

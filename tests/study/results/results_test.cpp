@@ -47,7 +47,7 @@ TEST(Results, EverythingComesBackInRunOrder) {
     EXPECT_FALSE(fs::exists(target));
     writer.finish();
   }
-  EXPECT_FALSE(fs::exists(partial_results(target)));
+  EXPECT_FALSE(fs::exists(journal_path(target)));
   expect_runs(target, {0, 2, 3, 5});
   const CampaignResults results = read_results(target);
   EXPECT_EQ(results.file, target);
@@ -66,8 +66,8 @@ TEST(Results, EverythingComesBackInRunOrder) {
   EXPECT_EQ(results.blocks[1].zingg, "rod");
   ASSERT_EQ(results.barriers.size(), 2u);
   EXPECT_EQ(results.barriers[1].name, "EC12");
-  EXPECT_EQ(results.barriers[0].counted, CountedCrossings::kEither);
-  EXPECT_EQ(results.barriers[1].counted, CountedCrossings::kForward);
+  EXPECT_EQ(results.barriers[0].counted, CountedDirection::kEither);
+  EXPECT_EQ(results.barriers[1].counted, CountedDirection::kForward);
   EXPECT_EQ(results.barriers[0].through, (std::vector<Vec2>{{25, -400}, {25, -340}}));
   EXPECT_EQ(results.barriers[1].through, (std::vector<Vec2>{{36, -400}, {36, -370}, {40, -340}}));
   EXPECT_EQ(results.release_points, header.release_points);
@@ -171,9 +171,9 @@ TEST(Results, OneStiffnessForAllRunsIsReadAsEveryRuns) {
     EXPECT_EQ(run.stiffness.time_step, 8e8);
     EXPECT_TRUE(std::isnan(run.rest_depth) && std::isnan(run.impact_depth));
   }
-  const std::vector<BlockStiffness> blocks = stiffness_by_block(results, results.runs);
+  const std::vector<BlockStiffness> blocks = collect_stiffness_by_block(results, results.runs);
   EXPECT_EQ(
-      stiffness_cells(blocks[0]),
+      format_stiffness_cells(blocks[0]),
       (std::vector<std::string>{"1e+08", "2e+08", "1.44e+06 to 4e+08", "8e+08", "-", "-", "-"}));
 }
 
@@ -215,7 +215,7 @@ TEST(Results, InterruptedCampaignGoesOnWhereItStopped) {
   }
   EXPECT_FALSE(fs::exists(target));
   ResultsWriter writer = ResultsWriter::resume(target, sample_header());
-  EXPECT_EQ(writer.stored_runs(), (std::vector<std::uint32_t>{1, 2, 4}));
+  EXPECT_EQ(writer.runs_with_trajectory(), (std::vector<std::uint32_t>{1, 2, 4}));
   for (const std::uint32_t run : {0u, 3u}) add_run(writer, run);
   writer.finish();
   expect_runs(target, {0, 1, 2, 3, 4});
@@ -224,7 +224,7 @@ TEST(Results, InterruptedCampaignGoesOnWhereItStopped) {
 TEST(Results, HalfARunLeftByAKillIsDropped) {
   const ScratchFolder folder;
   const fs::path target = folder / "r.h5";
-  const fs::path part = partial_results(target);
+  const fs::path part = journal_path(target);
   { ResultsWriter writer = ResultsWriter::create(target, sample_header()); }
   const std::uint64_t begin = fs::file_size(part);
   {
@@ -234,7 +234,7 @@ TEST(Results, HalfARunLeftByAKillIsDropped) {
   const std::string whole = read_text_file(part);
   const auto stored_after = [&](const std::string& bytes) {
     write_text_file(part, bytes);
-    return ResultsWriter::resume(target, sample_header()).stored_runs();
+    return ResultsWriter::resume(target, sample_header()).runs_with_trajectory();
   };
   const std::vector<std::uint32_t> both{1, 2}, first{1}, none;
   EXPECT_EQ(stored_after(whole), both);
@@ -300,7 +300,7 @@ TEST(Results, KilledWriterLosesNoRunItReported) {
     ::close(reports[0]);
 
     ResultsWriter writer = ResultsWriter::resume(target, header);
-    const std::vector<std::uint32_t> stored = writer.stored_runs();
+    const std::vector<std::uint32_t> stored = writer.runs_with_trajectory();
     ASSERT_GE(stored.size(), least);
     std::vector<std::uint32_t> expected(stored.size() + 1);
     for (std::uint32_t i = 0; i < expected.size(); ++i) expected[i] = i;
@@ -318,7 +318,7 @@ TEST(Results, AnotherCampaignIsNotResumed) {
   };
   EXPECT_TRUE(contains(refused(sample_header()), "r.h5.part: no such file"));
   for (const char* text : {"", "something else altogether", "clast results journal 1\nxyz"}) {
-    write_text_file(partial_results(target), text);
+    write_text_file(journal_path(target), text);
     EXPECT_TRUE(contains(refused(sample_header()), "r.h5.part: is not the journal")) << text;
   }
   { ResultsWriter writer = ResultsWriter::create(target, sample_header()); }

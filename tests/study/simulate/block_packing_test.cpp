@@ -72,7 +72,7 @@ TEST(BlockPacking, LeavesRocksClearOfEachOtherAndOfTheGround) {
   }
   EXPECT_NO_THROW(world.step());  // it refuses bodies that overlap at the start
   EXPECT_LT(world.statistics().max_overlap, 0.5e-3 * shapes[2].size());
-  const Filling filling = packing.filling();
+  const FilledArea filling = packing.filling();
   EXPECT_GT(volume / (filling.area * filling.mean_thickness), 0.3);
   EXPECT_LT(filling.largest_thickness, 3.0 * filling.mean_thickness);  // a slab, not a tower
 }

@@ -66,7 +66,7 @@ TEST_F(CampaignChecks, ATextInNoFileIsJudgedAsInOne) {
 }
 
 TEST_F(CampaignChecks, EveryKeyOfTheTablesIsKnown) {
-  for (const KeyTable& table : campaign_tables()) {
+  for (const KeyTable& table : campaign_key_tables()) {
     const std::string title = table.name == "ground" ? "ground.slope" : table.name;
     for (const std::string& key : table.key_names()) {
       const CampaignCheck found = check("[" + title + "]\n" + key + " = 1979-05-27\n");

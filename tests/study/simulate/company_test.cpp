@@ -147,7 +147,7 @@ TEST_F(Company, OtherMembersOfAnEnsembleChangeNothing) {
   expect_same(alone, runs_of("slab", of("\"heavy\", \"slab\"", uncertain + schist)));
   const CampaignPlan plan = prepared(of("\"slab\"", uncertain));
   std::set<double> drawn;
-  for (const GroundSet& set : plan.header.ground_sets) {
+  for (const GroundParameterSet& set : plan.header.ground_sets) {
     const double restitution = set.zones[0].energy_restitution;
     drawn.insert(restitution);
     const Runs own = runs_of(

@@ -18,7 +18,7 @@ TEST(CoveredCells, OfAnUprightBoxAreItsOutlineAndItsFaces) {
   Pose place;
   place.translation = {0.125, 2.125, 3.0};
   std::size_t count = 0;
-  for (const CoveredCell& cell : covered_cells(core, 0.0, place, 0.25)) {
+  for (const CoveredCell& cell : compute_covered_cells(core, 0.0, place, 0.25)) {
     EXPECT_NEAR(cell.lowest, 2.8, 1e-12);
     EXPECT_NEAR(cell.highest, 3.2, 1e-12);
     EXPECT_TRUE(cell.i >= -2 && cell.i <= 2) << cell.i;
@@ -40,7 +40,7 @@ TEST(CoveredCells, BoundEveryPointOfARoundedRock) {
     place.rotation = random.rotation();
     std::map<std::pair<std::int64_t, std::int64_t>, CoveredCell> cells;
     for (const CoveredCell& cell :
-         covered_cells(core_mesh(body.shape), body.shape.radius, place, width)) {
+         compute_covered_cells(core_mesh(body.shape), body.shape.radius, place, width)) {
       cells[{cell.i, cell.j}] = cell;
     }
     double reached = -1e300, bound = -1e300;

@@ -38,7 +38,7 @@ TEST_F(MassCampaign, DrawsAsManyBlocksAsHaveAVolume) {
   ASSERT_EQ(plan.masses.size(), 2u);
   EXPECT_NE(plan.masses[0].volume, plan.masses[1].volume);
   const double density = plan.bodies[0].mass / plan.header.blocks[0].volume;
-  for (const MassStart& mass : plan.masses) {
+  for (const MultiBlockStart& mass : plan.masses) {
     EXPECT_EQ(mass.blocks, std::lround(0.5 * density / 40.0));
     EXPECT_NEAR(mass.volume, 0.5, 0.1);
   }
@@ -49,7 +49,7 @@ TEST_F(MassCampaign, DrawsAsManyBlocksAsHaveAVolume) {
 
 TEST_F(MassCampaign, IsRefusedWhereTheMachineHasTooLittleMemory) {
   const CampaignPlan plan = prepared(text());
-  const double each = realisation_memory(plan);
+  const double each = estimate_realisation_memory(plan);
   EXPECT_GT(each, 8 * 40e3);  // of eight small blocks, and a state of each every 0.1 s
   EXPECT_LT(each, 8 * 100e3);
   EXPECT_NO_THROW(check_memory(plan, 2, 2.1 * each));
@@ -62,9 +62,9 @@ TEST_F(MassCampaign, IsRefusedWhereTheMachineHasTooLittleMemory) {
   EXPECT_TRUE(contains(message(0.5 * each), "is free; use fewer blocks"));
   const std::string states =
       replaced_once(text(), "max_time_s = 20", "max_time_s = 20\ntrajectory_interval_s = 0.01");
-  EXPECT_NEAR(realisation_memory(prepared(states)) - each, 8 * (2000 - 200) * 112.0, 1.0);
+  EXPECT_NEAR(estimate_realisation_memory(prepared(states)) - each, 8 * (2000 - 200) * 112.0, 1.0);
   // Blocks that run one by one take next to nothing.
-  EXPECT_EQ(realisation_memory(prepared()), 0.0);
+  EXPECT_EQ(estimate_realisation_memory(prepared()), 0.0);
 }
 
 TEST_F(MassCampaign, ReleasesAllBlocksOfAHeapAtOnce) {
@@ -111,9 +111,9 @@ TEST_F(MassCampaign, ReleasesAllBlocksOfAHeapAtOnce) {
   }
   std::vector<CampaignResults> all = {results};
   const Comparison comparison = compare(std::move(all));
-  const RealisationDeposits deposits = realisation_deposits(comparison);
+  const DepositResults deposits = measure_deposits(comparison);
   ASSERT_EQ(deposits.realisations.size(), 2u);
-  for (const RealisationDeposit& deposit : deposits.realisations) {
+  for (const DepositMeasures& deposit : deposits.realisations) {
     EXPECT_EQ(deposit.lying, 8u);
     EXPECT_NEAR(deposit.volume, plan.masses[deposit.realisation].volume, 1e-9);
     EXPECT_GT(deposit.bulk_volume, 0.8 * deposit.volume);

@@ -142,7 +142,7 @@ TEST_F(SettledMass, FillsItsSpaceAsRandomPackingsDo) {
   EXPECT_LT(after, 0.67);
   // The report measures all of the heap from its tops, rough as they are.
   const Comparison comparison = compare({results});
-  const RealisationDeposit deposit = realisation_deposits(comparison).realisations.at(0);
+  const DepositMeasures deposit = measure_deposits(comparison).realisations.at(0);
   EXPECT_NEAR(deposit.first_volume / deposit.first_bulk_volume, after, 0.06);
 }
 
@@ -186,15 +186,15 @@ TEST_F(SettledMass, RefusesWhatDoesNotFit) {
 
 TEST(ReflexCorner, IsFoundInEitherSense) {
   std::vector<Vec2> polygon = {{0, 0}, {4, 0}, {4, 2}, {2, 1}, {0, 2}};
-  EXPECT_EQ(reflex_corner(polygon), 3u);
+  EXPECT_EQ(find_reflex_vertex(polygon), 3u);
   std::reverse(polygon.begin(), polygon.end());
-  EXPECT_EQ(reflex_corner(polygon), 1u);
+  EXPECT_EQ(find_reflex_vertex(polygon), 1u);
   // A corner on a side, and the first corner again.
-  EXPECT_FALSE(reflex_corner(std::vector<Vec2>{{0, 0}, {2, 0}, {4, 0}, {4, 2}, {0, 2}, {0, 0}}));
+  EXPECT_FALSE(find_reflex_vertex(std::vector<Vec2>{{0, 0}, {2, 0}, {4, 0}, {4, 2}, {0, 2}, {0, 0}}));
   // A pentagram turns twice.
   std::vector<Vec2> star;
   for (int i = 0; i < 5; ++i) star.emplace_back(std::cos(0.8 * kPi * i), std::sin(0.8 * kPi * i));
-  EXPECT_TRUE(reflex_corner(star));
+  EXPECT_TRUE(find_reflex_vertex(star));
 }
 
 }  // namespace

@@ -73,11 +73,11 @@ TEST_F(SeveralMasses, StartInTheirPolygons) {
   }
   EXPECT_EQ(blocks.size(), 18u);  // each once
   double sum = 0.0;
-  for (const MassStart& mass : plan.masses) sum += mass.volume;
+  for (const MultiBlockStart& mass : plan.masses) sum += mass.volume;
   EXPECT_NEAR(sum, volume, 1e-12);
   EXPECT_NEAR(plan.masses[0].area, 12.0, 0.5);
   EXPECT_NEAR(plan.masses[1].area, 6.0, 0.5);
-  EXPECT_EQ(plan.campaign.stay->last_release(), 4.0);
+  EXPECT_EQ(plan.campaign.stay->last_release_time(), 4.0);
 }
 
 /// The mass below is held while the one above falls on it, and let go later.
@@ -94,7 +94,7 @@ TEST_F(SeveralMasses, AreHeldUntilTheyAreReleased) {
     expect_equal(record.start, plan.runs[record.run].start);
     const Trajectory path = read_trajectory(*folder_ / "held.h5", record.run);
     const bool lower = record.point == 1;
-    const StayRecord& stay = results.stays[record.run];
+    const PersistentBlockRecord& stay = results.stays[record.run];
     EXPECT_EQ(stay.released_at, lower ? kRelease : 0.0);
     if (!lower) hit += stay.blocks_hit;
     ASSERT_GT(path.time.size(), 2u);
@@ -117,8 +117,8 @@ TEST_F(SeveralMasses, AreHeldUntilTheyAreReleased) {
   EXPECT_GT(crossings, 0u);
   std::vector<CampaignResults> files = {results};
   const Comparison comparison = compare(std::move(files));
-  for (const RealisationPassages& passages : barrier_passages(comparison)) {
-    for (const BlockPassage& passage : passages.passages) {
+  for (const RealisationCrossings& passages : collect_barrier_crossings(comparison)) {
+    for (const BlockCrossing& passage : passages.passages) {
       const RunRecord& record = *comparison.rows[passage.row].record;
       EXPECT_LT(passage.time, record.result.duration);
       if (record.point == 1) {
