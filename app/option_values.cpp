@@ -11,7 +11,7 @@ namespace clast {
 
 CLI::Validator within(const NumberRange& range) {
   return {[range](const std::string& text) {
-            const std::optional<double> number = number_in(text);
+            const std::optional<double> number = parse_number(text);
             if (number && range.holds(*number)) return std::string();
             return "\"" + text + "\" is not a number " + range.words();
           },

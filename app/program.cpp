@@ -92,11 +92,11 @@ int run_program(int argc, char** argv, const std::function<void(CLI::App&)>& add
   } catch (const std::bad_alloc&) {
     std::cerr << "clast: not enough memory; close other programs or use a smaller input\n";
   } catch (const std::filesystem::filesystem_error& error) {
-    std::cerr << "clast: " << printable(error.path1().string()) << ": " << error.code().message()
+    std::cerr << "clast: " << escape_nonprintable(error.path1().string()) << ": " << error.code().message()
               << "; check the path and its permissions\n";
   } catch (const std::exception& error) {
     std::cerr << "clast: unexpected failure, please report it with the command you gave: "
-              << printable(error.what()) << "\n";
+              << escape_nonprintable(error.what()) << "\n";
   }
   return kFailed;
 }

@@ -49,13 +49,13 @@ void ProgressBar::start_from(std::size_t done) {
   tenths_ = total_ ? 10 * first_ / total_ : 0;
 }
 
-void ProgressBar::update(std::size_t done, const std::string& note, bool takes_long) {
+void ProgressBar::update(std::size_t done, const std::string& note, bool is_slow) {
   end_long_step();
   // A resumed job does not start at zero: what was there took no time now.
   if (!started_) start_from(done > 0 ? done - 1 : 0);
   const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - begin_;
-  if (total_ > 0 && (elapsed.count() >= kQuiet || takes_long)) show(done, note, elapsed.count());
-  if (takes_long) {
+  if (total_ > 0 && (elapsed.count() >= kQuiet || is_slow)) show(done, note, elapsed.count());
+  if (is_slow) {
     long_step_ = note;
     long_begin_ = std::chrono::steady_clock::now();
     if (!terminal_) std::fprintf(stderr, "%s ... ", note.c_str());

@@ -22,8 +22,8 @@ class ProgressBar {
   /// Before the first update: so many were done before the clock started.
   void start_from(std::size_t done);
   /// @param note        what is being done just now, shown on a terminal
-  /// @param takes_long  gives it a line of its own, with the time that it took in the end
-  void update(std::size_t done, const std::string& note = "", bool takes_long = false);
+  /// @param is_slow  gives it a line of its own, with the time that it took in the end
+  void update(std::size_t done, const std::string& note = "", bool is_slow = false);
   /// Removes the bar from the terminal and ends a line begun, so that another can be printed.
   void clear();
 

@@ -20,7 +20,7 @@ std::string name_of(BoxConvention convention) {
   return {};
 }
 
-BoxConvention box_convention(const std::string& name) {
+BoxConvention parse_box_convention(const std::string& name) {
   for (const BoxConvention convention : kBoxConventions) {
     if (name_of(convention) == name) return convention;
   }
@@ -28,7 +28,7 @@ BoxConvention box_convention(const std::string& name) {
                    "\"; known are smallest, inertia, feret and pca");
 }
 
-OrientedBox box_of(const SpheroPolyhedron& body, const PrincipalFrame& frame,
+OrientedBox box_by_convention(const SpheroPolyhedron& body, const PrincipalFrame& frame,
                    BoxConvention convention) {
   switch (convention) {
     case BoxConvention::kSmallest:

@@ -23,12 +23,12 @@ inline constexpr std::array kBoxConventions = {BoxConvention::kSmallest, BoxConv
 /// "smallest", "inertia", "feret" or "pca".
 std::string name_of(BoxConvention convention);
 /// @throws InputError  unknown name; the message lists the known ones
-BoxConvention box_convention(const std::string& name);
+BoxConvention parse_box_convention(const std::string& name);
 
 /// The box of the rounded body by the convention.
 /// @param frame  principal frame of the body; used by `kInertia` only
 /// @throws GeometryError  the body has no vertices
-OrientedBox box_of(const SpheroPolyhedron& body, const PrincipalFrame& frame,
+OrientedBox box_by_convention(const SpheroPolyhedron& body, const PrincipalFrame& frame,
                    BoxConvention convention);
 
 }  // namespace clast

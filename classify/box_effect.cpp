@@ -9,25 +9,25 @@ bool same(const Axes& a, const Axes& b) { return a.L == b.L && a.I == b.I && a.S
 
 bool in_use(std::span<const MeasuredBlock> blocks, std::size_t box) {
   return std::all_of(blocks.begin(), blocks.end(), [&](const MeasuredBlock& block) {
-    return block.by_box.empty() || same(block.by_box[box], block.axes);
+    return block.axes_by_box.empty() || same(block.axes_by_box[box], block.axes);
   });
 }
 
 }  // namespace
 
-std::vector<BoxEffect> box_effects(std::span<const MeasuredBlock> blocks,
+std::vector<BoxConventionEffect> compare_box_conventions(std::span<const MeasuredBlock> blocks,
                                    std::span<const std::string> schemes,
                                    const SchemeOptions& limits) {
-  std::vector<BoxEffect> effects;
+  std::vector<BoxConventionEffect> effects;
   for (const std::string& scheme : schemes) {
     for (std::size_t box = 0; box < kBoxConventions.size(); ++box) {
       if (in_use(blocks, box)) continue;
-      BoxEffect effect{kBoxConventions[box], scheme, 0, 0};
+      BoxConventionEffect effect{kBoxConventions[box], scheme, 0, 0};
       for (const MeasuredBlock& block : blocks) {
-        if (block.by_box.empty()) continue;
+        if (block.axes_by_box.empty()) continue;
         ++effect.blocks;
-        effect.differ += shape_class(scheme, block.by_box[box], limits) !=
-                         shape_class(scheme, block.as_written, limits);
+        effect.differ += shape_class(scheme, block.axes_by_box[box], limits) !=
+                         shape_class(scheme, block.axes_as_written, limits);
       }
       if (effect.blocks > 0) effects.push_back(effect);
     }
@@ -35,7 +35,7 @@ std::vector<BoxEffect> box_effects(std::span<const MeasuredBlock> blocks,
   return effects;
 }
 
-std::string box_effect_words(const BoxEffect& effect) {
+std::string describe_box_effect(const BoxConventionEffect& effect) {
   return "By the " + name_of(effect.convention) + " box " +
          (effect.differ == 0 ? "none" : std::to_string(effect.differ)) + " of " +
          std::to_string(effect.blocks) + (effect.blocks == 1 ? " block" : " blocks") +

@@ -11,7 +11,7 @@
 namespace clast {
 
 /// Blocks whose class by one convention is not the class by the axes in use.
-struct BoxEffect {
+struct BoxConventionEffect {
   BoxConvention convention = BoxConvention::kSmallest;
   std::string scheme;
   std::size_t blocks = 0;  ///< with boxes by all conventions
@@ -19,13 +19,13 @@ struct BoxEffect {
 };
 
 /// Conventions within schemes, schemes in the order given; without the convention whose axes are in
-/// use. Blocks without `by_box` (rows of tape tables) are left out; empty where all are.
+/// use. Blocks without `axes_by_box` (rows of tape tables) are left out; empty where all are.
 /// @throws InputError  unknown scheme
-std::vector<BoxEffect> box_effects(std::span<const MeasuredBlock> blocks,
+std::vector<BoxConventionEffect> compare_box_conventions(std::span<const MeasuredBlock> blocks,
                                    std::span<const std::string> schemes,
                                    const SchemeOptions& limits = {});
 
 /// "By the inertia box 2 of 7 blocks have another class of sneed-folk."
-std::string box_effect_words(const BoxEffect& effect);
+std::string describe_box_effect(const BoxConventionEffect& effect);
 
 }  // namespace clast

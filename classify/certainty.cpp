@@ -19,7 +19,7 @@ constexpr double kNear = 0.05;
 ClassCertainty class_certainty(const std::string& scheme, const Axes& axes, double axis_error,
                                const SchemeOptions& options) {
   if (!(axis_error >= 0.0) || !std::isfinite(axis_error)) {
-    throw InputError("the error of the axes is " + with_digits(axis_error, 6) +
+    throw InputError("the error of the axes is " + format_significant(axis_error, 6) +
                      " m; it must be zero or positive");
   }
   ClassCertainty certainty;
@@ -36,19 +36,19 @@ ClassCertainty class_certainty(const std::string& scheme, const Axes& axes, doub
     }
   }
   if (axis_error > 0.0) {
-    certainty.others = possible_classes(scheme, axes, axis_error, options);
+    certainty.others = find_possible_classes(scheme, axes, axis_error, options);
     std::erase(certainty.others, certainty.name);
   }
-  certainty.survives = certainty.others.empty();
-  certainty.near_limit = certainty.distance < kNear || !certainty.survives;
+  certainty.is_certain = certainty.others.empty();
+  certainty.near_limit = certainty.distance < kNear || !certainty.is_certain;
   return certainty;
 }
 
-std::string certainty_words(const ClassCertainty& certainty) {
-  std::string text = certainty.ratio + " " + with_digits(certainty.value, 3) + " is " +
-                     with_digits(certainty.distance, 2) + " from " +
-                     with_digits(certainty.limit, 3);
-  if (certainty.survives) return text;
+std::string describe_certainty(const ClassCertainty& certainty) {
+  std::string text = certainty.ratio + " " + format_significant(certainty.value, 3) + " is " +
+                     format_significant(certainty.distance, 2) + " from " +
+                     format_significant(certainty.limit, 3);
+  if (certainty.is_certain) return text;
   text += "; ";
   for (const std::string& name : certainty.others) {
     text += name + (&name == &certainty.others.back() ? " possible" : ", ");

@@ -18,7 +18,7 @@ struct ClassCertainty {
   double limit = 0.0;               ///< nearest to it
   double distance = 0.0;            ///< between the two
   bool near_limit = false;          ///< closer than 0.05, or closer than the error of the axes
-  bool survives = true;             ///< the class is the same for all axes within the error
+  bool is_certain = true;             ///< the class is the same for all axes within the error
   std::vector<std::string> others;  ///< every other class that axes within the error can have
 };
 
@@ -32,6 +32,6 @@ ClassCertainty class_certainty(const std::string& scheme, const Axes& axes, doub
                                const SchemeOptions& options = {});
 
 /// "S/L 0.698 is 0.002 from 0.7; C possible" or, for a class that survives, without the end.
-std::string certainty_words(const ClassCertainty& certainty);
+std::string describe_certainty(const ClassCertainty& certainty);
 
 }  // namespace clast

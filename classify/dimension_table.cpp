@@ -47,11 +47,11 @@ Cell positive_cell(const Record& record, std::size_t column, const TableLayout& 
   const std::string name = quantity;
   const std::string_view field = record.fields[column];
   if (field.empty()) return {0.0, name + " is missing"};
-  if (is_doubtful_number(field, layout.separator)) {
+  if (is_ambiguous_number(field, layout.separator)) {
     throw InputError(layout.file + ":" + std::to_string(record.line) + ": " + name + " \"" +
-                     std::string(field) + "\": " + kDecimalCommaAdvice);
+                     std::string(field) + "\": " + kDecimalCommaHint);
   }
-  const auto value = number_in_field(field, layout.separator);
+  const auto value = parse_number_field(field, layout.separator);
   if (!value) return {0.0, name + " \"" + std::string(field) + "\" is not a number"};
   if (!(*value > 0.0) || !std::isfinite(*value)) {
     return {0.0, name + " = " + std::string(field) + " is not a positive, finite number"};
@@ -59,7 +59,7 @@ Cell positive_cell(const Record& record, std::size_t column, const TableLayout& 
   const double size = *value * range.factor;
   if (!(size >= range.low && size <= range.high)) {
     return {0.0, name + " = " + std::string(field) + " is " + (size < range.low ? "less" : "more") +
-                     " than " + with_digits(size < range.low ? range.low : range.high, 3) + " " +
+                     " than " + format_significant(size < range.low ? range.low : range.high, 3) + " " +
                      range.unit};
   }
   return {*value, {}};
@@ -68,8 +68,8 @@ Cell positive_cell(const Record& record, std::size_t column, const TableLayout& 
 /// The label of a row that sums up the others: its name, or, where it has none, another text.
 std::optional<std::string_view> summary_in(const Record& record, const TableLayout& layout) {
   const auto counts = [&](std::string_view field) {
-    const SummaryLabel label = summary_label(field);
-    return label == SummaryLabel::kSure || (layout.has_summary && label == SummaryLabel::kShort);
+    const SummaryLabel label = detect_summary_label(field);
+    return label == SummaryLabel::kCertain || (layout.has_summary && label == SummaryLabel::kAmbiguous);
   };
   if (layout.name && !record.fields[*layout.name].empty()) {
     const std::string_view name = record.fields[*layout.name];
@@ -86,7 +86,7 @@ std::optional<std::string_view> summary_in(const Record& record, const TableLayo
 /// a table without names they are the last rows, and words of another kind else: "media" is also a
 /// degree of weathering.
 void find_summary_rows(const std::string& text, TableLayout& layout) {
-  DelimitedText rows(text, layout.file);
+  DelimitedTextReader rows(text, layout.file);
   Record record;
   bool labelled = false, followed = false;
   while (rows.next(record)) {
@@ -124,8 +124,8 @@ void read_row(const Record& record, const TableLayout& layout, DimensionTable& t
     table.notes.push_back(row() + ": axes were not in the order L >= I >= S and were sorted");
   }
   MeasuredBlock block;
-  block.as_written = Axes::sorted(L, I, S);
-  const Axes& sorted = block.as_written;
+  block.axes_as_written = Axes::sorted(L, I, S);
+  const Axes& sorted = block.axes_as_written;
   block.axes = {sorted.L * layout.units, sorted.I * layout.units, sorted.S * layout.units};
   if (layout.mass) {
     const Cell mass = positive_cell(record, *layout.mass, layout, "mass",
@@ -133,7 +133,7 @@ void read_row(const Record& record, const TableLayout& layout, DimensionTable& t
     if (mass.trouble.empty()) {
       block.mass = mass.value * layout.mass_units;
     } else {
-      ++table.unweighed;
+      ++table.without_mass;
       table.notes.push_back(row() + ": " + mass.trouble + "; the block counts by number only");
     }
   }
@@ -175,9 +175,9 @@ std::string in_other_units(double length) {
   constexpr double kPebble = 1e-3;  // m
   std::string text;
   for (const char* name : {"cm", "mm", "um"}) {
-    const double factor = length_unit(name);
+    const double factor = parse_length_unit(name);
     if (length * factor > kDoubtful || length * factor < kPebble) continue;
-    text += (text.empty() ? " (" : ", ") + with_digits(length * factor, 3) + " m in " + name;
+    text += (text.empty() ? " (" : ", ") + format_significant(length * factor, 3) + " m in " + name;
   }
   return text.empty() ? text : text + ")";
 }
@@ -192,10 +192,10 @@ std::string length_note(const DimensionTable& table, bool units_are_known) {
   if (median <= kDoubtful) {
     const auto beyond = lengths.end() - std::upper_bound(lengths.begin(), lengths.end(), kDoubtful);
     return std::to_string(beyond) + (beyond == 1 ? " block is" : " blocks are") + " longer than " +
-           with_digits(kDoubtful, 3) + " m, up to " + with_digits(lengths.back(), 3) +
+           format_significant(kDoubtful, 3) + " m, up to " + format_significant(lengths.back(), 3) +
            " m: are these slips of the pen?";
   }
-  const std::string half = "half of the blocks are " + with_digits(median, 3) + " m long or longer";
+  const std::string half = "half of the blocks are " + format_significant(median, 3) + " m long or longer";
   if (units_are_known) return half + ": check the unit, which is as `units` or the header says";
   return "axes were read in metres, as neither the header nor `units` names a unit, and " + half +
          in_other_units(median) + "; give the unit with `units`";
@@ -206,12 +206,12 @@ std::string length_note(const DimensionTable& table, bool units_are_known) {
 DimensionTable read_dimension_table(const std::filesystem::path& path,
                                     const DimensionColumns& columns) {
   if (columns.units && (!(*columns.units > 0.0) || !std::isfinite(*columns.units))) {
-    throw InputError("unit " + with_digits(*columns.units, 6) +
+    throw InputError("unit " + format_significant(*columns.units, 6) +
                      " m: must be positive, for example 0.01 for a table in centimetres");
   }
   const std::string file = path.string();
-  const TableText content = table_text(read_text_file(path), file);
-  DelimitedText text(content.text, file);
+  const DecodedText content = decode_text(read_text_file(path), file);
+  DelimitedTextReader text(content.text, file);
   Record record;
   if (!text.next(record)) {
     throw InputError(file + ": the table is empty; it must have a line for each block");
@@ -222,7 +222,7 @@ DimensionTable read_dimension_table(const std::filesystem::path& path,
         "the file is not UTF-8 and was read as Windows-1252 (Latin-1); where letters with accents "
         "look wrong, save it as CSV (UTF-8)");
   }
-  TableLayout layout = table_layout(record, text.separator(), columns, file, table.notes);
+  TableLayout layout = find_table_layout(record, text.separator(), columns, file, table.notes);
   find_summary_rows(content.text, layout);
   if (!layout.has_header) read_row(record, layout, table);
   while (text.next(record)) read_row(record, layout, table);

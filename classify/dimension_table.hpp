@@ -17,7 +17,7 @@ struct DimensionTable {
       notes;                  ///< the unit, skipped rows, sorted axes, masses left out, by line
   std::size_t skipped = 0;    ///< rows without three usable axes
   std::size_t sorted = 0;     ///< rows whose axes were not in the order L >= I >= S
-  std::size_t unweighed = 0;  ///< blocks without a usable mass where there is a column for it
+  std::size_t without_mass = 0;  ///< blocks without a usable mass where there is a column for it
 };
 
 /// Which columns hold what: names or 1-based numbers.

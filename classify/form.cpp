@@ -13,14 +13,14 @@ Axes Axes::sorted(double a, double b, double c) {
   std::array<double, 3> values = {a, b, c};
   for (const double value : values) {
     if (value > 0.0 && std::isfinite(value)) continue;
-    throw InputError("axes " + with_digits(a, 6) + ", " + with_digits(b, 6) + ", " +
-                     with_digits(c, 6) + " m: each must be a positive, finite length");
+    throw InputError("axes " + format_significant(a, 6) + ", " + format_significant(b, 6) + ", " +
+                     format_significant(c, 6) + " m: each must be a positive, finite length");
   }
   std::sort(values.begin(), values.end());
   return {values[2], values[1], values[0]};
 }
 
-double elongation_s_c(const Axes& axes) { return axes.L / axes.I - 1.0; }
+double elongation_index(const Axes& axes) { return axes.L / axes.I - 1.0; }
 
 std::optional<double> disc_rod_index(const Axes& axes) {
   if (!(axes.L > axes.S)) return std::nullopt;
@@ -37,7 +37,7 @@ double intercept_sphericity(const Axes& axes) {
 
 double corey_shape_factor(const Axes& axes) { return axes.S / std::sqrt(axes.L * axes.I); }
 
-double williams_w(const Axes& axes) {
+double williams_shape_index(const Axes& axes) {
   const double ratio = axes.I * axes.I / (axes.L * axes.S);
   return ratio >= 1.0 ? 1.0 - 1.0 / ratio : ratio - 1.0;
 }
@@ -54,12 +54,12 @@ std::optional<double> oblate_prolate_index(const Axes& axes) {
   return 10.0 * (*index - 0.5) * axes.L / axes.S;
 }
 
-TernaryPlace ternary_place(const Axes& axes) {
+TernaryCoordinates ternary_coordinates(const Axes& axes) {
   // (1 - q) d without the division by L - S, which L = S does not allow.
   return {axes.S / axes.L, (axes.L - axes.I) / axes.L, (axes.I - axes.S) / axes.L};
 }
 
-std::span<const FormIndex> form_index_list() {
+std::span<const FormIndex> form_index_definitions() {
   using A = Axes;
   using Value = std::optional<double>;
   static constexpr std::array kList = {
@@ -69,14 +69,14 @@ std::span<const FormIndex> form_index_list() {
       FormIndex{"S/L", "S/L", "sneed1958", [](const A& a) -> Value { return a.S / a.L; }},
       FormIndex{"L/S", "L/S", "en933-4", [](const A& a) -> Value { return a.L / a.S; }},
       FormIndex{"s_c", "L/I - 1", "garcia2022",
-                [](const A& a) -> Value { return elongation_s_c(a); }},
+                [](const A& a) -> Value { return elongation_index(a); }},
       FormIndex{"disc_rod_index", "(L - I)/(L - S)", "sneed1958", disc_rod_index},
       FormIndex{"ternary_compact", "S/L", "graham2000",
-                [](const A& a) -> Value { return ternary_place(a).compact; }},
+                [](const A& a) -> Value { return ternary_coordinates(a).compact; }},
       FormIndex{"ternary_elongate", "(1 - S/L) (L - I)/(L - S) = (L - I)/L", "graham2000",
-                [](const A& a) -> Value { return ternary_place(a).elongate; }},
+                [](const A& a) -> Value { return ternary_coordinates(a).elongate; }},
       FormIndex{"ternary_platy", "(1 - S/L) (I - S)/(L - S) = (I - S)/L", "graham2000",
-                [](const A& a) -> Value { return ternary_place(a).platy; }},
+                [](const A& a) -> Value { return ternary_coordinates(a).platy; }},
       FormIndex{"maximum_projection_sphericity", "(S^2/(L I))^(1/3)", "sneed1958",
                 [](const A& a) -> Value { return maximum_projection_sphericity(a); }},
       FormIndex{"intercept_sphericity", "(I S/L^2)^(1/3)", "krumbein1941",
@@ -97,7 +97,7 @@ std::span<const FormIndex> form_index_list() {
       FormIndex{"oblate_prolate_index", "10 ((L - I)/(L - S) - 1/2)/(S/L)", "dobkins1970",
                 oblate_prolate_index},
       FormIndex{"williams_w", "1 - L S/I^2 if I^2 >= L S, else I^2/(L S) - 1", "williams1965",
-                [](const A& a) -> Value { return williams_w(a); }},
+                [](const A& a) -> Value { return williams_shape_index(a); }},
       FormIndex{"cailleux_flatness", "(L + I)/(2 S)", "cailleux1945",
                 [](const A& a) -> Value { return (a.L + a.I) / (2.0 * a.S); }},
       FormIndex{"kong_fonseca_elongation", "(L - I)/L", "kong2018",
@@ -124,7 +124,7 @@ std::span<const FormIndex> form_index_list() {
 
 std::map<std::string, double> form_indices(const Axes& axes) {
   std::map<std::string, double> indices;
-  for (const FormIndex& index : form_index_list()) {
+  for (const FormIndex& index : form_index_definitions()) {
     if (const auto value = index.value(axes)) indices[index.name] = *value;
   }
   return indices;

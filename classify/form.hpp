@@ -21,7 +21,7 @@ struct Axes {
 };
 
 /// s_c = L/I - 1. @cite garcia2022
-double elongation_s_c(const Axes& axes);
+double elongation_index(const Axes& axes);
 /// (L - I)/(L - S); none for L = S. @cite sneed1958
 std::optional<double> disc_rod_index(const Axes& axes);
 /// (S^2/(L I))^(1/3). @cite sneed1958
@@ -32,7 +32,7 @@ double intercept_sphericity(const Axes& axes);
 double corey_shape_factor(const Axes& axes);
 /// 1 - L S/I^2 where I^2 >= L S (oblate, up to 1), else I^2/(L S) - 1 (prolate, down to -1).
 /// @cite williams1965
-double williams_w(const Axes& axes);
+double williams_shape_index(const Axes& axes);
 /// 12.8 (p^2 q)^(1/3) / (1 + p (1 + q) + 6 sqrt(1 + p^2 (1 + q^2))) with p = S/I, q = I/L.
 /// @cite aschenbrenner1956
 double aschenbrenner_working_sphericity(const Axes& axes);
@@ -42,12 +42,12 @@ std::optional<double> oblate_prolate_index(const Axes& axes);
 
 /// Place in the triangle of Sneed & Folk; the three add up to 1. L = S is the compact corner.
 /// @cite sneed1958 @cite graham2000
-struct TernaryPlace {
+struct TernaryCoordinates {
   double compact = 0.0;   ///< q = S/L
   double elongate = 0.0;  ///< (1 - q) (L - I)/(L - S)
   double platy = 0.0;     ///< (1 - q) (I - S)/(L - S)
 };
-TernaryPlace ternary_place(const Axes& axes);
+TernaryCoordinates ternary_coordinates(const Axes& axes);
 
 /// One index of a block's form.
 struct FormIndex {
@@ -58,7 +58,7 @@ struct FormIndex {
 };
 
 /// Every index, in the order it is listed in docs/theory.md.
-std::span<const FormIndex> form_index_list();
+std::span<const FormIndex> form_index_definitions();
 
 /// The values of all that are defined for these axes, by name.
 std::map<std::string, double> form_indices(const Axes& axes);

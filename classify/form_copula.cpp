@@ -22,16 +22,16 @@ constexpr double kLeastPivot = 1e-9;
 
 double rank_correlation(std::span<const double> a, std::span<const double> b) {
   // None: one of the two is the same of all blocks.
-  const std::optional<TestResult> result = spearman(a, b);
+  const std::optional<TestResult> result = spearman_test(a, b);
   return result ? result->statistic : 0.0;
 }
 
 }  // namespace
 
-FormCopula::Values FormCopula::values_of_blocks(std::span<const DrawnBlock> blocks,
+FormCopula::Values FormCopula::measure_values(std::span<const BlockForm> blocks,
                                                 bool convexity) {
   Values values(convexity ? 4 : 3);
-  for (const DrawnBlock& block : blocks) {
+  for (const BlockForm& block : blocks) {
     const Axes axes = Axes::sorted(block.axes.L, block.axes.I, block.axes.S);
     values[0].push_back(std::log(axes.L));
     values[1].push_back(axes.I / axes.L);
@@ -41,14 +41,14 @@ FormCopula::Values FormCopula::values_of_blocks(std::span<const DrawnBlock> bloc
   return values;
 }
 
-FormCopula::FormCopula(std::span<const DrawnBlock> population) {
+FormCopula::FormCopula(std::span<const BlockForm> population) {
   if (population.size() < kFewest) {
     throw InputError("a distribution to draw from needs ten blocks, and there are " +
                      std::to_string(population.size()));
   }
   has_convexity_ = std::all_of(population.begin(), population.end(),
-                               [](const DrawnBlock& block) { return block.convexity.has_value(); });
-  values_ = values_of_blocks(population, has_convexity_);
+                               [](const BlockForm& block) { return block.convexity.has_value(); });
+  values_ = measure_values(population, has_convexity_);
   sorted_ = values_;
   for (std::vector<double>& values : sorted_) std::sort(values.begin(), values.end());
 
@@ -62,9 +62,9 @@ FormCopula::FormCopula(std::span<const DrawnBlock> population) {
     }
   }
   // Correlations found one by one need not be possible together.
-  for (;; weakened_ = std::min(1.0, weakened_ + kWeaker)) {
+  for (;; removed_correlation_ = std::min(1.0, removed_correlation_ + kWeaker)) {
     const Eigen::MatrixXd tried =
-        (1.0 - weakened_) * normal + weakened_ * Eigen::MatrixXd::Identity(count, count);
+        (1.0 - removed_correlation_) * normal + removed_correlation_ * Eigen::MatrixXd::Identity(count, count);
     const Eigen::LLT<Eigen::MatrixXd> factor(tried);
     const Eigen::MatrixXd lower = factor.matrixL();
     if (factor.info() != Eigen::Success || lower.diagonal().minCoeff() < kLeastPivot) continue;
@@ -76,28 +76,28 @@ FormCopula::FormCopula(std::span<const DrawnBlock> population) {
   }
 }
 
-DrawnBlock FormCopula::draw(Random& random) const {
+BlockForm FormCopula::draw(Random& random) const {
   std::vector<double> free, drawn;
   for (std::size_t i = 0; i < sorted_.size(); ++i) free.push_back(random.normal());
   for (std::size_t i = 0; i < sorted_.size(); ++i) {
     double normal = 0.0;
     for (std::size_t k = 0; k <= i; ++k) normal += mixing_[i][k] * free[k];
-    drawn.push_back(quantile(sorted_[i], std::clamp(normal_below(normal), 0.0, 1.0)));
+    drawn.push_back(quantile(sorted_[i], std::clamp(normal_cdf(normal), 0.0, 1.0)));
   }
   const double L = std::exp(drawn[0]), I = drawn[1] * L;
-  DrawnBlock block;
+  BlockForm block;
   block.axes = {L, I, drawn[2] * I};
   if (has_convexity_) block.convexity = drawn[3];
   return block;
 }
 
-CopulaFit FormCopula::fit(std::span<const DrawnBlock> drawn) const {
+CopulaFit FormCopula::fit(std::span<const BlockForm> drawn) const {
   CopulaFit fit;
-  fit.weakened = weakened_;
-  const Values values = values_of_blocks(drawn, has_convexity_);
+  fit.removed_correlation = removed_correlation_;
+  const Values values = measure_values(drawn, has_convexity_);
   for (std::size_t i = 0; i < values.size(); ++i) {
-    const std::optional<TestResult> ks = two_sample_ks(values_[i], values[i]);
-    if (ks) fit.largest_difference = std::max(fit.largest_difference, ks->statistic);
+    const std::optional<TestResult> ks = two_sample_ks_test(values_[i], values[i]);
+    if (ks) fit.max_cdf_difference = std::max(fit.max_cdf_difference, ks->statistic);
     for (std::size_t k = 0; k < i; ++k) {
       fit.correlations.push_back({kNames[k], kNames[i], rank_correlation(values_[k], values_[i]),
                                   rank_correlation(values[k], values[i])});

@@ -12,7 +12,7 @@
 namespace clast {
 
 /// A block as the distribution knows it.
-struct DrawnBlock {
+struct BlockForm {
   Axes axes;                        ///< m
   std::optional<double> convexity;  ///< where the population has it
 };
@@ -28,9 +28,9 @@ struct CopulaFit {
   std::vector<RankCorrelation> correlations;
   /// Largest difference between the distribution functions of population and drawn blocks, over
   /// all measures: Smirnov's D.
-  double largest_difference = 0.0;
+  double max_cdf_difference = 0.0;
   /// Share of the rank correlations that had to be left out for the matrix to be one; mostly 0.
-  double weakened = 0.0;
+  double removed_correlation = 0.0;
 };
 
 /// The joint distribution of ln L, I/L and S/I, and of convexity where every block has it: each as
@@ -41,21 +41,21 @@ struct CopulaFit {
 class FormCopula {
  public:
   /// @throws InputError  fewer than ten blocks; axes that aren't positive
-  explicit FormCopula(std::span<const DrawnBlock> population);
+  explicit FormCopula(std::span<const BlockForm> population);
 
-  DrawnBlock draw(Random& random) const;
+  BlockForm draw(Random& random) const;
   /// Of blocks that `draw` gave.
-  CopulaFit fit(std::span<const DrawnBlock> drawn) const;
+  CopulaFit fit(std::span<const BlockForm> drawn) const;
 
  private:
   using Values = std::vector<std::vector<double>>;  ///< by measure, then by block
-  static Values values_of_blocks(std::span<const DrawnBlock> blocks, bool convexity);
+  static Values measure_values(std::span<const BlockForm> blocks, bool convexity);
 
   bool has_convexity_ = false;
   Values values_;                            ///< of the population, as it came
   Values sorted_;                            ///< ascending
   std::vector<std::vector<double>> mixing_;  ///< lower triangle: correlated from free normals
-  double weakened_ = 0.0;
+  double removed_correlation_ = 0.0;
 };
 
 }  // namespace clast

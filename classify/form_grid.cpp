@@ -13,7 +13,7 @@ void check_grid(int steps, double least) {
     throw InputError("a grid of " + std::to_string(steps) + " steps: must be from 1 to 100");
   }
   if (!(least > 0.0 && least < 1.0)) {
-    throw InputError("`least` = " + with_digits(least, 4) + ": must be above 0 and below 1");
+    throw InputError("`least` = " + format_significant(least, 4) + ": must be above 0 and below 1");
   }
 }
 

@@ -15,7 +15,7 @@ struct MassSums {
 };
 
 /// @param of_class  of the blocks of one class
-void set_mass_share(ClassShare& share, const MassSums& of_class, const MassSums& whole) {
+void set_mass_share(ClassFraction& share, const MassSums& of_class, const MassSums& whole) {
   share.mass = of_class.all;
   if (whole.all == 0.0) return;
   const double p = std::min(1.0, of_class.all / whole.all);
@@ -25,7 +25,7 @@ void set_mass_share(ClassShare& share, const MassSums& of_class, const MassSums&
   const double variance =
       (of_class.squares * (1.0 - p) * (1.0 - p) + outside * p * p) / (whole.all * whole.all);
   if (variance > 0.0) trials = std::min(trials, p * (1.0 - p) / variance);
-  const Interval interval = wilson_interval_of_share(p, std::max(trials, 1.0));
+  const Interval interval = wilson_interval_of_proportion(p, std::max(trials, 1.0));
   share.mass_share = p;
   share.mass_low = interval.low;
   share.mass_high = interval.high;
@@ -33,26 +33,26 @@ void set_mass_share(ClassShare& share, const MassSums& of_class, const MassSums&
 
 }  // namespace
 
-std::vector<Axes> proportions(const Population& population) {
+std::vector<Axes> axis_proportions(const Population& population) {
   std::vector<Axes> result;
   result.reserve(population.blocks.size());
-  for (const MeasuredBlock& block : population.blocks) result.push_back(block.as_written);
+  for (const MeasuredBlock& block : population.blocks) result.push_back(block.axes_as_written);
   return result;
 }
 
-std::vector<double> masses(const Population& population) {
+std::vector<double> block_masses(const Population& population) {
   std::vector<double> result;
   result.reserve(population.blocks.size());
   for (const MeasuredBlock& block : population.blocks) result.push_back(block.mass.value_or(0.0));
   return result;
 }
 
-std::vector<ClassShare> class_shares(std::span<const Axes> blocks, const std::string& scheme,
+std::vector<ClassFraction> class_fractions(std::span<const Axes> blocks, const std::string& scheme,
                                      const SchemeOptions& options,
                                      std::span<const double> weights) {
   assert(weights.empty() || weights.size() == blocks.size());
   const std::vector<std::string>& names = class_names(scheme);
-  std::vector<ClassShare> shares(names.size());
+  std::vector<ClassFraction> shares(names.size());
   std::vector<MassSums> sums(names.size());
   MassSums whole;
   for (std::size_t i = 0; i < blocks.size(); ++i) {
@@ -68,7 +68,7 @@ std::vector<ClassShare> class_shares(std::span<const Axes> blocks, const std::st
     }
   }
   for (std::size_t k = 0; k < names.size(); ++k) {
-    ClassShare& share = shares[k];
+    ClassFraction& share = shares[k];
     share.name = names[k];
     const Interval interval = wilson_interval(share.count, blocks.size());
     if (!blocks.empty()) {

@@ -17,12 +17,12 @@ struct Population {
 };
 
 /// Axes as written, for classes and ratios.
-std::vector<Axes> proportions(const Population& population);
+std::vector<Axes> axis_proportions(const Population& population);
 /// kg; 0 for a block whose mass is not known.
-std::vector<double> masses(const Population& population);
+std::vector<double> block_masses(const Population& population);
 
 /// One class of a population. Shares are in [0, 1].
-struct ClassShare {
+struct ClassFraction {
   std::string name;
   std::size_t count = 0;
   double share = 0.0;
@@ -30,7 +30,7 @@ struct ClassShare {
   double high = 0.0;
   double mass = 0.0;  ///< kg, of the blocks whose mass is known
   double mass_share = 0.0;
-  double mass_low = 0.0;  ///< 95 %, see `class_shares`
+  double mass_low = 0.0;  ///< 95 %, see `class_fractions`
   double mass_high = 1.0;
 };
 
@@ -41,7 +41,7 @@ struct ClassShare {
 /// m_i, and at most (sum of m_i)^2 / sum of m_i^2, which alone decides for empty and full classes.
 /// @param weights  mass of each block, kg, 0 where unknown; or empty, and nothing is known by mass
 /// @cite wilson1927, kish1965, korn1998
-std::vector<ClassShare> class_shares(std::span<const Axes> blocks, const std::string& scheme,
+std::vector<ClassFraction> class_fractions(std::span<const Axes> blocks, const std::string& scheme,
                                      const SchemeOptions& options = {},
                                      std::span<const double> weights = {});
 

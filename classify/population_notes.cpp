@@ -68,7 +68,7 @@ std::vector<std::string> population_notes(std::span<const MeasuredBlock> blocks)
     notes.push_back(std::to_string(uncertain) + " of " + std::to_string(blocks.size()) +
                     " blocks have a shortest axis that is no longer than the error of the axes, "
                     "which is up to " +
-                    with_digits(widest->axis_error, 3) +
+                    format_significant(widest->axis_error, 3) +
                     " m: their classes are guesses; give the error you measured with as "
                     "`axis_error`");
   }

@@ -19,32 +19,32 @@ struct PopulationOptions {
   SchemeOptions limits = {};              ///< of the schemes that leave them open
 
   /// `schemes`, or all.
-  const std::vector<std::string>& chosen_schemes() const;
+  const std::vector<std::string>& selected_schemes() const;
   void check() const;  ///< throws InputError naming the field and its value
 };
 
-struct SchemeShares {
+struct SchemeFractions {
   std::string scheme;
-  std::vector<ClassShare> shares;
+  std::vector<ClassFraction> shares;
 };
 
 /// Spearman's correlation of size with one measure of shape.
-struct SizeShape {
+struct SizeShapeCorrelation {
   const ShapeMeasure* measure = nullptr;
   std::size_t blocks = 0;          ///< with a value
   std::optional<TestResult> test;  ///< none for too few blocks, or sizes or shapes that don't vary
 };
 
 /// A sentence to quote.
-std::string size_shape_words(const SizeShape& relation, SizeMeasure size);
+std::string describe_size_shape(const SizeShapeCorrelation& relation, SizeMeasure size);
 
 struct PopulationSummary {
   std::string name;
   std::size_t blocks = 0;
   std::size_t weighed = 0;
-  std::vector<SchemeShares> schemes;
+  std::vector<SchemeFractions> schemes;
   SizeDistribution size;
-  std::vector<SizeShape> size_and_shape;
+  std::vector<SizeShapeCorrelation> size_shape_correlations;
   double c40 = 0.0;  ///< share with S/L <= 0.4
 };
 
@@ -64,7 +64,7 @@ struct MeasureDifference {
 /// Two populations on the classes of one scheme.
 struct ClassDifference {
   std::string scheme;
-  std::optional<ClassTest> test;  ///< none when all blocks of both are of one class
+  std::optional<ChiSquaredResult> test;  ///< none when all blocks of both are of one class
   std::string words;
 };
 
@@ -77,13 +77,13 @@ struct PopulationComparison {
 
 /// Differences below this p-value are called differences: one comparison in twenty of equal
 /// populations reaches it by chance.
-inline constexpr double kSignificant = 0.05;
+inline constexpr double kSignificanceLevel = 0.05;
 
 /// @throws InputError  either has no blocks, or an unknown scheme
 PopulationComparison compare_populations(const Population& a, const Population& b,
                                          const PopulationOptions& options = {});
 
 /// "0.034", "less than 0.0001".
-std::string p_words(double p_value);
+std::string format_p_value(double p_value);
 
 }  // namespace clast

@@ -105,15 +105,15 @@ std::vector<Ratios> places_of_all_pieces(const Polygon& polygon,
 
 }  // namespace
 
-std::vector<std::string> possible_classes(const std::string& scheme, const Axes& axes,
+std::vector<std::string> find_possible_classes(const std::string& scheme, const Axes& axes,
                                           double axis_error, const SchemeOptions& options) {
   const auto thinner = [&](double axis) { return std::max(axis - axis_error, kThinnest * axis); };
-  return possible_classes(scheme, Axes{thinner(axes.L), thinner(axes.I), thinner(axes.S)},
+  return find_possible_classes(scheme, Axes{thinner(axes.L), thinner(axes.I), thinner(axes.S)},
                           Axes{axes.L + axis_error, axes.I + axis_error, axes.S + axis_error},
                           options);
 }
 
-std::vector<std::string> possible_classes(const std::string& scheme, const Axes& lower,
+std::vector<std::string> find_possible_classes(const std::string& scheme, const Axes& lower,
                                           const Axes& upper, const SchemeOptions& options) {
   std::vector<Ratios> places =
       places_of_all_pieces(reachable_ratios(lower, upper), scheme_limits(scheme, options));

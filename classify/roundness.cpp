@@ -83,8 +83,8 @@ double mean_edge_length(const TriangleMesh& mesh) {
 }  // namespace
 
 Roundness roundness(const TriangleMesh& mesh) {
-  const MeshReport report = inspect(mesh);
-  if (!report.closed() || !report.oriented()) {
+  const MeshReport report = inspect_mesh(mesh);
+  if (!report.is_closed() || !report.is_oriented()) {
     throw GeometryError("roundness: the surface is not closed: " + report.summary() +
                         "; repair it first");
   }
@@ -100,7 +100,7 @@ Roundness roundness(const TriangleMesh& mesh) {
     corners += sum.area;
     weighted += sum.area / sharpness;
   }
-  result.corner_share = corners / total;
+  result.corner_fraction = corners / total;
   if (corners > 0.0) result.value = weighted / corners;
   return result;
 }

@@ -8,7 +8,7 @@ namespace clast {
 struct Roundness {
   double value = 1.0;             ///< mean radius of the corners over that of the inscribed ball
   double inscribed_radius = 0.0;  ///< of the largest ball inside, m
-  double corner_share = 0.0;      ///< of the area that is corners
+  double corner_fraction = 0.0;      ///< of the area that is corners
   double edge_length = 0.0;       ///< mean of the mesh, m; the value depends on it
 };
 

@@ -112,14 +112,14 @@ const std::vector<Scheme>& schemes() {
        {"compact", "elongated"},
        [](const A& a, const O&) { return garcia_class(a); },
        [](const A& a, const O&) -> Ratios {
-         return {{"s_c", elongation_s_c(a), {kGarciaLimit}}};
+         return {{"s_c", elongation_index(a), {kGarciaLimit}}};
        },
        [](const O&) -> Limits { return {limit_of_I_L(1.0 / (1.0 + kGarciaLimit))}; }},
       {"williams",
        {"oblate", "neither", "prolate"},
        [](const A& a, const O&) { return williams_class(a); },
        [](const A& a, const O&) -> Ratios {
-         return {{"W", williams_w(a), {0.0}}};
+         return {{"W", williams_shape_index(a), {0.0}}};
        },
        [](const O&) -> Limits { return {{.s = -1.0, .ii = 1.0}}; }},
       {"erdogan",
@@ -169,7 +169,7 @@ const Scheme& scheme_named(const std::string& name) {
 
 void SchemeOptions::check() const {
   if (!kErdoganLimit.holds(erdogan_limit)) {
-    throw InputError("erdogan_limit is " + with_digits(erdogan_limit, 6) +
+    throw InputError("erdogan_limit is " + format_significant(erdogan_limit, 6) +
                      "; it is a limit of L/I and I/S and must be " + kErdoganLimit.words());
   }
 }
@@ -192,11 +192,11 @@ std::string zingg_class(const Axes& axes) {
 }
 
 std::string garcia_class(const Axes& axes) {
-  return above(elongation_s_c(axes), kGarciaLimit) ? "elongated" : "compact";
+  return above(elongation_index(axes), kGarciaLimit) ? "elongated" : "compact";
 }
 
 std::string williams_class(const Axes& axes) {
-  const double w = williams_w(axes);
+  const double w = williams_shape_index(axes);
   if (above(w, 0.0)) return "oblate";
   return at_least(w, 0.0) ? "neither" : "prolate";
 }

@@ -6,19 +6,19 @@ namespace clast {
 
 const std::array<ShapeMeasure, 3>& shape_measures() {
   static const std::array<ShapeMeasure, 3> measures = {
-      {{"s_c", "L/I - 1", [](const Axes& axes) { return std::optional(elongation_s_c(axes)); }},
+      {{"s_c", "L/I - 1", [](const Axes& axes) { return std::optional(elongation_index(axes)); }},
        {"q", "S/L", [](const Axes& axes) { return std::optional(axes.S / axes.L); }},
        {"d", "(L - I)/(L - S)", [](const Axes& axes) { return disc_rod_index(axes); }}}};
   return measures;
 }
 
-double without_rounding(double ratio) { return std::round(ratio * 1e12) * 1e-12; }
+double remove_rounding(double ratio) { return std::round(ratio * 1e12) * 1e-12; }
 
-std::vector<double> values_of(const ShapeMeasure& measure, std::span<const Axes> blocks) {
+std::vector<double> measure_values(const ShapeMeasure& measure, std::span<const Axes> blocks) {
   std::vector<double> values;
   values.reserve(blocks.size());
   for (const Axes& axes : blocks) {
-    if (const auto value = measure.value(axes)) values.push_back(without_rounding(*value));
+    if (const auto value = measure.value(axes)) values.push_back(remove_rounding(*value));
   }
   return values;
 }

@@ -20,9 +20,9 @@ const std::array<ShapeMeasure, 3>& shape_measures();
 
 /// Values of one measure, rounded to 1e-12: ratios of decimals that are equal on paper, such as
 /// 1.1/0.8 and 0.55/0.4, are then ties. Blocks without a value are left out.
-std::vector<double> values_of(const ShapeMeasure& measure, std::span<const Axes> blocks);
+std::vector<double> measure_values(const ShapeMeasure& measure, std::span<const Axes> blocks);
 
 /// Rounded as above, so that ties on paper are ties here.
-double without_rounding(double ratio);
+double remove_rounding(double ratio);
 
 }  // namespace clast

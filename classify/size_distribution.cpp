@@ -53,8 +53,8 @@ LogSample log_sample(std::span<const double> sizes, std::span<const double> weig
   return sample;
 }
 
-SizeLaw log_normal(const LogSample& sample) {
-  SizeLaw law;
+FittedSizeLaw log_normal(const LogSample& sample) {
+  FittedSizeLaw law;
   law.kind = SizeLawKind::kLogNormal;
   const double root = std::sqrt(sample.effective);
   law.location = std::exp(sample.mean);
@@ -66,7 +66,7 @@ SizeLaw log_normal(const LogSample& sample) {
 
 /// Maximum likelihood of Weibull's distribution. With y = ln d - mean, the exponent n solves
 /// sum w y e^(n y) / sum w e^(n y) = 1/n; the left side rises from 0, so there is one root.
-SizeLaw rosin_rammler(const LogSample& sample) {
+FittedSizeLaw rosin_rammler(const LogSample& sample) {
   // Moments of ln d, whose standard deviation is pi/(sqrt 6 n), are a start within some per cent.
   double exponent = kPi / (std::sqrt(6.0) * sample.deviation);
   double zeroth = 0.0;
@@ -89,7 +89,7 @@ SizeLaw rosin_rammler(const LogSample& sample) {
     exponent = next;
     if (settled) break;
   }
-  SizeLaw law;
+  FittedSizeLaw law;
   law.kind = SizeLawKind::kRosinRammler;
   const double root = std::sqrt(sample.effective);
   law.spread = exponent;
@@ -101,7 +101,7 @@ SizeLaw rosin_rammler(const LogSample& sample) {
   return law;
 }
 
-double drawn_size(const SizeLaw& law, Random& random) {
+double drawn_size(const FittedSizeLaw& law, Random& random) {
   if (law.kind == SizeLawKind::kLogNormal)
     return law.location * std::exp(law.spread * random.normal());
   return law.location * std::pow(-std::log1p(-random.uniform()), 1.0 / law.spread);
@@ -116,7 +116,7 @@ double read_to(double step, double size) {
 /// @param sorted  ascending
 /// @param weight  of the i-th of them; they sum to one
 template <class Weight>
-double curve_distance(const SizeLaw& law, std::span<const double> sorted, double step,
+double curve_distance(const FittedSizeLaw& law, std::span<const double> sorted, double step,
                       Weight weight) {
   double distance = 0.0, share = 0.0;
   for (std::size_t i = 0; i < sorted.size();) {
@@ -137,7 +137,7 @@ double curve_distance(const SizeLaw& law, std::span<const double> sorted, double
   return distance;
 }
 
-double curve_distance(const SizeLaw& law, std::span<const double> sorted, double step) {
+double curve_distance(const FittedSizeLaw& law, std::span<const double> sorted, double step) {
   const double each = 1.0 / static_cast<double>(sorted.size());
   return curve_distance(law, sorted, step, [each](std::size_t) { return each; });
 }
@@ -151,7 +151,7 @@ SizeCurve curve_by_number(const std::vector<double>& sizes, double step, std::ui
                   .d90 = quantile(sorted, 0.9),
                   .laws = {}};
   for (const SizeLawKind kind : {SizeLawKind::kLogNormal, SizeLawKind::kRosinRammler}) {
-    std::optional<SizeLaw> law = fit_size_law(kind, sorted);
+    std::optional<FittedSizeLaw> law = fit_size_law(kind, sorted);
     if (!law) continue;
     test_size_law(*law, sorted, step, seed);
     curve.laws.push_back(*law);
@@ -180,7 +180,7 @@ std::optional<SizeCurve> curve_by_mass(const std::vector<double>& sizes,
                   .d90 = weighted_percentile(sorted, mass, 0.9),
                   .laws = {}};
   for (const SizeLawKind kind : {SizeLawKind::kLogNormal, SizeLawKind::kRosinRammler}) {
-    std::optional<SizeLaw> law = fit_size_law(kind, sorted, mass);
+    std::optional<FittedSizeLaw> law = fit_size_law(kind, sorted, mass);
     if (!law) continue;
     law->distance =
         curve_distance(*law, sorted, step, [&](std::size_t i) { return mass[i] / total; });
@@ -203,13 +203,13 @@ std::string name_of(SizeLawKind kind) {
   return kind == SizeLawKind::kLogNormal ? "log-normal" : "Rosin-Rammler";
 }
 
-double SizeLaw::below(double size) const {
+double FittedSizeLaw::below(double size) const {
   if (!(size > 0.0)) return 0.0;
-  if (kind == SizeLawKind::kLogNormal) return normal_below(std::log(size / location) / spread);
+  if (kind == SizeLawKind::kLogNormal) return normal_cdf(std::log(size / location) / spread);
   return -std::expm1(-std::pow(size / location, spread));
 }
 
-std::optional<SizeLaw> fit_size_law(SizeLawKind kind, std::span<const double> sizes,
+std::optional<FittedSizeLaw> fit_size_law(SizeLawKind kind, std::span<const double> sizes,
                                     std::span<const double> weights) {
   assert(weights.empty() || weights.size() == sizes.size());
   const LogSample sample = log_sample(sizes, weights);
@@ -218,7 +218,7 @@ std::optional<SizeLaw> fit_size_law(SizeLawKind kind, std::span<const double> si
   return kind == SizeLawKind::kLogNormal ? log_normal(sample) : rosin_rammler(sample);
 }
 
-double reading_step(std::span<const double> values) {
+double find_reading_resolution(std::span<const double> values) {
   if (values.empty()) return 0.0;
   const double largest = *std::max_element(values.begin(), values.end());
   const double same = 1e-6 * largest, smallest = 1e-4 * largest;
@@ -247,7 +247,7 @@ double reading_step(std::span<const double> values) {
   return step < 0.5 * largest ? step : 0.0;
 }
 
-std::vector<double> distances_by_chance(const SizeLaw& law, std::size_t count, double step,
+std::vector<double> bootstrap_ks_distances(const FittedSizeLaw& law, std::size_t count, double step,
                                         std::uint64_t seed, std::size_t samples) {
   Random random(seed);
   std::vector<double> drawn(count), distances;
@@ -261,14 +261,14 @@ std::vector<double> distances_by_chance(const SizeLaw& law, std::size_t count, d
   return distances;
 }
 
-void test_size_law(SizeLaw& law, std::span<const double> sizes, double step, std::uint64_t seed,
+void test_size_law(FittedSizeLaw& law, std::span<const double> sizes, double step, std::uint64_t seed,
                    std::size_t samples) {
   std::vector<double> sorted(sizes.begin(), sizes.end());
   std::sort(sorted.begin(), sorted.end());
   law.distance = curve_distance(law, sorted, step);
   const std::size_t count = std::min(sizes.size(), kMostDrawn);
   const double scale = std::sqrt(static_cast<double>(sizes.size()) / static_cast<double>(count));
-  const std::vector<double> chance = distances_by_chance(law, count, step, seed, samples);
+  const std::vector<double> chance = bootstrap_ks_distances(law, count, step, seed, samples);
   const auto as_far = std::count_if(chance.begin(), chance.end(),
                                     [&](double d) { return d >= law.distance * scale; });
   law.p_value = static_cast<double>(1 + as_far) / static_cast<double>(1 + chance.size());
@@ -297,7 +297,7 @@ SizeDistribution size_distribution(const Population& population, SizeMeasure mea
   std::vector<double> sizes;
   sizes.reserve(population.blocks.size());
   std::vector<double> weights;
-  const std::vector<double> mass = masses(population);
+  const std::vector<double> mass = block_masses(population);
   for (std::size_t i = 0; i < mass.size(); ++i) {
     if (population.blocks[i].unscaled) continue;
     sizes.push_back(block_size(population.blocks[i].axes, measure));
@@ -306,7 +306,7 @@ SizeDistribution size_distribution(const Population& population, SizeMeasure mea
   SizeDistribution distribution;
   distribution.measure = measure;
   if (sizes.empty()) return distribution;
-  distribution.step = reading_step(sizes);
+  distribution.step = find_reading_resolution(sizes);
   distribution.by_number = curve_by_number(sizes, distribution.step, seed);
   distribution.by_mass = curve_by_mass(sizes, weights, distribution.step);
   distribution.total_mass = std::accumulate(weights.begin(), weights.end(), 0.0);

@@ -28,7 +28,7 @@ enum class SizeLawKind {
 std::string name_of(SizeLawKind kind);
 
 /// A law fitted by maximum likelihood, with standard errors from the Fisher information.
-struct SizeLaw {
+struct FittedSizeLaw {
   SizeLawKind kind = SizeLawKind::kLogNormal;
   double location = 0.0;  ///< m; exceeded by 50 % (log-normal) or 36.8 % (Rosin-Rammler)
   double location_error = 0.0;
@@ -47,26 +47,26 @@ struct SizeLaw {
 ///                 of a sample of (sum of w)^2 / sum of w^2.
 /// @return none when fewer than two different sizes carry weight
 /// @cite rosin1933
-std::optional<SizeLaw> fit_size_law(SizeLawKind kind, std::span<const double> sizes,
+std::optional<FittedSizeLaw> fit_size_law(SizeLawKind kind, std::span<const double> sizes,
                                     std::span<const double> weights = {});
 
 /// The step that sizes were read in, such as 5 cm by tape: the largest of 1, 2, 5, 10, ... times
 /// their common divisor (within 1e-6 of the largest value) of which at least nine in ten values are
 /// multiples; 0 where there is none above 1e-4 of the largest.
-double reading_step(std::span<const double> values);
+double find_reading_resolution(std::span<const double> values);
 
-/// How well the law fits: distance and p-value, by parametric bootstrap (`distances_by_chance`):
+/// How well the law fits: distance and p-value, by parametric bootstrap (`bootstrap_ks_distances`):
 /// because the parameters are fitted, tables of Kolmogorov's test would flatter the law. Beyond
 /// 1,000 sizes samples of 1,000 stand in, with D scaled by the root of the number of sizes.
 /// @param step   of the readings, m; 0 for continuous sizes. With it, curves are compared halfway
 ///               between readings, where the law and the readings mean the same
 /// @cite stephens1974
-void test_size_law(SizeLaw& law, std::span<const double> sizes, double step, std::uint64_t seed,
+void test_size_law(FittedSizeLaw& law, std::span<const double> sizes, double step, std::uint64_t seed,
                    std::size_t samples = 999);
 
 /// Distances of `samples` samples of `count` sizes, drawn from the law and read to the same `step`,
 /// each from the law that is fitted to itself. Samples whose readings are all one have none.
-std::vector<double> distances_by_chance(const SizeLaw& law, std::size_t count, double step,
+std::vector<double> bootstrap_ks_distances(const FittedSizeLaw& law, std::size_t count, double step,
                                         std::uint64_t seed, std::size_t samples);
 
 /// Percentiles and laws of one way to weigh blocks.
@@ -75,7 +75,7 @@ struct SizeCurve {
   double d10 = 0.0;  ///< m
   double d50 = 0.0;
   double d90 = 0.0;
-  std::vector<SizeLaw> laws;  ///< log-normal, Rosin-Rammler; empty when all sizes are equal
+  std::vector<FittedSizeLaw> laws;  ///< log-normal, Rosin-Rammler; empty when all sizes are equal
 };
 
 struct SizeDistribution {
@@ -92,9 +92,9 @@ struct SizeDistribution {
 SizeDistribution size_distribution(const Population& population, SizeMeasure measure,
                                    std::uint64_t seed);
 
-/// The smallest of `sizes` up to which at least `share` of the weight lies.
+/// The smallest of `sizes` up to which at least `fraction` of the weight lies.
 /// @param sizes, weights  of one length, not empty
 double weighted_percentile(std::span<const double> sizes, std::span<const double> weights,
-                           double share);
+                           double fraction);
 
 }  // namespace clast

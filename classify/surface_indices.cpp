@@ -63,7 +63,7 @@ double true_sphericity(double volume, double area) {
 
 double convexity(const SpheroPolyhedron& body, double volume) {
   if (body.faces.empty()) return 1.0;  // a ball or a capsule
-  const SpheroPolyhedron hull = sphero_polyhedron(convex_hull(body.vertices), body.radius);
+  const SpheroPolyhedron hull = make_sphero_polyhedron(convex_hull(body.vertices), body.radius);
   // Not the sum for convex cores: points off a flat wall by rounding leave edges that are reflex by
   // a hair in the triangles of a hull.
   return volume / sphero_mass_properties(hull, 1.0).volume;
@@ -74,8 +74,8 @@ SurfaceOrientation surface_orientation(const SpheroPolyhedron& body) {
   Mat3 integral = 4.0 * kPi / 3.0 * r * r * Mat3::Identity();
   if (!body.faces.empty()) {
     const TriangleMesh core = core_mesh(body);
-    const MeshReport report = inspect(core);
-    if (!report.closed() || !report.oriented()) {
+    const MeshReport report = inspect_mesh(core);
+    if (!report.is_closed() || !report.is_oriented()) {
       throw GeometryError("surface orientation: the core is not a closed surface: " +
                           report.summary());
     }
@@ -87,7 +87,7 @@ SurfaceOrientation surface_orientation(const SpheroPolyhedron& body) {
   return {eigen.eigenvalues().reverse()};
 }
 
-std::span<const SurfaceIndex> surface_index_list() {
+std::span<const SurfaceIndex> surface_index_definitions() {
   static constexpr std::array<SurfaceIndex, 5> list = {
       {{"wadell_true_sphericity", "pi^(1/3) (6 V)^(2/3)/A", "wadell1932"},
        {"convexity", "V/V_hull, both rounded", ""},

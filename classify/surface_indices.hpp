@@ -41,7 +41,7 @@ struct SurfaceIndex {
 };
 
 /// Every index of this file, in the order it is listed in docs/theory.md.
-std::span<const SurfaceIndex> surface_index_list();
+std::span<const SurfaceIndex> surface_index_definitions();
 
 /// The values of all by name. Those of the orientation are absent where tunnels narrower than the
 /// rounding leave it without a meaning.

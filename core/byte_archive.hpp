@@ -37,13 +37,13 @@ class ByteWriter {
   void operator()(Values&... values) {
     (serialize(*this, values), ...);
   }
-  void raw(const void* data, std::size_t size) {
+  void archive_bytes(const void* data, std::size_t size) {
     to_.write(static_cast<const char*>(data), static_cast<std::streamsize>(size));
   }
   /// How many elements follow.
   std::size_t count(std::size_t size) {
     std::uint64_t stored = size;
-    raw(&stored, sizeof stored);
+    archive_bytes(&stored, sizeof stored);
     return size;
   }
 
@@ -63,14 +63,14 @@ class ByteReader {
   void operator()(Values&... values) {
     (serialize(*this, values), ...);
   }
-  void raw(void* data, std::size_t size) {
+  void archive_bytes(void* data, std::size_t size) {
     if (size > bytes_.size()) throw InputError("a record is too short");
     if (size > 0) std::memcpy(data, bytes_.data(), size);
     bytes_.remove_prefix(size);
   }
   std::size_t count(std::size_t) {
     std::uint64_t stored = 0;
-    raw(&stored, sizeof stored);
+    archive_bytes(&stored, sizeof stored);
     // An element takes at least one byte.
     if (stored > bytes_.size()) throw InputError("a record has an impossible size");
     return stored;
@@ -89,7 +89,7 @@ requires(std::is_arithmetic_v<T> || std::is_enum_v<T>) void serialize(Bytes& byt
     bytes(stored);
     value = stored != 0;
   } else {
-    bytes.raw(&value, sizeof value);
+    bytes.archive_bytes(&value, sizeof value);
   }
 }
 
@@ -100,7 +100,7 @@ void serialize(Bytes& bytes, T& value) { value.serialize(bytes); }
 template <class Bytes, int kRows, int kColumns>
 requires(kRows > 0 && kColumns > 0) void serialize(Bytes& bytes,
                                                    Eigen::Matrix<double, kRows, kColumns>& matrix) {
-  bytes.raw(matrix.data(), sizeof(double) * kRows * kColumns);
+  bytes.archive_bytes(matrix.data(), sizeof(double) * kRows * kColumns);
 }
 
 template <class Bytes>
@@ -116,14 +116,14 @@ void serialize(Bytes& bytes, Pose& pose) {
 template <class Bytes>
 void serialize(Bytes& bytes, std::string& text) {
   text.resize(bytes.count(text.size()));
-  bytes.raw(text.data(), text.size());
+  bytes.archive_bytes(text.data(), text.size());
 }
 
 template <class Bytes, class T>
 void serialize(Bytes& bytes, std::vector<T>& list) {
   list.resize(bytes.count(list.size()));
   if constexpr (std::is_arithmetic_v<T>) {
-    bytes.raw(list.data(), sizeof(T) * list.size());
+    bytes.archive_bytes(list.data(), sizeof(T) * list.size());
   } else {
     for (T& element : list) bytes(element);
   }
@@ -168,7 +168,7 @@ void serialize(Bytes& bytes, std::unordered_map<Key, T>& map) {
 
 /// The bytes of something that is serialized.
 template <class T>
-std::string bytes_of(T& value) {
+std::string serialized_bytes(T& value) {
   std::ostringstream text;
   ByteWriter writer(text);
   writer(value);

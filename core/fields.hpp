@@ -21,14 +21,14 @@
 
 namespace clast {
 
-/// A field that changes no result, such as a number of threads: `field_text` leaves it out.
+/// A field that changes no result, such as a number of threads: `format_field` leaves it out.
 template <class T>
-struct NoInfluence {
-  using HasNoInfluence = void;
+struct ExcludedField {
+  using IsExcluded = void;
   const T& value;
 };
 template <class T>
-NoInfluence(const T&) -> NoInfluence<T>;
+ExcludedField(const T&) -> ExcludedField<T>;
 
 template <class T>
 concept HasFields = requires(const T& options) {
@@ -36,7 +36,7 @@ concept HasFields = requires(const T& options) {
 };
 
 /// In quotes, with those inside escaped, so that no text looks like two fields.
-inline std::string field_text(const std::string& value) {
+inline std::string format_field(const std::string& value) {
   std::string text = "\"";
   for (const char c : value) {
     if (c == '"' || c == '\\') text += '\\';
@@ -44,61 +44,61 @@ inline std::string field_text(const std::string& value) {
   }
   return text + '"';
 }
-inline std::string field_text(const std::filesystem::path& value) {
-  return field_text(value.string());
+inline std::string format_field(const std::filesystem::path& value) {
+  return format_field(value.string());
 }
-inline std::string field_text(const Vec3& value) {
-  return with_digits(value.x(), 17) + " " + with_digits(value.y(), 17) + " " +
-         with_digits(value.z(), 17);
+inline std::string format_field(const Vec3& value) {
+  return format_significant(value.x(), 17) + " " + format_significant(value.y(), 17) + " " +
+         format_significant(value.z(), 17);
 }
 
 template <class T>
-requires std::is_arithmetic_v<T> std::string field_text(T value) {
-  if constexpr (std::is_floating_point_v<T>) return with_digits(value, 17);
+requires std::is_arithmetic_v<T> std::string format_field(T value) {
+  if constexpr (std::is_floating_point_v<T>) return format_significant(value, 17);
   return std::to_string(value);
 }
 
 template <HasFields T>
-std::string field_text(const T& options);
+std::string format_field(const T& options);
 template <class T>
-std::string field_text(const std::optional<T>& value);
+std::string format_field(const std::optional<T>& value);
 template <class T>
-std::string field_text(const std::vector<T>& values);
+std::string format_field(const std::vector<T>& values);
 template <class T, std::size_t n>
-std::string field_text(const std::array<T, n>& values);
+std::string format_field(const std::array<T, n>& values);
 
 namespace core_detail {
 
 template <class Values>
-std::string listed(const Values& values) {
+std::string comma_separated(const Values& values) {
   std::string text;
-  for (const auto& value : values) text += (text.empty() ? "" : ", ") + field_text(value);
+  for (const auto& value : values) text += (text.empty() ? "" : ", ") + format_field(value);
   return "[" + text + "]";
 }
 
 }  // namespace core_detail
 
 template <class T>
-std::string field_text(const std::optional<T>& value) {
-  return value ? field_text(*value) : "none";
+std::string format_field(const std::optional<T>& value) {
+  return value ? format_field(*value) : "none";
 }
 template <class T>
-std::string field_text(const std::vector<T>& values) {
-  return core_detail::listed(values);
+std::string format_field(const std::vector<T>& values) {
+  return core_detail::comma_separated(values);
 }
 template <class T, std::size_t n>
-std::string field_text(const std::array<T, n>& values) {
-  return core_detail::listed(values);
+std::string format_field(const std::array<T, n>& values) {
+  return core_detail::comma_separated(values);
 }
 
 /// Every field that has an influence, with those of structs inside: "{unit=1, up="z", ...}". Equal
 /// for equal options alone.
 template <HasFields T>
-std::string field_text(const T& options) {
+std::string format_field(const T& options) {
   std::string text;
   const auto visit = [&]<class Value>(const char* name, const Value& value) {
-    if constexpr (!requires { typename Value::HasNoInfluence; }) {
-      text += (text.empty() ? "" : ", ") + std::string(name) + "=" + field_text(value);
+    if constexpr (!requires { typename Value::IsExcluded; }) {
+      text += (text.empty() ? "" : ", ") + std::string(name) + "=" + format_field(value);
     }
   };
   visit_fields(options, visit);

@@ -5,11 +5,11 @@
 
 namespace clast {
 
-double length_unit(const std::string& text) {
-  for (const UnitName& unit : kLengthUnits) {
+double parse_length_unit(const std::string& text) {
+  for (const NamedUnit& unit : kLengthUnits) {
     if (text == unit.name) return unit.factor;
   }
-  const std::optional<double> factor = number_in(text);
+  const std::optional<double> factor = parse_number(text);
   if (factor && kLengthUnit.holds(*factor)) return *factor;
   throw InputError("`units`: \"" + text +
                    "\" is no unit; expected m, cm, mm, um, km, in, ft or the metres in one unit, a "

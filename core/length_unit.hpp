@@ -8,13 +8,13 @@
 namespace clast {
 
 /// A unit as files and options name it.
-struct UnitName {
+struct NamedUnit {
   const char* name;
   double factor;  ///< SI units in one
 };
 
 /// The micro sign stands twice in Unicode: as itself and as the Greek letter.
-inline constexpr std::array<UnitName, 9> kLengthUnits = {{{"um", 1e-6},
+inline constexpr std::array<NamedUnit, 9> kLengthUnits = {{{"um", 1e-6},
                                                           {"\xC2\xB5m", 1e-6},
                                                           {"\xCE\xBCm", 1e-6},
                                                           {"mm", 1e-3},
@@ -30,6 +30,6 @@ inline constexpr NumberRange kLengthUnit{1e-12, 1e6, "m"};
 /// Metres in the unit that the option `units` names: one of `kLengthUnits`, or a factor in
 /// `kLengthUnit`.
 /// @throws InputError  anything else
-double length_unit(const std::string& text);
+double parse_length_unit(const std::string& text);
 
 }  // namespace clast

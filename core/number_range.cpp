@@ -11,7 +11,7 @@ bool NumberRange::holds(double value) const {
 std::string NumberRange::words() const {
   std::string text;
   if (zero) text = *zero ? "0 (" + std::string(zero) + "), or " : "0, or ";
-  text += "from " + with_digits(low, 6) + " to " + with_digits(high, 6);
+  text += "from " + format_significant(low, 6) + " to " + format_significant(high, 6);
   return *unit ? text + " " + unit : text;
 }
 

@@ -35,7 +35,7 @@ std::optional<double> not_finite_in(std::string_view text) {
 
 }  // namespace
 
-std::optional<double> number_in(std::string_view text) {
+std::optional<double> parse_number(std::string_view text) {
   if (text.starts_with('+') && !text.starts_with("+-")) text.remove_prefix(1);
   double value = 0.0;
   const char* end = text.data() + text.size();
@@ -44,46 +44,46 @@ std::optional<double> number_in(std::string_view text) {
   return value;
 }
 
-std::string with_digits(double value, int digits) {
+std::string format_significant(double value, int digits) {
   return in_format(value, std::chars_format::general, digits);
 }
 
-std::string rounded(double value, int digits) {
-  if (value == 0.0 || !std::isfinite(value)) return with_digits(value, digits);
+std::string format_rounded(double value, int digits) {
+  if (value == 0.0 || !std::isfinite(value)) return format_significant(value, digits);
   const std::string scientific = in_format(value, std::chars_format::scientific, digits - 1);
   // Read from the rounded number: 9.996 has two digits before the point once it is 10.0.
   const int exponent = std::atoi(scientific.c_str() + scientific.find('e') + 1);
   if (exponent >= 7 || exponent < -4) return scientific;
-  return with_decimals(value, std::max(0, digits - 1 - exponent));
+  return format_decimals(value, std::max(0, digits - 1 - exponent));
 }
 
-std::string with_decimals(double value, int decimals) {
+std::string format_decimals(double value, int decimals) {
   std::string text = in_format(value, std::chars_format::fixed, decimals);
   // "-0.0" is a rounding residue, not a sign anyone asked for.
   if (text.front() == '-' && text.find_first_not_of("-0.") == text.npos) text.erase(0, 1);
   return text;
 }
 
-std::string percent(double share, int decimals) {
-  return with_decimals(100.0 * share, decimals) + " %";
+std::string format_percent(double share, int decimals) {
+  return format_decimals(100.0 * share, decimals) + " %";
 }
 
-std::string counted(std::size_t count, const std::string& noun) {
-  return counted(count, noun, noun + "s");
+std::string format_count(std::size_t count, const std::string& noun) {
+  return format_count(count, noun, noun + "s");
 }
 
-std::string counted(std::size_t count, const std::string& singular, const std::string& plural) {
+std::string format_count(std::size_t count, const std::string& singular, const std::string& plural) {
   return std::to_string(count) + " " + (count == 1 ? singular : plural);
 }
 
-std::string place(const Vec3& point) {
-  const auto text = [](double value) { return with_digits(value, 9); };
+std::string format_point(const Vec3& point) {
+  const auto text = [](double value) { return format_significant(value, 9); };
   return "(" + text(point.x()) + ", " + text(point.y()) + ", " + text(point.z()) + ")";
 }
 
-std::string place_on_map(const Vec3& point) {
-  return "x " + with_decimals(point.x(), 3) + ", y " + with_decimals(point.y(), 3) + ", z " +
-         with_decimals(point.z(), 3);
+std::string format_map_point(const Vec3& point) {
+  return "x " + format_decimals(point.x(), 3) + ", y " + format_decimals(point.y(), 3) + ", z " +
+         format_decimals(point.z(), 3);
 }
 
 }  // namespace clast

@@ -13,9 +13,9 @@ namespace clast {
 /// `take(i, result)` with what it returned: in order of i, one at a time, as soon as those before
 /// were taken. At most four results a thread wait. What either throws ends all and is rethrown.
 template <class Make, class Take>
-void ordered_jobs(std::size_t count, unsigned jobs, const Make& make, const Take& take) {
+void run_ordered_jobs(std::size_t count, unsigned jobs, const Make& make, const Take& take) {
   constexpr std::size_t kAhead = 4;
-  const std::size_t ahead = kAhead * thread_count(jobs);
+  const std::size_t ahead = kAhead * resolve_thread_count(jobs);
   std::mutex mutex;
   std::condition_variable taken;
   std::map<std::size_t, decltype(make(std::size_t{}))> waiting;

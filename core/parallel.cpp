@@ -26,11 +26,11 @@ void wait_while(const std::atomic<std::uint32_t>& value, std::uint32_t old) {
 
 }  // namespace
 
-unsigned thread_count(unsigned threads) {
+unsigned resolve_thread_count(unsigned threads) {
   return threads > 0 ? threads : std::max(1u, std::thread::hardware_concurrency());
 }
 
-struct ThreadTeam::Impl {
+struct ThreadPool::Impl {
   // The loop in progress.
   const std::function<void(std::size_t)>* body = nullptr;
   std::size_t count = 0;
@@ -80,19 +80,19 @@ struct ThreadTeam::Impl {
   }
 };
 
-ThreadTeam::ThreadTeam(unsigned threads) : impl_(std::make_unique<Impl>()) {
-  for (unsigned i = 1; i < thread_count(threads); ++i) {
+ThreadPool::ThreadPool(unsigned threads) : impl_(std::make_unique<Impl>()) {
+  for (unsigned i = 1; i < resolve_thread_count(threads); ++i) {
     impl_->helpers.emplace_back([this] { impl_->help(); });
   }
 }
 
-ThreadTeam::~ThreadTeam() {
+ThreadPool::~ThreadPool() {
   impl_->ending = true;
   ++impl_->loop;
   impl_->loop.notify_all();
 }
 
-void ThreadTeam::run(std::size_t count, std::size_t chunk,
+void ThreadPool::run(std::size_t count, std::size_t chunk,
                      const std::function<void(std::size_t)>& body) {
   impl_->body = &body;
   impl_->count = count;
@@ -118,8 +118,8 @@ void ThreadTeam::run(std::size_t count, std::size_t chunk,
 void parallel_for(std::size_t count, unsigned threads,
                   const std::function<void(std::size_t)>& body) {
   const std::size_t workers =
-      std::clamp<std::size_t>(thread_count(threads), 1, std::max<std::size_t>(count, 1));
-  ThreadTeam(static_cast<unsigned>(workers)).run(count, 1, body);
+      std::clamp<std::size_t>(resolve_thread_count(threads), 1, std::max<std::size_t>(count, 1));
+  ThreadPool(static_cast<unsigned>(workers)).run(count, 1, body);
 }
 
 }  // namespace clast

@@ -15,15 +15,15 @@ void parallel_for(std::size_t count, unsigned threads,
                   const std::function<void(std::size_t)>& body);
 
 /// The number of threads that `threads` stands for: itself, or one per core when 0.
-unsigned thread_count(unsigned threads);
+unsigned resolve_thread_count(unsigned threads);
 
 /// Threads that wait for the next loop: for loops so short that starting threads would cost more
 /// than it saves. One loop at a time.
-class ThreadTeam {
+class ThreadPool {
  public:
   /// @param threads  counts the caller, who works too; 0: one per core
-  explicit ThreadTeam(unsigned threads);
-  ~ThreadTeam();
+  explicit ThreadPool(unsigned threads);
+  ~ThreadPool();
 
   /// Like `parallel_for`, with `chunk` neighbouring items handed out at a time.
   void run(std::size_t count, std::size_t chunk, const std::function<void(std::size_t)>& body);

@@ -26,11 +26,11 @@ std::string escape_html(char32_t c) {
 
 }  // namespace
 
-std::string printable(std::string_view text) {
+std::string escape_nonprintable(std::string_view text) {
   std::string result;
   result.reserve(text.size());
   while (!text.empty()) {
-    const Utf8Character first = first_character(text);
+    const DecodedCharacter first = decode_first_character(text);
     if (first.length == 0) {
       std::array<char, 8> byte{};
       std::snprintf(byte.data(), byte.size(), "\\x%02x", static_cast<unsigned char>(text[0]));

@@ -9,6 +9,6 @@ namespace clast {
 /// characters ("\u001b", "\n"), characters that turn the direction of what follows or end a line
 /// ("\u202e"), and bytes that are no UTF-8 ("\xff"). Names out of files could otherwise clear a
 /// screen, hide text or forge a line of a message. A backslash stays as it is.
-std::string printable(std::string_view text);
+std::string escape_nonprintable(std::string_view text);
 
 }  // namespace clast

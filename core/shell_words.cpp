@@ -42,7 +42,7 @@ std::string quoted_word(const std::string& word) {
 
 }  // namespace
 
-std::string shell_command(const std::vector<std::string>& words) {
+std::string format_shell_command(const std::vector<std::string>& words) {
   std::string command;
   for (const std::string& word : words) command += (command.empty() ? "" : " ") + quoted_word(word);
   return command;

@@ -8,6 +8,6 @@ namespace clast {
 /// The words with blanks between them; each is quoted where a POSIX shell would take it apart or
 /// for something else. Control characters are escaped as in $'\x1b', so that a terminal prints
 /// them.
-std::string shell_command(const std::vector<std::string>& words);
+std::string format_shell_command(const std::vector<std::string>& words);
 
 }  // namespace clast

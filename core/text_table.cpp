@@ -23,7 +23,7 @@ bool is_number(const std::string& text) {
 std::string TextTable::text() const {
   std::vector<std::vector<std::string>> shown = rows;
   for (std::vector<std::string>& row : shown) {
-    for (std::string& cell : row) cell = printable(cell);
+    for (std::string& cell : row) cell = escape_nonprintable(cell);
   }
   std::vector<std::size_t> widths;
   std::vector<bool> right;

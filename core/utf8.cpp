@@ -30,7 +30,7 @@ bool may_follow(unsigned char first, unsigned char second) {
 
 }  // namespace
 
-Utf8Character first_character(std::string_view text) {
+DecodedCharacter decode_first_character(std::string_view text) {
   if (text.empty()) return {};
   const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
   const std::size_t length = length_of(byte(0));
@@ -47,14 +47,14 @@ Utf8Character first_character(std::string_view text) {
 
 bool is_utf8(std::string_view text) {
   while (!text.empty()) {
-    const std::size_t length = first_character(text).length;
+    const std::size_t length = decode_first_character(text).length;
     if (length == 0) return false;
     text.remove_prefix(length);
   }
   return true;
 }
 
-std::string lower_case(std::string_view text) {
+std::string lower_case_ascii(std::string_view text) {
   std::string lower(text);
   for (char& c : lower) {
     if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
@@ -83,7 +83,7 @@ std::string utf8_from_latin1(std::string_view text) {
   return result;
 }
 
-std::string as_utf8(std::string_view text) {
+std::string to_utf8(std::string_view text) {
   return is_utf8(text) ? std::string(text) : utf8_from_latin1(text);
 }
 

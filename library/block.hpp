@@ -46,7 +46,7 @@ struct Block {
   double area = 0.0;        ///< of the rounded surface, m^2
   PrincipalFrame principal;
   OrientedBox box;      ///< smallest box of the rounded body
-  Deviation deviation;  ///< rounded body against the whole scan; zero for a core
+  SurfaceDeviation deviation;  ///< rounded body against the whole scan; zero for a core
   bool from_core = false;
   std::optional<VolumeBracket> unseen;  ///< none: the scan leaves nothing to speak of open
   std::vector<std::string> warnings;

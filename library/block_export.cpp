@@ -12,7 +12,7 @@
 #include "library/unscaled.hpp"
 #include "mesh/mesh_io.hpp"
 #include "shapes/coplanar_faces.hpp"
-#include "shapes/outer_skin.hpp"
+#include "shapes/outer_surface.hpp"
 
 namespace clast {
 
@@ -39,8 +39,9 @@ std::vector<NamedMesh> meshes_of(const Block& block, const BlockExportOptions& o
     throw GeometryError("block " + block.id +
                         " is a ball or a capsule, whose core is no mesh; use `what` skin");
   } else {
-    if (options.holds_skin())
-      meshes.push_back({"", outer_skin(block.body, options.segments.value_or(kUsualSegments))});
+    if (options.includes_rounded_surface())
+      meshes.push_back(
+          {"", outer_surface_mesh(block.body, options.segments.value_or(kUsualSegments))});
     const bool both = options.what == ExportedSurface::kBoth;
     if (options.what == ExportedSurface::kCore || both) {
       meshes.push_back({both ? "_core" : "", core_mesh(block.body)});
@@ -58,8 +59,9 @@ std::vector<NamedMesh> meshes_of(const Block& block, const BlockExportOptions& o
 /// The mesh as a file of that name has it.
 TriangleMesh upright(TriangleMesh mesh, const std::filesystem::path& file,
                      const BlockExportOptions& options) {
-  if (options.frame == ExportFrame::kPrincipal || up_axis(options.up, file) == "z") return mesh;
-  for (Vec3& vertex : mesh.vertices) vertex = turned_y_up(vertex);
+  if (options.frame == ExportFrame::kPrincipal || resolve_up_axis(options.up, file) == "z")
+    return mesh;
+  for (Vec3& vertex : mesh.vertices) vertex = z_up_to_y_up(vertex);
   return mesh;
 }
 
@@ -68,8 +70,8 @@ std::filesystem::path file_of(const std::filesystem::path& folder, const Block& 
   return folder / (block.id + suffix + "." + format);
 }
 
-OutputRules rules_of(const std::filesystem::path& file, const BlockExportOptions& options) {
-  return {.kind = kind_by_name(file), .replace = options.replace};
+OverwritePolicy rules_of(const std::filesystem::path& file, const BlockExportOptions& options) {
+  return {.kind = file_kind_by_extension(file), .replace = options.replace};
 }
 
 /// Checks that no file to be written would replace another, such as the scan that the block was
@@ -93,12 +95,12 @@ std::vector<std::string> notes_on(const Block& block, const BlockExportOptions& 
     notes.push_back("block " + block.id + " is unscaled, so its exported coordinates are not in " +
                     "metres: " + unscaled_reason());
   }
-  if (!options.holds_skin() || !options.segments) return notes;
-  const std::optional<double> length = wrap_length(block.body, *options.segments);
-  const int most = most_wrap_segments(block.body);
+  if (!options.includes_rounded_surface() || !options.segments) return notes;
+  const std::optional<double> length = wrap_edge_length(block.body, *options.segments);
+  const int most = max_wrap_segments(block.body);
   if (length && *options.segments > most) {
     notes.push_back("block " + block.id + " is concave: its skin is wrapped in triangles of " +
-                    with_digits(*length, 3) + (is_unscaled(block) ? " units" : " m") +
+                    format_significant(*length, 3) + (is_unscaled(block) ? " units" : " m") +
                     ", the shortest allowed (1/150 of its diagonal), so `segments` " +
                     std::to_string(*options.segments) + " gives the same skin as " +
                     std::to_string(most));
@@ -108,14 +110,14 @@ std::vector<std::string> notes_on(const Block& block, const BlockExportOptions& 
 
 }  // namespace
 
-ShpShape shp_shape(const Block& block) {
+ShpShape to_shp_shape(const Block& block) {
   ShpShape shape;
   shape.name = block.id;
   std::replace_if(
       shape.name.begin(), shape.name.end(), [](char c) { return c == ' '; }, '_');
   shape.source_from_body = block.source_from_body();
   const Pose body_from_source = shape.source_from_body.inverse();
-  shape.body = transformed(with_merged_faces(block.body, kFlatInFiles), body_from_source);
+  shape.body = transformed(merge_coplanar_faces(block.body, kFileFlatness), body_from_source);
   shape.volume = block.mass.volume;
   shape.inertia_per_mass = block.principal.moments / block.mass.mass;
   shape.box = block.box;
@@ -129,7 +131,7 @@ const std::vector<std::string>& block_export_formats() {
   return kFormats;
 }
 
-bool BlockExportOptions::holds_skin() const {
+bool BlockExportOptions::includes_rounded_surface() const {
   const bool meshes = std::any_of(formats.begin(), formats.end(),
                                   [](const std::string& format) { return format != "shp"; });
   return meshes && (what == ExportedSurface::kSkin || what == ExportedSurface::kBoth);
@@ -147,7 +149,7 @@ void BlockExportOptions::check() const {
     throw InputError("`segments` = " + std::to_string(*segments) + ": must be from 1 to " +
                      std::to_string(kMostExportSegments));
   }
-  up_axis(up, {});
+  resolve_up_axis(up, {});
   if (frame == ExportFrame::kPrincipal && up == "y") {
     throw InputError("`up` y turns the source frame; the principal frame has no up");
   }
@@ -169,7 +171,7 @@ std::vector<std::filesystem::path> export_blocks(
     if (options.formats != std::vector<std::string>{"shp"}) meshes = meshes_of(*block, options);
     for (const std::string& format : options.formats) {
       if (format == "shp") {
-        const ShpShape shape = shp_shape(*block);
+        const ShpShape shape = to_shp_shape(*block);
         written.push_back(file_of(folder, *block, "", format));
         write_shp(written.back(), {&shape, 1}, rules_of(written.back(), options));
         continue;
@@ -181,7 +183,7 @@ std::vector<std::filesystem::path> export_blocks(
         written.push_back(file);
         if (origin.isZero(0.0)) continue;
         report(file.string() + ": its floats can't hold coordinates this far out, so " +
-               place(origin) + " was subtracted (see " + file.filename().string() +
+               format_point(origin) + " was subtracted (see " + file.filename().string() +
                ".origin.txt); obj, ply and vtp keep them");
       }
     }

@@ -34,12 +34,12 @@ struct BlockExportOptions {
   std::optional<int> segments = {};  ///< of a quarter turn in the skin, 1 to 64; absent: 4
   bool replace = false;  ///< existing files; else they are refused before anything is written
 
-  bool holds_skin() const;  ///< is a rounded surface written?
+  bool includes_rounded_surface() const;  ///< is a rounded surface written?
   void check() const;       ///< throws InputError naming the field and its value
 };
 
 /// A block as a .shp file has it: in the principal frame, its faces in one plane as one polygon.
-ShpShape shp_shape(const Block& block);
+ShpShape to_shp_shape(const Block& block);
 
 /// "shp", "obj", "stl", "ply", "glb", "vtp".
 const std::vector<std::string>& block_export_formats();

@@ -47,9 +47,9 @@ FieldNotes read_field_notes(const Hdf5Group& group, const std::string& where) {
 
 void write_unseen(Hdf5Group group, const VolumeBracket& unseen) {
   group.set_attribute("volume_lower_m3", unseen.lower_volume);
-  group.set_attribute("volume_best_m3", unseen.best_volume);
+  group.set_attribute("volume_best_m3", unseen.estimated_volume);
   if (unseen.upper_volume) group.set_attribute("volume_upper_m3", *unseen.upper_volume);
-  group.set_attribute("invented_share", unseen.invented_share);
+  group.set_attribute("invented_share", unseen.filled_fraction);
   group.set_attribute("assumption", unseen.assumption);
   if (!unseen.sides) return;
   write_matrix(group, "axes_lower", unseen.sides->lower, "m");
@@ -60,12 +60,12 @@ VolumeBracket read_unseen(const Hdf5Group& group, const std::string& where) {
   constexpr double kPositive = 1e-300;
   VolumeBracket unseen;
   unseen.lower_volume = read_scalar(group, "volume_lower_m3", kPositive, where);
-  unseen.best_volume = read_scalar(group, "volume_best_m3", unseen.lower_volume, where);
+  unseen.estimated_volume = read_scalar(group, "volume_best_m3", unseen.lower_volume, where);
   if (group.has_attribute("volume_upper_m3")) {
-    unseen.upper_volume = read_scalar(group, "volume_upper_m3", unseen.best_volume, where);
+    unseen.upper_volume = read_scalar(group, "volume_upper_m3", unseen.estimated_volume, where);
   }
-  unseen.invented_share = read_scalar(group, "invented_share", 0.0, where);
-  require(unseen.invented_share <= 1.0, where, "invented_share is more than 1");
+  unseen.filled_fraction = read_scalar(group, "invented_share", 0.0, where);
+  require(unseen.filled_fraction <= 1.0, where, "invented_share is more than 1");
   const auto lengths = [&](const std::string& name) {
     const Vec3 read = read_vector(group, name, where);
     require(read.minCoeff() > 0.0, where, name + " is not positive");
@@ -108,7 +108,7 @@ void write_block(Hdf5Group group, const Block& block) {
   write_matrix(group, "principal_moments", block.principal.moments, "kg m^2");
   const Quat& q = block.principal.rotation;
   write_matrix(group, "source_from_body", Eigen::Vector4d(q.w(), q.x(), q.y(), q.z()), "1");
-  group.set_attribute<std::int64_t>("nearly_equal_moments", block.principal.nearly_equal ? 1 : 0);
+  group.set_attribute<std::int64_t>("nearly_equal_moments", block.principal.has_near_equal_moments ? 1 : 0);
 
   write_matrix(group, "box_centre", block.box.centre, "m");
   write_matrix(group, "box_axes", block.box.axes, "1");
@@ -154,11 +154,11 @@ Block read_block(const Hdf5Group& group, const std::string& id, const std::strin
   block.mass.centre = read_vector(group, "centre", where);
   block.mass.inertia = read_matrix(group, "inertia", where);
   block.principal.moments = read_vector(group, "principal_moments", where);
-  const std::vector<double> q = read_numbers(group, "source_from_body", {4}, where);
+  const std::vector<double> q = read_array(group, "source_from_body", {4}, where);
   block.principal.rotation = Quat(q[0], q[1], q[2], q[3]);
   require(std::abs(block.principal.rotation.norm() - 1.0) < 1e-9, where,
           "source_from_body is not a rotation");
-  block.principal.nearly_equal = group.attribute<std::int64_t>("nearly_equal_moments") != 0;
+  block.principal.has_near_equal_moments = group.attribute<std::int64_t>("nearly_equal_moments") != 0;
 
   block.box.centre = read_vector(group, "box_centre", where);
   block.box.axes = read_matrix(group, "box_axes", where);
@@ -175,7 +175,7 @@ Block read_block(const Hdf5Group& group, const std::string& id, const std::strin
   block.warnings = group.read<std::string>("warnings");
   block.field = read_field_notes(group.group("field"), where);
   if (group.has("unseen")) block.unseen = read_unseen(group.group("unseen"), where);
-  check_agreement(block, where);
+  check_block_consistency(block, where);
   return block;
 }
 
@@ -223,7 +223,7 @@ BlockLibrary BlockLibrary::read(const std::filesystem::path& path) {
 void BlockLibrary::write(const std::filesystem::path& path) const {
   OutputFile output(path, {.kind = kLibraryFormat});
   {
-    Hdf5File file = Hdf5File::create(output.temporary(), kLibraryFormat, kSchema);
+    Hdf5File file = Hdf5File::create(output.temporary_path(), kLibraryFormat, kSchema);
     Hdf5Group blocks = file.root().create_group("blocks");
     for (const Block& block : blocks_) write_block(blocks.create_group(block.id), block);
     file.flush();
@@ -259,12 +259,12 @@ void check_unseen(const Block& block) {
   const auto require = [&](bool fine) {
     if (fine) return;
     throw InputError("block " + block.id + ": the bounds of its unseen part, volume from " +
-                     with_digits(unseen.lower_volume, 4) + " m^3 about " +
-                     with_digits(unseen.best_volume, 4) +
+                     format_significant(unseen.lower_volume, 4) + " m^3 about " +
+                     format_significant(unseen.estimated_volume, 4) +
                      " m^3, are those of no body; scan more of the block");
   };
-  require(unseen.lower_volume > 0.0 && unseen.best_volume >= unseen.lower_volume);
-  require(!unseen.upper_volume || *unseen.upper_volume >= unseen.best_volume);
+  require(unseen.lower_volume > 0.0 && unseen.estimated_volume >= unseen.lower_volume);
+  require(!unseen.upper_volume || *unseen.upper_volume >= unseen.estimated_volume);
   if (!unseen.sides) return;
   require(unseen.sides->lower.minCoeff() > 0.0);
   require((unseen.sides->lower.array() <= unseen.sides->upper.array()).all());
@@ -275,9 +275,9 @@ void check_unseen(const Block& block) {
 void BlockLibrary::add(Block block, bool replace) {
   for (std::string* text : {&block.id, &block.source.file, &block.source.options, &block.field.site,
                             &block.field.note}) {
-    *text = as_utf8(*text);
+    *text = to_utf8(*text);
   }
-  for (std::string& warning : block.warnings) warning = as_utf8(warning);
+  for (std::string& warning : block.warnings) warning = to_utf8(warning);
   check_block_id(block.id);
   check_unseen(block);
   if (!has(block.id)) {

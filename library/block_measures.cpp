@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "classify/surface_indices.hpp"
-#include "mesh/remeshing.hpp"
-#include "shapes/outer_skin.hpp"
+#include "mesh/isotropic_remeshing.hpp"
+#include "shapes/outer_surface.hpp"
 
 namespace clast {
 namespace {
@@ -24,7 +24,7 @@ int skin_segments(double radius, double edge_length) {
 
 OrientedBox block_box(const Block& block, BoxConvention convention) {
   if (convention == BoxConvention::kSmallest) return block.box;  // stored
-  return box_of(block.body, block.principal, convention);
+  return box_by_convention(block.body, block.principal, convention);
 }
 
 std::map<std::string, double> block_indices(const Block& block, const Axes& axes) {
@@ -40,13 +40,13 @@ std::optional<Equilibria> block_equilibria(const Block& block) {
 
 Roundness body_roundness(const SpheroPolyhedron& body, double edge_length) {
   // A core's own surface has none of the rounding; nor may the skin cross itself at reflex edges.
-  return roundness(
-      remeshed(outer_skin(body, skin_segments(body.radius, edge_length)), edge_length));
+  return roundness(remesh_isotropic(
+      outer_surface_mesh(body, skin_segments(body.radius, edge_length)), edge_length));
 }
 
 Roundness block_roundness(const Block& block, double edge_length) {
   if (block.from_core) return body_roundness(block.body, edge_length);
-  return roundness(remeshed(block.surface, edge_length));
+  return roundness(remesh_isotropic(block.surface, edge_length));
 }
 
 }  // namespace clast

@@ -42,12 +42,12 @@ std::string numbered(const std::string& prefix, std::size_t number, std::size_t 
 
 }  // namespace
 
-std::vector<VariationRequest> variations_of(std::span<const Block* const> parents,
+std::vector<VariationRequest> combine_variations(std::span<const Block* const> parents,
                                             std::span<const Variation> variations) {
   std::vector<VariationRequest> requests;
   for (const Block* parent : parents) {
     for (const Variation& variation : variations) {
-      requests.push_back({parent, variation, parent->id + "_" + label_of(variation)});
+      requests.push_back({parent, variation, parent->id + "_" + variation_label(variation)});
     }
   }
   return requests;
@@ -83,28 +83,28 @@ BlockSeries make_series(std::span<const VariationRequest> requests, const BlockS
   return series;
 }
 
-DrawnSeries draw_series(std::span<const Block* const> parents,
-                        std::span<const DrawnBlock> population, std::size_t count,
+SampledSeries sample_series(std::span<const Block* const> parents,
+                        std::span<const BlockForm> population, std::size_t count,
                         std::uint64_t seed, const std::string& prefix) {
   if (parents.empty()) throw InputError("no block to make bodies of");
   const FormCopula copula(population);
   Random random(seed);
-  DrawnSeries series;
-  std::vector<DrawnBlock> drawn;
+  SampledSeries series;
+  std::vector<BlockForm> drawn;
   for (std::size_t i = 0; i < count; ++i) {
     drawn.push_back(copula.draw(random));
     const Axes& axes = drawn.back().axes;
     const BoxRatios form = {axes.I / axes.L, axes.S / axes.L};
     const Block& parent = nearby_parent(parents, form, random);
     series.requests.push_back(
-        {&parent, DrawnForm{form, axes.L, drawn.back().convexity}, numbered(prefix, i + 1, count)});
+        {&parent, SampledFormVariation{form, axes.L, drawn.back().convexity}, numbered(prefix, i + 1, count)});
   }
   series.fit = copula.fit(drawn);
   return series;
 }
 
-std::vector<DrawnBlock> drawn_from(std::span<const Block* const> blocks) {
-  std::vector<DrawnBlock> population;
+std::vector<BlockForm> block_forms(std::span<const Block* const> blocks) {
+  std::vector<BlockForm> population;
   for (const Block* block : blocks) {
     population.push_back({block->axes(), convexity(block->body, block->mass.volume)});
   }

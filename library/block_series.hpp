@@ -20,13 +20,13 @@ struct VariationRequest {
 };
 
 /// Every variation of every parent, named PARENT_LABEL: by parent, then in the order given.
-std::vector<VariationRequest> variations_of(std::span<const Block* const> parents,
+std::vector<VariationRequest> combine_variations(std::span<const Block* const> parents,
                                             std::span<const Variation> variations);
 
 struct SeriesOptions {
   VariationOptions variation;
   unsigned threads = 0;    ///< 0: one per core; changes no bit of the result
-  Progress progress = {};  ///< bodies made, from any thread, one at a time
+  ProgressCallback progress = {};  ///< bodies made, from any thread, one at a time
 };
 
 struct BlockSeries {
@@ -39,7 +39,7 @@ BlockSeries make_series(std::span<const VariationRequest> requests, const BlockS
                         const SeriesOptions& options = {});
 
 /// Bodies with sizes and forms drawn from a population.
-struct DrawnSeries {
+struct SampledSeries {
   std::vector<VariationRequest> requests;
   CopulaFit fit;
 };
@@ -47,13 +47,13 @@ struct DrawnSeries {
 /// Bodies to be made: each one of the parents, at random among the three whose form is nearest,
 /// stretched to what was drawn. Ids are PREFIX and a number.
 /// @param parents     scanned blocks; not balls or capsules
-/// @param population  what is drawn from: `drawn_from` a library, or a table's
+/// @param population  what is drawn from: `block_forms` a library, or a table's
 /// @throws InputError  no parent; as `FormCopula`
-DrawnSeries draw_series(std::span<const Block* const> parents,
-                        std::span<const DrawnBlock> population, std::size_t count,
+SampledSeries sample_series(std::span<const Block* const> parents,
+                        std::span<const BlockForm> population, std::size_t count,
                         std::uint64_t seed, const std::string& prefix);
 
 /// Axes and convexity of blocks.
-std::vector<DrawnBlock> drawn_from(std::span<const Block* const> blocks);
+std::vector<BlockForm> block_forms(std::span<const Block* const> blocks);
 
 }  // namespace clast

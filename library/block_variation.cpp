@@ -8,7 +8,7 @@
 
 #include "classify/surface_indices.hpp"
 #include "core/error.hpp"
-#include "core/in_context.hpp"
+#include "core/error_context.hpp"
 #include "core/number_text.hpp"
 #include "library/detail/roundness_search.hpp"
 #include "library/detail/varied_body.hpp"
@@ -28,7 +28,7 @@ struct Overloaded : Visitors... {
 template <class... Visitors>
 Overloaded(Visitors...) -> Overloaded<Visitors...>;
 
-std::string number(double value) { return with_digits(value, 6); }
+std::string number(double value) { return format_significant(value, 6); }
 
 std::string ratios_text(const BoxRatios& ratios) {
   return "i_l=" + number(ratios.i_l) + " s_l=" + number(ratios.s_l);
@@ -37,17 +37,17 @@ std::string ratios_text(const BoxRatios& ratios) {
 /// The targets of a variation as "key=value" pairs.
 std::string targets_of(const Variation& variation) {
   return std::visit(
-      Overloaded{[](const StretchTo& v) { return ratios_text(v.ratios); },
-                 [](const ConvexityOf& v) { return "step=" + number(v.convexity); },
-                 [](const RoundingOf& v) { return "step=" + number(v.radius_share); },
-                 [](const RoundnessOf& v) { return "step=" + number(v.roundness); },
-                 [](const VertexCount& v) { return "step=" + std::to_string(v.vertices); },
-                 [](const DetailTimes& v) {
+      Overloaded{[](const StretchVariation& v) { return ratios_text(v.ratios); },
+                 [](const ConvexityVariation& v) { return "step=" + number(v.convexity); },
+                 [](const RoundingVariation& v) { return "step=" + number(v.radius_share); },
+                 [](const RoundnessVariation& v) { return "step=" + number(v.roundness); },
+                 [](const VertexCountVariation& v) { return "step=" + std::to_string(v.vertices); },
+                 [](const DetailVariation& v) {
                    return "step=" + number(v.gain) + " degree=" + std::to_string(v.degree);
                  },
-                 [](const ReferenceTo& v) { return "reference=" + name_of(v.form); },
-                 [](const InertiaTwin& v) { return "reference=inertia-" + name_of(v.form); },
-                 [](const DrawnForm& v) {
+                 [](const ReferenceVariation& v) { return "reference=" + name_of(v.form); },
+                 [](const InertiaVariation& v) { return "reference=inertia-" + name_of(v.form); },
+                 [](const SampledFormVariation& v) {
                    return ratios_text(v.ratios) + " l_m=" + number(v.length) +
                           (v.convexity ? " convexity=" + number(*v.convexity) : "");
                  }},
@@ -86,10 +86,10 @@ std::string with_blanks(const std::string& text) {
 /// The body in the size that its twin, or the draw, gives it.
 SpheroPolyhedron sized(const SpheroPolyhedron& body, const Block& parent,
                        const Variation& variation, const VariationOptions& options) {
-  if (std::holds_alternative<InertiaTwin>(variation)) return body;
-  const auto* drawn = std::get_if<DrawnForm>(&variation);
+  if (std::holds_alternative<InertiaVariation>(variation)) return body;
+  const auto* drawn = std::get_if<SampledFormVariation>(&variation);
   double factor = 1.0;
-  if (drawn || options.keep == KeptSize::kLength) {
+  if (drawn || options.keep == PreservedSize::kLength) {
     factor = (drawn ? drawn->length : parent.axes().L) / smallest_box(body).lengths[0];
   } else {
     const double volume = sphero_mass_properties(body, 1.0, options.accuracy).volume;
@@ -109,8 +109,8 @@ bool same_body(const SpheroPolyhedron& a, const SpheroPolyhedron& b) {
 
 void check_reached(const std::string& what, double value, double target) {
   if (std::abs(value / target - 1.0) <= kVariationTolerance) return;
-  throw GeometryError(what + " = " + with_digits(target, 4) + " can't be reached; the nearest is " +
-                      with_digits(value, 4));
+  throw GeometryError(what + " = " + format_significant(target, 4) +
+                      " can't be reached; the nearest is " + format_significant(value, 4));
 }
 
 /// Refuses a body that missed its target.
@@ -120,12 +120,12 @@ void check_targets(const Block& block, const Variation& variation) {
     check_reached("I/L", ratios.i_l, wanted.i_l);
     check_reached("S/L", ratios.s_l, wanted.s_l);
   };
-  if (const auto* stretch = std::get_if<StretchTo>(&variation)) check_form(stretch->ratios);
-  if (const auto* drawn = std::get_if<DrawnForm>(&variation)) {
+  if (const auto* stretch = std::get_if<StretchVariation>(&variation)) check_form(stretch->ratios);
+  if (const auto* drawn = std::get_if<SampledFormVariation>(&variation)) {
     check_form(drawn->ratios);
     check_reached("L in m", block.axes().L, drawn->length);
   }
-  if (const auto* filled = std::get_if<ConvexityOf>(&variation)) {
+  if (const auto* filled = std::get_if<ConvexityVariation>(&variation)) {
     check_reached("convexity", convexity(block.body, block.mass.volume), filled->convexity);
   }
 }
@@ -133,8 +133,8 @@ void check_targets(const Block& block, const Variation& variation) {
 /// The body of a variation in its final size.
 template <class Wanted>
 VariedBody sized_body(const Block& parent, const Wanted& wanted, const VariationOptions& options) {
-  VariedBody varied = varied_body(parent, wanted);
-  if (std::is_same_v<Wanted, DrawnForm> || !same_body(varied.body, parent.body)) {
+  VariedBody varied = vary_body(parent, wanted);
+  if (std::is_same_v<Wanted, SampledFormVariation> || !same_body(varied.body, parent.body)) {
     varied.body = sized(varied.body, parent, wanted, options);
   }
   return varied;
@@ -142,16 +142,16 @@ VariedBody sized_body(const Block& parent, const Wanted& wanted, const Variation
 
 /// Roundness is measured on the final body: on another place and size it differs by about a
 /// percent, since the mesh it is measured on does.
-VariedBody sized_body(const Block& parent, const RoundnessOf& wanted,
+VariedBody sized_body(const Block& parent, const RoundnessVariation& wanted,
                       const VariationOptions& options) {
   const double diameter = std::cbrt(6.0 * parent.mass.volume / kPi);
-  const double edge = *number_in(with_digits(wanted.edge_share * diameter, 4));
-  RoundedBody found = body_of_roundness(
-      [&](double share) { return sized_body(parent, RoundingOf{share}, options).body; },
+  const double edge = *parse_number(format_significant(wanted.edge_fraction * diameter, 4));
+  RoundedBody found = find_body_of_roundness(
+      [&](double share) { return sized_body(parent, RoundingVariation{share}, options).body; },
       wanted.roundness, edge);
-  return {std::move(found.body), "edge_m=" + with_digits(edge, 4) +
-                                     " roundness=" + with_digits(found.roundness, 4) +
-                                     " radius_share=" + with_digits(found.radius_share, 4)};
+  return {std::move(found.body), "edge_m=" + format_significant(edge, 4) +
+                                     " roundness=" + format_significant(found.roundness, 4) +
+                                     " radius_share=" + format_significant(found.radius_share, 4)};
 }
 
 Block varied_block(const std::string& id, const Block& parent, const Variation& variation,
@@ -161,14 +161,14 @@ Block varied_block(const std::string& id, const Block& parent, const Variation& 
       [&](const auto& wanted) { return sized_body(parent, wanted, options); }, variation);
   source.unscaled = parent.source.unscaled;
   source.options += (source.options.empty() ? "" : " ") + std::string("vary=") +
-                    kind_of(variation) + " parent=" + without_blanks(parent.id) +
+                    variation_kind(variation) + " parent=" + without_blanks(parent.id) +
                     " parent_sha256=" + parent.source.sha256 + " keep=" + name_of(options.keep) +
                     " " + targets_of(variation) +
                     (varied.figures.empty() ? "" : " " + varied.figures);
   BlockOptions making;
   making.density = parent.density;
   making.accuracy = options.accuracy;
-  if (std::holds_alternative<InertiaTwin>(variation)) making.mass = parent.mass.mass;
+  if (std::holds_alternative<InertiaVariation>(variation)) making.mass = parent.mass.mass;
   Block block = make_block(id, varied.body, std::move(source), making);
   block.field.weighed_mass.reset();
   check_targets(block, variation);
@@ -177,7 +177,7 @@ Block varied_block(const std::string& id, const Block& parent, const Variation& 
 
 }  // namespace
 
-std::string kind_of(const Variation& variation) {
+std::string variation_kind(const Variation& variation) {
   static constexpr const char* kKinds[] = {"stretch",   "convexity", "rounding",
                                            "roundness", "vertices",  "detail",
                                            "reference", "inertia",   "drawn"};
@@ -185,37 +185,44 @@ std::string kind_of(const Variation& variation) {
   return kKinds[variation.index()];
 }
 
-std::string label_of(const Variation& variation) {
+std::string variation_label(const Variation& variation) {
   const auto form = [](const BoxRatios& ratios) {
-    return "il" + with_digits(ratios.i_l, 4) + "_sl" + with_digits(ratios.s_l, 4);
+    return "il" + format_significant(ratios.i_l, 4) + "_sl" + format_significant(ratios.s_l, 4);
   };
   return std::visit(
-      Overloaded{[&](const StretchTo& v) { return form(v.ratios); },
-                 [](const ConvexityOf& v) { return "convexity" + with_digits(v.convexity, 4); },
-                 [](const RoundingOf& v) { return "radius" + with_digits(v.radius_share, 4); },
-                 [](const RoundnessOf& v) { return "roundness" + with_digits(v.roundness, 4); },
-                 [](const VertexCount& v) { return "vertices" + std::to_string(v.vertices); },
-                 [](const DetailTimes& v) { return "detail" + with_digits(v.gain, 4); },
-                 [](const ReferenceTo& v) { return name_of(v.form); },
-                 [](const InertiaTwin& v) { return "inertia-" + name_of(v.form); },
-                 [&](const DrawnForm& v) { return form(v.ratios); }},
+      Overloaded{
+          [&](const StretchVariation& v) { return form(v.ratios); },
+          [](const ConvexityVariation& v) {
+            return "convexity" + format_significant(v.convexity, 4);
+          },
+          [](const RoundingVariation& v) {
+            return "radius" + format_significant(v.radius_share, 4);
+          },
+          [](const RoundnessVariation& v) {
+            return "roundness" + format_significant(v.roundness, 4);
+          },
+          [](const VertexCountVariation& v) { return "vertices" + std::to_string(v.vertices); },
+          [](const DetailVariation& v) { return "detail" + format_significant(v.gain, 4); },
+          [](const ReferenceVariation& v) { return name_of(v.form); },
+          [](const InertiaVariation& v) { return "inertia-" + name_of(v.form); },
+          [&](const SampledFormVariation& v) { return form(v.ratios); }},
       variation);
 }
 
-KeptSize kept_size(const std::string& name) {
-  if (name == "mass") return KeptSize::kMass;
-  if (name == "volume") return KeptSize::kVolume;
-  if (name == "L") return KeptSize::kLength;
+PreservedSize parse_preserved_size(const std::string& name) {
+  if (name == "mass") return PreservedSize::kMass;
+  if (name == "volume") return PreservedSize::kVolume;
+  if (name == "L") return PreservedSize::kLength;
   throw InputError("`keep` = \"" + name + "\": must be mass, volume or L");
 }
 
-std::string name_of(KeptSize kept) {
+std::string name_of(PreservedSize kept) {
   switch (kept) {
-    case KeptSize::kMass:
+    case PreservedSize::kMass:
       return "mass";
-    case KeptSize::kVolume:
+    case PreservedSize::kVolume:
       return "volume";
-    case KeptSize::kLength:
+    case PreservedSize::kLength:
       break;
   }
   return "L";
@@ -223,19 +230,19 @@ std::string name_of(KeptSize kept) {
 
 void VariationOptions::check() const {
   if (!(accuracy >= 1e-6 && accuracy <= 1e-2)) {
-    throw InputError("accuracy is " + with_digits(accuracy, 4) +
+    throw InputError("accuracy is " + format_significant(accuracy, 4) +
                      "; it must be between 1e-6 and 1e-2");
   }
 }
 
 Block vary_block(const std::string& id, const Block& parent, const Variation& variation,
                  BlockSource source, const VariationOptions& options) {
-  return in_context("block " + parent.id, [&] {
+  return with_error_context("block " + parent.id, [&] {
     return varied_block(id, parent, variation, std::move(source), options);
   });
 }
 
-std::optional<VariationRecord> read_variation(const Block& block) {
+std::optional<VariationRecord> parse_variation(const Block& block) {
   std::map<std::string, std::string> values;
   std::istringstream words(block.source.options);
   for (std::string word; words >> word;) {
@@ -247,19 +254,19 @@ std::optional<VariationRecord> read_variation(const Block& block) {
   record.kind = values["vary"];
   record.parent = with_blanks(values["parent"]);
   record.reference = values["reference"];
-  record.step = number_in(values["step"]).value_or(0.0);
-  const std::optional<double> i_l = number_in(values["i_l"]), s_l = number_in(values["s_l"]);
+  record.step = parse_number(values["step"]).value_or(0.0);
+  const std::optional<double> i_l = parse_number(values["i_l"]), s_l = parse_number(values["s_l"]);
   if (i_l && s_l) record.form = BoxRatios{*i_l, *s_l};
   return record;
 }
 
-std::string in_words(const VariationRecord& record) {
+std::string describe_variation(const VariationRecord& record) {
   if (!record.reference.empty()) return record.reference;
   if (record.form) {
-    return record.kind + " to " + with_digits(record.form->i_l, 4) + ", " +
-           with_digits(record.form->s_l, 4);
+    return record.kind + " to " + format_significant(record.form->i_l, 4) + ", " +
+           format_significant(record.form->s_l, 4);
   }
-  return record.kind + " " + with_digits(record.step, 4);
+  return record.kind + " " + format_significant(record.step, 4);
 }
 
 }  // namespace clast

@@ -11,70 +11,70 @@
 namespace clast {
 
 /// Edges of the mesh that roundness is measured on, over the diameter of the ball of equal volume.
-inline constexpr double kUsualRoundnessEdge = 0.05;
+inline constexpr double kDefaultRoundnessEdge = 0.05;
 
 /// The smallest box gets these ratios; all else is stretched with it.
-struct StretchTo {
+struct StretchVariation {
   BoxRatios ratios;
 };
 /// Hollows are filled until volume over that of the hull, both rounded, is this. The hull, and with
 /// it L, I, S, stays.
-struct ConvexityOf {
+struct ConvexityVariation {
   double convexity = 1.0;
 };
 /// Edges and corners get this radius, as a share of S; I/L and S/L stay.
-struct RoundingOf {
+struct RoundingVariation {
   double radius_share = 0.02;
 };
 /// Edges and corners get the radius with which Wadell's roundness is this (classify/roundness.hpp);
 /// I/L and S/L stay.
-struct RoundnessOf {
+struct RoundnessVariation {
   double roundness = 0.5;
-  double edge_share = kUsualRoundnessEdge;  ///< of the mesh it is measured on, see there
+  double edge_fraction = kDefaultRoundnessEdge;  ///< of the mesh it is measured on, see there
 };
 /// The core gets so many vertices; I/L and S/L stay.
-struct VertexCount {
+struct VertexCountVariation {
   std::size_t vertices = 250;
 };
 /// The core's detail is multiplied (shapes/surface_detail.hpp); I/L and S/L stay.
-struct DetailTimes {
+struct DetailVariation {
   double gain = 0.0;
   int degree = 6;
 };
 /// A simple body with the block's I/L and S/L and its radius as a share of S.
-struct ReferenceTo {
-  ReferenceForm form = ReferenceForm::kEllipsoid;
+struct ReferenceVariation {
+  ReferenceShape form = ReferenceShape::kEllipsoid;
   double exponent = 4.0;  ///< of the superellipsoid
 };
 /// The ellipsoid, or the box, with the block's mass and principal moments, at the density that this
 /// takes: alike in free motion, and different in contact.
-struct InertiaTwin {
-  ReferenceForm form = ReferenceForm::kEllipsoid;  ///< or a box
+struct InertiaVariation {
+  ReferenceShape form = ReferenceShape::kEllipsoid;  ///< or a box
 };
 /// A body drawn from a population (classify/form_copula.hpp): stretched to the ratios and scaled to
 /// the length, hollows filled where the convexity drawn is above the block's.
-struct DrawnForm {
+struct SampledFormVariation {
   BoxRatios ratios;
   double length = 1.0;  ///< L, m
   std::optional<double> convexity;
 };
-using Variation = std::variant<StretchTo, ConvexityOf, RoundingOf, RoundnessOf, VertexCount,
-                               DetailTimes, ReferenceTo, InertiaTwin, DrawnForm>;
+using Variation = std::variant<StretchVariation, ConvexityVariation, RoundingVariation, RoundnessVariation, VertexCountVariation,
+                               DetailVariation, ReferenceVariation, InertiaVariation, SampledFormVariation>;
 
 /// "stretch", "convexity", "rounding", "roundness", "vertices", "detail", "reference", "inertia",
 /// "drawn".
-std::string kind_of(const Variation& variation);
+std::string variation_kind(const Variation& variation);
 /// What distinguishes the bodies of a series from each other, in their ids: "il0.8_sl0.5".
-std::string label_of(const Variation& variation);
+std::string variation_label(const Variation& variation);
 
 /// What a block has in common with its twins.
-enum class KeptSize { kMass, kVolume, kLength };
+enum class PreservedSize { kMass, kVolume, kLength };
 /// "mass", "volume", "L". @throws InputError  another name
-KeptSize kept_size(const std::string& name);
-std::string name_of(KeptSize kept);
+PreservedSize parse_preserved_size(const std::string& name);
+std::string name_of(PreservedSize kept);
 
 struct VariationOptions {
-  KeptSize keep = KeptSize::kMass;  ///< no matter for `InertiaTwin` and `DrawnForm`
+  PreservedSize keep = PreservedSize::kMass;  ///< no matter for `InertiaVariation` and `SampledFormVariation`
   double accuracy = 1e-4;           ///< relative, of volume and inertia
 
   void check() const;  ///< throws InputError naming the field and its value
@@ -86,7 +86,7 @@ inline constexpr double kVariationTolerance = 5e-3;
 inline constexpr double kRoundnessTolerance = 1e-2;
 
 /// The twin, a block made of a core and a radius. What was done, with its figures, is in
-/// `source.options` (`read_variation` reads it back); `source` is otherwise as given.
+/// `source.options` (`parse_variation` reads it back); `source` is otherwise as given.
 /// @param source  the library that the parent is in, and its hash
 /// @throws InputError, GeometryError  a target that can't be reached, with the block's id, the
 ///                        target, and the nearest that can
@@ -102,8 +102,8 @@ struct VariationRecord {
   std::string reference;          ///< name of a reference body
 };
 /// None: the block is no variation.
-std::optional<VariationRecord> read_variation(const Block& block);
+std::optional<VariationRecord> parse_variation(const Block& block);
 /// "stretch to 0.8, 0.5", "vertices 250", "ellipsoid".
-std::string in_words(const VariationRecord& record);
+std::string describe_variation(const VariationRecord& record);
 
 }  // namespace clast

@@ -3,7 +3,7 @@
 #include <numeric>
 
 #include "library/detail/hdf5_records.hpp"
-#include "shapes/edge_bend.hpp"
+#include "shapes/edge_convexity.hpp"
 
 namespace clast {
 
@@ -21,7 +21,8 @@ void write_body(Hdf5Group group, const SpheroPolyhedron& body) {
   group.write<std::uint32_t>("face_sizes", sizes);
   group.write<std::uint32_t>("face_vertices", corners);
   std::vector<std::uint8_t> bends;
-  for (const EdgeBend bend : edge_bends(body)) bends.push_back(static_cast<std::uint8_t>(bend));
+  for (const EdgeConvexity bend : edge_convexities(body))
+    bends.push_back(static_cast<std::uint8_t>(bend));
   group.write<std::uint8_t>("edge_bends", bends);
   group.set_unit("edge_bends", "1");
   group.set_unit("face_sizes", "1");

@@ -5,7 +5,7 @@
 
 namespace clast {
 
-BlockLibrary update_library(const std::filesystem::path& path, const LibraryUpdate& options,
+BlockLibrary update_library(const std::filesystem::path& path, const LibraryUpdateOptions& options,
                             const std::function<void(BlockLibrary&)>& change) {
   const FileLock lock(path, {.waiting = options.waiting});
   const bool there = !options.make || std::filesystem::exists(path);
@@ -15,8 +15,8 @@ BlockLibrary update_library(const std::filesystem::path& path, const LibraryUpda
   return library;
 }
 
-void check_library_place(const std::filesystem::path& path) {
-  check_output(path, {.kind = kLibraryFormat});
+void check_library_target(const std::filesystem::path& path) {
+  check_output_target(path, {.kind = kLibraryFormat});
 }
 
 }  // namespace clast

@@ -7,7 +7,7 @@
 
 namespace clast {
 
-struct LibraryUpdate {
+struct LibraryUpdateOptions {
   /// Begins with an empty library where there is none.
   bool make = false;
   /// Called once when another process is writing to the library.
@@ -19,11 +19,11 @@ struct LibraryUpdate {
 /// @return what was written
 /// @throws InputError  as `BlockLibrary::read`, `BlockLibrary::write` and `FileLock`, and whatever
 ///                     `change` throws: the file is then as it was
-BlockLibrary update_library(const std::filesystem::path& path, const LibraryUpdate& options,
+BlockLibrary update_library(const std::filesystem::path& path, const LibraryUpdateOptions& options,
                             const std::function<void(BlockLibrary&)>& change);
 
 /// Checks that `update_library` could write there, before the work whose result it will store.
 /// @throws InputError  it could not, or what is there is no library
-void check_library_place(const std::filesystem::path& path);
+void check_library_target(const std::filesystem::path& path);
 
 }  // namespace clast

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/error.hpp"
-#include "core/in_context.hpp"
+#include "core/error_context.hpp"
 #include "core/number_text.hpp"
 #include "core/version.hpp"
 #include "library/unscaled.hpp"
@@ -45,7 +45,7 @@ bool near_enough(const Block& block, const BlockOptions& options) {
 
 void check_positive(double value, const char* name, const char* unit) {
   if (!(value > 0.0) || !std::isfinite(value)) {
-    throw InputError(std::string(name) + " is " + with_digits(value, 4) + " " + unit +
+    throw InputError(std::string(name) + " is " + format_significant(value, 4) + " " + unit +
                      "; it must be a positive number");
   }
 }
@@ -97,18 +97,18 @@ double moments_gap(const MassProperties& body, const MassProperties& scan) {
 
 /// A core to start the fit from.
 SpheroPolyhedron first_core(const TriangleMesh& surface, double radius, bool advise) {
-  if (std::optional<SpheroPolyhedron> body = rounded_core_if_any(surface, radius)) {
+  if (std::optional<SpheroPolyhedron> body = try_inset_core(surface, radius)) {
     return std::move(*body);
   }
   for (const double share : kShallower) {
-    if (std::optional<SpheroPolyhedron> body = rounded_core_if_any(surface, share * radius)) {
+    if (std::optional<SpheroPolyhedron> body = try_inset_core(surface, share * radius)) {
       body->radius = radius;
       return std::move(*body);
     }
   }
-  if (advise) rounded_core(surface, radius);  // throws, and says which radius works
+  if (advise) inset_core(surface, radius);  // throws, and says which radius works
   throw GeometryError(
-      "a Minkowski radius of " + with_digits(radius, 4) +
+      "a Minkowski radius of " + format_significant(radius, 4) +
       " m is too large for this block: its core would vanish or turn inside out; give a "
       "smaller one");
 }
@@ -119,18 +119,18 @@ SpheroPolyhedron fitted_body(const TriangleMesh& surface, const ScanSurface& sca
   // The fit knows one skin: walls of cavities stay where the inset put them.
   const std::vector<std::uint32_t> shell_of = triangle_components(surface);
   if (*std::max_element(shell_of.begin(), shell_of.end()) == 0) {
-    body = fitted_core(scan, std::move(body),
-                       {.good_enough = kFitShare * largest_distance, .hopeless = largest_distance});
+    body = fit_core(scan, std::move(body),
+                    {.good_enough = kFitShare * largest_distance, .hopeless = largest_distance});
   }
-  if (options.convex) body = sphero_polyhedron(convex_hull(body.vertices), radius);
+  if (options.convex) body = make_sphero_polyhedron(convex_hull(body.vertices), radius);
   if (radius == 0.0) return body;
   const double gap = sphero_mass_properties(body, 1.0, 1e-2).volume / volume - 1.0;
   if (std::abs(gap) > kLargestVolumeGap) {
     // Says what is wrong in nearly all cases; else the surface is not the scan's.
-    if (options.advise) rounded_core(surface, radius);
-    throw GeometryError("rounded with a radius of " + with_digits(radius, 4) + " m, " +
+    if (options.advise) inset_core(surface, radius);
+    throw GeometryError("rounded with a radius of " + format_significant(radius, 4) + " m, " +
                         std::to_string(surface.vertices.size()) + " vertices have a volume " +
-                        with_digits(100.0 * std::abs(gap), 4) + " % " +
+                        format_significant(100.0 * std::abs(gap), 4) + " % " +
                         (gap > 0.0 ? "above" : "below") +
                         " the scan's, and 3 % is the most that scaling corrects; give a smaller "
                         "`radius` or more `vertices`");
@@ -139,12 +139,12 @@ SpheroPolyhedron fitted_body(const TriangleMesh& surface, const ScanSurface& sca
 }
 
 void warn_of_thin_walls(Block& block) {
-  const std::optional<ThinPlace> wall = thinnest_wall(block.surface);
+  const std::optional<ThinWall> wall = find_thinnest_wall(block.surface);
   if (!wall || block.body.radius <= 0.5 * wall->thickness) return;
-  block.warnings.push_back("the radius " + with_digits(block.body.radius, 4) +
+  block.warnings.push_back("the radius " + format_significant(block.body.radius, 4) +
                            " m is more than half the thinnest wall, " +
-                           with_digits(wall->thickness, 4) + " m near " + place(wall->place) +
-                           ": the block is thicker there than the rock");
+                           format_significant(wall->thickness, 4) + " m near " +
+                           place(wall->place) + ": the block is thicker there than the rock");
 }
 
 /// Lighter than pumice or heavier than ore: a unit was mistaken, or a mass.
@@ -152,30 +152,30 @@ void warn_of_density(Block& block) {
   if (block.density >= kLightestRock && block.density <= kHeaviestRock) return;
   std::string advice = "; check mass and scale";
   if (block.density >= 1e-3 * kLightestRock && block.density <= 1e-3 * kHeaviestRock) {
-    advice =
-        "; if that is in g/cm3 or t/m3, give `density` " + with_digits(1000.0 * block.density, 4);
+    advice = "; if that is in g/cm3 or t/m3, give `density` " +
+             format_significant(1000.0 * block.density, 4);
   }
-  block.warnings.push_back("the density " + with_digits(block.density, 4) +
+  block.warnings.push_back("the density " + format_significant(block.density, 4) +
                            " kg/m3 is not that of a rock, 500 to 8000 kg/m3" + advice);
 }
 
 void add_warnings(Block& block, const BlockOptions& options) {
   const double L = block.box.lengths[0];
   const double S = block.box.lengths[2];
-  if (block.principal.nearly_equal) {
+  if (block.principal.has_near_equal_moments) {
     block.warnings.push_back(
         "two principal moments are nearly equal: the principal axes, and what is given relative to "
         "them, follow a convention and not the shape");
   }
   if (block.mass.relative_error > options.accuracy) {
     block.warnings.push_back("volume and inertia are known to " +
-                             with_digits(block.mass.relative_error, 4) + " and not to the " +
-                             with_digits(options.accuracy, 4) +
+                             format_significant(block.mass.relative_error, 4) + " and not to the " +
+                             format_significant(options.accuracy, 4) +
                              " asked for; simplify the scan, or ask for less with `accuracy`");
   }
   if (block.body.radius > kLargestRadiusShare * S) {
-    block.warnings.push_back("the radius " + with_digits(block.body.radius, 4) +
-                             " m is more than a quarter of S (" + with_digits(S, 4) +
+    block.warnings.push_back("the radius " + format_significant(block.body.radius, 4) +
+                             " m is more than a quarter of S (" + format_significant(S, 4) +
                              " m): corners and edges are mostly rounding");
   }
   if (!block.from_core) warn_of_thin_walls(block);
@@ -183,37 +183,37 @@ void add_warnings(Block& block, const BlockOptions& options) {
   if (block.deviation.moments_relative > kMomentsTolerance) {
     block.warnings.push_back(
         "a principal moment differs by " +
-        with_digits(100.0 * block.deviation.moments_relative, 4) +
+        format_significant(100.0 * block.deviation.moments_relative, 4) +
         " % from the scan's; give more `vertices` or a smaller `radius_share`");
   }
   if (!near_enough(block, options)) {
-    block.warnings.push_back("the block lies up to " + with_digits(block.deviation.hausdorff, 4) +
-                             " m off the scan, " +
-                             with_digits(100.0 * block.deviation.hausdorff / L, 4) +
-                             " % of L; give more `vertices` or a smaller `radius_share`");
+    block.warnings.push_back(
+        "the block lies up to " + format_significant(block.deviation.hausdorff, 4) +
+        " m off the scan, " + format_significant(100.0 * block.deviation.hausdorff / L, 4) +
+        " % of L; give more `vertices` or a smaller `radius_share`");
   }
   if (options.mass && options.density_given) {
     const double gap = block.mass.mass / *options.mass - 1.0;
     if (std::abs(gap) > kLargestMassGap) {
-      block.warnings.push_back("volume times density gives " + with_digits(block.mass.mass, 4) +
-                               " kg, " + with_digits(std::abs(100.0 * gap), 4) + " % " +
-                               (gap > 0 ? "more" : "less") + " than the " +
-                               with_digits(*options.mass, 4) +
-                               " kg weighed; check scale, density and closed bottom");
+      block.warnings.push_back(
+          "volume times density gives " + format_significant(block.mass.mass, 4) + " kg, " +
+          format_significant(std::abs(100.0 * gap), 4) + " % " + (gap > 0 ? "more" : "less") +
+          " than the " + format_significant(*options.mass, 4) +
+          " kg weighed; check scale, density and closed bottom");
     }
   }
 }
 
 std::string described(const BlockOptions& options, const Block& block) {
   std::string text = options.core ? "core=yes" : "core=no";
-  text +=
-      (is_unscaled(block) ? " radius_units=" : " radius_m=") + with_digits(block.body.radius, 4);
-  if (!options.radius) text += " radius_share=" + with_digits(options.radius_share, 4);
-  text += " density_kg_m3=" + with_digits(block.density, 4);
-  if (options.mass) text += " mass_kg=" + with_digits(*options.mass, 4);
-  if (!options.core) text += " tolerance=" + with_digits(options.tolerance, 4);
+  text += (is_unscaled(block) ? " radius_units=" : " radius_m=") +
+          format_significant(block.body.radius, 4);
+  if (!options.radius) text += " radius_share=" + format_significant(options.radius_share, 4);
+  text += " density_kg_m3=" + format_significant(block.density, 4);
+  if (options.mass) text += " mass_kg=" + format_significant(*options.mass, 4);
+  if (!options.core) text += " tolerance=" + format_significant(options.tolerance, 4);
   if (options.convex) text += " convex=yes";
-  return text + " accuracy=" + with_digits(options.accuracy, 4);
+  return text + " accuracy=" + format_significant(options.accuracy, 4);
 }
 
 /// Everything that follows from a body and its unit mass properties.
@@ -226,7 +226,7 @@ Block finished(Block block, MeasuredBody measured, BlockSource source,
   block.mass = measured.unit;
   block.mass.mass = block.density * measured.unit.volume;
   block.mass.inertia = block.density * measured.unit.inertia;
-  block.area = sphero_area(block.body);
+  block.area = sphero_surface_area(block.body);
   block.principal = principal_frame(block.mass);
   block.box = smallest_box(block.body);
   block.field.weighed_mass = options.mass;
@@ -242,7 +242,7 @@ Block finished(Block block, MeasuredBody measured, BlockSource source,
 Block block_of_body(Block block, const SpheroPolyhedron& body, BlockSource source,
                     const BlockOptions& options) {
   options.check();
-  MeasuredBody measured{with_merged_faces(body), {}};
+  MeasuredBody measured{merge_coplanar_faces(body), {}};
   measured.unit = sphero_mass_properties(measured.body, 1.0, options.accuracy);
   return finished(std::move(block), std::move(measured), std::move(source), options);
 }
@@ -252,7 +252,7 @@ Block checked_block(Block block, const TriangleMesh& surface, const ScanSurface&
   options.check();
   block.surface = surface;
   if (options.core) {
-    const SpheroPolyhedron body = sphero_polyhedron(surface, *options.radius);
+    const SpheroPolyhedron body = make_sphero_polyhedron(surface, *options.radius);
     return block_of_body(std::move(block), body, std::move(source), options);
   }
   const Vec3 lengths = smallest_box(surface.vertices).lengths;
@@ -261,7 +261,7 @@ Block checked_block(Block block, const TriangleMesh& surface, const ScanSurface&
   MeasuredBody measured = with_volume(
       fitted_body(surface, scan, target.volume, radius, options.tolerance * lengths[0], options),
       target.volume, options.accuracy);
-  block.deviation = surface_deviation(scan, measured.body);
+  block.deviation = measure_surface_deviation(scan, measured.body);
   block.deviation.volume_relative = measured.unit.volume / target.volume - 1.0;
   block.deviation.moments_relative = moments_gap(measured.unit, target);
   block = finished(std::move(block), std::move(measured), std::move(source), options);
@@ -272,7 +272,7 @@ Block checked_block(Block block, const TriangleMesh& surface, const ScanSurface&
 /// Runs `make` with an empty block of that id, and puts the id before what it refuses.
 template <class Make>
 Block named_block(const std::string& id, Make&& make) {
-  return in_context("block " + id, [&] {
+  return with_error_context("block " + id, [&] {
     Block block;
     block.id = id;
     return make(std::move(block));
@@ -286,26 +286,26 @@ void BlockOptions::check() const {
     throw InputError("a core needs its Minkowski radius: give `radius` in metres beside `core`");
   }
   if (radius && (!(*radius >= 0.0) || !std::isfinite(*radius))) {
-    throw InputError("radius is " + with_digits(*radius, 4) +
+    throw InputError("radius is " + format_significant(*radius, 4) +
                      " m; it must be zero or a positive number");
   }
   if (!(radius_share >= 0.0) || radius_share > kLargestRadiusShare) {
-    throw InputError("radius share is " + with_digits(radius_share, 4) +
+    throw InputError("radius share is " + format_significant(radius_share, 4) +
                      " of S; it must be between 0 and 0.25");
   }
   check_positive(density, "density", "kg/m3");
   if (mass) check_positive(*mass, "mass", "kg");
   if (!(accuracy >= 1e-6 && accuracy <= 1e-2)) {
-    throw InputError("accuracy is " + with_digits(accuracy, 4) +
+    throw InputError("accuracy is " + format_significant(accuracy, 4) +
                      "; it must be between 1e-6 and 1e-2");
   }
   if (!(tolerance > 0.0 && tolerance <= 1.0)) {
-    throw InputError("tolerance is " + with_digits(tolerance, 4) +
+    throw InputError("tolerance is " + format_significant(tolerance, 4) +
                      " of L; it must be more than 0 and at most 1");
   }
 }
 
-bool within_tolerance(const Block& block, const BlockOptions& options) {
+bool is_within_tolerance(const Block& block, const BlockOptions& options) {
   return near_enough(block, options) && block.deviation.moments_relative <= kMomentsTolerance;
 }
 
@@ -322,7 +322,7 @@ Block make_block(const std::string& id, const SpheroPolyhedron& body, BlockSourc
   options.radius = body.radius;
   return named_block(id, [&](Block block) {
     block = block_of_body(std::move(block), body, std::move(source), options);
-    block.surface = body.faces.empty() ? skin_mesh(body) : core_mesh(body);
+    block.surface = body.faces.empty() ? rounded_surface_mesh(body) : core_mesh(body);
     return block;
   });
 }

@@ -40,14 +40,14 @@ void visit_fields(const BlockOptions& options, Visit&& visit) {
   visit("mass", mass);
   visit("accuracy", accuracy);
   visit("tolerance", tolerance);
-  visit("advise", NoInfluence{advise});
+  visit("advise", ExcludedField{advise});
 }
 
 /// Largest relative difference between the principal moments of a block and its scan.
 constexpr double kMomentsTolerance = 5e-3;
 
 /// Is the block as near to its scan as asked, and are its moments? Always true of a core.
-bool within_tolerance(const Block& block, const BlockOptions& options);
+bool is_within_tolerance(const Block& block, const BlockOptions& options);
 
 /// A core is taken as it is, faces in one plane merged to polygons. Else the core is `surface`
 /// moved in by the radius, fitted to `scan` until the block is within the tolerance or gets no

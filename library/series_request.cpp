@@ -17,21 +17,21 @@ namespace clast {
 
 namespace {
 
-std::vector<DrawnBlock> population_of(const SeriesRequest& request,
+std::vector<BlockForm> population_of(const SeriesRequest& request,
                                       std::span<const Block* const> parents,
                                       std::vector<std::string>& notes) {
-  if (request.table.empty()) return drawn_from(parents);
+  if (request.table.empty()) return block_forms(parents);
   DimensionColumns columns;
-  if (!request.units.empty()) columns.units = length_unit(request.units);
+  if (!request.units.empty()) columns.units = parse_length_unit(request.units);
   const DimensionTable table = read_dimension_table(request.table, columns);
   for (const std::string& note : table.notes) {
     notes.push_back(request.table.string() + ": " + note);
   }
-  std::vector<DrawnBlock> population;
+  std::vector<BlockForm> population;
   for (const MeasuredBlock& block : table.blocks) {
     if (!kBlockLength.holds(block.axes.L) || !kBlockLength.holds(block.axes.S)) {
       throw InputError(request.table.string() + ": block " + block.name + " is " +
-                       with_digits(block.axes.L, 4) + " x " + with_digits(block.axes.S, 4) +
+                       format_significant(block.axes.L, 4) + " x " + format_significant(block.axes.S, 4) +
                        " m; L and S must be " + kBlockLength.words() + "; give `units`");
     }
     population.push_back({block.axes, std::nullopt});
@@ -50,19 +50,19 @@ void refuse_repeated(const std::vector<VariationRequest>& bodies) {
 }
 
 std::vector<VariationRequest> bodies_wanted(const SeriesRequest& request,
-                                            const BlockLibrary& library, RequestedSeries& made) {
+                                            const BlockLibrary& library, SeriesResult& made) {
   const std::vector<const Block*> parents = library.chosen(request.ids);
   std::vector<Variation> variations = request.steps.variations();
   for (const std::string& id : request.like) {
-    variations.emplace_back(StretchTo{box_ratios(library.block(id).box)});
+    variations.emplace_back(StretchVariation{box_ratios(library.block(id).box)});
   }
-  std::vector<VariationRequest> bodies = variations_of(parents, variations);
-  if (bodies.size() + request.draw > kMostSeriesBodies) {
+  std::vector<VariationRequest> bodies = combine_variations(parents, variations);
+  if (bodies.size() + request.draw > kMaxSeriesBodies) {
     throw InputError(std::to_string(bodies.size() + request.draw) +
-                     " bodies are asked for; the most is " + std::to_string(kMostSeriesBodies));
+                     " bodies are asked for; the most is " + std::to_string(kMaxSeriesBodies));
   }
   if (request.draw > 0) {
-    DrawnSeries drawn = draw_series(parents, population_of(request, parents, made.notes),
+    SampledSeries drawn = sample_series(parents, population_of(request, parents, made.notes),
                                     request.draw, request.seed, request.prefix);
     made.fit = std::move(drawn.fit);
     for (VariationRequest& body : drawn.requests) bodies.push_back(std::move(body));
@@ -72,7 +72,7 @@ std::vector<VariationRequest> bodies_wanted(const SeriesRequest& request,
 }
 
 BlockSource source_of(const SeriesRequest& request) {
-  BlockSource source{as_utf8(request.library.string()), sha256_of_file(request.library), "", ""};
+  BlockSource source{to_utf8(request.library.string()), sha256_of_file(request.library), "", ""};
   if (request.draw > 0) source.options = "seed=" + std::to_string(request.seed);
   if (!request.table.empty()) {
     source.options += " population_sha256=" + sha256_of_file(request.table);
@@ -88,7 +88,7 @@ bool SeriesRequest::asks_for_nothing() const {
 
 void SeriesRequest::check() const {
   check_block_id(prefix + "0001");
-  if (!units.empty()) length_unit(units);
+  if (!units.empty()) parse_length_unit(units);
   if (asks_for_nothing()) {
     throw InputError(
         "nothing is asked for; give `to`, `grid`, `like`, `convexity`, `rounding`, `roundness`, "
@@ -97,9 +97,9 @@ void SeriesRequest::check() const {
   }
 }
 
-RequestedSeries make_series(const SeriesRequest& request, const BlockLibrary& library) {
+SeriesResult make_series(const SeriesRequest& request, const BlockLibrary& library) {
   request.check();
-  RequestedSeries made;
+  SeriesResult made;
   const std::vector<VariationRequest> bodies = bodies_wanted(request, library, made);
   made.wanted = bodies.size();
   made.series = make_series(bodies, source_of(request), request.options);
@@ -109,10 +109,10 @@ RequestedSeries make_series(const SeriesRequest& request, const BlockLibrary& li
   return made;
 }
 
-RequestedSeries make_series(const SeriesRequest& request) {
+SeriesResult make_series(const SeriesRequest& request) {
   request.check();
-  if (!request.output.empty()) check_library_place(request.output);
-  RequestedSeries made = make_series(request, BlockLibrary::read(request.library));
+  if (!request.output.empty()) check_library_target(request.output);
+  SeriesResult made = make_series(request, BlockLibrary::read(request.library));
   if (request.output.empty()) return made;
   const BlockLibrary written =
       update_library(request.output, {.make = true}, [&](BlockLibrary& changed) {

@@ -16,7 +16,7 @@ namespace clast {
 struct SeriesRequest {
   std::filesystem::path library;
   std::vector<std::string> ids;   ///< blocks that are varied; empty: all of the library
-  SeriesSteps steps;              ///< what each of them is varied by
+  SeriesTargets steps;              ///< what each of them is varied by
   std::vector<std::string> like;  ///< blocks of the library to whose ratios they are stretched
   std::size_t draw = 0;           ///< bodies drawn from a population besides
   std::filesystem::path table;    ///< of measured blocks, the population; empty: the blocks
@@ -32,7 +32,7 @@ struct SeriesRequest {
 };
 
 /// What became of a request.
-struct RequestedSeries {
+struct SeriesResult {
   BlockSeries series;              ///< one body at least
   std::size_t wanted = 0;          ///< bodies
   std::size_t in_all = 0;          ///< blocks in `output` then
@@ -45,11 +45,11 @@ struct RequestedSeries {
 /// asked
 ///                        for twice; more than 100,000
 /// @throws GeometryError  no body could be made
-RequestedSeries make_series(const SeriesRequest& request, const BlockLibrary& library);
+SeriesResult make_series(const SeriesRequest& request, const BlockLibrary& library);
 
 /// Reads the library, makes the bodies and adds them to `output`.
 /// @throws InputError     as above; a library that can't be used
 /// @throws GeometryError  no body could be made
-RequestedSeries make_series(const SeriesRequest& request);
+SeriesResult make_series(const SeriesRequest& request);
 
 }  // namespace clast

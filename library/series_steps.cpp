@@ -16,23 +16,23 @@ std::vector<Axes> forms_of(const FormGrid& grid) {
 
 }  // namespace
 
-std::vector<Variation> SeriesSteps::variations() const {
+std::vector<Variation> SeriesTargets::variations() const {
   std::vector<Variation> all;
-  for (const BoxRatios& ratios : to) all.emplace_back(StretchTo{ratios});
+  for (const BoxRatios& ratios : to) all.emplace_back(StretchVariation{ratios});
   if (grid) {
     for (const Axes& axes : forms_of(*grid)) {
-      all.emplace_back(StretchTo{{axes.I / axes.L, axes.S / axes.L}});
+      all.emplace_back(StretchVariation{{axes.I / axes.L, axes.S / axes.L}});
     }
   }
-  for (const double share : convexity) all.emplace_back(ConvexityOf{share});
-  for (const double share : rounding) all.emplace_back(RoundingOf{share});
-  for (const double value : roundness) all.emplace_back(RoundnessOf{value, roundness_edge});
-  for (const std::size_t count : vertices) all.emplace_back(VertexCount{count});
-  for (const double gain : detail) all.emplace_back(DetailTimes{gain, degree});
+  for (const double share : convexity) all.emplace_back(ConvexityVariation{share});
+  for (const double share : rounding) all.emplace_back(RoundingVariation{share});
+  for (const double value : roundness) all.emplace_back(RoundnessVariation{value, roundness_edge});
+  for (const std::size_t count : vertices) all.emplace_back(VertexCountVariation{count});
+  for (const double gain : detail) all.emplace_back(DetailVariation{gain, degree});
   for (const std::string& name : reference) {
-    all.emplace_back(ReferenceTo{reference_form(name), exponent});
+    all.emplace_back(ReferenceVariation{parse_reference_shape(name), exponent});
   }
-  for (const std::string& name : inertia) all.emplace_back(InertiaTwin{reference_form(name)});
+  for (const std::string& name : inertia) all.emplace_back(InertiaVariation{parse_reference_shape(name)});
   return all;
 }
 
@@ -46,7 +46,7 @@ const std::vector<std::string>& inertia_form_names() {
   return kNames;
 }
 
-BoxRatios stretch_ratios(double i_over_l, double s_over_l, const std::string& asked) {
+BoxRatios check_stretch_ratios(double i_over_l, double s_over_l, const std::string& asked) {
   if (kVariedRatio.holds(i_over_l) && kVariedRatio.holds(s_over_l) && s_over_l <= i_over_l) {
     return {i_over_l, s_over_l};
   }

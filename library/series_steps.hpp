@@ -17,13 +17,13 @@ struct FormGrid {
 };
 
 /// Any number of targets of each kind.
-struct SeriesSteps {
+struct SeriesTargets {
   std::vector<BoxRatios> to;
   std::optional<FormGrid> grid;
   std::vector<double> convexity;
   std::vector<double> rounding;  ///< radius over S
   std::vector<double> roundness;
-  double roundness_edge = kUsualRoundnessEdge;
+  double roundness_edge = kDefaultRoundnessEdge;
   std::vector<std::size_t> vertices;
   std::vector<double> detail;  ///< factors
   int degree = 6;              ///< of the detail
@@ -36,12 +36,12 @@ struct SeriesSteps {
   std::vector<Variation> variations() const;
 };
 
-/// Names of the diagrams of `FormGrid`, and of the bodies of `InertiaTwin`.
+/// Names of the diagrams of `FormGrid`, and of the bodies of `InertiaVariation`.
 const std::vector<std::string>& form_grid_names();
 const std::vector<std::string>& inertia_form_names();
 
 /// @param asked  the ratios as they were written, for the message
 /// @throws InputError  not I/L and S/L of a box, both from 0.01 to 1, or no numbers (NaN)
-BoxRatios stretch_ratios(double i_over_l, double s_over_l, const std::string& asked);
+BoxRatios check_stretch_ratios(double i_over_l, double s_over_l, const std::string& asked);
 
 }  // namespace clast

@@ -8,7 +8,7 @@ namespace clast {
 
 inline constexpr NumberRange kVariedRatio{0.01, 1.0};
 inline constexpr NumberRange kVariedConvexity{0.01, 1.0};
-inline constexpr NumberRange kVariedRadiusShare{1e-3, 0.4, "of S", "sharp edges"};
+inline constexpr NumberRange kVariedRadiusFraction{1e-3, 0.4, "of S", "sharp edges"};
 inline constexpr NumberRange kVariedRoundness{0.01, 1.0};
 /// Length of the edges that roundness is measured on, over the diameter of the ball of equal
 /// volume.
@@ -16,11 +16,11 @@ inline constexpr NumberRange kRoundnessEdge{0.01, 0.2};
 inline constexpr NumberRange kDetailGain{0.01, 10.0, "", "smooth"};
 inline constexpr NumberRange kSuperellipsoidExponent{1.0, 20.0};
 /// Smallest ratio of a grid of forms, and steps along each of its sides.
-inline constexpr NumberRange kLeastRatio{0.01, 0.99};
-inline constexpr int kMostGridSteps = 100;
+inline constexpr NumberRange kMinRatio{0.01, 0.99};
+inline constexpr int kMaxGridSteps = 100;
 /// Vertices of a simplified core.
-inline constexpr std::size_t kFewestVaried = 8, kMostVaried = 2000;
-inline constexpr int kLowestDegree = 2, kHighestDegree = 20;
-inline constexpr std::size_t kMostSeriesBodies = 100'000;  ///< of one series
+inline constexpr std::size_t kMinVariedVertices = 8, kMaxVariedVertices = 2000;
+inline constexpr int kMinDegree = 2, kMaxDegree = 20;
+inline constexpr std::size_t kMaxSeriesBodies = 100'000;  ///< of one series
 
 }  // namespace clast

@@ -13,7 +13,7 @@ constexpr double kVertical = 1e-12;
 
 }  // namespace
 
-LinePieces::LinePieces(const std::vector<SkinPiece>& pieces, double radius)
+VerticalLinePieces::VerticalLinePieces(const std::vector<OffsetPiece>& pieces, double radius)
     : radius_squared_(radius * radius) {
   std::vector<std::uint32_t> order(pieces.size());
   std::iota(order.begin(), order.end(), 0u);
@@ -21,9 +21,9 @@ LinePieces::LinePieces(const std::vector<SkinPiece>& pieces, double radius)
     return pieces[a].box.low.y() < pieces[b].box.low.y();
   });
   pieces_.reserve(pieces.size());
-  std::vector<Slope> lower, upper, sides;
+  std::vector<HeightPlane> lower, upper, sides;
   for (const std::uint32_t i : order) {
-    const SkinPiece& from = pieces[i];
+    const OffsetPiece& from = pieces[i];
     lower.clear();
     upper.clear();
     sides.clear();
@@ -33,12 +33,12 @@ LinePieces::LinePieces(const std::vector<SkinPiece>& pieces, double radius)
         sides.push_back({n.x(), n.y(), -plane.offset});
         continue;
       }
-      const Slope bound{-n.x() / n.z(), -n.y() / n.z(), plane.offset / n.z()};
+      const HeightPlane bound{-n.x() / n.z(), -n.y() / n.z(), plane.offset / n.z()};
       (n.z() > 0.0 ? upper : lower).push_back(bound);
     }
     // A line crosses the planes' common part where every lower bound is below every upper one.
-    for (const Slope& low : lower) {
-      for (const Slope& high : upper) {
+    for (const HeightPlane& low : lower) {
+      for (const HeightPlane& high : upper) {
         sides.push_back(
             {low.x_slope - high.x_slope, low.y_slope - high.y_slope, low.height - high.height});
       }
@@ -53,9 +53,9 @@ LinePieces::LinePieces(const std::vector<SkinPiece>& pieces, double radius)
                 0,
                 0,
                 0};
-    const auto packed = [&](const std::vector<Slope>& list) {
-      slopes_.insert(slopes_.end(), list.begin(), list.end());
-      return static_cast<std::uint32_t>(slopes_.size());
+    const auto packed = [&](const std::vector<HeightPlane>& list) {
+      height_planes_.insert(height_planes_.end(), list.begin(), list.end());
+      return static_cast<std::uint32_t>(height_planes_.size());
     };
     piece.lower = packed({});
     piece.upper = packed(lower);
@@ -65,16 +65,16 @@ LinePieces::LinePieces(const std::vector<SkinPiece>& pieces, double radius)
   }
 }
 
-LineInterval LinePieces::reach(std::size_t index, double y) const {
+LineInterval VerticalLinePieces::reach(std::size_t index, double y) const {
   const Piece& piece = pieces_[index];
   LineInterval range = piece.columns;
-  if (piece.round == SkinPiece::Round::sphere) {
+  if (piece.round == OffsetPiece::CurvedFace::sphere) {
     const double dy = y - piece.centre.y();
     const double half = std::sqrt(std::max(radius_squared_ - dy * dy, 0.0));
     range.low = std::max(range.low, piece.centre.x() - half);
     range.high = std::min(range.high, piece.centre.x() + half);
   }
-  for (const Slope& side : slopes(piece.sides, piece.end)) {
+  for (const HeightPlane& side : height_planes(piece.sides, piece.end)) {
     const double room = -side.height - side.y_slope * y;
     if (side.x_slope > 0.0) {
       range.high = std::min(range.high, room / side.x_slope);
@@ -87,8 +87,8 @@ LineInterval LinePieces::reach(std::size_t index, double y) const {
   return range;
 }
 
-LineInterval LinePieces::round_cut(const Piece& piece, double x, double y) const {
-  if (piece.round == SkinPiece::Round::none) return piece.heights;
+LineInterval VerticalLinePieces::clip_round_line(const Piece& piece, double x, double y) const {
+  if (piece.round == OffsetPiece::CurvedFace::none) return piece.heights;
   const double dx = x - piece.centre.x();
   const double dy = y - piece.centre.y();
   const double along = dx * piece.axis.x() + dy * piece.axis.y();
@@ -102,25 +102,25 @@ LineInterval LinePieces::round_cut(const Piece& piece, double x, double y) const
   return {piece.centre.z() + (-b - half) / a, piece.centre.z() + (-b + half) / a};
 }
 
-LineInterval LinePieces::cut(std::size_t index, double x, double y) const {
+LineInterval VerticalLinePieces::cut(std::size_t index, double x, double y) const {
   const Piece& piece = pieces_[index];
-  LineInterval result = round_cut(piece, x, y);
-  for (const Slope& bound : slopes(piece.lower, piece.upper)) {
+  LineInterval result = clip_round_line(piece, x, y);
+  for (const HeightPlane& bound : height_planes(piece.lower, piece.upper)) {
     result.low = std::max(result.low, bound.at(x, y));
   }
-  for (const Slope& bound : slopes(piece.upper, piece.sides)) {
+  for (const HeightPlane& bound : height_planes(piece.upper, piece.sides)) {
     result.high = std::min(result.high, bound.at(x, y));
   }
   return result;
 }
 
-LineTriangles::LineTriangles(const TriangleMesh& core) {
+VerticalLineTriangles::VerticalLineTriangles(const TriangleMesh& core) {
   triangles_.reserve(core.triangles.size());
   for (const auto& corners : core.triangles) {
     Triangle t;
     for (int i = 0; i < 3; ++i) {
       t.corner[i] = core.vertices[corners[i]];
-      t.turned[i] = corners[i] > corners[(i + 1) % 3];
+      t.reversed[i] = corners[i] > corners[(i + 1) % 3];
       t.box.include(t.corner[i]);
     }
     const Vec3 n = (t.corner[1] - t.corner[0]).cross(t.corner[2] - t.corner[0]);
@@ -135,30 +135,30 @@ LineTriangles::LineTriangles(const TriangleMesh& core) {
   });
 }
 
-LineInterval LineTriangles::rows(std::size_t triangle) const {
+LineInterval VerticalLineTriangles::rows(std::size_t triangle) const {
   const Bounds& box = triangles_[triangle].box;
   return {box.low.y(), box.high.y()};
 }
 
 /// Not by the edges: only `crossing` may decide on which side of one a line is.
-LineInterval LineTriangles::reach(std::size_t triangle, double) const {
+LineInterval VerticalLineTriangles::reach(std::size_t triangle, double) const {
   const Bounds& box = triangles_[triangle].box;
   return {box.low.x(), box.high.x()};
 }
 
-int LineTriangles::crossing(std::size_t triangle, double x, double y) const {
+int VerticalLineTriangles::crossing(std::size_t triangle, double x, double y) const {
   const Triangle& t = triangles_[triangle];
   int left_of = 0;
   for (int i = 0; i < 3; ++i) {
-    const Vec3& p = t.corner[t.turned[i] ? (i + 1) % 3 : i];
-    const Vec3& q = t.corner[t.turned[i] ? i : (i + 1) % 3];
+    const Vec3& p = t.corner[t.reversed[i] ? (i + 1) % 3 : i];
+    const Vec3& q = t.corner[t.reversed[i] ? i : (i + 1) % 3];
     const bool left = (q.x() - p.x()) * (y - p.y()) > (q.y() - p.y()) * (x - p.x());
-    left_of += left != t.turned[i];
+    left_of += left != t.reversed[i];
   }
   return left_of == 3 ? 1 : left_of == 0 ? -1 : 0;
 }
 
-double LineTriangles::height(std::size_t triangle, double x, double y) const {
+double VerticalLineTriangles::height(std::size_t triangle, double x, double y) const {
   const Triangle& t = triangles_[triangle];
   return std::clamp(t.plane.at(x, y), t.box.low.z(), t.box.high.z());
 }

@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "massprops/skin.hpp"
+#include "massprops/offset_layer.hpp"
 
 namespace clast::massprops_detail {
 
@@ -14,16 +14,16 @@ struct LineInterval {
 };
 
 /// A plane as a height: x_slope x + y_slope y + height.
-struct Slope {
+struct HeightPlane {
   double x_slope = 0.0, y_slope = 0.0, height = 0.0;
   double at(double x, double y) const { return x_slope * x + y_slope * y + height; }
 };
 
 /// Convex pieces prepared for vertical lines; sorted by their lowest y and packed, since rows of
 /// lines meet neighbours one after the other.
-class LinePieces {
+class VerticalLinePieces {
  public:
-  LinePieces(const std::vector<SkinPiece>& pieces, double radius);
+  VerticalLinePieces(const std::vector<OffsetPiece>& pieces, double radius);
 
   std::size_t size() const { return pieces_.size(); }
   /// Lowest and highest y of a piece; the lowest ascend.
@@ -36,27 +36,27 @@ class LinePieces {
  private:
   struct Piece {
     LineInterval rows, columns, heights;
-    SkinPiece::Round round;
+    OffsetPiece::CurvedFace round;
     Vec3 centre, axis;  ///< no axis for a ball: the cylinder's formulas then give the ball's chord
-    /// In `slopes_`: lower bounds, upper bounds, and sides of the shadow that the planes cast along
-    /// z, where slope and height are those of at(x, y) <= 0.
+    /// In `height_planes_`: lower bounds, upper bounds, and sides of the shadow that the planes
+    /// cast along z, where slope and height are those of at(x, y) <= 0.
     std::uint32_t lower, upper, sides, end;
   };
 
-  LineInterval round_cut(const Piece& piece, double x, double y) const;
-  std::span<const Slope> slopes(std::uint32_t begin, std::uint32_t end) const {
-    return {slopes_.data() + begin, slopes_.data() + end};
+  LineInterval clip_round_line(const Piece& piece, double x, double y) const;
+  std::span<const HeightPlane> height_planes(std::uint32_t begin, std::uint32_t end) const {
+    return {height_planes_.data() + begin, height_planes_.data() + end};
   }
 
   double radius_squared_;
   std::vector<Piece> pieces_;
-  std::vector<Slope> slopes_;
+  std::vector<HeightPlane> height_planes_;
 };
 
 /// The core's triangles prepared for vertical lines, sorted by their lowest y.
-class LineTriangles {
+class VerticalLineTriangles {
  public:
-  explicit LineTriangles(const TriangleMesh& core);
+  explicit VerticalLineTriangles(const TriangleMesh& core);
 
   std::size_t size() const { return triangles_.size(); }
   LineInterval rows(std::size_t triangle) const;
@@ -72,8 +72,8 @@ class LineTriangles {
  private:
   struct Triangle {
     std::array<Vec3, 3> corner;
-    std::array<bool, 3> turned;  ///< edge i runs from the larger to the smaller vertex index
-    Slope plane;
+    std::array<bool, 3> reversed;  ///< edge i runs from the larger to the smaller vertex index
+    HeightPlane plane;
     Bounds box;
   };
   std::vector<Triangle> triangles_;

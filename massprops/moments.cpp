@@ -39,7 +39,7 @@ Vec3 vertex_mean(const TriangleMesh& mesh) {
   return first + sum / (3.0 * static_cast<double>(mesh.triangles.size()));
 }
 
-MassProperties mass_properties_from(const Moments& moments, const Vec3& origin,
+MassProperties to_mass_properties(const Moments& moments, const Vec3& origin,
                                     const Mat3& rotation, double density) {
   const Vec3 centre = moments.first / moments.volume;
   const Mat3 central = moments.second - moments.volume * centre * centre.transpose();
@@ -55,14 +55,14 @@ MassProperties mass_properties_from(const Moments& moments, const Vec3& origin,
 
 void check_density(double density) {
   if (!(density > 0.0) || !std::isfinite(density)) {
-    throw InputError("density " + with_digits(density, 6) +
+    throw InputError("density " + format_significant(density, 6) +
                      " kg/m3: must be positive and finite; rock is about 2650");
   }
 }
 
 void check_closed(const TriangleMesh& mesh, const char* what) {
-  const MeshReport report = inspect(mesh);
-  if (report.closed() && report.oriented()) return;
+  const MeshReport report = inspect_mesh(mesh);
+  if (report.is_closed() && report.is_oriented()) return;
   throw GeometryError(std::string(what) + " bounds no solid: " + report.summary() +
                       "; its volume would be meaningless, repair it first");
 }

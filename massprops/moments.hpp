@@ -37,7 +37,7 @@ Moments polyhedron_moments(const TriangleMesh& mesh, const Vec3& origin);
 Vec3 vertex_mean(const TriangleMesh& mesh);
 
 /// Moments about `origin`, along axes that `rotation` (source_from_local) turns to the source's.
-MassProperties mass_properties_from(const Moments& moments, const Vec3& origin,
+MassProperties to_mass_properties(const Moments& moments, const Vec3& origin,
                                     const Mat3& rotation, double density);
 
 /// @throws InputError  density not positive or not finite

@@ -51,7 +51,7 @@ void add_polygon(const Polygon& polygon, NormalCone& sum) {
 
 /// Whether the polyhedron lies on the far side of the cone: by an edge that is a corner of the hull
 /// of the edges as seen from `inner`, a direction inside the cone.
-bool is_peak(std::span<const Vec3> edges, std::span<const double> bends, const Vec3& inner) {
+bool is_peak(std::span<const Vec3> edges, std::span<const double> exterior_angles, const Vec3& inner) {
   const Vec3 across = inner.unitOrthogonal();
   std::size_t corner = 0;
   double farthest = -1e300;
@@ -63,12 +63,12 @@ bool is_peak(std::span<const Vec3> edges, std::span<const double> bends, const V
       corner = i;
     }
   }
-  return bends[corner] > 0.0;
+  return exterior_angles[corner] > 0.0;
 }
 
 }  // namespace
 
-NormalCone normal_cone(std::span<const Vec3> edges, std::span<const double> bends) {
+NormalCone normal_cone(std::span<const Vec3> edges, std::span<const double> exterior_angles) {
   NormalCone cone;
   // Octant by octant: no polygon then has antipodal corners, whose arc would be undefined.
   for (int octant = 0; octant < 8; ++octant) {
@@ -82,7 +82,7 @@ NormalCone normal_cone(std::span<const Vec3> edges, std::span<const double> bend
   }
   cone.second = (0.5 * (cone.second + cone.second.transpose())).eval();
   if (!(cone.solid_angle > 0.0) || !(cone.first.norm() > 0.0)) return NormalCone{};
-  return is_peak(edges, bends, cone.first.normalized()) ? cone : NormalCone{};
+  return is_peak(edges, exterior_angles, cone.first.normalized()) ? cone : NormalCone{};
 }
 
 }  // namespace clast::massprops_detail

@@ -17,6 +17,6 @@ struct NormalCone {
 /// Empty where the polyhedron surrounds the vertex (a notch).
 /// @param edges  unit directions of the edges that leave the vertex
 /// @param bends  exterior dihedral angle of each, > 0 convex; distinguishes a peak from a notch
-NormalCone normal_cone(std::span<const Vec3> edges, std::span<const double> bends);
+NormalCone normal_cone(std::span<const Vec3> edges, std::span<const double> exterior_angles);
 
 }  // namespace clast::massprops_detail

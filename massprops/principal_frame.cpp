@@ -19,8 +19,8 @@ constexpr double kAlong = 0.9;
 constexpr double kRounding = 1e-9;
 
 void check_moments(const Vec3& moments, double relative_error) {
-  const std::string values = with_digits(moments[0], 6) + ", " + with_digits(moments[1], 6) + ", " +
-                             with_digits(moments[2], 6) + " kg m2";
+  const std::string values = format_significant(moments[0], 6) + ", " + format_significant(moments[1], 6) + ", " +
+                             format_significant(moments[2], 6) + " kg m2";
   if (!moments.allFinite() || !(moments[0] > 0.0)) {
     throw GeometryError("principal moments " + values +
                         ": not all positive, so no solid has them; check that the mesh is closed, "
@@ -68,7 +68,7 @@ PrincipalFrame principal_frame(const MassProperties& properties) {
       std::max(kNearlyEqual * frame.moments[2], 2.0 * properties.relative_error * frame.moments[0]);
   const bool first_two = frame.moments[1] - frame.moments[0] <= limit;
   const bool last_two = frame.moments[2] - frame.moments[1] <= limit;
-  frame.nearly_equal = first_two || last_two;
+  frame.has_near_equal_moments = first_two || last_two;
 
   Mat3 axes = settled(solver.eigenvectors(), first_two, last_two);
   axes.col(0) = with_largest_component_positive(axes.col(0));

@@ -8,7 +8,7 @@ namespace clast {
 struct PrincipalFrame {
   Vec3 moments = Vec3::Zero();       ///< kg m^2, ascending
   Quat rotation = Quat::Identity();  ///< source_from_body: columns are the principal axes
-  bool nearly_equal = false;         ///< some axes are a convention, not a property of the solid
+  bool has_near_equal_moments = false;         ///< some axes are a convention, not a property of the solid
 };
 
 /// Principal moments in ascending order. Each axis points so that its component of largest

@@ -15,10 +15,10 @@ MassProperties solid_mass_properties(const TriangleMesh& mesh, double density) {
   const Vec3 origin = vertex_mean(mesh);
   const Moments moments = polyhedron_moments(mesh, origin);
   if (!(moments.volume > 0.0)) {
-    throw GeometryError("mesh encloses " + with_digits(moments.volume, 6) +
+    throw GeometryError("mesh encloses " + format_significant(moments.volume, 6) +
                         " m3: its triangles face inward or it is flat; turn them outward first");
   }
-  const MassProperties result = mass_properties_from(moments, origin, Mat3::Identity(), density);
+  const MassProperties result = to_mass_properties(moments, origin, Mat3::Identity(), density);
   principal_frame(result);  // the gate: no solid breaks its inequalities
   return result;
 }

@@ -6,10 +6,10 @@
 
 #include "core/error.hpp"
 #include "core/number_text.hpp"
-#include "massprops/columns.hpp"
+#include "massprops/column_quadrature.hpp"
 #include "massprops/moments.hpp"
+#include "massprops/offset_layer.hpp"
 #include "massprops/principal_frame.hpp"
-#include "massprops/skin.hpp"
 
 namespace clast {
 
@@ -29,7 +29,7 @@ constexpr double kAreaAccuracy = 1e-3;
 
 void check_radius(double radius) {
   if (radius >= 0.0 && std::isfinite(radius)) return;
-  throw InputError("Minkowski radius " + with_digits(radius, 6) +
+  throw InputError("Minkowski radius " + format_significant(radius, 6) +
                    " m: must be finite and not negative");
 }
 
@@ -62,7 +62,7 @@ MassProperties ball_or_capsule(const SpheroPolyhedron& body, double density) {
         ball_volume * (0.25 * length * length + 0.375 * r * length) * along +
         tube_volume * (length * length / 12.0 * along + 0.25 * r * r * (Mat3::Identity() - along));
   }
-  return mass_properties_from(moments, middle, Mat3::Identity(), density);
+  return to_mass_properties(moments, middle, Mat3::Identity(), density);
 }
 
 /// The core about its own middle, along turned axes.
@@ -88,20 +88,20 @@ LocalCore local_core(const SpheroPolyhedron& body) {
     core.moments = polyhedron_moments(core.mesh, Vec3::Zero());
   }
   if (!(core.moments.volume > 0.0)) {
-    throw GeometryError("core encloses " + with_digits(core.moments.volume, 6) +
+    throw GeometryError("core encloses " + format_significant(core.moments.volume, 6) +
                         " m3: its faces point inward or it is flat; turn them outward first");
   }
   return core;
 }
 
-bool is_convex(const Skin& skin) {
+bool is_convex(const OffsetLayer& skin) {
   return !skin.has_reflex_edge && std::abs(skin.solid_angle - 4.0 * kPi) < kTurning;
 }
 
-MassProperties exact_sum(const LocalCore& core, const Skin& skin, double density) {
+MassProperties exact_sum(const LocalCore& core, const OffsetLayer& skin, double density) {
   Moments sum = core.moments;
   sum += skin.total;
-  return mass_properties_from(sum, core.origin, core.rotation, density);
+  return to_mass_properties(sum, core.origin, core.rotation, density);
 }
 
 /// Turned so that no face, edge or symmetry plane of a man-made core is parallel to the columns,
@@ -116,22 +116,22 @@ LocalCore turned(LocalCore core) {
 }
 
 /// Columns per side that should bring the error down by `factor`.
-std::size_t next_grid(std::size_t per_side, double factor) {
+std::size_t next_grid(std::size_t columns_per_side, double factor) {
   const double growth = std::clamp(1.05 * std::pow(factor, 1.0 / kOrder), 1.25, 8.0);
-  const double wanted = std::ceil(growth * static_cast<double>(per_side));
+  const double wanted = std::ceil(growth * static_cast<double>(columns_per_side));
   return std::min(static_cast<std::size_t>(wanted), kLastGrid);
 }
 
-MassProperties less_excess(const LocalCore& core, const Skin& skin, const Excess& excess,
-                           double density) {
+MassProperties less_excess(const LocalCore& core, const OffsetLayer& skin,
+                           const OverlapIntegral& excess, double density) {
   Moments sum = core.moments;
   sum += skin.total;
-  sum.add(skin.overlap_total, -1.0);
+  sum.add(skin.overlap_moments, -1.0);
   sum.add(excess.moments, -1.0);
-  MassProperties result = mass_properties_from(sum, core.origin, core.rotation, density);
+  MassProperties result = to_mass_properties(sum, core.origin, core.rotation, density);
   const double smallest_moment = principal_frame(result).moments[0] / density;
   result.relative_error =
-      std::max(excess.volume_error / result.volume, excess.second_error / smallest_moment);
+      std::max(excess.volume_error / result.volume, excess.second_moment_error / smallest_moment);
   return result;
 }
 
@@ -142,7 +142,7 @@ MassProperties convex_sphero_mass_properties(const SpheroPolyhedron& body, doubl
   check_radius(body.radius);
   if (body.faces.empty()) return ball_or_capsule(body, density);
   const LocalCore core = local_core(body);
-  const Skin skin = make_skin(core.mesh, body.radius, body.radius);
+  const OffsetLayer skin = decompose_offset_layer(core.mesh, body.radius, body.radius);
   if (!is_convex(skin)) {
     throw GeometryError("core is not convex: it has a reflex edge, or more than one component");
   }
@@ -154,25 +154,25 @@ MassProperties sphero_mass_properties(const SpheroPolyhedron& body, double densi
   check_density(density);
   check_radius(body.radius);
   if (!(accuracy >= 1e-9 && accuracy <= 0.1)) {
-    throw InputError("accuracy " + with_digits(accuracy, 6) + ": must be from 1e-9 to 0.1");
+    throw InputError("accuracy " + format_significant(accuracy, 6) + ": must be from 1e-9 to 0.1");
   }
   if (body.faces.empty()) return ball_or_capsule(body, density);
   const LocalCore core = local_core(body);
-  const Skin skin = make_skin(core.mesh, body.radius, body.radius);
+  const OffsetLayer skin = decompose_offset_layer(core.mesh, body.radius, body.radius);
   if (is_convex(skin)) return exact_sum(core, skin, density);
 
   const LocalCore oblique = turned(core);
-  const Skin oblique_skin = make_skin(oblique.mesh, body.radius, body.radius);
-  const Columns columns(oblique.mesh, oblique_skin);
+  const OffsetLayer oblique_skin = decompose_offset_layer(oblique.mesh, body.radius, body.radius);
+  const ColumnQuadrature columns(oblique.mesh, oblique_skin);
   MassProperties result;
-  for (std::size_t per_side = kFirstGrid;;
-       per_side = next_grid(per_side, result.relative_error / accuracy)) {
-    result = less_excess(oblique, oblique_skin, columns.excess(per_side), density);
-    if (result.relative_error <= accuracy || per_side >= kLastGrid) return result;
+  for (std::size_t columns_per_side = kFirstGrid;;
+       columns_per_side = next_grid(columns_per_side, result.relative_error / accuracy)) {
+    result = less_excess(oblique, oblique_skin, columns.excess(columns_per_side), density);
+    if (result.relative_error <= accuracy || columns_per_side >= kLastGrid) return result;
   }
 }
 
-double sphero_area(const SpheroPolyhedron& body) {
+double sphero_surface_area(const SpheroPolyhedron& body) {
   check_radius(body.radius);
   const double r = body.radius;
   if (body.faces.empty()) {
@@ -181,17 +181,20 @@ double sphero_area(const SpheroPolyhedron& body) {
     return 4.0 * kPi * r * r + 2.0 * kPi * r * length;
   }
   const LocalCore core = turned(local_core(body));
-  const Skin skin = make_skin(core.mesh, r, (1.0 + kAreaStep) * r);
+  const OffsetLayer skin = decompose_offset_layer(core.mesh, r, (1.0 + kAreaStep) * r);
   if (is_convex(skin) || r == 0.0) return skin.area;
 
-  const Skin wider = make_skin(core.mesh, (1.0 + kAreaStep) * r, (1.0 + kAreaStep) * r);
-  const Skin narrower = make_skin(core.mesh, (1.0 - kAreaStep) * r, (1.0 + kAreaStep) * r);
-  const Columns outer(core.mesh, wider);
-  const Columns inner(core.mesh, narrower);
+  const OffsetLayer wider =
+      decompose_offset_layer(core.mesh, (1.0 + kAreaStep) * r, (1.0 + kAreaStep) * r);
+  const OffsetLayer narrower =
+      decompose_offset_layer(core.mesh, (1.0 - kAreaStep) * r, (1.0 + kAreaStep) * r);
+  const ColumnQuadrature outer(core.mesh, wider);
+  const ColumnQuadrature inner(core.mesh, narrower);
   double area = 0.0;
-  for (std::size_t per_side = kFirstGrid; per_side <= kLastGrid / 4; per_side *= 2) {
-    const double wider_excess = outer.excess(per_side).moments.volume;
-    const double narrower_excess = inner.excess(per_side).moments.volume;
+  for (std::size_t columns_per_side = kFirstGrid; columns_per_side <= kLastGrid / 4;
+       columns_per_side *= 2) {
+    const double wider_excess = outer.excess(columns_per_side).moments.volume;
+    const double narrower_excess = inner.excess(columns_per_side).moments.volume;
     const double lost = (wider_excess - narrower_excess) / (2.0 * kAreaStep * r);
     const double before = area;
     area = skin.area - skin.overlap_area - lost;

@@ -27,6 +27,6 @@ MassProperties sphero_mass_properties(const SpheroPolyhedron& body, double densi
 /// Surface area of the rounded body, m^2: the derivative of its volume by the radius. Exact for
 /// convex cores (A + 2 M r + 4 pi r^2); else to about 1e-3.
 /// @throws GeometryError  core open or its volume not positive
-double sphero_area(const SpheroPolyhedron& body);
+double sphero_surface_area(const SpheroPolyhedron& body);
 
 }  // namespace clast

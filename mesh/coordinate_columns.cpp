@@ -38,7 +38,7 @@ const std::array<AxisWords, 3>& axis_words() {
 bool names_degrees(const ColumnHeading& heading) {
   static const WordSet kWords = {"longitude", "lon",     "lng",         "latitude",  "lat",
                                  "longitud",  "latitud", "longitudine", "latitudine"};
-  return kWords.contains(heading.only_word());
+  return kWords.contains(heading.single_word());
 }
 
 /// "Points:0", "Points_1", "Point[2]": the components of the points of ParaView.
@@ -59,7 +59,7 @@ struct NamedAxis {
 };
 
 NamedAxis named_axis(std::string_view text, const ColumnHeading& heading) {
-  const std::string word = heading.only_word();
+  const std::string word = heading.single_word();
   if (const auto axis = component(text, word)) return {*axis, AxisName::kLetter};
   for (int axis = 0; axis < 3; ++axis) {
     const AxisWords& known = axis_words()[static_cast<std::size_t>(axis)];
@@ -70,20 +70,20 @@ NamedAxis named_axis(std::string_view text, const ColumnHeading& heading) {
 }
 
 /// Units that the headings of the columns name.
-std::vector<LengthDeclaration> declared_by(const std::vector<std::string_view>& headings,
+std::vector<LengthUnitDeclaration> declared_by(const std::vector<std::string_view>& headings,
                                            const std::array<std::size_t, 3>& axes) {
-  std::vector<LengthDeclaration> lengths;
+  std::vector<LengthUnitDeclaration> lengths;
   for (std::size_t axis = 0; axis < 3 && axes[axis] < headings.size(); ++axis) {
     const ColumnHeading heading = parse_heading(headings[axes[axis]]);
     if (heading.unit.empty() && heading.bracketed.empty()) continue;
-    LengthDeclaration declared{.source = "heading \"" + printable(headings[axes[axis]]) + "\""};
+    LengthUnitDeclaration declared{.source = "heading \"" + escape_nonprintable(headings[axes[axis]]) + "\""};
     if (heading.unit.empty()) {
-      declared.kind = SystemKind::kUnknown;
+      declared.kind = ReferenceSystemKind::kUnknown;
     } else if (heading.length) {
       (axis < 2 ? declared.plan : declared.height) =
           DeclaredUnit{heading.length->factor, heading.length->name};
     } else {
-      declared.kind = SystemKind::kDegrees;
+      declared.kind = ReferenceSystemKind::kGeographic;
     }
     lengths.push_back(std::move(declared));
   }
@@ -92,7 +92,7 @@ std::vector<LengthDeclaration> declared_by(const std::vector<std::string_view>& 
 
 }  // namespace
 
-std::optional<int> coordinate_axis(std::string_view heading) {
+std::optional<int> parse_coordinate_axis(std::string_view heading) {
   const NamedAxis named = named_axis(heading, parse_heading(heading));
   return named.name == AxisName::kNone ? std::nullopt : std::optional(named.axis);
 }
@@ -124,7 +124,7 @@ std::optional<CoordinateColumns> find_coordinate_columns(
   return std::nullopt;
 }
 
-CoordinateColumns chosen_coordinate_columns(const std::vector<std::string>& columns,
+CoordinateColumns select_coordinate_columns(const std::vector<std::string>& columns,
                                             const std::vector<std::string_view>& headings,
                                             std::size_t fields) {
   if (columns.size() != 3) {
@@ -150,7 +150,7 @@ CoordinateColumns chosen_coordinate_columns(const std::vector<std::string>& colu
     if (found.size() != 1) {
       throw InputError(
           "`columns`: " + std::string(found.empty() ? "no column" : "several columns") + " \"" +
-          printable(wanted) +
+          escape_nonprintable(wanted) +
           "\"; give names of its heading or numbers from 1 "
           "to " +
           std::to_string(fields));

@@ -32,10 +32,10 @@ std::size_t edges_of(std::size_t vertices, long euler) {
 
 }  // namespace
 
-TriangleMesh decimated(const TriangleMesh& mesh, std::size_t vertices) {
+TriangleMesh decimate(const TriangleMesh& mesh, std::size_t vertices) {
   if (mesh.vertices.size() <= vertices) return mesh;
   using Placement = Simplification::LindstromTurk_placement<mesh_detail::CgalMesh>;
-  const std::size_t edges = edges_of(vertices, inspect(mesh).euler_characteristic);
+  const std::size_t edges = edges_of(vertices, inspect_mesh(mesh).euler_characteristic);
   mesh_detail::CgalMesh surface = mesh_detail::to_cgal(mesh);
   Simplification::edge_collapse(
       surface, Simplification::Count_stop_predicate<mesh_detail::CgalMesh>(edges + 1),
@@ -45,18 +45,18 @@ TriangleMesh decimated(const TriangleMesh& mesh, std::size_t vertices) {
   return mesh_detail::from_cgal(surface);
 }
 
-std::optional<TriangleMesh> untangled(TriangleMesh mesh) {
+std::optional<TriangleMesh> untangle_self_intersections(TriangleMesh mesh) {
   const double volume = signed_volume(mesh);
   for (int round = 0; round < kUntanglings; ++round) {
     std::vector<std::uint32_t> crossing;
-    for (const auto& pair : crossing_triangles(mesh)) {
+    for (const auto& pair : find_self_intersections(mesh)) {
       crossing.insert(crossing.end(), pair.begin(), pair.end());
     }
     if (crossing.empty()) {
       const double change = std::abs(signed_volume(mesh) - volume);
       return change <= kVolumeKept * volume ? std::optional(std::move(mesh)) : std::nullopt;
     }
-    if (collapse_edges_of(mesh, crossing) == 0) break;
+    if (collapse_triangle_edges(mesh, crossing) == 0) break;
   }
   return std::nullopt;
 }

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "mesh/half_edges.hpp"
-#include "mesh/plane_fit.hpp"
+#include "mesh/plane_quadric.hpp"
 #include "mesh/sub_mesh.hpp"
 #include "mesh/triangle_geometry.hpp"
 #include "mesh/vertex_corners.hpp"
@@ -50,8 +50,8 @@ class Collapser {
   }
 
   void compact() {
-    std::erase_if(mesh_.triangles, collapsed);
-    drop_unused_vertices(mesh_);
+    std::erase_if(mesh_.triangles, has_repeated_vertex);
+    remove_unused_vertices(mesh_);
   }
 
  private:
@@ -69,7 +69,7 @@ class Collapser {
 
   Vec3 meeting_point(std::uint32_t u, std::uint32_t v) const {
     const Vec3 middle = 0.5 * (mesh_.vertices[u] + mesh_.vertices[v]);
-    PlaneFit fit;
+    PlaneQuadric fit;
     for (const std::uint32_t vertex : {u, v}) {
       for (const std::uint32_t corner : corners_.at(vertex)) {
         const Triangle& t = mesh_.triangles[corner / 3];
@@ -142,14 +142,15 @@ Indices widened(const TriangleMesh& mesh, const Indices& triangles) {
 
 }  // namespace
 
-std::size_t collapse_edges_of(TriangleMesh& mesh, std::span<const std::uint32_t> wanted) {
-  Indices tried(wanted.begin(), wanted.end());
+std::size_t collapse_triangle_edges(TriangleMesh& mesh, std::span<const std::uint32_t> triangles) {
+  Indices tried(triangles.begin(), triangles.end());
   for (int ring = 0; ring <= kRings; ++ring) {
     Collapser collapser(mesh);
     std::size_t count = 0;
     for (const std::uint32_t triangle : tried) {
       // Vertices of an earlier collapse are locked: a changed triangle is left for the next call.
-      if (!collapsed(mesh.triangles[triangle]) && collapser.collapse_shortest(triangle)) ++count;
+      if (!has_repeated_vertex(mesh.triangles[triangle]) && collapser.collapse_shortest(triangle))
+        ++count;
     }
     if (count > 0) {
       collapser.compact();

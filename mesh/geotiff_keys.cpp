@@ -99,7 +99,7 @@ std::optional<DeclaredUnit> unit_in_key(const KeyDirectory& keys, GeoKey key, do
 
 /// A foot that only the text of a citation names: "NAD_1983_..._Feet", "(ftUS)", "LUnits = Foot".
 std::optional<DeclaredUnit> unit_in_citation(const std::string& citation) {
-  const std::string text = lower_case(citation);
+  const std::string text = lower_case_ascii(citation);
   const auto has = [&](const char* word) { return text.find(word) != std::string::npos; };
   if (!has("foot") && !has("feet") && !has("ftus") && !has("us-ft") && !has("(ft)")) {
     return std::nullopt;
@@ -117,12 +117,12 @@ const char* world_projection(int method) {
   return found == kMethods.end() ? "" : found->second;
 }
 
-void declare_plan(const KeyDirectory& keys, KeyedSystem& system) {
-  std::vector<LengthDeclaration>& lengths = system.lengths;
+void declare_plan(const KeyDirectory& keys, GeoTiffSystem& system) {
+  std::vector<LengthUnitDeclaration>& lengths = system.lengths;
   const int model = keys.code(kModelType);
   if (model >= 1 && model <= 3) {
-    constexpr SystemKind kKinds[] = {SystemKind::kMap, SystemKind::kDegrees,
-                                     SystemKind::kGeocentric};
+    constexpr ReferenceSystemKind kKinds[] = {ReferenceSystemKind::kProjected, ReferenceSystemKind::kGeographic,
+                                     ReferenceSystemKind::kGeocentric};
     lengths.push_back({.source = key_source(kModelType, model), .kind = kKinds[model - 1]});
   }
   // The geographic system of a map is its base and says nothing of its coordinates.
@@ -152,12 +152,12 @@ void declare_plan(const KeyDirectory& keys, KeyedSystem& system) {
   }
 }
 
-void declare_heights(const KeyDirectory& keys, std::vector<LengthDeclaration>& lengths) {
+void declare_heights(const KeyDirectory& keys, std::vector<LengthUnitDeclaration>& lengths) {
   if (const int code = keys.registered(kVerticalType)) {
     // Old codes of this key are of datums, and other systems have taken their numbers since.
-    LengthDeclaration declared =
+    LengthUnitDeclaration declared =
         describe_system("EPSG:" + std::to_string(code), key_source(kVerticalType, code));
-    if (declared.kind == SystemKind::kVertical) lengths.push_back(std::move(declared));
+    if (declared.kind == ReferenceSystemKind::kVertical) lengths.push_back(std::move(declared));
   }
   if (auto unit = unit_in_key(keys, kVerticalUnits, 0.0)) {
     lengths.push_back({.source = key_source(kVerticalUnits, keys.code(kVerticalUnits)),
@@ -166,9 +166,9 @@ void declare_heights(const KeyDirectory& keys, std::vector<LengthDeclaration>& l
 }
 
 /// Citations count where nothing else says the unit.
-void declare_citations(const KeyDirectory& keys, std::vector<LengthDeclaration>& lengths) {
+void declare_citations(const KeyDirectory& keys, std::vector<LengthUnitDeclaration>& lengths) {
   const auto declares = [&](auto member) {
-    return std::any_of(lengths.begin(), lengths.end(), [&](const LengthDeclaration& declared) {
+    return std::any_of(lengths.begin(), lengths.end(), [&](const LengthUnitDeclaration& declared) {
       return (declared.*member).has_value();
     });
   };
@@ -178,20 +178,20 @@ void declare_citations(const KeyDirectory& keys, std::vector<LengthDeclaration>&
       const auto unit = unit_in_citation(keys.text(key));
       if (!unit) continue;
       lengths.push_back({.source = "GeoTIFF key " + std::to_string(key) + " \"" +
-                                   printable(keys.text(key).substr(0, 40)) + "\""});
+                                   escape_nonprintable(keys.text(key).substr(0, 40)) + "\""});
       lengths.back().*member = unit;
       return;
     }
   };
-  declare({kProjectedCitation, kCitation}, &LengthDeclaration::plan);
-  declare({kVerticalCitation}, &LengthDeclaration::height);
+  declare({kProjectedCitation, kCitation}, &LengthUnitDeclaration::plan);
+  declare({kVerticalCitation}, &LengthUnitDeclaration::height);
 }
 
 }  // namespace
 
-KeyedSystem parse_geotiff_keys(const GeoTiffKeys& records) {
+GeoTiffSystem parse_geotiff_keys(const GeoTiffKeys& records) {
   const KeyDirectory keys(records);
-  KeyedSystem system;
+  GeoTiffSystem system;
   declare_plan(keys, system);
   declare_heights(keys, system.lengths);
   declare_citations(keys, system.lengths);

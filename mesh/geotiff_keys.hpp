@@ -15,14 +15,14 @@ struct GeoTiffKeys {
 };
 
 /// The reference system and the units that GeoTIFF keys declare.
-struct KeyedSystem {
+struct GeoTiffSystem {
   std::string crs;  ///< "EPSG:25832"; empty: none, or one that the keys define themselves
-  std::vector<LengthDeclaration> lengths;
+  std::vector<LengthUnitDeclaration> lengths;
 };
 
 /// Parses every declaration of lengths: keys 1024 (kind of system), 2048, 3072 and 4096 (codes),
 /// 2052, 3076, 3077 and 4099 (units), 3075 (projection), and the citations where they alone name a
 /// unit. The geographic system of a map is its base and says nothing of its coordinates.
-KeyedSystem parse_geotiff_keys(const GeoTiffKeys& keys);
+GeoTiffSystem parse_geotiff_keys(const GeoTiffKeys& keys);
 
 }  // namespace clast

@@ -48,7 +48,7 @@ std::vector<HalfEdge> sort_sides(const EachFace& each_face) {
 std::vector<HalfEdge> sorted_half_edges(const TriangleMesh& mesh) {
   return sort_sides([&](const auto& visit) {
     for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
-      if (!collapsed(mesh.triangles[t])) visit(mesh.triangles[t], t);
+      if (!has_repeated_vertex(mesh.triangles[t])) visit(mesh.triangles[t], t);
     }
   });
 }

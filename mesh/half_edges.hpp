@@ -25,7 +25,7 @@ struct HalfEdge {
   std::uint32_t low_corner() const { return 3 * triangle + (side + (forward ? 0 : 1)) % 3; }
   std::uint32_t high_corner() const { return 3 * triangle + (side + (forward ? 1 : 0)) % 3; }
   std::uint32_t opposite_corner() const { return 3 * triangle + (side + 2) % 3; }
-  bool same_edge(const HalfEdge& other) const { return low == other.low && high == other.high; }
+  bool is_same_edge(const HalfEdge& other) const { return low == other.low && high == other.high; }
 };
 
 /// Vertices of an edge, the smaller number first: the key by which sets and maps know it.
@@ -36,7 +36,7 @@ inline EdgeKey edge_key(std::uint32_t a, std::uint32_t b) {
 }
 
 /// Is a vertex repeated?
-inline bool collapsed(const TriangleMesh::Triangle& t) {
+inline bool has_repeated_vertex(const TriangleMesh::Triangle& t) {
   return t[0] == t[1] || t[1] == t[2] || t[2] == t[0];
 }
 
@@ -52,14 +52,14 @@ template <class Use>
 void for_each_edge(std::span<const HalfEdge> sorted, Use&& use) {
   for (std::size_t begin = 0; begin < sorted.size();) {
     std::size_t end = begin + 1;
-    while (end < sorted.size() && sorted[end].same_edge(sorted[begin])) ++end;
+    while (end < sorted.size() && sorted[end].is_same_edge(sorted[begin])) ++end;
     use(sorted.subspan(begin, end - begin));
     begin = end;
   }
 }
 
 /// Are these the two sides of an edge inside a closed, oriented surface?
-inline bool are_neighbours(std::span<const HalfEdge> sides) {
+inline bool is_interior_edge(std::span<const HalfEdge> sides) {
   return sides.size() == 2 && sides[0].forward != sides[1].forward && sides[0].low != sides[0].high;
 }
 

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <optional>
 
+#include "core/comma_separated.hpp"
 #include "core/error.hpp"
+#include "core/error_context.hpp"
 #include "core/files/text_file.hpp"
-#include "core/in_context.hpp"
-#include "core/listed.hpp"
 #include "core/number_text.hpp"
 #include "mesh/detail/mesh_readers.hpp"
 #include "mesh/detail/mesh_writers.hpp"
@@ -15,7 +15,7 @@ namespace clast {
 
 namespace {
 
-/// As `kind_of_file` has it.
+/// As `detect_file_kind` has it.
 constexpr const char* kOriginKind = "origin of coordinates";
 
 bool contains_advice(const std::string& reason) {
@@ -32,7 +32,7 @@ TriangleMesh read_mesh_by_format(const std::filesystem::path& path, const std::s
     if (extension == ".ply") mesh = mesh_detail::read_ply(content);
     if (extension == ".off") mesh = mesh_detail::read_off(content);
     if (extension == ".tab") mesh = mesh_detail::read_tab(content);
-    if (extension == ".gltf" || extension == ".glb") mesh_detail::check_gltf_features(content);
+    if (extension == ".gltf" || extension == ".glb") mesh_detail::check_gltf_extensions(content);
     return mesh ? std::move(*mesh) : mesh_detail::read_with_assimp(path);
   } catch (const InputError& error) {
     const std::string reason = error.what();
@@ -45,7 +45,8 @@ void check_usable(const TriangleMesh& mesh, bool points_will_do) {
   for (std::size_t v = 0; v < mesh.vertices.size(); ++v) {
     if (mesh.vertices[v].allFinite()) continue;
     throw InputError("vertex " + std::to_string(v + 1) + " of " +
-                     std::to_string(mesh.vertices.size()) + " is " + place(mesh.vertices[v]) +
+                     std::to_string(mesh.vertices.size()) + " is " +
+                     format_point(mesh.vertices[v]) +
                      ", not a finite point; clean the file in the program that wrote it");
   }
   if (!mesh.triangles.empty()) return;
@@ -72,30 +73,31 @@ Vec3 origin_for_floats(const TriangleMesh& mesh) {
 }
 
 bool holds_floats(const std::filesystem::path& path) {
-  const std::string extension = extension_of(path);
+  const std::string extension = lower_case_extension(path);
   return extension == ".stl" || extension == ".glb";
 }
 
 std::filesystem::path origin_file(std::filesystem::path mesh) { return mesh += ".origin.txt"; }
 
 /// The same as for the mesh, of its own kind.
-OutputRules origin_rules(OutputRules rules) {
+OverwritePolicy origin_rules(OverwritePolicy rules) {
   rules.kind = kOriginKind;
   return rules;
 }
 
-std::string origin_text(const Vec3& origin) {
+std::string describe_origin(const Vec3& origin) {
   if (origin.isZero(0.0)) return "";
-  return "coordinates = coordinates here + origin, m\n" + (kOriginLine + place(origin)) + "\n";
+  return "coordinates = coordinates here + origin, m\n" +
+         (kOriginLinePrefix + format_point(origin)) + "\n";
 }
 
 std::string mesh_content(const std::filesystem::path& path, const TriangleMesh& mesh) {
-  const std::string extension = extension_of(path);
-  if (extension == ".stl") return mesh_detail::stl_content(mesh);
-  if (extension == ".obj") return mesh_detail::obj_content(mesh);
-  if (extension == ".ply") return mesh_detail::ply_content(mesh);
-  if (extension == ".glb") return mesh_detail::glb_content(mesh);
-  if (extension == ".vtp") return mesh_detail::vtp_content(mesh);
+  const std::string extension = lower_case_extension(path);
+  if (extension == ".stl") return mesh_detail::encode_stl(mesh);
+  if (extension == ".obj") return mesh_detail::encode_obj(mesh);
+  if (extension == ".ply") return mesh_detail::encode_ply(mesh);
+  if (extension == ".glb") return mesh_detail::encode_glb(mesh);
+  if (extension == ".vtp") return mesh_detail::encode_vtp(mesh);
   throw InputError(path.string() +
                    ": meshes are written as .stl, .obj, .ply, .glb or .vtp; name one of these");
 }
@@ -103,12 +105,12 @@ std::string mesh_content(const std::filesystem::path& path, const TriangleMesh& 
 /// Commits a mesh and what its origin file says; nothing: a former mesh's file, which would be
 /// wrong now, is removed.
 void commit_with_origin(OutputFile& mesh, const std::filesystem::path& path,
-                        const std::string& text, const OutputRules& rules) {
+                        const std::string& text, const OverwritePolicy& rules) {
   if (text.empty()) {
-    check_output(origin_file(path), rules);
+    check_output_target(origin_file(path), rules);
     mesh.commit();
     std::error_code none;
-    std::filesystem::remove(linked_target(origin_file(path)), none);
+    std::filesystem::remove(resolve_link(origin_file(path)), none);
     return;
   }
   OutputFile origin(origin_file(path), rules);
@@ -119,16 +121,16 @@ void commit_with_origin(OutputFile& mesh, const std::filesystem::path& path,
 
 TriangleMesh read_any(const std::filesystem::path& path, bool points_will_do) {
   const std::string content = read_text_file(path);
-  const std::string extension = extension_of(path);
+  const std::string extension = lower_case_extension(path);
   const std::vector<std::string>& known = readable_mesh_extensions();
   if (std::find(known.begin(), known.end(), extension) == known.end()) {
-    throw InputError(path.string() + ": meshes are read from " + listed(known) +
+    throw InputError(path.string() + ": meshes are read from " + comma_separated(known) +
                      " files; convert this one first");
   }
   if (content.empty()) {
     throw InputError(path.string() + ": the file is empty; copy or export it again");
   }
-  return in_context(path.string(), [&] {
+  return with_error_context(path.string(), [&] {
     TriangleMesh mesh = read_mesh_by_format(path, extension, content);
     // Cameras write a point that has no place as one that is not finite.
     if (points_will_do && mesh.triangles.empty()) {
@@ -151,13 +153,13 @@ TriangleMesh read_mesh(const std::filesystem::path& path) { return read_any(path
 
 TriangleMesh read_mesh_or_points(const std::filesystem::path& path) { return read_any(path, true); }
 
-void check_mesh_output(const std::filesystem::path& path, const OutputRules& rules) {
-  if (holds_floats(path)) check_output(origin_file(path), origin_rules(rules));
-  check_output(path, rules);
+void check_mesh_output(const std::filesystem::path& path, const OverwritePolicy& rules) {
+  if (holds_floats(path)) check_output_target(origin_file(path), origin_rules(rules));
+  check_output_target(path, rules);
 }
 
 Vec3 write_mesh(const std::filesystem::path& path, const TriangleMesh& mesh,
-                const MeshOutput& output) {
+                const MeshWriteOptions& output) {
   if (mesh.triangles.empty()) {
     throw GeometryError(path.string() + ": the mesh to write has no triangles");
   }
@@ -171,9 +173,9 @@ Vec3 write_mesh(const std::filesystem::path& path, const TriangleMesh& mesh,
   TriangleMesh local = mesh;
   for (Vec3& vertex : local.vertices) vertex -= origin;
   file.write(mesh_content(path, local));
-  commit_with_origin(file, path,
-                     output.origin_text ? output.origin_text(origin) : origin_text(origin),
-                     origin_rules(output.rules));
+  commit_with_origin(
+      file, path, output.describe_origin ? output.describe_origin(origin) : describe_origin(origin),
+      origin_rules(output.rules));
   return origin;
 }
 

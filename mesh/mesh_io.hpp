@@ -26,15 +26,15 @@ TriangleMesh read_mesh_or_points(const std::filesystem::path& path);
 const std::vector<std::string>& readable_mesh_extensions();
 
 /// How a mesh file is written.
-struct MeshOutput {
-  OutputRules rules = {};
+struct MeshWriteOptions {
+  OverwritePolicy rules = {};
   /// What "<path>.origin.txt" says where `origin`, m, was subtracted from the coordinates, zero
   /// included; nothing: there is no such file. Without: coordinates = those in the file + origin.
-  std::function<std::string(const Vec3& origin)> origin_text = {};
+  std::function<std::string(const Vec3& origin)> describe_origin = {};
 };
 
-/// Begins the line of a text for `MeshOutput::origin_text` that has the three coordinates.
-inline constexpr const char* kOriginLine = "origin ";
+/// Begins the line of a text for `MeshWriteOptions::describe_origin` that has the three coordinates.
+inline constexpr const char* kOriginLinePrefix = "origin ";
 
 /// Writes by extension: .stl (binary), .obj, .ply (binary), .glb, .vtp. Written through a
 /// temporary file; coordinates as they are, whatever a format says about its up axis. OBJ, PLY and
@@ -45,9 +45,9 @@ inline constexpr const char* kOriginLine = "origin ";
 /// @throws InputError     unknown extension, as `OutputFile`, or the disk is full
 /// @throws GeometryError  the mesh has no triangles
 Vec3 write_mesh(const std::filesystem::path& path, const TriangleMesh& mesh,
-                const MeshOutput& output = {});
+                const MeshWriteOptions& output = {});
 
-/// `check_output` for a mesh and the "<path>.origin.txt" that may be written with it.
-void check_mesh_output(const std::filesystem::path& path, const OutputRules& rules);
+/// `check_output_target` for a mesh and the "<path>.origin.txt" that may be written with it.
+void check_mesh_output(const std::filesystem::path& path, const OverwritePolicy& rules);
 
 }  // namespace clast

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <limits>
 
+#include "core/comma_separated.hpp"
 #include "core/disjoint_sets.hpp"
 #include "core/error.hpp"
-#include "core/listed.hpp"
 #include "core/number_text.hpp"
 #include "mesh/half_edges.hpp"
 
@@ -95,34 +95,35 @@ std::string MeshReport::summary() const {
   if (triangles == 0) return "no triangles";
   std::vector<std::string> defects;
   if (boundary_edges > 0) {
-    defects.push_back(counted(boundary_edges, "boundary edge", "boundary edges") + " in " +
-                      counted(boundary_loops, "loop", "loops"));
+    defects.push_back(format_count(boundary_edges, "boundary edge", "boundary edges") + " in " +
+                      format_count(boundary_loops, "loop", "loops"));
   }
   if (non_manifold_edges > 0) {
-    defects.push_back(counted(non_manifold_edges, "non-manifold edge", "non-manifold edges"));
+    defects.push_back(format_count(non_manifold_edges, "non-manifold edge", "non-manifold edges"));
   }
   if (misoriented_edges > 0) {
-    defects.push_back(counted(misoriented_edges, "misoriented edge", "misoriented edges"));
+    defects.push_back(format_count(misoriented_edges, "misoriented edge", "misoriented edges"));
   }
   if (pinched_vertices > 0) {
-    defects.push_back(counted(pinched_vertices, "pinched vertex", "pinched vertices"));
+    defects.push_back(format_count(pinched_vertices, "pinched vertex", "pinched vertices"));
   }
   if (degenerate_triangles > 0) {
-    defects.push_back(counted(degenerate_triangles, "degenerate triangle", "degenerate triangles"));
+    defects.push_back(
+        format_count(degenerate_triangles, "degenerate triangle", "degenerate triangles"));
   }
   if (components > 1) defects.push_back(std::to_string(components) + " components");
-  return defects.empty() ? "closed" : listed(defects);
+  return defects.empty() ? "closed" : comma_separated(defects);
 }
 
-MeshReport inspect(const TriangleMesh& mesh) {
+MeshReport inspect_mesh(const TriangleMesh& mesh) {
   check_indices(mesh);
   MeshReport report;
   report.vertices = mesh.vertices.size();
   report.triangles = mesh.triangles.size();
   std::size_t faces = 0;
   for (const TriangleMesh::Triangle& t : mesh.triangles) {
-    if (!collapsed(t)) ++faces;
-    if (collapsed(t) || !has_area(mesh, t)) ++report.degenerate_triangles;
+    if (!has_repeated_vertex(t)) ++faces;
+    if (has_repeated_vertex(t) || !has_area(mesh, t)) ++report.degenerate_triangles;
   }
 
   const std::vector<HalfEdge> sorted = sorted_half_edges(mesh);
@@ -138,7 +139,7 @@ MeshReport inspect(const TriangleMesh& mesh) {
   std::vector<std::uint32_t> fans_at(mesh.vertices.size(), 0);
   for (std::uint32_t c = 0; c < fans.size(); ++c) {
     const TriangleMesh::Triangle& t = mesh.triangles[c / 3];
-    if (fans[c] == c && !collapsed(t)) ++fans_at[t[c % 3]];
+    if (fans[c] == c && !has_repeated_vertex(t)) ++fans_at[t[c % 3]];
   }
   std::size_t used = 0;
   for (const std::uint32_t count : fans_at) {
@@ -150,7 +151,7 @@ MeshReport inspect(const TriangleMesh& mesh) {
   const std::vector<std::uint32_t> components = triangle_components(mesh);
   std::vector<bool> seen(mesh.triangles.size(), false);
   for (std::size_t t = 0; t < components.size(); ++t) {
-    if (collapsed(mesh.triangles[t]) || seen[components[t]]) continue;
+    if (has_repeated_vertex(mesh.triangles[t]) || seen[components[t]]) continue;
     seen[components[t]] = true;
     ++report.components;
   }

@@ -23,15 +23,15 @@ struct MeshReport {
   std::size_t components = 0;            ///< connected over edges
   long euler_characteristic = 0;         ///< V - E + F over used vertices; 2 for a sphere
 
-  bool closed() const { return triangles > 0 && boundary_edges == 0 && non_manifold_edges == 0; }
-  bool oriented() const { return misoriented_edges == 0; }
+  bool is_closed() const { return triangles > 0 && boundary_edges == 0 && non_manifold_edges == 0; }
+  bool is_oriented() const { return misoriented_edges == 0; }
   /// "closed" or the defects in words: "3 boundary edges in 1 loop, 2 non-manifold edges".
   std::string summary() const;
 };
 
 /// Triangles with a repeated vertex count as degenerate and take no part in the rest.
 /// @throws GeometryError  a triangle names a vertex that isn't there
-MeshReport inspect(const TriangleMesh& mesh);
+MeshReport inspect_mesh(const TriangleMesh& mesh);
 
 /// Component number of every triangle, connected over shared edges; numbered by first triangle.
 std::vector<std::uint32_t> triangle_components(const TriangleMesh& mesh);

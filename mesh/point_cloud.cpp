@@ -4,9 +4,9 @@
 #include <fstream>
 
 #include "core/error.hpp"
+#include "core/error_context.hpp"
 #include "core/files/input_file.hpp"
 #include "core/files/text_file.hpp"
-#include "core/in_context.hpp"
 #include "mesh/detail/cloud_readers.hpp"
 #include "mesh/detail/mesh_readers.hpp"
 #include "mesh/mesh_io.hpp"
@@ -21,24 +21,24 @@ constexpr std::size_t kBatch = 65536;
 
 bool PointSink::usable(const Vec3& point) {
   if (point.allFinite()) return true;
-  ++without_place_;
+  ++non_finite_;
   return false;
 }
 
 void PointSink::add(const Vec3& point) {
   if (!usable(point)) return;
   batch_.points.push_back(point);
-  if (batch_.points.size() >= kBatch) hand_over();
+  if (batch_.points.size() >= kBatch) flush_batch();
 }
 
 void PointSink::add(const Vec3& point, std::uint8_t asprs_class) {
   if (!usable(point)) return;
   batch_.points.push_back(point);
   batch_.classes.push_back(asprs_class);
-  if (batch_.points.size() >= kBatch) hand_over();
+  if (batch_.points.size() >= kBatch) flush_batch();
 }
 
-void PointSink::hand_over() {
+void PointSink::flush_batch() {
   points_ += batch_.points.size();
   if (!batch_.points.empty()) take_(batch_);
   batch_.points.clear();
@@ -46,9 +46,9 @@ void PointSink::hand_over() {
 }
 
 CloudSummary PointSink::finish(CloudSummary summary) {
-  hand_over();
+  flush_batch();
   summary.points = points_;
-  summary.without_place = without_place_;
+  summary.non_finite = non_finite_;
   return summary;
 }
 
@@ -89,8 +89,8 @@ std::string nothing_in(const CloudSummary& summary) {
     return "holds no points that count: " + std::to_string(summary.withheld) +
            " are flagged as withheld or classed as noise; classify them anew";
   }
-  if (summary.without_place > 0) {
-    return "holds no points that count: " + std::to_string(summary.without_place) +
+  if (summary.non_finite > 0) {
+    return "holds no points that count: " + std::to_string(summary.non_finite) +
            " have a coordinate that is not finite; export it again";
   }
   return "holds no points; export it again";
@@ -102,12 +102,12 @@ CloudSummary stream_cloud(const std::filesystem::path& path,
                           const std::function<void(const PointBatch&)>& take,
                           const std::vector<std::string>& columns) {
   mesh_detail::PointSink sink(take);
-  const CloudSummary summary = in_file(path.string(), [&] {
+  const CloudSummary summary = with_file_context(path.string(), [&] {
     std::error_code code;
     if (std::filesystem::is_regular_file(path, code) && std::filesystem::is_empty(path, code)) {
       throw InputError("holds no points: the file is empty; copy or export it again");
     }
-    return read_cloud_by_format(path, extension_of(path), sink, columns);
+    return read_cloud_by_format(path, lower_case_extension(path), sink, columns);
   });
   if (summary.points == 0) throw InputError(path.string() + ": " + nothing_in(summary));
   return summary;

@@ -23,10 +23,10 @@ inline constexpr std::uint8_t kGroundClass = 2;
 /// What a cloud file holds beside its points.
 struct CloudSummary {
   std::size_t points = 0;         ///< handed over
-  std::size_t without_place = 0;  ///< left out: a coordinate is not finite
+  std::size_t non_finite = 0;  ///< left out: a coordinate is not finite
   std::size_t withheld = 0;       ///< left out: flagged as withheld, or classed as noise (LAS)
   std::string crs;                ///< "EPSG:25832", else WKT; empty when the file does not say
-  std::vector<LengthDeclaration> lengths = {};  ///< all that the file says of its units
+  std::vector<LengthUnitDeclaration> lengths = {};  ///< all that the file says of its units
 };
 
 /// Reads a cloud and hands it over in batches, in the order of the file, so that it need not fit

@@ -86,7 +86,7 @@ void append_polygon(TriangleMesh& mesh, std::span<const std::int64_t> corners) {
     while (ear < polygon.size() && !is_ear(mesh, polygon, ear, normal, thinnest)) ++ear;
     return ear;
   };
-  while (polygon.size() > 4 && polygon.size() <= kMostEars) {
+  while (polygon.size() > 4 && polygon.size() <= kMaxEarClippingVertices) {
     std::size_t ear = ear_of(kThinEar);  // corners in a row make slivers when they are cut off
     if (ear == polygon.size()) ear = ear_of(0.0);
     if (ear == polygon.size()) break;

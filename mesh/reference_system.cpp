@@ -76,7 +76,7 @@ SystemAxes axes_of_system(PJ_CONTEXT* context, const PJ* system) {
   return axes;
 }
 
-void describe_part(PJ_CONTEXT* context, const PJ* part, LengthDeclaration& declared) {
+void describe_part(PJ_CONTEXT* context, const PJ* part, LengthUnitDeclaration& declared) {
   const PJ_TYPE type = proj_get_type(part);
   if (type == PJ_TYPE_BOUND_CRS) {
     const PjPointer source(proj_get_source_crs(context, part));
@@ -94,13 +94,13 @@ void describe_part(PJ_CONTEXT* context, const PJ* part, LengthDeclaration& decla
   if (axes.units.empty()) return;
   if (axes.type == PJ_CS_TYPE_VERTICAL) {
     declared.height = axes.units[0];
-    if (declared.kind == SystemKind::kUnknown) declared.kind = SystemKind::kVertical;
+    if (declared.kind == ReferenceSystemKind::kUnknown) declared.kind = ReferenceSystemKind::kVertical;
     return;
   }
-  declared.kind = type == PJ_TYPE_GEOCENTRIC_CRS        ? SystemKind::kGeocentric
-                  : axes.type == PJ_CS_TYPE_ELLIPSOIDAL ? SystemKind::kDegrees
-                                                        : SystemKind::kMap;
-  if (declared.kind != SystemKind::kDegrees) declared.plan = axes.units[0];
+  declared.kind = type == PJ_TYPE_GEOCENTRIC_CRS        ? ReferenceSystemKind::kGeocentric
+                  : axes.type == PJ_CS_TYPE_ELLIPSOIDAL ? ReferenceSystemKind::kGeographic
+                                                        : ReferenceSystemKind::kProjected;
+  if (declared.kind != ReferenceSystemKind::kGeographic) declared.plan = axes.units[0];
   if (axes.units.size() > 2) declared.height = axes.units[2];
 }
 
@@ -124,7 +124,7 @@ bool same_unit(const DeclaredUnit& one, const DeclaredUnit& other) {
 /// "US survey foot (0.3048006 m)"
 std::string unit_text(const DeclaredUnit& unit) {
   if (unit.metres == 0.0) return unit.name;
-  return unit.name + (unit.metres == 1.0 ? "" : " (" + with_digits(unit.metres, 7) + " m)");
+  return unit.name + (unit.metres == 1.0 ? "" : " (" + format_significant(unit.metres, 7) + " m)");
 }
 
 /// A unit and the declaration that says so.
@@ -133,26 +133,26 @@ struct SourcedUnit {
   const std::string* source;
 };
 
-using UnitMember = std::optional<DeclaredUnit> LengthDeclaration::*;
+using UnitMember = std::optional<DeclaredUnit> LengthUnitDeclaration::*;
 
-std::vector<SourcedUnit> units_declared(const std::vector<LengthDeclaration>& declared,
+std::vector<SourcedUnit> units_declared(const std::vector<LengthUnitDeclaration>& declared,
                                         UnitMember member) {
   std::vector<SourcedUnit> units;
-  for (const LengthDeclaration& each : declared) {
+  for (const LengthUnitDeclaration& each : declared) {
     if (each.*member) units.push_back({*(each.*member), &each.source});
   }
   return units;
 }
 
-std::string relabelled(const LengthUse& use) {
-  return use.relabel.empty() ? "correct the one that is wrong"
-                             : "correct the one that is wrong (" + use.relabel + ")";
+std::string relabelled(const LengthUnitUse& use) {
+  return use.correction_command.empty() ? "correct the one that is wrong"
+                             : "correct the one that is wrong (" + use.correction_command + ")";
 }
 
 /// The one unit that is declared; none where there is none.
 /// @param what  "x and y" or "heights"
 std::optional<SourcedUnit> one_unit(const std::string& name, const char* what,
-                                    const std::vector<SourcedUnit>& units, const LengthUse& use) {
+                                    const std::vector<SourcedUnit>& units, const LengthUnitUse& use) {
   if (units.empty()) return std::nullopt;
   for (const SourcedUnit& each : units) {
     if (same_unit(each.unit, units[0].unit)) continue;
@@ -170,16 +170,16 @@ std::optional<SourcedUnit> one_unit(const std::string& name, const char* what,
   return units[0];
 }
 
-void refuse_kinds(const std::string& name, const std::vector<LengthDeclaration>& declared,
-                  const LengthUse& use) {
-  const auto of_kind = [&](SystemKind kind) {
+void refuse_kinds(const std::string& name, const std::vector<LengthUnitDeclaration>& declared,
+                  const LengthUnitUse& use) {
+  const auto of_kind = [&](ReferenceSystemKind kind) {
     const auto found = std::find_if(declared.begin(), declared.end(),
-                                    [&](const LengthDeclaration& d) { return d.kind == kind; });
+                                    [&](const LengthUnitDeclaration& d) { return d.kind == kind; });
     return found == declared.end() ? nullptr : &*found;
   };
-  const LengthDeclaration *map = of_kind(SystemKind::kMap),
-                          *degrees = of_kind(SystemKind::kDegrees);
-  const LengthDeclaration* geocentric = of_kind(SystemKind::kGeocentric);
+  const LengthUnitDeclaration *map = of_kind(ReferenceSystemKind::kProjected),
+                          *degrees = of_kind(ReferenceSystemKind::kGeographic);
+  const LengthUnitDeclaration* geocentric = of_kind(ReferenceSystemKind::kGeocentric);
   if (map && degrees) {
     throw InputError(name + ": its coordinates are lengths by its " + map->source +
                      ", and degrees by its " + degrees->source + "; " + relabelled(use));
@@ -189,11 +189,11 @@ void refuse_kinds(const std::string& name, const std::vector<LengthDeclaration>&
                      ": coordinates are degrees; project it to metres first, for example with " +
                      use.way + " (" + degrees->source + ")");
   }
-  if (geocentric && use.needs_up) {
+  if (geocentric && use.needs_z_up) {
     throw InputError(name + ": coordinates are geocentric, so that z is not up (" +
                      geocentric->source + "); bring it into a map system first (" + use.way + ")");
   }
-  for (const LengthDeclaration& each : declared) {
+  for (const LengthUnitDeclaration& each : declared) {
     if (each.world_projection.empty()) continue;
     throw InputError(
         name + ": its projection is " + each.world_projection + " (" + each.source +
@@ -204,9 +204,9 @@ void refuse_kinds(const std::string& name, const std::vector<LengthDeclaration>&
 }
 
 /// What to do about a unit: the option where there is one, else conversion.
-std::string unit_advice(const DeclaredUnit& unit, const LengthUse& use) {
+std::string unit_advice(const DeclaredUnit& unit, const LengthUnitUse& use) {
   if (use.has_units_option && unit.metres > 0.0) {
-    return "give `units` " + with_digits(unit.metres, 10) + ", or bring it to metres (" + use.way +
+    return "give `units` " + format_significant(unit.metres, 10) + ", or bring it to metres (" + use.way +
            ")";
   }
   return "project it to a system in metres first (" + use.way + ")";
@@ -281,13 +281,13 @@ std::string with_code(std::string way, const std::string& code) {
 
 }  // namespace
 
-LengthDeclaration describe_system(const std::string& crs, std::string source) {
-  LengthDeclaration declared{.source = std::move(source), .kind = SystemKind::kUnknown};
+LengthUnitDeclaration describe_system(const std::string& crs, std::string source) {
+  LengthUnitDeclaration declared{.source = std::move(source), .kind = ReferenceSystemKind::kUnknown};
   const std::size_t end = first_system_end(crs);
   const ParsedSystem parsed(crs.substr(0, end));
   if (!parsed.system) return declared;
   if (const char* name = proj_get_name(parsed.system.get()))
-    declared.source += ", " + printable(name);
+    declared.source += ", " + escape_nonprintable(name);
   describe_part(parsed.context.get(), parsed.system.get(), declared);
   const std::size_t second = crs.find_first_not_of(", \t\r\n", end);
   if (second == std::string::npos) return declared;
@@ -295,7 +295,7 @@ LengthDeclaration describe_system(const std::string& crs, std::string source) {
   if (heights.system) {
     describe_part(heights.context.get(), heights.system.get(), declared);
   } else {
-    declared.kind = SystemKind::kUnknown;
+    declared.kind = ReferenceSystemKind::kUnknown;
   }
   return declared;
 }
@@ -317,12 +317,12 @@ std::optional<DeclaredUnit> epsg_length_unit(int code) {
   return DeclaredUnit{factor, name};
 }
 
-std::vector<std::string> check_lengths(const std::string& name,
-                                       const std::vector<LengthDeclaration>& declared,
-                                       const LengthUse& use) {
+std::vector<std::string> check_length_units(const std::string& name,
+                                       const std::vector<LengthUnitDeclaration>& declared,
+                                       const LengthUnitUse& use) {
   std::vector<std::string> notes;
-  for (const LengthDeclaration& each : declared) {
-    if (each.kind != SystemKind::kUnknown) continue;
+  for (const LengthUnitDeclaration& each : declared) {
+    if (each.kind != ReferenceSystemKind::kUnknown) continue;
     notes.push_back(
         "its " + each.source +
         " names no unit or reference system that is known; its coordinates are assumed to "
@@ -330,9 +330,9 @@ std::vector<std::string> check_lengths(const std::string& name,
   }
   refuse_kinds(name, declared, use);
   const auto plan =
-      one_unit(name, "x and y", units_declared(declared, &LengthDeclaration::plan), use);
+      one_unit(name, "x and y", units_declared(declared, &LengthUnitDeclaration::plan), use);
   const auto height =
-      one_unit(name, "heights", units_declared(declared, &LengthDeclaration::height), use);
+      one_unit(name, "heights", units_declared(declared, &LengthUnitDeclaration::height), use);
   const DeclaredUnit metre{1.0, "metre"};
   if (plan && height && !same_unit(plan->unit, height->unit)) {
     throw InputError(name + ": its heights are in units of the " + unit_text(height->unit) + " (" +
@@ -348,7 +348,7 @@ std::vector<std::string> check_lengths(const std::string& name,
     if (!use.unit_given) {
       throw InputError(name + ": " + text + "; " + unit_advice(unit->unit, use));
     }
-    notes.push_back(text + "; lengths were read as " + with_digits(use.unit, 7) +
+    notes.push_back(text + "; lengths were read as " + format_significant(use.unit, 7) +
                     " m per unit, as asked");
   }
   return notes;
@@ -367,12 +367,12 @@ void check_map_scale(const std::string& name, const std::string& crs, const Vec2
   const Vec2 off = (scale->array() - 1.0).abs();
   if (off.maxCoeff() <= kMostScaleError) return;
   throw InputError(name + ": lengths on its map (" + reference_system_name(crs) + ") are " +
-                   with_digits((*scale)[off.x() >= off.y() ? 0 : 1], 4) +
+                   format_significant((*scale)[off.x() >= off.y() ? 0 : 1], 4) +
                    " times those on the ground; project it to a local system in metres first (" +
                    with_code(way, utm_code(degrees)) + ")");
 }
 
-std::optional<Vec2> map_scale(const std::string& crs, const Vec2& place) {
+std::optional<Vec2> map_scale_factor(const std::string& crs, const Vec2& place) {
   const ParsedSystem parsed(crs);
   const PjPointer plan = parsed.system ? parsed.plan_system() : nullptr;
   if (!plan || proj_get_type(plan.get()) != PJ_TYPE_PROJECTED_CRS) return std::nullopt;
@@ -384,11 +384,11 @@ std::string reference_system_name(const std::string& crs) {
   const ParsedSystem parsed(crs);
   const char* name = parsed.system ? proj_get_name(parsed.system.get()) : nullptr;
   if (!name) {
-    return printable(crs.size() <= kLongestText ? crs : crs.substr(0, kLongestText) + "...");
+    return escape_nonprintable(crs.size() <= kLongestText ? crs : crs.substr(0, kLongestText) + "...");
   }
   const char* authority = proj_get_id_auth_name(parsed.system.get(), 0);
   const char* code = proj_get_id_code(parsed.system.get(), 0);
-  return printable(name) +
+  return escape_nonprintable(name) +
          (authority && code ? std::string(" (") + authority + ":" + code + ")" : "");
 }
 

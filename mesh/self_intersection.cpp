@@ -9,7 +9,7 @@
 
 namespace clast {
 
-std::vector<std::array<std::uint32_t, 2>> crossing_triangles(const TriangleMesh& mesh) {
+std::vector<std::array<std::uint32_t, 2>> find_self_intersections(const TriangleMesh& mesh) {
   const mesh_detail::CgalMesh surface = mesh_detail::to_cgal(mesh);
   std::vector<mesh_detail::CgalMesh::Face_index> with_area;
   for (const mesh_detail::CgalMesh::Face_index face : surface.faces()) {

@@ -8,22 +8,22 @@ namespace clast {
 
 namespace {}  // namespace
 
-TriangleMesh compacted(const TriangleMesh& source,
+TriangleMesh extract_triangles(const TriangleMesh& source,
                        const std::vector<TriangleMesh::Triangle>& triangles) {
   TriangleMesh result{source.vertices, triangles};
-  drop_unused_vertices(result);
+  remove_unused_vertices(result);
   return result;
 }
 
-TriangleMesh with_triangles(const TriangleMesh& mesh, const std::vector<bool>& keep) {
+TriangleMesh extract_triangles(const TriangleMesh& mesh, const std::vector<bool>& keep) {
   std::vector<TriangleMesh::Triangle> kept;
   for (std::size_t t = 0; t < keep.size(); ++t) {
     if (keep[t]) kept.push_back(mesh.triangles[t]);
   }
-  return compacted(mesh, kept);
+  return extract_triangles(mesh, kept);
 }
 
-void drop_unused_vertices(TriangleMesh& mesh) {
+void remove_unused_vertices(TriangleMesh& mesh) {
   std::vector<std::uint32_t> number(mesh.vertices.size(), kNoIndex);
   for (const TriangleMesh::Triangle& t : mesh.triangles) {
     for (const std::uint32_t corner : t) number[corner] = 0;

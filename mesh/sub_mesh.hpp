@@ -7,13 +7,13 @@
 namespace clast {
 
 /// `triangles` over the vertices of `source`, unused vertices left out, orders kept.
-TriangleMesh compacted(const TriangleMesh& source,
+TriangleMesh extract_triangles(const TriangleMesh& source,
                        const std::vector<TriangleMesh::Triangle>& triangles);
 
 /// The mesh with only the triangles that `keep` says, without unused vertices, orders kept.
 /// @pre one flag for each triangle
-TriangleMesh with_triangles(const TriangleMesh& mesh, const std::vector<bool>& keep);
+TriangleMesh extract_triangles(const TriangleMesh& mesh, const std::vector<bool>& keep);
 
-void drop_unused_vertices(TriangleMesh& mesh);
+void remove_unused_vertices(TriangleMesh& mesh);
 
 }  // namespace clast

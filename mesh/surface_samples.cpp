@@ -13,7 +13,7 @@ constexpr std::uint64_t kSeed = 20220906;  ///< any fixed number: same shapes, s
 
 }  // namespace
 
-std::vector<Vec3> spread_points(const TriangleMesh& mesh, std::size_t count) {
+std::vector<Vec3> sample_surface(const TriangleMesh& mesh, std::size_t count) {
   std::vector<double> doubled_areas;
   double total = 0.0;
   for (const TriangleMesh::Triangle& t : mesh.triangles) {

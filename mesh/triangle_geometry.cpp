@@ -27,7 +27,7 @@ double corner_angle(const TriangleMesh& mesh, const TriangleMesh::Triangle& t, s
   return std::atan2(a.cross(b).norm(), a.dot(b));
 }
 
-double median_edge(const TriangleMesh& mesh) {
+double median_edge_length(const TriangleMesh& mesh) {
   std::vector<double> lengths;
   lengths.reserve(3 * mesh.triangles.size());
   for (const TriangleMesh::Triangle& t : mesh.triangles) {

@@ -20,6 +20,6 @@ double corner_angle(const TriangleMesh& mesh, const TriangleMesh::Triangle& tria
 
 /// The median length of the sides of all triangles, m.
 /// @pre there is a triangle
-double median_edge(const TriangleMesh& mesh);
+double median_edge_length(const TriangleMesh& mesh);
 
 }  // namespace clast

@@ -13,7 +13,7 @@ namespace clast {
 inline constexpr std::uint32_t kNoIndex = 0xffffffffu;
 
 /// Vertices in metres and triangles as vertex indices, counter-clockwise seen from outside.
-/// Plain data: nothing cached, nothing guaranteed; `inspect` tells what it is worth.
+/// Plain data: nothing cached, nothing guaranteed; `inspect_mesh` tells what it is worth.
 struct TriangleMesh {
   using Triangle = std::array<std::uint32_t, 3>;
   std::vector<Vec3> vertices;

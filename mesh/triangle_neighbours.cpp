@@ -34,13 +34,13 @@ TriangleNeighbours triangle_neighbours(const TriangleMesh& mesh, std::span<const
       result.across[sides[0].triangle][sides[0].side] = sides[1].triangle;
       result.across[sides[1].triangle][sides[1].side] = sides[0].triangle;
     } else if (result.non_manifold_edges++ == 0) {
-      result.first_non_manifold = {sides[0].low, sides[0].high};
+      result.first_non_manifold_edge = {sides[0].low, sides[0].high};
     }
   });
   return result;
 }
 
-std::size_t side_between(const Triangle& triangle, std::uint32_t a, std::uint32_t b) {
+std::size_t find_edge_side(const Triangle& triangle, std::uint32_t a, std::uint32_t b) {
   for (std::size_t k = 0; k < 3; ++k) {
     if (edge_key(triangle[k], triangle[(k + 1) % 3]) == edge_key(a, b)) return k;
   }
@@ -69,8 +69,8 @@ std::vector<std::uint32_t> manifold_components(const TriangleNeighbours& neighbo
   return component;
 }
 
-RelativeFacing relative_facing(const TriangleMesh& mesh, const TriangleNeighbours& neighbours) {
-  RelativeFacing result;
+ConsistentOrientation find_consistent_orientation(const TriangleMesh& mesh, const TriangleNeighbours& neighbours) {
+  ConsistentOrientation result;
   result.against.assign(mesh.triangles.size(), false);
   std::vector<bool> seen(mesh.triangles.size(), false);
   for (std::uint32_t seed = 0; seed < mesh.triangles.size(); ++seed) {
@@ -85,7 +85,7 @@ RelativeFacing relative_facing(const TriangleMesh& mesh, const TriangleNeighbour
         if (other == kNoIndex) continue;
         const std::uint32_t from = corners[k], to = corners[(k + 1) % 3];
         const Triangle& beside = mesh.triangles[other];
-        const bool same_way = beside[side_between(beside, from, to)] == from;
+        const bool same_way = beside[find_edge_side(beside, from, to)] == from;
         const bool wanted = result.against[here] != same_way;
         if (!seen[other]) {
           seen[other] = true;
@@ -101,7 +101,7 @@ RelativeFacing relative_facing(const TriangleMesh& mesh, const TriangleNeighbour
   return result;
 }
 
-void turn_over(TriangleMesh& mesh) {
+void flip_orientation(TriangleMesh& mesh) {
   for (Triangle& t : mesh.triangles) std::swap(t[1], t[2]);
 }
 

@@ -19,9 +19,9 @@ struct TriangleNeighbours {
   std::vector<std::array<std::uint32_t, 3>> across;
   std::size_t border_edges = 0;
   std::size_t non_manifold_edges = 0;  ///< of more than two triangles
-  EdgeKey first_non_manifold = {};     ///< meaningless where there is none
+  EdgeKey first_non_manifold_edge = {};     ///< meaningless where there is none
 
-  bool on_border(std::uint32_t triangle, std::size_t side) const {
+  bool is_border_side(std::uint32_t triangle, std::size_t side) const {
     return across[triangle][side] == kNoIndex;
   }
 };
@@ -31,14 +31,14 @@ TriangleNeighbours triangle_neighbours(const TriangleMesh& mesh);
 TriangleNeighbours triangle_neighbours(const TriangleMesh& mesh, std::span<const HalfEdge> sorted);
 
 /// The side of `triangle` whose corners are `a` and `b`, in either order; 3 when it has none.
-std::size_t side_between(const TriangleMesh::Triangle& triangle, std::uint32_t a, std::uint32_t b);
+std::size_t find_edge_side(const TriangleMesh::Triangle& triangle, std::uint32_t a, std::uint32_t b);
 
 /// Component number of every triangle, connected over edges of two triangles only, so that parts
 /// which meet at an edge of more are apart; numbered by first triangle.
 std::vector<std::uint32_t> manifold_components(const TriangleNeighbours& neighbours);
 
 /// Which triangles have to be turned over so that neighbours agree.
-struct RelativeFacing {
+struct ConsistentOrientation {
   /// Triangles of each manifold component, the smallest number first and then as neighbours reach
   /// them, over the edges of smaller vertices first.
   std::vector<std::vector<std::uint32_t>> components;
@@ -48,9 +48,9 @@ struct RelativeFacing {
   std::optional<std::uint32_t> conflict;
 };
 
-RelativeFacing relative_facing(const TriangleMesh& mesh, const TriangleNeighbours& neighbours);
+ConsistentOrientation find_consistent_orientation(const TriangleMesh& mesh, const TriangleNeighbours& neighbours);
 
 /// Makes every triangle face the other way.
-void turn_over(TriangleMesh& mesh);
+void flip_orientation(TriangleMesh& mesh);
 
 }  // namespace clast

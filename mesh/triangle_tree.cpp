@@ -119,7 +119,7 @@ double TriangleTree::distance_to(std::uint32_t triangle, const Vec3& point) cons
   return (closest_on(a, mesh_.vertices[t[1]], mesh_.vertices[t[2]], point).point - point).norm();
 }
 
-bool TriangleTree::rises_above(const Vec3& normal, double height, const Vec3& centre,
+bool TriangleTree::has_point_above(const Vec3& normal, double height, const Vec3& centre,
                                double radius) const {
   std::array<std::uint32_t, 64> open;  // the tree is balanced: depth under 32
   std::size_t size = 0;
@@ -194,7 +194,7 @@ double TriangleTree::signed_distance(const Vec3& point, std::uint32_t hint) cons
   return feature_normal(found).dot(point - found.point) < 0.0 ? -distance : distance;
 }
 
-TriangleTree::Signed TriangleTree::signed_closest(const Vec3& point, std::uint32_t hint) const {
+TriangleTree::Signed TriangleTree::signed_closest_point(const Vec3& point, std::uint32_t hint) const {
   const Closest found = closest(point, hint);
   const TriangleMesh::Triangle& t = mesh_.triangles[found.triangle];
   const Vec3& a = mesh_.vertices[t[0]];

@@ -32,7 +32,7 @@ class TriangleTree {
 
   /// Does anything of the surface within `radius` of `centre` rise above the plane
   /// normal.x = height? Triangles count whole where a part of their box is that near.
-  bool rises_above(const Vec3& normal, double height, const Vec3& centre, double radius) const;
+  bool has_point_above(const Vec3& normal, double height, const Vec3& centre, double radius) const;
 
   /// Distance to the surface, negative inside: the side is told by the angle-weighted normal of
   /// the face, edge or vertex that is closest.
@@ -47,7 +47,7 @@ class TriangleTree {
     Vec3 weights = Vec3::Zero();  ///< of the triangle's corners, that make `foot`
   };
   /// All about the closest point.
-  Signed signed_closest(const Vec3& point, std::uint32_t hint = 0) const;
+  Signed signed_closest_point(const Vec3& point, std::uint32_t hint = 0) const;
 
   struct Hit {
     double distance;

@@ -101,8 +101,8 @@ class NearbyVertices {
 };
 
 /// What copies of a triangle have in common.
-Triangle copy_key(Triangle corners, CopyTurn turn) {
-  if (turn == CopyTurn::kEither) {
+Triangle copy_key(Triangle corners, WindingMatch turn) {
+  if (turn == WindingMatch::kEither) {
     std::sort(corners.begin(), corners.end());
   } else {
     std::rotate(corners.begin(), std::min_element(corners.begin(), corners.end()), corners.end());
@@ -114,7 +114,7 @@ Triangle copy_key(Triangle corners, CopyTurn turn) {
 
 std::vector<std::uint32_t> weld_targets(std::span<const Vec3> vertices, double tolerance) {
   if (!(tolerance >= 0.0) || !std::isfinite(tolerance)) {
-    throw InputError("weld tolerance " + with_digits(tolerance, 6) + " m: must not be negative");
+    throw InputError("weld tolerance " + format_significant(tolerance, 6) + " m: must not be negative");
   }
   Bounds box;
   for (const Vec3& v : vertices) box.include(v);
@@ -132,33 +132,33 @@ std::vector<std::uint32_t> weld_targets(std::span<const Vec3> vertices, double t
   return target;
 }
 
-TriangleMesh welded(const TriangleMesh& mesh, double tolerance) {
+TriangleMesh weld_vertices(const TriangleMesh& mesh, double tolerance) {
   const std::vector<std::uint32_t> target = weld_targets(mesh.vertices, tolerance);
   std::vector<Triangle> triangles;
   triangles.reserve(mesh.triangles.size());
   for (const Triangle& t : mesh.triangles) {
     const Triangle joined = {target[t[0]], target[t[1]], target[t[2]]};
-    if (!collapsed(joined)) triangles.push_back(joined);
+    if (!has_repeated_vertex(joined)) triangles.push_back(joined);
   }
   std::vector<bool> again(triangles.size(), false);
-  for (const TriangleCopy& copy : repeated_triangles(triangles, CopyTurn::kSame)) {
+  for (const DuplicateTriangle& copy : find_duplicate_triangles(triangles, WindingMatch::kSame)) {
     again[copy.again] = true;
   }
   std::vector<Triangle> kept;
   for (std::size_t t = 0; t < triangles.size(); ++t) {
     if (!again[t]) kept.push_back(triangles[t]);
   }
-  return compacted(mesh, kept);
+  return extract_triangles(mesh, kept);
 }
 
-std::vector<TriangleCopy> repeated_triangles(std::span<const Triangle> triangles, CopyTurn turn) {
+std::vector<DuplicateTriangle> find_duplicate_triangles(std::span<const Triangle> triangles, WindingMatch turn) {
   std::vector<std::pair<Triangle, std::uint32_t>> order;
   order.reserve(triangles.size());
   for (std::uint32_t t = 0; t < triangles.size(); ++t) {
     order.emplace_back(copy_key(triangles[t], turn), t);
   }
   std::sort(order.begin(), order.end());
-  std::vector<TriangleCopy> copies;
+  std::vector<DuplicateTriangle> copies;
   for (std::size_t i = 1; i < order.size(); ++i) {
     if (order[i].first == order[i - 1].first) {
       copies.push_back({order[i - 1].second, order[i].second});

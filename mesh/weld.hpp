@@ -15,21 +15,21 @@ std::vector<std::uint32_t> weld_targets(std::span<const Vec3> vertices, double t
 
 /// Vertices closer than `tolerance` (m) become one, at the position of the first; triangles that
 /// lose a corner by it and exact duplicates are dropped, unused vertices too. Order is kept.
-TriangleMesh welded(const TriangleMesh& mesh, double tolerance);
+TriangleMesh weld_vertices(const TriangleMesh& mesh, double tolerance);
 
 /// Which triangles of equal corners count as copies.
-enum class CopyTurn {
+enum class WindingMatch {
   kSame,   ///< those that also turn the same way
   kEither  ///< those back to back with another too
 };
 
 /// A triangle, and the one before it that has the same corners.
-struct TriangleCopy {
+struct DuplicateTriangle {
   std::uint32_t before = 0, again = 0;
 };
 
 /// All copies, sorted by their corners, then by number.
-std::vector<TriangleCopy> repeated_triangles(std::span<const TriangleMesh::Triangle> triangles,
-                                             CopyTurn turn);
+std::vector<DuplicateTriangle> find_duplicate_triangles(std::span<const TriangleMesh::Triangle> triangles,
+                                             WindingMatch turn);
 
 }  // namespace clast

@@ -1,9 +1,9 @@
 #include "pipeline/board_file.hpp"
 
 #include "core/error.hpp"
+#include "core/error_context.hpp"
 #include "core/files/text_file.hpp"
 #include "core/files/toml_reader.hpp"
-#include "core/in_context.hpp"
 
 namespace clast {
 
@@ -43,7 +43,7 @@ CharucoBoard read_charuco(const TomlNode& node, const std::string& file,
 
 }  // namespace
 
-ScaleBoard read_board(const std::filesystem::path& file) {
+ScaleBoard read_scale_board(const std::filesystem::path& file) {
   const std::string name = file.string();
   const TomlNode root = parse_toml(read_text_file(file), name);
   const TomlTable table(root, name, "", {"dictionary", "marker_side_m", "marker", "charuco"});
@@ -60,7 +60,7 @@ ScaleBoard read_board(const std::filesystem::path& file) {
     }
     for (const TomlNode& marker : markers->list) board.markers.push_back(read_marker(marker, name));
   }
-  in_context(name, [&] { board.check(); });
+  with_error_context(name, [&] { board.check(); });
   return board;
 }
 

@@ -8,6 +8,6 @@
 namespace clast {
 
 /// @throws InputError  not readable, or not a board: file, line, key and what was expected
-ScaleBoard read_board(const std::filesystem::path& file);
+ScaleBoard read_scale_board(const std::filesystem::path& file);
 
 }  // namespace clast

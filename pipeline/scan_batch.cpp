@@ -31,14 +31,14 @@ struct Outcome {
 
 /// A short name of everything that was asked of a scan, for `resume` to know it again.
 std::string request_of(const ScanToBlockOptions& options) {
-  return "request=" + sha256(field_text(options)).substr(0, 16);
+  return "request=" + sha256(format_field(options)).substr(0, 16);
 }
 
 /// A batch of scans on its way into a library.
 class Batch {
  public:
   Batch(const std::vector<ScanFile>& scans, const BatchOptions& options, BatchObserver& observer,
-        const Progress& progress)
+        const ProgressCallback& progress)
       : scans_(scans),
         options_(options),
         observer_(observer),
@@ -47,12 +47,12 @@ class Batch {
     options.check(scans.size());
     if (std::filesystem::exists(options.library)) library_ = BlockLibrary::read(options.library);
     // A place that can't be written is refused before the work and not after it.
-    check_library_place(options.library);
+    check_library_target(options.library);
   }
 
   BatchResult run() {
     try {
-      ordered_jobs(
+      run_ordered_jobs(
           scans_.size(), options_.jobs, [&](std::size_t i) { return count_stop_reasons(scans_[i]); },
           [&](std::size_t i, Outcome& outcome) { take(scans_[i], outcome); });
     } catch (const Cancelled&) {
@@ -97,7 +97,7 @@ class Batch {
 
   std::vector<Block> make_blocks(const ScanFile& scan, Outcome& outcome) {
     const ScanCallbacks callbacks = {
-        .progress = [&](const ProgressStep& step) { report(step); },
+        .progress = [&](const ProgressUpdate& step) { report(step); },
         .made = [&](const Block& block,
                     const BlockOrigin& origin) { observer_.made(block, origin); },
         .lost = [&](const std::string&,
@@ -127,7 +127,7 @@ class Batch {
     }
   }
 
-  void report(ProgressStep step) {
+  void report(ProgressUpdate step) {
     const std::lock_guard lock(mutex_);
     step.done = taken_;
     step.total = scans_.size();
@@ -222,7 +222,7 @@ class Batch {
   const std::vector<ScanFile>& scans_;
   const BatchOptions& options_;
   BatchObserver& observer_;
-  const Progress& progress_;
+  const ProgressCallback& progress_;
   std::string request_;
   BlockLibrary library_;  ///< as last read or written, plus what was made since
   std::vector<Unsaved> unsaved_;
@@ -255,7 +255,7 @@ void BatchOptions::check(std::size_t scans) const {
 }
 
 BatchResult reconstruct_batch(const std::vector<ScanFile>& scans, const BatchOptions& options,
-                              BatchObserver& observer, const Progress& progress) {
+                              BatchObserver& observer, const ProgressCallback& progress) {
   return Batch(scans, options, observer, progress).run();
 }
 

@@ -57,7 +57,7 @@ struct BatchResult {
 /// now and then; so it is when `progress` throws.
 /// @throws InputError  the library can't be read or written; what `BatchOptions::check` refuses
 BatchResult reconstruct_batch(const std::vector<ScanFile>& scans, const BatchOptions& options,
-                              BatchObserver& observer, const Progress& progress = {});
+                              BatchObserver& observer, const ProgressCallback& progress = {});
 
 /// The same without anybody who follows it.
 /// @throws InputError  also where a scan gave no block: the reasons of all of them

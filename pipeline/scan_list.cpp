@@ -17,8 +17,8 @@ namespace fs = std::filesystem;
 namespace {
 
 bool is_scan_file(const fs::path& path) {
-  const std::string extension = extension_of(path);
-  if (extension == ".shp") return !is_map_file(path);
+  const std::string extension = lower_case_extension(path);
+  if (extension == ".shp") return !is_esri_shapefile(path);
   // In a folder .txt and .csv are more often tables than scans: those are taken by name only.
   static const std::set<std::string> kClouds = {".las", ".laz", ".pcd", ".pts", ".xyz"};
   if (kClouds.contains(extension)) return true;
@@ -120,7 +120,7 @@ fs::path naming_folder(const fs::path& photos) {
 std::string id_from_name(const std::string& name) {
   const bool is_path = name.find_first_of("/\\") != std::string::npos;
   const fs::path path = name.substr(is_path ? name.find_last_of("/\\") + 1 : 0);
-  const bool is_file = is_path || extension_of(path) == ".stl";
+  const bool is_file = is_path || lower_case_extension(path) == ".stl";
   return is_file ? path.stem().string() : name;
 }
 
@@ -144,7 +144,7 @@ std::vector<ScanFile> scans_of(const fs::path& path) {
 
 }  // namespace
 
-bool ScanFile::is_shp() const { return extension_of(path) == ".shp"; }
+bool ScanFile::is_shp() const { return lower_case_extension(path) == ".shp"; }
 
 std::vector<ScanFile> list_scans(const std::vector<std::string>& inputs) {
   std::vector<ScanFile> scans;
@@ -162,7 +162,7 @@ std::vector<ScanFile> list_scans(const std::vector<std::string>& inputs) {
     }
   }
 
-  for (ScanFile& scan : scans) scan.id = as_utf8(scan.id);
+  for (ScanFile& scan : scans) scan.id = to_utf8(scan.id);
   std::map<std::string, int> stems;
   for (const ScanFile& scan : scans) ++stems[scan.id];
   std::map<std::string, int> in_folders;
@@ -171,7 +171,7 @@ std::vector<ScanFile> list_scans(const std::vector<std::string>& inputs) {
       std::error_code code;
       const bool photos = fs::is_directory(scan.path, code);
       const fs::path named = photos ? naming_folder(scan.path) : scan.path;
-      scan.id = as_utf8(folder_name(named)) + "_" + scan.id;
+      scan.id = to_utf8(folder_name(named)) + "_" + scan.id;
     }
     ++in_folders[scan.id];
   }
@@ -179,7 +179,7 @@ std::vector<ScanFile> list_scans(const std::vector<std::string>& inputs) {
   for (ScanFile& scan : scans) {
     // One scan in two formats, or two scans: that is for the user to say.
     if (in_folders[scan.id] > 1 && scan.path.has_extension()) {
-      scan.id += "_" + as_utf8(scan.path.extension().string().substr(1));
+      scan.id += "_" + to_utf8(scan.path.extension().string().substr(1));
     }
     const auto [other, is_new] = ids.emplace(scan.id, scan.path);
     if (!is_new) {

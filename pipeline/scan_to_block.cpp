@@ -8,13 +8,13 @@
 #include "core/files/up_axis.hpp"
 #include "core/number_text.hpp"
 #include "core/utf8.hpp"
-#include "library/unseen_range.hpp"
+#include "library/block_bracket.hpp"
 #include "massprops/solid.hpp"
 #include "mesh/mesh_io.hpp"
 #include "pipeline/detail/crossing_warning.hpp"
 #include "pipeline/detail/photographed_blocks.hpp"
 #include "pipeline/detail/scan_scale.hpp"
-#include "pipeline/lightest_block.hpp"
+#include "pipeline/fewest_vertices.hpp"
 #include "shapes/convex_hull.hpp"
 #include "shapes/surface_deviation.hpp"
 
@@ -29,26 +29,27 @@ TriangleMesh hull_instead(const TriangleMesh& scan, std::vector<std::string>& no
   TriangleMesh hull = convex_hull(scan.vertices);
   const double added =
       solid_mass_properties(hull, 1.0).volume / solid_mass_properties(scan, 1.0).volume - 1.0;
-  const Deviation gap = surface_deviation(scan, sphero_polyhedron(hull, 0.0));
-  notes.push_back("the convex hull was taken, as asked: it has " + rounded(100.0 * added, 3) +
-                  " % more volume than the scan and lies up to " + rounded(gap.hausdorff, 3) +
-                  " m off it; distances and moments below are against the hull");
+  const SurfaceDeviation gap = measure_surface_deviation(scan, make_sphero_polyhedron(hull, 0.0));
+  notes.push_back(
+      "the convex hull was taken, as asked: it has " + format_rounded(100.0 * added, 3) +
+      " % more volume than the scan and lies up to " + format_rounded(gap.hausdorff, 3) +
+      " m off it; distances and moments below are against the hull");
   return hull;
 }
 
 /// Adds what the scan leaves open.
 void add_unseen(Block& block, const VolumeBracket& bounds) {
   block.unseen = bounds;
-  block.warnings.insert(block.warnings.begin(), described_unseen(block));
+  block.warnings.insert(block.warnings.begin(), describe_volume_bracket(block));
 }
 
 /// What a tolerance that was hardly meant as a share of L lets pass; empty for usual ones.
 std::string wide_tolerance_note(const BlockOptions& options, const Block& block) {
   constexpr double kWidest = 0.1;
   if (options.tolerance <= kWidest || options.core) return {};
-  return "`tolerance` " + with_digits(options.tolerance, 4) +
+  return "`tolerance` " + format_significant(options.tolerance, 4) +
          " is a share of L and lets the block lie " +
-         rounded(options.tolerance * block.box.lengths[0], 3) +
+         format_rounded(options.tolerance * block.box.lengths[0], 3) +
          " m off its scan: was a length or a percentage meant? 0.01 is 1 %";
 }
 
@@ -56,9 +57,9 @@ std::string wide_tolerance_note(const BlockOptions& options, const Block& block)
 Block make_scan_block(FieldBlock& found, const std::string& id, BlockSource source,
                       const ScanToBlockOptions& options, const ScanCallbacks& callbacks) {
   Scan& scan = found.scan;
-  if (!source.unscaled) check_size(bounds(scan.mesh), id, options);
-  if (scan.report.invented_share > 0.0) {
-    source.options += " invented_share=" + with_digits(scan.report.invented_share, 4);
+  if (!source.unscaled) check_scan_size(bounds(scan.mesh), id, options);
+  if (scan.report.filled_fraction > 0.0) {
+    source.options += " invented_share=" + format_significant(scan.report.filled_fraction, 4);
   }
   if (options.block.convex) scan.mesh = hull_instead(scan.mesh, scan.notes);
   const ScanSurface surface(scan.mesh);
@@ -74,14 +75,14 @@ Block make_scan_block(FieldBlock& found, const std::string& id, BlockSource sour
     block = make_block(id, light, surface, std::move(source), options.block);
   } else {
     callbacks.begin("simplifying " + id);
-    LightestBlockSearch search(id, surface, source);
+    FewestVerticesSearch search(id, surface, source);
     callbacks.begin("fitting " + id);
     block = search.lightest(options.block, options.radius_given);
   }
-  if (!block.source.unscaled) check_mass(block, options);
+  if (!block.source.unscaled) check_block_mass(block, options);
   // Simplifying leaves no crossings, but a mesh that is taken as it is may have them.
   const bool as_it_is = block.surface.triangles.size() == scan.mesh.triangles.size();
-  if (as_it_is && !options.block.convex) warn_of_crossings(block, scan.mesh);
+  if (as_it_is && !options.block.convex) warn_of_self_intersections(block, scan.mesh);
   block.warnings.insert(block.warnings.begin(), scan.notes.begin(), scan.notes.end());
   if (const std::string note = wide_tolerance_note(options.block, block); !note.empty()) {
     block.warnings.insert(block.warnings.begin(), note);
@@ -154,7 +155,7 @@ std::vector<Block> make_blocks(ReadScan& read, const std::string& id, BlockSourc
                                const std::string& up, const ScanToBlockOptions& options,
                                const ScanCallbacks& callbacks) {
   FieldScan& found = read.found;
-  if (options.scale_points) note_far_scale(found, *options.scale_points);
+  if (options.scale_points) note_distant_scale_points(found, *options.scale_points);
   if (options.scan.repair.keep_inner_shells) source.options += " inner_shells=kept";
   if (!options.find_ground) source.options += " ground=none";
   std::vector<Block> blocks;
@@ -195,9 +196,9 @@ std::vector<Block> reconstruct_blocks(const std::filesystem::path& path, const s
                                       const ScanToBlockOptions& options,
                                       const ScanCallbacks& callbacks) {
   callbacks.begin("reading " + id);
-  const std::string up = up_axis(options.scan.up, path);
-  BlockSource source{as_utf8(path.string()), scan_digest(path), scale_text(options) + " up=" + up,
-                     ""};
+  const std::string up = resolve_up_axis(options.scan.up, path);
+  BlockSource source{to_utf8(path.string()), scan_digest(path),
+                     format_scale_record(options) + " up=" + up, ""};
   ReadScan read = read_any_scan(path, options, source, callbacks);
   return make_blocks(read, id, std::move(source), up, options, callbacks);
 }
@@ -207,7 +208,7 @@ std::vector<Block> reconstruct_mesh_blocks(const TriangleMesh& raw, const std::s
                                            const ScanCallbacks& callbacks) {
   callbacks.begin("cleaning " + id);
   const std::string up = options.scan.up == "y" ? "y" : "z";  // no format says otherwise
-  BlockSource source{id, mesh_digest(raw), scale_text(options) + " up=" + up, ""};
+  BlockSource source{id, mesh_digest(raw), format_scale_record(options) + " up=" + up, ""};
   ReadScan read = clean_any_mesh(raw, id, options);
   return make_blocks(read, id, std::move(source), up, options, callbacks);
 }

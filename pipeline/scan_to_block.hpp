@@ -48,7 +48,7 @@ void visit_fields(const ScanToBlockOptions& options, Visit&& visit) {
   visit("vertices", vertices);
   visit("block", block);
   visit("radius_given", radius_given);
-  visit("any_size", NoInfluence{any_size});
+  visit("any_size", ExcludedField{any_size});
   visit("up_given", up_given);
   visit("find_ground", find_ground);
   visit("split", split);
@@ -66,13 +66,13 @@ struct BlockOrigin {
 
 /// What follows a scan on its way; each may be empty.
 struct ScanCallbacks {
-  Progress progress = {};  ///< with the name of each step before it begins
+  ProgressCallback progress = {};  ///< with the name of each step before it begins
   std::function<void(const Block& block, const BlockOrigin& origin)> made = {};
   /// With it one bad block of a split scan does not cost the others.
   std::function<void(const std::string& id, const std::string& reason)> lost = {};
 
-  void begin(const std::string& what, bool takes_long = false) const {
-    if (progress) progress({.what = what, .takes_long = takes_long});
+  void begin(const std::string& what, bool is_slow = false) const {
+    if (progress) progress({.what = what, .is_slow = is_slow});
   }
 };
 

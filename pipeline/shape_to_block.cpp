@@ -5,9 +5,9 @@
 #include <utility>
 
 #include "core/error.hpp"
+#include "core/error_context.hpp"
 #include "core/files/digest.hpp"
 #include "core/files/up_axis.hpp"
-#include "core/in_context.hpp"
 #include "core/number_text.hpp"
 #include "core/utf8.hpp"
 #include "pipeline/detail/crossing_warning.hpp"
@@ -31,8 +31,8 @@ double radius_of(const ShpShape& shape, const ScanToBlockOptions& options) {
   const double radius = shape.body.radius * options.scan.unit;
   const std::optional<double>& asked = options.block.radius;
   if (asked && std::abs(*asked - radius) > kSameRadius * std::max(*asked, radius)) {
-    throw InputError("`radius` " + with_digits(*asked, 5) +
-                     " m contradicts the radius of the shape, " + with_digits(radius, 5) +
+    throw InputError("`radius` " + format_significant(*asked, 5) +
+                     " m contradicts the radius of the shape, " + format_significant(radius, 5) +
                      " m; leave `radius` out");
   }
   return radius;
@@ -50,14 +50,15 @@ std::pair<double, double> sampling_errors(const Block& block, double points) {
 
 void warn_of_gap(Block& block, const std::string& what, double gap, double error) {
   if (gap <= std::max(kStandardErrors * error, kRounding)) return;
-  block.warnings.push_back("the .shp file gives " + what + ": " + with_digits(100.0 * gap, 3) +
-                           " % apart, sampling explains " +
-                           with_digits(100.0 * kStandardErrors * error, 2) +
+  block.warnings.push_back("the .shp file gives " + what + ": " +
+                           format_significant(100.0 * gap, 3) + " % apart, sampling explains " +
+                           format_significant(100.0 * kStandardErrors * error, 2) +
                            " %; the shape's own is used");
 }
 
 std::string numbers(const Vec3& v) {
-  return with_digits(v.x(), 5) + " " + with_digits(v.y(), 5) + " " + with_digits(v.z(), 5);
+  return format_significant(v.x(), 5) + " " + format_significant(v.y(), 5) + " " +
+         format_significant(v.z(), 5);
 }
 
 void compare_with_file(Block& block, const ShpShape& shape, double unit) {
@@ -65,8 +66,8 @@ void compare_with_file(Block& block, const ShpShape& shape, double unit) {
   if (shape.volume != 0.0) {
     const double file = shape.volume * unit * unit * unit;
     warn_of_gap(block,
-                "a volume of " + with_digits(file, 5) + " m3, its shape has " +
-                    with_digits(block.mass.volume, 5),
+                "a volume of " + format_significant(file, 5) + " m3, its shape has " +
+                    format_significant(block.mass.volume, 5),
                 std::abs(file / block.mass.volume - 1.0), volume_error);
   }
   if (shape.inertia_per_mass.isZero()) return;
@@ -84,7 +85,7 @@ Block block_from_skeleton(const ShpShape& shape, double radius, const std::strin
   body.radius = radius;
   for (Vec3& vertex : body.vertices) {
     vertex *= options.scan.unit;
-    if (options.scan.up == "y") vertex = turned_z_up(vertex);
+    if (options.scan.up == "y") vertex = y_up_to_z_up(vertex);
   }
   const bool capsule = body.vertices.size() == 2 && body.edges.size() == 1;
   if (body.vertices.size() != 1 && !capsule) {
@@ -105,7 +106,7 @@ Block make_shape_block(const ShpShape& shape, const std::filesystem::path& path,
   const auto in_shape = [&](const std::string& message) {
     return message.find(path.string()) == std::string::npos ? where + ": " + message : message;
   };
-  return with_message(in_shape, [&] {
+  return with_rewritten_error(in_shape, [&] {
     if (shape.is_surface) {
       throw InputError(
           "is a surface (isSurface) and no block; a ground goes to clast terrain as "
@@ -116,21 +117,23 @@ Block make_shape_block(const ShpShape& shape, const std::filesystem::path& path,
     taken.block.core = true;
     taken.block.radius = radius_of(shape, options);
     taken.scan.repair.invent = false;
-    BlockSource source{
-        as_utf8(path.string()), sha256_of_file(path),
-        scale_text(options) + " up=" + up_axis(options.scan.up, path) + " shape=" + shape.name, ""};
+    BlockSource source{to_utf8(path.string()), sha256_of_file(path),
+                       format_scale_record(options) +
+                           " up=" + resolve_up_axis(options.scan.up, path) + " shape=" + shape.name,
+                       ""};
     Block block;
     if (shape.body.faces.empty()) {
       block = block_from_skeleton(shape, *taken.block.radius, id, std::move(source), taken);
     } else {
       const Scan scan = clean_scan(core_mesh(shape.body), where, taken.scan);
-      const SpheroPolyhedron body = sphero_polyhedron(scan.mesh, *taken.block.radius);
-      block = make_block(id, with_merged_faces(body, kFlatInFiles), std::move(source), taken.block);
-      warn_of_crossings(block, scan.mesh);
+      const SpheroPolyhedron body = make_sphero_polyhedron(scan.mesh, *taken.block.radius);
+      block =
+          make_block(id, merge_coplanar_faces(body, kFileFlatness), std::move(source), taken.block);
+      warn_of_self_intersections(block, scan.mesh);
       block.warnings.insert(block.warnings.begin(), scan.notes.begin(), scan.notes.end());
     }
-    check_size(bounds(block.surface), id, options);
-    check_mass(block, options);
+    check_scan_size(bounds(block.surface), id, options);
+    check_block_mass(block, options);
     block.warnings.insert(block.warnings.begin(), shape.notes.begin(), shape.notes.end());
     compare_with_file(block, shape, options.scan.unit);
     if (callbacks.made) callbacks.made(block, {});

@@ -72,7 +72,7 @@ std::vector<TriangleMesh::Triangle> triangles_from(const py::object& object, std
     if (value < 0 || static_cast<std::uint64_t>(value) >= vertices) {
       throw InputError("triangles: row " + std::to_string(row) + " has the index " +
                        std::to_string(value) + ", and there are " +
-                       counted(vertices, "vertex", "vertices"));
+                       format_count(vertices, "vertex", "vertices"));
     }
     return static_cast<std::uint32_t>(value);
   };
@@ -181,7 +181,7 @@ Quat rotation_from(const py::object& object, const char* name) {
                      " and must have (4,), w x y z, or (3, 3)");
   }
   if (!(std::abs(turn.norm() - 1.0) <= 1e-3)) {
-    throw InputError(std::string(name) + ": has the length " + with_digits(turn.norm(), 6) +
+    throw InputError(std::string(name) + ": has the length " + format_significant(turn.norm(), 6) +
                      " and must have 1");
   }
   return turn.normalized();

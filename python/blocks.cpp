@@ -62,7 +62,7 @@ py::dict classify_block(const Block& block, const py::kwargs& keywords) {
   given.take("box", box);
   given.take("axis_error", axis_error);
   given.done();
-  return classes_of(axes_of(block_box(block, box_convention(box))), axis_error, options);
+  return classes_of(axes_of(block_box(block, parse_box_convention(box))), axis_error, options);
 }
 
 py::dict classify_axes(double l, double i, double s, const py::kwargs& keywords) {
@@ -116,7 +116,7 @@ py::tuple skin_of(const SpheroPolyhedron& shape, int segments) {
   TriangleMesh skin;
   {
     const py::gil_scoped_release release;
-    skin = skin_mesh(shape, segments);
+    skin = rounded_surface_mesh(shape, segments);
   }
   return to_arrays(std::move(skin));
 }
@@ -128,7 +128,7 @@ py::bytes picture_of(const Block& block, std::uint32_t width, std::uint32_t heig
   std::string png;
   {
     const py::gil_scoped_release release;
-    png = report_detail::render_thumbnail_png(skin_mesh(block.body), width, height);
+    png = report_detail::render_thumbnail_png(rounded_surface_mesh(block.body), width, height);
   }
   return py::bytes(png);
 }
@@ -144,13 +144,13 @@ void bind_shape_class(py::module_& module) {
       .def_readonly("distance", &ClassCertainty::distance, "Between value and limit.")
       .def_readonly("near_limit", &ClassCertainty::near_limit,
                     "Closer than 0.05, or than the error of the axes.")
-      .def_readonly("survives", &ClassCertainty::survives,
+      .def_readonly("survives", &ClassCertainty::is_certain,
                     "The class is the same for all axes within their error.")
       .def_readonly("others", &ClassCertainty::others,
                     "Every other class that axes within the error can have.")
       .def("__str__", [](const ClassCertainty& one) { return one.name; })
       .def("__repr__", [](const ClassCertainty& one) {
-        return "<" + one.name + ": " + certainty_words(one) + ">";
+        return "<" + one.name + ": " + describe_certainty(one) + ">";
       });
 }
 

@@ -54,7 +54,7 @@ py::tuple calibrate_study(const fs::path& study, const fs::path& output, const p
   CalibrateOptions options = common_options(given);
   given.take("parts", options.parts);
   given.done();
-  const Calibration found = run_with_progress(progress, [&](const Progress& step) {
+  const Calibration found = run_with_progress(progress, [&](const ProgressCallback& step) {
     options.progress = step;
     return calibrate_and_report(read_calibration_study(study), output, options);
   });
@@ -72,7 +72,7 @@ std::string calibrate_shard(const fs::path& study, const fs::path& output,
   options.shard = {shard.first, shard.second};
   options.shard.check();
   const fs::path target = shard_file(output, options.shard);
-  run_with_progress(progress, [&](const Progress& step) {
+  run_with_progress(progress, [&](const ProgressCallback& step) {
     options.progress = step;
     return calibrate(read_calibration_study(study), target, options);
   });

@@ -70,7 +70,7 @@ py::tuple read_campaign_text(const fs::path& file) {
 /// (findings, the plan or None)
 py::tuple check(const std::string& text, const fs::path& file) {
   const CampaignCheck check =
-      run_with_progress(py::none(), [&](const Progress&) { return check_campaign_text(text, file); });
+      run_with_progress(py::none(), [&](const ProgressCallback&) { return check_campaign_text(text, file); });
   const py::object plan = check.prepared ? to_python_object(plan_json(*check.prepared)) : py::none();
   return py::make_tuple(check.findings, plan);
 }
@@ -109,7 +109,7 @@ std::string run(const std::string& text, const fs::path& file, const fs::path& o
   given.done();
   options.shard = shard.value_or(Shard());
   const fs::path target = shard_file(output, shard);
-  watch(progress, [&](const Progress& step) {
+  watch(progress, [&](const ProgressCallback& step) {
     const bool keep = !options.replace && !options.resume && !fs::exists(journal_path(target));
     check_results_target(target, !keep);
     const CampaignPlan prepared = prepare_campaign(parse_campaign(text, file));
@@ -134,23 +134,23 @@ py::object dry_run(const std::string& text, const fs::path& file, const py::dict
   given.take("map", map);
   const Shard shard = take_shard(given).value_or(Shard());
   given.done();
-  const auto summary = run_with_progress(py::none(), [&](const Progress&) {
+  const auto summary = run_with_progress(py::none(), [&](const ProgressCallback&) {
     const CampaignPlan prepared = prepare_campaign(parse_campaign(text, file));
-    OutputRules rules;
+    OverwritePolicy rules;
     if (map) {
-      rules.kind = kind_by_name(*map);
-      check_output(*map, rules);
+      rules.kind = file_kind_by_extension(*map);
+      check_output_target(*map, rules);
     }
     const TimeProbe probe = probe_time(prepared, kProbeTime);
     nlohmann::ordered_json json = plan_json(prepared);
-    json["expected_time_s"] = estimate_time(prepared, probe, shard, thread_count(threads));
+    json["expected_time_s"] = estimate_time(prepared, probe, shard, resolve_thread_count(threads));
     PlannedPower power = planned_power(prepared, probe);
     power.margin = margin;
     json.update(power_json(power));
     json["probed_runs"] = probe.runs;
     json["probe_cut_short"] = probe.cut_short;
     json["probe_failure"] = probe.failure;
-    json["threads"] = thread_count(threads);
+    json["threads"] = resolve_thread_count(threads);
     if (map) {
       write_output(*map, draw_svg_map(make_site_map(prepared.header)), rules);
       json["map"] = map->string();
@@ -165,7 +165,7 @@ std::vector<std::string> make_new(const fs::path& library, const py::object& ter
                                   const fs::path& output, bool replace) {
   std::vector<fs::path> surface;
   for (const std::string& one : parse_texts(terrain, "terrain")) surface.emplace_back(one);
-  return run_with_progress(py::none(), [&](const Progress&) {
+  return run_with_progress(py::none(), [&](const ProgressCallback&) {
     return write_new_campaign(library, surface, output, {.replace = replace}).doubts;
   });
 }
@@ -180,11 +180,11 @@ py::tuple export_scenes(const std::string& text, const fs::path& file, const fs:
   given.take("runs", options.runs);
   given.take("replace", replace);
   given.done();
-  const EngineScenes scenes = run_with_progress(py::none(), [&](const Progress&) {
+  const EngineScenes scenes = run_with_progress(py::none(), [&](const ProgressCallback&) {
     options.check();
     OutputFolder output(folder, scene_folder_kind(), replace);
     EngineScenes written = write_engine_scenes(prepare_campaign(parse_campaign(text, file)),
-                                               options, output.temporary());
+                                               options, output.temporary_path());
     output.commit();
     return written;
   });
@@ -201,7 +201,7 @@ py::tuple import_results(const std::string& engine, const fs::path& scenes, cons
   given.take("campaign", options.campaign);
   given.take("replace", options.replace);
   given.done();
-  const EngineImportSummary found = run_with_progress(progress, [&](const Progress& step) {
+  const EngineImportSummary found = run_with_progress(progress, [&](const ProgressCallback& step) {
     options.progress = step;
     return import_engine_results(options, output);
   });

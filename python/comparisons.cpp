@@ -80,7 +80,7 @@ std::shared_ptr<ComparisonHolder> compare_all(const std::vector<SharedResults>& 
                                               const std::vector<std::string>& by,
                                               const std::optional<fs::path>& measured,
                                               const std::optional<double>& margin) {
-  return run_with_progress(py::none(), [&](const Progress&) {
+  return run_with_progress(py::none(), [&](const ProgressCallback&) {
     std::vector<CampaignResults> copies;
     for (const SharedResults& one : results) copies.push_back(*one);
     return std::make_shared<ComparisonHolder>(
@@ -105,7 +105,7 @@ std::vector<std::string> write(const ComparisonHolder& of, const fs::path& folde
   given.take("replace", replace);
   given.take("pdf", pdf);
   given.done();
-  return run_with_progress(py::none(), [&](const Progress&) {
+  return run_with_progress(py::none(), [&](const ProgressCallback&) {
     if (pdf) extras.browser = find_browser();
     OutputFolder output(folder, comparison_folder_kind(), replace);
     const WrittenReport filled = fill_folder(output, of.analyses, extras);

@@ -67,20 +67,20 @@ Blocks set_notes(const fs::path& path, const std::string& id, const py::dict& ke
     throw InputError("nothing to set; give site, note, taped or weighed");
   }
   if (weighed && !kBlockMass.holds(*weighed)) {
-    throw InputError("weighed = " + with_digits(*weighed, 6) + " must be " + kBlockMass.words());
+    throw InputError("weighed = " + format_significant(*weighed, 6) + " must be " + kBlockMass.words());
   }
   std::optional<Axes> axes;
   if (taped) {
     for (const double length : *taped) {
       if (kBlockLength.holds(length)) continue;
-      throw InputError("taped: " + with_digits(length, 6) + " must be " + kBlockLength.words());
+      throw InputError("taped: " + format_significant(length, 6) + " must be " + kBlockLength.words());
     }
     axes = Axes::sorted((*taped)[0], (*taped)[1], (*taped)[2]);
   }
   return change(path, false, [&](BlockLibrary& library) {
     FieldNotes& field = library.block(id).field;
-    if (site) field.site = as_utf8(*site);
-    if (note) field.note = as_utf8(*note);
+    if (site) field.site = to_utf8(*site);
+    if (note) field.note = to_utf8(*note);
     if (axes) field.taped = axes;
     if (weighed) field.weighed_mass = weighed;
   });
@@ -142,7 +142,7 @@ std::string write_pages(const Blocks& blocks, const std::string& title, const fs
                         bool replace) {
   return without_gil([&] {
     OutputFolder output(folder, gallery_folder_kind(), replace);
-    const fs::path page = write_gallery(pointers(blocks), title, output.temporary());
+    const fs::path page = write_gallery(pointers(blocks), title, output.temporary_path());
     output.commit();
     return (folder / page.filename()).string();
   });

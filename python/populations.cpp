@@ -7,7 +7,7 @@
 #include <sstream>
 
 #include "core/error.hpp"
-#include "core/files/csv_text.hpp"
+#include "core/files/csv_writer.hpp"
 #include "core/files/output_folder.hpp"
 #include "python/bindings.hpp"
 #include "python/options.hpp"
@@ -104,7 +104,7 @@ void bind_populations(py::module_& module) {
            [](const PopulationReport& report, const std::filesystem::path& folder, bool replace) {
              without_gil([&] {
                OutputFolder output(folder, population_folder_kind(folder), replace);
-               write_population_report(report, output.temporary());
+               write_population_report(report, output.temporary_path());
                output.commit();
              });
            });

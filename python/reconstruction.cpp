@@ -28,12 +28,12 @@ namespace {
 /// Metres per unit of a scan in which two points are so far apart.
 double measured_unit(const std::array<Vec3, 2>& points, double metres) {
   if (!kBlockLength.holds(metres)) {
-    throw InputError("scale_length = " + with_digits(metres, 6) + " m must be " +
+    throw InputError("scale_length = " + format_significant(metres, 6) + " m must be " +
                      kBlockLength.words());
   }
   const double units = (points[1] - points[0]).norm();
   if (!(units > 0.0) || !kLengthUnit.holds(metres / units)) {
-    throw InputError("scale_length: the points are " + with_digits(units, 6) +
+    throw InputError("scale_length: the points are " + format_significant(units, 6) +
                      " units apart, and a unit must be " + kLengthUnit.words());
   }
   return metres / units;
@@ -51,11 +51,11 @@ void take_scale(Keywords& given, ScanToBlockOptions& options) {
     unit = measured_unit(*options.scale_points, metres);
   } else {
     given.take("units", options.units);
-    unit = length_unit(options.units);
+    unit = parse_length_unit(options.units);
   }
   given.take("scale_factor", options.scale_factor);
   if (!kScaleFactor.holds(options.scale_factor)) {
-    throw InputError("scale_factor = " + with_digits(options.scale_factor, 6) + " must be " +
+    throw InputError("scale_factor = " + format_significant(options.scale_factor, 6) + " must be " +
                      kScaleFactor.words());
   }
   options.scan.unit = unit * options.scale_factor;
@@ -103,7 +103,7 @@ void take_photos(Keywords& given, PhotoScanOptions& photos) {
   }
   std::optional<fs::path> board;
   given.take("board", board);
-  if (board) photos.scale.board = read_board(*board);
+  if (board) photos.scale.board = read_scale_board(*board);
   double minutes = photos.colmap.seconds / 60.0;
   given.take("marker_size", photos.scale.marker_side);
   given.take("markers", photos.markers.dictionary);
@@ -139,10 +139,10 @@ py::list of_scan(const std::string& scan, const std::optional<std::string>& id,
                  const py::dict& keywords, const py::object& progress) {
   Keywords given(keywords);
   const ScanToBlockOptions options = options_from(given);
-  return shared_list(run_with_progress(progress, [&](const Progress& step) {
+  return shared_list(run_with_progress(progress, [&](const ProgressCallback& step) {
     const std::vector<ScanFile> scans = list_scans({scan});
     if (scans.size() != 1) {
-      throw InputError(scan + ": holds " + counted(scans.size(), "scan") +
+      throw InputError(scan + ": holds " + format_count(scans.size(), "scan") +
                        "; reconstruct_batch makes a library of them");
     }
     const ScanFile& one = scans.front();
@@ -165,7 +165,7 @@ py::list of_mesh(const py::object& vertices, const py::object& triangles, const 
   }
   Keywords given(keywords);
   const ScanToBlockOptions options = options_from(given);
-  return shared_list(run_with_progress(progress, [&](const Progress& step) {
+  return shared_list(run_with_progress(progress, [&](const ProgressCallback& step) {
     return reconstruct_mesh_blocks(mesh, id, options, {.progress = step});
   }));
 }
@@ -184,7 +184,7 @@ class Follower : public BatchObserver {
                             .options = options_.scan.scan,
                             .up = origin.up,
                             .scale = "one unit of the file is " +
-                                     with_digits(options_.scan.scan.unit, 6) + " m",
+                                     format_significant(options_.scan.scan.unit, 6) + " m",
                             .density_given = options_.scan.block.density_given,
                             .photos = origin.photos});
   }
@@ -230,7 +230,7 @@ py::dict batch(const py::object& scans, const fs::path& output, const py::dict& 
   given.done();
   options.scan = options_from(of_scans);
   std::optional<Follower> follower;
-  const BatchResult result = run_with_progress(progress, [&](const Progress& step) {
+  const BatchResult result = run_with_progress(progress, [&](const ProgressCallback& step) {
     const std::vector<ScanFile> files = list_scans(inputs);
     options.check(files.size());
     follower.emplace(options, pages);

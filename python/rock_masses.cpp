@@ -5,7 +5,7 @@
 #include "core/error.hpp"
 #include "core/files/file_kind.hpp"
 #include "library/library_update.hpp"
-#include "library/mass_file.hpp"
+#include "library/rock_mass_file.hpp"
 #include "mesh/mesh_io.hpp"
 #include "python/bindings.hpp"
 #include "python/options.hpp"
@@ -20,11 +20,11 @@ namespace {
 
 /// What is asked of a cut.
 struct CutRequest {
-  MassFile file;  ///< of a closed mesh; empty: the difference of two terrains
+  RockMassFile file;  ///< of a closed mesh; empty: the difference of two terrains
   MassTerrains terrains;
   ReleasedMassOptions difference;
   std::optional<std::filesystem::path> scar;  ///< mesh of the difference
-  MassBlockOptions options;
+  RockMassOptions options;
   std::optional<std::filesystem::path> output;  ///< library; none: nothing is written
   bool replace = false;
 };
@@ -32,7 +32,7 @@ struct CutRequest {
 CutRequest cut_request(Keywords& given) {
   CutRequest request;
   for (const std::string& joints : given.texts("joints")) {
-    request.options.joints.push_back(read_joint_set(joints));
+    request.options.joints.push_back(parse_joint_set(joints));
   }
   given.take("mass", request.file.path);
   for (const std::string& file : given.texts("before")) request.terrains.before.emplace_back(file);
@@ -69,10 +69,10 @@ CutRequest cut_request(Keywords& given) {
 }
 
 /// The mass between two terrains, written where asked, and its blocks where there are joints.
-MassBlocks blocks_between(const CutRequest& request) {
-  OutputRules rules{.replace = request.replace};
+RockMassBlocks blocks_between(const CutRequest& request) {
+  OverwritePolicy rules{.replace = request.replace};
   if (request.scar) {
-    rules.kind = kind_by_name(*request.scar);
+    rules.kind = file_kind_by_extension(*request.scar);
     check_mesh_output(*request.scar, rules);
   }
   const ReleasedMass mass = read_released_mass(request.terrains, request.difference);
@@ -80,7 +80,7 @@ MassBlocks blocks_between(const CutRequest& request) {
   if (!request.options.joints.empty() || !request.scar) {
     return blocks_of_released_mass(mass, request.terrains, request.difference, request.options);
   }
-  MassBlocks uncut;
+  RockMassBlocks uncut;
   uncut.volume = mass.volume();
   return uncut;
 }
@@ -89,12 +89,12 @@ MassBlocks blocks_between(const CutRequest& request) {
 py::tuple cut(const py::dict& keywords, const py::object& progress) {
   Keywords given(keywords);
   CutRequest request = cut_request(given);
-  const MassBlocks made = run_with_progress(progress, [&](const Progress& step) {
-    if (request.output) check_library_place(*request.output);
+  const RockMassBlocks made = run_with_progress(progress, [&](const ProgressCallback& step) {
+    if (request.output) check_library_target(*request.output);
     request.options.progress = step;
     const bool mesh = !request.file.path.empty();
-    MassBlocks blocks =
-        mesh ? blocks_of_mass_file(request.file, request.options) : blocks_between(request);
+    RockMassBlocks blocks =
+        mesh ? cut_rock_mass_file(request.file, request.options) : blocks_between(request);
     if (request.options.joints.empty()) return blocks;
     if (blocks.blocks.empty()) {
       throw GeometryError((mesh ? request.file.path : request.terrains.before.front()).string() +

@@ -6,7 +6,7 @@
 #include <memory>
 
 #include "core/error.hpp"
-#include "core/files/csv_text.hpp"
+#include "core/files/csv_writer.hpp"
 #include "core/files/file_kind.hpp"
 #include "core/files/output_file.hpp"
 #include "core/files/text_file.hpp"
@@ -60,11 +60,11 @@ py::dict report_of(const Terrain& terrain) {
   const TerrainReport& report = terrain.report;
   return py::dict(
       "triangles_read"_a = report.triangles_read, "welded_vertices"_a = report.welded_vertices,
-      "dropped_degenerate"_a = report.dropped_degenerate,
-      "dropped_duplicates"_a = report.dropped_duplicates,
-      "turned_triangles"_a = report.turned_triangles, "closed_cracks"_a = report.closed_cracks,
+      "dropped_degenerate"_a = report.removed_degenerate,
+      "dropped_duplicates"_a = report.removed_duplicates,
+      "turned_triangles"_a = report.flipped_triangles, "closed_cracks"_a = report.closed_cracks,
       "filled_holes"_a = report.filled_holes, "open_holes"_a = report.open_holes,
-      "levelled_spikes"_a = report.levelled_spikes, "dropped_pieces"_a = report.dropped_pieces,
+      "levelled_spikes"_a = report.levelled_spikes, "dropped_pieces"_a = report.removed_components,
       "slivers"_a = report.slivers, "boundary_edges"_a = report.boundary_edges,
       "components"_a = report.components, "notes"_a = report.notes);
 }
@@ -81,7 +81,7 @@ std::vector<Vec3> take_places(Keywords& given) {
   }
   std::vector<Vec3> places = read_points(py::cast<fs::path>(release));
   if (up == "y") {
-    for (Vec3& place : places) place = turned_z_up(place);
+    for (Vec3& place : places) place = y_up_to_z_up(place);
   }
   return places;
 }
@@ -116,13 +116,13 @@ void draw(const Terrain& terrain, const fs::path& path, const py::dict& keywords
   given.take("replace", replace);
   given.done();
   without_gil([&] {
-    if (extension_of(path) != ".svg") {
+    if (lower_case_extension(path) != ".svg") {
       throw InputError(path.string() + ": is a map; its name must end in .svg");
     }
     std::vector<std::vector<Vec2>> lines;
     if (barriers) lines = read_barrier_lines(*barriers, terrain);
     write_output(path, draw_svg_map(make_site_map(terrain, releases, lines)),
-                 {.kind = kind_by_name(path), .replace = replace});
+                 {.kind = file_kind_by_extension(path), .replace = replace});
   });
 }
 
@@ -138,7 +138,7 @@ py::array_t<double> heights(const Terrain& terrain, const py::object& x, const p
   const double* const eastings = xs.data();
   const double* const northings = ys.data();
   without_gil([&] {
-    const TerrainSurface surface = terrain_surface(terrain);
+    const TerrainSurface surface = make_terrain_surface(terrain);
     const double top = surface.extent().high.z();
     for (std::size_t i = 0; i < found.size(); ++i) {
       const Vec3 place = terrain.frame.local(Vec3(eastings[i], northings[i], 0.0));
@@ -188,7 +188,8 @@ void bind_terrains(py::module_& module) {
       .def("export", [](const Terrain& terrain, const fs::path& path, const std::string& up,
                         double cell, bool replace) {
         without_gil([&] {
-          export_terrain(path, terrain, up, cell, {.kind = kind_by_name(path), .replace = replace});
+          export_terrain(path, terrain, up, cell,
+                         {.kind = file_kind_by_extension(path), .replace = replace});
         });
       });
   module.def("terrain_read", &read_terrain_files);

@@ -19,13 +19,13 @@ namespace py = pybind11;
 
 namespace {
 
-SeriesSteps steps_from(Keywords& given) {
-  SeriesSteps steps;
+SeriesTargets steps_from(Keywords& given) {
+  SeriesTargets steps;
   std::vector<std::pair<double, double>> to;
   given.take("to", to);
   for (const auto& [i_l, s_l] : to) {
     steps.to.push_back(
-        stretch_ratios(i_l, s_l, "(" + with_digits(i_l, 6) + ", " + with_digits(s_l, 6) + ")"));
+        check_stretch_ratios(i_l, s_l, "(" + format_significant(i_l, 6) + ", " + format_significant(s_l, 6) + ")"));
   }
   FormGrid grid;
   std::optional<std::pair<std::string, int>> diagram;
@@ -65,7 +65,7 @@ SeriesRequest series_request(Keywords& given) {
   given.take("output", request.output);
   given.take("replace", request.replace);
   given.done();
-  request.options.variation.keep = kept_size(keep);
+  request.options.variation.keep = parse_preserved_size(keep);
   request.check();
   return request;
 }
@@ -74,7 +74,7 @@ SeriesRequest series_request(Keywords& given) {
 py::tuple vary(const py::dict& keywords, const py::object& progress) {
   Keywords given(keywords);
   SeriesRequest request = series_request(given);
-  RequestedSeries made = run_with_progress(progress, [&](const Progress& step) {
+  SeriesResult made = run_with_progress(progress, [&](const ProgressCallback& step) {
     request.options.progress = step;
     return make_series(request);
   });

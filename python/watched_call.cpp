@@ -17,19 +17,19 @@ constexpr std::chrono::milliseconds kBetweenLooks{50};
 struct Exchange {
   std::mutex mutex;
   std::condition_variable changed;
-  std::optional<ProgressStep> latest;  ///< not yet passed on
+  std::optional<ProgressUpdate> latest;  ///< not yet passed on
   bool stop = false;
   bool done = false;
   std::exception_ptr failure;
 
-  void report(const ProgressStep& step) {
+  void report(const ProgressUpdate& step) {
     const std::lock_guard lock(mutex);
     if (stop) throw Cancelled();
     latest = step;
   }
 
   /// Waits a little, without the interpreter's lock.
-  std::optional<ProgressStep> wait(bool& is_done) {
+  std::optional<ProgressUpdate> wait(bool& is_done) {
     const py::gil_scoped_release release;
     std::unique_lock lock(mutex);
     changed.wait_for(lock, kBetweenLooks, [&] { return done; });
@@ -38,7 +38,7 @@ struct Exchange {
   }
 };
 
-void pass_on(const py::object& progress, const ProgressStep& step) {
+void pass_on(const py::object& progress, const ProgressUpdate& step) {
   if (progress.is_none()) return;
   using namespace pybind11::literals;
   progress(py::dict("done"_a = step.done, "total"_a = step.total, "before"_a = step.before,
@@ -49,7 +49,7 @@ void pass_on(const py::object& progress, const ProgressStep& step) {
 
 std::mutex& file_mutex() { return py::get_or_create_shared_data<std::mutex>("clast file access"); }
 
-void watch(const py::object& progress, const std::function<void(const Progress&)>& job,
+void watch(const py::object& progress, const std::function<void(const ProgressCallback&)>& job,
            std::mutex& busy) {
   if (!progress.is_none() && !PyCallable_Check(progress.ptr())) {
     throw py::type_error("progress: must be something to call with a dict");
@@ -58,7 +58,7 @@ void watch(const py::object& progress, const std::function<void(const Progress&)
   std::thread worker([&] {
     try {
       const std::lock_guard lock(busy);
-      job([&](const ProgressStep& step) { exchange.report(step); });
+      job([&](const ProgressUpdate& step) { exchange.report(step); });
     } catch (...) {
       exchange.failure = std::current_exception();
     }
@@ -68,7 +68,7 @@ void watch(const py::object& progress, const std::function<void(const Progress&)
   });
   std::exception_ptr raised;
   for (bool done = false; !done;) {
-    const std::optional<ProgressStep> step = exchange.wait(done);
+    const std::optional<ProgressUpdate> step = exchange.wait(done);
     if (raised) continue;
     try {
       if (PyErr_CheckSignals() != 0) throw py::error_already_set();

@@ -20,14 +20,14 @@ std::mutex& file_mutex();
 /// before, what) where something is new. A signal, or what `progress` raises, ends the job at its
 /// next step of progress, and is raised here.
 /// @param progress  None or a callable
-void watch(const pybind11::object& progress, const std::function<void(const Progress&)>& job,
+void watch(const pybind11::object& progress, const std::function<void(const ProgressCallback&)>& job,
            std::mutex& busy = file_mutex());
 
 /// The same for a job that returns something.
 template <class Job>
 auto run_with_progress(const pybind11::object& progress, const Job& job) {
-  std::optional<decltype(job(Progress()))> result;
-  watch(progress, [&](const Progress& step) { result.emplace(job(step)); });
+  std::optional<decltype(job(ProgressCallback()))> result;
+  watch(progress, [&](const ProgressCallback& step) { result.emplace(job(step)); });
   return std::move(*result);
 }
 

@@ -61,7 +61,7 @@ class Experiment {
     WorldSettings known = settings_;
     known.stiffness = {1.0, 1.0, 1.0, 1e-3, 1e-3};  // follows from the blocks, later
     known.check();
-    if (terrain_) surface_.emplace(terrain_surface(*terrain_, radius));
+    if (terrain_) surface_.emplace(make_terrain_surface(*terrain_, radius));
   }
 
   /// Makes the block's shape known before the first step.
@@ -124,12 +124,12 @@ class Experiment {
   /// "rest", "left_terrain" or "max_time".
   std::string run(double duration, const py::object& progress) {
     if (!(duration > 0.0) || !std::isfinite(duration)) {
-      throw InputError("duration = " + with_digits(duration, 6) + " s must be positive");
+      throw InputError("duration = " + format_significant(duration, 6) + " s must be positive");
     }
     World& world = started();
     const double begin = world.time(), end = begin + duration;
     StopReason reason = StopReason::kMaxTime;
-    const auto job = [&](const Progress& report) {
+    const auto job = [&](const ProgressCallback& report) {
       const double stretch = static_cast<double>(kStepsTogether) * settings_.stiffness.time_step;
       do {
         reason = world.run_until(std::min(end, world.time() + stretch));
@@ -203,7 +203,7 @@ class Experiment {
   }
 
  private:
-  static ProgressStep progress_at(double passed, double duration) {
+  static ProgressUpdate progress_at(double passed, double duration) {
     constexpr double kParts = 1000.0;
     return {.done = static_cast<std::size_t>(kParts * std::min(1.0, passed / duration)),
             .total = static_cast<std::size_t>(kParts)};
@@ -226,7 +226,7 @@ class Experiment {
     given.take("fastest_m_s", fastest_);
     options_.law = settings_.law;
     if (fastest_ && !(*fastest_ > 0.0 && std::isfinite(*fastest_))) {
-      throw InputError("fastest_m_s = " + with_digits(*fastest_, 6) + " must be positive");
+      throw InputError("fastest_m_s = " + format_significant(*fastest_, 6) + " must be positive");
     }
   }
 
@@ -301,7 +301,7 @@ class Experiment {
   std::size_t checked(std::size_t body) const {
     if (body < count()) return body;
     throw SimulationError("there is no block number " + std::to_string(body) + "; there are " +
-                          counted(count(), "block"));
+                          format_count(count(), "block"));
   }
 
   std::shared_ptr<Terrain> terrain_;

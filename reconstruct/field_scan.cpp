@@ -16,7 +16,7 @@ namespace clast {
 namespace {
 
 bool is_cloud(const std::filesystem::path& path) {
-  const std::string extension = extension_of(path);
+  const std::string extension = lower_case_extension(path);
   const std::vector<std::string>& known = cloud_extensions();
   return extension == ".asc" || std::find(known.begin(), known.end(), extension) != known.end();
 }
@@ -28,13 +28,13 @@ std::vector<std::string> check_cloud_system(const std::filesystem::path& path,
                                             const ScanOptions& options) {
   constexpr double kCorrection = 0.05;  // factors nearer to 1 correct metres, and are no unit
   const bool metres = std::abs(options.unit - 1.0) <= kCorrection;
-  const LengthUse use{.unit = metres ? 1.0 : options.unit,
+  const LengthUnitUse use{.unit = metres ? 1.0 : options.unit,
                       .unit_given = !metres,
-                      .needs_up = false,
+                      .needs_z_up = false,
                       .way = "pdal translate, filters.reprojection, EPSG:CODE",
-                      .relabel = "pdal translate, writers.las.a_srs=EPSG:CODE",
+                      .correction_command = "pdal translate, writers.las.a_srs=EPSG:CODE",
                       .has_units_option = true};
-  std::vector<std::string> notes = check_lengths(path.string(), summary.lengths, use);
+  std::vector<std::string> notes = check_length_units(path.string(), summary.lengths, use);
   if (summary.points > 0) {
     check_map_scale(path.string(), summary.crs, ((box.low + box.high) / 2.0).head<2>(), use.way);
   }
@@ -91,7 +91,7 @@ FieldScan read_field_scan(const std::filesystem::path& path, const FieldScanOpti
     const auto left_out = [&](std::size_t count, const char* why) {
       if (count > 0) notes.push_back(std::to_string(count) + " points left out: " + why);
     };
-    left_out(summary.without_place, "a coordinate is not finite");
+    left_out(summary.non_finite, "a coordinate is not finite");
     left_out(summary.withheld, "the file flags them as withheld or classes them as noise");
   }
   return scan;

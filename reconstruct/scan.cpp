@@ -3,8 +3,8 @@
 #include <cmath>
 
 #include "core/error.hpp"
+#include "core/error_context.hpp"
 #include "core/files/up_axis.hpp"
-#include "core/in_context.hpp"
 #include "core/number_text.hpp"
 #include "mesh/mesh_io.hpp"
 #include "reconstruct/detail/stored_digits.hpp"
@@ -13,15 +13,15 @@ namespace clast {
 
 void ScanOptions::check() const {
   if (!(unit > 0.0) || !std::isfinite(unit)) {
-    throw InputError("unit = " + with_digits(unit, 6) +
+    throw InputError("unit = " + format_significant(unit, 6) +
                      ": metres per unit of the file must be positive, for example 0.001 for mm");
   }
-  up_axis(up, {});
+  resolve_up_axis(up, {});
   repair.check();
 }
 
 ScanOptions options_for(const std::filesystem::path& file, ScanOptions options) {
-  options.up = up_axis(options.up, file);
+  options.up = resolve_up_axis(options.up, file);
   return options;
 }
 
@@ -41,15 +41,15 @@ Scan clean_scan(const TriangleMesh& raw, const std::string& name, const ScanOpti
   TriangleMesh mesh = raw;
   for (Vec3& vertex : mesh.vertices) {
     vertex *= options.unit;
-    if (y_up) vertex = turned_z_up(vertex);
+    if (y_up) vertex = y_up_to_z_up(vertex);
     if (turn) vertex = *turn * vertex;
   }
   RepairOptions repair = options.repair;
   repair.reported_place = [&](const Vec3& there) -> Vec3 {
     const Vec3 metres = turn ? turn->inverse() * there : there;
-    return (y_up ? turned_y_up(metres) : metres) / options.unit;
+    return (y_up ? z_up_to_y_up(metres) : metres) / options.unit;
   };
-  return in_context(name, [&]() -> Scan {
+  return with_error_context(name, [&]() -> Scan {
     RepairedMesh result = repair_mesh(mesh, repair);
     std::vector<std::string> notes = repair_notes(result.report);
     return {std::move(result.mesh), std::move(result.report), std::move(notes)};

@@ -62,7 +62,7 @@ void refuse_wide_fan(const TriangleMesh& mesh) {
   if (*most <= kMostAround) return;
   throw GeometryError(
       std::to_string(*most) + " triangles meet at one vertex, near " +
-      place(mesh.vertices[static_cast<std::size_t>(most - around.begin())]) +
+      format_point(mesh.vertices[static_cast<std::size_t>(most - around.begin())]) +
       ": to simplify such a fan takes hours; remesh the surface with triangles of even "
       "size first (isotropic remeshing), or ask for " +
       std::to_string(mesh.vertices.size()) + " vertices, which keeps all of them");
@@ -79,8 +79,8 @@ void SimplifyOptions::check() const {
 
 TriangleMesh simplified(const TriangleMesh& mesh, const SimplifyOptions& options) {
   options.check();
-  const MeshReport report = inspect(mesh);
-  if (!report.closed() || !report.oriented() || report.pinched_vertices > 0) {
+  const MeshReport report = inspect_mesh(mesh);
+  if (!report.is_closed() || !report.is_oriented() || report.pinched_vertices > 0) {
     throw GeometryError("only a closed surface can be simplified, this one has " +
                         report.summary());
   }
@@ -104,7 +104,7 @@ TriangleMesh simplified(const TriangleMesh& mesh, const SimplifyOptions& options
   /// A sound surface of no more vertices than asked for, from one about the middle.
   const auto lighter = [&](const TriangleMesh& from,
                            double multiple) -> std::optional<TriangleMesh> {
-    std::optional<TriangleMesh> sound = untangled(moved(decimated(from, times(multiple)), origin));
+    std::optional<TriangleMesh> sound = untangle_self_intersections(moved(decimate(from, times(multiple)), origin));
     if (!sound || sound->vertices.size() > most) return std::nullopt;
     return sound;
   };
@@ -115,18 +115,18 @@ TriangleMesh simplified(const TriangleMesh& mesh, const SimplifyOptions& options
     return std::nullopt;
   };
   if (std::optional<TriangleMesh> found = lighter(centred, 1.0)) return std::move(*found);
-  const TriangleMesh finer = decimated(centred, times(kMost));
+  const TriangleMesh finer = decimate(centred, times(kMost));
   if (std::optional<TriangleMesh> found = lightest(finer)) return std::move(*found);
   TriangleMesh first;
   std::optional<std::size_t> fewest;
   for (const double multiple : kRefilledAt) {
-    const TriangleMesh tried = decimated(finer, times(multiple));
+    const TriangleMesh tried = decimate(finer, times(multiple));
     if (first.triangles.empty()) first = moved(tried, origin);
-    std::optional<TriangleMesh> sound = untangled(moved(tried, origin));
+    std::optional<TriangleMesh> sound = untangle_self_intersections(moved(tried, origin));
     if (!sound) {
       sound = refilled(tried, origin);
       if (sound) sound = moved(std::move(*sound), origin);
-      if (sound && !crossing_triangles(*sound).empty()) sound.reset();
+      if (sound && !find_self_intersections(*sound).empty()) sound.reset();
     }
     if (!sound) continue;
     if (sound->vertices.size() <= most) return std::move(*sound);
@@ -135,12 +135,12 @@ TriangleMesh simplified(const TriangleMesh& mesh, const SimplifyOptions& options
       return std::move(*found);
     }
   }
-  const auto crossings = crossing_triangles(first);
-  const auto input_crossings = crossing_triangles(mesh);
+  const auto crossings = find_self_intersections(first);
+  const auto input_crossings = find_self_intersections(mesh);
   std::string message = "simplified to " + std::to_string(options.target_vertices) +
                         " vertices the surface intersects itself";
   if (!crossings.empty()) {
-    message += " near " + place(first.vertices[first.triangles[crossings[0][0]][0]]);
+    message += " near " + format_point(first.vertices[first.triangles[crossings[0][0]][0]]);
   }
   message += input_crossings.empty()
                  ? fewest ? "; ask for " + std::to_string(*fewest) +
@@ -149,7 +149,7 @@ TriangleMesh simplified(const TriangleMesh& mesh, const SimplifyOptions& options
                  : "; the scan also intersects itself, at " +
                        std::to_string(input_crossings.size()) +
                        " pairs of triangles, the first near " +
-                       place(mesh.vertices[mesh.triangles[input_crossings[0][0]][0]]) +
+                       format_point(mesh.vertices[mesh.triangles[input_crossings[0][0]][0]]) +
                        ": repair it there, or ask for more vertices";
   throw GeometryError(message);
 }

@@ -18,12 +18,12 @@ std::filesystem::path calibration_page_file(const std::filesystem::path& target)
 
 namespace {
 
-OutputRules page_rules(const std::filesystem::path& target, const CalibrateOptions& options) {
+OverwritePolicy page_rules(const std::filesystem::path& target, const CalibrateOptions& options) {
   const std::filesystem::path page = calibration_page_file(target);
   const bool replace = options.replace || options.resume;
-  const OutputRules rules{.kind = kind_by_name(page), .replace = replace};
-  check_output(target, {.kind = kPosteriorFormat, .replace = replace});
-  check_output(page, rules);
+  const OverwritePolicy rules{.kind = file_kind_by_extension(page), .replace = replace};
+  check_output_target(target, {.kind = kPosteriorFormat, .replace = replace});
+  check_output_target(page, rules);
   return rules;
 }
 
@@ -36,7 +36,7 @@ void check_calibration_output(const std::filesystem::path& target,
 
 Calibration calibrate_and_report(const CalibrationStudy& study, const std::filesystem::path& target,
                                 const CalibrateOptions& options) {
-  const OutputRules rules = page_rules(target, options);
+  const OverwritePolicy rules = page_rules(target, options);
   Calibration calibration = calibrate(study, target, options);
   write_output(calibration_page_file(target), make_calibration_page(calibration), rules);
   return calibration;

@@ -21,7 +21,7 @@ namespace clast {
 using namespace report_detail;
 
 FolderKind comparison_folder_kind() {
-  const auto owns = [](const std::filesystem::path& file) {
+  const auto is_own_file = [](const std::filesystem::path& file) {
     static const std::set<std::string> kFiles = {"stops.gpkg", "provenance.json", "report.html",
                                                  "report.pdf",
                                                  // of clast 0.2 and before
@@ -32,7 +32,7 @@ FolderKind comparison_folder_kind() {
     if (folder.empty() && extension == ".svg") return file.string().starts_with("response_");
     return kFiles.contains(file.string()) || is_table_file(comparison_tables(), file.string());
   };
-  return {"comparison", "provenance.json", "\"downslope_from\"", owns};
+  return {"comparison", "provenance.json", "\"downslope_from\"", is_own_file};
 }
 
 std::vector<std::filesystem::path> write_comparison(const ComparisonAnalyses& analyses,
@@ -84,10 +84,10 @@ std::optional<std::string> print_report(const std::filesystem::path& folder,
 
 WrittenReport fill_folder(OutputFolder& folder, const ComparisonAnalyses& analyses,
                          const ComparisonReportOptions& extras) {
-  std::vector<std::filesystem::path> written = write_comparison(analyses, folder.temporary());
+  std::vector<std::filesystem::path> written = write_comparison(analyses, folder.temporary_path());
   if (extras.animated > 0) {
     const std::filesystem::path animation =
-        write_animation(folder.temporary() / "animation", analyses.comparison(), extras.animated);
+        write_animation(folder.temporary_path() / "animation", analyses.comparison(), extras.animated);
     if (animation.empty()) {
       throw InputError(
           "no trajectory is stored, so nothing can be animated; set [run] "
@@ -97,12 +97,12 @@ WrittenReport fill_folder(OutputFolder& folder, const ComparisonAnalyses& analys
   }
   WrittenReport filled;
   if (!extras.browser.empty()) {
-    filled.no_pdf = print_report(folder.temporary(), extras.browser);
-    if (!filled.no_pdf) written.insert(written.end() - 1, folder.temporary() / "report.pdf");
+    filled.no_pdf = print_report(folder.temporary_path(), extras.browser);
+    if (!filled.no_pdf) written.insert(written.end() - 1, folder.temporary_path() / "report.pdf");
   }
   folder.commit();
   for (const std::filesystem::path& file : written) {
-    filled.files.push_back(file.lexically_relative(folder.temporary()));
+    filled.files.push_back(file.lexically_relative(folder.temporary_path()));
   }
   return filled;
 }

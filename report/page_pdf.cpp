@@ -95,14 +95,14 @@ std::string without_print_marks(std::string pdf) {
 fs::path find_browser() {
   const char* named = std::getenv("CLAST_BROWSER");
   if (named && *named) {
-    const fs::path browser = program_named(named);
+    const fs::path browser = find_executable(named);
     if (!browser.empty()) return browser;
     throw InputError("CLAST_BROWSER names " + std::string(named) +
                      ", which is no program; name Chromium or Chrome");
   }
   for (const char* name : {"chromium", "chromium-browser", "google-chrome", "google-chrome-stable",
                            "chrome", "microsoft-edge"}) {
-    const fs::path browser = program_named(name);
+    const fs::path browser = find_executable(name);
     if (!browser.empty()) return browser;
   }
   throw InputError(
@@ -126,11 +126,11 @@ void print_page(const fs::path& page, const fs::path& pdf, const fs::path& brows
   // The browser refuses to run for root with its own protection.
   if (::geteuid() == 0) words.push_back("--no-sandbox");
   words.push_back("file://" + report_detail::format_link_target(fs::absolute(page).string()) + "#print");
-  const ChildEnd end =
-      run_child(words, {{"HOME", profile.folder().string()}}, profile.folder() / "log", seconds);
+  const ProcessResult end =
+      run_child_process(words, {{"HOME", profile.folder().string()}}, profile.folder() / "log", seconds);
   if (end.timed_out) {
     throw InputError(browser.string() + " did not print the report within " +
-                     with_digits(seconds, 3) + " s; print report.html by hand");
+                     format_significant(seconds, 3) + " s; print report.html by hand");
   }
   if (!is_pdf(pdf)) {
     fs::remove(pdf, code);

@@ -7,11 +7,11 @@
 
 #include "classify/certainty.hpp"
 #include "classify/population_notes.hpp"
+#include "core/comma_separated.hpp"
 #include "core/error.hpp"
-#include "core/files/csv_text.hpp"
+#include "core/files/csv_writer.hpp"
 #include "core/files/digest.hpp"
 #include "core/length_unit.hpp"
-#include "core/listed.hpp"
 #include "core/number_text.hpp"
 #include "core/utf8.hpp"
 #include "library/block_library.hpp"
@@ -48,16 +48,16 @@ void add_library(ReportedPopulation& reported, const BlockMeasuringOptions& read
                  const std::string& path) {
   const BlockLibrary library = BlockLibrary::read(path);
   for (const Block& block : library.blocks()) {
-    std::vector<Axes> by_box;
+    std::vector<Axes> axes_by_box;
     for (const BoxConvention convention : kBoxConventions) {
       const Vec3 sides = block_box(block, convention).lengths;
-      by_box.push_back({sides[0], sides[1], sides[2]});
+      axes_by_box.push_back({sides[0], sides[1], sides[2]});
     }
-    const Axes axes = by_box[static_cast<std::size_t>(box_convention(reading.box))];
-    MeasuredBlock measured = measured_block(as_utf8(block.id), axes);
+    const Axes axes = axes_by_box[static_cast<std::size_t>(parse_box_convention(reading.box))];
+    MeasuredBlock measured = make_measured_block(to_utf8(block.id), axes);
     measured.unscaled = is_unscaled(block);
     if (!measured.unscaled) measured.mass = block.mass.mass;
-    measured.by_box = std::move(by_box);
+    measured.axes_by_box = std::move(axes_by_box);
     // The scan's extents are within twice the deviation of the block's.
     measured.axis_error = reading.axis_error && !measured.unscaled
                               ? *reading.axis_error
@@ -79,16 +79,16 @@ void add_brief_notes(std::vector<std::string>& brief, const std::string& input,
     brief.push_back(input + ": and " + std::to_string(table.notes.size() - kMostBriefNotes) +
                     " more notes");
   }
-  if (table.skipped + table.sorted + table.unweighed > 0) {
-    brief.push_back(input + ": " + counted(table.blocks.size(), "row") + " used, " +
+  if (table.skipped + table.sorted + table.without_mass > 0) {
+    brief.push_back(input + ": " + format_count(table.blocks.size(), "row") + " used, " +
                     std::to_string(table.skipped) + " skipped, " + std::to_string(table.sorted) +
-                    " sorted, " + std::to_string(table.unweighed) + " without a usable mass");
+                    " sorted, " + std::to_string(table.without_mass) + " without a usable mass");
   }
 }
 
 /// Rows without a name of their own are named after `stem`, where there is one.
-void add_table(ReportedPopulation& reported, const BlockMeasuringOptions& reading, const std::string& path,
-               const DimensionColumns& columns, const std::string& stem) {
+void add_table(ReportedPopulation& reported, const BlockMeasuringOptions& reading,
+               const std::string& path, const DimensionColumns& columns, const std::string& stem) {
   DimensionTable table = read_dimension_table(path, columns);
   add_brief_notes(reported.brief_notes, path, table);
   for (MeasuredBlock& block : table.blocks) {
@@ -115,19 +115,20 @@ void note_same_files(ReportedPopulation& reported) {
     std::vector<std::string>& same = names[input.sha256];
     if (same.size() < 2) continue;
     const std::string times = std::to_string(same.size()) + " times";
-    add_note(reported, "the same file was given " + times + " (" + listed(same) +
+    add_note(reported, "the same file was given " + times + " (" + comma_separated(same) +
                            "): its blocks are counted " + times);
     same.clear();  // noted once
   }
 }
 
-ReportedPopulation read_population(const PopulationFiles& files, const BlockMeasuringOptions& reading) {
+ReportedPopulation read_population(const PopulationFiles& files,
+                                   const BlockMeasuringOptions& reading) {
   const DimensionColumns columns = columns_from(files.columns, files.units);
   ReportedPopulation reported;
   std::string& name = reported.population.name;
   bool tables = false, libraries = false;
   for (const std::string& input : files.inputs) {
-    const std::string stem = as_utf8(std::filesystem::path(input).stem().string());
+    const std::string stem = to_utf8(std::filesystem::path(input).stem().string());
     const bool library = is_library(input);
     (library ? libraries : tables) = true;
     if (library) {
@@ -136,7 +137,7 @@ ReportedPopulation read_population(const PopulationFiles& files, const BlockMeas
       add_table(reported, reading, input, columns, files.inputs.size() > 1 ? stem : std::string());
     }
     name += (name.empty() ? "" : " + ") + stem;
-    reported.inputs.push_back({as_utf8(input), sha256_of_file(input)});
+    reported.inputs.push_back({to_utf8(input), sha256_of_file(input)});
   }
   if (reported.population.blocks.empty()) {
     throw InputError(reported.inputs.front().file + ": there is no block in it to classify");
@@ -184,7 +185,7 @@ bool is_library(const std::string& path) {
 
 DimensionColumns columns_from(const std::string& text, const std::string& units) {
   DimensionColumns columns;
-  if (!units.empty()) columns.units = length_unit(units);
+  if (!units.empty()) columns.units = parse_length_unit(units);
   std::map<std::string, std::string> quantities, given;  // by each other
   for (const std::string& item : split_list(text)) {
     const std::size_t equals = item.find('=');
@@ -217,7 +218,7 @@ void PopulationRequest::check() const {
   options.check();
   if (first.inputs.empty()) throw InputError("no library and no table of blocks is given");
   if (reading.axis_error && !kAxisError.holds(*reading.axis_error)) {
-    throw InputError("`axis_error` = " + with_digits(*reading.axis_error, 6) + " must be " +
+    throw InputError("`axis_error` = " + format_significant(*reading.axis_error, 6) + " must be " +
                      kAxisError.words());
   }
   for (const PopulationFiles& files : {first, files_against(*this)}) {

@@ -20,7 +20,7 @@ nlohmann::ordered_json provenance(const PopulationReport& report, const Diagrams
   json["program_version"] = version();
   json["options"] = {{"size", name_of(report.options.size)},
                      {"seed", report.options.seed},
-                     {"schemes", report.options.chosen_schemes()},
+                     {"schemes", report.options.selected_schemes()},
                      {"sneed_folk_thirds", report.options.limits.sneed_folk_thirds},
                      {"erdogan_limit", report.options.limits.erdogan_limit}};
   json["populations"] = nlohmann::ordered_json::array();
@@ -66,7 +66,7 @@ std::set<std::string> earlier_diagrams(const std::filesystem::path& folder) {
 }  // namespace
 
 FolderKind population_folder_kind(const std::filesystem::path& folder) {
-  const auto owns = [diagrams = earlier_diagrams(folder)](const std::filesystem::path& file) {
+  const auto is_own_file = [diagrams = earlier_diagrams(folder)](const std::filesystem::path& file) {
     const std::string name = file.string();
     if (is_table_file(population_tables(), name)) return true;
     // Whatever someone wrote into that list: nothing but a picture in the folder is ours.
@@ -74,7 +74,7 @@ FolderKind population_folder_kind(const std::filesystem::path& folder) {
     return name == "provenance.json" || name == "report.html" ||
            (picture && diagrams.contains(name));
   };
-  return {"classification", "provenance.json", "\"populations\"", owns};
+  return {"classification", "provenance.json", "\"populations\"", is_own_file};
 }
 
 void write_population_report(const PopulationReport& report, const std::filesystem::path& folder) {

@@ -61,11 +61,11 @@ MappedBox mapped_box(const std::vector<Vec3>& corners, const Mat3& map, double s
 
 void BoxRatios::check() const {
   if (!(i_l > 0.0 && i_l <= 1.0)) {
-    throw InputError("I/L = " + with_digits(i_l, 6) + ": must be above 0 and at most 1");
+    throw InputError("I/L = " + format_significant(i_l, 6) + ": must be above 0 and at most 1");
   }
   if (!(s_l > 0.0 && s_l <= i_l)) {
-    throw InputError("S/L = " + with_digits(s_l, 6) + ": must be above 0 and at most I/L, " +
-                     with_digits(i_l, 6));
+    throw InputError("S/L = " + format_significant(s_l, 6) + ": must be above 0 and at most I/L, " +
+                     format_significant(i_l, 6));
   }
 }
 
@@ -73,15 +73,15 @@ BoxRatios box_ratios(const OrientedBox& box) {
   return {box.lengths[1] / box.lengths[0], box.lengths[2] / box.lengths[0]};
 }
 
-double ratio_gap(const BoxRatios& ratios, const BoxRatios& target) {
+double ratio_difference(const BoxRatios& ratios, const BoxRatios& target) {
   return std::max(std::abs(ratios.i_l / target.i_l - 1.0), std::abs(ratios.s_l / target.s_l - 1.0));
 }
 
-StretchedBody stretched_to(const SpheroPolyhedron& body, const BoxRatios& target) {
+StretchedBody stretch_to_ratios(const SpheroPolyhedron& body, const BoxRatios& target) {
   target.check();
   if (body.faces.empty()) throw GeometryError("a ball or a capsule has no core to stretch");
   const OrientedBox before = smallest_box(body);
-  const double gap = ratio_gap(box_ratios(before), target);
+  const double gap = ratio_difference(box_ratios(before), target);
   if (gap <= kSameRatios) return {body, Vec3::Ones(), gap};
   if (before.lengths[2] - 2.0 * body.radius <= kNoThickness * before.lengths[0]) {
     throw GeometryError("the core is flat, so that no stretch gives it another S");
@@ -105,7 +105,7 @@ StretchedBody stretched_to(const SpheroPolyhedron& body, const BoxRatios& target
     }
     map = found.box.axes * factors.asDiagonal() * found.box.axes.transpose() * map;
     found = mapped_box(corners, map, share, found.radius);
-    const double left = ratio_gap(box_ratios(found.box), target);
+    const double left = ratio_difference(box_ratios(found.box), target);
     if (left >= result.gap) continue;
     result.gap = left;
     result.body.radius = found.radius;
@@ -117,7 +117,7 @@ StretchedBody stretched_to(const SpheroPolyhedron& body, const BoxRatios& target
   }
   const Eigen::SelfAdjointEigenSolver<Mat3> eigen(stretch, Eigen::EigenvaluesOnly);
   result.stretch = eigen.eigenvalues().reverse();
-  result.gap = ratio_gap(box_ratios(smallest_box(result.body)), target);
+  result.gap = ratio_difference(box_ratios(smallest_box(result.body)), target);
   return result;
 }
 

@@ -17,13 +17,13 @@ struct BoxRatios {
 BoxRatios box_ratios(const OrientedBox& box);
 
 /// The larger relative difference of I/L and of S/L from those of the target.
-double ratio_gap(const BoxRatios& ratios, const BoxRatios& target);
+double ratio_difference(const BoxRatios& ratios, const BoxRatios& target);
 
-/// What `stretched_to` found.
+/// What `stretch_to_ratios` found.
 struct StretchedBody {
   SpheroPolyhedron body;
   Vec3 stretch = Vec3::Ones();  ///< principal stretches of the core, descending; product 1
-  double gap = 0.0;             ///< `ratio_gap` that is left
+  double gap = 0.0;             ///< `ratio_difference` that is left
 };
 
 /// The body whose core is stretched so that its smallest box has the ratios of `target`, nearly at
@@ -37,6 +37,6 @@ struct StretchedBody {
 /// stretch and a turn; only the stretch is applied.
 /// @throws InputError     as `BoxRatios::check`
 /// @throws GeometryError  a ball or a capsule, which has no core to stretch; a flat core
-StretchedBody stretched_to(const SpheroPolyhedron& body, const BoxRatios& target);
+StretchedBody stretch_to_ratios(const SpheroPolyhedron& body, const BoxRatios& target);
 
 }  // namespace clast

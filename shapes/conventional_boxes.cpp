@@ -64,21 +64,21 @@ std::vector<Vec2> shadow(const std::vector<Vec3>& points, const Mat3& frame) {
     const Vec3 local = p - points.front();
     flat.emplace_back(frame.col(1).dot(local), frame.col(2).dot(local));
   }
-  return convex_outline(std::move(flat));
+  return convex_hull_2d(std::move(flat));
 }
 
 /// The smallest box with a side along `axis`.
 OrientedBox smallest_box_about(const std::vector<Vec3>& points, const Vec3& axis, double radius) {
   const Mat3 frame = frame_about(axis.normalized());
   const Vec2 direction = smallest_rectangle(shadow(points, frame), radius).direction;
-  return box_along(points, turned_about_first(frame, direction), radius);
+  return box_with_axes(points, turned_about_first(frame, direction), radius);
 }
 
 }  // namespace
 
 OrientedBox feret_box(std::span<const Vec3> points, double radius) {
   const std::vector<Vec3> corners = extreme_points(points);
-  if (corners.size() < 2) return box_along(corners, Mat3::Identity(), radius);
+  if (corners.size() < 2) return box_with_axes(corners, Mat3::Identity(), radius);
   OrientedBox best;
   bool first = true;
   for (const auto& [i, j] : longest_pairs(corners)) {
@@ -89,11 +89,11 @@ OrientedBox feret_box(std::span<const Vec3> points, double radius) {
       const Vec2 across = outline[l] - outline[k];
       const Mat3 axes =
           across.norm() > kDot * length ? turned_about_first(frame, across.normalized()) : frame;
-      const OrientedBox box = box_along(corners, axes, radius);
+      const OrientedBox box = box_with_axes(corners, axes, radius);
       if (first || is_smaller(box, best)) best = box;
       first = false;
     }
-    if (first) best = box_along(corners, frame, radius);  // the shadow is a dot
+    if (first) best = box_with_axes(corners, frame, radius);  // the shadow is a dot
     first = false;
   }
   return best;
@@ -108,12 +108,12 @@ OrientedBox principal_box(std::span<const Vec3> points, const Mat3& axes, const 
   if (first_two && last_two) return smallest_box(corners, radius);
   if (first_two) return smallest_box_about(corners, axes.col(2), radius);
   if (last_two) return smallest_box_about(corners, axes.col(0), radius);
-  return box_along(corners, axes, radius);
+  return box_with_axes(corners, axes, radius);
 }
 
 OrientedBox pca_box(std::span<const Vec3> points, double radius) {
   const std::vector<Vec3> corners = extreme_points(points);
-  if (corners.empty()) return box_along(corners, Mat3::Identity(), radius);  // refuses
+  if (corners.empty()) return box_with_axes(corners, Mat3::Identity(), radius);  // refuses
   Vec3 mean = Vec3::Zero();
   for (const Vec3& p : corners) mean += p - corners.front();
   mean /= static_cast<double>(corners.size());

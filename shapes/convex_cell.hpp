@@ -15,9 +15,9 @@ class ConvexCell {
   /// The box.
   explicit ConvexCell(const Bounds& box);
 
-  /// The part below a plane; none where there is nothing. Vertices within `slack`, m, of the plane
+  /// The part below a plane; none where there is nothing. Vertices within `tolerance`, m, of the plane
   /// count as on it.
-  std::optional<ConvexCell> below(const Plane& plane, double slack) const;
+  std::optional<ConvexCell> below(const Plane& plane, double tolerance) const;
 
   const std::vector<Vec3>& vertices() const { return vertices_; }
   /// The planes of its faces, normals outwards.
@@ -39,6 +39,6 @@ class ConvexCell {
 /// below all faces. Faces are those of the polyhedron, edges and corners are round.
 /// @param polyhedron  closed, outward, convex
 /// @return none: nothing lies so deep
-std::optional<SpheroPolyhedron> rounded_inside(const TriangleMesh& polyhedron, double radius);
+std::optional<SpheroPolyhedron> inscribed_rounded_body(const TriangleMesh& polyhedron, double radius);
 
 }  // namespace clast

@@ -54,12 +54,12 @@ std::vector<Vec3> flat_corners(const std::vector<Vec3>& points, const Mat3& axes
     flat.push_back({places.back(), p});
   }
   std::vector<Vec3> corners;
-  for (const Vec2& corner : convex_outline(std::move(places))) {
+  for (const Vec2& corner : convex_hull_2d(std::move(places))) {
     const auto found =
         std::find_if(flat.begin(), flat.end(), [&](const Flat& f) { return f.place == corner; });
     corners.push_back(found->point);
   }
-  return sorted_points(corners);
+  return sorted_unique_points(corners);
 }
 
 /// The corners of every flat face of a hull, seen from outside counterclockwise. CGAL has cut faces
@@ -124,7 +124,7 @@ void sort_triangles(TriangleMesh& mesh) {
 
 }  // namespace
 
-std::vector<Vec3> sorted_points(std::span<const Vec3> points) {
+std::vector<Vec3> sorted_unique_points(std::span<const Vec3> points) {
   std::vector<Vec3> sorted(points.begin(), points.end());
   // A zero of either sign is the same place.
   for (Vec3& p : sorted) p += Vec3::Zero();
@@ -163,7 +163,7 @@ AffineSpan affine_span(std::span<const Vec3> points) {
 
 std::vector<Vec3> extreme_points(std::span<const Vec3> points) {
   check_finite(points);
-  const std::vector<Vec3> sorted = sorted_points(points);
+  const std::vector<Vec3> sorted = sorted_unique_points(points);
   const AffineSpan span = affine_span(sorted);
   if (span.dimension == 3) return convex_hull(sorted).vertices;
   if (span.dimension == 2) return flat_corners(sorted, span.axes);
@@ -174,7 +174,7 @@ std::vector<Vec3> extreme_points(std::span<const Vec3> points) {
 
 TriangleMesh convex_hull(std::span<const Vec3> points) {
   check_finite(points);
-  const std::vector<Vec3> sorted = sorted_points(points);
+  const std::vector<Vec3> sorted = sorted_unique_points(points);
   const int dimension = affine_span(sorted).dimension;
   if (sorted.size() < 4 || dimension < 3) {
     const char* what = dimension == 2   ? "in one plane"
@@ -198,7 +198,7 @@ TriangleMesh convex_hull(std::span<const Vec3> points) {
   for (const auto& face : faces) {
     for (const auto v : face) mesh.vertices.push_back(place(v));
   }
-  mesh.vertices = sorted_points(mesh.vertices);
+  mesh.vertices = sorted_unique_points(mesh.vertices);
   for (const auto& face : faces) {
     std::vector<std::uint32_t> corners;
     for (const auto v : face) {

@@ -23,7 +23,7 @@ AffineSpan affine_span(std::span<const Vec3> points);
 
 /// Points in ascending order of x, y, z, each once: what makes a result independent of the order
 /// in which points come.
-std::vector<Vec3> sorted_points(std::span<const Vec3> points);
+std::vector<Vec3> sorted_unique_points(std::span<const Vec3> points);
 
 /// Corners of the convex hull, sorted: of the hull, of the outline of points in a plane, the ends
 /// of a line, or the one place.

@@ -44,7 +44,7 @@ class Merger {
     for (const Face& face : shape_.faces) neighbours_.emplace_back(face.size(), kNone);
     const std::vector<HalfEdge> sides = sorted_half_edges(shape_.faces);
     for_each_edge(sides, [&](std::span<const HalfEdge> shared) {
-      if (!are_neighbours(shared)) return;
+      if (!is_interior_edge(shared)) return;
       neighbours_[shared[0].triangle][shared[0].side] = shared[1].triangle;
       neighbours_[shared[1].triangle][shared[1].side] = shared[0].triangle;
     });
@@ -104,7 +104,7 @@ class Merger {
       if (polygons_[p].size() < 4 || kept_apart_[region]) continue;
       cut.triangles.clear();
       const std::vector<std::int64_t> corners(polygons_[p].begin(), polygons_[p].end());
-      bool sound = corners.size() <= kMostEars;
+      bool sound = corners.size() <= kMaxEarClippingVertices;
       if (sound) append_polygon(cut, corners);
       const Vec3 normal = face_normal(shape_, polygons_[p]);
       for (const auto& [a, b, c] : cut.triangles) {
@@ -220,7 +220,7 @@ class Merger {
       for (Index& v : polygon) v = number[v];
     }
     result.faces = std::move(polygons_);
-    result.edges = edges_of(result.faces);
+    result.edges = face_edges(result.faces);
     return result;
   }
 
@@ -236,7 +236,7 @@ class Merger {
 
 }  // namespace
 
-SpheroPolyhedron with_merged_faces(const SpheroPolyhedron& shape, double flatness) {
+SpheroPolyhedron merge_coplanar_faces(const SpheroPolyhedron& shape, double flatness) {
   if (shape.faces.empty()) return shape;
   return Merger(shape, flatness).merged();
 }

@@ -6,7 +6,7 @@ namespace clast {
 
 /// A flatness for shapes of files: what single precision or eight digits leave of a plane, and
 /// nothing that a contact notices.
-inline constexpr double kFlatInFiles = 1e-7;
+inline constexpr double kFileFlatness = 1e-7;
 
 /// The same body with fewer parts: connected faces in one plane become one polygon, vertices inside
 /// it and on straight edges are dropped, so that contact costs what the shape is and not how it was
@@ -17,6 +17,6 @@ inline constexpr double kFlatInFiles = 1e-7;
 /// it right. A shape without faces comes back as it is.
 /// @param flatness  how far a vertex may lie off a plane or a straight edge, as a share of the
 ///                  core's diagonal; the default changes a volume by less than 1e-11
-SpheroPolyhedron with_merged_faces(const SpheroPolyhedron& shape, double flatness = 1e-12);
+SpheroPolyhedron merge_coplanar_faces(const SpheroPolyhedron& shape, double flatness = 1e-12);
 
 }  // namespace clast

@@ -15,7 +15,7 @@
 #include "mesh/surface_samples.hpp"
 #include "mesh/triangle_geometry.hpp"
 #include "mesh/triangle_tree.hpp"
-#include "shapes/detail/skin_distance.hpp"
+#include "shapes/detail/rounded_surface_distance.hpp"
 
 namespace clast {
 
@@ -79,7 +79,7 @@ class Fit {
         options_(options),
         count_(
             std::clamp(kPointsPerVertex * start.vertices.size(), kFewestFitPoints, kMostFitPoints)),
-        points_(spread_points(scan.mesh(), count_)),
+        points_(sample_surface(scan.mesh(), count_)),
         core_(core_mesh(start)) {
     const std::vector<Vec3>& vertices = scan.mesh().vertices;
     const std::size_t stride = (vertices.size() + kScanVertices - 1) / kScanVertices;
@@ -124,10 +124,10 @@ class Fit {
   Pulls measured() {
     const TriangleTree tree(core_);
     Pulls pulls;
-    const shapes_detail::SkinDistance skin_distance(tree, radius_, 2.0 * size_);
+    const shapes_detail::RoundedSurfaceDistance skin_distance(tree, radius_, 2.0 * size_);
     std::uint32_t hint = 0;  // neighbours in the list are mostly neighbours in space
     for (const Vec3& point : points_) {
-      const TriangleTree::Signed near = tree.signed_closest(point, hint);
+      const TriangleTree::Signed near = tree.signed_closest_point(point, hint);
       hint = near.triangle;
       double gap = near.distance - radius_;
       // Under a crease of the skin the next bare place is farther than the skin that is buried.
@@ -135,16 +135,17 @@ class Fit {
       pulls.add(near, near.outward, gap);
     }
 
-    const TriangleMesh skin = skin_mesh(sphero_polyhedron(core_, radius_), kSkinSegments);
-    std::vector<Vec3> on_skin = spread_points(skin, count_);
+    const TriangleMesh skin =
+        rounded_surface_mesh(make_sphero_polyhedron(core_, radius_), kSkinSegments);
+    std::vector<Vec3> on_skin = sample_surface(skin, count_);
     on_skin.insert(on_skin.end(), skin.vertices.begin(), skin.vertices.end());
     std::uint32_t scan_hint = 0;
     for (const Vec3& near_skin : on_skin) {
-      const TriangleTree::Signed foot = tree.signed_closest(near_skin, hint);
+      const TriangleTree::Signed foot = tree.signed_closest_point(near_skin, hint);
       hint = foot.triangle;
       const Vec3 point = foot.foot + radius_ * foot.outward;
       if (tree.signed_distance(point, hint) < (1.0 - kOnFittedSkin) * radius_) continue;
-      const TriangleTree::Signed on_scan = scan_.tree().signed_closest(point, scan_hint);
+      const TriangleTree::Signed on_scan = scan_.tree().signed_closest_point(point, scan_hint);
       scan_hint = on_scan.triangle;
       pulls.add(foot, on_scan.outward, -on_scan.distance);
     }
@@ -217,7 +218,7 @@ class Fit {
       if (!(before.dot(after) > kTurn)) bad.push_back(t);
     }
     if (!bad.empty()) return bad;
-    for (const auto& pair : crossing_triangles(moved))
+    for (const auto& pair : find_self_intersections(moved))
       bad.insert(bad.end(), pair.begin(), pair.end());
     std::sort(bad.begin(), bad.end());
     bad.erase(std::unique(bad.begin(), bad.end()), bad.end());
@@ -226,8 +227,8 @@ class Fit {
 
   bool collapse(const std::vector<std::uint32_t>& bad) {
     TriangleMesh collapsed = core_;
-    if (collapse_edges_of(collapsed, bad) == 0) return false;
-    if (!crossing_triangles(collapsed).empty()) return false;
+    if (collapse_triangle_edges(collapsed, bad) == 0) return false;
+    if (!find_self_intersections(collapsed).empty()) return false;
     core_ = std::move(collapsed);
     return true;
   }
@@ -279,16 +280,16 @@ void CoreFitOptions::check() const {
     throw InputError("rounds = " + std::to_string(rounds) + ": must be zero or more");
   }
   if (!(good_enough >= 0.0) || !(hopeless >= 0.0)) {
-    throw InputError("good_enough = " + with_digits(good_enough, 6) +
-                     " and hopeless = " + with_digits(hopeless, 6) + ": must be zero or more");
+    throw InputError("good_enough = " + format_significant(good_enough, 6) + " and hopeless = " +
+                     format_significant(hopeless, 6) + ": must be zero or more");
   }
 }
 
-SpheroPolyhedron fitted_core(const ScanSurface& scan, const SpheroPolyhedron& start,
-                             const CoreFitOptions& options) {
+SpheroPolyhedron fit_core(const ScanSurface& scan, const SpheroPolyhedron& start,
+                          const CoreFitOptions& options) {
   options.check();
   if (start.faces.empty()) throw GeometryError("a core without faces can't be fitted to a scan");
-  return sphero_polyhedron(Fit(scan, start, options).best(), start.radius);
+  return make_sphero_polyhedron(Fit(scan, start, options).best(), start.radius);
 }
 
 }  // namespace clast

@@ -20,9 +20,9 @@ struct CoreFitOptions {
 /// vertices at sharp corners move outwards until body and scan stand out equally. Edges that keep
 /// triangles from moving without crossing are collapsed. The best core met is returned; it has no
 /// more vertices than the first, and crosses itself nowhere if that doesn't. Same input, same bits.
-/// @param start  closed core with a radius, near the scan: see `rounded_core`
+/// @param start  closed core with a radius, near the scan: see `inset_core`
 /// @cite lawson1961
-SpheroPolyhedron fitted_core(const ScanSurface& scan, const SpheroPolyhedron& start,
+SpheroPolyhedron fit_core(const ScanSurface& scan, const SpheroPolyhedron& start,
                              const CoreFitOptions& options = {});
 
 }  // namespace clast

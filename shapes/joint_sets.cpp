@@ -212,11 +212,11 @@ Vec3 JointSet::normal() const {
           std::cos(dip)};
 }
 
-JointSet read_joint_set(const std::string& text) {
+JointSet parse_joint_set(const std::string& text) {
   std::vector<double> numbers;
   for (std::size_t at = 0; at <= text.size();) {
     const std::size_t end = std::min(text.find('/', at), text.size());
-    const std::optional<double> number = number_in(std::string_view(text).substr(at, end - at));
+    const std::optional<double> number = parse_number(std::string_view(text).substr(at, end - at));
     if (!number) {
       numbers.clear();
       break;
@@ -234,8 +234,8 @@ JointSet read_joint_set(const std::string& text) {
   const auto check = [&](std::size_t i, const char* name, double low, double high,
                          const char* unit) {
     if (numbers[i] >= low && numbers[i] <= high) return;
-    throw InputError("`joints` " + text + ": " + name + " = " + with_digits(numbers[i], 6) +
-                     "; must be from " + with_digits(low, 4) + " to " + with_digits(high, 4) +
+    throw InputError("`joints` " + text + ": " + name + " = " + format_significant(numbers[i], 6) +
+                     "; must be from " + format_significant(low, 4) + " to " + format_significant(high, 4) +
                      unit);
   };
   check(0, "dip", 0.0, 90.0, " degrees");
@@ -245,22 +245,22 @@ JointSet read_joint_set(const std::string& text) {
   return {numbers[0] * kRadiansPerDegree, numbers[1] * kRadiansPerDegree, numbers[2], numbers[3]};
 }
 
-CutMass cut_by_joints(const TriangleMesh& on_map, std::span<const JointSet> sets,
+JointedMass cut_by_joints(const TriangleMesh& on_map, std::span<const JointSet> sets,
                       const CuttingOptions& options) {
   if (sets.empty()) throw InputError("no joint set is given; a mass is cut by one at least");
-  const MeshReport report = inspect(on_map);
-  if (!report.closed() || !report.oriented()) {
+  const MeshReport report = inspect_mesh(on_map);
+  if (!report.is_closed() || !report.is_oriented()) {
     throw GeometryError("the mass is not a closed surface (" + report.summary() +
                         "); close it, for example by filling its holes in MeshLab");
   }
-  if (const std::size_t crossings = crossing_triangles(on_map).size()) {
-    throw GeometryError("the surface of the mass crosses itself, " + counted(crossings, "pair") +
+  if (const std::size_t crossings = find_self_intersections(on_map).size()) {
+    throw GeometryError("the surface of the mass crosses itself, " + format_count(crossings, "pair") +
                         " of triangles do; repair it, for example in MeshLab");
   }
   // Map coordinates would cost digits.
   const Vec3 origin = bounds(on_map).low.array().round();
   const TriangleMesh mass = transformed(on_map, Pose{-origin, Quat::Identity()});
-  CutMass cut;
+  JointedMass cut;
   cut.volume = signed_volume(mass);
   if (!(cut.volume > 0.0)) {
     throw GeometryError("the surface of the mass faces inwards; turn its triangles around");
@@ -276,8 +276,8 @@ CutMass cut_by_joints(const TriangleMesh& on_map, std::span<const JointSet> sets
     cutting.check_count(cut.blocks.size());
   }
   if (cut.blocks.empty()) {
-    throw InputError("no block of " + with_digits(options.least_volume, 3) +
-                     " m3 or more fits into the mass of " + with_digits(cut.volume, 3) +
+    throw InputError("no block of " + format_significant(options.least_volume, 3) +
+                     " m3 or more fits into the mass of " + format_significant(cut.volume, 3) +
                      " m3; take wider spacings or a smaller least volume");
   }
   return cut;

@@ -23,7 +23,7 @@ struct JointSet {
 /// metres, "65/095/1.2/0.3".
 /// @throws InputError  anything else, or out of range: dip 0 to 90, direction 0 to 360, spacing
 ///                     1e-3 to 1000 m, scatter 0 to 3 times the spacing
-JointSet read_joint_set(const std::string& text);
+JointSet parse_joint_set(const std::string& text);
 
 struct CuttingOptions {
   double least_volume = 1e-3;       ///< smaller pieces are left out, m^3
@@ -32,7 +32,7 @@ struct CuttingOptions {
 };
 
 /// What joints cut from a mass.
-struct CutMass {
+struct JointedMass {
   double volume = 0.0;               ///< of the mass, m^3
   std::vector<TriangleMesh> blocks;  ///< convex, closed, outward, disjoint, inside the mass
   double block_volume = 0.0;         ///< of all blocks, m^3
@@ -47,7 +47,7 @@ struct CutMass {
 /// @param mass  closed, outward, m, z up, y north
 /// @throws GeometryError  the mass is not closed or has no volume
 /// @throws InputError     no joint set, more blocks than allowed, or none that is large enough
-CutMass cut_by_joints(const TriangleMesh& mass, std::span<const JointSet> sets,
+JointedMass cut_by_joints(const TriangleMesh& mass, std::span<const JointSet> sets,
                       const CuttingOptions& options = {});
 
 }  // namespace clast

@@ -41,7 +41,7 @@ void check_points(std::span<const Vec3> points, double radius) {
     if (!p.allFinite()) throw GeometryError("box: a point has coordinates that are not finite");
   }
   if (!(radius >= 0.0) || !std::isfinite(radius)) {
-    throw InputError("box: radius " + with_digits(radius, 6) + " m must be zero or positive");
+    throw InputError("box: radius " + format_significant(radius, 6) + " m must be zero or positive");
   }
 }
 
@@ -67,7 +67,7 @@ std::vector<Candidate> scan_gauss_image(GaussImage& hull) {
     return hull.face_area(a) > hull.face_area(b);
   });
   for (const std::size_t f : order) {
-    face_volume[f] = hull.best_about(hull.normal(f), kMargin * best).volume;
+    face_volume[f] = hull.best_box_about(hull.normal(f), kMargin * best).volume;
     best = std::min(best, face_volume[f]);
   }
   std::vector<Candidate> candidates;
@@ -77,8 +77,8 @@ std::vector<Candidate> scan_gauss_image(GaussImage& hull) {
     const double reach = 1.0 / static_cast<double>(pieces);
     volumes.assign(1, face_volume[hull.faces_of(e)[0]]);
     for (std::size_t i = 1; i < pieces; ++i) {
-      const Vec3 direction = hull.on_arc(e, static_cast<double>(i) * reach);
-      volumes.push_back(hull.best_about(direction, kMargin * best).volume);
+      const Vec3 direction = hull.point_on_arc(e, static_cast<double>(i) * reach);
+      volumes.push_back(hull.best_box_about(direction, kMargin * best).volume);
       best = std::min(best, volumes.back());
     }
     volumes.push_back(face_volume[hull.faces_of(e)[1]]);
@@ -98,7 +98,7 @@ std::vector<Candidate> scan_gauss_image(GaussImage& hull) {
 /// A candidate with the lowest posture that was met near it.
 struct Refined {
   Candidate candidate;
-  Posture posture;
+  BoxCandidate posture;
 };
 
 /// Golden section on the candidate's arc: so many steps nearer to the lowest posture within reach.
@@ -108,7 +108,7 @@ Refined refined(GaussImage& hull, const Candidate& candidate, int steps) {
   double high = std::min(1.0, candidate.share + candidate.reach);
   Refined best = {candidate, {}};
   const auto look = [&](double share) {
-    const Posture posture = hull.best_about(hull.on_arc(candidate.edge, share), kInfinity);
+    const BoxCandidate posture = hull.best_box_about(hull.point_on_arc(candidate.edge, share), kInfinity);
     if (posture.volume < best.posture.volume) {
       best.posture = posture;
       best.candidate.share = share;
@@ -140,12 +140,12 @@ Refined refined(GaussImage& hull, const Candidate& candidate, int steps) {
 
 /// Calipers about the three axes in turn until none makes the box smaller, or so many times: off an
 /// arc's minimum the gains can become ever smaller without an end.
-Posture settled(GaussImage& hull, Posture posture, int rounds) {
+BoxCandidate settled(GaussImage& hull, BoxCandidate posture, int rounds) {
   bool smaller = true;
   for (int round = 0; smaller && round < rounds; ++round) {
     smaller = false;
     for (int axis = 0; axis < 3; ++axis) {
-      const Posture next = hull.best_about(posture.axes.col(axis), kInfinity);
+      const BoxCandidate next = hull.best_box_about(posture.axes.col(axis), kInfinity);
       if (next.volume < posture.volume * (1.0 - 1e-14)) {
         posture = next;
         smaller = true;
@@ -174,7 +174,7 @@ OrientedBox flat_box(std::span<const Vec3> points, const AffineSpan& span, doubl
     axes.col(0) = along.normalized();
     axes.col(1) = axes.col(2).cross(axes.col(0));
   }
-  OrientedBox box = box_along(points, axes, radius);
+  OrientedBox box = box_with_axes(points, axes, radius);
   for (int i = span.dimension; i < 3; ++i) box.lengths[i] = 2.0 * radius;
   return box;
 }
@@ -188,7 +188,7 @@ bool is_smaller(const OrientedBox& a, const OrientedBox& b) {
   return a.lengths[0] < b.lengths[0] * (1.0 - kVolumeTie);
 }
 
-OrientedBox box_along(std::span<const Vec3> points, const Mat3& axes, double radius) {
+OrientedBox box_with_axes(std::span<const Vec3> points, const Mat3& axes, double radius) {
   check_points(points, radius);
   // Relative to a point, so that large coordinates keep their digits.
   const Vec3 origin = points.front();
@@ -215,7 +215,7 @@ OrientedBox box_along(std::span<const Vec3> points, const Mat3& axes, double rad
 
 OrientedBox smallest_box(std::span<const Vec3> points, double radius) {
   check_points(points, radius);
-  const std::vector<Vec3> sorted = sorted_points(points);
+  const std::vector<Vec3> sorted = sorted_unique_points(points);
   const AffineSpan span = affine_span(sorted);
   if (span.dimension < 3) return flat_box(sorted, span, radius);
 
@@ -239,9 +239,9 @@ OrientedBox smallest_box(std::span<const Vec3> points, double radius) {
   for (const Refined& start : running) {
     if (start.posture.volume > kRunningMargin * lowest) continue;
     const Refined end = refined(hull, start.candidate, kGoldenSteps);
-    const Posture posture = settled(hull, end.posture, kBoxRounds);
+    const BoxCandidate posture = settled(hull, end.posture, kBoxRounds);
     const Mat3& axes = posture.volume < start.posture.volume ? posture.axes : start.posture.axes;
-    const OrientedBox box = box_along(mesh.vertices, axes, radius);
+    const OrientedBox box = box_with_axes(mesh.vertices, axes, radius);
     if (first || is_smaller(box, best)) best = box;
     first = false;
   }

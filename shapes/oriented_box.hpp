@@ -30,6 +30,6 @@ OrientedBox smallest_box(const SpheroPolyhedron& body);
 
 /// The box along given axes (columns, orthonormal); sides sorted L >= I >= S. An extent below 1e-12
 /// of the largest is rounding and counts as none.
-OrientedBox box_along(std::span<const Vec3> points, const Mat3& axes, double radius = 0.0);
+OrientedBox box_with_axes(std::span<const Vec3> points, const Mat3& axes, double radius = 0.0);
 
 }  // namespace clast

@@ -19,14 +19,14 @@ constexpr int kAround = 32;         ///< corners of a cylinder's end
 constexpr int kSphereHalvings = 2;  ///< of the edges of an icosahedron: 162 corners
 constexpr double kLargestShare = 0.4;
 
-const std::array<std::pair<ReferenceForm, const char*>, 7> kForms = {
-    {{ReferenceForm::kSphere, "sphere"},
-     {ReferenceForm::kBox, "box"},
-     {ReferenceForm::kEllipsoid, "ellipsoid"},
-     {ReferenceForm::kSuperellipsoid, "superellipsoid"},
-     {ReferenceForm::kCylinder, "cylinder"},
-     {ReferenceForm::kEota111, "eota-111"},
-     {ReferenceForm::kEota221, "eota-221"}}};
+const std::array<std::pair<ReferenceShape, const char*>, 7> kForms = {
+    {{ReferenceShape::kSphere, "sphere"},
+     {ReferenceShape::kBox, "box"},
+     {ReferenceShape::kEllipsoid, "ellipsoid"},
+     {ReferenceShape::kSuperellipsoid, "superellipsoid"},
+     {ReferenceShape::kCylinder, "cylinder"},
+     {ReferenceShape::kEota111, "eota-111"},
+     {ReferenceShape::kEota221, "eota-221"}}};
 
 /// Corners of an icosahedron whose edges are halved and put on the unit sphere. It is its own
 /// mirror image in the three planes of the axes.
@@ -100,20 +100,20 @@ std::vector<Vec3> cube_points() {
 }
 
 /// Between -1 and 1 along each axis.
-std::vector<Vec3> points_of(ReferenceForm form, const ReferenceOptions& options) {
+std::vector<Vec3> points_of(ReferenceShape form, const ReferenceBodyOptions& options) {
   switch (form) {
-    case ReferenceForm::kSphere:
+    case ReferenceShape::kSphere:
       break;
-    case ReferenceForm::kBox:
+    case ReferenceShape::kBox:
       return cube_points();
-    case ReferenceForm::kEllipsoid:
+    case ReferenceShape::kEllipsoid:
       return sphere_points();
-    case ReferenceForm::kSuperellipsoid:
+    case ReferenceShape::kSuperellipsoid:
       return superellipsoid_points(options.exponent);
-    case ReferenceForm::kCylinder:
+    case ReferenceShape::kCylinder:
       return cylinder_points(options.ratios);
-    case ReferenceForm::kEota111:
-    case ReferenceForm::kEota221:
+    case ReferenceShape::kEota111:
+    case ReferenceShape::kEota221:
       return cut_cube_points();
   }
   return {Vec3::Zero()};
@@ -121,7 +121,7 @@ std::vector<Vec3> points_of(ReferenceForm form, const ReferenceOptions& options)
 
 }  // namespace
 
-const std::vector<std::string>& reference_form_names() {
+const std::vector<std::string>& reference_shape_names() {
   static const std::vector<std::string> names = [] {
     std::vector<std::string> all;
     for (const auto& [form, name] : kForms) all.emplace_back(name);
@@ -130,14 +130,14 @@ const std::vector<std::string>& reference_form_names() {
   return names;
 }
 
-std::string name_of(ReferenceForm form) {
+std::string name_of(ReferenceShape form) {
   for (const auto& [known, name] : kForms) {
     if (known == form) return name;
   }
   return {};
 }
 
-ReferenceForm reference_form(const std::string& name) {
+ReferenceShape parse_reference_shape(const std::string& name) {
   std::string known;
   for (const auto& [form, text] : kForms) {
     if (name == text) return form;
@@ -146,39 +146,39 @@ ReferenceForm reference_form(const std::string& name) {
   throw InputError("no reference body is called \"" + name + "\"; there are " + known);
 }
 
-void ReferenceOptions::check() const {
+void ReferenceBodyOptions::check() const {
   ratios.check();
   if (!(radius_share >= 0.0 && radius_share <= kLargestShare)) {
-    throw InputError("radius share is " + with_digits(radius_share, 4) +
-                     " of S; it must be between 0 and " + with_digits(kLargestShare, 2));
+    throw InputError("radius share is " + format_significant(radius_share, 4) +
+                     " of S; it must be between 0 and " + format_significant(kLargestShare, 2));
   }
   if (!(exponent >= 1.0 && exponent <= 20.0)) {
-    throw InputError("`exponent` = " + with_digits(exponent, 4) + ": must be from 1 to 20");
+    throw InputError("`exponent` = " + format_significant(exponent, 4) + ": must be from 1 to 20");
   }
 }
 
-SpheroPolyhedron reference_body(ReferenceForm form, const ReferenceOptions& options) {
+SpheroPolyhedron make_reference_body(ReferenceShape form, const ReferenceBodyOptions& options) {
   options.check();
-  if (form == ReferenceForm::kSphere) {
+  if (form == ReferenceShape::kSphere) {
     SpheroPolyhedron ball;
     ball.vertices = {Vec3::Zero()};
     ball.radius = 0.5;
     return ball;
   }
-  const bool own_ratios = form == ReferenceForm::kEota111 || form == ReferenceForm::kEota221;
+  const bool own_ratios = form == ReferenceShape::kEota111 || form == ReferenceShape::kEota221;
   BoxRatios ratios = options.ratios;
-  if (own_ratios) ratios = {1.0, form == ReferenceForm::kEota111 ? 1.0 : 0.5};
+  if (own_ratios) ratios = {1.0, form == ReferenceShape::kEota111 ? 1.0 : 0.5};
   std::vector<Vec3> points = points_of(form, options);
   for (Vec3& p : points) p = 0.5 * p.cwiseProduct(Vec3(1.0, ratios.i_l, ratios.s_l));
   const double radius = options.radius_share * ratios.s_l;
-  std::optional<SpheroPolyhedron> body = rounded_inside(convex_hull(points), radius);
+  std::optional<SpheroPolyhedron> body = inscribed_rounded_body(convex_hull(points), radius);
   if (!body) {
-    throw GeometryError("rounded with " + with_digits(options.radius_share, 4) +
+    throw GeometryError("rounded with " + format_significant(options.radius_share, 4) +
                         " of S, nothing is left of the core of the " + name_of(form) +
                         "; give a smaller share");
   }
   // Corners that were rounded inwards reach less far than they did.
-  SpheroPolyhedron fitted = stretched_to(*body, ratios).body;
+  SpheroPolyhedron fitted = stretch_to_ratios(*body, ratios).body;
   return scaled(fitted, 1.0 / smallest_box(fitted).lengths[0]);
 }
 

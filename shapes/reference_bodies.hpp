@@ -8,7 +8,7 @@
 
 namespace clast {
 
-enum class ReferenceForm {
+enum class ReferenceShape {
   kSphere,
   kBox,
   kEllipsoid,
@@ -19,12 +19,12 @@ enum class ReferenceForm {
 };
 
 /// "sphere", "box", "ellipsoid", "superellipsoid", "cylinder", "eota-111", "eota-221".
-const std::vector<std::string>& reference_form_names();
-std::string name_of(ReferenceForm form);
+const std::vector<std::string>& reference_shape_names();
+std::string name_of(ReferenceShape form);
 /// @throws InputError  no such form; the message lists those there are
-ReferenceForm reference_form(const std::string& name);
+ReferenceShape parse_reference_shape(const std::string& name);
 
-struct ReferenceOptions {
+struct ReferenceBodyOptions {
   BoxRatios ratios;           ///< of the smallest box; no matter for the sphere and EOTA bodies
   double radius_share = 0.0;  ///< Minkowski radius as a share of S; no matter for the sphere
   double exponent = 4.0;      ///< n of the superellipsoid, 1 to 20
@@ -35,9 +35,9 @@ struct ReferenceOptions {
 /// The body with L = 1 m about the origin, L along x, S along z, all edges rounded with the radius
 /// inwards. Its smallest box has the ratios within 1e-4. The sphere is exact; curved surfaces of
 /// the others have 162 corners, cylinders 32 around.
-/// @throws InputError     as `ReferenceOptions::check`
+/// @throws InputError     as `ReferenceBodyOptions::check`
 /// @throws GeometryError  a radius for which nothing is left of the core
 /// @cite etag027
-SpheroPolyhedron reference_body(ReferenceForm form, const ReferenceOptions& options);
+SpheroPolyhedron make_reference_body(ReferenceShape form, const ReferenceBodyOptions& options);
 
 }  // namespace clast

@@ -9,7 +9,7 @@
 #include "core/error.hpp"
 #include "mesh/edge_collapse.hpp"
 #include "mesh/mesh_topology.hpp"
-#include "mesh/plane_fit.hpp"
+#include "mesh/plane_quadric.hpp"
 #include "mesh/self_intersection.hpp"
 #include "mesh/triangle_geometry.hpp"
 
@@ -25,7 +25,7 @@ constexpr int kRadiusHalvings = 12, kBisections = 6;
 /// Every vertex moved so that the planes around it come in by `depth`. Weights by corner angle
 /// don't depend on how a flat face is cut into triangles.
 TriangleMesh inset(const TriangleMesh& mesh, double depth) {
-  std::vector<PlaneFit> fits(mesh.vertices.size());
+  std::vector<PlaneQuadric> fits(mesh.vertices.size());
   for (const TriangleMesh::Triangle& t : mesh.triangles) {
     const Vec3 normal = unit_normal(mesh, t);
     for (std::size_t k = 0; k < 3; ++k) {
@@ -50,7 +50,7 @@ std::vector<std::uint32_t> flipped(const TriangleMesh& before, const TriangleMes
 /// Triangles of pairs that cross, each once.
 std::vector<std::uint32_t> crossing(const TriangleMesh& core) {
   std::vector<std::uint32_t> result;
-  for (const auto& pair : crossing_triangles(core)) {
+  for (const auto& pair : find_self_intersections(core)) {
     result.insert(result.end(), pair.begin(), pair.end());
   }
   std::sort(result.begin(), result.end());
@@ -71,7 +71,7 @@ std::optional<TriangleMesh> core_of(const TriangleMesh& scan, double radius) {
       bad = crossing(core);
       if (bad.empty()) return core;
     }
-    if (collapse_edges_of(outer, bad) == 0) return std::nullopt;
+    if (collapse_triangle_edges(outer, bad) == 0) return std::nullopt;
   }
 }
 
@@ -90,10 +90,9 @@ double largest_radius(const TriangleMesh& scan, double too_large) {
 
 }  // namespace
 
-std::optional<SpheroPolyhedron> rounded_core_if_any(const TriangleMesh& scan,
-                                                    double minkowski_radius) {
-  const MeshReport report = inspect(scan);
-  if (!report.closed() || !report.oriented()) {
+std::optional<SpheroPolyhedron> try_inset_core(const TriangleMesh& scan, double minkowski_radius) {
+  const MeshReport report = inspect_mesh(scan);
+  if (!report.is_closed() || !report.is_oriented()) {
     throw GeometryError("only a closed surface can be rounded, this one has " + report.summary());
   }
   if (!(signed_volume(scan) > 0.0)) {
@@ -101,15 +100,15 @@ std::optional<SpheroPolyhedron> rounded_core_if_any(const TriangleMesh& scan,
         "only a surface that faces outwards can be rounded, this one faces inwards");
   }
   if (!(minkowski_radius > 0.0) || !std::isfinite(minkowski_radius)) {
-    return sphero_polyhedron(scan, minkowski_radius);
+    return make_sphero_polyhedron(scan, minkowski_radius);
   }
   const std::optional<TriangleMesh> core = core_of(scan, minkowski_radius);
   if (!core) return std::nullopt;
-  return sphero_polyhedron(*core, minkowski_radius);
+  return make_sphero_polyhedron(*core, minkowski_radius);
 }
 
-SpheroPolyhedron rounded_core(const TriangleMesh& scan, double minkowski_radius) {
-  if (std::optional<SpheroPolyhedron> core = rounded_core_if_any(scan, minkowski_radius)) {
+SpheroPolyhedron inset_core(const TriangleMesh& scan, double minkowski_radius) {
+  if (std::optional<SpheroPolyhedron> core = try_inset_core(scan, minkowski_radius)) {
     return std::move(*core);
   }
   const double largest = largest_radius(scan, minkowski_radius);

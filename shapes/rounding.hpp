@@ -12,11 +12,11 @@ namespace clast {
 /// @param scan   closed, outward, already simplified: edges not much shorter than the radius
 /// @throws GeometryError  open mesh, or a radius so large that the core would vanish or invert;
 ///                        the message gives the largest radius that works
-SpheroPolyhedron rounded_core(const TriangleMesh& scan, double minkowski_radius);
+SpheroPolyhedron inset_core(const TriangleMesh& scan, double minkowski_radius);
 /// The same, or none where the radius is too large. To find one that works, for the message, takes
 /// as long as twenty cores.
 /// @throws GeometryError  open mesh
-std::optional<SpheroPolyhedron> rounded_core_if_any(const TriangleMesh& scan,
+std::optional<SpheroPolyhedron> try_inset_core(const TriangleMesh& scan,
                                                     double minkowski_radius);
 
 }  // namespace clast

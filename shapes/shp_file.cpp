@@ -7,8 +7,8 @@
 #include <sstream>
 
 #include "core/error.hpp"
+#include "core/error_context.hpp"
 #include "core/files/text_file.hpp"
-#include "core/in_context.hpp"
 #include "shapes/detail/shp_reader.hpp"
 
 namespace clast {
@@ -62,7 +62,7 @@ void write_shape(std::ostream& out, const ShpShape& shape) {
 }  // namespace
 
 void write_shp(const std::filesystem::path& path, std::span<const ShpShape> shapes,
-               const OutputRules& rules) {
+               const OverwritePolicy& rules) {
   std::ostringstream out;
   out << std::setprecision(kDigits);
   for (const ShpShape& shape : shapes) {
@@ -73,16 +73,17 @@ void write_shp(const std::filesystem::path& path, std::span<const ShpShape> shap
 }
 
 std::vector<ShpShape> read_shp(const std::filesystem::path& path) {
-  return in_file(path.string(), [&] { return shapes_detail::shp_shapes(read_text_file(path)); });
+  return with_file_context(path.string(),
+                           [&] { return shapes_detail::parse_shp(read_text_file(path)); });
 }
 
-bool is_map_file(const std::filesystem::path& path) {
+bool is_esri_shapefile(const std::filesystem::path& path) {
   std::error_code code;
   if (!std::filesystem::is_regular_file(path, code)) return false;  // a pipe would be waited for
   std::ifstream file(path, std::ios::binary);
-  std::string start(shapes_detail::kMapFileMark.size(), ' ');
+  std::string start(shapes_detail::kEsriShapefileMagic.size(), ' ');
   return file.read(start.data(), static_cast<std::streamsize>(start.size())) &&
-         start == shapes_detail::kMapFileMark;
+         start == shapes_detail::kEsriShapefileMagic;
 }
 
 }  // namespace clast

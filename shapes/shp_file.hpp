@@ -29,7 +29,7 @@ struct ShpShape {
 /// Writes the shapes in order with `preCompDone y`, so that nothing is sampled anew on loading.
 /// @throws InputError  a name with spaces, or as `OutputFile`
 void write_shp(const std::filesystem::path& path, std::span<const ShpShape> shapes,
-               const OutputRules& rules = {});
+               const OverwritePolicy& rules = {});
 
 /// The shapes in order. Edges are those of the faces, each once, whatever the file lists; where
 /// there are no faces they are the file's. Vertices that nothing uses are left out with a note.
@@ -41,6 +41,6 @@ void write_shp(const std::filesystem::path& path, std::span<const ShpShape> shap
 std::vector<ShpShape> read_shp(const std::filesystem::path& path);
 
 /// Is it a map file (ESRI shapefile), by its first bytes? Not when it can't be read.
-bool is_map_file(const std::filesystem::path& path);
+bool is_esri_shapefile(const std::filesystem::path& path);
 
 }  // namespace clast

@@ -11,9 +11,9 @@
 
 namespace clast {
 
-SpheroPolyhedron sphero_polyhedron(const TriangleMesh& core, double minkowski_radius) {
+SpheroPolyhedron make_sphero_polyhedron(const TriangleMesh& core, double minkowski_radius) {
   if (!(minkowski_radius >= 0.0) || !std::isfinite(minkowski_radius)) {
-    throw InputError("Minkowski radius " + with_digits(minkowski_radius, 6) +
+    throw InputError("Minkowski radius " + format_significant(minkowski_radius, 6) +
                      " m: must be zero or positive");
   }
   if (core.triangles.empty()) {
@@ -26,11 +26,11 @@ SpheroPolyhedron sphero_polyhedron(const TriangleMesh& core, double minkowski_ra
   for (const TriangleMesh::Triangle& t : core.triangles) {
     shape.faces.emplace_back(t.begin(), t.end());
   }
-  shape.edges = edges_of(shape.faces);
+  shape.edges = face_edges(shape.faces);
   return shape;
 }
 
-std::vector<SpheroPolyhedron::Edge> edges_of(const std::vector<SpheroPolyhedron::Face>& faces) {
+std::vector<SpheroPolyhedron::Edge> face_edges(const std::vector<SpheroPolyhedron::Face>& faces) {
   std::vector<SpheroPolyhedron::Edge> edges;
   for_each_edge(sorted_half_edges(faces), [&](std::span<const HalfEdge> sides) {
     if (sides[0].low != sides[0].high) edges.push_back({sides[0].low, sides[0].high});
@@ -72,7 +72,7 @@ SpheroPolyhedron transformed(SpheroPolyhedron shape, const Pose& to_from) {
 
 SpheroPolyhedron scaled(SpheroPolyhedron shape, double factor) {
   if (!(factor > 0.0) || !std::isfinite(factor)) {
-    throw InputError("scale factor " + with_digits(factor, 6) + ": must be positive and finite");
+    throw InputError("scale factor " + format_significant(factor, 6) + ": must be positive and finite");
   }
   for (Vec3& vertex : shape.vertices) vertex *= factor;
   shape.radius *= factor;

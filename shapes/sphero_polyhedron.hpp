@@ -22,10 +22,10 @@ struct SpheroPolyhedron {
 
 /// The core taken as it is, triangle by triangle, with a radius.
 /// @throws GeometryError  the mesh is empty; InputError  radius negative or not finite
-SpheroPolyhedron sphero_polyhedron(const TriangleMesh& core, double minkowski_radius);
+SpheroPolyhedron make_sphero_polyhedron(const TriangleMesh& core, double minkowski_radius);
 
 /// The sides of the faces, as `SpheroPolyhedron::edges` holds them.
-std::vector<SpheroPolyhedron::Edge> edges_of(const std::vector<SpheroPolyhedron::Face>& faces);
+std::vector<SpheroPolyhedron::Edge> face_edges(const std::vector<SpheroPolyhedron::Face>& faces);
 
 /// Twice the area of a face, along its normal.
 Vec3 face_area(const SpheroPolyhedron& shape, const SpheroPolyhedron::Face& face);
@@ -39,9 +39,9 @@ TriangleMesh core_mesh(const SpheroPolyhedron& shape);
 /// The rounded surface as a closed triangle mesh whose vertices lie on it: core faces moved out,
 /// cylinders over convex edges, sphere patches over vertices. `segments` pieces per quarter turn.
 /// At reflex edges the pieces cross inside the body: the mesh goes round every point of the body
-/// and round no other, but round some twice, so it is no measure of volume there; `outer_skin` is.
+/// and round no other, but round some twice, so it is no measure of volume there; `outer_surface_mesh` is.
 /// @throws GeometryError  the core is not closed (nor a lone vertex or edge with a radius)
-TriangleMesh skin_mesh(const SpheroPolyhedron& shape, int segments = 4);
+TriangleMesh rounded_surface_mesh(const SpheroPolyhedron& shape, int segments = 4);
 
 /// The same body at another place.
 SpheroPolyhedron transformed(SpheroPolyhedron shape, const Pose& to_from);

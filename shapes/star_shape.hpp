@@ -10,6 +10,6 @@ namespace clast {
 /// lies below the planes of all triangles. A mesh whose vertices move along their rays from there
 /// crosses itself nowhere. None: the surface is not star-shaped, or by less than rounding.
 /// @param mesh  closed, outward
-std::optional<Vec3> star_centre(const TriangleMesh& mesh);
+std::optional<Vec3> find_kernel_point(const TriangleMesh& mesh);
 
 }  // namespace clast

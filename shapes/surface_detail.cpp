@@ -69,7 +69,7 @@ std::vector<double> solid_angles(const TriangleMesh& mesh, const Vec3& centre) {
   return angles;
 }
 
-TriangleMesh harmonic_detail(TriangleMesh mesh, const Vec3& centre, const DetailOptions& options) {
+TriangleMesh harmonic_detail(TriangleMesh mesh, const Vec3& centre, const SurfaceDetailOptions& options) {
   const int count = (options.degree + 1) * (options.degree + 1);
   const auto vertices = static_cast<Eigen::Index>(mesh.vertices.size());
   const std::vector<double> weights = solid_angles(mesh, centre);
@@ -89,7 +89,7 @@ TriangleMesh harmonic_detail(TriangleMesh mesh, const Vec3& centre, const Detail
   for (Eigen::Index v = 0; v < vertices; ++v) {
     const double distance = coarse[v] + options.gain * (distances[v] - coarse[v]);
     if (!(distance > kLeastDistance * mean)) {
-      throw GeometryError("detail times " + with_digits(options.gain, 4) +
+      throw GeometryError("detail times " + format_significant(options.gain, 4) +
                           " would draw the surface to within a tenth of its mean radius of the "
                           "middle; give a smaller `detail` or a larger `degree`");
     }
@@ -99,7 +99,7 @@ TriangleMesh harmonic_detail(TriangleMesh mesh, const Vec3& centre, const Detail
   return mesh;
 }
 
-TriangleMesh bilaplacian_detail(TriangleMesh mesh, const DetailOptions& options) {
+TriangleMesh bilaplacian_detail(TriangleMesh mesh, const SurfaceDetailOptions& options) {
   const auto vertices = static_cast<Eigen::Index>(mesh.vertices.size());
   std::vector<double> around(mesh.vertices.size(), 0.0);
   const std::vector<HalfEdge> sides = sorted_half_edges(mesh);
@@ -137,9 +137,9 @@ TriangleMesh bilaplacian_detail(TriangleMesh mesh, const DetailOptions& options)
     const Vec3 smooth = coarse.row(v).transpose() / std::sqrt(around[i]);
     mesh.vertices[i] = smooth + options.gain * (mesh.vertices[i] - smooth);
   }
-  if (!crossing_triangles(mesh).empty()) {
+  if (!find_self_intersections(mesh).empty()) {
     throw GeometryError(
-        "the surface is not star-shaped, and with detail times " + with_digits(options.gain, 4) +
+        "the surface is not star-shaped, and with detail times " + format_significant(options.gain, 4) +
         " it would cross itself; give a `detail` nearer to 1, or a larger `degree`");
   }
   return mesh;
@@ -147,25 +147,25 @@ TriangleMesh bilaplacian_detail(TriangleMesh mesh, const DetailOptions& options)
 
 }  // namespace
 
-void DetailOptions::check() const {
+void SurfaceDetailOptions::check() const {
   if (!(gain >= 0.0 && gain <= kMostGain)) {
-    throw InputError("`detail` = " + with_digits(gain, 4) + ": must be from 0 to 10");
+    throw InputError("`detail` = " + format_significant(gain, 4) + ": must be from 0 to 10");
   }
   if (degree < 2 || degree > kMostDegree) {
     throw InputError("`degree` = " + std::to_string(degree) + ": must be from 2 to 20");
   }
 }
 
-DetailedSurface with_detail(const TriangleMesh& mesh, const DetailOptions& options) {
+DetailedSurface scale_surface_detail(const TriangleMesh& mesh, const SurfaceDetailOptions& options) {
   options.check();
-  const std::optional<Vec3> centre = star_centre(mesh);
-  const CoarseForm form = centre ? CoarseForm::kHarmonics : CoarseForm::kBilaplacian;
+  const std::optional<Vec3> centre = find_kernel_point(mesh);
+  const CoarseShape form = centre ? CoarseShape::kHarmonics : CoarseShape::kBilaplacian;
   if (options.gain == 1.0) return {mesh, form};
   if (!centre) return {bilaplacian_detail(mesh, options), form};
   const double needed = kVerticesEach * (options.degree + 1.0) * (options.degree + 1.0);
   if (static_cast<double>(mesh.vertices.size()) < needed) {
     throw InputError("`degree` = " + std::to_string(options.degree) + " needs " +
-                     with_digits(needed, 6) + " vertices, and there are " +
+                     format_significant(needed, 6) + " vertices, and there are " +
                      std::to_string(mesh.vertices.size()) + "; give a smaller one");
   }
   return {harmonic_detail(mesh, *centre, options), form};

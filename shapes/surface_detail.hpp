@@ -4,7 +4,7 @@
 
 namespace clast {
 
-struct DetailOptions {
+struct SurfaceDetailOptions {
   /// What the detail is multiplied by: 0 leaves the coarse form, 1 the surface as it is.
   double gain = 0.0;
   /// Spherical harmonics up to this degree are the coarse form; bumps of more waves around the body
@@ -15,11 +15,11 @@ struct DetailOptions {
 };
 
 /// What was taken for the coarse form.
-enum class CoarseForm { kHarmonics, kBilaplacian };
+enum class CoarseShape { kHarmonics, kBilaplacian };
 
 struct DetailedSurface {
   TriangleMesh mesh;
-  CoarseForm coarse = CoarseForm::kHarmonics;
+  CoarseShape coarse = CoarseShape::kHarmonics;
 };
 
 /// The surface with its detail multiplied; a gain of 1 returns it to the bit.
@@ -30,10 +30,10 @@ struct DetailedSurface {
 /// coarse form is the surface after a bilaplacian filter, 1/(1 + (k/k0)^2) of each mode of the
 /// mesh's Laplacian k, where k0 is that of waves of this degree around a ball of equal area.
 /// @param mesh  closed, outward, one component
-/// @throws InputError     as `DetailOptions::check`; a degree for which there are too few vertices
+/// @throws InputError     as `SurfaceDetailOptions::check`; a degree for which there are too few vertices
 /// @throws GeometryError  the detail is so strong that a vertex would come near the star's centre,
 ///                        or that the surface would cross itself
 /// @cite garboczi2002
-DetailedSurface with_detail(const TriangleMesh& mesh, const DetailOptions& options);
+DetailedSurface scale_surface_detail(const TriangleMesh& mesh, const SurfaceDetailOptions& options);
 
 }  // namespace clast

@@ -13,7 +13,7 @@
 #include "mesh/surface_samples.hpp"
 #include "mesh/triangle_geometry.hpp"
 #include "mesh/triangle_tree.hpp"
-#include "shapes/detail/skin_distance.hpp"
+#include "shapes/detail/rounded_surface_distance.hpp"
 
 namespace clast {
 
@@ -127,7 +127,7 @@ std::optional<double> most_by_plane(const Patch& patch, const TriangleTree& core
   }
   const Vec3 centre = patch.foot();
   const Vec3 raised = centre + (radius - (normal.dot(centre) - height)) * normal;
-  if (core.rises_above(normal, height + in_plane, raised, patch.reach(0.0) + radius)) {
+  if (core.has_point_above(normal, height + in_plane, raised, patch.reach(0.0) + radius)) {
     return std::nullopt;
   }
   const double outside = patch.farthest_from(core, patch.near, 0.0) - radius;
@@ -229,8 +229,8 @@ double skin_to_scan(const ScanSurface& scan, const TriangleMesh& core, const Tri
 
 }  // namespace
 
-Deviation surface_deviation(const ScanSurface& scan, const SpheroPolyhedron& body,
-                            std::size_t samples) {
+SurfaceDeviation measure_surface_deviation(const ScanSurface& scan, const SpheroPolyhedron& body,
+                                           std::size_t samples) {
   if (body.faces.empty()) {
     throw GeometryError("a deviation needs two surfaces; the body has none");
   }
@@ -240,12 +240,13 @@ Deviation surface_deviation(const ScanSurface& scan, const SpheroPolyhedron& bod
   const double gap = kGap * both.diagonal();
   for (const Vec3& vertex : core.vertices) both.include(vertex);
   const double in_plane = kInFacePlane * both.diagonal();
-  const shapes_detail::SkinDistance skin(tree, body.radius, both.diagonal() + body.radius);
+  const shapes_detail::RoundedSurfaceDistance skin(tree, body.radius,
+                                                   both.diagonal() + body.radius);
 
-  Deviation result;
+  SurfaceDeviation result;
   double sum = 0.0, known = 0.0;
   std::uint32_t hint = 0;  // neighbours in the list are mostly neighbours in space
-  const std::vector<Vec3> on_scan = spread_points(scan.mesh(), std::max<std::size_t>(samples, 1));
+  const std::vector<Vec3> on_scan = sample_surface(scan.mesh(), std::max<std::size_t>(samples, 1));
   for (const Vec3& point : on_scan) {
     const double distance = std::abs(skin(point, hint));
     sum += distance;

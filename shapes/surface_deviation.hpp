@@ -8,7 +8,7 @@
 namespace clast {
 
 /// How far the rounded body is from the scan it stands for.
-struct Deviation {
+struct SurfaceDeviation {
   double hausdorff = 0.0;  ///< larger of both one-sided distances, m
   double scan_to_body =
       0.0;  ///< largest distance of a point of the scan from the body's surface, m
@@ -29,7 +29,7 @@ struct Deviation {
 /// counts.) The mean is over `samples` points on the scan. Volume, area and moments are left 0: the
 /// caller knows them.
 /// @throws GeometryError  the body has no faces
-Deviation surface_deviation(const ScanSurface& scan, const SpheroPolyhedron& body,
+SurfaceDeviation measure_surface_deviation(const ScanSurface& scan, const SpheroPolyhedron& body,
                             std::size_t samples = 20000);
 
 }  // namespace clast

@@ -5,7 +5,7 @@ namespace clast {
 VolumeBracket scaled(VolumeBracket bracket, double unit) {
   const double cubed = unit * unit * unit;
   bracket.lower_volume *= cubed;
-  bracket.best_volume *= cubed;
+  bracket.estimated_volume *= cubed;
   if (bracket.upper_volume) *bracket.upper_volume *= cubed;
   if (bracket.sides) {
     bracket.sides->lower *= unit;

@@ -16,11 +16,11 @@ struct SideBounds {
 /// copies of the surface leave open of a block.
 struct VolumeBracket {
   double lower_volume = 0.0;  ///< m^3
-  double best_volume = 0.0;   ///< m^3, of the closed surface
+  double estimated_volume = 0.0;   ///< m^3, of the closed surface
   /// m^3; none if too large a part of the surface was not scanned to bound the block from above.
   std::optional<double> upper_volume = {};
   std::optional<SideBounds> sides = {};  ///< none: nothing is known of the sides
-  double invented_share = 0.0;           ///< filled part of the closed surface's area
+  double filled_fraction = 0.0;           ///< filled part of the closed surface's area
   std::string assumption = {};           ///< behind the bounds, in words; empty: they have none
 };
 

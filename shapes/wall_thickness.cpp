@@ -11,8 +11,8 @@ constexpr double kParallel = 0.8660254037844386;  ///< cosine of 30 degrees
 
 }  // namespace
 
-std::optional<ThinPlace> thinnest_wall(const TriangleMesh& mesh) {
-  std::optional<ThinPlace> thinnest;
+std::optional<ThinWall> find_thinnest_wall(const TriangleMesh& mesh) {
+  std::optional<ThinWall> thinnest;
   if (mesh.triangles.empty()) return thinnest;
   const TriangleTree tree(mesh);
   for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
@@ -23,7 +23,7 @@ std::optional<ThinPlace> thinnest_wall(const TriangleMesh& mesh) {
     const auto hit = tree.first_exit(middle, inward, t);
     if (!hit || (thinnest && hit->distance >= thinnest->thickness)) continue;
     if (unit_normal(mesh, mesh.triangles[hit->triangle]).dot(inward) < kParallel) continue;
-    thinnest = ThinPlace{hit->distance, middle + 0.5 * hit->distance * inward};
+    thinnest = ThinWall{hit->distance, middle + 0.5 * hit->distance * inward};
   }
   return thinnest;
 }

@@ -7,9 +7,9 @@
 namespace clast {
 
 /// A wall: two faces of a body back to back.
-struct ThinPlace {
+struct ThinWall {
   double thickness = 0.0;     ///< m
-  Vec3 place = Vec3::Zero();  ///< middle of the wall
+  Vec3 position = Vec3::Zero();  ///< middle of the wall
 };
 
 /// The thinnest wall: from the middle of every triangle straight inwards to the first face that is
@@ -17,6 +17,6 @@ struct ThinPlace {
 /// however little rock is behind its faces. None: no two faces are back to back, as in a
 /// tetrahedron.
 /// @param mesh  closed, outward; simplified, or the roughness of a scan passes for walls
-std::optional<ThinPlace> thinnest_wall(const TriangleMesh& mesh);
+std::optional<ThinWall> find_thinnest_wall(const TriangleMesh& mesh);
 
 }  // namespace clast

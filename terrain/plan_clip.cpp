@@ -4,7 +4,7 @@
 
 namespace clast::terrain_detail {
 
-std::vector<Vec2> part_within(std::span<const Vec2> ring, const PlanTriangle& triangle) {
+std::vector<Vec2> clip_to_triangle(std::span<const Vec2> ring, const PlanTriangle& triangle) {
   std::vector<Vec2> kept(ring.begin(), ring.end()), next;
   for (std::size_t k = 0; k < 3 && !kept.empty(); ++k) {
     const Vec2& from = triangle[k];
@@ -21,8 +21,8 @@ std::vector<Vec2> part_within(std::span<const Vec2> ring, const PlanTriangle& tr
   return kept;
 }
 
-double area_within(std::span<const Vec2> ring, const PlanTriangle& triangle) {
-  return signed_area(part_within(ring, triangle));
+double clipped_area(std::span<const Vec2> ring, const PlanTriangle& triangle) {
+  return signed_area(clip_to_triangle(ring, triangle));
 }
 
 }  // namespace clast::terrain_detail

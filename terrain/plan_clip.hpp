@@ -14,11 +14,11 @@ using PlanTriangle = std::array<Vec2, 3>;
 /// joined by edges that run to and fro. Empty: none.
 /// @param triangle  counter-clockwise
 /// @cite sutherland1974
-std::vector<Vec2> part_within(std::span<const Vec2> ring, const PlanTriangle& triangle);
+std::vector<Vec2> clip_to_triangle(std::span<const Vec2> ring, const PlanTriangle& triangle);
 
 /// Area of the part of a ring that lies in a triangle, with the sign of the ring's own. The
 /// edges that join the parts of one that is not convex add nothing to it.
 /// @param triangle  counter-clockwise
-double area_within(std::span<const Vec2> ring, const PlanTriangle& triangle);
+double clipped_area(std::span<const Vec2> ring, const PlanTriangle& triangle);
 
 }  // namespace clast::terrain_detail

@@ -87,7 +87,7 @@ std::vector<PlanBox> plan_boxes(const TriangleMesh& mesh) {
   return boxes;
 }
 
-std::optional<double> height_on(const TriangleMesh& mesh, std::uint32_t triangle, const Vec2& at) {
+std::optional<double> height_on_triangle(const TriangleMesh& mesh, std::uint32_t triangle, const Vec2& at) {
   const auto& [ia, ib, ic] = mesh.triangles[triangle];
   const Vec3& a = mesh.vertices[ia];
   const Vec3 ab = mesh.vertices[ib] - a, ac = mesh.vertices[ic] - a;

@@ -20,7 +20,7 @@ struct PlanBox {
     low = low.cwiseMin(point);
     high = high.cwiseMax(point);
   }
-  PlanBox grown(double by) const { return {low.array() - by, high.array() + by}; }
+  PlanBox expanded(double by) const { return {low.array() - by, high.array() + by}; }
 };
 
 /// Boxes in square cells. Each is listed once in every cell it reaches into.
@@ -52,6 +52,6 @@ std::vector<PlanBox> plan_boxes(const TriangleMesh& mesh);
 
 /// Height of a triangle on the vertical through a point of the plan; none beside it (its edges
 /// belong to it) and for upright triangles.
-std::optional<double> height_on(const TriangleMesh& mesh, std::uint32_t triangle, const Vec2& at);
+std::optional<double> height_on_triangle(const TriangleMesh& mesh, std::uint32_t triangle, const Vec2& at);
 
 }  // namespace clast::terrain_detail

@@ -8,7 +8,7 @@
 
 namespace clast::terrain_detail {
 
-TriangleMesh grid_surface(const HeightGrid& grid, const std::filesystem::path& path) {
+TriangleMesh triangulate_grid(const HeightGrid& grid, const std::filesystem::path& path) {
   constexpr std::uint32_t kNone = 0xffffffffu;
   if (grid.heights.size() >= kNone) {
     throw InputError(path.string() + ": " + std::to_string(grid.heights.size()) +
@@ -50,13 +50,13 @@ TriangleMesh grid_surface(const HeightGrid& grid, const std::filesystem::path& p
   return mesh;
 }
 
-void keep_triangles(RawSurface& surface, const std::vector<bool>& keep) {
+void retain_triangles(RawSurface& surface, const std::vector<bool>& keep) {
   std::size_t kept = 0;
   for (std::size_t t = 0; t < keep.size(); ++t) {
     if (keep[t]) surface.source[kept++] = surface.source[t];
   }
   surface.source.resize(kept);
-  surface.mesh = with_triangles(surface.mesh, keep);
+  surface.mesh = extract_triangles(surface.mesh, keep);
 }
 
 }  // namespace clast::terrain_detail

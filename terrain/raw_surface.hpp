@@ -19,7 +19,7 @@ struct RawSurface {
 
 /// Drops the other triangles and vertices that nothing uses then.
 /// @pre one flag for each triangle
-void keep_triangles(RawSurface& surface, const std::vector<bool>& keep);
+void retain_triangles(RawSurface& surface, const std::vector<bool>& keep);
 
 /// Heights on a regular grid, row by row from the south, NaN where unknown.
 struct HeightGrid {
@@ -38,6 +38,6 @@ struct HeightGrid {
 /// Two triangles between any four neighbouring cell centres that all have a height. Diagonals
 /// alternate, so that the surface has no grain.
 /// @throws InputError  no such four cells; the message is about `path`
-TriangleMesh grid_surface(const HeightGrid& grid, const std::filesystem::path& path);
+TriangleMesh triangulate_grid(const HeightGrid& grid, const std::filesystem::path& path);
 
 }  // namespace clast::terrain_detail

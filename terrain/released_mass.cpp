@@ -6,13 +6,13 @@
 #include <set>
 
 #include "core/error.hpp"
-#include "core/files/csv_text.hpp"
+#include "core/files/csv_writer.hpp"
 #include "core/number_text.hpp"
 #include "mesh/mesh_topology.hpp"
 #include "mesh/reference_system.hpp"
 #include "mesh/self_intersection.hpp"
 #include "mesh/triangle_geometry.hpp"
-#include "terrain/detail/surface_pair.hpp"
+#include "terrain/detail/surface_overlay.hpp"
 #include "terrain/gdal/gdal_raster.hpp"
 #include "terrain/input/resampling.hpp"
 #include "terrain/plan_index.hpp"
@@ -21,7 +21,7 @@
 namespace clast {
 namespace {
 
-using terrain_detail::PairBody;
+using terrain_detail::OverlayBody;
 using terrain_detail::ZonePolygon;
 
 /// Walls higher than the least thickness by more are noted, m.
@@ -35,7 +35,7 @@ std::set<std::size_t> chosen_numbers(const std::string& bodies) {
   std::set<std::size_t> numbers;
   if (bodies == "all") return numbers;
   for (const std::string& each : split_list(bodies)) {
-    const std::optional<double> number = number_in(each);
+    const std::optional<double> number = parse_number(each);
     if (!number || *number < 1.0 || *number > 1e9 || *number != std::floor(*number)) {
       numbers.clear();
       break;
@@ -59,7 +59,7 @@ void check_systems(const std::string& before, const std::string& after,
     notes.push_back(std::string(before.empty() ? "`before`" : "`after`") +
                     " names no map system; it is taken to be that of the other");
   }
-  if (before.empty() || after.empty() || terrain_detail::same_crs(before, after)) return;
+  if (before.empty() || after.empty() || terrain_detail::is_same_crs(before, after)) return;
   throw InputError("`before` is in the map system " + reference_system_name(before) +
                    ", `after` in " + reference_system_name(after) +
                    "; bring both to one, for example with gdalwarp");
@@ -68,8 +68,8 @@ void check_systems(const std::string& before, const std::string& after,
 std::string extent_on_map(const TriangleMesh& mesh, const MapFrame& frame) {
   const Bounds box = bounds(mesh);
   const Vec3 low = frame.map(box.low), high = frame.map(box.high);
-  return "x " + with_decimals(low.x(), 1) + " to " + with_decimals(high.x(), 1) + ", y " +
-         with_decimals(low.y(), 1) + " to " + with_decimals(high.y(), 1);
+  return "x " + format_decimals(low.x(), 1) + " to " + format_decimals(high.x(), 1) + ", y " +
+         format_decimals(low.y(), 1) + " to " + format_decimals(high.y(), 1);
 }
 
 void check_overlap(const Surfaces& surfaces) {
@@ -90,15 +90,17 @@ Surfaces read_surfaces(const Terrain& before, const Terrain& after,
   for (Vec3& vertex : surfaces.before.vertices) vertex += shift;
   check_overlap(surfaces);
   if (!options.resolution) return surfaces;
-  surfaces.before = terrain_detail::highest_grid(surfaces.before, *options.resolution, "`before`");
-  surfaces.after = terrain_detail::highest_grid(surfaces.after, *options.resolution, "`after`");
+  surfaces.before =
+      terrain_detail::grid_highest_surface(surfaces.before, *options.resolution, "`before`");
+  surfaces.after =
+      terrain_detail::grid_highest_surface(surfaces.after, *options.resolution, "`after`");
   return surfaces;
 }
 
 std::vector<ZonePolygon> outlines_of(const ReleasedMassOptions& options, const MapFrame& frame,
                                      const std::string& crs) {
   if (!options.polygon) return {};
-  std::vector<ZonePolygon> outlines = terrain_detail::read_outlines(*options.polygon, crs);
+  std::vector<ZonePolygon> outlines = terrain_detail::read_outline_polygons(*options.polygon, crs);
   for (ZonePolygon& outline : outlines) {
     for (std::vector<Vec2>& ring : outline.rings) {
       for (Vec2& corner : ring) corner -= frame.origin.head<2>();
@@ -112,26 +114,26 @@ std::vector<ZonePolygon> outlines_of(const ReleasedMassOptions& options, const M
 [[noreturn]] void refuse_nothing(const Surfaces& surfaces, const ReleasedMassOptions& options) {
   const std::string inside =
       options.polygon ? " within " + options.polygon->string() : std::string();
-  const terrain_detail::HeightRange range =
-      terrain_detail::height_range(surfaces.before, surfaces.after);
+  const terrain_detail::HeightDifferenceRange range =
+      terrain_detail::height_difference_range(surfaces.before, surfaces.after);
   if (range.low > range.high) {
     throw InputError("`before` and `after` have no place in common where both have ground");
   }
-  const auto at = [&](const Vec3& place) { return place_on_map(surfaces.frame.map(place)); };
+  const auto at = [&](const Vec3& place) { return format_map_point(surfaces.frame.map(place)); };
   std::string text = "`before` is nowhere" + inside + " more than " +
-                     with_digits(options.min_thickness, 4) + " m above `after`; ";
+                     format_significant(options.min_thickness, 4) + " m above `after`; ";
   if (range.high > options.min_thickness) {
-    text += "elsewhere it is, by up to " + with_digits(range.high, 3) + " m at " +
+    text += "elsewhere it is, by up to " + format_significant(range.high, 3) + " m at " +
             at(range.high_at) + ": check the polygon and its map system, or `least_volume`";
   } else if (range.high > 0.0) {
-    text += "the most is " + with_digits(range.high, 3) + " m at " + at(range.high_at) +
+    text += "the most is " + format_significant(range.high, 3) + " m at " + at(range.high_at) +
             ": give a smaller `min_thickness`";
   } else {
     text += "it is above it nowhere";
   }
   if (-range.low > std::max(options.min_thickness, range.high)) {
-    text += "; it is up to " + with_digits(-range.low, 3) + " m below at " + at(range.low_at) +
-            ": are the two swapped?";
+    text += "; it is up to " + format_significant(-range.low, 3) + " m below at " +
+            at(range.low_at) + ": are the two swapped?";
   }
   throw InputError(text);
 }
@@ -139,8 +141,8 @@ std::vector<ZonePolygon> outlines_of(const ReleasedMassOptions& options, const M
 /// Whether a place lies under the top of a body.
 class Cover {
  public:
-  explicit Cover(const std::vector<const PairBody*>& bodies) {
-    for (const PairBody* body : bodies) {
+  explicit Cover(const std::vector<const OverlayBody*>& bodies) {
+    for (const OverlayBody* body : bodies) {
       TriangleMesh top = body->mesh;
       top.triangles.resize(body->top_triangles);
       tops_ = merged(std::move(tops_), top);
@@ -151,7 +153,7 @@ class Cover {
   bool holds(const Vec2& place) const {
     const auto near = index_->near(place);
     return std::any_of(near.begin(), near.end(), [&](std::uint32_t t) {
-      return terrain_detail::height_on(tops_, t, place).has_value();
+      return terrain_detail::height_on_triangle(tops_, t, place).has_value();
     });
   }
 
@@ -181,45 +183,45 @@ void check_mass_heights(const TriangleMesh& mesh, const char* name, const Cover&
     if (count++ == 0) first = centroid(mesh, triangle);
   }
   if (count == 0) return;
-  throw GeometryError(std::string(name) + ": " + counted(count, "triangle") +
+  throw GeometryError(std::string(name) + ": " + format_count(count, "triangle") +
                       " within the mass stand upright or overhang, the first at " +
-                      place_on_map(frame.map(first)) +
+                      format_map_point(frame.map(first)) +
                       "; two heights over a place do not say what the mass is there. Give "
                       "`resolution`, which takes the highest, or cut a closed mesh of the mass");
 }
 
-MassBody body_of(const PairBody& pair, const MapFrame& frame) {
+MassBody body_of(const OverlayBody& pair, const MapFrame& frame) {
   const Bounds box = bounds(pair.mesh);
   return {.mesh = {},
           .volume = signed_volume(pair.mesh),
           .plan_area = pair.plan_area,
-          .greatest_thickness = pair.greatest_thickness,
+          .max_thickness = pair.max_thickness,
           .centre = frame.map((box.low + box.high) / 2.0)};
 }
 
-TriangleMesh solid_on_map(const PairBody& pair, const MassBody& body, const MapFrame& frame) {
+TriangleMesh solid_on_map(const OverlayBody& pair, const MassBody& body, const MapFrame& frame) {
   TriangleMesh mesh = pair.mesh;
   for (Vec3& vertex : mesh.vertices) vertex = frame.map(vertex);
-  const MeshReport report = inspect(mesh);
-  const std::string where =
-      "the body of " + with_digits(body.volume, 4) + " m3 around " + place_on_map(body.centre);
+  const MeshReport report = inspect_mesh(mesh);
+  const std::string where = "the body of " + format_significant(body.volume, 4) + " m3 around " +
+                            format_map_point(body.centre);
   const char* const kWayOut = "; give a `polygon` around the mass, or a `resolution`";
-  if (!report.closed() || !report.oriented()) {
+  if (!report.is_closed() || !report.is_oriented()) {
     throw GeometryError(where + " is not closed (" + report.summary() + ")" + kWayOut);
   }
-  if (const std::size_t crossings = crossing_triangles(mesh).size()) {
-    throw GeometryError(where + " crosses itself, " + counted(crossings, "pair") +
+  if (const std::size_t crossings = find_self_intersections(mesh).size()) {
+    throw GeometryError(where + " crosses itself, " + format_count(crossings, "pair") +
                         " of triangles do" + kWayOut);
   }
   return mesh;
 }
 
-void note_wall(const PairBody& pair, const MassBody& body, const ReleasedMassOptions& options,
+void note_wall(const OverlayBody& pair, const MassBody& body, const ReleasedMassOptions& options,
                const MapFrame& frame, std::vector<std::string>& notes) {
-  if (pair.highest_wall <= options.min_thickness + kWallSlack) return;
+  if (pair.max_wall_height <= options.min_thickness + kWallSlack) return;
   notes.push_back("body " + std::to_string(body.number) + " ends at a wall of up to " +
-                  with_digits(pair.highest_wall, 3) + " m, as at " +
-                  place_on_map(frame.map(pair.wall_at)) +
+                  format_significant(pair.max_wall_height, 3) + " m, as at " +
+                  format_map_point(frame.map(pair.wall_position)) +
                   ": there is the border of a surface, a step of one, or the polygon; what lies "
                   "beyond is not in it");
 }
@@ -234,8 +236,8 @@ double sum_of_volumes(const std::vector<MassBody>& bodies) {
 void ReleasedMassOptions::check() const {
   const auto check_range = [](const char* field, double value, const NumberRange& range) {
     if (range.holds(value)) return;
-    throw InputError("`" + std::string(field) + "` = " + with_digits(value, 6) + ": must be " +
-                     range.words());
+    throw InputError("`" + std::string(field) + "` = " + format_significant(value, 6) +
+                     ": must be " + range.words());
   };
   check_range("min_thickness", min_thickness, kMassThickness);
   if (resolution) check_range("resolution", *resolution, kCellSize);
@@ -253,14 +255,14 @@ ReleasedMass find_released_mass(const Terrain& before, const Terrain& after,
   mass.crs = after.frame.crs.empty() ? before.frame.crs : after.frame.crs;
   const Surfaces surfaces = read_surfaces(before, after, options);
   const MapFrame& frame = surfaces.frame;
-  mass.edge_before = median_edge(surfaces.before);
-  mass.edge_after = median_edge(surfaces.after);
-  std::vector<PairBody> pairs = terrain_detail::bodies_between(
-      terrain_detail::surface_pair(surfaces.before, surfaces.after, options.min_thickness,
-                                   outlines_of(options, frame, mass.crs)),
+  mass.edge_before = median_edge_length(surfaces.before);
+  mass.edge_after = median_edge_length(surfaces.after);
+  std::vector<OverlayBody> pairs = terrain_detail::extract_bodies_between(
+      terrain_detail::overlay_surfaces(surfaces.before, surfaces.after, options.min_thickness,
+                                       outlines_of(options, frame, mass.crs)),
       options.min_thickness);
-  std::vector<std::pair<double, const PairBody*>> order;
-  for (const PairBody& pair : pairs) order.emplace_back(signed_volume(pair.mesh), &pair);
+  std::vector<std::pair<double, const OverlayBody*>> order;
+  for (const OverlayBody& pair : pairs) order.emplace_back(signed_volume(pair.mesh), &pair);
   std::erase_if(order, [&](const auto& each) { return each.first < options.least_volume; });
   if (order.empty()) refuse_nothing(surfaces, options);
   std::stable_sort(order.begin(), order.end(),
@@ -269,9 +271,9 @@ ReleasedMass find_released_mass(const Terrain& before, const Terrain& after,
   if (!numbers.empty() && *numbers.rbegin() > order.size()) {
     throw InputError("`bodies` = " + options.bodies + ": there " +
                      (order.size() == 1 ? "is " : "are ") +
-                     counted(order.size(), "body", "bodies") + "; choose among them");
+                     format_count(order.size(), "body", "bodies") + "; choose among them");
   }
-  std::vector<const PairBody*> chosen;
+  std::vector<const OverlayBody*> chosen;
   for (std::size_t i = 0; i < order.size(); ++i) {
     if (numbers.empty() || numbers.contains(i + 1)) chosen.push_back(order[i].second);
   }
@@ -279,7 +281,7 @@ ReleasedMass find_released_mass(const Terrain& before, const Terrain& after,
   check_mass_heights(surfaces.before, "`before`", cover, frame);
   check_mass_heights(surfaces.after, "`after`", cover, frame);
   for (std::size_t i = 0; i < order.size(); ++i) {
-    const PairBody& pair = *order[i].second;
+    const OverlayBody& pair = *order[i].second;
     MassBody body = body_of(pair, frame);
     body.number = i + 1;
     if (!numbers.empty() && !numbers.contains(i + 1)) {

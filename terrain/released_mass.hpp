@@ -31,7 +31,7 @@ struct MassBody {
   TriangleMesh mesh;                ///< closed, outward, on the map; of those left out empty
   double volume = 0.0;              ///< m^3
   double plan_area = 0.0;           ///< m^2
-  double greatest_thickness = 0.0;  ///< upright, m
+  double max_thickness = 0.0;  ///< upright, m
   Vec3 centre = Vec3::Zero();       ///< of its bounds, on the map
 };
 

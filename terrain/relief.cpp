@@ -31,7 +31,7 @@ constexpr std::array<Rgb, 6> kOtherTints = {{{233, 223, 201},
                                              {224, 213, 233}}};
 
 void sample_triangle(const Vec3& a, const Vec3& b, const Vec3& c, std::uint16_t zone,
-                     const Window& window, Relief& relief) {
+                     const PlanWindow& window, Relief& relief) {
   const Vec2 plan_a = a.head<2>(), plan_b = b.head<2>(), plan_c = c.head<2>();
   const double area = twice_area(plan_a, plan_b, plan_c);
   // Facing down, it may still be uppermost: where the survey ends on an overhang.
@@ -122,7 +122,7 @@ std::uint8_t part_of(double share, std::uint8_t colour) {
 
 }  // namespace
 
-Relief sampled(const Terrain& terrain, const Window& window, std::uint32_t columns) {
+Relief sampled(const Terrain& terrain, const PlanWindow& window, std::uint32_t columns) {
   Relief relief;
   relief.columns = columns;
   relief.cell = window.size().x() / columns;
@@ -140,7 +140,7 @@ Relief sampled(const Terrain& terrain, const Window& window, std::uint32_t colum
   return relief;
 }
 
-Rgb zone_tint(const std::string& name, std::size_t n) {
+Rgb zone_colour(const std::string& name, std::size_t n) {
   std::string lower = name;
   std::transform(lower.begin(), lower.end(), lower.begin(), [](char c) {
     return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
@@ -151,7 +151,7 @@ Rgb zone_tint(const std::string& name, std::size_t n) {
   return kOtherTints[n % kOtherTints.size()];
 }
 
-std::string relief_png(const Relief& relief, const std::vector<std::string>& zone_names,
+std::string render_relief_png(const Relief& relief, const std::vector<std::string>& zone_names,
                        double first_height, double contour_interval) {
   // Zones of one tint share palette entries, so that any number of zones fits into 256.
   std::vector<Rgb> palette = {{255, 255, 255}, kContourColour};
@@ -160,7 +160,7 @@ std::string relief_png(const Relief& relief, const std::vector<std::string>& zon
   constexpr std::size_t kFixedColours = 2;
   constexpr std::size_t kMostTints = (250 - kFixedColours) / (kShades + 1);
   for (std::size_t zone = 0; zone < std::max<std::size_t>(zone_names.size(), 1); ++zone) {
-    const Rgb tint = zone_tint(zone < zone_names.size() ? zone_names[zone] : "", zone);
+    const Rgb tint = zone_colour(zone < zone_names.size() ? zone_names[zone] : "", zone);
     std::size_t n =
         static_cast<std::size_t>(std::find(tints.begin(), tints.end(), tint) - tints.begin());
     if (n == tints.size() && n < kMostTints) tints.push_back(tint);
@@ -192,7 +192,7 @@ std::string relief_png(const Relief& relief, const std::vector<std::string>& zon
                                     static_cast<std::size_t>(std::lround(level * kShades)));
     }
   }
-  return palette_png(relief.columns, relief.rows, pixels, palette);
+  return encode_palette_png(relief.columns, relief.rows, pixels, palette);
 }
 
 }  // namespace clast

@@ -9,7 +9,7 @@
 namespace clast {
 
 /// A rectangle of the plan, m.
-struct Window {
+struct PlanWindow {
   Vec2 low = Vec2::Zero();
   Vec2 high = Vec2::Zero();
 
@@ -26,19 +26,19 @@ struct Relief {
 };
 
 /// Samples the surface at cell centres of `window` (local frame), `columns` cells wide.
-Relief sampled(const Terrain& terrain, const Window& window, std::uint32_t columns);
+Relief sampled(const Terrain& terrain, const PlanWindow& window, std::uint32_t columns);
 
 inline constexpr Rgb kContourColour = {122, 98, 69};
 
 /// Tint of a zone: the colour that its name says, else the n-th of a pale set.
-Rgb zone_tint(const std::string& name, std::size_t n);
+Rgb zone_colour(const std::string& name, std::size_t n);
 
 /// The relief as a PNG file, lit from the north-west at 45 degrees (Horn's slopes), zones tinted,
 /// with contour lines; transparent where there is no ground.
 /// @param first_height      map z of local z 0, so that contours are round on the map, m
 /// @param contour_interval  m
 /// @cite horn1981
-std::string relief_png(const Relief& relief, const std::vector<std::string>& zone_names,
+std::string render_relief_png(const Relief& relief, const std::vector<std::string>& zone_names,
                        double first_height, double contour_interval);
 
 }  // namespace clast

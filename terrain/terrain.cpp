@@ -2,7 +2,7 @@
 
 namespace clast {
 
-TerrainSurface terrain_surface(const Terrain& terrain, double radius) {
+TerrainSurface make_terrain_surface(const Terrain& terrain, double radius) {
   return {terrain.surface, terrain.zone, radius};
 }
 

@@ -24,14 +24,14 @@ struct MapFrame {
 struct TerrainReport {
   std::size_t triangles_read = 0;
   std::size_t welded_vertices = 0;
-  std::size_t dropped_degenerate = 0;
-  std::size_t dropped_duplicates = 0;
-  std::size_t turned_triangles = 0;  ///< normals that pointed down
+  std::size_t removed_degenerate = 0;
+  std::size_t removed_duplicates = 0;
+  std::size_t flipped_triangles = 0;  ///< normals that pointed down
   std::size_t closed_cracks = 0;     ///< border vertices brought onto the border beside them
   std::size_t filled_holes = 0;      ///< of a mesh or a cloud's grid
   std::size_t open_holes = 0;        ///< of a mesh, wider than those
   std::size_t levelled_spikes = 0;   ///< single vertices, pits too
-  std::size_t dropped_pieces = 0;    ///< small ones that lay over other ground
+  std::size_t removed_components = 0;    ///< small ones that lay over other ground
   std::size_t slivers = 0;           ///< triangles lower than 1 mm, kept
   std::size_t boundary_edges = 0;    ///< outer border and holes
   std::size_t components = 0;
@@ -49,6 +49,6 @@ struct Terrain {
 };
 
 /// The surface the dynamics runs on.
-TerrainSurface terrain_surface(const Terrain& terrain, double radius = 0.0);
+TerrainSurface make_terrain_surface(const Terrain& terrain, double radius = 0.0);
 
 }  // namespace clast

@@ -18,14 +18,14 @@ constexpr double kMostRasterCells = 1e9;
 /// Writes the height of the highest surface over the centres of square cells, whose borders lie on
 /// multiples of `cell`.
 void write_heights(const std::filesystem::path& path, const Terrain& terrain, double cell,
-                   const OutputRules& rules) {
+                   const OverwritePolicy& rules) {
   const Bounds box = bounds(terrain.surface);
   const Vec3 low = terrain.frame.map(box.low), high = terrain.frame.map(box.high);
   const Vec2 first = (low.head<2>() / cell).array().floor();
   const Vec2 count =
       ((high.head<2>() / cell).array().ceil() - first.array()).max(Eigen::Array2d::Ones());
   if (!(count.prod() < kMostRasterCells)) {
-    throw InputError(path.string() + ": cells of " + with_digits(cell, 6) +
+    throw InputError(path.string() + ": cells of " + format_significant(cell, 6) +
                      " m are too many for this ground; use larger ones");
   }
   const Vec2 south_west = first * cell - terrain.frame.origin.head<2>();
@@ -49,13 +49,13 @@ void write_heights(const std::filesystem::path& path, const Terrain& terrain, do
 }  // namespace
 
 void export_terrain(const std::filesystem::path& path, const Terrain& terrain,
-                    const std::string& up_of_user, double cell, const OutputRules& rules) {
-  const std::string up = up_axis(up_of_user, path);
-  const std::string extension = extension_of(path);
+                    const std::string& up_of_user, double cell, const OverwritePolicy& rules) {
+  const std::string up = resolve_up_axis(up_of_user, path);
+  const std::string extension = lower_case_extension(path);
   if (extension == ".tif" || extension == ".tiff") {
     if (up == "y") throw InputError(path.string() + ": rasters are z up; leave out up = \"y\"");
     if (!(cell > 0.0 && std::isfinite(cell))) {
-      throw InputError("cell = " + with_digits(cell, 6) + " m; must be more than 0");
+      throw InputError("cell = " + format_significant(cell, 6) + " m; must be more than 0");
     }
     write_heights(path, terrain, cell, rules);
     return;
@@ -64,17 +64,17 @@ void export_terrain(const std::filesystem::path& path, const Terrain& terrain,
   TriangleMesh mesh = terrain.surface;
   for (Vec3& vertex : mesh.vertices) {
     if (!floats) vertex = terrain.frame.map(vertex);
-    if (up == "y") vertex = turned_y_up(vertex);
+    if (up == "y") vertex = z_up_to_y_up(vertex);
   }
-  const auto origin_text = [&](const Vec3& subtracted) -> std::string {
-    const Vec3 origin = terrain.frame.origin + (up == "y" ? turned_z_up(subtracted) : subtracted);
+  const auto describe_origin = [&](const Vec3& subtracted) -> std::string {
+    const Vec3 origin = terrain.frame.origin + (up == "y" ? y_up_to_z_up(subtracted) : subtracted);
     if (!floats || origin.isZero(0.0)) return "";
     std::string text = "map coordinates (z up) = coordinates here (" + up + " up) + origin, m\n";
-    text += kOriginLine + place_on_map(origin) + "\n";
+    text += kOriginLinePrefix + format_map_point(origin) + "\n";
     if (!terrain.frame.crs.empty()) text += "map system " + terrain.frame.crs + "\n";
     return text;
   };
-  write_mesh(path, mesh, {.rules = rules, .origin_text = origin_text});
+  write_mesh(path, mesh, {.rules = rules, .describe_origin = describe_origin});
 }
 
 }  // namespace clast

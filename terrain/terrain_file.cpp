@@ -18,14 +18,14 @@ constexpr int kSchema = 1;
 constexpr std::array<std::pair<const char*, std::size_t TerrainReport::*>, 13> kCounts = {{
     {"triangles_read", &TerrainReport::triangles_read},
     {"welded_vertices", &TerrainReport::welded_vertices},
-    {"dropped_degenerate", &TerrainReport::dropped_degenerate},
-    {"dropped_duplicates", &TerrainReport::dropped_duplicates},
-    {"turned_triangles", &TerrainReport::turned_triangles},
+    {"dropped_degenerate", &TerrainReport::removed_degenerate},
+    {"dropped_duplicates", &TerrainReport::removed_duplicates},
+    {"turned_triangles", &TerrainReport::flipped_triangles},
     {"closed_cracks", &TerrainReport::closed_cracks},
     {"filled_holes", &TerrainReport::filled_holes},
     {"open_holes", &TerrainReport::open_holes},
     {"levelled_spikes", &TerrainReport::levelled_spikes},
-    {"dropped_pieces", &TerrainReport::dropped_pieces},
+    {"dropped_pieces", &TerrainReport::removed_components},
     {"slivers", &TerrainReport::slivers},
     {"boundary_edges", &TerrainReport::boundary_edges},
     {"components", &TerrainReport::components},
@@ -76,10 +76,10 @@ void check(const Terrain& terrain, const std::string& file) {
 }  // namespace
 
 void write_terrain(const std::filesystem::path& path, const Terrain& terrain,
-                   const OutputRules& rules) {
+                   const OverwritePolicy& rules) {
   OutputFile output(path, rules);
   {
-    Hdf5File file = Hdf5File::create(output.temporary(), kTerrainFormat, kSchema);
+    Hdf5File file = Hdf5File::create(output.temporary_path(), kTerrainFormat, kSchema);
     Hdf5Group root = file.root();
     root.set_attribute("crs", terrain.frame.crs);
     const Vec3& origin = terrain.frame.origin;

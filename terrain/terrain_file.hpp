@@ -13,7 +13,7 @@ inline constexpr const char* kTerrainFormat = "clast terrain";
 
 /// @throws InputError  as `OutputFile`
 void write_terrain(const std::filesystem::path& path, const Terrain& terrain,
-                   const OutputRules& rules = {.kind = kTerrainFormat});
+                   const OverwritePolicy& rules = {.kind = kTerrainFormat});
 /// @throws InputError  missing, not a clast terrain, damaged, or of a newer schema
 Terrain read_terrain_file(const std::filesystem::path& path);
 
@@ -27,6 +27,6 @@ Terrain read_terrain_file(const std::filesystem::path& path);
 /// @throws InputError  unknown extension or axis, a cell that is not positive or far too small, or
 ///                     as `OutputFile`
 void export_terrain(const std::filesystem::path& path, const Terrain& terrain,
-                    const std::string& up, double cell = 0.5, const OutputRules& rules = {});
+                    const std::string& up, double cell = 0.5, const OverwritePolicy& rules = {});
 
 }  // namespace clast

@@ -22,7 +22,7 @@ std::vector<std::pair<Vec2, Vec2>> border_edges(const Terrain& terrain) {
   std::vector<std::pair<Vec2, Vec2>> edges;
   for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
     for (std::size_t k = 0; k < 3; ++k) {
-      if (!links.on_border(t, k)) continue;
+      if (!links.is_border_side(t, k)) continue;
       const std::uint32_t a = mesh.triangles[t][k], b = mesh.triangles[t][(k + 1) % 3];
       edges.emplace_back(terrain.frame.map(mesh.vertices[a]).head<2>(),
                          terrain.frame.map(mesh.vertices[b]).head<2>());
@@ -47,15 +47,15 @@ double border_distance(const Terrain& terrain, const Vec2& place) {
   return distance_to(border_edges(terrain), place);
 }
 
-void check_over_ground(const Terrain& terrain, std::span<const Vec3> places,
+void check_over_ground(const Terrain& terrain, std::span<const Vec3> positions,
                        const std::string& name) {
   const TriangleMesh& mesh = terrain.surface;
   const terrain_detail::PlanIndex index(terrain_detail::plan_boxes(mesh));
-  for (std::size_t i = 0; i < places.size(); ++i) {
-    const Vec2 at = terrain.frame.local(places[i]).head<2>();
+  for (std::size_t i = 0; i < positions.size(); ++i) {
+    const Vec2 at = terrain.frame.local(positions[i]).head<2>();
     const std::span<const std::uint32_t> near = index.near(at);
     if (std::any_of(near.begin(), near.end(), [&](std::uint32_t t) {
-          return terrain_detail::height_on(mesh, t, at).has_value();
+          return terrain_detail::height_on_triangle(mesh, t, at).has_value();
         })) {
       continue;
     }
@@ -64,38 +64,38 @@ void check_over_ground(const Terrain& terrain, std::span<const Vec3> places,
     const bool in_box = (at.array() >= box.low.head<2>().array()).all() &&
                         (at.array() <= box.high.head<2>().array()).all();
     throw InputError(
-        name + ": release point " + std::to_string(i + 1) + " at " + place_on_map(places[i]) +
+        name + ": release point " + std::to_string(i + 1) + " at " + format_map_point(positions[i]) +
         (in_box ? " is over a hole or beside the ground" : " is off the ground") +
-        ", which lies in x " + with_digits(low.x(), 9) + " to " + with_digits(high.x(), 9) +
-        ", y " + with_digits(low.y(), 9) + " to " + with_digits(high.y(), 9) +
+        ", which lies in x " + format_significant(low.x(), 9) + " to " + format_significant(high.x(), 9) +
+        ", y " + format_significant(low.y(), 9) + " to " + format_significant(high.y(), 9) +
         " (map, z up); move the point, or check its map system and up axis");
   }
 }
 
-void check_near_ground(const Terrain& terrain, std::span<const Vec2> places,
+void check_near_ground(const Terrain& terrain, std::span<const Vec2> positions,
                        const std::string& name) {
   const Bounds box = bounds(terrain.surface);
   const Vec2 low = terrain.frame.map(box.low).head<2>();
   const Vec2 high = terrain.frame.map(box.high).head<2>();
   const double reach = (high - low).maxCoeff();
-  for (const Vec2& place : places) {
+  for (const Vec2& place : positions) {
     if ((place.array() > low.array() - reach).all() &&
         (place.array() < high.array() + reach).all()) {
       continue;
     }
-    throw InputError(name + " at " + place_on_map({place.x(), place.y(), 0.0}) +
+    throw InputError(name + " at " + format_map_point({place.x(), place.y(), 0.0}) +
                      " is far off the ground, which begins at " +
-                     place_on_map({low.x(), low.y(), 0.0}) + "; bring both into one map system");
+                     format_map_point({low.x(), low.y(), 0.0}) + "; bring both into one map system");
   }
 }
 
-std::optional<std::string> border_warning(const Terrain& terrain, std::span<const Vec3> places,
+std::optional<std::string> border_warning(const Terrain& terrain, std::span<const Vec3> positions,
                                           double distance) {
   const std::vector<std::pair<Vec2, Vec2>> edges = border_edges(terrain);
   std::size_t near = 0;
   double nearest = distance;
   Vec3 nearest_at = Vec3::Zero();
-  for (const Vec3& place : places) {
+  for (const Vec3& place : positions) {
     const double to_border = distance_to(edges, place.head<2>());
     if (to_border >= distance) continue;
     ++near;
@@ -104,18 +104,18 @@ std::optional<std::string> border_warning(const Terrain& terrain, std::span<cons
     nearest_at = place;
   }
   if (near == 0) return std::nullopt;
-  return std::to_string(near) + " of " + std::to_string(places.size()) +
-         " release points are nearer than " + with_digits(distance, 4) +
-         " m to the border of the ground, the nearest, " + with_digits(nearest, 3) + " m, at " +
-         place_on_map(nearest_at) + "; blocks may leave the survey there, extend it";
+  return std::to_string(near) + " of " + std::to_string(positions.size()) +
+         " release points are nearer than " + format_significant(distance, 4) +
+         " m to the border of the ground, the nearest, " + format_significant(nearest, 3) + " m, at " +
+         format_map_point(nearest_at) + "; blocks may leave the survey there, extend it";
 }
 
 std::optional<std::string> cell_size_warning(const Terrain& terrain, double smallest,
                                              double largest) {
-  const double edge = median_edge(terrain.surface);
+  const double edge = median_edge_length(terrain.surface);
   const auto text = [&](const std::string& what, double block, const std::string& advice) {
-    return "the edges of the ground, " + with_digits(edge, 3) + " m (median), are " + what +
-           " than the blocks, " + with_digits(block, 3) + " m; " + advice;
+    return "the edges of the ground, " + format_significant(edge, 3) + " m (median), are " + what +
+           " than the blocks, " + format_significant(block, 3) + " m; " + advice;
   };
   if (edge > kLongEdges * largest) {
     return text("much longer", largest,

@@ -16,7 +16,7 @@
 #include "terrain/input/surface_files.hpp"
 #include "terrain/repair/breaklines.hpp"
 #include "terrain/repair/cracks.hpp"
-#include "terrain/repair/layers.hpp"
+#include "terrain/repair/overlapping_ground.hpp"
 #include "terrain/repair/simplification.hpp"
 #include "terrain/repair/spike_groups.hpp"
 #include "terrain/repair/spikes.hpp"
@@ -45,22 +45,22 @@ void repair_tiles(RawSurface& raw, const std::vector<std::uint16_t>& zone_of_fil
                   const TerrainOptions& options, TerrainReport& report) {
   std::vector<std::string> files;
   for (const fs::path& file : options.surface) files.push_back(file.string());
-  terrain_detail::weld(raw, report);
-  terrain_detail::drop_useless_triangles(raw, files, zone_of_file, report);
+  terrain_detail::weld_surface(raw, report);
+  terrain_detail::remove_invalid_triangles(raw, files, zone_of_file, report);
   terrain_detail::level_spike_groups(raw.mesh, options.spike_steepness, options.crack, report);
   terrain_detail::close_cracks(raw, options.crack, report);
-  drop_unused_vertices(raw.mesh);
+  remove_unused_vertices(raw.mesh);
   terrain_detail::orient_upwards(raw, report);
-  terrain_detail::drop_double_ground(raw, options.crack, report);
+  terrain_detail::remove_overlapping_ground(raw, options.crack, report);
   if (raw.mesh.triangles.empty()) {
     throw GeometryError(files.front() + (files.size() > 1 ? " and the other surfaces" : "") +
                         ": none of " + std::to_string(report.triangles_read) +
                         " triangles is left as ground; all have no area, or lie twice at one "
                         "place; export the surface again");
   }
-  terrain_detail::fill_surface_holes(raw, options.fill.value_or(kMeshHole * median_edge(raw.mesh)),
-                                     options.crack, report);
-  terrain_detail::note_gaps(raw, median_edge(raw.mesh), report);
+  terrain_detail::fill_surface_holes(
+      raw, options.fill.value_or(kMeshHole * median_edge_length(raw.mesh)), options.crack, report);
+  terrain_detail::note_gaps(raw, median_edge_length(raw.mesh), report);
   terrain_detail::note_slivers(raw, report);
 }
 
@@ -116,12 +116,13 @@ void note_doubts(Terrain& terrain) {
   const Bounds box = bounds(terrain.surface);
   const double extent = (box.high - box.low).head<2>().maxCoeff();
   if (extent < kSmallGround || extent > kLargeGround) {
-    notes.push_back("the ground is " + with_digits(extent, 6) +
+    notes.push_back("the ground is " + format_significant(extent, 6) +
                     " m across; are its coordinates in metres?");
   }
   if (box.high.z() - box.low.z() > 3.0 * extent) {
-    notes.push_back("the ground is " + with_digits(box.high.z() - box.low.z(), 6) + " m high and " +
-                    with_digits(extent, 6) + " m across; is z its upward axis?");
+    notes.push_back("the ground is " + format_significant(box.high.z() - box.low.z(), 6) +
+                    " m high and " + format_significant(extent, 6) +
+                    " m across; is z its upward axis?");
   }
   std::size_t overhangs = 0;
   for (const auto& [a, b, c] : terrain.surface.triangles) {
@@ -207,11 +208,11 @@ void TerrainOptions::check() const {
     throw InputError("surface: " + std::to_string(surface.size()) +
                      " files; 65,535 at most, join some");
   }
-  up_axis(up, {});
+  resolve_up_axis(up, {});
   const auto check_range = [](const char* field, const std::optional<double>& value,
                               const NumberRange& range) {
     if (!value || range.holds(*value)) return;
-    throw InputError(std::string(field) + " = " + with_digits(*value, 6) + ": must be " +
+    throw InputError(std::string(field) + " = " + format_significant(*value, 6) + ": must be " +
                      range.words());
   };
   check_range("resolution", resolution, kCellSize);
@@ -221,9 +222,9 @@ void TerrainOptions::check() const {
   check_range("spike_steepness", spike_steepness, kSpikeSteepness);
   check_range("tolerance", tolerance, kSurfaceTolerance);
   check_range("fill", fill, kHoleWidth);
-  if (smoothing < 0 || smoothing > kMostSmoothing) {
+  if (smoothing < 0 || smoothing > kMaxSmoothing) {
     throw InputError("smoothing = " + std::to_string(smoothing) + ": must be from 0 to " +
-                     std::to_string(kMostSmoothing) + " rounds");
+                     std::to_string(kMaxSmoothing) + " rounds");
   }
   for (const std::string& zone : zones) {
     if (zone.empty()) throw InputError("zones: an empty name; every zone needs one");
@@ -232,7 +233,7 @@ void TerrainOptions::check() const {
 
 Terrain read_terrain(const TerrainOptions& options) {
   options.check();
-  const std::optional<ZoneFile> zones = zone_file(options.zones);
+  const std::optional<ZoneFile> zones = parse_zone_file(options.zones);
   const bool rules = are_zone_rules(options.zones);
   if (options.cut_zones && !(zones && terrain_detail::is_polygon_file(zones->path))) {
     throw InputError(
@@ -240,7 +241,7 @@ Terrain read_terrain(const TerrainOptions& options) {
         "polygon file as zones");
   }
   check_files(options, zones);
-  const SurfaceKind kind = terrain_detail::surface_kind(options.surface);
+  const SurfaceKind kind = terrain_detail::detect_surface_kind(options.surface);
   check_suits(options, kind);
   std::vector<std::string> digests = digests_of(options, zones);
   if (kind == SurfaceKind::kTerrain) {
@@ -264,10 +265,10 @@ Terrain read_terrain(const TerrainOptions& options) {
   }
   terrain_detail::level_spikes(raw, options.spike_steepness, terrain.report);
   if (options.resolution && kind == SurfaceKind::kMesh) {
-    raw = terrain_detail::resampled(raw, *options.resolution, options.surface.front(),
-                                    terrain.report);
+    raw = terrain_detail::resample_surface(raw, *options.resolution, options.surface.front(),
+                                           terrain.report);
   }
-  terrain_detail::smooth(raw.mesh, options.smoothing, terrain.report);
+  terrain_detail::smooth_surface(raw.mesh, options.smoothing, terrain.report);
   add_breaklines(raw, options.breaklines, terrain.report);
   if (options.tolerance) terrain_detail::simplify_surface(raw, *options.tolerance, terrain.report);
   terrain.surface = std::move(raw.mesh);

@@ -69,7 +69,7 @@ struct ZoneFile {
 /// `zones` as a zone file ("zones.asc", "zones.asc:1=blue,2=gray", polygons.geojson), or none when
 /// they are plain names. A list cut at its commas is put together again.
 /// @throws InputError  a mapping that can't be read
-std::optional<ZoneFile> zone_file(const std::vector<std::string>& zones);
+std::optional<ZoneFile> parse_zone_file(const std::vector<std::string>& zones);
 
 /// Whether a ground zone can be called so: ground tables, zone lists and rules are written with
 /// "=", and a name is one line.

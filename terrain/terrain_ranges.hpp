@@ -18,6 +18,6 @@ inline constexpr NumberRange kSurfaceTolerance{1e-9, 1e3, "m"};
 inline constexpr NumberRange kBorderDistance{1e-3, 1e6, "m"};
 inline constexpr NumberRange kMassThickness{1e-6, 1e4, "m", "all counts"};
 inline constexpr NumberRange kGroundRadius{1e-6, 100.0, "m", ""};
-inline constexpr int kMostSmoothing = 1000;  ///< rounds
+inline constexpr int kMaxSmoothing = 1000;  ///< rounds
 
 }  // namespace clast

@@ -20,10 +20,10 @@ namespace {
 
 /// How a scan got its size, for its page.
 std::string describe_block_scale(const ScanToBlockOptions& options) {
-  std::string text = "one unit of the file is " + with_digits(options.scan.unit, 6) + " m";
+  std::string text = "one unit of the file is " + format_significant(options.scan.unit, 6) + " m";
   text += options.scale_points ? " (from a measured length" : " (--units " + options.units;
   if (options.scale_factor != 1.0) {
-    text += ", times --scale-factor " + with_digits(options.scale_factor, 6);
+    text += ", times --scale-factor " + format_significant(options.scale_factor, 6);
   }
   return text + ")";
 }
@@ -65,7 +65,7 @@ void BatchPrinter::added(const Block& block) {
   if (!photos.empty()) made_.back()["photos"] = photos.mapped();
   bar_.clear();
   if (!json_) {
-    std::cout << printable(format_block_line(block)) << "\n";
+    std::cout << escape_nonprintable(format_block_line(block)) << "\n";
     for (const std::string& warning : block.warnings) {
       std::cout << "  note: " << shown(warning) << "\n";
     }
@@ -93,7 +93,7 @@ void BatchPrinter::failed(const ScanFile& scan, const std::string& reason) {
   bar_.clear();
   const std::string path = scan.path.string();
   if (report_) report_->add_failure(path, reason);
-  failed_.push_back({{"scan", as_utf8(path)}, {"reason", as_utf8(replace_keys_by_flags(reason))}});
+  failed_.push_back({{"scan", to_utf8(path)}, {"reason", to_utf8(replace_keys_by_flags(reason))}});
   const auto print = [&] { std::cerr << "clast: " << shown(last_failure_) << "\n"; };
   // The last failure of a single scan ends the program and is printed then.
   if (scans_ == 1 && !last_failure_.empty()) print();
@@ -124,13 +124,13 @@ void BatchPrinter::print_end(const BatchResult& result) const {
     std::cout << json.dump(2) << "\n";
     return;
   }
-  const std::string library = printable(options_.library.string());
+  const std::string library = escape_nonprintable(options_.library.string());
   if (result.skipped > 0) {
-    std::cout << library << ": " << counted(result.skipped, "scan")
+    std::cout << library << ": " << format_count(result.skipped, "scan")
               << " skipped, in the library already with the same file and options\n";
   }
   if (made_.empty()) return;
-  std::cout << library << ": " << counted(made_.size(), "block") << " written, " << result.blocks
+  std::cout << library << ": " << format_count(made_.size(), "block") << " written, " << result.blocks
             << " in all\n";
 }
 

@@ -31,8 +31,8 @@ class BatchPrinter : public BatchObserver {
   void noted(const std::string& text) override;
 
   /// Of scans side by side no step has a line of its own.
-  void show(const ProgressStep& step) {
-    bar_.update(step.done, step.what, step.takes_long && options_.jobs == 1);
+  void show(const ProgressUpdate& step) {
+    bar_.update(step.done, step.what, step.is_slow && options_.jobs == 1);
   }
   /// The summary, on stdout and among the pages.
   /// @throws InputError  a scan gave no block; of a single scan its own reason

@@ -38,25 +38,25 @@ struct CalibrateArgs {
 };
 
 void print_calibration(const Calibration& calibration, const std::filesystem::path& page) {
-  std::cout << printable(describe_calibration_result(calibration)) << "\n";
+  std::cout << escape_nonprintable(describe_calibration_result(calibration)) << "\n";
   for (const std::string& finding : describe_calibration_findings(calibration)) {
-    std::cout << printable(finding) << "\n";
+    std::cout << escape_nonprintable(finding) << "\n";
   }
   std::cout << "\n"
             << format_unknowns_table(calibration) << "\n"
             << format_statistics_table(calibration) << "\n"
             << format_ground_block(calibration) << "\n"
-            << printable(calibration.file.string()) << "\n"
-            << printable(page.string()) << "\n";
+            << escape_nonprintable(calibration.file.string()) << "\n"
+            << escape_nonprintable(page.string()) << "\n";
 }
 
 void print_members(const Calibration& calibration, const Shard& shard) {
   std::size_t members = 0;
   for (std::uint32_t i = 0; i < calibration.study.design.members; ++i) members += shard.has(i);
-  std::cout << printable(calibration.file.string()) << ": " << members << " of "
-            << counted(calibration.study.design.members, "member")
+  std::cout << escape_nonprintable(calibration.file.string()) << ": " << members << " of "
+            << format_count(calibration.study.design.members, "member")
             << " simulated. When those of all shards are, join them: "
-            << printable(shell_command({"clast", "calibrate", calibration.study.file.string()}))
+            << escape_nonprintable(format_shell_command({"clast", "calibrate", calibration.study.file.string()}))
             << " --merge PARTS\n";
 }
 
@@ -64,7 +64,7 @@ std::string resume_command(const CalibrateArgs& args) {
   std::vector<std::string> words = {"clast", "calibrate", args.study, "-o", args.output};
   if (!args.shard.empty()) words.insert(words.end(), {"--shard", args.shard});
   words.push_back("--resume");
-  return shell_command(words);
+  return format_shell_command(words);
 }
 
 /// The file itself or that of the shard.
@@ -82,7 +82,7 @@ void calibrate_with(ProcessTeam& team, const CalibrateArgs& args, CalibrateOptio
   if (!team.is_leader()) return serve_calibration(study, options);
   ProgressBar bar("members", study.sites.size() * study.design.members);
   bool started = false;
-  options.progress = [&](const ProgressStep& step) {
+  options.progress = [&](const ProgressUpdate& step) {
     if (!std::exchange(started, true)) bar.start_from(step.before);
     bar.update(step.done);
     if (!watch.interrupted() || step.done == step.total) return;

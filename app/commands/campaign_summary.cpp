@@ -6,7 +6,7 @@
 #include <iostream>
 
 #include "app/option_flags.hpp"
-#include "core/listed.hpp"
+#include "core/comma_separated.hpp"
 #include "core/number_text.hpp"
 #include "core/printable.hpp"
 #include "core/text_table.hpp"
@@ -29,22 +29,23 @@ std::string ground_draws_text(const CampaignPlan& prepared) {
 std::string releases_text(const CampaignPlan& prepared) {
   std::string text;
   if (const std::optional<PersistentBlocksSettings>& stay = prepared.header.stay) {
-    text = counted(prepared.campaign.stay->realisations, "realisation") + " of " +
-           counted(stay->blocks_each, "block") + (stay->at_once ? "" : " that stay");
+    text = format_count(prepared.campaign.stay->realisations, "realisation") + " of " +
+           format_count(stay->blocks_each, "block") + (stay->at_once ? "" : " that stay");
     const std::size_t masses = prepared.campaign.stay->masses.size();
     if (stay->at_once) {
       return text +
-             (masses > 1 ? " in " + counted(masses, "mass", "masses") : " released at once") +
+             (masses > 1 ? " in " + format_count(masses, "mass", "masses") : " released at once") +
              ground_draws_text(prepared);
     }
     const std::vector<std::string>& cleared = prepared.campaign.stay->cleared_zones;
-    if (!cleared.empty()) text += ", but are removed from " + printable(listed(cleared));
+    if (!cleared.empty())
+      text += ", but are removed from " + escape_nonprintable(comma_separated(cleared));
   }
   for (const ReleaseSet& release : prepared.campaign.releases) {
     text += (text.empty() ? "" : "; ") +
-            (release.name.empty() ? "" : printable(release.name) + ": ") +
-            counted(release.points.size(), "release point") + ", " +
-            counted(release.orientations.size(), "orientation");
+            (release.name.empty() ? "" : escape_nonprintable(release.name) + ": ") +
+            format_count(release.points.size(), "release point") + ", " +
+            format_count(release.orientations.size(), "orientation");
   }
   return text + ground_draws_text(prepared);
 }
@@ -58,14 +59,14 @@ std::string mass_text(const CampaignPlan& prepared, std::size_t mass) {
       low = std::min(low, std::invoke(value, prepared.masses[i]));
       high = std::max(high, std::invoke(value, prepared.masses[i]));
     }
-    const std::string from = with_digits(low, 3), to = with_digits(high, 3);
+    const std::string from = format_significant(low, 3), to = format_significant(high, 3);
     return from == to ? from : from + " to " + to;
   };
   std::string rock = prepared.masses.size() > 1 ? "each mass: " : "the mass: ";
   if (plans.size() > 1) {
-    rock = "mass " + printable(prepared.campaign.releases[mass].name) + ", released at " +
-           with_digits(plans[mass].release_time, 6) +
-           " s: " + counted(prepared.masses[mass].blocks, "block") + ", ";
+    rock = "mass " + escape_nonprintable(prepared.campaign.releases[mass].name) + ", released at " +
+           format_significant(plans[mass].release_time, 6) +
+           " s: " + format_count(prepared.masses[mass].blocks, "block") + ", ";
   }
   rock += range(&MultiBlockStart::volume) + " m3 of rock, " +
           range([](const MultiBlockStart& start) { return start.mass / 1000.0; }) + " t, ";
@@ -97,9 +98,9 @@ std::string memory_line(const CampaignPlan& prepared) {
 std::string made_text(const CampaignPlan& prepared) {
   const BlockChoice& choice = prepared.choice;
   if (choice.parents.empty()) return "";
-  return counted(choice.library.size(), "body", "bodies") + " made of " +
-         counted(choice.parents.size(), "block") + " of " +
-         printable(prepared.campaign.blocks.library.string()) + "\n";
+  return format_count(choice.library.size(), "body", "bodies") + " made of " +
+         format_count(choice.parents.size(), "block") + " of " +
+         escape_nonprintable(prepared.campaign.blocks.library.string()) + "\n";
 }
 
 /// More blocks than this are not printed one by one.
@@ -107,7 +108,8 @@ constexpr std::size_t kMostPrintedStarts = 20;
 
 /// Stiffness and time step of the runs of each block, and over all blocks where there are many.
 TextTable stiffness_table(const CampaignPlan& prepared) {
-  const std::vector<BlockStiffness> blocks = collect_stiffness_by_block(prepared.header, prepared.runs);
+  const std::vector<BlockStiffness> blocks =
+      collect_stiffness_by_block(prepared.header, prepared.runs);
   TextTable table{{"block"}, {}};
   for (const StiffnessRange& value : blocks.front().values) {
     table.headings.push_back(value.heading);
@@ -125,8 +127,9 @@ TextTable stiffness_table(const CampaignPlan& prepared) {
 }  // namespace
 
 void print_plan(const CampaignPlan& prepared) {
-  std::cout << counted(prepared.runs.size(), "run") << ": "
-            << counted(prepared.bodies.size(), "block") << ", " << releases_text(prepared) << "\n"
+  std::cout << format_count(prepared.runs.size(), "run") << ": "
+            << format_count(prepared.bodies.size(), "block") << ", " << releases_text(prepared)
+            << "\n"
             << made_text(prepared) << masses_text(prepared) << memory_line(prepared);
   for (const std::string& warning : prepared.header.warnings) {
     std::cout << "warning: " << shown(warning) << "\n";
@@ -146,7 +149,7 @@ void print_outcome(const CampaignResults& results) {
   }
   std::cout << table.text() << outcome.below_ground << " runs ended below ground, "
             << results.crossings.size() << " barrier crossings, largest energy error "
-            << (outcome.largest_energy_error ? rounded(*outcome.largest_energy_error, 2)
+            << (outcome.largest_energy_error ? format_rounded(*outcome.largest_energy_error, 2)
                                              : std::string("not known"))
             << "\n";
   for (const std::string& warning : describe_failed_runs(outcome)) {

@@ -33,7 +33,7 @@ nlohmann::ordered_json findings_json(const char* kind, const CheckArgs& args,
                                      const std::vector<std::string>& findings) {
   nlohmann::ordered_json list = nlohmann::ordered_json::array();
   for (const std::string& finding : findings) list.push_back(shown(finding));
-  return {{kind, printable(args.file)}, {"accepted", findings.empty()}, {"findings", list}};
+  return {{kind, escape_nonprintable(args.file)}, {"accepted", findings.empty()}, {"findings", list}};
 }
 
 /// @param command  that would refuse the file
@@ -41,11 +41,11 @@ void end_with(const CheckArgs& args, const std::vector<std::string>& findings,
               const std::string& command) {
   if (!args.json) {
     for (const std::string& finding : findings) std::cout << shown(finding) << "\n";
-    if (findings.empty()) std::cout << printable(args.file) << ": would run\n";
+    if (findings.empty()) std::cout << escape_nonprintable(args.file) << ": would run\n";
   }
   if (findings.empty()) return;
   throw InputError(args.file + ": clast " + command + " would refuse it, with " +
-                   counted(findings.size(), "finding") +
+                   format_count(findings.size(), "finding") +
                    "; correct what is listed, and check again");
 }
 

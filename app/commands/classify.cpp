@@ -7,7 +7,7 @@
 #include "app/commands/commands.hpp"
 #include "app/option_flags.hpp"
 #include "app/option_values.hpp"
-#include "core/files/csv_text.hpp"
+#include "core/files/csv_writer.hpp"
 #include "core/files/output_folder.hpp"
 #include "core/number_text.hpp"
 #include "core/printable.hpp"
@@ -36,7 +36,8 @@ void print_tables(const PopulationReport& report) {
   for (std::size_t i = 0; i < report.populations.size(); ++i) {
     const ReportedPopulation& reported = report.populations[i];
     if (i > 0) std::cout << "\n";
-    if (report.populations.size() > 1) std::cout << printable(reported.population.name) << "\n";
+    if (report.populations.size() > 1)
+      std::cout << escape_nonprintable(reported.population.name) << "\n";
     std::cout << "L, I, S: " << reported.measured << "\n\n";
     if (reported.population.blocks.size() > kMostPrintedBlocks) {
       std::cout << reported.population.blocks.size()
@@ -45,7 +46,7 @@ void print_tables(const PopulationReport& report) {
       std::cout << format_blocks_table(reported.population, report.options);
     }
     std::cout << format_population_summary(reported.summary);
-    if (reported.skipped > 0) std::cout << counted(reported.skipped, "row") << " skipped\n";
+    if (reported.skipped > 0) std::cout << format_count(reported.skipped, "row") << " skipped\n";
   }
   if (report.comparison) std::cout << format_population_comparison(*report.comparison);
 }
@@ -95,7 +96,7 @@ void classify(const ClassifyArgs& args) {
     folder.emplace(args.output, population_folder_kind(args.output), args.replace);
   const PopulationReport report = read_populations(args.request);
   if (folder) {
-    write_population_report(report, folder->temporary());
+    write_population_report(report, folder->temporary_path());
     folder->commit();
   }
   // Only now, so that a failure is the first thing said.
@@ -105,7 +106,8 @@ void classify(const ClassifyArgs& args) {
   args.json ? write_population_json(std::cout, report) : print_tables(report);
   if (!args.output.empty() && !args.json) {
     std::cout << "\nReport: "
-              << printable((std::filesystem::path(args.output) / "report.html").string()) << "\n";
+              << escape_nonprintable((std::filesystem::path(args.output) / "report.html").string())
+              << "\n";
   }
 }
 

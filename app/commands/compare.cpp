@@ -54,7 +54,7 @@ void print_warnings(const Comparison& comparison) {
 }
 
 void print_lines(const std::vector<std::string>& lines) {
-  for (const std::string& line : lines) std::cout << printable(line) << "\n";
+  for (const std::string& line : lines) std::cout << escape_nonprintable(line) << "\n";
 }
 
 void print_effects(const CompareArgs& args, const ComparisonAnalyses& analyses) {
@@ -80,7 +80,7 @@ void compare_results(const CompareArgs& args) {
   }
   print_effects(args, analyses);
   for (const std::filesystem::path& file : filled.files) {
-    std::cout << printable((std::filesystem::path(args.folder) / file).string()) << "\n";
+    std::cout << escape_nonprintable((std::filesystem::path(args.folder) / file).string()) << "\n";
   }
   if (filled.no_pdf) {
     throw InputError(args.folder + " has the report, but not as PDF: " + *filled.no_pdf);

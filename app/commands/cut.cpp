@@ -13,19 +13,19 @@
 #include "app/option_flags.hpp"
 #include "app/option_values.hpp"
 #include "app/progress_bar.hpp"
+#include "core/comma_separated.hpp"
 #include "core/error.hpp"
-#include "core/files/csv_text.hpp"
+#include "core/files/csv_writer.hpp"
 #include "core/files/file_kind.hpp"
 #include "core/files/text_file.hpp"
 #include "core/length_unit.hpp"
-#include "core/listed.hpp"
 #include "core/number_text.hpp"
 #include "core/printable.hpp"
 #include "core/statistics/statistics.hpp"
 #include "core/text_table.hpp"
 #include "library/block_ranges.hpp"
 #include "library/library_update.hpp"
-#include "library/mass_file.hpp"
+#include "library/rock_mass_file.hpp"
 #include "mesh/mesh_io.hpp"
 #include "study/campaign/released_blocks.hpp"
 #include "terrain/terrain_ranges.hpp"
@@ -44,7 +44,7 @@ struct CutArgs {
   std::vector<std::string> joints;
   std::string units = "m";
   std::string up = "auto";
-  MassBlockOptions options;
+  RockMassOptions options;
   bool replace = false;
 };
 
@@ -65,12 +65,12 @@ MassTerrains terrains_of(const CutArgs& args) {
 }
 
 /// Calls `make` with the options and a bar; Ctrl-C ends it.
-MassBlocks cut_blocks(const CutArgs& args,
-                      const std::function<MassBlocks(const MassBlockOptions&)>& make) {
-  MassBlockOptions options = args.options;
+RockMassBlocks cut_blocks(const CutArgs& args,
+                          const std::function<RockMassBlocks(const RockMassOptions&)>& make) {
+  RockMassOptions options = args.options;
   const InterruptionWatch watch;
   std::unique_ptr<ProgressBar> progress;
-  options.progress = [&](const ProgressStep& step) {
+  options.progress = [&](const ProgressUpdate& step) {
     if (watch.interrupted()) throw Cancelled();
     if (!progress) progress = std::make_unique<ProgressBar>("blocks", step.total);
     progress->update(step.done);
@@ -94,29 +94,30 @@ void print_mass(const ReleasedMass& mass) {
             [](const auto& a, const auto& b) { return a.first->number < b.first->number; });
   for (const auto& [body, what] : bodies) {
     if (table.rows.size() == kMostBodies) break;
-    table.rows.push_back({std::to_string(body->number), rounded(body->volume),
-                          rounded(body->plan_area), rounded(body->greatest_thickness, 3),
-                          with_decimals(body->centre.x(), 1), with_decimals(body->centre.y(), 1),
-                          with_decimals(body->centre.z(), 1), what});
+    table.rows.push_back({std::to_string(body->number), format_rounded(body->volume),
+                          format_rounded(body->plan_area), format_rounded(body->max_thickness, 3),
+                          format_decimals(body->centre.x(), 1),
+                          format_decimals(body->centre.y(), 1),
+                          format_decimals(body->centre.z(), 1), what});
   }
-  std::cout << table.text() << "mass of " << with_digits(mass.volume(), 4) << " m3 in "
-            << counted(mass.bodies.size(), "body", "bodies") << "; left out: ";
+  std::cout << table.text() << "mass of " << format_significant(mass.volume(), 4) << " m3 in "
+            << format_count(mass.bodies.size(), "body", "bodies") << "; left out: ";
   if (mass.left_out.empty()) {
     std::cout << "none\n";
   } else {
-    std::cout << counted(mass.left_out.size(), "body", "bodies") << " of "
-              << with_digits(mass.left_out_volume(), 3) << " m3 together\n";
+    std::cout << format_count(mass.left_out.size(), "body", "bodies") << " of "
+              << format_significant(mass.left_out_volume(), 3) << " m3 together\n";
   }
-  std::cout << "edges of the surfaces, median: " << with_digits(mass.edge_before, 3)
-            << " m before, " << with_digits(mass.edge_after, 3) << " m after\n";
+  std::cout << "edges of the surfaces, median: " << format_significant(mass.edge_before, 3)
+            << " m before, " << format_significant(mass.edge_after, 3) << " m after\n";
 }
 
 /// What the mesh of the mass may replace.
-OutputRules scar_rules(const CutArgs& args) {
-  return {.kind = kind_by_name(args.scar), .replace = args.replace};
+OverwritePolicy scar_rules(const CutArgs& args) {
+  return {.kind = file_kind_by_extension(args.scar), .replace = args.replace};
 }
 
-MassBlocks blocks_between(const CutArgs& args) {
+RockMassBlocks blocks_between(const CutArgs& args) {
   const MassTerrains terrains = terrains_of(args);
   ReleasedMassOptions difference = args.difference;
   difference.least_volume = args.options.cutting.least_volume;
@@ -124,10 +125,10 @@ MassBlocks blocks_between(const CutArgs& args) {
   print_mass(mass);
   if (!args.scar.empty()) {
     write_mesh(args.scar, mesh_of(mass), {.rules = scar_rules(args)});
-    std::cout << printable(args.scar) << ": written\n";
+    std::cout << escape_nonprintable(args.scar) << ": written\n";
   }
   if (args.joints.empty()) return {};
-  return cut_blocks(args, [&](const MassBlockOptions& options) {
+  return cut_blocks(args, [&](const RockMassOptions& options) {
     return blocks_of_released_mass(mass, terrains, difference, options);
   });
 }
@@ -153,12 +154,13 @@ void check_sources(const CutArgs& args) {
   }
   static const std::vector<std::string> known = {".glb", ".obj", ".ply", ".stl", ".vtp"};
   if (!args.scar.empty() &&
-      std::find(known.begin(), known.end(), extension_of(args.scar)) == known.end()) {
-    throw InputError("--scar " + args.scar + ": its name must end in " + listed(known));
+      std::find(known.begin(), known.end(), lower_case_extension(args.scar)) == known.end()) {
+    throw InputError("--scar " + args.scar + ": its name must end in " + comma_separated(known));
   }
 }
 
-void print_cut_blocks(const CutArgs& args, const MassBlocks& made, const BlockLibrary& library) {
+void print_cut_blocks(const CutArgs& args, const RockMassBlocks& made,
+                      const BlockLibrary& library) {
   for (std::size_t i = 0; i < std::min(kMostNamedBlocks, made.failed.size()); ++i) {
     std::cerr << "clast: warning: " << shown(made.failed[i]) << "\n";
   }
@@ -168,7 +170,7 @@ void print_cut_blocks(const CutArgs& args, const MassBlocks& made, const BlockLi
   }
   const double share = made.block_volume / made.volume;
   if (share < kUsualShare) {
-    std::cerr << "clast: warning: " << percent(1.0 - share)
+    std::cerr << "clast: warning: " << format_percent(1.0 - share)
               << " of the mass is in no block: the surface is hollow there within a block, or "
                  "pieces are smaller than --least-volume; closer joints or a smaller volume lose "
                  "less\n";
@@ -176,12 +178,13 @@ void print_cut_blocks(const CutArgs& args, const MassBlocks& made, const BlockLi
   std::vector<double> volumes;
   for (const Block& block : made.blocks) volumes.push_back(block.mass.volume);
   std::sort(volumes.begin(), volumes.end());
-  std::cout << counted(made.blocks.size(), "block") << " of " << with_digits(volumes.front(), 3)
-            << " to " << with_digits(volumes.back(), 3) << " m3, median "
-            << with_digits(quantile(volumes, 0.5), 3) << " m3; together "
-            << with_digits(made.block_volume, 4) << " m3, " << percent(share) << " of the mass of "
-            << with_digits(made.volume, 4) << " m3\n"
-            << printable(args.output) << ": " << counted(made.blocks.size(), "block")
+  std::cout << format_count(made.blocks.size(), "block") << " of "
+            << format_significant(volumes.front(), 3) << " to "
+            << format_significant(volumes.back(), 3) << " m3, median "
+            << format_significant(quantile(volumes, 0.5), 3) << " m3; together "
+            << format_significant(made.block_volume, 4) << " m3, " << format_percent(share)
+            << " of the mass of " << format_significant(made.volume, 4) << " m3\n"
+            << escape_nonprintable(args.output) << ": " << format_count(made.blocks.size(), "block")
             << " written, " << library.blocks().size() << " in all\n";
 }
 
@@ -189,20 +192,20 @@ void cut(CutArgs args) {
   check_usage([&] {
     check_sources(args);
     for (const std::string& joint : args.joints) {
-      args.options.joints.push_back(read_joint_set(joint));
+      args.options.joints.push_back(parse_joint_set(joint));
     }
-    length_unit(args.units);
+    parse_length_unit(args.units);
     check_block_id(args.options.prefix + "0001");
     args.options.block.check();
     if (!args.polygon.empty()) args.difference.polygon = args.polygon;
     args.difference.check();
   });
   if (!args.scar.empty()) check_mesh_output(args.scar, scar_rules(args));
-  if (!args.joints.empty()) check_library_place(args.output);
-  const MassBlocks made =
+  if (!args.joints.empty()) check_library_target(args.output);
+  const RockMassBlocks made =
       args.mass.empty() ? blocks_between(args)
-                        : cut_blocks(args, [&](const MassBlockOptions& options) {
-                            return blocks_of_mass_file({args.mass, args.units, args.up}, options);
+                        : cut_blocks(args, [&](const RockMassOptions& options) {
+                            return cut_rock_mass_file({args.mass, args.units, args.up}, options);
                           });
   if (args.joints.empty()) return;
   if (made.blocks.empty()) {
@@ -271,7 +274,7 @@ void add_difference_options(CLI::App& command, CLI::Option* mass, CutArgs& args)
 }
 
 /// How the mass is cut and its blocks are made.
-void add_block_making_options(CLI::App& command, MassBlockOptions& options) {
+void add_block_making_options(CLI::App& command, RockMassOptions& options) {
   command.add_option("--seed", options.cutting.seed, "Random seed of the joint positions")
       ->check(whole_number())
       ->type_name("N")
@@ -295,7 +298,7 @@ void add_block_making_options(CLI::App& command, MassBlockOptions& options) {
   command
       .add_option("--radius-share", options.block.radius_share,
                   "Minkowski radius of the rounding as a share of S, 0 to 0.25")
-      ->check(within(kRadiusShare))
+      ->check(within(kRadiusFraction))
       ->type_name("SHARE")
       ->capture_default_str();
 }
@@ -304,7 +307,7 @@ void add_block_making_options(CLI::App& command, MassBlockOptions& options) {
 
 void add_cut(CLI::App& app) {
   const auto args = std::make_shared<CutArgs>();
-  MassBlockOptions& options = args->options;
+  RockMassOptions& options = args->options;
   CLI::App* command = app.add_subcommand("cut", "Cut a rock mass into its blocks by joint sets");
   CLI::Option* mass =
       command->add_option("mass", args->mass, "Closed mesh of the mass, such as a scar")

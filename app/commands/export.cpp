@@ -11,7 +11,7 @@
 #include "app/option_flags.hpp"
 #include "app/option_values.hpp"
 #include "core/error.hpp"
-#include "core/files/csv_text.hpp"
+#include "core/files/csv_writer.hpp"
 #include "core/number_text.hpp"
 #include "core/printable.hpp"
 #include "library/block_export.hpp"
@@ -51,7 +51,7 @@ void check_scene_usage(const CLI::App& command) {
 void run_export(const ExportArgs& args) {
   if (args.folder.empty()) throw CLI::ValidationError("--output", "names no folder");
   check_usage([&] { args.options.check(); });
-  if (args.options.segments && !args.options.holds_skin()) {
+  if (args.options.segments && !args.options.includes_rounded_surface()) {
     throw CLI::ValidationError("--segments",
                                "applies to the rounded skin in a mesh file, and none is written; "
                                "add for example --format ply --what skin");
@@ -62,8 +62,8 @@ void run_export(const ExportArgs& args) {
   const std::vector<std::filesystem::path> written =
       export_blocks(blocks, args.folder, args.options,
                     [](const std::string& text) { std::cerr << shown(text) << "\n"; });
-  std::cout << printable(args.folder) << ": " << counted(written.size(), "file") << " of "
-            << counted(blocks.size(), "block") << " written\n";
+  std::cout << escape_nonprintable(args.folder) << ": " << format_count(written.size(), "file")
+            << " of " << format_count(blocks.size(), "block") << " written\n";
 }
 
 /// What the files hold.

@@ -4,7 +4,7 @@
 #include "app/commands/commands.hpp"
 #include "app/program.hpp"
 #include "app/shell_completion.hpp"
-#include "core/listed.hpp"
+#include "core/comma_separated.hpp"
 
 namespace clast {
 
@@ -34,9 +34,9 @@ const CLI::App& find_command(const CLI::App& app, const std::vector<std::string>
       if (part->get_name() == word) found = part;
     }
     if (!found) {
-      throw CLI::ValidationError(
-          "\"" + word + "\" is no command" +
-          (known.empty() ? " below " + command->get_name() : "; there are " + listed(known)));
+      throw CLI::ValidationError("\"" + word + "\" is no command" +
+                                 (known.empty() ? " below " + command->get_name()
+                                                : "; there are " + comma_separated(known)));
     }
     command = found;
   }

@@ -26,7 +26,7 @@ struct ImportArgs {
 void import_results(ImportArgs& args) {
   ProgressBar bar("runs", 0);
   const InterruptionWatch watch;
-  args.options.progress = [&](const ProgressStep& step) {
+  args.options.progress = [&](const ProgressUpdate& step) {
     bar.update(step.done);
     if (watch.interrupted()) throw SimulationError("interrupted; nothing was written");
   };
@@ -43,9 +43,9 @@ void import_results(ImportArgs& args) {
     return;
   }
   print_outcome(results);
-  for (const std::string& note : found.notes) std::cout << "note: " << printable(note) << "\n";
-  std::cout << printable(args.output) << ": " << found.runs << " of "
-            << counted(found.planned, "planned run") << "\n";
+  for (const std::string& note : found.notes) std::cout << "note: " << escape_nonprintable(note) << "\n";
+  std::cout << escape_nonprintable(args.output) << ": " << found.runs << " of "
+            << format_count(found.planned, "planned run") << "\n";
 }
 
 }  // namespace

@@ -6,8 +6,8 @@
 #include "app/commands/commands.hpp"
 #include "app/option_values.hpp"
 #include "core/error.hpp"
-#include "core/files/csv_text.hpp"
-#include "core/in_context.hpp"
+#include "core/error_context.hpp"
+#include "core/files/csv_writer.hpp"
 #include "core/number_text.hpp"
 #include "core/printable.hpp"
 #include "core/utf8.hpp"
@@ -34,7 +34,7 @@ std::function<void()> say_waiting(const std::string& library) {
 void add_part(BlockLibrary& library, const BlockLibrary& part, const std::string& name,
               bool replace) {
   for (const Block& block : part.blocks()) {
-    in_context(name, [&] { library.add(block, replace); });
+    with_error_context(name, [&] { library.add(block, replace); });
   }
 }
 
@@ -47,7 +47,8 @@ void merge(const MergeArgs& args) {
           add_part(library, parts[i], args.inputs[i], args.replace);
         }
       });
-  std::cout << printable(args.output) << ": " << counted(joined.blocks().size(), "block") << "\n";
+  std::cout << escape_nonprintable(args.output) << ": "
+            << format_count(joined.blocks().size(), "block") << "\n";
 }
 
 void add_merge(CLI::App& app) {
@@ -77,8 +78,8 @@ void remove_blocks(const RemoveArgs& args) {
           changed.block(id);  // all are there, or none is removed
         for (const std::string& id : args.ids) changed.remove(id);
       });
-  std::cout << printable(args.library) << ": " << counted(args.ids.size(), "block") << " removed, "
-            << library.blocks().size() << " left\n";
+  std::cout << escape_nonprintable(args.library) << ": " << format_count(args.ids.size(), "block")
+            << " removed, " << library.blocks().size() << " left\n";
 }
 
 void add_remove(CLI::App& app) {
@@ -102,15 +103,16 @@ struct SetArgs {
 /// "weighed 350 kg, 2.3 % more than the block's 342 kg".
 std::string against(const std::string& what, double field, double block, const std::string& unit) {
   const double gap = 100.0 * (field / block - 1.0);
-  return what + " " + rounded(field) + " " + unit + ", " + rounded(std::abs(gap), 2) + " % " +
-         (gap >= 0.0 ? "more" : "less") + " than the block's " + rounded(block) + " " + unit + "\n";
+  return what + " " + format_rounded(field) + " " + unit + ", " + format_rounded(std::abs(gap), 2) +
+         " % " + (gap >= 0.0 ? "more" : "less") + " than the block's " + format_rounded(block) +
+         " " + unit + "\n";
 }
 
 /// What a tape says of the unit of an unscaled block.
 std::string scales_by_tape(const Axes& taped, const Axes& units) {
   std::string text = "the block is unscaled; by the tape one of its units is";
   const auto add = [&](const char* name, double tape, double block) {
-    text += " " + rounded(tape / block) + " m (" + name + ")";
+    text += " " + format_rounded(tape / block) + " m (" + name + ")";
   };
   add("L", taped.L, units.L);
   add("I", taped.I, units.I);
@@ -124,7 +126,7 @@ Axes axes_from(const std::string& text) {
   const std::vector<std::string> items = split_list(text);
   std::vector<double> lengths;
   for (const std::string& item : items) {
-    const std::optional<double> length = number_in(item);
+    const std::optional<double> length = parse_number(item);
     if (length && kBlockLength.holds(*length)) lengths.push_back(*length);
   }
   if (items.size() == 3 && lengths.size() == 3) {
@@ -143,19 +145,19 @@ void set_field_notes(const SetArgs& args) {
   const BlockLibrary library = update_library(args.library, {.waiting = say_waiting(args.library)},
                                               [&](BlockLibrary& changed) {
                                                 FieldNotes& field = changed.block(args.id).field;
-                                                if (args.site) field.site = as_utf8(*args.site);
-                                                if (args.note) field.note = as_utf8(*args.note);
+                                                if (args.site) field.site = to_utf8(*args.site);
+                                                if (args.note) field.note = to_utf8(*args.note);
                                                 if (taped) field.taped = taped;
                                                 if (args.weighed) field.weighed_mass = args.weighed;
                                               });
   const Block& block = library.block(args.id);
 
-  std::cout << printable(args.library) << ": field notes of block " << printable(args.id)
-            << " stored\n";
+  std::cout << escape_nonprintable(args.library) << ": field notes of block "
+            << escape_nonprintable(args.id) << " stored\n";
   if (is_unscaled(block)) {
     if (taped) std::cout << scales_by_tape(*taped, block.axes());
     if (args.weighed) {
-      std::cout << "block " << printable(args.id)
+      std::cout << "block " << escape_nonprintable(args.id)
                 << " is unscaled and has no mass to compare with\n";
     }
     return;

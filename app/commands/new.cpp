@@ -26,19 +26,19 @@ struct NewCampaignArgs {
 
 void print_proposal(const CampaignProposal& proposal) {
   const ProposedLines& places = proposal.places;
-  std::cout << counted(proposal.blocks.count, "block") << ", "
-            << counted(places.release_points, "release point") << " on ground of "
-            << with_decimals(places.release_slope * kDegreesPerRadian, 0) << " degrees, "
-            << counted(proposal.orientations, "orientation") << ": "
-            << counted(proposal.blocks.count * places.release_points * proposal.orientations, "run")
-            << "\nbarrier \"" << places.barrier_name << "\" " << with_decimals(places.descent, 0)
-            << " m below, " << with_decimals(places.distance, 0) << " m away\n";
+  std::cout << format_count(proposal.blocks.count, "block") << ", "
+            << format_count(places.release_points, "release point") << " on ground of "
+            << format_decimals(places.release_slope * kDegreesPerRadian, 0) << " degrees, "
+            << format_count(proposal.orientations, "orientation") << ": "
+            << format_count(proposal.blocks.count * places.release_points * proposal.orientations, "run")
+            << "\nbarrier \"" << places.barrier_name << "\" " << format_decimals(places.descent, 0)
+            << " m below, " << format_decimals(places.distance, 0) << " m away\n";
   TextTable ground{{"zone", "taken for", "e_n^2", "mu", "mu_R"}, {}};
   for (const ProposedGround& zone : proposal.ground) {
     ground.rows.push_back({zone.zone, zone.type.name + (zone.by_name ? "" : " (a guess)"),
-                           with_digits(zone.type.energy_restitution.value, 3),
-                           with_digits(zone.type.friction.value, 3),
-                           with_digits(zone.type.rolling_friction.value, 3)});
+                           format_significant(zone.type.energy_restitution.value, 3),
+                           format_significant(zone.type.friction.value, 3),
+                           format_significant(zone.type.rolling_friction.value, 3)});
   }
   std::cout << ground.text();
   for (const std::string& doubt : proposal.doubts) {
@@ -51,8 +51,8 @@ void write_campaign(const NewCampaignArgs& args) {
       write_new_campaign(args.library, {args.terrain.begin(), args.terrain.end()}, args.output,
                          {.replace = args.replace});
   print_proposal(proposal);
-  std::cout << printable(args.output) << ": written. Go through it, then: "
-            << printable(shell_command({"clast", "simulate", args.output, "--dry-run"})) << "\n";
+  std::cout << escape_nonprintable(args.output) << ": written. Go through it, then: "
+            << escape_nonprintable(format_shell_command({"clast", "simulate", args.output, "--dry-run"})) << "\n";
 }
 
 }  // namespace

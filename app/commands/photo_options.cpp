@@ -1,7 +1,7 @@
 #include "app/commands/photo_options.hpp"
 
 #include "app/option_values.hpp"
-#include "core/files/csv_text.hpp"
+#include "core/files/csv_writer.hpp"
 #include "core/number_text.hpp"
 #include "pipeline/board_file.hpp"
 
@@ -16,7 +16,7 @@ ScaleBar bar_from(const std::string& text) {
   const std::vector<std::string> items = split_list(text);
   std::vector<double> numbers;
   for (const std::string& item : items) {
-    if (const std::optional<double> number = number_in(item)) numbers.push_back(*number);
+    if (const std::optional<double> number = parse_number(item)) numbers.push_back(*number);
   }
   const bool whole = items.size() == 3 && numbers.size() == 3 && numbers[0] >= 0.0 &&
                      numbers[1] >= 0.0 && numbers[0] < 1e5 && numbers[1] < 1e5 &&
@@ -75,7 +75,7 @@ PhotoScanOptions PhotoArgs::parsed() const {
   PhotoScanOptions result = options;
   for (const std::string& bar : bars) result.scale.bars.push_back(bar_from(bar));
   if (!board.empty()) {
-    result.scale.board = read_board(board);
+    result.scale.board = read_scale_board(board);
     const std::string& kind = result.scale.board->dictionary;
     if (!result.scale.board->charuco && result.markers.dictionary != "auto" &&
         result.markers.dictionary != kind) {

@@ -18,7 +18,7 @@ struct PhotoArgs {
   PhotoScanOptions options;
 
   /// @throws CLI::ValidationError  what is no scale bar; markers that a board doesn't have
-  /// @throws InputError            what `read_board` throws
+  /// @throws InputError            what `read_scale_board` throws
   PhotoScanOptions parsed() const;
 };
 

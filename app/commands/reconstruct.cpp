@@ -11,7 +11,7 @@
 #include "app/interruption.hpp"
 #include "app/option_values.hpp"
 #include "core/error.hpp"
-#include "core/files/csv_text.hpp"
+#include "core/files/csv_writer.hpp"
 #include "core/length_unit.hpp"
 #include "core/number_text.hpp"
 #include "library/block_ranges.hpp"
@@ -45,7 +45,7 @@ MeasuredLength measured_length(const std::string& text) {
   for (const char other : {';', ' '}) std::replace(commas.begin(), commas.end(), other, ',');
   std::vector<double> numbers;
   for (const std::string& item : split_list(commas)) {
-    numbers.push_back(number_in(item).value_or(std::nan("")));
+    numbers.push_back(parse_number(item).value_or(std::nan("")));
   }
   const auto refuse = [&](const std::string& what) {
     throw CLI::ValidationError(
@@ -53,7 +53,8 @@ MeasuredLength measured_length(const std::string& text) {
                               "; expected two points of the scan and the metres between them (" +
                               kBlockLength.words() + "), such as \"0.2,1.1,0;3.9,1.3,0.4;0.52\"");
   };
-  if (numbers.size() != 7) refuse("has " + counted(numbers.size(), "number") + " and not seven");
+  if (numbers.size() != 7)
+    refuse("has " + format_count(numbers.size(), "number") + " and not seven");
   for (const double number : numbers) {
     if (!std::isfinite(number)) refuse("holds what is no number");
   }
@@ -62,7 +63,7 @@ MeasuredLength measured_length(const std::string& text) {
   if (a == b) refuse("gives the same point twice");
   const double unit = numbers[6] / (b - a).norm();
   if (!kLengthUnit.holds(unit)) {
-    refuse("makes a unit of the scan " + with_digits(unit, 6) + " m long, and it must be " +
+    refuse("makes a unit of the scan " + format_significant(unit, 6) + " m long, and it must be " +
            kLengthUnit.words());
   }
   return {{a, b}, unit};
@@ -75,7 +76,7 @@ void reconstruct(const ReconstructArgs& args) {
   options.scale_factor = args.scale_factor;
   double unit = 1.0;
   if (args.scale_length.empty()) {
-    check_usage([&] { unit = length_unit(options.units); });
+    check_usage([&] { unit = parse_length_unit(options.units); });
   } else {
     const MeasuredLength length = measured_length(args.scale_length);
     options.scale_points = length.points;
@@ -89,7 +90,7 @@ void reconstruct(const ReconstructArgs& args) {
       "\nclast: interrupted; waiting for the current step of each scan in progress (minutes for "
       "photographs); finished blocks are kept. Press Ctrl-C again to stop at once\n");
   BatchPrinter printer(scans.size(), batch, args.report, args.json);
-  const Progress progress = [&](const ProgressStep& step) {
+  const ProgressCallback progress = [&](const ProgressUpdate& step) {
     if (watch.interrupted()) throw Cancelled();
     printer.show(step);
   };
@@ -161,7 +162,7 @@ void add_block_options(CLI::App& command, ScanToBlockOptions& options) {
       .add_option("--radius-share", options.block.radius_share,
                   "The same as a share of S, the shortest side, 0 to 0.25; without it and without "
                   "--vertices, 0.02 is halved down to 0.0025 where the tolerance needs it")
-      ->check(within(kRadiusShare))
+      ->check(within(kRadiusFraction))
       ->excludes(radius)
       ->type_name("SHARE")
       ->capture_default_str();

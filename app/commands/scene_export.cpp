@@ -71,10 +71,10 @@ void export_scenes(const std::filesystem::path& campaign, const std::filesystem:
     std::cerr << "warning: " << shown(warning) << "\n";
   }
   const EngineScenes scenes =
-      write_engine_scenes(prepared, {.engine = args.engine, .runs = runs}, output.temporary());
+      write_engine_scenes(prepared, {.engine = args.engine, .runs = runs}, output.temporary_path());
   output.commit();
   for (const std::string& note : scenes.notes) std::cout << "note: " << note << "\n";
-  std::cout << printable(folder.string()) << ": " << counted(scenes.folders.size(), "scene")
+  std::cout << escape_nonprintable(folder.string()) << ": " << format_count(scenes.folders.size(), "scene")
             << " for " << args.engine << " written; SCENE.txt there says what is what\n";
 }
 

@@ -31,7 +31,7 @@ struct ShowArgs {
 /// What the table leaves out.
 void print_details(const Block& block) {
   constexpr std::size_t kNames = 26;  // characters
-  std::cout << "\n" << printable(block.id) << "\n";
+  std::cout << "\n" << escape_nonprintable(block.id) << "\n";
   for (const auto& [name, value] : describe_block(block)) {
     std::cout << "  " << name << std::string(name.size() < kNames ? kNames - name.size() : 1, ' ')
               << shown(value) << "\n";
@@ -59,12 +59,12 @@ void show(const ShowArgs& args) {
   const std::vector<const Block*> blocks = library.chosen(args.ids);
   if (folder) {
     const fs::path name = fs::path(args.library).filename();
-    write_gallery(blocks, "Blocks of " + printable(name.string()), folder->temporary());
+    write_gallery(blocks, "Blocks of " + escape_nonprintable(name.string()), folder->temporary_path());
     folder->commit();
   }
   print_shown_blocks(args, blocks);
   if (folder && !args.json) {
-    std::cout << "\nReport: " << printable((fs::path(args.report) / "gallery.html").string())
+    std::cout << "\nReport: " << escape_nonprintable((fs::path(args.report) / "gallery.html").string())
               << "\n";
   }
 }

@@ -56,7 +56,7 @@ void print_results(const std::filesystem::path& file, const SimulateArgs& args,
     std::cout << summary.dump(2) << "\n";
   } else {
     print_outcome(results);
-    std::cout << printable(file.string()) << ": " << done << "\n";
+    std::cout << escape_nonprintable(file.string()) << ": " << done << "\n";
   }
   check_outcome(results, file);
 }
@@ -83,10 +83,10 @@ void report_dry_run(const SimulateArgs& args, const CampaignPlan& prepared, cons
                     nlohmann::ordered_json summary) {
   std::filesystem::path map = args.output;
   map.replace_extension(".map.svg");
-  const OutputRules rules{.kind = kind_by_name(map)};
-  check_output(map, rules);
+  const OverwritePolicy rules{.kind = file_kind_by_extension(map)};
+  check_output_target(map, rules);
   const TimeProbe probe = probe_time(prepared, kProbeTime);
-  const unsigned threads = thread_count(args.threads);
+  const unsigned threads = resolve_thread_count(args.threads);
   const std::size_t together = prepared.header.runs_per_realisation();
   const std::size_t items = shard.runs_of(prepared) / together;
   const double each = probe.each * static_cast<double>(together);
@@ -106,19 +106,19 @@ void report_dry_run(const SimulateArgs& args, const CampaignPlan& prepared, cons
   }
   if (!probe.failure.empty()) {
     std::cout << "warning: a run that was tried failed, so the time is not to be relied on: "
-              << printable(probe.failure) << "\n";
+              << escape_nonprintable(probe.failure) << "\n";
   }
   const std::string sentence = describe_planned_power(power);
   std::cout << (probe.at_most ? "at most " : "about ") << format_duration(expected) << " for "
-            << counted(items, prepared.header.stay ? "realisation" : "run") << " on "
-            << counted(threads, "thread") << ", judging by "
-            << counted(probe.runs / together, prepared.header.stay ? "realisation" : "run")
-            << " of " << rounded(each, 2) << " s"
+            << format_count(items, prepared.header.stay ? "realisation" : "run") << " on "
+            << format_count(threads, "thread") << ", judging by "
+            << format_count(probe.runs / together, prepared.header.stay ? "realisation" : "run")
+            << " of " << format_rounded(each, 2) << " s"
             << (!probe.cut_short         ? ""
                 : probe.runs == together ? ", which was stopped early"
                                          : ", the last of which was stopped early")
             << "\n"
-            << (sentence.empty() ? "" : sentence + "\n") << printable(map.string())
+            << (sentence.empty() ? "" : sentence + "\n") << escape_nonprintable(map.string())
             << ": written\n";
   print_stiffness(prepared);
 }
@@ -141,7 +141,7 @@ CampaignPlan prepared_campaign(const SimulateArgs& args, const ProcessTeam& team
   };
   std::unique_ptr<ProgressBar> bar;
   BlockPreparationOptions making{.threads = args.threads};
-  making.progress = [&](const ProgressStep& step) {
+  making.progress = [&](const ProgressUpdate& step) {
     check_interrupted();
     if (!team.is_leader()) return;
     if (!bar) bar = std::make_unique<ProgressBar>("bodies", step.total);
@@ -184,7 +184,7 @@ void simulate_with(ProcessTeam& team, const SimulateArgs& args,
   std::vector<std::string> resume = {"clast", "simulate", args.campaign, "-o", args.output};
   if (!args.shard.empty()) resume.insert(resume.end(), {"--shard", args.shard});
   resume.push_back("--resume");
-  const std::string resume_hint = shell_command(resume);
+  const std::string resume_hint = format_shell_command(resume);
   std::cout.flush();
   ProgressBar bar("runs", shard.runs_of(prepared));
   RunOptions options;
@@ -195,7 +195,7 @@ void simulate_with(ProcessTeam& team, const SimulateArgs& args,
   options.shard = shard;
   options.team = &team;
   bool started = false;
-  options.progress = [&](const ProgressStep& step) {
+  options.progress = [&](const ProgressUpdate& step) {
     if (!std::exchange(started, true)) bar.start_from(step.before);
     bar.update(step.done, step.what);
     if (!watch.interrupted() || step.done == step.total) return;

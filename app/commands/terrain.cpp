@@ -8,13 +8,13 @@
 #include "app/commands/commands.hpp"
 #include "app/option_flags.hpp"
 #include "app/option_values.hpp"
+#include "core/comma_separated.hpp"
 #include "core/error.hpp"
-#include "core/files/csv_text.hpp"
+#include "core/files/csv_writer.hpp"
 #include "core/files/file_kind.hpp"
 #include "core/files/output_file.hpp"
 #include "core/files/text_file.hpp"
 #include "core/files/up_axis.hpp"
-#include "core/listed.hpp"
 #include "core/number_text.hpp"
 #include "core/printable.hpp"
 #include "core/text_table.hpp"
@@ -76,13 +76,14 @@ void print_report(const Terrain& terrain) {
   const Bounds box = bounds(terrain.surface);
   const Vec3 low = terrain.frame.map(box.low);
   const Vec3 high = terrain.frame.map(box.high);
-  std::cout << counted(terrain.surface.triangles.size(), "triangle") << " of "
-            << report.triangles_read << " read, in " << counted(report.components, "component")
-            << " with " << counted(report.boundary_edges, "border edge") << "\n";
+  std::cout << format_count(terrain.surface.triangles.size(), "triangle") << " of "
+            << report.triangles_read << " read, in " << format_count(report.components, "component")
+            << " with " << format_count(report.boundary_edges, "border edge") << "\n";
   TextTable extent{{"map m", "from", "to"}, {}};
   const char* names[] = {"x", "y", "z"};
   for (int axis = 0; axis < 3; ++axis) {
-    extent.rows.push_back({names[axis], with_decimals(low[axis], 2), with_decimals(high[axis], 2)});
+    extent.rows.push_back(
+        {names[axis], format_decimals(low[axis], 2), format_decimals(high[axis], 2)});
   }
   std::cout << extent.text();
   if (!terrain.frame.crs.empty())
@@ -91,7 +92,7 @@ void print_report(const Terrain& terrain) {
   const std::vector<ZoneExtent> extents = zone_extents(terrain);
   for (std::size_t i = 0; i < extents.size(); ++i) {
     zones.rows.push_back({terrain.zone_names[i], std::to_string(extents[i].triangles),
-                          rounded(extents[i].plan_area)});
+                          format_rounded(extents[i].plan_area)});
   }
   std::cout << zones.text();
   for (const std::string& note : report.notes) {
@@ -115,14 +116,14 @@ nlohmann::ordered_json report_json(const Terrain& terrain) {
   return {{"triangles", terrain.surface.triangles.size()},
           {"triangles_read", report.triangles_read},
           {"welded_vertices", report.welded_vertices},
-          {"dropped_degenerate", report.dropped_degenerate},
-          {"dropped_duplicates", report.dropped_duplicates},
-          {"turned_triangles", report.turned_triangles},
+          {"dropped_degenerate", report.removed_degenerate},
+          {"dropped_duplicates", report.removed_duplicates},
+          {"turned_triangles", report.flipped_triangles},
           {"closed_cracks", report.closed_cracks},
           {"filled_holes", report.filled_holes},
           {"open_holes", report.open_holes},
           {"levelled_spikes", report.levelled_spikes},
-          {"dropped_pieces", report.dropped_pieces},
+          {"dropped_pieces", report.removed_components},
           {"slivers", report.slivers},
           {"boundary_edges", report.boundary_edges},
           {"components", report.components},
@@ -139,8 +140,8 @@ std::vector<Vec3> release_points(const TerrainArgs& args) {
   std::vector<Vec3> points;
   if (args.releases.empty()) return points;
   points = read_points(args.releases);
-  if (up_axis(args.options.up, args.inputs.front()) == "y") {
-    for (Vec3& point : points) point = turned_z_up(point);
+  if (resolve_up_axis(args.options.up, args.inputs.front()) == "y") {
+    for (Vec3& point : points) point = y_up_to_z_up(point);
   }
   return points;
 }
@@ -158,11 +159,11 @@ void check_fit(const TerrainArgs& args, const std::vector<Vec3>& releases, Terra
 }
 
 /// What an export or a picture of that name may replace.
-OutputRules rules_of(const TerrainArgs& args, const std::string& file) {
-  return {.kind = kind_by_name(file), .replace = args.replace};
+OverwritePolicy rules_of(const TerrainArgs& args, const std::string& file) {
+  return {.kind = file_kind_by_extension(file), .replace = args.replace};
 }
 
-OutputRules terrain_rules(const TerrainArgs& args) {
+OverwritePolicy terrain_rules(const TerrainArgs& args) {
   return {.kind = kTerrainFormat, .replace = args.replace};
 }
 
@@ -186,9 +187,9 @@ bool is_same_file(const std::filesystem::path& output, const std::filesystem::pa
 
 /// Refuses outputs that would replace files that must be kept, before the work starts.
 void check_places(const TerrainArgs& args) {
-  check_output(args.output, terrain_rules(args));
+  check_output_target(args.output, terrain_rules(args));
   if (!args.exported.empty()) check_mesh_output(args.exported, rules_of(args, args.exported));
-  if (!args.picture.empty()) check_output(args.picture, rules_of(args, args.picture));
+  if (!args.picture.empty()) check_output_target(args.picture, rules_of(args, args.picture));
 }
 
 /// Refuses outputs of a kind that can't be written, or in the place of what is read.
@@ -196,9 +197,9 @@ void check_outputs(const TerrainArgs& args) {
   const auto check_extension = [](const std::string& option, const std::string& file,
                                   const std::vector<std::string>& known) {
     if (file.empty()) return;
-    const std::string extension = extension_of(file);
+    const std::string extension = lower_case_extension(file);
     if (std::find(known.begin(), known.end(), extension) != known.end()) return;
-    throw InputError(option + " " + file + ": its name must end in " + listed(known));
+    throw InputError(option + " " + file + ": its name must end in " + comma_separated(known));
   };
   check_extension("--output", args.output, {".h5", ".hdf5"});
   check_extension("--export", args.exported,
@@ -208,7 +209,7 @@ void check_outputs(const TerrainArgs& args) {
   for (const std::string& file : {args.releases, args.barriers}) {
     if (!file.empty()) inputs.push_back(file);
   }
-  if (const std::optional<ZoneFile> zones = zone_file(args.options.zones)) {
+  if (const std::optional<ZoneFile> zones = parse_zone_file(args.options.zones)) {
     inputs.push_back(zones->path.string());
   }
   // A terrain file may be written anew under its own name.
@@ -249,9 +250,9 @@ void make_terrain(TerrainArgs args) {
     return;
   }
   print_report(terrain);
-  std::cout << printable(args.output) << ": written\n";
-  if (!args.exported.empty()) std::cout << printable(args.exported) << ": written\n";
-  if (!args.picture.empty()) std::cout << printable(args.picture) << ": written\n";
+  std::cout << escape_nonprintable(args.output) << ": written\n";
+  if (!args.exported.empty()) std::cout << escape_nonprintable(args.exported) << ": written\n";
+  if (!args.picture.empty()) std::cout << escape_nonprintable(args.picture) << ": written\n";
 }
 
 /// How clouds and rasters become a grid.
@@ -309,7 +310,7 @@ void add_repair_options(CLI::App& command, TerrainOptions& options) {
       ->type_name("X")
       ->capture_default_str();
   command.add_option("--smoothing", options.smoothing, "Rounds of smoothing")
-      ->check(whole_number(0, kMostSmoothing))
+      ->check(whole_number(0, kMaxSmoothing))
       ->type_name("N")
       ->capture_default_str();
   command

@@ -32,28 +32,28 @@ struct VaryArgs {
   std::vector<std::string> forms;  ///< --to
   std::string grid;
   double least = 0.2;
-  SeriesSteps steps;
+  SeriesTargets steps;
   std::string table;
   std::string keep = "mass";
   bool json = false;
 };
 
-constexpr NumberRange kGridSteps{1.0, kMostGridSteps};
+constexpr NumberRange kGridSteps{1.0, kMaxGridSteps};
 constexpr std::size_t kMostListed = 40;      ///< rows of the table on the terminal
 constexpr std::size_t kMostNamedBodies = 5;  ///< failed bodies that are named
 
 /// "0.8,0.5".
 BoxRatios read_ratios(const std::string& text) {
   const std::size_t comma = text.find(',');
-  const auto i_l = number_in(text.substr(0, comma));
-  const auto s_l = comma == text.npos ? std::nullopt : number_in(text.substr(comma + 1));
-  return stretch_ratios(i_l.value_or(NAN), s_l.value_or(NAN), text);
+  const auto i_l = parse_number(text.substr(0, comma));
+  const auto s_l = comma == text.npos ? std::nullopt : parse_number(text.substr(comma + 1));
+  return check_stretch_ratios(i_l.value_or(NAN), s_l.value_or(NAN), text);
 }
 
 /// "sneed-folk:10" or "zingg:5".
 FormGrid read_grid(const std::string& text, double least) {
   const std::size_t colon = text.find(':');
-  const double steps = colon == text.npos ? 0.0 : number_in(text.substr(colon + 1)).value_or(0.0);
+  const double steps = colon == text.npos ? 0.0 : parse_number(text.substr(colon + 1)).value_or(0.0);
   if (!kGridSteps.holds(steps) || steps != std::floor(steps)) {
     throw InputError("--grid " + text +
                      ": give sneed-folk:STEPS or zingg:STEPS, a whole number of steps " +
@@ -63,17 +63,17 @@ FormGrid read_grid(const std::string& text, double least) {
 }
 
 /// What every block is varied by, but for --like, which needs the library.
-SeriesSteps steps_wanted(const VaryArgs& args) {
-  SeriesSteps steps = args.steps;
+SeriesTargets steps_wanted(const VaryArgs& args) {
+  SeriesTargets steps = args.steps;
   for (const std::string& form : args.forms) steps.to.push_back(read_ratios(form));
   if (!args.grid.empty()) steps.grid = read_grid(args.grid, args.least);
   return steps;
 }
 
-RequestedSeries make_bodies(SeriesRequest request) {
+SeriesResult make_bodies(SeriesRequest request) {
   const InterruptionWatch watch;
   std::unique_ptr<ProgressBar> progress;
-  request.options.progress = [&](const ProgressStep& step) {
+  request.options.progress = [&](const ProgressUpdate& step) {
     if (watch.interrupted()) throw Cancelled();
     if (!progress) progress = std::make_unique<ProgressBar>("bodies", step.total);
     progress->update(step.done);
@@ -85,7 +85,7 @@ RequestedSeries make_bodies(SeriesRequest request) {
   }
 }
 
-void print_series(const VaryArgs& args, const RequestedSeries& made) {
+void print_series(const VaryArgs& args, const SeriesResult& made) {
   const BlockSeries& series = made.series;
   if (args.json) {
     std::cout << series_json(series, made.fit).dump(2) << "\n";
@@ -98,8 +98,8 @@ void print_series(const VaryArgs& args, const RequestedSeries& made) {
   }
   if (made.fit) std::cout << "\n" << describe_copula_fit(*made.fit);
   std::cout << "\n"
-            << printable(args.output) << ": " << counted(series.blocks.size(), "body", "bodies")
-            << " written, " << counted(made.in_all, "block") << " in all\n";
+            << escape_nonprintable(args.output) << ": " << format_count(series.blocks.size(), "body", "bodies")
+            << " written, " << format_count(made.in_all, "block") << " in all\n";
 }
 
 void vary(const VaryArgs& args) {
@@ -109,10 +109,10 @@ void vary(const VaryArgs& args) {
     request.library = args.library;
     request.output = args.output;
     request.table = args.table;
-    request.options.variation.keep = kept_size(args.keep);
+    request.options.variation.keep = parse_preserved_size(args.keep);
     request.check();
   });
-  const RequestedSeries made = make_bodies(request);
+  const SeriesResult made = make_bodies(request);
   for (const std::string& note : made.notes) std::cerr << "clast: note: " << shown(note) << "\n";
   print_series(args, made);
   const std::vector<std::string>& failed = made.series.failed;
@@ -136,7 +136,7 @@ void add_form_options(CLI::App& command, VaryArgs& args) {
   command
       .add_option("--least", args.least,
                   "Smallest ratio in the grid: S/L of sneed-folk, I/L and S/I of zingg")
-      ->check(within(kLeastRatio))
+      ->check(within(kMinRatio))
       ->type_name("RATIO")
       ->capture_default_str();
   command
@@ -154,7 +154,7 @@ void add_surface_options(CLI::App& command, VaryArgs& args) {
   command
       .add_option("--rounding", args.steps.rounding,
                   "Radius of edges and corners as a share of S, 0 to 0.4")
-      ->check(within(kVariedRadiusShare))
+      ->check(within(kVariedRadiusFraction))
       ->type_name("SHARE");
   command
       .add_option("--roundness", args.steps.roundness,
@@ -169,7 +169,7 @@ void add_surface_options(CLI::App& command, VaryArgs& args) {
       ->type_name("SHARE")
       ->capture_default_str();
   command.add_option("--vertices", args.steps.vertices, "Simplify to this many vertices")
-      ->check(whole_number(kFewestVaried, kMostVaried))
+      ->check(whole_number(kMinVariedVertices, kMaxVariedVertices))
       ->type_name("N");
   command
       .add_option("--detail", args.steps.detail,
@@ -179,7 +179,7 @@ void add_surface_options(CLI::App& command, VaryArgs& args) {
   command
       .add_option("--degree", args.steps.degree,
                   "Detail is what spherical harmonics up to this degree leave out")
-      ->check(whole_number(kLowestDegree, kHighestDegree))
+      ->check(whole_number(kMinDegree, kMaxDegree))
       ->type_name("N")
       ->capture_default_str();
 }
@@ -189,7 +189,7 @@ void add_body_options(CLI::App& command, VaryArgs& args) {
       .add_option(
           "--reference", args.steps.reference,
           "Simple bodies with the block's I/L and S/L; sphere and EOTA bodies have their own")
-      ->check(CLI::IsMember(reference_form_names()))
+      ->check(CLI::IsMember(reference_shape_names()))
       ->type_name("FORM");
   command.add_option("--exponent", args.steps.exponent, "Exponent of the superellipsoid, 1 to 20")
       ->check(within(kSuperellipsoidExponent))
@@ -205,7 +205,7 @@ void add_body_options(CLI::App& command, VaryArgs& args) {
           .add_option("--draw", args.request.draw,
                       "Draw this many bodies, with sizes and forms distributed like those of the "
                       "blocks, or of the table of --from")
-          ->check(whole_number(1, kMostSeriesBodies))
+          ->check(whole_number(1, kMaxSeriesBodies))
           ->type_name("N");
   command
       .add_option("--from", args.table,

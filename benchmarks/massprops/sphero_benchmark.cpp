@@ -34,7 +34,7 @@ void concave_rock(benchmark::State& state) {
   const TriangleMesh core = rough_rock_mesh(static_cast<int>(state.range(0)), {0.42, 0.36, 0.30}, 3,
                                             1e-2 * static_cast<double>(state.range(1)));
   const double radius = 0.30e-3 * static_cast<double>(state.range(2));
-  measure(state, sphero_polyhedron(core, radius),
+  measure(state, make_sphero_polyhedron(core, radius),
           std::pow(10.0, -static_cast<double>(state.range(3))));
 }
 BENCHMARK(concave_rock)
@@ -62,7 +62,7 @@ void real_scan(benchmark::State& state, const char* file, double share) {
     return;
   }
   const double radius = share * smallest_box(core.vertices).lengths[2];
-  measure(state, sphero_polyhedron(core, radius), 1e-4);
+  measure(state, make_sphero_polyhedron(core, radius), 1e-4);
 }
 BENCHMARK_CAPTURE(real_scan, stone14_2_percent, "meshes/eesd_stone14.stl", 0.02)
     ->Unit(benchmark::kMillisecond);

@@ -66,7 +66,7 @@ void lidar_to_surface(benchmark::State& state) {
   if (state.range(1) >= 0) options.percentile = static_cast<double>(state.range(1));
   for (auto _ : state) {
     const Terrain terrain = read_terrain(options);
-    const TerrainSurface surface = terrain_surface(terrain);
+    const TerrainSurface surface = make_terrain_surface(terrain);
     state.counters["triangles"] = static_cast<double>(terrain.surface.triangles.size());
     benchmark::DoNotOptimize(surface.zone_count());
   }
@@ -103,7 +103,7 @@ void terrain_file_to_indexed_surface(benchmark::State& state) {
   }
   for (auto _ : state) {
     const TerrainSurface surface =
-        terrain_surface(read_terrain({.surface = {folder / "ground.h5"}}));
+        make_terrain_surface(read_terrain({.surface = {folder / "ground.h5"}}));
     state.counters["triangles"] = static_cast<double>(surface.mesh().triangles.size());
   }
   state.counters["peak_MiB"] = peak_memory();

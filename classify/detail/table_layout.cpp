@@ -15,7 +15,7 @@
 namespace clast::classify_detail {
 namespace {
 
-constexpr std::array<UnitName, 4> kMasses = {
+constexpr std::array<NamedUnit, 4> kMasses = {
     {{"g", 1e-3}, {"kg", 1.0}, {"t", 1e3}, {"lb", 0.45359237}}};
 
 /// Words for the axes and the mass of a block, beside L, I and S.
@@ -38,15 +38,15 @@ const std::map<std::string, std::vector<std::string>, std::less<>>& words_for() 
 struct ColumnName {
   std::string name;                ///< lower case, unit cut off
   std::string word;                ///< the only word of the name; empty: there are several
-  std::optional<UnitName> length;  ///< where the name says it
-  const UnitName* mass = nullptr;
+  std::optional<NamedUnit> length;  ///< where the name says it
+  const NamedUnit* mass = nullptr;
 };
 
 ColumnName column_name(std::string_view header) {
   const ColumnHeading heading = parse_heading(header);
-  ColumnName column{heading.name, heading.only_word(), heading.length};
+  ColumnName column{heading.name, heading.single_word(), heading.length};
   const auto found = std::find_if(kMasses.begin(), kMasses.end(),
-                                  [&](const UnitName& u) { return heading.unit == u.name; });
+                                  [&](const NamedUnit& u) { return heading.unit == u.name; });
   if (found != kMasses.end()) column.mass = &*found;
   return column;
 }
@@ -68,7 +68,7 @@ class Header {
       names_.push_back(column_name(field));
     }
     is_one_ = std::none_of(first.fields.begin(), first.fields.end(), [&](std::string_view field) {
-      return number_in_field(field, separator).has_value();
+      return parse_number_field(field, separator).has_value();
     });
   }
 
@@ -79,9 +79,9 @@ class Header {
   std::vector<std::size_t> all(const std::string& wanted) const {
     std::vector<std::size_t> exact, found;
     if (!is_one_) return found;
-    const std::string text = lower_case(wanted), name = column_name(wanted).name;
+    const std::string text = lower_case_ascii(wanted), name = column_name(wanted).name;
     for (std::size_t i = 0; i < names_.size(); ++i) {
-      if (lower_case(fields_[i]) == text) exact.push_back(i);
+      if (lower_case_ascii(fields_[i]) == text) exact.push_back(i);
       if (names_[i].name == name) found.push_back(i);
     }
     if (!exact.empty()) return exact;
@@ -129,10 +129,10 @@ class Header {
 };
 
 /// The unit that the header names, none where it names none.
-std::optional<UnitName> named_unit(const Header& header, const TableLayout& layout) {
-  std::optional<UnitName> named;
+std::optional<NamedUnit> named_unit(const Header& header, const TableLayout& layout) {
+  std::optional<NamedUnit> named;
   for (const std::size_t column : layout.axes) {
-    const std::optional<UnitName> unit =
+    const std::optional<NamedUnit> unit =
         header.is_one() ? header.name(column).length : std::nullopt;
     if (unit && named && unit->factor != named->factor) {
       throw InputError(layout.file + ": the header names different units, " + named->name +
@@ -146,12 +146,12 @@ std::optional<UnitName> named_unit(const Header& header, const TableLayout& layo
 /// The unit of L, I, S: as asked for, else as the header says, else metres.
 void set_units(TableLayout& layout, const Header& header, const std::optional<double>& asked,
                std::vector<std::string>& notes) {
-  const std::optional<UnitName> named = named_unit(header, layout);
+  const std::optional<NamedUnit> named = named_unit(header, layout);
   layout.units = asked ? *asked : named ? named->factor : 1.0;
   layout.units_are_known = asked || named;
   if (named && asked && named->factor != *asked) {
     notes.push_back(std::string("the header says ") + named->name + ", the axes were read as " +
-                    with_digits(*asked, 6) + " m per unit, as asked");
+                    format_significant(*asked, 6) + " m per unit, as asked");
   }
   if (named && !asked && named->factor != 1.0) {
     notes.push_back(std::string("axes were read in ") + named->name + ", as the header says");
@@ -175,7 +175,7 @@ void check_columns_differ(const TableLayout& layout) {
 
 }  // namespace
 
-TableLayout table_layout(const Record& first, char separator, const DimensionColumns& columns,
+TableLayout find_table_layout(const Record& first, char separator, const DimensionColumns& columns,
                          const std::string& file, std::vector<std::string>& notes) {
   const Header header(first, separator, file);
   TableLayout layout;

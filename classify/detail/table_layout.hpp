@@ -29,7 +29,7 @@ struct TableLayout {
 /// Finds the columns by name or number in the first row of a table, which may be its header.
 /// @param notes  receives what a reader should know of the units
 /// @throws InputError  as `read_dimension_table` says of columns and units
-TableLayout table_layout(const Record& first, char separator, const DimensionColumns& columns,
+TableLayout find_table_layout(const Record& first, char separator, const DimensionColumns& columns,
                          const std::string& file, std::vector<std::string>& notes);
 
 }  // namespace clast::classify_detail

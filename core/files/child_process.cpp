@@ -28,9 +28,9 @@ constexpr int kNotStarted = 127;
 /// Words and variables as `execve` takes them.
 class ProgramCall {
  public:
-  ProgramCall(const std::vector<std::string>& words,
+  ProgramCall(const std::vector<std::string>& command,
               const std::vector<std::pair<std::string, std::string>>& environment)
-      : words_(words) {
+      : words_(command) {
     for (char** entry = environ; *entry != nullptr; ++entry) {
       const std::string text = *entry;
       bool replaced = false;
@@ -69,7 +69,7 @@ class ProgramCall {
 
 }  // namespace
 
-std::filesystem::path program_named(const std::string& name) {
+std::filesystem::path find_executable(const std::string& name) {
   const auto runs = [](const std::filesystem::path& file) {
     std::error_code code;
     return std::filesystem::is_regular_file(file, code) && ::access(file.c_str(), X_OK) == 0;
@@ -85,27 +85,27 @@ std::filesystem::path program_named(const std::string& name) {
   return {};
 }
 
-ChildEnd run_child(const std::vector<std::string>& words,
+ProcessResult run_child_process(const std::vector<std::string>& command,
                    const std::vector<std::pair<std::string, std::string>>& environment,
                    const std::filesystem::path& log, double seconds,
                    const std::function<void()>& waiting) {
   // Everything that allocates comes before the fork: another thread may hold the heap's lock.
-  const ProgramCall call(words, environment);
+  const ProgramCall call(command, environment);
   const std::string log_name = log.string();
   const pid_t parent = ::getpid();
   const pid_t child = ::fork();
   if (child < 0) {
-    throw InputError(words[0] + " can't be started: " + std::strerror(errno));
+    throw InputError(command[0] + " can't be started: " + std::strerror(errno));
   }
   if (child == 0) call.run(log_name.c_str(), parent);
   ::setpgid(child, child);
   const auto start = std::chrono::steady_clock::now();
-  ChildEnd end;
+  ProcessResult end;
   int status = 0;
   for (int polls = 1;; ++polls) {
     const pid_t ended = ::waitpid(child, &status, WNOHANG);
     if (ended == child) break;
-    if (ended < 0 && errno != EINTR) throw InputError(words[0] + " was lost");
+    if (ended < 0 && errno != EINTR) throw InputError(command[0] + " was lost");
     const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - start;
     if (spent.count() > seconds) {
       end.timed_out = true;

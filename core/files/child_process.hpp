@@ -8,7 +8,7 @@
 
 namespace clast {
 
-struct ChildEnd {
+struct ProcessResult {
   int exit_code = -1;      ///< 128 + signal when it was killed
   bool timed_out = false;  ///< it was ended because its time was over
 };
@@ -20,13 +20,13 @@ struct ChildEnd {
 /// @param seconds      time it has
 /// @param waiting      called about twice a second while it runs
 /// @throws InputError  it can't be started
-ChildEnd run_child(const std::vector<std::string>& words,
+ProcessResult run_child_process(const std::vector<std::string>& command,
                    const std::vector<std::pair<std::string, std::string>>& environment,
                    const std::filesystem::path& log, double seconds,
                    const std::function<void()>& waiting = {});
 
 /// The file that a name stands for, by PATH; itself where it holds a slash. Empty: there is none
 /// that may be run.
-std::filesystem::path program_named(const std::string& name);
+std::filesystem::path find_executable(const std::string& name);
 
 }  // namespace clast

@@ -12,7 +12,7 @@ namespace clast {
 namespace {
 
 /// Lengths beside `kLengthUnits`.
-constexpr std::array<UnitName, 24> kMoreLengths = {{{"metre", 1.0},
+constexpr std::array<NamedUnit, 24> kMoreLengths = {{{"metre", 1.0},
                                                     {"metres", 1.0},
                                                     {"meter", 1.0},
                                                     {"meters", 1.0},
@@ -39,7 +39,7 @@ constexpr std::array<UnitName, 24> kMoreLengths = {{{"metre", 1.0},
 
 /// Feet and inches in German, French, Italian and Spanish, and their signs. They count in brackets
 /// alone: "Kote Fuss" is the level of a foot.
-constexpr std::array<UnitName, 20> kBracketedLengths = {{{"'", 0.3048},
+constexpr std::array<NamedUnit, 20> kBracketedLengths = {{{"'", 0.3048},
                                                          {"\xE2\x80\xB2", 0.3048},
                                                          {"fuss", 0.3048},
                                                          {"fu\xC3\x9F", 0.3048},
@@ -79,9 +79,9 @@ std::string plain_lower(std::string_view text) {
   // stands at 0xDF, and y with two dots at 0xFF.
   constexpr std::string_view kLetters = "aaaaaaaceeeeiiiidnooooo ouuuuypy";
   std::string plain;
-  const std::string utf8 = as_utf8(text);
+  const std::string utf8 = to_utf8(text);
   for (std::string_view rest = utf8; !rest.empty();) {
-    const Utf8Character character = first_character(rest);
+    const DecodedCharacter character = decode_first_character(rest);
     const std::string_view bytes = rest.substr(0, std::max<std::size_t>(character.length, 1));
     rest.remove_prefix(bytes.size());
     if (character.code < 0x80) {
@@ -111,15 +111,15 @@ std::string_view without(std::string_view text, std::string_view ends) {
   return text.substr(begin, text.find_last_not_of(ends) - begin + 1);
 }
 
-std::optional<UnitName> length_named(std::string_view word, bool in_brackets) {
-  for (const UnitName& unit : kLengthUnits) {
+std::optional<NamedUnit> length_named(std::string_view word, bool in_brackets) {
+  for (const NamedUnit& unit : kLengthUnits) {
     if (word == unit.name) return unit;
   }
-  for (const UnitName& unit : kMoreLengths) {
+  for (const NamedUnit& unit : kMoreLengths) {
     if (word == unit.name) return unit;
   }
   if (!in_brackets) return std::nullopt;
-  for (const UnitName& unit : kBracketedLengths) {
+  for (const NamedUnit& unit : kBracketedLengths) {
     if (word == unit.name) return unit;
   }
   return std::nullopt;
@@ -199,7 +199,7 @@ ColumnHeading parse_heading(std::string_view field) {
   return heading;
 }
 
-std::string ColumnHeading::joined_words() const {
+std::string ColumnHeading::snake_case() const {
   std::string text;
   for (const std::string& word : words) text += (text.empty() ? "" : "_") + word;
   return text;
@@ -220,7 +220,7 @@ bool is_summary_sign(std::string_view text) {
 
 }  // namespace
 
-SummaryLabel summary_label(std::string_view text) {
+SummaryLabel detect_summary_label(std::string_view text) {
   static const std::set<std::string> kLabels = {
       // number, sum
       "n", "count", "anzahl", "nombre", "effectif", "numero", "total", "totals", "sum", "summe",
@@ -244,7 +244,7 @@ SummaryLabel summary_label(std::string_view text) {
       "mini", "maxi", "etendue", "intervallo", "rango", "kleinstwert", "grosstwert", "groesstwert"};
   constexpr std::size_t kLongest = 60;
   if (text.empty() || text.size() > kLongest) return SummaryLabel::kNone;
-  if (is_summary_sign(text)) return SummaryLabel::kSure;
+  if (is_summary_sign(text)) return SummaryLabel::kCertain;
   const std::string plain = plain_lower(text);
   if (plain.empty() || ((plain[0] < 'a' || plain[0] > 'z') && (plain[0] & 0x80) == 0)) {
     return SummaryLabel::kNone;
@@ -269,10 +269,10 @@ SummaryLabel summary_label(std::string_view text) {
   }
   if (!kLabels.contains(label)) return SummaryLabel::kNone;
   const auto letters = std::count_if(label.begin(), label.end(), [](char c) { return c != ' '; });
-  return letters > 2 ? SummaryLabel::kSure : SummaryLabel::kShort;
+  return letters > 2 ? SummaryLabel::kCertain : SummaryLabel::kAmbiguous;
 }
 
-bool may_be_heading(const std::vector<std::string_view>& fields, char separator) {
+bool is_possible_heading(const std::vector<std::string_view>& fields, char separator) {
   if (fields.empty()) return false;
   const auto ends_with_any = [](std::string_view field, std::string_view signs) {
     return !field.empty() && signs.find(field.back()) != std::string_view::npos;
@@ -283,7 +283,7 @@ bool may_be_heading(const std::vector<std::string_view>& fields, char separator)
                              return ends_with_any(field, ",:");
                            }));
   return !sentence && std::none_of(fields.begin(), fields.end(), [&](std::string_view field) {
-    return number_in_field(field, separator).has_value();
+    return parse_number_field(field, separator).has_value();
   });
 }
 

@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "core/error.hpp"
-#include "core/files/csv_text.hpp"
+#include "core/files/csv_writer.hpp"
 #include "core/number_text.hpp"
 #include "core/utf8.hpp"
 
@@ -59,7 +59,7 @@ void check_is_text(std::string_view text, const std::string& file) {
 
 }  // namespace
 
-TableText table_text(std::string content, const std::string& file) {
+DecodedText decode_text(std::string content, const std::string& file) {
   check_is_text(content, file);  // before bytes that are not text are read as letters
   constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";
   if (is_utf8(content)) {
@@ -69,7 +69,7 @@ TableText table_text(std::string content, const std::string& file) {
   return {utf8_from_latin1(content), true};
 }
 
-char separator_of(std::string_view line) {
+char detect_separator(std::string_view line) {
   std::string bare;  // what is not in quotes
   bool quoted = false;
   for (const char c : line) {
@@ -82,35 +82,36 @@ char separator_of(std::string_view line) {
   return bare.find(',') == std::string::npos || has_decimal_commas(trimmed(bare)) ? ' ' : ',';
 }
 
-std::optional<double> number_in_field(std::string_view field, char separator) {
+std::optional<double> parse_number_field(std::string_view field, char separator) {
   constexpr std::size_t kMostDigits = 64;  // longer than any number in use
-  if (field.find(',') == std::string_view::npos) return number_in(field);
+  if (field.find(',') == std::string_view::npos) return parse_number(field);
   if (separator == ',' || field.size() > kMostDigits) return std::nullopt;
   std::string text(field);
   std::replace(text.begin(), text.end(), ',', '.');
-  return number_in(text);
+  return parse_number(text);
 }
 
-bool is_doubtful_number(std::string_view field, char separator) {
+bool is_ambiguous_number(std::string_view field, char separator) {
   return separator == ',' && field.find(',') != std::string_view::npos &&
-         number_in_field(field, ';').has_value();
+         parse_number_field(field, ';').has_value();
 }
 
-DelimitedText::DelimitedText(std::string_view text, std::string file, const TableRules& rules)
+DelimitedTextReader::DelimitedTextReader(std::string_view text, std::string file,
+                                         const TableDialect& rules)
     : text_(text), file_(std::move(file)), rules_(rules) {
   for (std::size_t at = 0; at < text_.size();) {
     const std::size_t end = std::min(text_.find_first_of("\r\n", at), text_.size());
     const std::string_view line = trimmed(text_.substr(at, end - at));
     if (line.size() == 5 && line.starts_with("sep=")) {
       separator_ = line.back();
-      place_ = end;
+      position_ = end;
       line_ += static_cast<std::size_t>(
           std::count(text_.begin(), text_.begin() + static_cast<std::ptrdiff_t>(at), '\n'));
-      end_line();
+      skip_line_end();
       break;
     }
     if (!line.empty() && line.front() != '#') {
-      separator_ = separator_of(first_row(text_.substr(at)));
+      separator_ = detect_separator(first_row(text_.substr(at)));
       break;
     }
     at = end + 1;
@@ -118,86 +119,88 @@ DelimitedText::DelimitedText(std::string_view text, std::string file, const Tabl
   separator_ = rules_.separator.value_or(separator_);
 }
 
-void DelimitedText::end_line() {
-  if (place_ >= text_.size()) return;
-  const bool two = text_[place_] == '\r' && place_ + 1 < text_.size() && text_[place_ + 1] == '\n';
-  place_ += two ? 2 : 1;
+void DelimitedTextReader::skip_line_end() {
+  if (position_ >= text_.size()) return;
+  const bool two =
+      text_[position_] == '\r' && position_ + 1 < text_.size() && text_[position_ + 1] == '\n';
+  position_ += two ? 2 : 1;
   ++line_;
 }
 
-std::string_view DelimitedText::quoted_field(std::size_t opened) {
+std::string_view DelimitedTextReader::read_quoted_field(std::size_t opened) {
   std::string content;
-  ++place_;
+  ++position_;
   while (true) {
-    if (place_ >= text_.size()) {
+    if (position_ >= text_.size()) {
       throw InputError(file_ + ": the quote opened in row " + std::to_string(opened) +
                        " is never closed; close it or remove it");
     }
-    const char c = text_[place_];
-    if (c == '"' && place_ + 1 < text_.size() && text_[place_ + 1] == '"') {
+    const char c = text_[position_];
+    if (c == '"' && position_ + 1 < text_.size() && text_[position_ + 1] == '"') {
       content += '"';
-      place_ += 2;
+      position_ += 2;
     } else if (c == '"') {
-      ++place_;
+      ++position_;
       break;
     } else if (c == '\n' || c == '\r') {
       content += ' ';
-      end_line();
+      skip_line_end();
     } else {
       content += c;
-      ++place_;
+      ++position_;
     }
   }
-  content += plain_field();  // what stands between the closing quote and the separator
+  content += read_unquoted_field();  // what stands between the closing quote and the separator
   unquoted_.push_back(std::move(content));
-  return from_spreadsheet_cell(trimmed(unquoted_.back()));
+  return unescape_formula(trimmed(unquoted_.back()));
 }
 
-std::string_view DelimitedText::plain_field() {
-  const std::size_t begin = place_;
+std::string_view DelimitedTextReader::read_unquoted_field() {
+  const std::size_t begin = position_;
   if (separator_ == ' ') {
-    while (!at_row_end() && text_[place_] != ' ' && text_[place_] != '\t') ++place_;
+    while (!at_row_end() && text_[position_] != ' ' && text_[position_] != '\t') ++position_;
   } else {
-    while (!at_row_end() && text_[place_] != separator_) ++place_;
+    while (!at_row_end() && text_[position_] != separator_) ++position_;
   }
-  return from_spreadsheet_cell(trimmed(text_.substr(begin, place_ - begin)));
+  return unescape_formula(trimmed(text_.substr(begin, position_ - begin)));
 }
 
-void DelimitedText::skip_blanks() {
+void DelimitedTextReader::skip_blanks() {
   const bool blanks_separate = separator_ == ' ';
-  while (!at_row_end() && (text_[place_] == ' ' || text_[place_] == '\t') &&
-         (blanks_separate || text_[place_] != separator_)) {
-    ++place_;
+  while (!at_row_end() && (text_[position_] == ' ' || text_[position_] == '\t') &&
+         (blanks_separate || text_[position_] != separator_)) {
+    ++position_;
   }
 }
 
-void DelimitedText::read_fields(Record& record) {
+void DelimitedTextReader::read_fields(Record& record) {
   skip_blanks();
   while (!at_row_end()) {
-    const bool quoted = text_[place_] == '"';
-    record.fields.push_back(quoted ? quoted_field(record.line) : plain_field());
+    const bool quoted = text_[position_] == '"';
+    record.fields.push_back(quoted ? read_quoted_field(record.line) : read_unquoted_field());
     if (at_row_end()) return;
-    if (separator_ != ' ') ++place_;
+    if (separator_ != ' ') ++position_;
     skip_blanks();
     if (separator_ != ' ' && at_row_end())
       record.fields.emplace_back();  // it ends with its separator
   }
 }
 
-bool DelimitedText::next(Record& record) {
-  while (place_ < text_.size()) {
+bool DelimitedTextReader::next(Record& record) {
+  while (position_ < text_.size()) {
     record.fields.clear();
     unquoted_.clear();
     record.line = line_;
-    const std::size_t begin = place_;
+    const std::size_t begin = position_;
     skip_blanks();
-    if (place_ >= text_.size() || text_[place_] != '#') read_fields(record);
-    const bool quoted = text_.substr(begin, place_ - begin).find('"') != std::string_view::npos;
-    place_ = std::min(text_.find_first_of("\r\n", place_), text_.size());  // a remark is skipped
-    end_line();
+    if (position_ >= text_.size() || text_[position_] != '#') read_fields(record);
+    const bool quoted = text_.substr(begin, position_ - begin).find('"') != std::string_view::npos;
+    position_ =
+        std::min(text_.find_first_of("\r\n", position_), text_.size());  // a remark is skipped
+    skip_line_end();
     if (quoted || std::any_of(record.fields.begin(), record.fields.end(),
                               [](std::string_view field) { return !field.empty(); })) {
-      check_count(record);
+      check_field_count(record);
       return true;
     }
   }
@@ -205,8 +208,8 @@ bool DelimitedText::next(Record& record) {
   return false;
 }
 
-void DelimitedText::check_count(const Record& record) {
-  const bool heading = rules_.free_heading && rows_ == 0;
+void DelimitedTextReader::check_field_count(const Record& record) {
+  const bool heading = rules_.any_heading_width && rows_ == 0;
   ++rows_;
   if (heading) return;
   if (fields_ == 0) {
@@ -216,7 +219,7 @@ void DelimitedText::check_count(const Record& record) {
   }
   if (record.fields.size() == fields_) return;
   const std::string advice =
-      separator_ == ',' ? kDecimalCommaAdvice
+      separator_ == ',' ? kDecimalCommaHint
       : separator_ == ' '
           ? "columns are separated by blanks here: put texts with blanks in quotes, "
             "or separate the columns by semicolons"

@@ -17,7 +17,7 @@ struct Record {
 };
 
 /// A table's text as UTF-8.
-struct TableText {
+struct DecodedText {
   std::string text;
   bool from_latin1 = false;  ///< it was taken for Windows-1252
 };
@@ -25,40 +25,40 @@ struct TableText {
 /// @param content  of a file
 /// @param file     its name, for messages
 /// @throws InputError  not text in an encoding that has ASCII in it, such as a workbook or UTF-16
-TableText table_text(std::string content, const std::string& file);
+DecodedText decode_text(std::string content, const std::string& file);
 
 /// The separator of a table with this row: a semicolon, tab or comma that is there outside of
 /// quotes, in this order, else ' ' for blanks; that too where all commas stand inside numbers of a
 /// row separated by blanks.
-char separator_of(std::string_view line);
+char detect_separator(std::string_view line);
 
 /// The number in a field of a table with this separator; a decimal comma is read where commas do
 /// not separate columns.
-std::optional<double> number_in_field(std::string_view field, char separator);
+std::optional<double> parse_number_field(std::string_view field, char separator);
 
 /// Whether a field of a table whose columns are separated by commas holds a number with a decimal
 /// comma, in quotes: "1,234" could be 1.234 or 1234.
-bool is_doubtful_number(std::string_view field, char separator);
+bool is_ambiguous_number(std::string_view field, char separator);
 
 /// What to do where commas separate columns and decimals: the end of a message.
-inline constexpr const char* kDecimalCommaAdvice =
+inline constexpr const char* kDecimalCommaHint =
     "where commas are decimal signs, separate the columns by semicolons or tabs, or write decimal "
     "points";
 
 /// How a table differs from the usual.
-struct TableRules {
+struct TableDialect {
   std::optional<char> separator = {};  ///< none: as the first row has it
-  bool remarks_in_rows = false;  ///< a # ends its row wherever it stands, not only at its start
-  bool free_heading = false;     ///< the first row may have any number of fields
+  bool inline_comments = false;  ///< a # ends its row wherever it stands, not only at its start
+  bool any_heading_width = false;     ///< the first row may have any number of fields
 };
 
 /// Iterates over the rows of a text. Empty rows and rows that begin with # are skipped.
-class DelimitedText {
+class DelimitedTextReader {
  public:
-  /// Finds the separator on the first row: a line "sep=;" as Excel writes it, else `separator_of`.
-  /// @param text  from `table_text`; outlives this
+  /// Finds the separator on the first row: a line "sep=;" as Excel writes it, else `detect_separator`.
+  /// @param text  from `decode_text`; outlives this
   /// @param file  its name, for messages
-  DelimitedText(std::string_view text, std::string file, const TableRules& rules = {});
+  DelimitedTextReader(std::string_view text, std::string file, const TableDialect& rules = {});
 
   /// False at the end.
   /// @throws InputError  a quote that is never closed, or a row with more or fewer fields than the
@@ -68,20 +68,20 @@ class DelimitedText {
 
  private:
   void read_fields(Record& record);
-  std::string_view quoted_field(std::size_t opened);
-  std::string_view plain_field();
+  std::string_view read_quoted_field(std::size_t opened);
+  std::string_view read_unquoted_field();
   void skip_blanks();
-  void end_line();
-  void check_count(const Record& record);
+  void skip_line_end();
+  void check_field_count(const Record& record);
   bool at_row_end() const {
-    return place_ >= text_.size() || text_[place_] == '\n' || text_[place_] == '\r' ||
-           (rules_.remarks_in_rows && text_[place_] == '#');
+    return position_ >= text_.size() || text_[position_] == '\n' || text_[position_] == '\r' ||
+           (rules_.inline_comments && text_[position_] == '#');
   }
 
   std::string_view text_;
   std::string file_;
-  TableRules rules_;
-  std::size_t place_ = 0;
+  TableDialect rules_;
+  std::size_t position_ = 0;
   std::size_t line_ = 1;
   std::size_t rows_ = 0;
   char separator_ = ',';

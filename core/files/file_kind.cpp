@@ -74,7 +74,7 @@ std::string kind_of_text(const std::string& beginning) {
 
 }  // namespace
 
-std::string kind_of_file(const fs::path& path) {
+std::string detect_file_kind(const fs::path& path) {
   std::error_code code;
   const std::uintmax_t size = fs::is_regular_file(path, code) ? fs::file_size(path, code) : 0;
   if (size == 0 || code) return "";
@@ -84,7 +84,7 @@ std::string kind_of_file(const fs::path& path) {
   if (!file) return "binary";  // not permitted: nothing is known of it
   for (const auto& [signature, kind] : kSignatures) {
     if (!beginning.starts_with(signature)) continue;
-    const std::string format = kind == "HDF5"s ? Hdf5File::format_of(path) : "";
+    const std::string format = kind == "HDF5"s ? Hdf5File::read_format(path) : "";
     return format.empty() ? kind : format;
   }
   if (is_binary_stl(beginning, size)) return "STL";
@@ -93,12 +93,12 @@ std::string kind_of_file(const fs::path& path) {
   return text ? kind_of_text(beginning) : "binary";
 }
 
-std::string kind_by_name(const fs::path& path) {
+std::string file_kind_by_extension(const fs::path& path) {
   static const std::map<std::string, std::string> kKinds = {
       {".png", "PNG"},   {".svg", "SVG"},     {".html", kPageKind}, {".tif", "TIFF"},
       {".tiff", "TIFF"}, {".gpkg", "SQLite"}, {".glb", "glTF"},     {".ply", "PLY"},
       {".stl", "STL"},   {".vtp", "VTK"},     {".pvd", "VTK"}};
-  const auto kind = kKinds.find(extension_of(path));
+  const auto kind = kKinds.find(lower_case_extension(path));
   return kind == kKinds.end() ? "text" : kind->second;
 }
 

@@ -15,10 +15,10 @@ inline constexpr const char* kPageKind = "page of clast";
 /// else "HDF5", "PNG", "SVG", `kPageKind` or "HTML", "TIFF", "SQLite" (GeoPackages), "glTF", "PLY",
 /// "STL", "VTK", "origin of coordinates" (beside a mesh), `kCampaignKind`, "text" or "binary".
 /// Empty when there is no such file, or nothing in it.
-std::string kind_of_file(const std::filesystem::path& path);
+std::string detect_file_kind(const std::filesystem::path& path);
 
 /// What a file of this name is when clast writes it, by the extension and in the words of
-/// `kind_of_file`. HDF5 files are named by their format alone.
-std::string kind_by_name(const std::filesystem::path& path);
+/// `detect_file_kind`. HDF5 files are named by their format alone.
+std::string file_kind_by_extension(const std::filesystem::path& path);
 
 }  // namespace clast

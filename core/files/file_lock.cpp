@@ -75,12 +75,12 @@ bool is_still(const fs::path& file, int descriptor) {
 
 }  // namespace
 
-fs::path FileLock::lock_file(const fs::path& target) {
-  const fs::path linked = linked_target(target);
+fs::path FileLock::lock_path(const fs::path& target) {
+  const fs::path linked = resolve_link(target);
   return linked.parent_path() / ("." + linked.filename().string() + ".lock");
 }
 
-FileLock::FileLock(const fs::path& target, Unlocked) : file_(lock_file(target)) {
+FileLock::FileLock(const fs::path& target, NotLocked) : file_(lock_path(target)) {
   std::error_code code;
   if (file_.has_parent_path()) fs::create_directories(file_.parent_path(), code);
 }
@@ -104,18 +104,18 @@ bool FileLock::take(const fs::path& target) {
   return false;
 }
 
-std::unique_ptr<FileLock> FileLock::take_free(const fs::path& target) {
-  std::unique_ptr<FileLock> lock(new FileLock(target, Unlocked{}));
+std::unique_ptr<FileLock> FileLock::try_acquire(const fs::path& target) {
+  std::unique_ptr<FileLock> lock(new FileLock(target, NotLocked{}));
   return lock->take(target) ? std::move(lock) : nullptr;
 }
 
 FileLock::FileLock(const fs::path& target, const FileLockOptions& options)
-    : FileLock(target, Unlocked{}) {
+    : FileLock(target, NotLocked{}) {
   const auto begin = std::chrono::steady_clock::now();
   bool said = false;
   while (!take(target)) {
-    if (std::chrono::steady_clock::now() - begin > options.longest_wait) {
-      const auto waited = std::chrono::duration_cast<std::chrono::seconds>(options.longest_wait);
+    if (std::chrono::steady_clock::now() - begin > options.timeout) {
+      const auto waited = std::chrono::duration_cast<std::chrono::seconds>(options.timeout);
       throw InputError(target.string() + ": another program " +
                        (waited.count() > 0
                             ? "has been writing to it for " + std::to_string(waited.count()) + " s"

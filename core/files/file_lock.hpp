@@ -8,7 +8,7 @@
 namespace clast {
 
 struct FileLockOptions {
-  std::chrono::milliseconds longest_wait = std::chrono::minutes(5);
+  std::chrono::milliseconds timeout = std::chrono::minutes(5);
   /// Called once, when another process has the lock.
   std::function<void()> waiting = {};
 };
@@ -26,23 +26,23 @@ struct FileLockOptions {
 class FileLock {
  public:
   /// Makes missing parent folders.
-  /// @throws InputError  not obtained within `longest_wait`; or the lock file can't be made, where
+  /// @throws InputError  not obtained within `timeout`; or the lock file can't be made, where
   ///                     the target could not be written either; or one is left that may not be
   ///                     read
   explicit FileLock(const std::filesystem::path& target, const FileLockOptions& options = {});
   /// The lock without waiting for it; none if another process or thread holds it.
   /// @throws InputError  as the constructor, but for the wait
-  static std::unique_ptr<FileLock> take_free(const std::filesystem::path& target);
+  static std::unique_ptr<FileLock> try_acquire(const std::filesystem::path& target);
   ~FileLock();
   FileLock(const FileLock&) = delete;
   FileLock& operator=(const FileLock&) = delete;
 
   /// Where the lock of a file is.
-  static std::filesystem::path lock_file(const std::filesystem::path& target);
+  static std::filesystem::path lock_path(const std::filesystem::path& target);
 
  private:
-  struct Unlocked {};
-  FileLock(const std::filesystem::path& target, Unlocked);
+  struct NotLocked {};
+  FileLock(const std::filesystem::path& target, NotLocked);
   /// Opens and locks the lock file.
   /// @return  false if another process or thread holds it
   bool take(const std::filesystem::path& target);

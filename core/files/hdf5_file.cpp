@@ -36,16 +36,16 @@ constexpr std::size_t kLargestRatio = 1040;
 constexpr const char* kDamaged = "; the file is damaged: restore a backup, or make it again";
 
 /// Creation properties of a dataset; no times, so that equal content gives equal bytes.
-Id dataset_properties() {
-  Id properties(H5Pcreate(H5P_DATASET_CREATE), H5Pclose);
+ScopedId dataset_properties() {
+  ScopedId properties(H5Pcreate(H5P_DATASET_CREATE), H5Pclose);
   H5Pset_obj_track_times(properties, false);
   return properties;
 }
 
 /// The format of HDF5 1.8: its structures carry checksums, so that damage is found instead of
 /// followed, and unlike that of 1.10 it does not lock out readers after a killed writer.
-Id access_properties() {
-  Id properties(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
+ScopedId access_properties() {
+  ScopedId properties(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
   H5Pset_libver_bounds(properties, H5F_LIBVER_V18, H5F_LIBVER_V18);
   return properties;
 }
@@ -54,13 +54,13 @@ Id access_properties() {
 
 /// An open file or group, with the name it has in messages.
 struct Hdf5Group::Handle {
-  Id id;
+  ScopedId id;
   std::string file;
   std::string path;     ///< inside the file: "" for the root, "/blocks/B017"
   bool checked = true;  ///< the file has checksums; those of the first versions have none
 
   hid_t get() const {
-    silence();
+    silence_errors();
     return id;
   }
   std::string where(const std::string& name) const { return file + ": " + path + "/" + name; }
@@ -89,32 +89,32 @@ struct Hdf5Group::Handle {
     if (there < 0) fail_damaged("@" + name);
     return there > 0;
   }
-  Handle child(Id opened, const std::string& name) const {
+  Handle child(ScopedId opened, const std::string& name) const {
     return {std::move(opened), file, path + "/" + name, checked};
   }
 
   /// That attributes and values, whose sum is `values`, are those that were written.
   void verify(hid_t object, const std::string& name, std::uint64_t values) const {
     if (!checked) return;
-    const std::optional<std::uint64_t> attributes = attributes_sum(object);
+    const std::optional<std::uint64_t> attributes = attributes_checksum(object);
     if (!attributes) fail(name, std::string("has attributes that can't be read") + kDamaged);
-    if (stored_sum(object) == (*attributes ^ values)) return;
+    if (stored_checksum(object) == (*attributes ^ values)) return;
     fail(name, std::string("does not agree with its checksum") + kDamaged);
   }
   /// Adds to the checksum of an object that was written to.
   void note_change(hid_t object, const std::string& name, std::uint64_t change) const {
-    if (checked && !fold_into_sum(object, change)) fail_write(name);
+    if (checked && !update_checksum(object, change)) fail_write(name);
   }
 
-  Id dataset(const std::string& name) const {
+  ScopedId dataset(const std::string& name) const {
     if (!has(name)) fail_missing(name);
-    Id dataset(H5Dopen2(get(), name.c_str(), H5P_DEFAULT), H5Dclose);
+    ScopedId dataset(H5Dopen2(get(), name.c_str(), H5P_DEFAULT), H5Dclose);
     if (!dataset.valid()) fail(name, "is not a readable dataset" + reason() + kDamaged);
     return dataset;
   }
 
-  std::vector<hsize_t> extent(const Id& dataset, const std::string& name) const {
-    const Id space(H5Dget_space(dataset), H5Sclose);
+  std::vector<hsize_t> extent(const ScopedId& dataset, const std::string& name) const {
+    const ScopedId space(H5Dget_space(dataset), H5Sclose);
     const int rank = space.valid() ? H5Sget_simple_extent_ndims(space) : -1;
     if (rank < 0) fail_damaged(name);
     std::vector<hsize_t> sizes(static_cast<std::size_t>(rank));
@@ -124,10 +124,10 @@ struct Hdf5Group::Handle {
 
   /// @return bytes of one stored value
   template <class T>
-  std::size_t check_type(const Id& dataset, const std::string& name) const {
-    const Id type(H5Dget_type(dataset), H5Tclose);
+  std::size_t check_type(const ScopedId& dataset, const std::string& name) const {
+    const ScopedId type(H5Dget_type(dataset), H5Tclose);
     if (!type.valid()) fail_damaged(name);
-    if (!fits<T>(type)) fail(name, std::string("does not hold ") + name_of_type<T>() + kDamaged);
+    if (!is_lossless_conversion<T>(type)) fail(name, std::string("does not hold ") + type_name<T>() + kDamaged);
     return std::max<std::size_t>(1, H5Tget_size(type));
   }
 };
@@ -151,7 +151,7 @@ std::vector<std::string> Hdf5Group::names() const {
 
 Hdf5Group Hdf5Group::group(const std::string& name) const {
   if (!has(name)) handle_->fail_missing(name);
-  Id id(H5Gopen2(handle_->get(), name.c_str(), H5P_DEFAULT), H5Gclose);
+  ScopedId id(H5Gopen2(handle_->get(), name.c_str(), H5P_DEFAULT), H5Gclose);
   if (!id.valid()) handle_->fail(name, "is not a readable group" + reason() + kDamaged);
   handle_->verify(id, name, 0);
   return Hdf5Group(std::make_shared<Handle>(handle_->child(std::move(id), name)));
@@ -160,9 +160,9 @@ Hdf5Group Hdf5Group::group(const std::string& name) const {
 Hdf5Group Hdf5Group::create_group(const std::string& name) {
   if (has(name)) handle_->fail(name, "is there already");
   const hid_t parent = handle_->get();
-  const Id properties(H5Pcreate(H5P_GROUP_CREATE), H5Pclose);
+  const ScopedId properties(H5Pcreate(H5P_GROUP_CREATE), H5Pclose);
   H5Pset_obj_track_times(properties, false);
-  Id id(H5Gcreate2(parent, name.c_str(), H5P_DEFAULT, properties, H5P_DEFAULT), H5Gclose);
+  ScopedId id(H5Gcreate2(parent, name.c_str(), H5P_DEFAULT, properties, H5P_DEFAULT), H5Gclose);
   if (!id.valid()) handle_->fail_write(name);
   handle_->note_change(id, name, 0);
   return Hdf5Group(std::make_shared<Handle>(handle_->child(std::move(id), name)));
@@ -186,27 +186,27 @@ void Hdf5Group::write(const std::string& name, std::span<const T> values,
     handle_->fail(name, "has " + std::to_string(values.size()) + " values for another shape");
   }
 
-  const Stored<T> stored(values);
-  const Id space(H5Screate_simple(static_cast<int>(sizes.size()), sizes.data(), nullptr), H5Sclose);
-  const Id properties = dataset_properties();
+  const WriteBuffer<T> stored(values);
+  const ScopedId space(H5Screate_simple(static_cast<int>(sizes.size()), sizes.data(), nullptr), H5Sclose);
+  const ScopedId properties = dataset_properties();
   if (values.size() * stored.element > kSmallest) {
-    chunk_and_compress(properties, sizes, row * stored.element);
+    set_chunked_compression(properties, sizes, row * stored.element);
   }
-  const Id dataset(
+  const ScopedId dataset(
       H5Dcreate2(parent, name.c_str(), stored.in_file, space, H5P_DEFAULT, properties, H5P_DEFAULT),
       H5Dclose);
   if (!dataset.valid()) handle_->fail_write(name);
   const std::size_t bytes = values.size() * stored.element;
-  handle_->note_change(dataset, name, values_sum(stored.data(), bytes, values.size()));
+  handle_->note_change(dataset, name, values_checksum(stored.data(), bytes, values.size()));
   if (values.empty()) return;
-  if (H5Dwrite(dataset, stored.in_memory, H5S_ALL, H5S_ALL, H5P_DEFAULT, stored.data()) < 0) {
+  if (H5Dwrite(dataset, stored.memory_type, H5S_ALL, H5S_ALL, H5P_DEFAULT, stored.data()) < 0) {
     handle_->fail_write(name);
   }
 }
 
 template <class T>
 std::vector<T> Hdf5Group::read(const std::string& name) const {
-  const Id dataset = handle_->dataset(name);
+  const ScopedId dataset = handle_->dataset(name);
   const std::size_t element = handle_->check_type<T>(dataset, name);
   const hsize_t most = (H5Dget_storage_size(dataset) * kLargestRatio + kSmallest) / element;
   const std::vector<hsize_t> extent = handle_->extent(dataset, name);
@@ -216,9 +216,9 @@ std::vector<T> Hdf5Group::read(const std::string& name) const {
       handle_->fail(name, std::string("has an impossible size") + kDamaged);
     count *= size;
   }
-  if (count > 0 && chunks_are_damaged(dataset, extent)) handle_->fail_damaged(name);
+  if (count > 0 && has_damaged_chunks(dataset, extent)) handle_->fail_damaged(name);
   const auto verified = [&](const auto& bytes) {
-    handle_->verify(dataset, name, values_sum(bytes.data(), bytes.size() * sizeof bytes[0], count));
+    handle_->verify(dataset, name, values_checksum(bytes.data(), bytes.size() * sizeof bytes[0], count));
   };
   const auto read_into = [&](hid_t type, void* out) {
     if (count == 0) return;
@@ -227,11 +227,11 @@ std::vector<T> Hdf5Group::read(const std::string& name) const {
   try {
     if constexpr (std::is_same_v<T, std::string>) {
       std::string bytes(count * element, '\0');
-      read_into(text_type(element), bytes.data());
+      read_into(fixed_string_type(element), bytes.data());
       verified(bytes);
       std::vector<T> values;
       values.reserve(count);
-      for (hsize_t i = 0; i < count; ++i) values.push_back(unpadded(bytes, i * element, element));
+      for (hsize_t i = 0; i < count; ++i) values.push_back(unpadded_string(bytes, i * element, element));
       return values;
     } else {
       std::vector<T> values(count);
@@ -240,7 +240,7 @@ std::vector<T> Hdf5Group::read(const std::string& name) const {
         verified(values);
       } else {  // stored narrower than it is read
         std::string bytes(count * element, '\0');
-        read_into(Id(H5Dget_type(dataset), H5Tclose), bytes.data());
+        read_into(ScopedId(H5Dget_type(dataset), H5Tclose), bytes.data());
         verified(bytes);
       }
       return values;
@@ -259,17 +259,17 @@ std::vector<std::size_t> Hdf5Group::shape(const std::string& name) const {
 template <class T>
 void Hdf5Group::set_attribute(const std::string& name, const T& value) {
   const hid_t parent = handle_->get();
-  const Stored<T> stored(std::span<const T>(&value, 1));
-  std::uint64_t change = attribute_sum(name, stored.data(), stored.element);
+  const WriteBuffer<T> stored(std::span<const T>(&value, 1));
+  std::uint64_t change = attribute_checksum(name, stored.data(), stored.element);
   if (has_attribute(name)) {
-    const std::optional<std::uint64_t> before = attribute_sum(parent, name);
+    const std::optional<std::uint64_t> before = attribute_checksum(parent, name);
     if (!before || H5Adelete(parent, name.c_str()) < 0) handle_->fail_write("@" + name);
     change ^= *before;
   }
-  const Id space(H5Screate(H5S_SCALAR), H5Sclose);
-  const Id attribute(
+  const ScopedId space(H5Screate(H5S_SCALAR), H5Sclose);
+  const ScopedId attribute(
       H5Acreate2(parent, name.c_str(), stored.in_file, space, H5P_DEFAULT, H5P_DEFAULT), H5Aclose);
-  if (!attribute.valid() || H5Awrite(attribute, stored.in_memory, stored.data()) < 0) {
+  if (!attribute.valid() || H5Awrite(attribute, stored.memory_type, stored.data()) < 0) {
     handle_->fail_write("@" + name);
   }
   handle_->note_change(parent, "@" + name, change);
@@ -280,18 +280,18 @@ T Hdf5Group::attribute(const std::string& name) const {
   if (!has_attribute(name)) {
     handle_->fail_missing("@" + name);
   }
-  const Id attribute(H5Aopen(handle_->get(), name.c_str(), H5P_DEFAULT), H5Aclose);
-  const Id type(H5Aget_type(attribute), H5Tclose);
-  const Id space(H5Aget_space(attribute), H5Sclose);
+  const ScopedId attribute(H5Aopen(handle_->get(), name.c_str(), H5P_DEFAULT), H5Aclose);
+  const ScopedId type(H5Aget_type(attribute), H5Tclose);
+  const ScopedId space(H5Aget_space(attribute), H5Sclose);
   if (!type.valid() || !space.valid()) handle_->fail_damaged("@" + name);
-  if (!fits<T>(type) || H5Sget_simple_extent_npoints(space) != 1) {
-    handle_->fail("@" + name, std::string("is not one of ") + name_of_type<T>() + kDamaged);
+  if (!is_lossless_conversion<T>(type) || H5Sget_simple_extent_npoints(space) != 1) {
+    handle_->fail("@" + name, std::string("is not one of ") + type_name<T>() + kDamaged);
   }
   if constexpr (std::is_same_v<T, std::string>) {
     const std::size_t width = H5Tget_size(type);
     std::string bytes(width, '\0');
-    if (H5Aread(attribute, text_type(width), bytes.data()) < 0) handle_->fail_damaged("@" + name);
-    return unpadded(bytes, 0, width);
+    if (H5Aread(attribute, fixed_string_type(width), bytes.data()) < 0) handle_->fail_damaged("@" + name);
+    return unpadded_string(bytes, 0, width);
   } else {
     T value{};
     if (H5Aread(attribute, number_type<T>(false), &value) < 0) handle_->fail_damaged("@" + name);
@@ -317,11 +317,11 @@ std::string Hdf5Group::unit(const std::string& name) const {
 }
 
 Hdf5File Hdf5File::create(const fs::path& path, const std::string& format, int schema_version) {
-  silence();
+  silence_errors();
   // Without times on the root group equal content is equal bytes.
-  const Id creation(H5Pcreate(H5P_FILE_CREATE), H5Pclose);
+  const ScopedId creation(H5Pcreate(H5P_FILE_CREATE), H5Pclose);
   H5Pset_obj_track_times(creation, false);
-  Id id(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, creation, access_properties()), H5Fclose);
+  ScopedId id(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, creation, access_properties()), H5Fclose);
   if (!id.valid()) {
     throw InputError(path.string() +
                      ": can't be written; check the folder and that no other "
@@ -339,7 +339,7 @@ Hdf5File Hdf5File::create(const fs::path& path, const std::string& format, int s
 
 Hdf5File Hdf5File::open(const fs::path& path, const std::string& format, int newest_schema_version,
                         bool writable) {
-  silence();
+  silence_errors();
   std::error_code code;
   const std::string expected = "; expected a \"" + format + "\" file";
   if (!fs::exists(path, code)) throw InputError(path.string() + ": no such file" + expected);
@@ -349,7 +349,7 @@ Hdf5File Hdf5File::open(const fs::path& path, const std::string& format, int new
   if (H5Fis_hdf5(path.c_str()) == 0) {
     throw InputError(path.string() + ": is not an HDF5 file" + expected);
   }
-  Id id(H5Fopen(path.c_str(), writable ? H5F_ACC_RDWR : H5F_ACC_RDONLY, access_properties()),
+  ScopedId id(H5Fopen(path.c_str(), writable ? H5F_ACC_RDWR : H5F_ACC_RDONLY, access_properties()),
         H5Fclose);
   if (!id.valid()) {
     throw InputError(path.string() + ": can't be opened" + reason() +
@@ -358,7 +358,7 @@ Hdf5File Hdf5File::open(const fs::path& path, const std::string& format, int new
   }
   Hdf5File file(
       std::make_shared<Hdf5Group::Handle>(Hdf5Group::Handle{std::move(id), path.string(), ""}));
-  file.handle_->checked = file.handle_->has_attribute(kChecksum);
+  file.handle_->checked = file.handle_->has_attribute(kChecksumAttribute);
   const Hdf5Group root = file.root();
   if (!root.has_attribute("format")) {
     throw InputError(path.string() + ": is an HDF5 file that clast did not write" + expected);
@@ -380,9 +380,9 @@ Hdf5File Hdf5File::open(const fs::path& path, const std::string& format, int new
   return file;
 }
 
-std::string Hdf5File::format_of(const fs::path& path) {
-  silence();
-  Id id(H5Fopen(path.c_str(), H5F_ACC_RDONLY, access_properties()), H5Fclose);
+std::string Hdf5File::read_format(const fs::path& path) {
+  silence_errors();
+  ScopedId id(H5Fopen(path.c_str(), H5F_ACC_RDONLY, access_properties()), H5Fclose);
   if (!id.valid()) return "";
   const Hdf5File file(std::make_shared<Hdf5Group::Handle>(
       Hdf5Group::Handle{std::move(id), path.string(), "", false}));
@@ -395,7 +395,7 @@ std::string Hdf5File::format_of(const fs::path& path) {
 }
 
 Hdf5Group Hdf5File::root() const {
-  Id id(H5Gopen2(handle_->get(), "/", H5P_DEFAULT), H5Gclose);
+  ScopedId id(H5Gopen2(handle_->get(), "/", H5P_DEFAULT), H5Gclose);
   if (!id.valid()) throw InputError(handle_->file + ": has no root group" + reason() + kDamaged);
   return Hdf5Group(std::make_shared<Hdf5Group::Handle>(
       Hdf5Group::Handle{std::move(id), handle_->file, "", handle_->checked}));

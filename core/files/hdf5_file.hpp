@@ -76,7 +76,7 @@ class Hdf5File {
 
   /// What a file says that it is, without a look at the rest of it: "clast terrain". Empty when it
   /// is not HDF5, not clast's, or damaged.
-  static std::string format_of(const std::filesystem::path& path);
+  static std::string read_format(const std::filesystem::path& path);
 
   Hdf5Group root() const;
   /// Hands everything written so far to the operating system. Call it before a file counts as

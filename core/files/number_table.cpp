@@ -24,7 +24,7 @@ bool holds_a_number(std::string_view line) {
     if (word.size() > 1 && word.front() == '"' && word.back() == '"') {
       word = word.substr(1, word.size() - 2);
     }
-    if (number_in(word)) return true;
+    if (parse_number(word)) return true;
     line.remove_prefix(length);
   }
 }
@@ -42,7 +42,7 @@ char separator_of_numbers(std::string_view text) {
       heading_has_tabs = heading_has_tabs || line.find('\t') != std::string_view::npos;
       continue;
     }
-    const char separator = separator_of(line);
+    const char separator = detect_separator(line);
     return separator == '\t' && !heading_has_tabs ? ' ' : separator;
   }
   return ' ';
@@ -58,7 +58,7 @@ std::optional<std::vector<std::size_t>> columns_by_name(
       const auto is = [&](const std::string& name) {
         return std::find(alike.begin(), alike.end(), name) != alike.end();
       };
-      return is(column_without_unit(text)) || is(parse_heading(text).name);
+      return is(strip_unit(text)) || is(parse_heading(text).name);
     });
     if (field == heading.end()) return std::nullopt;
     columns.push_back(static_cast<std::size_t>(field - heading.begin()));
@@ -69,7 +69,7 @@ std::optional<std::vector<std::size_t>> columns_by_name(
 /// The columns that a heading names, none for a title.
 /// @throws InputError  a heading that is none of these columns; file and line
 std::optional<std::vector<std::size_t>> columns_named(const Record& heading, char separator,
-                                                      const NumberTable& table,
+                                                      const NumericTableSpec& table,
                                                       const std::string& file) {
   const auto refuse = [&](const std::string& problem) {
     throw InputError(file + ":" + std::to_string(heading.line) + ": " + problem);
@@ -82,7 +82,7 @@ std::optional<std::vector<std::size_t>> columns_named(const Record& heading, cha
     refuse(error.what());
   }
   if (!columns) {
-    if (heading.fields.size() != table.names.size() || !may_be_heading(heading.fields, separator)) {
+    if (heading.fields.size() != table.names.size() || !is_possible_heading(heading.fields, separator)) {
       return std::nullopt;
     }
     refuse("its heading does not name the columns; a line must be " + table.meaning +
@@ -91,7 +91,7 @@ std::optional<std::vector<std::size_t>> columns_named(const Record& heading, cha
   for (const std::size_t column : *columns) {
     const ColumnHeading name = parse_heading(heading.fields[column]);
     if (name.length && name.length->factor != 1.0) {
-      refuse("\"" + printable(heading.fields[column]) + "\" is in " + name.length->name +
+      refuse("\"" + escape_nonprintable(heading.fields[column]) + "\" is in " + name.length->name +
              "; lengths of this table must be in m");
     }
   }
@@ -101,28 +101,28 @@ std::optional<std::vector<std::size_t>> columns_named(const Record& heading, cha
 /// The numbers of a row, and what is wrong with it.
 class RowReader {
  public:
-  RowReader(const std::string& name, const NumberTable& table, char separator)
+  RowReader(const std::string& name, const NumericTableSpec& table, char separator)
       : name_(name), table_(table), separator_(separator) {}
 
   bool has_numbers(const Record& record) const {
     return std::any_of(record.fields.begin(), record.fields.end(),
-                       [&](std::string_view f) { return number_in_field(f, separator_); });
+                       [&](std::string_view f) { return parse_number_field(f, separator_); });
   }
 
   void check_count(const Record& record, std::size_t fields) const {
     const std::size_t count = record.fields.size();
     if (count == fields) return;
     refuse(record, std::to_string(count) + (count == 1 ? " number" : " numbers") +
-                       (separator_ == ',' ? "; " + std::string(kDecimalCommaAdvice) : ""));
+                       (separator_ == ',' ? "; " + std::string(kDecimalCommaHint) : ""));
   }
 
   double number(const Record& record, std::size_t column) const {
     const std::string_view field = record.fields[column];
-    const std::optional<double> value = number_in_field(field, separator_);
+    const std::optional<double> value = parse_number_field(field, separator_);
     if (!value) {
       refuse(record,
              "\"" + std::string(field.substr(0, 40)) + "\" is not a number" +
-                 (is_doubtful_number(field, separator_) ? "; " + std::string(kDecimalCommaAdvice)
+                 (is_ambiguous_number(field, separator_) ? "; " + std::string(kDecimalCommaHint)
                                                         : ""));
     }
     if (!table_.range.holds(*value)) {
@@ -138,13 +138,13 @@ class RowReader {
   }
 
   const std::string& name_;
-  const NumberTable& table_;
+  const NumericTableSpec& table_;
   char separator_;
 };
 
 }  // namespace
 
-std::string column_without_unit(std::string_view field) {
+std::string strip_unit(std::string_view field) {
   std::string name;
   for (const char c : field) {
     name += c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
@@ -153,19 +153,19 @@ std::string column_without_unit(std::string_view field) {
   return name;
 }
 
-std::vector<NumberRow> read_number_table(const std::filesystem::path& file,
-                                         const NumberTable& table) {
+std::vector<NumericRow> read_numeric_table(const std::filesystem::path& file,
+                                         const NumericTableSpec& table) {
   const std::string name = file.string();
-  const TableText content = table_text(read_text_file(file), name);
-  DelimitedText text(content.text, name,
+  const DecodedText content = decode_text(read_text_file(file), name);
+  DelimitedTextReader text(content.text, name,
                      {.separator = separator_of_numbers(content.text),
-                      .remarks_in_rows = true,
-                      .free_heading = true});
+                      .inline_comments = true,
+                      .any_heading_width = true});
   std::vector<std::size_t> columns;
   for (std::size_t i = 0; i < table.names.size(); ++i) columns.push_back(i);
   std::size_t fields = columns.size();
   const RowReader reader(name, table, text.separator());
-  std::vector<NumberRow> rows;
+  std::vector<NumericRow> rows;
   Record record;
   for (std::size_t row = 0; text.next(record); ++row) {
     if (row == 0 && !reader.has_numbers(record)) {
@@ -176,12 +176,12 @@ std::vector<NumberRow> read_number_table(const std::filesystem::path& file,
       continue;
     }
     reader.check_count(record, fields);
-    if (summary_label(record.fields.front()) == SummaryLabel::kSure) {
+    if (detect_summary_label(record.fields.front()) == SummaryLabel::kCertain) {
       throw InputError(name + ":" + std::to_string(record.line) + ": \"" +
-                       printable(record.fields.front()) +
+                       escape_nonprintable(record.fields.front()) +
                        "\" sums up the other rows; remove that row");
     }
-    NumberRow& read = rows.emplace_back(NumberRow{record.line, {}});
+    NumericRow& read = rows.emplace_back(NumericRow{record.line, {}});
     for (const std::size_t column : columns) read.values.push_back(reader.number(record, column));
   }
   if (rows.empty()) {

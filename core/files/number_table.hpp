@@ -12,13 +12,13 @@
 
 namespace clast {
 
-struct NumberRow {
+struct NumericRow {
   std::size_t line = 0;  ///< of the file, from 1
   std::vector<double> values;
 };
 
 /// What a table of numbers must hold.
-struct NumberTable {
+struct NumericTableSpec {
   /// Of the columns in the order wanted; each has one name or several, in lower case.
   std::vector<std::vector<std::string>> names;
   NumberRange range;    ///< of every number
@@ -31,15 +31,15 @@ struct NumberTable {
 };
 
 /// The name of a column of lengths, in lower case: "X_m" is the column x.
-std::string column_without_unit(std::string_view field);
+std::string strip_unit(std::string_view field);
 
-/// Reads a table by `DelimitedText`; what follows a # is skipped. The first row may be a
+/// Reads a table by `DelimitedTextReader`; what follows a # is skipped. The first row may be a
 /// heading: where it names all columns ("X", "y_m"), these columns are read and others are not.
 /// Below a title, or without one, a row has as many numbers as there are columns.
 /// @throws InputError  no file, no text or no row; a heading that does not name all columns; a row
 ///                     of another number of fields, a field that is no number or out of range, or
 ///                     a row that sums up the others: file, line and what was found
-std::vector<NumberRow> read_number_table(const std::filesystem::path& file,
-                                         const NumberTable& table);
+std::vector<NumericRow> read_numeric_table(const std::filesystem::path& file,
+                                         const NumericTableSpec& table);
 
 }  // namespace clast

@@ -23,9 +23,9 @@ namespace fs = std::filesystem;
 namespace {
 
 /// Why the rules keep the file that is there; empty when it may be replaced.
-std::string why_file_is_kept(const fs::path& target, const OutputRules& rules) {
+std::string why_file_is_kept(const fs::path& target, const OverwritePolicy& rules) {
   if (rules.kind.empty() && rules.replace) return "";
-  const std::string there = kind_of_file(target);
+  const std::string there = detect_file_kind(target);
   if (there.empty()) return "";
   const std::string begin = target.string() + ": already exists";
   if (!rules.kind.empty() && there != rules.kind) {
@@ -38,7 +38,7 @@ std::string why_file_is_kept(const fs::path& target, const OutputRules& rules) {
 
 }  // namespace
 
-fs::path linked_target(const fs::path& target) {
+fs::path resolve_link(const fs::path& target) {
   constexpr int kMostLinks = 40;  // as Linux allows
   std::error_code code;
   fs::path at = target;
@@ -51,12 +51,12 @@ fs::path linked_target(const fs::path& target) {
   return at;
 }
 
-OutputFile::OutputFile(fs::path target, const OutputRules& rules)
+OutputFile::OutputFile(fs::path target, const OverwritePolicy& rules)
     : target_(std::move(target)), rules_(rules) {
   if (target_.empty()) throw InputError("the name of the file to write is empty; name one");
   std::error_code code;
   // The rename would put a file in place of a link and leave what it points to as it was.
-  target_ = linked_target(target_);
+  target_ = resolve_link(target_);
   if (fs::is_directory(target_, code)) {
     throw InputError(target_.string() + ": is a folder; name a file to write");
   }
@@ -80,17 +80,17 @@ OutputFile::OutputFile(fs::path target, const OutputRules& rules)
     throw InputError(folder.string() + ": can't make this folder (" + code.message() +
                      "); check the permissions of the one it is in, or name another place");
   }
-  part_ = std::make_unique<PartPlace>(target_, PartPlace::Kind::kFile);
+  staging_ = std::make_unique<StagingPath>(target_, StagingPath::Kind::kFile);
 }
 
 OutputFile::~OutputFile() {
   if (committed_) return;
   std::error_code ignored;
-  fs::remove(temporary(), ignored);
+  fs::remove(temporary_path(), ignored);
 }
 
 void OutputFile::write(std::string_view content) {
-  std::ofstream stream(temporary(), std::ios::binary);
+  std::ofstream stream(temporary_path(), std::ios::binary);
   stream.write(content.data(), static_cast<std::streamsize>(content.size()));
   stream.close();
   if (!stream) {
@@ -102,35 +102,35 @@ void OutputFile::write(std::string_view content) {
 void OutputFile::commit() {
   std::error_code code;
   const fs::perms mode = fs::status(target_, code).permissions();
-  if (!code && mode != fs::perms::unknown) fs::permissions(temporary(), mode, code);
+  if (!code && mode != fs::perms::unknown) fs::permissions(temporary_path(), mode, code);
   if (absent_ && !rules_.replace) {
-    code = rename_to_free(temporary(), target_);
+    code = rename_without_replacing(temporary_path(), target_);
   } else if (!why_file_is_kept(target_, rules_).empty()) {
     code = std::make_error_code(std::errc::file_exists);
   } else {
-    fs::rename(temporary(), target_, code);
+    fs::rename(temporary_path(), target_, code);
   }
-  if (code == std::errc::file_exists) refuse_written_meanwhile(target_);
+  if (code == std::errc::file_exists) throw_concurrent_write(target_);
   if (code) {
     throw InputError(target_.string() + ": can't be " + (absent_ ? "made" : "replaced") + " (" +
                      code.message() +
                      "); check the permissions of its folder or name another place");
   }
   committed_ = true;
-  part_->release();
+  staging_->release();
 }
 
-void write_output(const fs::path& target, std::string_view content, const OutputRules& rules) {
+void write_output(const fs::path& target, std::string_view content, const OverwritePolicy& rules) {
   OutputFile file(target, rules);
   file.write(content);
   file.commit();
 }
 
-void check_output(const fs::path& target, const OutputRules& rules) {
+void check_output_target(const fs::path& target, const OverwritePolicy& rules) {
   const OutputFile trial(target, rules);
 }
 
-std::error_code rename_to_free(const fs::path& from, const fs::path& to) {
+std::error_code rename_without_replacing(const fs::path& from, const fs::path& to) {
   const auto last_error = [] { return std::error_code(errno, std::generic_category()); };
   if (::renameat2(AT_FDCWD, from.c_str(), AT_FDCWD, to.c_str(), RENAME_NOREPLACE) == 0) return {};
   if (errno != EINVAL && errno != ENOSYS && errno != ENOTSUP) return last_error();
@@ -146,17 +146,17 @@ std::error_code rename_to_free(const fs::path& from, const fs::path& to) {
   return code;
 }
 
-void refuse_written_meanwhile(const fs::path& target) {
+void throw_concurrent_write(const fs::path& target) {
   throw InputError(target.string() +
                    ": another program wrote it meanwhile, so it is left as it is; run again with "
                    "another name");
 }
 
-void check_room(const fs::path& target, std::initializer_list<std::uint64_t> files) {
+void check_disk_space(const fs::path& target, std::initializer_list<std::uint64_t> files) {
   const auto refuse = [&](std::uint64_t bytes, std::uint64_t most, const std::string& what) {
     if (bytes <= most) return;
     const auto size = [](std::uint64_t count) {
-      return with_digits(static_cast<double>(count) / 1e6, 3) + " MB";
+      return format_significant(static_cast<double>(count) / 1e6, 3) + " MB";
     };
     throw InputError(target.string() + ": at least " + size(bytes) + " will be written, and " +
                      what + size(most) + "; free some space or name another place");

@@ -38,7 +38,7 @@ std::vector<fs::path> files_in(const fs::path& folder) {
 
 bool is_marked(const fs::path& folder, const FolderKind& kind) {
   std::error_code code;
-  const fs::path file = folder / kind.mark_file;
+  const fs::path file = folder / kind.marker_file;
   return fs::is_regular_file(file, code) &&
          read_text_file(file).find(kind.mark) != std::string::npos;
 }
@@ -51,7 +51,7 @@ std::string why_folder_is_kept(const fs::path& target, const FolderKind& kind, b
     return target.string() + ": is a file; name a folder for the tables and the report";
   }
   const std::vector<fs::path> files = files_in(target);
-  const auto first = std::find_if(files.begin(), files.end(), kind.owns);
+  const auto first = std::find_if(files.begin(), files.end(), kind.is_own_file);
   if (first == files.end()) return "";
   if (!is_marked(target, kind)) {
     return target.string() + ": holds " + first->string() + ", but is not a " + kind.name +
@@ -67,7 +67,7 @@ fs::path resolved(const fs::path& target) {
   std::error_code code;
   if (fs::exists(target, code)) return fs::canonical(target);
   const fs::path named = fs::absolute(target).lexically_normal();
-  return linked_target(named.has_filename() ? named : named.parent_path());
+  return resolve_link(named.has_filename() ? named : named.parent_path());
 }
 
 [[noreturn]] void refuse_exchange(const fs::path& target, const std::error_code& code) {
@@ -93,13 +93,13 @@ void exchange_folders(const fs::path& made, const fs::path& target, const fs::pa
 }
 
 /// Adds files to a folder, where `replace` in place of those of the kind; the rest is not touched.
-void exchange_files(const fs::path& made, const fs::path& target, const fs::path& former,
+void exchange_files(const fs::path& made, const fs::path& target, const fs::path& backup_path,
                     const FolderKind& kind, bool replace) {
   std::vector<std::pair<fs::path, fs::path>> moved;
   const auto move = [&](const fs::path& from, const fs::path& to) {
     std::error_code code, back;
     fs::create_directories(to.parent_path(), code);
-    code = rename_to_free(from, to);
+    code = rename_without_replacing(from, to);
     if (code) {
       for (auto pair = moved.rbegin(); pair != moved.rend(); ++pair) {
         fs::rename(pair->second, pair->first, back);
@@ -109,8 +109,8 @@ void exchange_files(const fs::path& made, const fs::path& target, const fs::path
     moved.emplace_back(from, to);
   };
   for (const fs::path& file : files_in(target)) {
-    if (!replace || !kind.owns(file)) continue;
-    move(target / file, former / file);
+    if (!replace || !kind.is_own_file(file)) continue;
+    move(target / file, backup_path / file);
     std::error_code not_empty;
     if (file.has_parent_path()) fs::remove(target / file.parent_path(), not_empty);
   }
@@ -124,7 +124,7 @@ OutputFolder::OutputFolder(const fs::path& target, FolderKind kind, bool replace
   if (target.empty()) throw InputError("the name of the folder to write is empty; name one");
   target_ = resolved(target);
   // An exchange that was killed may have left what is to be replaced under another name.
-  if (target_.has_parent_path()) remove_left_parts(target_, PartPlace::Kind::kFolder);
+  if (target_.has_parent_path()) remove_stale_staging(target_, StagingPath::Kind::kFolder);
   if (const std::string why = why_folder_is_kept(target_, kind_, replace_); !why.empty()) {
     throw InputError(why);
   }
@@ -138,54 +138,54 @@ OutputFolder::OutputFolder(const fs::path& target, FolderKind kind, bool replace
     throw InputError(beside.string() + ": can't make this folder (" + code.message() +
                      "); check the permissions of the one it is in, or name another place");
   }
-  part_ = std::make_unique<PartPlace>(target_, PartPlace::Kind::kFolder);
+  staging_ = std::make_unique<StagingPath>(target_, StagingPath::Kind::kFolder);
   if (fs::exists(target_, code)) {
-    fs::permissions(temporary(), fs::status(target_, code).permissions(), code);
+    fs::permissions(temporary_path(), fs::status(target_, code).permissions(), code);
   }
 }
 
 OutputFolder::~OutputFolder() {
   if (committed_) return;
   std::error_code ignored;
-  fs::remove_all(temporary(), ignored);
+  fs::remove_all(temporary_path(), ignored);
 }
 
 void OutputFolder::commit() {
-  const fs::path former = part_->former();
-  std::error_code code = rename_to_free(temporary(), target_);
+  const fs::path backup_path = staging_->backup_path();
+  std::error_code code = rename_without_replacing(temporary_path(), target_);
   if (!code) {
     committed_ = true;
-    part_->release();
+    staging_->release();
     return;
   }
   if (code != std::errc::file_exists) refuse_exchange(target_, code);
   const auto is_kept = [&](const fs::path& there) {
     return !why_folder_is_kept(there, kind_, replace_).empty();
   };
-  if (is_kept(target_)) refuse_written_meanwhile(target_);
+  if (is_kept(target_)) throw_concurrent_write(target_);
   // With files of another kind, or it is a working directory.
   bool shared = fs::equivalent(target_, fs::current_path(), code);
   for (const fs::path& file : files_in(target_)) {
-    if (kind_.owns(file)) continue;
+    if (kind_.is_own_file(file)) continue;
     shared = true;
-    if (!fs::exists(temporary() / file, code)) continue;
+    if (!fs::exists(temporary_path() / file, code)) continue;
     throw InputError((target_ / file).string() + ": does not belong to the existing " + kind_.name +
                      ", and would be overwritten; move it elsewhere");
   }
   if (shared) {
-    exchange_files(temporary(), target_, former, kind_, replace_);
+    exchange_files(temporary_path(), target_, backup_path, kind_, replace_);
   } else {
-    exchange_folders(temporary(), target_, former);
+    exchange_folders(temporary_path(), target_, backup_path);
     // Another program may have written it after the check above: that is put back.
-    if (is_kept(temporary())) {
-      exchange_folders(temporary(), target_, former);
-      refuse_written_meanwhile(target_);
+    if (is_kept(temporary_path())) {
+      exchange_folders(temporary_path(), target_, backup_path);
+      throw_concurrent_write(target_);
     }
   }
   committed_ = true;
-  fs::remove_all(temporary(), code);
-  fs::remove_all(former, code);
-  part_->release();
+  fs::remove_all(temporary_path(), code);
+  fs::remove_all(backup_path, code);
+  staging_->release();
 }
 
 }  // namespace clast

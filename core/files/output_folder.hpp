@@ -5,18 +5,18 @@
 #include <memory>
 #include <string>
 
-#include "core/files/part_place.hpp"
+#include "core/files/staging_path.hpp"
 
 namespace clast {
 
 /// How a folder of one kind is recognised.
 struct FolderKind {
-  std::string name;       ///< for messages: "comparison"
-  std::string mark_file;  ///< that every such folder has: "provenance.json"
-  std::string mark;       ///< that stands in it
+  std::string name;         ///< for messages: "comparison"
+  std::string marker_file;  ///< that every such folder has: "provenance.json"
+  std::string mark;         ///< that stands in it
   /// Whether a file of that name, relative to the folder, is the writer's. What is not stays where
   /// it is.
-  std::function<bool(const std::filesystem::path&)> owns;
+  std::function<bool(const std::filesystem::path&)> is_own_file;
 };
 
 /// A folder that is filled beside its target and takes its place by `commit`. Without, it is
@@ -34,7 +34,7 @@ class OutputFolder {
   OutputFolder& operator=(const OutputFolder&) = delete;
 
   /// Where to write.
-  const std::filesystem::path& temporary() const { return part_->path(); }
+  const std::filesystem::path& temporary_path() const { return staging_->path(); }
   /// Files of the kind that were in the target are removed, others are not touched.
   /// @throws InputError  one of the others would be written over, a rename failed, or another
   ///                     program wrote meanwhile what must not be replaced. The target is as it was
@@ -42,7 +42,7 @@ class OutputFolder {
 
  private:
   std::filesystem::path target_;
-  std::unique_ptr<PartPlace> part_;
+  std::unique_ptr<StagingPath> staging_;
   FolderKind kind_;
   bool replace_;
   bool committed_ = false;

@@ -32,7 +32,7 @@ png_image image_of(std::uint32_t width, std::uint32_t height, png_uint_32 format
 
 }  // namespace
 
-std::string deflated(std::string_view bytes, int level) {
+std::string compress_zlib(std::string_view bytes, int level) {
   uLongf size = compressBound(static_cast<uLong>(bytes.size()));
   std::string stream(size, '\0');
   if (compress2(reinterpret_cast<Bytef*>(stream.data()), &size,
@@ -44,7 +44,7 @@ std::string deflated(std::string_view bytes, int level) {
   return stream;
 }
 
-std::string palette_png(std::uint32_t width, std::uint32_t height,
+std::string encode_palette_png(std::uint32_t width, std::uint32_t height,
                         std::span<const std::uint8_t> pixels, const std::vector<Rgb>& palette) {
   assert(pixels.size() == std::size_t{width} * height);
   assert(!palette.empty() && palette.size() <= 256);
@@ -58,15 +58,15 @@ std::string palette_png(std::uint32_t width, std::uint32_t height,
   return png_file(image, pixels.data(), colours.data());
 }
 
-std::string rgb_png(std::uint32_t width, std::uint32_t height, std::span<const Rgb> pixels) {
+std::string encode_rgb_png(std::uint32_t width, std::uint32_t height, std::span<const Rgb> pixels) {
   assert(pixels.size() == std::size_t{width} * height);
   png_image image = image_of(width, height, PNG_FORMAT_RGB);
   return png_file(image, pixels.data(), nullptr);
 }
 
-std::string png_link(std::string_view png) { return "data:image/png;base64," + base64(png); }
+std::string png_data_uri(std::string_view png) { return "data:image/png;base64," + encode_base64(png); }
 
-std::string base64(std::string_view bytes) {
+std::string encode_base64(std::string_view bytes) {
   static constexpr std::string_view kDigits =
       "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
   std::string text;

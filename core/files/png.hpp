@@ -15,22 +15,22 @@ using Rgb = std::array<std::uint8_t, 3>;
 /// palette is transparent.
 /// @param palette  1 to 256 colours
 /// @cite png3
-std::string palette_png(std::uint32_t width, std::uint32_t height,
+std::string encode_palette_png(std::uint32_t width, std::uint32_t height,
                         std::span<const std::uint8_t> pixels, const std::vector<Rgb>& palette);
 
 /// A PNG file of `width` x `height` colours, row by row from the top.
 /// @cite png3
-std::string rgb_png(std::uint32_t width, std::uint32_t height, std::span<const Rgb> pixels);
+std::string encode_rgb_png(std::uint32_t width, std::uint32_t height, std::span<const Rgb> pixels);
 
 /// A zlib stream.
 /// @param level  1 fast to 9 small
 /// @cite rfc1951
-std::string deflated(std::string_view bytes, int level = 9);
+std::string compress_zlib(std::string_view bytes, int level = 9);
 
 /// RFC 4648, with padding.
-std::string base64(std::string_view bytes);
+std::string encode_base64(std::string_view bytes);
 
 /// "data:image/png;base64,...", as a page that holds its pictures refers to one.
-std::string png_link(std::string_view png);
+std::string png_data_uri(std::string_view png);
 
 }  // namespace clast

@@ -10,7 +10,7 @@
 #include <variant>
 #include <vector>
 
-#include "core/files/csv_text.hpp"
+#include "core/files/csv_writer.hpp"
 
 namespace clast {
 
@@ -30,7 +30,7 @@ using TableColumns = std::vector<TableColumn<Row>>;
 
 /// @throws std::out_of_range  no such column, which is our own mistake
 template <class Row>
-const TableColumn<Row>& column_named(const TableColumns<Row>& columns, const std::string& name) {
+const TableColumn<Row>& find_column(const TableColumns<Row>& columns, const std::string& name) {
   for (const TableColumn<Row>& column : columns) {
     if (column.name == name) return column;
   }
@@ -41,13 +41,13 @@ const TableColumn<Row>& column_named(const TableColumns<Row>& columns, const std
 template <class Row>
 TableColumns<Row> chosen(const TableColumns<Row>& columns, const std::vector<std::string>& names) {
   TableColumns<Row> result;
-  for (const std::string& name : names) result.push_back(column_named(columns, name));
+  for (const std::string& name : names) result.push_back(find_column(columns, name));
   return result;
 }
 
 /// The columns of a part of every row, which is `part(row)`.
 template <class Row, class PartRow, class Part>
-TableColumns<Row> columns_of_part(const TableColumns<PartRow>& columns, const Part& part) {
+TableColumns<Row> adapt_columns(const TableColumns<PartRow>& columns, const Part& part) {
   TableColumns<Row> result;
   for (const TableColumn<PartRow>& column : columns) {
     result.push_back({column.name, column.unit, column.meaning,
@@ -58,8 +58,8 @@ TableColumns<Row> columns_of_part(const TableColumns<PartRow>& columns, const Pa
 
 /// Columns of one unit and meaning: `values(row)[i]` stands in column `names[i]`.
 template <class Row, class Values>
-TableColumns<Row> columns_of_list(const std::vector<std::string>& names, const std::string& unit,
-                                  const std::string& meaning, const Values& values) {
+TableColumns<Row> array_columns(const std::vector<std::string>& names, const std::string& unit,
+                                const std::string& meaning, const Values& values) {
   TableColumns<Row> columns;
   for (std::size_t i = 0; i < names.size(); ++i) {
     columns.push_back({names[i], unit, meaning,
@@ -85,7 +85,7 @@ std::string csv_header(const TableColumns<Row>& columns) {
 }
 
 template <class Row>
-void append_row(CsvText& csv, const TableColumns<Row>& columns, const Row& row) {
+void append_row(CsvWriter& csv, const TableColumns<Row>& columns, const Row& row) {
   for (const TableColumn<Row>& column : columns) {
     const TableCell cell = column.value(row);
     if (const auto* count = std::get_if<std::uint64_t>(&cell)) csv.count(*count);
@@ -95,10 +95,10 @@ void append_row(CsvText& csv, const TableColumns<Row>& columns, const Row& row) 
   csv.end_row();
 }
 
-/// The whole table, as `CsvText` writes it.
+/// The whole table, as `CsvWriter` writes it.
 template <class Row>
-std::string csv_of(const TableColumns<Row>& columns, const std::vector<Row>& rows) {
-  CsvText csv;
+std::string format_csv(const TableColumns<Row>& columns, const std::vector<Row>& rows) {
+  CsvWriter csv;
   csv.header(csv_header(columns));
   for (const Row& row : rows) append_row(csv, columns, row);
   return csv.take();

@@ -24,7 +24,7 @@ namespace core_detail {
 
 /// The cells of one column in the narrowest type that holds them all; of a table without rows,
 /// doubles.
-inline auto column_values(const std::vector<TableCell>& cells) {
+inline auto typed_values(const std::vector<TableCell>& cells) {
   decltype(ColumnValues::values) values = std::vector<double>();
   const auto any = [&]<class T>(T) {
     for (const TableCell& cell : cells) {
@@ -52,13 +52,13 @@ inline auto column_values(const std::vector<TableCell>& cells) {
 
 /// The whole table.
 template <class Row>
-TableValues values_of(const TableColumns<Row>& columns, const std::vector<Row>& rows) {
+TableValues tabulate(const TableColumns<Row>& columns, const std::vector<Row>& rows) {
   TableValues table;
   for (const TableColumn<Row>& column : columns) {
     std::vector<TableCell> cells;
     cells.reserve(rows.size());
     for (const Row& row : rows) cells.push_back(column.value(row));
-    table.push_back({column.name, column.unit, column.meaning, core_detail::column_values(cells)});
+    table.push_back({column.name, column.unit, column.meaning, core_detail::typed_values(cells)});
   }
   return table;
 }

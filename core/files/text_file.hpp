@@ -9,7 +9,7 @@ namespace clast {
 
 /// Gives the content of a file in pieces of a megabyte, in order.
 /// @throws InputError  missing, a folder, a pipe, a device, or unreadable; names the path
-void read_in_pieces(const std::filesystem::path& path,
+void read_in_chunks(const std::filesystem::path& path,
                     const std::function<void(std::string_view)>& take);
 
 /// The content of a file.
@@ -21,6 +21,6 @@ std::string read_text_file(const std::filesystem::path& path);
 void write_text_file(const std::filesystem::path& path, std::string_view content);
 
 /// Lower-case extension of a file name, with the dot.
-std::string extension_of(const std::filesystem::path& path);
+std::string lower_case_extension(const std::filesystem::path& path);
 
 }  // namespace clast

@@ -52,21 +52,21 @@ std::string_view TextScanner::word() {
 
 double TextScanner::number() {
   const std::string_view text = word();
-  if (const std::optional<double> value = parsed_number(text)) return *value;
+  if (const std::optional<double> value = parse_number_token(text)) return *value;
   throw InputError(here() + "a number is needed, " + quoted(text));
 }
 
 std::int64_t TextScanner::integer() {
   const std::string_view text = word();
-  if (const std::optional<std::int64_t> value = parsed_integer(text)) return *value;
+  if (const std::optional<std::int64_t> value = parse_integer_token(text)) return *value;
   throw InputError(here() + "a whole number is needed, " + quoted(text));
 }
 
-std::optional<double> parsed_number(std::string_view word) {
+std::optional<double> parse_number_token(std::string_view word) {
   if (word.size() > 1 && word[0] == '+' && word[1] != '-') word.remove_prefix(1);
   double value = 0.0;
   const auto [end, code] = std::from_chars(word.data(), word.data() + word.size(), value);
-  if (end != word.data() + word.size()) return number_in(word);  // "-1.#IND"
+  if (end != word.data() + word.size()) return parse_number(word);  // "-1.#IND"
   if (word.empty()) return std::nullopt;
   // Too small for a double is zero; too large is caught as not finite.
   if (code == std::errc::result_out_of_range) {
@@ -79,7 +79,7 @@ std::optional<double> parsed_number(std::string_view word) {
   return value;
 }
 
-std::optional<std::int64_t> parsed_integer(std::string_view word) {
+std::optional<std::int64_t> parse_integer_token(std::string_view word) {
   if (word.size() > 1 && word[0] == '+' && word[1] != '-') word.remove_prefix(1);
   std::int64_t value = 0;
   const auto [end, code] = std::from_chars(word.data(), word.data() + word.size(), value);

@@ -23,7 +23,7 @@ class TextScanner {
   /// The next word of the line; empty when there is none.
   std::string_view word();
   /// Text after the current line.
-  std::string_view after_line() const { return text_; }
+  std::string_view remaining_text() const { return text_; }
 
   /// The next word of the line as a number.
   /// @throws InputError  naming line and word
@@ -38,7 +38,7 @@ class TextScanner {
 };
 
 /// The whole word as a number ("nan" and "inf" are numbers here), or none.
-std::optional<double> parsed_number(std::string_view word);
-std::optional<std::int64_t> parsed_integer(std::string_view word);
+std::optional<double> parse_number_token(std::string_view word);
+std::optional<std::int64_t> parse_integer_token(std::string_view word);
 
 }  // namespace clast

@@ -1,5 +1,5 @@
 #include "core/files/toml_reader.hpp"
-#include "core/listed.hpp"
+#include "core/comma_separated.hpp"
 
 #include <toml++/toml.h>
 
@@ -128,7 +128,7 @@ std::string suggestion(const std::string& key, const std::vector<std::string>& k
   if (best && smallest <= std::max<std::size_t>(2, key.size() / 3)) {
     return "did you mean " + *best + "?";
   }
-  return "known here are " + listed(known);
+  return "known here are " + comma_separated(known);
 }
 // Names end in tables, file names and on the terminal, where a line end or a NUL breaks what is
 // around it.
@@ -215,7 +215,7 @@ TomlNode parse_toml(const std::string& text, const std::string& name) {
   }
 }
 
-std::string in_words_of_keys(std::string message) {
+std::string without_backticks(std::string message) {
   std::erase(message, '`');
   return message;
 }
@@ -240,8 +240,8 @@ TomlTable::TomlTable(const TomlNode& node, std::string file, std::string title,
 void TomlTable::refuse(const std::string& key, const TomlNode& node,
                        const std::string& problem) const {
   throw InputError(file_ + ":" + std::to_string(node.line) + ": " + title_ +
-                   (title_.empty() ? "" : " ") + printable(key) + " = " + node.written + ": " +
-                   problem);
+                   (title_.empty() ? "" : " ") + escape_nonprintable(key) + " = " + node.written +
+                   ": " + problem);
 }
 
 void TomlTable::refuse(const std::string& problem) const {

@@ -45,7 +45,7 @@ TomlNode parse_toml(const std::string& text, const std::string& name);
 
 /// The message of an error of a library, which names its fields between backticks, for a file whose
 /// keys have the same names.
-std::string in_words_of_keys(std::string message);
+std::string without_backticks(std::string message);
 
 /// One table of a file. Keys it does not know are refused at once, before a missing one is noticed,
 /// so that a misspelt key is answered with its right spelling.
@@ -89,7 +89,7 @@ class TomlTable {
     try {
       return check();
     } catch (const InputError& error) {
-      refuse(key, subject + in_words_of_keys(error.what()));
+      refuse(key, subject + without_backticks(error.what()));
     }
   }
 
@@ -101,7 +101,7 @@ class TomlTable {
     refuse(key, *find(key), problem);
   }
   /// @throws InputError  the key is there
-  void refuse_if_there(const std::string& key, const std::string& problem) const {
+  void refuse_if_present(const std::string& key, const std::string& problem) const {
     if (find(key)) refuse(key, problem);
   }
   /// @throws InputError  always: "file:12: [table]: ..."

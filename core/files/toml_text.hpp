@@ -5,9 +5,9 @@
 namespace clast {
 
 /// A TOML string in double quotes.
-std::string toml_string(const std::string& text);
+std::string format_toml_string(const std::string& text);
 
 /// A TOML key: as it is where TOML allows that, else in double quotes.
-std::string toml_key(const std::string& name);
+std::string format_toml_key(const std::string& name);
 
 }  // namespace clast

@@ -5,12 +5,12 @@
 
 namespace clast {
 
-std::string up_axis(const std::string& up, const std::filesystem::path& file) {
+std::string resolve_up_axis(const std::string& up, const std::filesystem::path& file) {
   if (up == "y" || up == "z") return up;
   if (up != "auto") {
     throw InputError("up = \"" + up + "\"; must be \"y\", \"z\" or \"auto\"");
   }
-  const std::string extension = extension_of(file);
+  const std::string extension = lower_case_extension(file);
   return extension == ".glb" || extension == ".gltf" ? "y" : "z";
 }
 

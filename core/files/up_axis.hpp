@@ -11,11 +11,11 @@ namespace clast {
 /// all others.
 /// @param up  "auto", "y" or "z"
 /// @throws InputError  anything else
-std::string up_axis(const std::string& up, const std::filesystem::path& file);
+std::string resolve_up_axis(const std::string& up, const std::filesystem::path& file);
 
 /// (x, y, z) of a frame whose y points up in one whose z does: a quarter turn about x.
-inline Vec3 turned_z_up(const Vec3& p) { return {p.x(), -p.z(), p.y()}; }
+inline Vec3 y_up_to_z_up(const Vec3& p) { return {p.x(), -p.z(), p.y()}; }
 /// The inverse.
-inline Vec3 turned_y_up(const Vec3& p) { return {p.x(), p.z(), -p.y()}; }
+inline Vec3 z_up_to_y_up(const Vec3& p) { return {p.x(), p.z(), -p.y()}; }
 
 }  // namespace clast

@@ -18,7 +18,7 @@ Vec2 doubled(double angle) { return {std::cos(2.0 * angle), std::sin(2.0 * angle
 
 }  // namespace
 
-double axial_angle(double angle) {
+double wrap_axial_angle(double angle) {
   double folded = angle - kPi * std::floor(angle / kPi);  // [0, pi)
   if (folded > 0.5 * kPi) folded -= kPi;
   return folded;
@@ -32,12 +32,12 @@ AxialMean axial_mean(std::span<const double> angles) {
   for (const double angle : angles) sum += doubled(angle);
   mean.resultant = sum.norm() / static_cast<double>(angles.size());
   if (mean.resultant > kNoDirection) {
-    mean.direction = axial_angle(0.5 * std::atan2(sum.y(), sum.x()));
+    mean.direction = wrap_axial_angle(0.5 * std::atan2(sum.y(), sum.x()));
   }
   return mean;
 }
 
-double rayleigh_p(const AxialMean& mean) {
+double rayleigh_p_value(const AxialMean& mean) {
   if (mean.count == 0) return 1.0;
   const auto n = static_cast<double>(mean.count);
   const double squared = mean.resultant * mean.resultant;
@@ -45,7 +45,7 @@ double rayleigh_p(const AxialMean& mean) {
   return std::exp(-0.5 * statistic);  // chi-squared with two degrees of freedom
 }
 
-std::optional<double> rayleigh_p_of_clusters(const ClusteredValues& angles, std::size_t clusters,
+std::optional<double> clustered_rayleigh_p_value(const ClusteredValues& angles, std::size_t clusters,
                                              std::uint64_t seed, std::size_t draws) {
   std::vector<Vec2> sums(clusters, Vec2::Zero());
   std::vector<bool> has_axes(clusters, false);

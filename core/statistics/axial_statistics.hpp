@@ -13,7 +13,7 @@ namespace clast {
 
 /// An angle as that of an axis.
 /// @return in (-pi/2, pi/2]
-double axial_angle(double angle);
+double wrap_axial_angle(double angle);
 
 struct AxialMean {
   std::size_t count = 0;
@@ -27,7 +27,7 @@ AxialMean axial_mean(std::span<const double> angles);
 /// independent axes; by the modified statistic (1 - 1/(2 n)) 2 n R^2 + n R^4/2, chi-squared with
 /// two degrees of freedom to O(1/n^2).
 /// @return 1 without axes
-double rayleigh_p(const AxialMean& mean);
+double rayleigh_p_value(const AxialMean& mean);
 
 /// The same where axes of one cluster depend on each other: each cluster is turned as a whole by an
 /// angle at random, as often as `draws`; p = (1 + as long)/(1 + draws).
@@ -36,7 +36,7 @@ double rayleigh_p(const AxialMean& mean);
 /// @param draws     positive
 /// @return none where fewer than two clusters have axes
 /// @cite phipson2010
-std::optional<double> rayleigh_p_of_clusters(const ClusteredValues& angles, std::size_t clusters,
+std::optional<double> clustered_rayleigh_p_value(const ClusteredValues& angles, std::size_t clusters,
                                              std::uint64_t seed, std::size_t draws = 9999);
 
 }  // namespace clast

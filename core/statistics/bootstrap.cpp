@@ -74,7 +74,7 @@ std::optional<Interval> bootstrap_mean(const ClusteredValues& values, std::size_
   return percentile_interval(std::move(means));
 }
 
-Interval clustered_share_interval(const ClusteredValues& hits, std::size_t clusters) {
+Interval clustered_proportion_interval(const ClusteredValues& hits, std::size_t clusters) {
   const auto trials = static_cast<double>(hits.values.size());
   if (hits.values.empty()) return {};
   const double share = arithmetic_mean(hits.values);
@@ -92,7 +92,7 @@ Interval clustered_share_interval(const ClusteredValues& hits, std::size_t clust
     const double variance = filled / (filled - 1.0) * squares / (trials * trials);
     independent = std::min(trials, share * (1.0 - share) / variance);
   }
-  return wilson_interval_of_share(share, independent);
+  return wilson_interval_of_proportion(share, independent);
 }
 
 }  // namespace clast

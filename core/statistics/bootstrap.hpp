@@ -40,6 +40,6 @@ std::optional<Interval> bootstrap_mean(const ClusteredValues& values, std::size_
 /// @param hits  1 where it happened, else 0
 /// @return [0, 1] when there was no trial
 /// @cite wilson1927, korn1998
-Interval clustered_share_interval(const ClusteredValues& hits, std::size_t clusters);
+Interval clustered_proportion_interval(const ClusteredValues& hits, std::size_t clusters);
 
 }  // namespace clast

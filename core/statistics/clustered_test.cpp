@@ -31,15 +31,15 @@ class Deal {
       ends_[at] = at + 1 == all || value(order[at + 1]) != value(i);
       members[i < m ? a.clusters[i] : b.clusters[i - m]].push_back(at);
     }
-    for (std::vector<std::size_t>& places : members) {
-      if (places.empty()) continue;
+    for (std::vector<std::size_t>& points : members) {
+      if (points.empty()) continue;
       const auto of_first = static_cast<std::size_t>(
-          std::count_if(places.begin(), places.end(), [&](std::size_t at) { return first_[at]; }));
-      if (of_first > 0 && of_first < places.size()) {
-        shared_.push_back({std::move(places), of_first});
+          std::count_if(points.begin(), points.end(), [&](std::size_t at) { return first_[at]; }));
+      if (of_first > 0 && of_first < points.size()) {
+        shared_.push_back({std::move(points), of_first});
       } else {
         alone_of_first_ += of_first > 0 ? 1 : 0;
-        alone_.push_back(std::move(places));
+        alone_.push_back(std::move(points));
       }
     }
   }
@@ -59,9 +59,9 @@ class Deal {
 
   void deal_anew(Random& random) {
     for (Shared& cluster : shared_) {
-      put_in_front(cluster.places, cluster.of_first, random);
-      for (std::size_t i = 0; i < cluster.places.size(); ++i) {
-        first_[cluster.places[i]] = i < cluster.of_first;
+      put_in_front(cluster.points, cluster.of_first, random);
+      for (std::size_t i = 0; i < cluster.points.size(); ++i) {
+        first_[cluster.points[i]] = i < cluster.of_first;
       }
     }
     put_in_front(alone_, alone_of_first_, random);
@@ -72,7 +72,7 @@ class Deal {
 
  private:
   struct Shared {
-    std::vector<std::size_t> places;
+    std::vector<std::size_t> points;
     std::size_t of_first = 0;  ///< how many the first sample has
   };
   /// Puts `count` of the items, drawn at random, in front.
@@ -92,11 +92,11 @@ class Deal {
 
 }  // namespace
 
-std::optional<TestResult> clustered_ks(const ClusteredValues& a, const ClusteredValues& b,
+std::optional<TestResult> clustered_ks_test(const ClusteredValues& a, const ClusteredValues& b,
                                        std::size_t clusters, std::uint64_t seed,
                                        std::size_t draws) {
   if (clusters <= 1 || a.values.empty() || b.values.empty()) {
-    return two_sample_ks(a.values, b.values);
+    return two_sample_ks_test(a.values, b.values);
   }
   Deal deal(a, b, clusters);
   TestResult result;
@@ -110,7 +110,7 @@ std::optional<TestResult> clustered_ks(const ClusteredValues& a, const Clustered
   }
   result.p_value = static_cast<double>(1 + as_far) / static_cast<double>(1 + draws);
   if (as_far == 0 && deal.all_shared()) {
-    result.p_value = std::min(result.p_value, two_sample_ks(a.values, b.values)->p_value);
+    result.p_value = std::min(result.p_value, two_sample_ks_test(a.values, b.values)->p_value);
   }
   return result;
 }

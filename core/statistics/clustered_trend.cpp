@@ -34,13 +34,13 @@ std::vector<double> mean_ranks(const TrendSample& sample) {
   std::map<std::uint32_t, std::vector<std::size_t>> members;
   for (std::size_t i = 0; i < sample.values.size(); ++i) members[sample.clusters[i]].push_back(i);
   std::vector<double> sums(sample.property.size(), 0.0), counts(sample.property.size(), 0.0);
-  for (const auto& [cluster, places] : members) {
+  for (const auto& [cluster, points] : members) {
     std::vector<double> values;
-    for (const std::size_t i : places) values.push_back(sample.values[i]);
+    for (const std::size_t i : points) values.push_back(sample.values[i]);
     const std::vector<double> rank = ranks(values);
-    for (std::size_t k = 0; k < places.size(); ++k) {
-      const std::uint32_t unit = sample.units[places[k]];
-      sums[unit] += (rank[k] - 0.5) / static_cast<double>(places.size());
+    for (std::size_t k = 0; k < points.size(); ++k) {
+      const std::uint32_t unit = sample.units[points[k]];
+      sums[unit] += (rank[k] - 0.5) / static_cast<double>(points.size());
       counts[unit] += 1.0;
     }
   }
@@ -90,7 +90,7 @@ std::vector<Stratum> strata_of(const TrendSample& sample) {
 
 }  // namespace
 
-std::optional<TestResult> clustered_trend(const TrendSample& sample, std::uint64_t seed,
+std::optional<TestResult> clustered_trend_test(const TrendSample& sample, std::uint64_t seed,
                                           std::size_t draws) {
   check_trend_sample(sample);
   std::vector<Stratum> strata = strata_of(sample);
@@ -103,7 +103,7 @@ std::optional<TestResult> clustered_trend(const TrendSample& sample, std::uint64
   }
   if (units < 3 || !(of_property > 0.0) || !(of_outcome > 0.0)) return std::nullopt;
   if (strata.size() == 1 && units <= kAllOrders) {
-    return spearman(strata.front().property, strata.front().outcome);
+    return spearman_test(strata.front().property, strata.front().outcome);
   }
   const double scale = 1.0 / std::sqrt(of_property * of_outcome);
   const auto statistic = [&] {

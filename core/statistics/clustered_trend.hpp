@@ -33,7 +33,7 @@ struct TrendSample {
 ///         or all mean ranks are equal
 /// @throws InputError  lists of different lengths, or a unit that is not there
 /// @cite page1963 @cite spearman1904 @cite phipson2010
-std::optional<TestResult> clustered_trend(const TrendSample& sample, std::uint64_t seed,
+std::optional<TestResult> clustered_trend_test(const TrendSample& sample, std::uint64_t seed,
                                           std::size_t draws = 9999);
 
 }  // namespace clast

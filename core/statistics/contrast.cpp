@@ -9,23 +9,23 @@ namespace clast {
 
 Verdict Contrast::verdict() const {
   if (!p_holm) return Verdict::kUntested;
-  if (found()) return excludes_zero() ? Verdict::kMoreThanChance : Verdict::kOtherSpread;
-  return excludes_zero() ? Verdict::kOneOfMany : Verdict::kCanBeChance;
+  if (found()) return excludes_zero() ? Verdict::kSignificant : Verdict::kDistributionDiffers;
+  return excludes_zero() ? Verdict::kInsignificantAfterCorrection : Verdict::kInsignificant;
 }
 
-Contrast student_contrast(double estimate, double standard_error, double freedom) {
+Contrast student_contrast(double estimate, double standard_error, double degrees_of_freedom) {
   constexpr double kUpper = 0.975;  // a two-sided interval of 95 % ends there
-  const double half = student_quantile(kUpper, freedom) * standard_error;
+  const double half = student_quantile(kUpper, degrees_of_freedom) * standard_error;
   Contrast found;
   found.estimate = estimate;
   found.standard_error = standard_error;
-  found.freedom = freedom;
+  found.degrees_of_freedom = degrees_of_freedom;
   found.interval = Interval{estimate - half, estimate + half};
-  found.p_value = student_beyond(estimate / standard_error, freedom);
+  found.p_value = student_two_sided_tail(estimate / standard_error, degrees_of_freedom);
   return found;
 }
 
-std::vector<double> holm(std::span<const double> p_values) {
+std::vector<double> holm_adjusted(std::span<const double> p_values) {
   std::vector<std::size_t> order(p_values.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::stable_sort(order.begin(), order.end(),
@@ -40,10 +40,10 @@ std::vector<double> holm(std::span<const double> p_values) {
   return corrected;
 }
 
-void correct_tests(const std::vector<Contrast*>& family) {
+void apply_holm_correction(const std::vector<Contrast*>& family) {
   std::vector<double> p_values;
   for (const Contrast* one : family) p_values.push_back(*one->p_value);
-  const std::vector<double> corrected = holm(p_values);
+  const std::vector<double> corrected = holm_adjusted(p_values);
   for (std::size_t i = 0; i < family.size(); ++i) {
     family[i]->p_holm = corrected[i];
     family[i]->tests = family.size();

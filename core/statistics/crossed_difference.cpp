@@ -114,52 +114,52 @@ std::optional<CrossedDifference> crossed_difference(const CrossedSample& sample)
     squares += rest * rest;
     scores.push_back(group[i] * rest);
   }
-  const auto [variance, freedom] = variance_of(sample, scores, unit_freedom);
+  const auto [variance, degrees_of_freedom] = variance_of(sample, scores, unit_freedom);
   const double standard_error = std::sqrt(variance) / weight;
   const double scatter = std::sqrt(squares / static_cast<double>(count));
   const double independent = scatter * scatter / weight;
   if (standard_error > 0.0) {
-    return CrossedDifference{student_contrast(difference, standard_error, freedom), scatter,
+    return CrossedDifference{student_contrast(difference, standard_error, degrees_of_freedom), scatter,
                              standard_error * standard_error / independent};
   }
   CrossedDifference found;
   found.estimate = difference;
   found.standard_error = standard_error;
-  found.freedom = freedom;
+  found.degrees_of_freedom = degrees_of_freedom;
   found.interval = Interval{difference, difference};
   found.p_value = difference == 0.0 ? 1.0 : 0.0;
   found.scatter = scatter;
   return found;
 }
 
-double equivalence_p(const Contrast& found, double margin) {
+double equivalence_p_value(const Contrast& found, double margin) {
   const double left = margin - std::abs(found.estimate);
   if (!(found.standard_error > 0.0)) return left > 0.0 ? 0.0 : 1.0;
-  const double beyond = 0.5 * student_beyond(left / found.standard_error, found.freedom);
+  const double beyond = 0.5 * student_two_sided_tail(left / found.standard_error, found.degrees_of_freedom);
   return left > 0.0 ? beyond : 1.0 - beyond;
 }
 
-double chance_to_find(double difference, double standard_error, double freedom) {
-  const double limit = student_quantile(1.0 - 0.5 * kLevel, freedom);
+double test_power(double difference, double standard_error, double degrees_of_freedom) {
+  const double limit = student_quantile(1.0 - 0.5 * kLevel, degrees_of_freedom);
   const double centre = std::abs(difference) / standard_error;
-  return noncentral_student_above(limit, freedom, centre) + 1.0 -
-         noncentral_student_above(-limit, freedom, centre);
+  return noncentral_student_upper_tail(limit, degrees_of_freedom, centre) + 1.0 -
+         noncentral_student_upper_tail(-limit, degrees_of_freedom, centre);
 }
 
-double smallest_found(double standard_error, double freedom) {
+double minimum_detectable_difference(double standard_error, double degrees_of_freedom) {
   if (!(standard_error > 0.0)) return 0.0;
   double low = 0.0, high = standard_error;
-  while (chance_to_find(high, standard_error, freedom) < kUsualPower) high *= 2.0;
+  while (test_power(high, standard_error, degrees_of_freedom) < kDefaultPower) high *= 2.0;
   constexpr int kHalvings = 40;
   for (int i = 0; i < kHalvings; ++i) {
     const double middle = 0.5 * (low + high);
-    (chance_to_find(middle, standard_error, freedom) < kUsualPower ? low : high) = middle;
+    (test_power(middle, standard_error, degrees_of_freedom) < kDefaultPower ? low : high) = middle;
   }
   return high;
 }
 
-double values_needed(double difference, double scatter, double design_effect) {
-  const double z = normal_quantile(1.0 - 0.5 * kLevel) + normal_quantile(kUsualPower);
+double required_sample_size(double difference, double scatter, double design_effect) {
+  const double z = normal_quantile(1.0 - 0.5 * kLevel) + normal_quantile(kDefaultPower);
   const double share = scatter * z / difference;
   return 4.0 * design_effect * share * share;
 }

@@ -43,22 +43,22 @@ std::optional<CrossedDifference> crossed_difference(const CrossedSample& sample)
 /// level of 5 %.
 /// @param margin  positive
 /// @cite schuirmann1987
-double equivalence_p(const Contrast& found, double margin);
+double equivalence_p_value(const Contrast& contrast, double margin);
 
-inline constexpr double kUsualPower = 0.8;
+inline constexpr double kDefaultPower = 0.8;
 
 /// The chance that a true difference is called one, two-sided at 5 %: of the non-central t.
 /// @param standard_error  positive
-double chance_to_find(double difference, double standard_error, double freedom);
-/// The difference that is found with the probability `kUsualPower`.
+double test_power(double difference, double standard_error, double degrees_of_freedom);
+/// The difference that is found with the probability `kDefaultPower`.
 /// @return zero where the standard error is
-double smallest_found(double standard_error, double freedom);
+double minimum_detectable_difference(double standard_error, double degrees_of_freedom);
 
 /// Values in all, half of each group, of which a difference is found with the probability
-/// `kUsualPower`: 4 D s^2 (z_0.975 + z_0.8)^2 / x^2.
+/// `kDefaultPower`: 4 D s^2 (z_0.975 + z_0.8)^2 / x^2.
 /// @param difference     x, not zero
 /// @param scatter        s
 /// @param design_effect  D
-double values_needed(double difference, double scatter, double design_effect);
+double required_sample_size(double difference, double scatter, double design_effect);
 
 }  // namespace clast

@@ -30,17 +30,17 @@ std::optional<double> cliffs_delta(std::span<const double> a, std::span<const do
   return balance / (static_cast<double>(a.size()) * static_cast<double>(b.size()));
 }
 
-const char* words_for_delta(double delta) {
+const char* describe_cliffs_delta(double delta) {
   const double size = std::abs(delta);
   return size < 0.147 ? "negligible" : size < 0.33 ? "small" : size < 0.474 ? "medium" : "large";
 }
 
 std::optional<double> hedges_g(std::span<const double> a, std::span<const double> b) {
   if (a.size() < 2 || b.size() < 2) return std::nullopt;
-  const double freedom = static_cast<double>(a.size() + b.size() - 2);
-  const double pooled = std::sqrt((squares_of(a) + squares_of(b)) / freedom);
+  const double degrees_of_freedom = static_cast<double>(a.size() + b.size() - 2);
+  const double pooled = std::sqrt((squares_of(a) + squares_of(b)) / degrees_of_freedom);
   if (!(pooled > 0.0)) return std::nullopt;
-  return (1.0 - 3.0 / (4.0 * freedom - 1.0)) * (arithmetic_mean(a) - arithmetic_mean(b)) / pooled;
+  return (1.0 - 3.0 / (4.0 * degrees_of_freedom - 1.0)) * (arithmetic_mean(a) - arithmetic_mean(b)) / pooled;
 }
 
 }  // namespace clast

@@ -13,7 +13,7 @@ std::optional<double> cliffs_delta(std::span<const double> a, std::span<const do
 
 /// "negligible", "small", "medium" or "large": the limits 0.147, 0.33 and 0.474.
 /// @cite romano2006
-const char* words_for_delta(double delta);
+const char* describe_cliffs_delta(double delta);
 
 /// Hedges' g: the difference of the means in units of the pooled standard deviation, with the
 /// factor 1 - 3/(4 (m + n - 2) - 1) that takes its bias away.

@@ -17,13 +17,13 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 /// Squared distances of all pairs of two sets, each coordinate in units of its length.
-MatrixXd squared_distances(const MatrixXd& a, const MatrixXd& b, const VectorXd& lengths) {
+MatrixXd squared_distances(const MatrixXd& a, const MatrixXd& b, const VectorXd& length_scales) {
   MatrixXd squares = MatrixXd::Zero(a.cols(), b.cols());
   for (Index j = 0; j < b.cols(); ++j) {
     for (Index i = 0; i < a.cols(); ++i) {
       double sum = 0.0;
       for (Index d = 0; d < a.rows(); ++d) {
-        const double apart = (a(d, i) - b(d, j)) / lengths[d];
+        const double apart = (a(d, i) - b(d, j)) / length_scales[d];
         sum += apart * apart;
       }
       squares(i, j) = sum;
@@ -46,9 +46,9 @@ double slope(Kernel kernel, double square) {
   return 5.0 / 3.0 * (1.0 + r) * std::exp(-r);
 }
 
-MatrixXd correlations(const MatrixXd& a, const MatrixXd& b, const GaussianProcessShape& shape,
+MatrixXd correlations(const MatrixXd& a, const MatrixXd& b, const GaussianProcessHyperparameters& hyperparameters,
                       Kernel kernel) {
-  MatrixXd matrix = squared_distances(a, b, shape.lengths);
+  MatrixXd matrix = squared_distances(a, b, hyperparameters.length_scales);
   for (Index i = 0; i < matrix.size(); ++i) {
     matrix.data()[i] = kernel_correlation(kernel, matrix.data()[i]);
   }
@@ -61,15 +61,15 @@ struct Likelihood {
   VectorXd gradient;  ///< by the logarithms of the lengths, then of the nugget
 };
 
-Likelihood likelihood_of(const MatrixXd& places, const VectorXd& values,
-                         const GaussianProcessShape& shape, Kernel kernel) {
-  const Index count = places.cols(), dimensions = places.rows();
-  const MatrixXd squares = squared_distances(places, places, shape.lengths);
+Likelihood likelihood_of(const MatrixXd& points, const VectorXd& values,
+                         const GaussianProcessHyperparameters& hyperparameters, Kernel kernel) {
+  const Index count = points.cols(), dimensions = points.rows();
+  const MatrixXd squares = squared_distances(points, points, hyperparameters.length_scales);
   MatrixXd matrix(count, count);
   for (Index i = 0; i < matrix.size(); ++i) {
     matrix.data()[i] = kernel_correlation(kernel, squares.data()[i]);
   }
-  matrix.diagonal().array() += shape.nugget;
+  matrix.diagonal().array() += hyperparameters.nugget;
   const Eigen::LLT<MatrixXd> factor(matrix);
   MatrixXd projected = factor.solve(MatrixXd::Identity(count, count));
   const VectorXd ones = projected.rowwise().sum();
@@ -77,47 +77,47 @@ Likelihood likelihood_of(const MatrixXd& places, const VectorXd& values,
   projected -= ones * ones.transpose() / total;
   const VectorXd weights = projected * values;
   const double squared = values.dot(weights);
-  const auto freedom = static_cast<double>(count - 1);
+  const auto degrees_of_freedom = static_cast<double>(count - 1);
   Likelihood result;
-  result.value = -0.5 * (freedom * std::log(squared / freedom) + std::log(total)) -
+  result.value = -0.5 * (degrees_of_freedom * std::log(squared / degrees_of_freedom) + std::log(total)) -
                  MatrixXd(factor.matrixL()).diagonal().array().log().sum();
   // Half of freedom a a'/squared - Q, against which every derivative is summed.
-  const MatrixXd pull = 0.5 * (freedom / squared * weights * weights.transpose() - projected);
+  const MatrixXd pull = 0.5 * (degrees_of_freedom / squared * weights * weights.transpose() - projected);
   result.gradient = VectorXd::Zero(dimensions + 1);
   for (Index j = 0; j < count; ++j) {
     for (Index i = 0; i < count; ++i) {
       const double part = pull(i, j) * slope(kernel, squares(i, j));
       for (Index d = 0; d < dimensions; ++d) {
-        const double apart = (places(d, i) - places(d, j)) / shape.lengths[d];
+        const double apart = (points(d, i) - points(d, j)) / hyperparameters.length_scales[d];
         result.gradient[d] += part * apart * apart;
       }
     }
   }
-  result.gradient[dimensions] = shape.nugget * pull.trace();
+  result.gradient[dimensions] = hyperparameters.nugget * pull.trace();
   return result;
 }
 
-GaussianProcessShape shape_of(const VectorXd& logarithms) {
+GaussianProcessHyperparameters shape_of(const VectorXd& logarithms) {
   const Index dimensions = logarithms.size() - 1;
   return {logarithms.head(dimensions).array().exp(), std::exp(logarithms[dimensions])};
 }
 
 /// The best shape that steps from `start` come upon, and its likelihood.
-std::pair<VectorXd, double> climb(const MatrixXd& places, const VectorXd& values,
+std::pair<VectorXd, double> climb(const MatrixXd& points, const VectorXd& values,
                                   const GaussianProcessOptions& options, VectorXd at) {
   constexpr double kFirst = 0.3, kMost = 1.0, kLeast = 1e-3, kGrow = 1.2, kShrink = 0.5;
   const Index count = at.size();
-  VectorXd low = VectorXd::Constant(count, std::log(options.shortest));
-  VectorXd high = VectorXd::Constant(count, std::log(options.longest));
-  low[count - 1] = std::log(options.smallest_nugget);
-  high[count - 1] = std::log(options.largest_nugget);
+  VectorXd low = VectorXd::Constant(count, std::log(options.min_length_scale));
+  VectorXd high = VectorXd::Constant(count, std::log(options.max_length_scale));
+  low[count - 1] = std::log(options.min_nugget);
+  high[count - 1] = std::log(options.max_nugget);
   VectorXd steps = VectorXd::Constant(count, kFirst), before = VectorXd::Zero(count);
   VectorXd best = at;
   double most = -1e300;
   for (int iteration = 0; iteration < options.iterations; ++iteration) {
-    const GaussianProcessShape shape = shape_of(at);
-    Likelihood here = likelihood_of(places, values, shape, options.kernel);
-    const VectorXd belief = options.shrinkage * shape.lengths.cwiseInverse();
+    const GaussianProcessHyperparameters hyperparameters = shape_of(at);
+    Likelihood here = likelihood_of(points, values, hyperparameters, options.kernel);
+    const VectorXd belief = options.shrinkage * hyperparameters.length_scales.cwiseInverse();
     here.value -= belief.sum();
     here.gradient.head(belief.size()) += belief;
     if (here.value > most) {
@@ -140,15 +140,15 @@ std::pair<VectorXd, double> climb(const MatrixXd& places, const VectorXd& values
   return {best, most};
 }
 
-GaussianProcessShape best_shape(const MatrixXd& places, const VectorXd& values,
+GaussianProcessHyperparameters best_shape(const MatrixXd& points, const VectorXd& values,
                                 const GaussianProcessOptions& options) {
   // A wavy function with little noise, and a smooth one with more.
   constexpr double kStarts[2][2] = {{0.5, 0.01}, {2.0, 0.1}};
   std::pair<VectorXd, double> best{VectorXd(), -2e300};
   for (const auto& [length, nugget] : kStarts) {
-    VectorXd start = VectorXd::Constant(places.rows() + 1, std::log(length));
-    start[places.rows()] = std::log(nugget);
-    const std::pair<VectorXd, double> found = climb(places, values, options, start);
+    VectorXd start = VectorXd::Constant(points.rows() + 1, std::log(length));
+    start[points.rows()] = std::log(nugget);
+    const std::pair<VectorXd, double> found = climb(points, values, options, start);
     if (found.second > best.second) best = found;
   }
   return shape_of(best.first);
@@ -158,45 +158,45 @@ GaussianProcessShape best_shape(const MatrixXd& places, const VectorXd& values,
 
 void GaussianProcessOptions::check() const {
   const auto refuse = [](const std::string& field, double value) {
-    throw InputError("a Gaussian process: " + field + " " + with_digits(value, 6) +
+    throw InputError("a Gaussian process: " + field + " " + format_significant(value, 6) +
                      " is out of range");
   };
-  if (!(shortest > 0.0)) refuse("shortest", shortest);
-  if (!(longest > shortest)) refuse("longest", longest);
-  if (!(smallest_nugget > 0.0)) refuse("smallest_nugget", smallest_nugget);
-  if (!(largest_nugget > smallest_nugget)) refuse("largest_nugget", largest_nugget);
+  if (!(min_length_scale > 0.0)) refuse("shortest", min_length_scale);
+  if (!(max_length_scale > min_length_scale)) refuse("longest", max_length_scale);
+  if (!(min_nugget > 0.0)) refuse("smallest_nugget", min_nugget);
+  if (!(max_nugget > min_nugget)) refuse("largest_nugget", max_nugget);
   if (!(shrinkage >= 0.0)) refuse("shrinkage", shrinkage);
   if (iterations < 1) refuse("iterations", iterations);
 }
 
-GaussianProcess::GaussianProcess(const MatrixXd& places, const VectorXd& values,
+GaussianProcess::GaussianProcess(const MatrixXd& points, const VectorXd& values,
                                  const GaussianProcessOptions& options)
-    : kernel_(options.kernel), places_(places), values_(values) {
+    : kernel_(options.kernel), points_(points), values_(values) {
   options.check();
-  if (places.cols() < 3 || places.cols() != values.size()) {
+  if (points.cols() < 3 || points.cols() != values.size()) {
     throw InputError("a Gaussian process needs three places and a value of each; there are " +
-                     std::to_string(places.cols()) + " places and " +
+                     std::to_string(points.cols()) + " places and " +
                      std::to_string(values.size()) + " values");
   }
   const double spread = values.maxCoeff() - values.minCoeff();
-  shape_ = {VectorXd::Constant(places.rows(), options.longest), options.smallest_nugget};
+  hyperparameters_ = {VectorXd::Constant(points.rows(), options.max_length_scale), options.min_nugget};
   if (spread > 0.0) {
     const VectorXd scaled = (values.array() - values.minCoeff()) / spread;
-    shape_ = best_shape(places, scaled, options);
+    hyperparameters_ = best_shape(points, scaled, options);
   }
   solve();
 }
 
-GaussianProcess::GaussianProcess(const MatrixXd& places, const VectorXd& values,
-                                 const GaussianProcessShape& shape, Kernel kernel)
-    : kernel_(kernel), places_(places), values_(values), shape_(shape) {
+GaussianProcess::GaussianProcess(const MatrixXd& points, const VectorXd& values,
+                                 const GaussianProcessHyperparameters& hyperparameters, Kernel kernel)
+    : kernel_(kernel), points_(points), values_(values), hyperparameters_(hyperparameters) {
   solve();
 }
 
 void GaussianProcess::solve() {
-  const Index count = places_.cols();
-  MatrixXd matrix = correlations(places_, places_, shape_, kernel_);
-  matrix.diagonal().array() += shape_.nugget;
+  const Index count = points_.cols();
+  MatrixXd matrix = correlations(points_, points_, hyperparameters_, kernel_);
+  matrix.diagonal().array() += hyperparameters_.nugget;
   const Eigen::LLT<MatrixXd> factor(matrix);
   factor_ = factor.matrixL();
   ones_ = factor.solve(VectorXd::Ones(count));
@@ -204,19 +204,19 @@ void GaussianProcess::solve() {
   mean_ = ones_.dot(values_) / total;
   const VectorXd about = values_.array() - mean_;
   weights_ = factor.solve(about);
-  const auto freedom = static_cast<double>(count - 1);
-  variance_ = std::max(0.0, about.dot(weights_) / freedom);
-  log_likelihood_ = -0.5 * (freedom * std::log(variance_) + std::log(total)) -
+  const auto degrees_of_freedom = static_cast<double>(count - 1);
+  variance_ = std::max(0.0, about.dot(weights_) / degrees_of_freedom);
+  log_likelihood_ = -0.5 * (degrees_of_freedom * std::log(variance_) + std::log(total)) -
                     factor_.diagonal().array().log().sum();
 }
 
-VectorXd GaussianProcess::predict_mean(const MatrixXd& places) const {
-  const MatrixXd across = correlations(places_, places, shape_, kernel_);
+VectorXd GaussianProcess::predict_mean(const MatrixXd& points) const {
+  const MatrixXd across = correlations(points_, points, hyperparameters_, kernel_);
   return (across.transpose() * weights_).array() + mean_;
 }
 
-GaussianProcess::Prediction GaussianProcess::predict(const MatrixXd& places) const {
-  const MatrixXd across = correlations(places_, places, shape_, kernel_);
+GaussianProcess::Prediction GaussianProcess::predict(const MatrixXd& points) const {
+  const MatrixXd across = correlations(points_, points, hyperparameters_, kernel_);
   Prediction prediction;
   prediction.mean = (across.transpose() * weights_).array() + mean_;
   const VectorXd missing = 1.0 - (across.transpose() * ones_).array();
@@ -228,7 +228,7 @@ GaussianProcess::Prediction GaussianProcess::predict(const MatrixXd& places) con
 }
 
 GaussianProcess::LeaveOneOut GaussianProcess::leave_one_out() const {
-  const Index count = places_.cols();
+  const Index count = points_.cols();
   // Inverse correlations, projected off the mean, which is found without the value too.
   MatrixXd projected =
       factor_.triangularView<Eigen::Lower>().solve(MatrixXd::Identity(count, count));

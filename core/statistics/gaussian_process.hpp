@@ -12,17 +12,17 @@ enum class Kernel {
 };
 
 /// What shapes a process beside its variance and mean, which follow in closed form.
-struct GaussianProcessShape {
-  Eigen::VectorXd lengths;  ///< of each coordinate, in units of the cube's side
+struct GaussianProcessHyperparameters {
+  Eigen::VectorXd length_scales;  ///< of each coordinate, in units of the cube's side
   double nugget = 0.0;      ///< variance of the noise over that of the function
 };
 
 struct GaussianProcessOptions {
   Kernel kernel = Kernel::kMatern52;
-  double shortest = 0.05;         ///< bounds of lengths
-  double longest = 20.0;          ///< from here on the function is next to linear
-  double smallest_nugget = 1e-8;  ///< keeps places that nearly coincide apart
-  double largest_nugget = 1e3;
+  double min_length_scale = 0.05;         ///< bounds of lengths
+  double max_length_scale = 20.0;          ///< from here on the function is next to linear
+  double min_nugget = 1e-8;  ///< keeps places that nearly coincide apart
+  double max_nugget = 1e3;
   /// Belief that coordinates have little influence: the likelihood is weighed with
   /// exp(-shrinkage/length) of each, so that noise is not taken for an influence.
   double shrinkage = 1.0;
@@ -43,18 +43,18 @@ class GaussianProcess {
   /// @param values  of each place, finite
   /// @throws InputError  fewer than three places, or not as many values
   /// @cite riedmiller1994, blum2013, fuglstad2019
-  GaussianProcess(const Eigen::MatrixXd& places, const Eigen::VectorXd& values,
+  GaussianProcess(const Eigen::MatrixXd& points, const Eigen::VectorXd& values,
                   const GaussianProcessOptions& options = {});
   /// With a given shape.
-  GaussianProcess(const Eigen::MatrixXd& places, const Eigen::VectorXd& values,
-                  const GaussianProcessShape& shape, Kernel kernel);
+  GaussianProcess(const Eigen::MatrixXd& points, const Eigen::VectorXd& values,
+                  const GaussianProcessHyperparameters& hyperparameters, Kernel kernel);
 
-  const GaussianProcessShape& shape() const { return shape_; }
+  const GaussianProcessHyperparameters& hyperparameters() const { return hyperparameters_; }
   double mean() const { return mean_; }
   /// Of the function around its mean.
   double variance() const { return variance_; }
   /// Of one value around the function.
-  double noise_variance() const { return variance_ * shape_.nugget; }
+  double noise_variance() const { return variance_ * hyperparameters_.nugget; }
   /// Logarithm of the restricted marginal likelihood, up to a constant.
   double log_likelihood() const { return log_likelihood_; }
 
@@ -63,9 +63,9 @@ class GaussianProcess {
     Eigen::VectorXd mean;
     Eigen::VectorXd variance;
   };
-  Prediction predict(const Eigen::MatrixXd& places) const;
+  Prediction predict(const Eigen::MatrixXd& points) const;
   /// The means alone, which cost far less.
-  Eigen::VectorXd predict_mean(const Eigen::MatrixXd& places) const;
+  Eigen::VectorXd predict_mean(const Eigen::MatrixXd& points) const;
 
   /// Each value from all others, in closed form, with the shape as it is.
   /// @cite dubrule1983
@@ -79,9 +79,9 @@ class GaussianProcess {
   void solve();
 
   Kernel kernel_;
-  Eigen::MatrixXd places_;
+  Eigen::MatrixXd points_;
   Eigen::VectorXd values_;
-  GaussianProcessShape shape_;
+  GaussianProcessHyperparameters hyperparameters_;
   double mean_ = 0.0, variance_ = 0.0, log_likelihood_ = 0.0;
   Eigen::MatrixXd factor_;   ///< lower triangle of the correlations with the nugget
   Eigen::VectorXd weights_;  ///< inverse correlations times the values about their mean

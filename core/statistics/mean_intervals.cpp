@@ -12,7 +12,7 @@ constexpr double kUpper = 0.975;  ///< a two-sided interval of 95 % ends there
 
 /// Variance of the mean; zero where all values are equal.
 double mean_variance(const Summary& values) {
-  if (!(values.std > kRoundingShare * std::abs(values.mean))) return 0.0;
+  if (!(values.std > kRoundingFraction * std::abs(values.mean))) return 0.0;
   return values.std * values.std / static_cast<double>(values.count);
 }
 
@@ -36,9 +36,9 @@ Contrast welch_difference(const Summary& first, const Summary& second) {
   if (!(both > 0.0)) return found;
   // As shares of their sum, so that small variances do not vanish when squared.
   const double of_a = a / both, of_b = b / both;
-  const double freedom = 1.0 / (of_a * of_a / static_cast<double>(first.count - 1) +
+  const double degrees_of_freedom = 1.0 / (of_a * of_a / static_cast<double>(first.count - 1) +
                                 of_b * of_b / static_cast<double>(second.count - 1));
-  return student_contrast(found.estimate, std::sqrt(both), freedom);
+  return student_contrast(found.estimate, std::sqrt(both), degrees_of_freedom);
 }
 
 }  // namespace clast

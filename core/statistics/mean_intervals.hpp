@@ -9,7 +9,7 @@
 namespace clast {
 
 /// A standard deviation up to this share of the mean is rounding, and the values are equal.
-inline constexpr double kRoundingShare = 1e-9;
+inline constexpr double kRoundingFraction = 1e-9;
 
 /// 95 % interval of the mean: t s/sqrt(n) to either side, with n - 1 degrees of freedom.
 /// @return none below two values, or where they are equal, which does not show how they scatter

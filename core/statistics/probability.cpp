@@ -12,34 +12,34 @@
 
 namespace clast {
 
-double normal_below(double z) { return 0.5 * std::erfc(-z / std::sqrt(2.0)); }
+double normal_cdf(double z) { return 0.5 * std::erfc(-z / std::sqrt(2.0)); }
 
 double normal_quantile(double p) {
   assert(p > 0.0 && p < 1.0);
   return quantile(boost::math::normal(), p);
 }
 
-double chi_squared_above(double x, double freedom) {
-  assert(freedom > 0.0 && x >= 0.0);
-  return cdf(complement(boost::math::chi_squared(freedom), x));
+double chi_squared_upper_tail(double x, double degrees_of_freedom) {
+  assert(degrees_of_freedom > 0.0 && x >= 0.0);
+  return cdf(complement(boost::math::chi_squared(degrees_of_freedom), x));
 }
 
-double student_beyond(double t, double freedom) {
-  assert(freedom > 0.0);
-  return 2.0 * cdf(complement(boost::math::students_t(freedom), std::abs(t)));
+double student_two_sided_tail(double t, double degrees_of_freedom) {
+  assert(degrees_of_freedom > 0.0);
+  return 2.0 * cdf(complement(boost::math::students_t(degrees_of_freedom), std::abs(t)));
 }
 
-double student_quantile(double p, double freedom) {
-  assert(p > 0.0 && p < 1.0 && freedom > 0.0);
-  return quantile(boost::math::students_t(freedom), p);
+double student_quantile(double p, double degrees_of_freedom) {
+  assert(p > 0.0 && p < 1.0 && degrees_of_freedom > 0.0);
+  return quantile(boost::math::students_t(degrees_of_freedom), p);
 }
 
-double noncentral_student_above(double t, double freedom, double centre) {
-  assert(freedom > 0.0);
-  return cdf(complement(boost::math::non_central_t(freedom, centre), t));
+double noncentral_student_upper_tail(double t, double degrees_of_freedom, double centre) {
+  assert(degrees_of_freedom > 0.0);
+  return cdf(complement(boost::math::non_central_t(degrees_of_freedom, centre), t));
 }
 
-double kolmogorov_above(double x) {
+double kolmogorov_upper_tail(double x) {
   if (x <= 0.0) return 1.0;
   if (x < 1.0) {
     // The same sum after Jacobi's transformation, which converges where the other does not.

@@ -168,7 +168,7 @@ void shuffle(ClassTable& table, Random& random) {
 
 }  // namespace
 
-std::optional<TestResult> two_sample_ks(std::span<const double> a, std::span<const double> b) {
+std::optional<TestResult> two_sample_ks_test(std::span<const double> a, std::span<const double> b) {
   if (a.empty() || b.empty()) return std::nullopt;
   const Pooled all = pooled(a, b);
   const double m = static_cast<double>(a.size()), n = static_cast<double>(b.size());
@@ -177,7 +177,7 @@ std::optional<TestResult> two_sample_ks(std::span<const double> a, std::span<con
   if (all.distance == 0) return result;
   result.exact = m * n <= kMostCells;
   result.p_value = result.exact ? std::min(1.0, chance_of_leaving(a.size(), b.size(), all))
-                                : kolmogorov_above(result.statistic * std::sqrt(m * n / (m + n)));
+                                : kolmogorov_upper_tail(result.statistic * std::sqrt(m * n / (m + n)));
   return result;
 }
 
@@ -197,7 +197,7 @@ std::vector<double> ranks(std::span<const double> values) {
   return result;
 }
 
-std::optional<TestResult> spearman(std::span<const double> x, std::span<const double> y) {
+std::optional<TestResult> spearman_test(std::span<const double> x, std::span<const double> y) {
   assert(x.size() == y.size());
   if (x.size() < 3) return std::nullopt;
   const std::vector<double> rank_x = ranks(x), rank_y = ranks(y);
@@ -209,13 +209,13 @@ std::optional<TestResult> spearman(std::span<const double> x, std::span<const do
   if (result.exact) {
     result.p_value = share_of_orders(rank_x, rank_y, *found);
   } else {
-    const double freedom = static_cast<double>(x.size()) - 2.0;
-    result.p_value = student_beyond(*found * std::sqrt(freedom / (1.0 - *found * *found)), freedom);
+    const double degrees_of_freedom = static_cast<double>(x.size()) - 2.0;
+    result.p_value = student_two_sided_tail(*found * std::sqrt(degrees_of_freedom / (1.0 - *found * *found)), degrees_of_freedom);
   }
   return result;
 }
 
-std::optional<ClassTest> same_classes(std::span<const std::size_t> a,
+std::optional<ChiSquaredResult> chi_squared_test(std::span<const std::size_t> a,
                                       std::span<const std::size_t> b, std::uint64_t seed,
                                       std::size_t draws) {
   assert(a.size() == b.size() && draws > 0);
@@ -229,15 +229,15 @@ std::optional<ClassTest> same_classes(std::span<const std::size_t> a,
   }
   if (table.size_a == 0 || table.size_a == table.size || table.a.size() < 2) return std::nullopt;
 
-  ClassTest test;
+  ChiSquaredResult test;
   test.chi_squared = chi_squared_statistic(table);
-  test.freedom = table.a.size() - 1;
+  test.degrees_of_freedom = table.a.size() - 1;
   test.smallest_expected =
       static_cast<double>(*std::min_element(table.total.begin(), table.total.end())) *
       static_cast<double>(std::min(table.size_a, table.size - table.size_a)) /
       static_cast<double>(table.size);
   if (test.smallest_expected >= kSmallExpected) {
-    test.p_value = chi_squared_above(test.chi_squared, static_cast<double>(test.freedom));
+    test.p_value = chi_squared_upper_tail(test.chi_squared, static_cast<double>(test.degrees_of_freedom));
     return test;
   }
   test.draws = draws;

@@ -22,19 +22,19 @@ struct TestResult {
 /// @param a, b  finite
 /// @return none when either is empty
 /// @cite smirnov1939
-std::optional<TestResult> two_sample_ks(std::span<const double> a, std::span<const double> b);
+std::optional<TestResult> two_sample_ks_test(std::span<const double> a, std::span<const double> b);
 
 /// Spearman's rank correlation, in [-1, 1]; ties share their mean rank. p is two-sided: from all n!
 /// orders up to n = 9, from Student's t with n - 2 degrees of freedom beyond.
 /// @param x, y  finite, of one length
 /// @return none below three pairs, or when all x or all y are equal
 /// @cite spearman1904
-std::optional<TestResult> spearman(std::span<const double> x, std::span<const double> y);
+std::optional<TestResult> spearman_test(std::span<const double> x, std::span<const double> y);
 
 /// Pearson's test of whether two samples have the same shares of classes.
-struct ClassTest {
+struct ChiSquaredResult {
   double chi_squared = 0.0;
-  std::size_t freedom = 0;         ///< classes that occur, less one
+  std::size_t degrees_of_freedom = 0;         ///< classes that occur, less one
   double smallest_expected = 0.0;  ///< count
   double p_value = 1.0;
   std::size_t draws =
@@ -48,7 +48,7 @@ struct ClassTest {
 /// @param draws  positive
 /// @return none when either sample is empty or fewer than two classes occur
 /// @cite pearson1900, cochran1954
-std::optional<ClassTest> same_classes(std::span<const std::size_t> a,
+std::optional<ChiSquaredResult> chi_squared_test(std::span<const std::size_t> a,
                                       std::span<const std::size_t> b, std::uint64_t seed,
                                       std::size_t draws = 9999);
 

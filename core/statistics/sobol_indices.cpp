@@ -12,9 +12,9 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 MatrixXd random_places(std::size_t inputs, std::size_t samples, Random& random) {
-  MatrixXd places(static_cast<Index>(inputs), static_cast<Index>(samples));
-  for (Index i = 0; i < places.size(); ++i) places.data()[i] = random.uniform();
-  return places;
+  MatrixXd points(static_cast<Index>(inputs), static_cast<Index>(samples));
+  for (Index i = 0; i < points.size(); ++i) points.data()[i] = random.uniform();
+  return points;
 }
 
 }  // namespace

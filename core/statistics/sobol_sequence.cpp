@@ -18,7 +18,7 @@ struct Polynomial {
 };
 
 /// Of the dimensions from the second on (Joe and Kuo, 2008).
-constexpr std::array<Polynomial, kMostSobolDimensions - 1> kPolynomials{{
+constexpr std::array<Polynomial, kMaxSobolDimensions - 1> kPolynomials{{
     {1, 0, {1}},
     {2, 1, {1, 3}},
     {3, 1, {1, 3, 1}},
@@ -82,9 +82,9 @@ void multiply_digits(std::vector<std::uint64_t>& numbers, std::size_t bits, Rand
 }
 
 void check_dimensions(std::size_t dimensions) {
-  if (dimensions >= 1 && dimensions <= kMostSobolDimensions) return;
+  if (dimensions >= 1 && dimensions <= kMaxSobolDimensions) return;
   throw InputError("a Sobol sequence of " + std::to_string(dimensions) +
-                   " dimensions: must be from 1 to " + std::to_string(kMostSobolDimensions));
+                   " dimensions: must be from 1 to " + std::to_string(kMaxSobolDimensions));
 }
 
 }  // namespace

@@ -7,17 +7,17 @@
 namespace clast {
 
 /// The most coordinates that a `SobolSequence` has: direction numbers are tabulated up to here.
-inline constexpr std::size_t kMostSobolDimensions = 21;
+inline constexpr std::size_t kMaxSobolDimensions = 21;
 
 /// Sobol's sequence with the direction numbers of Joe and Kuo. The first 2^k points have exactly
 /// one coordinate of each dimension in each of the 2^k equal parts of [0, 1); the first 2^d of d
 /// dimensions have exactly one point in each of the 2^d cubes that halving every side makes (to
-/// be relied on up to `kMostSobolDimensions`).
+/// be relied on up to `kMaxSobolDimensions`).
 /// @cite sobol1967, joe2008
 class SobolSequence {
  public:
   /// The sequence itself; its first point is the origin.
-  /// @throws InputError  no dimension, or more than `kMostSobolDimensions`
+  /// @throws InputError  no dimension, or more than `kMaxSobolDimensions`
   explicit SobolSequence(std::size_t dimensions);
   /// Scrambled: each coordinate's digits are multiplied by a random triangular matrix and shifted,
   /// which keeps how even the points are. Every point is then uniform over the cube. Coordinates

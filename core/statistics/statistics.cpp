@@ -39,7 +39,7 @@ double quantile(std::span<const double> sorted, double p) {
   return sorted[below] + fraction * (sorted[above] - sorted[below]);
 }
 
-int decimals_known(const Interval& interval, int most) {
+int known_decimals(const Interval& interval, int most) {
   int decimals = 0;
   for (double step = 1.0; decimals < most && !(5.0 * step <= interval.high - interval.low);
        step /= 10.0) {
@@ -61,10 +61,10 @@ double upper_median(std::vector<double> values) {
 Interval wilson_interval(std::size_t hits, std::size_t trials) {
   if (trials == 0) return {};
   const double n = static_cast<double>(trials);
-  return wilson_interval_of_share(static_cast<double>(hits) / n, n);
+  return wilson_interval_of_proportion(static_cast<double>(hits) / n, n);
 }
 
-Interval wilson_interval_of_share(double share, double trials) {
+Interval wilson_interval_of_proportion(double share, double trials) {
   assert(share >= 0.0 && share <= 1.0 && trials > 0.0);
   constexpr double kZ = 1.959963984540054;  // 97.5 % quantile of the standard normal
   const double n = trials;

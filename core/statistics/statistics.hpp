@@ -39,7 +39,7 @@ struct Interval {
 
 /// Decimals that are known of a value with that interval, `most` at most: the interval is five
 /// steps of the last one wide, or more.
-int decimals_known(const Interval& interval, int most);
+int known_decimals(const Interval& interval, int most);
 
 /// Wilson's 95 % interval for a probability seen `hits` times in `trials` independent trials; [0,
 /// 1] when there was none.
@@ -50,6 +50,6 @@ Interval wilson_interval(std::size_t hits, std::size_t trials);
 /// where trials weigh unequally.
 /// @param share   in [0, 1]
 /// @param trials  positive
-Interval wilson_interval_of_share(double share, double trials);
+Interval wilson_interval_of_proportion(double share, double trials);
 
 }  // namespace clast

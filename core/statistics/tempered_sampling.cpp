@@ -44,14 +44,14 @@ void resample(const VectorXd& weights, Random& random, TemperedSample& sample) {
   const Index count = weights.size();
   const double each = weights.sum() / static_cast<double>(count);
   double at = random.uniform() * each, reached = weights[0];
-  MatrixXd places = sample.places;
+  MatrixXd points = sample.points;
   VectorXd logs = sample.log_likelihood;
   for (Index i = 0, from = 0; i < count; ++i, at += each) {
     while (reached < at && from + 1 < count) reached += weights[++from];
-    places.col(i) = sample.places.col(from);
+    points.col(i) = sample.points.col(from);
     logs[i] = sample.log_likelihood[from];
   }
-  sample.places = std::move(places);
+  sample.points = std::move(points);
   sample.log_likelihood = std::move(logs);
 }
 
@@ -62,11 +62,11 @@ double folded_in(double x) {
 }
 
 /// The triangle that turns independent normal numbers into ones with the draws' covariance.
-MatrixXd spread_of(const MatrixXd& places) {
+MatrixXd spread_of(const MatrixXd& points) {
   constexpr double kLeast = 1e-10;  // variance, for draws that all coincide
-  const VectorXd mean = places.rowwise().mean();
-  const MatrixXd about = places.colwise() - mean;
-  MatrixXd covariance = about * about.transpose() / static_cast<double>(places.cols());
+  const VectorXd mean = points.rowwise().mean();
+  const MatrixXd about = points.colwise() - mean;
+  MatrixXd covariance = about * about.transpose() / static_cast<double>(points.cols());
   covariance.diagonal().array() += kLeast;
   return covariance.llt().matrixL();
 }
@@ -75,19 +75,19 @@ MatrixXd spread_of(const MatrixXd& places) {
 void move(const LogLikelihood& log_likelihood, double power, int moves, double& scale,
           Random& random, TemperedSample& sample) {
   constexpr double kAimed = 0.3;
-  const Index count = sample.places.cols(), dimensions = sample.places.rows();
-  const MatrixXd spread = spread_of(sample.places);
+  const Index count = sample.points.cols(), dimensions = sample.points.rows();
+  const MatrixXd spread = spread_of(sample.points);
   for (int step = 0; step < moves; ++step) {
     MatrixXd proposed(dimensions, count);
     for (Index i = 0; i < proposed.size(); ++i) proposed.data()[i] = random.normal();
-    proposed = (sample.places + scale * (spread * proposed)).unaryExpr(&folded_in).eval();
+    proposed = (sample.points + scale * (spread * proposed)).unaryExpr(&folded_in).eval();
     const VectorXd logs = log_likelihood(proposed);
     Index accepted = 0;
     for (Index i = 0; i < count; ++i) {
       // Drawn in any case, so that the draws after it do not depend on this one.
       const double level = std::log(1.0 - random.uniform());
       if (!(level < power * (logs[i] - sample.log_likelihood[i]))) continue;
-      sample.places.col(i) = proposed.col(i);
+      sample.points.col(i) = proposed.col(i);
       sample.log_likelihood[i] = logs[i];
       ++accepted;
     }
@@ -100,7 +100,7 @@ void move(const LogLikelihood& log_likelihood, double power, int moves, double& 
 
 void TemperedSamplingOptions::check() const {
   const auto refuse = [](const std::string& field, double value) {
-    throw InputError("tempered sampling: " + field + " " + with_digits(value, 6) +
+    throw InputError("tempered sampling: " + field + " " + format_significant(value, 6) +
                      " is out of range");
   };
   if (draws < 10 || draws > 1'000'000) refuse("draws", static_cast<double>(draws));
@@ -114,9 +114,9 @@ TemperedSample sample_tempered(std::size_t dimensions, const LogLikelihood& log_
   const auto count = static_cast<Index>(options.draws);
   Random random(options.seed);
   TemperedSample sample;
-  sample.places.resize(static_cast<Index>(dimensions), count);
-  for (Index i = 0; i < sample.places.size(); ++i) sample.places.data()[i] = random.uniform();
-  sample.log_likelihood = log_likelihood(sample.places);
+  sample.points.resize(static_cast<Index>(dimensions), count);
+  for (Index i = 0; i < sample.points.size(); ++i) sample.points.data()[i] = random.uniform();
+  sample.log_likelihood = log_likelihood(sample.points);
   if (!(sample.log_likelihood.array() > -1e300).any()) {
     throw InputError("the likelihood is zero, or no number, at all " +
                      std::to_string(options.draws) + " first draws");

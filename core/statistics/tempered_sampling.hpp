@@ -19,7 +19,7 @@ struct TemperedSamplingOptions {
 };
 
 struct TemperedSample {
-  Eigen::MatrixXd places;          ///< one column each, of equal weight
+  Eigen::MatrixXd points;          ///< one column each, of equal weight
   Eigen::VectorXd log_likelihood;  ///< of each
   double log_evidence = 0.0;       ///< logarithm of the mean likelihood over the cube
   std::size_t temperatures = 0;    ///< that were gone through

@@ -9,7 +9,7 @@ namespace clast {
 
 void GroundParameters::check(const std::string& zone) const {
   const auto refuse = [&](const std::string& field, double value, const std::string& expected) {
-    throw InputError("ground " + zone + ": " + field + " = " + with_digits(value, 6) +
+    throw InputError("ground " + zone + ": " + field + " = " + format_significant(value, 6) +
                      "; must be " + expected);
   };
   if (!(energy_restitution > 0.0 && energy_restitution <= 1.0)) {
@@ -34,7 +34,7 @@ void GroundParameters::check(const std::string& zone) const {
   not_negative("soil_density", soil_density, "none stated");
   not_negative("soil_memory", soil_memory, "none");
   if (slip_growth > 0.0 && friction_min > friction) {
-    refuse("friction_min", friction_min, "at most friction, " + with_digits(friction, 6));
+    refuse("friction_min", friction_min, "at most friction, " + format_significant(friction, 6));
   }
   if (!(slip_growth > 0.0) && (friction_min > 0.0 || slip_memory > 0.0)) {
     refuse("slip_growth", slip_growth, "above 0 where friction_min or slip_memory is given");

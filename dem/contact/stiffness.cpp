@@ -73,27 +73,27 @@ double find_depths(StiffnessChoice& choice, std::span<const ContactBody> bodies,
 
 std::string softness_warning(const StiffnessChoice& choice, double automatic,
                              double deepest_share) {
-  return "k_n = " + with_digits(choice.stiffness.normal, 3) + " N/m is softer than the " +
-         with_digits(automatic, 3) + " N/m that \"auto\" would take: rest is " +
-         with_digits(choice.settled_depth, 3) + " m deep (" +
-         with_digits(100.0 * deepest_share, 3) + " % of S) and the fastest impact goes " +
-         with_digits(choice.impact_depth, 3) + " m deep";
+  return "k_n = " + format_significant(choice.stiffness.normal, 3) + " N/m is softer than the " +
+         format_significant(automatic, 3) + " N/m that \"auto\" would take: rest is " +
+         format_significant(choice.settled_depth, 3) + " m deep (" +
+         format_significant(100.0 * deepest_share, 3) + " % of S) and the fastest impact goes " +
+         format_significant(choice.impact_depth, 3) + " m deep";
 }
 
 std::string cost_warning(const ContactStiffness& chosen, double rest_share) {
-  return "energy_restitution = " + with_digits(rest_share, 3) +
+  return "energy_restitution = " + format_significant(rest_share, 3) +
          " lets blocks rest on that share of k_n only, so \"auto\" takes k_n = " +
-         with_digits(chosen.normal, 3) + " N/m and steps of " + with_digits(chosen.time_step, 3) +
-         " s: " + with_digits(std::sqrt(kUsualRestShare / rest_share), 3) +
+         format_significant(chosen.normal, 3) + " N/m and steps of " + format_significant(chosen.time_step, 3) +
+         " s: " + format_significant(std::sqrt(kUsualRestShare / rest_share), 3) +
          " times the work of 0.01";
 }
 
 std::string stiff_unloading_warning(const ContactStiffness& chosen, const ContactGround& ground) {
   const double restitution = 1.0 - ground.dent_share;
-  return "energy_restitution = " + with_digits(restitution, 3) +
+  return "energy_restitution = " + format_significant(restitution, 3) +
          " makes the ground unload 1/energy_restitution times as stiff as it loads, in steps of " +
-         with_digits(chosen.time_step, 3) +
-         " s: " + with_digits(std::sqrt(kUsualRestShare / restitution), 3) +
+         format_significant(chosen.time_step, 3) +
+         " s: " + format_significant(std::sqrt(kUsualRestShare / restitution), 3) +
          " times the work of 0.01";
 }
 
@@ -187,9 +187,9 @@ StiffnessChoice choose_stiffness(std::span<const ContactBody> bodies, const Cont
   const double most = std::min(kUnstableProduct / frequency, travel);
   if (chosen.time_step > most) {
     throw SimulationError(
-        "time step " + with_digits(chosen.time_step, 3) + " s is too long: beyond " +
-        with_digits(most, 3) + " s contacts make energy or blocks pass through the ground; " +
-        with_digits(resolved, 3) + " s resolves every contact: give that, or leave it out");
+        "time step " + format_significant(chosen.time_step, 3) + " s is too long: beyond " +
+        format_significant(most, 3) + " s contacts make energy or blocks pass through the ground; " +
+        format_significant(resolved, 3) + " s resolves every contact: give that, or leave it out");
   }
 
   const double deepest_share = find_depths(choice, bodies, ground, fastest, gravity);
@@ -203,8 +203,8 @@ StiffnessChoice choose_stiffness(std::span<const ContactBody> bodies, const Cont
     choice.warnings.push_back(stiff_unloading_warning(chosen, ground));
   }
   if (chosen.time_step * frequency > 0.5) {
-    choice.warnings.push_back("time step " + with_digits(chosen.time_step, 3) +
-                              " s is long for this stiffness; " + with_digits(resolved, 3) +
+    choice.warnings.push_back("time step " + format_significant(chosen.time_step, 3) +
+                              " s is long for this stiffness; " + format_significant(resolved, 3) +
                               " s resolves every contact");
   }
   return choice;

@@ -11,7 +11,7 @@ namespace clast {
 void MotionSettings::check() const {
   const auto require = [](bool fine, const char* field, double value, const char* range) {
     if (fine && std::isfinite(value)) return;
-    throw InputError(std::string(field) + " = " + with_digits(value, 6) + "; must be " + range);
+    throw InputError(std::string(field) + " = " + format_significant(value, 6) + "; must be " + range);
   };
   const auto positive = [&](const char* field, double value) {
     require(value > 0.0, field, value, "above 0");
@@ -35,14 +35,14 @@ void check_zones(const TerrainSurface& terrain, std::span<const GroundParameters
 
 void check_start(const TerrainSurface& terrain, const Vec3& place, const std::string& name) {
   if (!terrain.covers(place.x(), place.y())) {
-    throw SimulationError(name + " starts at (" + with_digits(place.x(), 9) + ", " +
-                          with_digits(place.y(), 9) +
+    throw SimulationError(name + " starts at (" + format_significant(place.x(), 9) + ", " +
+                          format_significant(place.y(), 9) +
                           "), which is not on the terrain; move it onto the ground");
   }
   const std::optional<double> ground = terrain.height(place.x(), place.y(), place.z());
   if (ground && place.z() < *ground) {
     throw SimulationError(name + " starts below the ground, " +
-                          with_digits(*ground - place.z(), 6) + " m deep; raise it");
+                          format_significant(*ground - place.z(), 6) + " m deep; raise it");
   }
 }
 

@@ -47,7 +47,7 @@ RigidState tumbling(const Vec3& place) {
 }
 
 void add_numbers(std::string& text, const std::vector<double>& numbers) {
-  for (const double number : numbers) text += with_digits(number, kDigits) + " ";
+  for (const double number : numbers) text += format_significant(number, kDigits) + " ";
   text += "\n";
 }
 

@@ -80,7 +80,7 @@ class Release {
  private:
   std::optional<StopReason> stop_reason() {
     if (!moving_.finite()) {
-      result_.message = "the motion is not finite any more at " + with_digits(time_, 6) + " s";
+      result_.message = "the motion is not finite any more at " + format_significant(time_, 6) + " s";
       return StopReason::kError;
     }
     if (left_) return StopReason::kLeftTerrain;
@@ -364,7 +364,7 @@ std::string name_of(StopReason reason) {
 void ReleaseSettings::check() const {
   MotionSettings::check();
   if (!(max_time > 0.0 && std::isfinite(max_time))) {
-    throw InputError("max_time = " + with_digits(max_time, 6) + "; must be above 0");
+    throw InputError("max_time = " + format_significant(max_time, 6) + "; must be above 0");
   }
 }
 
@@ -392,7 +392,7 @@ ReleaseResult simulate_release(const TerrainSurface& terrain,
   body.check("block");
   for (const GroundParameters& zone : zones) {
     if (zone.soil_memory > 0.0) {
-      throw InputError("soil_memory = " + with_digits(zone.soil_memory, 6) +
+      throw InputError("soil_memory = " + format_significant(zone.soil_memory, 6) +
                        ": a single release has no later ones that could find its dents; 0 here");
     }
   }
@@ -400,7 +400,7 @@ ReleaseResult simulate_release(const TerrainSurface& terrain,
   check_start(terrain, start.position, "the block");
   const double overlap = Release(terrain, zones, body, start, settings, observe).start_overlap();
   if (overlap > settings.start_overlap * body.smallest_side) {
-    throw SimulationError("the block starts inside the ground, " + with_digits(overlap, 6) +
+    throw SimulationError("the block starts inside the ground, " + format_significant(overlap, 6) +
                           " m deep; raise the release point or give height_m");
   }
   return Release(terrain, zones, body, start, settings, observe).run();

@@ -172,7 +172,7 @@ class Sequence {
     if (bad == 0) return;
     const std::string problem =
         left ? "left their form; place them deeper in it"
-             : "still move after settle_time = " + with_digits(settings_.settle_time, 6) +
+             : "still move after settle_time = " + format_significant(settings_.settle_time, 6) +
                    " s; give them more time";
     throw SettlingError(std::to_string(bad) + " of " + std::to_string(all) +
                             " blocks that settle, body " + std::to_string(first) + " the first, " +
@@ -364,14 +364,14 @@ class Sequence {
 void SequenceSettings::check() const {
   world.check();
   if (!(max_time > 0.0)) {
-    throw InputError("max_time = " + with_digits(max_time, 6) + "; must be above 0");
+    throw InputError("max_time = " + format_significant(max_time, 6) + "; must be above 0");
   }
   if (!(energy_interval >= 0.0)) {
-    throw InputError("energy_interval = " + with_digits(energy_interval, 6) +
+    throw InputError("energy_interval = " + format_significant(energy_interval, 6) +
                      "; must be 0 or more");
   }
   if (!(settle_time > 0.0)) {
-    throw InputError("settle_time = " + with_digits(settle_time, 6) + "; must be above 0");
+    throw InputError("settle_time = " + format_significant(settle_time, 6) + "; must be above 0");
   }
   if (!forms.empty() && !at_once) {
     throw InputError("forms hold blocks that are released at once; give at_once too");
@@ -385,7 +385,7 @@ std::vector<SequenceResult> simulate_sequence(
   settings.check();
   for (const SequenceBlock& block : blocks) {
     if (block.held >= 0.0) continue;
-    throw InputError("held = " + with_digits(block.held, 6) + "; must be 0 or more");
+    throw InputError("held = " + format_significant(block.held, 6) + "; must be 0 or more");
   }
   Sequence sequence(terrain, zones, shapes, blocks, settings, observers);
   if (from) sequence.restore(*from);

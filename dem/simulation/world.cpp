@@ -33,7 +33,7 @@ void WorldSettings::check() const {
   on_forms.check("on forms");
   const auto require = [](bool fine, const char* name, double value, const char* range) {
     if (fine) return;
-    throw InputError(std::string(name) + " = " + with_digits(value, 6) + "; must be " + range);
+    throw InputError(std::string(name) + " = " + format_significant(value, 6) + "; must be " + range);
   };
   require(sleep_drift >= 0.0, "sleep_drift", sleep_drift, "0 or more");
   require(sleep_duration > 0.0, "sleep_duration", sleep_duration, "more than 0");

@@ -24,7 +24,7 @@ void make_faces(SurfaceFeatures& surface, const TriangleMesh& mesh) {
     const Vec3& c = mesh.vertices[triangle[2]];
     const Vec3 area = (b - a).cross(c - a);
     if (!(area.norm() > 0.0)) {
-      throw GeometryError("triangle at " + place(a) + " has no area; remove degenerate triangles");
+      throw GeometryError("triangle at " + format_point(a) + " has no area; remove degenerate triangles");
     }
     face.normal = area.normalized();
     surface.faces.push_back(face);
@@ -43,7 +43,7 @@ void add_edge(SurfaceFeatures& surface, std::span<const HalfEdge> sides) {
   const std::uint32_t low = sides[0].low, high = sides[0].high;
   if (sides.size() > 2) {
     throw GeometryError(std::to_string(sides.size()) + " triangles meet in the edge at " +
-                        place(surface.vertices[low]) + "; the surface must be manifold");
+                        format_point(surface.vertices[low]) + "; the surface must be manifold");
   }
   SurfaceEdge edge;
   edge.vertices = {low, high};

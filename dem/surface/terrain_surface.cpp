@@ -42,7 +42,7 @@ TerrainSurface::TerrainSurface(TriangleMesh mesh, std::vector<std::uint16_t> zon
                         std::to_string(zones.size()) + " zone numbers");
   }
   if (!(radius >= 0.0 && std::isfinite(radius))) {
-    throw InputError("terrain: radius = " + with_digits(radius, 6) + "; must be 0 or more");
+    throw InputError("terrain: radius = " + format_significant(radius, 6) + "; must be 0 or more");
   }
   impl_->surface = indexed_surface(mesh, radius);
   impl_->mesh = std::move(mesh);

@@ -18,7 +18,7 @@ constexpr double kRounding = 1e-6;
 void require_equal(double stored, double expected, double tolerance, const std::string& what,
                    const std::string& where) {
   require(std::abs(stored - expected) <= tolerance * std::abs(expected), where,
-          what + " is " + with_digits(stored, 9) + ", but " + with_digits(expected, 9) +
+          what + " is " + format_significant(stored, 9) + ", but " + format_significant(expected, 9) +
               " follows from the rest");
 }
 
@@ -52,10 +52,10 @@ void check_box(const Block& block, const std::string& where) {
   const Vec3 sides = 2.0 * (reach + Vec3::Constant(block.body.radius));
   const double slack = kRounding * (box.lengths[0] + kRounding * box.centre.norm());
   require((sides - box.lengths).cwiseAbs().maxCoeff() <= slack, where,
-          "the box is not around the core: its sides are " + with_digits(box.lengths[0], 9) + ", " +
-              with_digits(box.lengths[1], 9) + ", " + with_digits(box.lengths[2], 9) +
-              " m, those of the core with its radius " + with_digits(sides[0], 9) + ", " +
-              with_digits(sides[1], 9) + ", " + with_digits(sides[2], 9) + " m");
+          "the box is not around the core: its sides are " + format_significant(box.lengths[0], 9) + ", " +
+              format_significant(box.lengths[1], 9) + ", " + format_significant(box.lengths[2], 9) +
+              " m, those of the core with its radius " + format_significant(sides[0], 9) + ", " +
+              format_significant(sides[1], 9) + ", " + format_significant(sides[2], 9) + " m");
 }
 
 /// Of a convex core, by the closed form; none for others, whose integration takes long.
@@ -70,8 +70,8 @@ std::optional<MassProperties> exact_properties(const Block& block) {
 
 void check_volume(const Block& block, const std::string& where) {
   require(block.mass.volume <= (1.0 + kRounding) * block.box.volume(), where,
-          "volume_m3 is " + with_digits(block.mass.volume, 9) + ", more than the box's, " +
-              with_digits(block.box.volume(), 9));
+          "volume_m3 is " + format_significant(block.mass.volume, 9) + ", more than the box's, " +
+              format_significant(block.box.volume(), 9));
   const std::optional<MassProperties> exact = exact_properties(block);
   if (!exact) return;
   require_equal(block.mass.volume, exact->volume, kRounding, "volume_m3", where);
@@ -84,7 +84,7 @@ void check_volume(const Block& block, const std::string& where) {
 
 }  // namespace
 
-void check_agreement(const Block& block, const std::string& where) {
+void check_block_consistency(const Block& block, const std::string& where) {
   require_equal(block.mass.mass, block.density * block.mass.volume, kRounding, "mass_kg", where);
   check_moments(block, where);
   check_box(block, where);

@@ -12,6 +12,6 @@ namespace clast::library_detail {
 /// agree to rounding, and where they were integrated, to their stated error.
 /// @param where  the start of the message: "blocks.h5: block B017"
 /// @throws InputError  with both numbers
-void check_agreement(const Block& block, const std::string& where);
+void check_block_consistency(const Block& block, const std::string& where);
 
 }  // namespace clast::library_detail

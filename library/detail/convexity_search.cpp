@@ -8,7 +8,7 @@
 #include "library/block_variation.hpp"
 #include "massprops/sphero.hpp"
 #include "shapes/convex_hull.hpp"
-#include "shapes/hull_blend.hpp"
+#include "shapes/hull_interpolation.hpp"
 
 namespace clast::library_detail {
 namespace {
@@ -22,20 +22,21 @@ constexpr int kSteps = 30;
 /// Convexities of the bodies of a blend.
 class BlendConvexity {
  public:
-  BlendConvexity(const HullBlend& blend, const SpheroPolyhedron& hull)
+  BlendConvexity(const HullInterpolation& blend, const SpheroPolyhedron& hull)
       : blend_(blend),
         radius_(hull.radius),
         hull_volume_(sphero_mass_properties(hull, 1.0).volume) {}
 
-  SpheroPolyhedron body(double part, std::size_t turns) const {
-    return sphero_polyhedron(blend_.at(part, turns), radius_);
+  SpheroPolyhedron body(double part, std::size_t edge_flips) const {
+    return make_sphero_polyhedron(blend_.at(part, edge_flips), radius_);
   }
-  double at(double part, std::size_t turns) const {
-    return sphero_mass_properties(body(part, turns), 1.0, kVolumeAccuracy).volume / hull_volume_;
+  double at(double part, std::size_t edge_flips) const {
+    return sphero_mass_properties(body(part, edge_flips), 1.0, kVolumeAccuracy).volume /
+           hull_volume_;
   }
 
  private:
-  const HullBlend& blend_;
+  const HullInterpolation& blend_;
   double radius_, hull_volume_;
 };
 
@@ -50,41 +51,41 @@ std::size_t fewest_turns(const BlendConvexity& convexity, std::size_t all, doubl
   return enough;
 }
 
-HullBlend blend_of(const SpheroPolyhedron& body, double target) {
+HullInterpolation blend_of(const SpheroPolyhedron& body, double target) {
   try {
-    return HullBlend(core_mesh(body));
+    return HullInterpolation(core_mesh(body));
   } catch (const GeometryError& error) {
-    throw GeometryError("a convexity of " + with_digits(target, 4) + " can't be reached: " +
+    throw GeometryError("a convexity of " + format_significant(target, 4) + " can't be reached: " +
                         error.what() + "; the nearest are its own and 1, its hull");
   }
 }
 
 }  // namespace
 
-SpheroPolyhedron body_of_convexity(const SpheroPolyhedron& body, double own, double target) {
+SpheroPolyhedron find_body_of_convexity(const SpheroPolyhedron& body, double own, double target) {
   if (std::abs(target - own) <= kSameConvexity) return body;
   if (!(target <= 1.0 && target > own)) {
-    throw GeometryError("a convexity of " + with_digits(target, 4) +
+    throw GeometryError("a convexity of " + format_significant(target, 4) +
                         " can't be reached: hollows can be filled, from its own " +
-                        with_digits(own, 4) + " to 1");
+                        format_significant(own, 4) + " to 1");
   }
-  const SpheroPolyhedron hull = sphero_polyhedron(convex_hull(body.vertices), body.radius);
+  const SpheroPolyhedron hull = make_sphero_polyhedron(convex_hull(body.vertices), body.radius);
   if (target > 1.0 - kSameConvexity) return hull;
-  const HullBlend blend = blend_of(body, target);
+  const HullInterpolation blend = blend_of(body, target);
   const BlendConvexity convexity(blend, hull);
-  const std::size_t turns = fewest_turns(convexity, blend.turns(), target);
+  const std::size_t edge_flips = fewest_turns(convexity, blend.edge_flips(), target);
   // False position with halving (Illinois), since the volume is close to a cubic in the part.
   double low = 0.0, high = 1.0;
-  double below = (turns == 0 ? own : convexity.at(0.0, turns)) - target;
-  double above = convexity.at(1.0, turns) - target;
+  double below = (edge_flips == 0 ? own : convexity.at(0.0, edge_flips)) - target;
+  double above = convexity.at(1.0, edge_flips) - target;
   if (below > 0.0 || above < 0.0) {
-    return std::abs(above) <= kVariationTolerance * target ? convexity.body(1.0, turns) : hull;
+    return std::abs(above) <= kVariationTolerance * target ? convexity.body(1.0, edge_flips) : hull;
   }
   double part = 1.0;
   int side = 0;  // which bound moved last
   for (int step = 0; step < kSteps; ++step) {
     part = above > below ? low - below * (high - low) / (above - below) : 0.5 * (low + high);
-    const double gap = convexity.at(part, turns) - target;
+    const double gap = convexity.at(part, edge_flips) - target;
     if (std::abs(gap) <= kConvexityTolerance * target) break;
     if (gap > 0.0) {
       high = part;
@@ -98,7 +99,7 @@ SpheroPolyhedron body_of_convexity(const SpheroPolyhedron& body, double own, dou
       side = -1;
     }
   }
-  return convexity.body(part, turns);
+  return convexity.body(part, edge_flips);
 }
 
 }  // namespace clast::library_detail

@@ -4,10 +4,11 @@
 
 namespace clast::library_detail {
 
-/// The body between `body` and its hull (shapes/hull_blend.hpp) that has the convexity `target`.
+/// The body between `body` and its hull (shapes/hull_interpolation.hpp) that has the convexity
+/// `target`.
 /// @param own  convexity of `body`
 /// @throws GeometryError  a target below the body's own or above 1; a body that is not star-shaped,
 ///                        unless the target is its own or 1
-SpheroPolyhedron body_of_convexity(const SpheroPolyhedron& body, double own, double target);
+SpheroPolyhedron find_body_of_convexity(const SpheroPolyhedron& body, double own, double target);
 
 }  // namespace clast::library_detail

@@ -26,7 +26,7 @@ void write_matrix(Hdf5Group group, const std::string& name, const Eigen::MatrixX
   group.set_unit(name, unit);
 }
 
-std::vector<double> read_numbers(const Hdf5Group& group, const std::string& name,
+std::vector<double> read_array(const Hdf5Group& group, const std::string& name,
                                  const std::vector<std::size_t>& shape, const std::string& where) {
   std::vector<double> values = group.read<double>(name);
   require(group.shape(name) == shape, where, name + " has the wrong shape");
@@ -35,12 +35,12 @@ std::vector<double> read_numbers(const Hdf5Group& group, const std::string& name
 }
 
 Vec3 read_vector(const Hdf5Group& group, const std::string& name, const std::string& where) {
-  const std::vector<double> v = read_numbers(group, name, {3}, where);
+  const std::vector<double> v = read_array(group, name, {3}, where);
   return {v[0], v[1], v[2]};
 }
 
 Mat3 read_matrix(const Hdf5Group& group, const std::string& name, const std::string& where) {
-  const std::vector<double> v = read_numbers(group, name, {3, 3}, where);
+  const std::vector<double> v = read_array(group, name, {3, 3}, where);
   Mat3 matrix;
   matrix << v[0], v[1], v[2], v[3], v[4], v[5], v[6], v[7], v[8];
   return matrix;
@@ -50,7 +50,7 @@ double read_scalar(const Hdf5Group& group, const std::string& name, double least
                    const std::string& where) {
   const double value = group.attribute<double>(name);
   require(std::isfinite(value) && value >= least, where,
-          name + " can't be " + with_digits(value, 6));
+          name + " can't be " + format_significant(value, 6));
   return value;
 }
 
@@ -66,7 +66,7 @@ std::vector<Vec3> read_points(const Hdf5Group& group, const std::string& name,
                               const std::string& where) {
   const std::vector<std::size_t> shape = group.shape(name);
   require(shape.size() == 2, where, name + " has the wrong shape");
-  const std::vector<double> flat = read_numbers(group, name, {shape[0], 3}, where);
+  const std::vector<double> flat = read_array(group, name, {shape[0], 3}, where);
   std::vector<Vec3> points(shape[0]);
   for (std::size_t i = 0; i < points.size(); ++i) {
     points[i] = {flat[3 * i], flat[3 * i + 1], flat[3 * i + 2]};

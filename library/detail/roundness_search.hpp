@@ -19,7 +19,7 @@ struct RoundedBody {
 /// @param edge_length  of the mesh that roundness is measured on, m
 /// @throws GeometryError  a target out of reach, or missed by more than `kRoundnessTolerance`; with
 ///                        the nearest
-RoundedBody body_of_roundness(const std::function<SpheroPolyhedron(double)>& rounded, double target,
+RoundedBody find_body_of_roundness(const std::function<SpheroPolyhedron(double)>& rounded, double target,
                               double edge_length);
 
 }  // namespace clast::library_detail

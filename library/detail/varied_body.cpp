@@ -18,7 +18,7 @@
 namespace clast::library_detail {
 namespace {
 
-constexpr double kLargestVariedRadiusShare = kVariedRadiusShare.high;
+constexpr double kLargestVariedRadiusShare = kVariedRadiusFraction.high;
 constexpr double kSameShare = 1e-9;
 constexpr int kRadiusRounds = 20;
 constexpr int kMomentRounds = 40;
@@ -43,7 +43,7 @@ VariedBody with_form_of(const Block& parent, SpheroPolyhedron body, double share
     if (std::abs(body.radius - share * S) > kSameShare * S) {
       body.radius = share * (S - 2.0 * body.radius) / (1.0 - 2.0 * share);
     }
-    result = stretched_to(body, ratios);
+    result = stretch_to_ratios(body, ratios);
     if (std::abs(radius_share(result.body) / share - 1.0) < kVariationTolerance / 10.0) break;
     if (share == 0.0) break;
     body = result.body;
@@ -60,46 +60,46 @@ Vec3 spread(const MassProperties& properties) {
 
 }  // namespace
 
-VariedBody varied_body(const Block& parent, const StretchTo& wanted) {
+VariedBody vary_body(const Block& parent, const StretchVariation& wanted) {
   refuse_round_bodies(parent);
-  StretchedBody stretched = stretched_to(parent.body, wanted.ratios);
+  StretchedBody stretched = stretch_to_ratios(parent.body, wanted.ratios);
   if (stretched.gap > kVariationTolerance) {
     const BoxRatios nearest = box_ratios(smallest_box(stretched.body));
-    throw GeometryError("I/L = " + with_digits(wanted.ratios.i_l, 4) + " and S/L = " +
-                        with_digits(wanted.ratios.s_l, 4) + " can't be reached; the nearest are " +
-                        with_digits(nearest.i_l, 4) + " and " + with_digits(nearest.s_l, 4));
+    throw GeometryError("I/L = " + format_significant(wanted.ratios.i_l, 4) + " and S/L = " +
+                        format_significant(wanted.ratios.s_l, 4) + " can't be reached; the nearest are " +
+                        format_significant(nearest.i_l, 4) + " and " + format_significant(nearest.s_l, 4));
   }
   const Vec3& s = stretched.stretch;
-  return {std::move(stretched.body), "stretch=" + with_digits(s[0], 4) + "," +
-                                         with_digits(s[1], 4) + "," + with_digits(s[2], 4)};
+  return {std::move(stretched.body), "stretch=" + format_significant(s[0], 4) + "," +
+                                         format_significant(s[1], 4) + "," + format_significant(s[2], 4)};
 }
 
-VariedBody varied_body(const Block& parent, const ConvexityOf& wanted) {
+VariedBody vary_body(const Block& parent, const ConvexityVariation& wanted) {
   refuse_round_bodies(parent);
   const double own = convexity(parent.body, parent.mass.volume);
-  return {body_of_convexity(parent.body, own, wanted.convexity),
-          "parent_convexity=" + with_digits(own, 4)};
+  return {find_body_of_convexity(parent.body, own, wanted.convexity),
+          "parent_convexity=" + format_significant(own, 4)};
 }
 
-VariedBody varied_body(const Block& parent, const RoundingOf& wanted) {
+VariedBody vary_body(const Block& parent, const RoundingVariation& wanted) {
   refuse_round_bodies(parent);
   if (!(wanted.radius_share >= 0.0 && wanted.radius_share <= kLargestVariedRadiusShare)) {
-    throw InputError("a radius of " + with_digits(wanted.radius_share, 4) +
+    throw InputError("a radius of " + format_significant(wanted.radius_share, 4) +
                      " of S can't be reached: must be from 0 to " +
-                     with_digits(kLargestVariedRadiusShare, 2));
+                     format_significant(kLargestVariedRadiusShare, 2));
   }
   const double own = radius_share(parent.body);
-  const std::string figures = "parent_radius_share=" + with_digits(own, 4);
+  const std::string figures = "parent_radius_share=" + format_significant(own, 4);
   if (std::abs(wanted.radius_share - own) <= kSameShare) return {parent.body, figures};
   return {with_form_of(parent, parent.body, wanted.radius_share).body, figures};
 }
 
-VariedBody varied_body(const Block& parent, const VertexCount& wanted) {
+VariedBody vary_body(const Block& parent, const VertexCountVariation& wanted) {
   refuse_round_bodies(parent);
   const std::size_t own = parent.body.vertices.size();
-  if (wanted.vertices < kFewestVaried || wanted.vertices > own) {
-    throw InputError(counted(wanted.vertices, "vertex", "vertices") + " can't be reached: from " +
-                     std::to_string(kFewestVaried) + " to the " + std::to_string(own) +
+  if (wanted.vertices < kMinVariedVertices || wanted.vertices > own) {
+    throw InputError(format_count(wanted.vertices, "vertex", "vertices") + " can't be reached: from " +
+                     std::to_string(kMinVariedVertices) + " to the " + std::to_string(own) +
                      " it has can; more come from its scan, by reconstruct");
   }
   const std::string figures = "parent_vertices=" + std::to_string(own);
@@ -107,52 +107,52 @@ VariedBody varied_body(const Block& parent, const VertexCount& wanted) {
   TriangleMesh core = core_mesh(parent.body);
   // About its middle, or map coordinates would cost digits.
   for (Vec3& vertex : core.vertices) vertex -= parent.box.centre;
-  std::optional<TriangleMesh> fewer = untangled(decimated(core, wanted.vertices));
+  std::optional<TriangleMesh> fewer = untangle_self_intersections(decimate(core, wanted.vertices));
   if (!fewer || !(signed_volume(*fewer) > 0.0)) {
     throw GeometryError("with " + std::to_string(wanted.vertices) +
                         " vertices its core would cross itself; ask for more");
   }
   for (Vec3& vertex : fewer->vertices) vertex += parent.box.centre;
   return {
-      with_form_of(parent, sphero_polyhedron(*fewer, parent.body.radius), radius_share(parent.body))
+      with_form_of(parent, make_sphero_polyhedron(*fewer, parent.body.radius), radius_share(parent.body))
           .body,
       figures};
 }
 
-VariedBody varied_body(const Block& parent, const DetailTimes& wanted) {
+VariedBody vary_body(const Block& parent, const DetailVariation& wanted) {
   refuse_round_bodies(parent);
-  const DetailOptions options = {wanted.gain, wanted.degree};
+  const SurfaceDetailOptions options = {wanted.gain, wanted.degree};
   if (wanted.gain == 1.0) return {parent.body, "coarse_form=unchanged"};
-  const DetailedSurface surface = with_detail(core_mesh(parent.body), options);
-  const bool harmonics = surface.coarse == CoarseForm::kHarmonics;
-  return {with_form_of(parent, sphero_polyhedron(surface.mesh, parent.body.radius),
+  const DetailedSurface surface = scale_surface_detail(core_mesh(parent.body), options);
+  const bool harmonics = surface.coarse == CoarseShape::kHarmonics;
+  return {with_form_of(parent, make_sphero_polyhedron(surface.mesh, parent.body.radius),
                        radius_share(parent.body))
               .body,
           std::string("coarse_form=") + (harmonics ? "spherical_harmonics" : "bilaplacian")};
 }
 
-VariedBody varied_body(const Block& parent, const ReferenceTo& wanted) {
+VariedBody vary_body(const Block& parent, const ReferenceVariation& wanted) {
   const double share = std::min(parent.body.faces.empty() ? 0.0 : radius_share(parent.body),
                                 kLargestVariedRadiusShare);
   return {
-      reference_body(
+      make_reference_body(
           wanted.form,
           {.ratios = box_ratios(parent.box), .radius_share = share, .exponent = wanted.exponent}),
-      wanted.form == ReferenceForm::kSuperellipsoid ? "exponent=" + with_digits(wanted.exponent, 4)
+      wanted.form == ReferenceShape::kSuperellipsoid ? "exponent=" + format_significant(wanted.exponent, 4)
                                                     : ""};
 }
 
-VariedBody varied_body(const Block& parent, const InertiaTwin& wanted) {
+VariedBody vary_body(const Block& parent, const InertiaVariation& wanted) {
   const Vec3 target = spread(parent.mass);
   const double side = parent.body.faces.empty() ? 0.0 : radius_share(parent.body);
   const double share = std::min(side, kLargestVariedRadiusShare);
   // Half-axes a of an ellipsoid have a^2/5, half-sides of a box a^2/3; the order is that of z, y,
   // x.
-  const double part = wanted.form == ReferenceForm::kEllipsoid ? 5.0 : 3.0;
+  const double part = wanted.form == ReferenceShape::kEllipsoid ? 5.0 : 3.0;
   const Vec3 half = (part * target).cwiseSqrt();
   const BoxRatios ratios = {half[1] / half[2], half[0] / half[2]};
   SpheroPolyhedron body =
-      scaled(reference_body(wanted.form, {.ratios = ratios, .radius_share = share}), 2.0 * half[2]);
+      scaled(make_reference_body(wanted.form, {.ratios = ratios, .radius_share = share}), 2.0 * half[2]);
   double gap = 1.0;
   for (int round = 0; round < kMomentRounds && gap > kSameMoments; ++round) {
     const Vec3 now = spread(sphero_mass_properties(body, 1.0));
@@ -163,24 +163,24 @@ VariedBody varied_body(const Block& parent, const InertiaTwin& wanted) {
   }
   if (gap > kVariationTolerance) {
     throw GeometryError("no " + name_of(wanted.form) + " with a radius of " +
-                        with_digits(share, 4) + " of S has its principal moments; the nearest is " +
-                        percent(gap) + " off in length");
+                        format_significant(share, 4) + " of S has its principal moments; the nearest is " +
+                        format_percent(gap) + " off in length");
   }
   return {std::move(body), ""};
 }
 
-VariedBody varied_body(const Block& parent, const DrawnForm& wanted) {
+VariedBody vary_body(const Block& parent, const SampledFormVariation& wanted) {
   refuse_round_bodies(parent);
   Block filled = parent;
   std::string figures;
   if (wanted.convexity) {
     const double own = convexity(parent.body, parent.mass.volume);
     if (*wanted.convexity > own) {
-      filled.body = body_of_convexity(parent.body, own, *wanted.convexity);
+      filled.body = find_body_of_convexity(parent.body, own, *wanted.convexity);
     }
-    figures = " parent_convexity=" + with_digits(own, 4);
+    figures = " parent_convexity=" + format_significant(own, 4);
   }
-  VariedBody stretched = varied_body(filled, StretchTo{wanted.ratios});
+  VariedBody stretched = vary_body(filled, StretchVariation{wanted.ratios});
   stretched.figures += figures;
   return stretched;
 }

@@ -12,13 +12,13 @@ struct VariedBody {
   std::string figures;  ///< "key=value" pairs beyond those of the variation
 };
 
-VariedBody varied_body(const Block& parent, const StretchTo& wanted);
-VariedBody varied_body(const Block& parent, const ConvexityOf& wanted);
-VariedBody varied_body(const Block& parent, const RoundingOf& wanted);
-VariedBody varied_body(const Block& parent, const VertexCount& wanted);
-VariedBody varied_body(const Block& parent, const DetailTimes& wanted);
-VariedBody varied_body(const Block& parent, const ReferenceTo& wanted);
-VariedBody varied_body(const Block& parent, const InertiaTwin& wanted);
-VariedBody varied_body(const Block& parent, const DrawnForm& wanted);
+VariedBody vary_body(const Block& parent, const StretchVariation& wanted);
+VariedBody vary_body(const Block& parent, const ConvexityVariation& wanted);
+VariedBody vary_body(const Block& parent, const RoundingVariation& wanted);
+VariedBody vary_body(const Block& parent, const VertexCountVariation& wanted);
+VariedBody vary_body(const Block& parent, const DetailVariation& wanted);
+VariedBody vary_body(const Block& parent, const ReferenceVariation& wanted);
+VariedBody vary_body(const Block& parent, const InertiaVariation& wanted);
+VariedBody vary_body(const Block& parent, const SampledFormVariation& wanted);
 
 }  // namespace clast::library_detail

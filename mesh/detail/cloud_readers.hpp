@@ -21,19 +21,19 @@ class PointSink {
 
  private:
   bool usable(const Vec3& point);
-  void hand_over();
+  void flush_batch();
 
   const std::function<void(const PointBatch&)>& take_;
   PointBatch batch_;
   std::size_t points_ = 0;
-  std::size_t without_place_ = 0;
+  std::size_t non_finite_ = 0;
 };
 
 /// @throws InputError  corrupt or cut short
 /// @param columns  as `stream_cloud` has them
 /// @param counted  the number of points stands before each scan, as in .pts files
 CloudSummary read_text_cloud(std::istream& stream, PointSink& sink,
-                             const std::vector<std::string>& columns, bool counted);
+                             const std::vector<std::string>& columns, bool has_point_counts);
 CloudSummary read_las(std::istream& stream, PointSink& sink);
 CloudSummary read_pcd(std::string_view content, PointSink& sink);
 

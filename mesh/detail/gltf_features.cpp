@@ -40,7 +40,7 @@ std::string_view json_text(std::string_view content) {
 }
 
 [[noreturn]] void refuse_extension(const std::string& name, const std::string& why) {
-  throw InputError("its extension " + printable(name) + " is not read" + why + kAdvice);
+  throw InputError("its extension " + escape_nonprintable(name) + " is not read" + why + kAdvice);
 }
 
 std::string text_at(const Json& list, std::size_t i) {
@@ -120,7 +120,7 @@ void check_positions(const Json& file) {
 
 }  // namespace
 
-void check_gltf_features(std::string_view content) {
+void check_gltf_extensions(std::string_view content) {
   const Json file = Json::parse(json_text(content), nullptr, false);
   if (!file.is_object()) return;  // the reader says what is wrong
   check_extensions(file);

@@ -39,7 +39,7 @@ struct LasHeader {
   std::uint64_t count = 0;
   std::uint64_t data_offset = 0;
   std::uint16_t header_size = 0;
-  LasRecords records;
+  LasRecordLayout records;
   std::size_t format = 0;
   std::size_t record_size = 0;
   Vec3 scale = Vec3::Ones();
@@ -87,7 +87,7 @@ LasHeader read_las_header(std::istream& stream, std::uint64_t file_size) {
   header.records = {.begin = header.header_size,
                     .end = header.data_offset,
                     .count = number_at<std::uint32_t>(bytes, 100),
-                    .wkt_holds = (number_at<std::uint16_t>(bytes, 6) & 16) != 0};
+                    .uses_wkt = (number_at<std::uint16_t>(bytes, 6) & 16) != 0};
   const std::uint8_t format = number_at<std::uint8_t>(bytes, 104);
   header.record_size = number_at<std::uint16_t>(bytes, 105);
   header.count = number_at<std::uint32_t>(bytes, 107);
@@ -131,7 +131,7 @@ CloudSummary read_las(std::istream& stream, PointSink& sink) {
   stream.seekg(0);
   const LasHeader header = read_las_header(stream, file_size);
   CloudSummary summary;
-  read_las_system(stream, header.records, summary);
+  read_las_crs(stream, header.records, summary);
   stream.clear();
   stream.seekg(static_cast<std::streamoff>(header.data_offset));
   for (std::uint64_t done = 0; done < header.count;) {

@@ -49,7 +49,7 @@ struct ProjectionRecords {
   }
 };
 
-ProjectionRecords projection_records(std::istream& stream, const LasRecords& records) {
+ProjectionRecords projection_records(std::istream& stream, const LasRecordLayout& records) {
   ProjectionRecords found;
   std::uint64_t at = records.begin;
   for (std::uint32_t i = 0; i < records.count && at + kRecordHead <= records.end; ++i) {
@@ -73,16 +73,16 @@ ProjectionRecords projection_records(std::istream& stream, const LasRecords& rec
 
 }  // namespace
 
-void read_las_system(std::istream& stream, const LasRecords& records, CloudSummary& summary) {
+void read_las_crs(std::istream& stream, const LasRecordLayout& records, CloudSummary& summary) {
   const ProjectionRecords found = projection_records(stream, records);
-  KeyedSystem keyed = parse_geotiff_keys(found.keys);
+  GeoTiffSystem keyed = parse_geotiff_keys(found.keys);
   summary.crs = std::move(keyed.crs);
   summary.lengths = std::move(keyed.lengths);
   if (found.wkt.find_first_not_of(" \t\r\n") == std::string::npos) return;
-  LengthDeclaration declared = describe_system(found.wkt, "WKT");
-  const bool known = declared.kind != SystemKind::kUnknown;
+  LengthUnitDeclaration declared = describe_system(found.wkt, "WKT");
+  const bool known = declared.kind != ReferenceSystemKind::kUnknown;
   summary.lengths.push_back(std::move(declared));
-  if (summary.crs.empty() || (records.wkt_holds && known)) summary.crs = found.wkt;
+  if (summary.crs.empty() || (records.uses_wkt && known)) summary.crs = found.wkt;
 }
 
 }  // namespace clast::mesh_detail

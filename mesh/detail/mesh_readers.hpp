@@ -21,7 +21,7 @@ std::optional<TriangleMesh> read_tab(std::string_view content);
 /// without, and gives other coordinates.
 /// @param content  of a .gltf or .glb file
 /// @throws InputError  the message has no file name
-void check_gltf_features(std::string_view content);
+void check_gltf_extensions(std::string_view content);
 
 /// Every mesh of a scene through assimp, in single precision, with the transforms of its nodes.
 /// @throws InputError  assimp can't read it; the message has no file name

@@ -38,7 +38,7 @@ void append_point_text(std::string& text, const Vec3& v) {
 
 }  // namespace
 
-std::string stl_content(const TriangleMesh& mesh) {
+std::string encode_stl(const TriangleMesh& mesh) {
   std::string bytes = "binary STL written by clast";  // must not start with "solid"
   bytes.resize(80, ' ');
   append_little_endian(bytes, static_cast<std::uint32_t>(mesh.triangles.size()));
@@ -51,7 +51,7 @@ std::string stl_content(const TriangleMesh& mesh) {
   return bytes;
 }
 
-std::string obj_content(const TriangleMesh& mesh) {
+std::string encode_obj(const TriangleMesh& mesh) {
   std::string text = "# written by clast, lengths in metres\n";
   for (const Vec3& v : mesh.vertices) {
     text += "v ";
@@ -69,7 +69,7 @@ std::string obj_content(const TriangleMesh& mesh) {
   return text;
 }
 
-std::string ply_content(const TriangleMesh& mesh) {
+std::string encode_ply(const TriangleMesh& mesh) {
   std::string bytes =
       "ply\nformat binary_little_endian 1.0\ncomment written by clast, lengths in metres\n"
       "element vertex " +
@@ -89,7 +89,7 @@ std::string ply_content(const TriangleMesh& mesh) {
   return bytes;
 }
 
-std::string glb_content(const TriangleMesh& mesh) {
+std::string encode_glb(const TriangleMesh& mesh) {
   std::string buffer;
   for (const TriangleMesh::Triangle& t : mesh.triangles) {
     for (const std::uint32_t corner : t) append_little_endian(buffer, corner);
@@ -136,7 +136,7 @@ std::string glb_content(const TriangleMesh& mesh) {
   return bytes + buffer;
 }
 
-std::string vtp_content(const TriangleMesh& mesh) {
+std::string encode_vtp(const TriangleMesh& mesh) {
   std::string text =
       "<?xml version=\"1.0\"?>\n"
       "<VTKFile type=\"PolyData\" version=\"0.1\" byte_order=\"LittleEndian\">\n<PolyData>\n"

@@ -167,7 +167,7 @@ void read_pcd_ascii(TextScanner& text, const PcdHeader& header, PointSink& sink)
       for (std::size_t k = 0; k < header.fields[f].count; ++k) {
         const auto axis = std::find(axes.begin(), axes.end(), f);
         if (axis != axes.end()) {
-          const std::optional<double> value = parsed_number(word);
+          const std::optional<double> value = parse_number_token(word);
           if (!value)
             throw InputError(text.here() + "a number is needed for " + header.fields[f].name);
           point[axis - axes.begin()] = *value;
@@ -224,9 +224,9 @@ CloudSummary read_pcd(std::string_view content, PointSink& sink) {
   if (header.data == "ascii") {
     read_pcd_ascii(text, header, sink);
   } else if (header.data == "binary") {
-    read_pcd_binary(text.after_line(), header, false, sink);
+    read_pcd_binary(text.remaining_text(), header, false, sink);
   } else if (header.data == "binary_compressed") {
-    const std::string_view rest = text.after_line();
+    const std::string_view rest = text.remaining_text();
     std::array<std::uint32_t, 2> sizes{};
     if (rest.size() < sizeof sizes) throw InputError("ends before its points; it was cut short");
     std::memcpy(sizes.data(), rest.data(), sizeof sizes);

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "core/error.hpp"
+#include "core/error_context.hpp"
 #include "core/files/text_scanner.hpp"
-#include "core/in_context.hpp"
 #include "mesh/detail/mesh_readers.hpp"
 #include "mesh/polygon.hpp"
 
@@ -133,7 +133,7 @@ class Body {
   }
 
   /// Throws when `element` can't fit in what is left of the file.
-  void check_room(const Element& element) const {
+  void check_disk_space(const Element& element) const {
     std::size_t each = 0;
     for (const Property& p : element.properties) {
       // A word of text takes a character and a blank; the last one may end the file.
@@ -212,7 +212,7 @@ class Body {
     rest.remove_prefix(begin);
     const std::string_view text = rest.substr(0, rest.find_first_of(kBlank));
     rest.remove_prefix(text.size());
-    if (const std::optional<double> number = parsed_number(text)) return *number;
+    if (const std::optional<double> number = parse_number_token(text)) return *number;
     throw InputError("\"" + std::string(text.substr(0, 40)) + "\" stands where a number is needed" +
                      (text.find(',') == std::string_view::npos
                           ? ""
@@ -301,11 +301,11 @@ void split_strips(std::vector<std::vector<std::int64_t>>& faces, std::size_t fir
 std::optional<TriangleMesh> read_ply(std::string_view content) {
   TextScanner text(content);
   const PlyHeader header = read_ply_header(text);
-  Body body(text.after_line(), header);
+  Body body(text.remaining_text(), header);
   TriangleMesh mesh;
   std::vector<std::vector<std::int64_t>> faces;
   for (const Element& element : header.elements) {
-    body.check_room(element);
+    body.check_disk_space(element);
     if (element.name == "vertex") {
       read_vertices(body, element, mesh);
     } else {
@@ -316,7 +316,7 @@ std::optional<TriangleMesh> read_ply(std::string_view content) {
     }
   }
   for (std::size_t f = 0; f < faces.size(); ++f) {
-    in_context("face " + std::to_string(f + 1), [&] { append_polygon(mesh, faces[f]); });
+    with_error_context("face " + std::to_string(f + 1), [&] { append_polygon(mesh, faces[f]); });
   }
   return mesh;
 }

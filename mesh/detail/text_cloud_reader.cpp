@@ -73,7 +73,7 @@ class Lines {
 /// Formats a text, which may hold bytes of any kind, in quotes for a message.
 /// @param most  bytes
 std::string quoted(std::string_view text, std::size_t most = 40) {
-  return "\"" + printable(text.substr(0, most)) + (text.size() > most ? "..." : "") + "\"";
+  return "\"" + escape_nonprintable(text.substr(0, most)) + (text.size() > most ? "..." : "") + "\"";
 }
 
 std::string_view trimmed_field(std::string_view text) {
@@ -144,7 +144,7 @@ class LinesOfPoints {
 
   /// Returns the units that the headings declare.
   /// @throws InputError  what was taken for x numbers the points
-  std::vector<LengthDeclaration> finish() const {
+  std::vector<LengthUnitDeclaration> finish() const {
     if (points_ >= kNoChance && counting_ && !named_) {
       throw InputError("column " + std::to_string(columns_.axes[0] + 1) +
                        ", which was taken for x, holds point numbers; name the columns in a first "
@@ -178,7 +178,7 @@ class LinesOfPoints {
   void survey_columns() {
     surveyed_.resize(std::max(surveyed_.size(), fields_.size()));
     for (std::size_t k = 0; k < fields_.size(); ++k) {
-      const std::optional<double> value = number_in_field(fields_[k], separator_);
+      const std::optional<double> value = parse_number_field(fields_[k], separator_);
       if (!value || !std::isfinite(*value)) continue;
       surveyed_[k].whole = surveyed_[k].whole && *value == std::round(*value);
       surveyed_[k].beyond_one = surveyed_[k].beyond_one || std::abs(*value) > 1.0;
@@ -208,7 +208,7 @@ class LinesOfPoints {
 
   /// A file of several scans has their numbers of points before each.
   bool is_next_count(std::string_view field) {
-    const std::optional<double> count = number_in(field);
+    const std::optional<double> count = parse_number(field);
     if (!count || *count != std::round(*count) || counts_ == 0 || points_of_scan_ != counted_) {
       return false;
     }
@@ -224,15 +224,15 @@ class LinesOfPoints {
   /// Whether a line is none of points: a heading, or the number of points.
   bool is_before_points(std::string_view text) {
     if (head_lines_ >= kLongestHeading) return false;
-    split_fields(text, separator_of(text), fields_);
+    split_fields(text, detect_separator(text), fields_);
     const auto numbers = std::count_if(fields_.begin(), fields_.end(), [&](std::string_view field) {
-      return number_in_field(field, separator_of(text)).has_value();
+      return parse_number_field(field, detect_separator(text)).has_value();
     });
     if (fields_.size() == 1 && numbers == 1) return true;
     constexpr std::ptrdiff_t kCoordinates = 3;
     std::string_view first = text.substr(0, text.find_first_of(" \t,;"));
     if (first.size() > 1 && first.front() == '"') first = first.substr(1, first.find('"', 1) - 1);
-    return !number_in(first) && !number_in_field(fields_[0], separator_of(text)) &&
+    return !parse_number(first) && !parse_number_field(fields_[0], detect_separator(text)) &&
            numbers < kCoordinates;
   }
 
@@ -245,11 +245,11 @@ class LinesOfPoints {
     if (text.starts_with("ncols") || text.starts_with("NCOLS") || text.starts_with("nrows")) {
       throw InputError("is an Esri grid of heights, not a point cloud; read it as a terrain");
     }
-    if (const auto count = number_in(trimmed_field(text))) set_count(*count);
+    if (const auto count = parse_number(trimmed_field(text))) set_count(*count);
     const auto keep = [&](std::string_view line) {
       // The last lines count.
       if (head_.size() >= kLongestHeading) head_.erase(head_.begin());
-      head_.push_back({as_utf8(line), number, remark});
+      head_.push_back({to_utf8(line), number, remark});
     };
     if (text.starts_with('#')) keep(text);  // may be the name of the first column
     if (remark) text.remove_prefix(std::min(text.find_first_not_of("#/ \t"), text.size()));
@@ -263,7 +263,7 @@ class LinesOfPoints {
     const bool tabs = std::any_of(head_.begin(), head_.end(), [](const HeadLine& head) {
       return head.text.find('\t') != std::string::npos;
     });
-    separator_ = said_separator_.value_or(separator_of(line));
+    separator_ = said_separator_.value_or(detect_separator(line));
     if (separator_ == '\t' && !tabs) separator_ = ' ';  // numbers hold no blanks
     split_fields(line, separator_, fields_);
     if (separator_ != ',') drop_empty_end(fields_);
@@ -275,7 +275,7 @@ class LinesOfPoints {
       return;
     }
     if (!asked_.empty()) {
-      columns_ = chosen_coordinate_columns(asked_, {}, count);
+      columns_ = select_coordinate_columns(asked_, {}, count);
       named_ = true;
       return;
     }
@@ -286,12 +286,12 @@ class LinesOfPoints {
   /// @return whether the line holds the headings of the columns
   bool take_headings(const HeadLine& head, std::size_t count,
                      std::vector<std::string_view>& headings) {
-    for (const char separator : {separator_, separator_of(head.text)}) {
+    for (const char separator : {separator_, detect_separator(head.text)}) {
       split_fields(head.text, separator, headings);
       drop_empty_end(headings);
       if (!asked_.empty()) {
         if (headings.size() != count) continue;
-        columns_ = chosen_coordinate_columns(asked_, headings, count);
+        columns_ = select_coordinate_columns(asked_, headings, count);
       } else if (const auto named = fits(headings.size(), count) ? find_coordinate_columns(headings)
                                                                  : std::nullopt) {
         columns_ = *named;
@@ -314,7 +314,7 @@ class LinesOfPoints {
       const std::string unit(units[columns_.axes[axis]]);
       const ColumnHeading heading = parse_heading("x [" + unit + "]");
       if (!heading.length) continue;
-      LengthDeclaration declared{.source = "unit \"" + printable(unit) + "\" of line " +
+      LengthUnitDeclaration declared{.source = "unit \"" + escape_nonprintable(unit) + "\" of line " +
                                            std::to_string(head.number)};
       (axis < 2 ? declared.plan : declared.height) =
           DeclaredUnit{heading.length->factor, heading.length->name};
@@ -328,7 +328,7 @@ class LinesOfPoints {
   bool fits(std::size_t headings, std::size_t count) const {
     if (headings == count || separator_ == ',') return true;
     if (headings > count) return separator_ != ' ';  // empty ones at the end may be left out
-    const std::optional<double> first = number_in(fields_[0]);
+    const std::optional<double> first = parse_number(fields_[0]);
     const bool row_number = !first || *first == std::round(*first);
     return headings > 2 && (headings + 1 < count || (headings + 1 == count && !row_number));
   }
@@ -344,12 +344,12 @@ class LinesOfPoints {
     split_fields(head.text, separator_, headings);
     drop_empty_end(headings);
     const auto axes = std::count_if(headings.begin(), headings.end(), [](std::string_view heading) {
-      return coordinate_axis(heading).has_value();
+      return parse_coordinate_axis(heading).has_value();
     });
     // Remarks are sentences more often than headings.
     const bool heading = head.remark ? axes > 2 && headings.size() + 1 == count
                                      : axes > 1 || (headings.size() == count &&
-                                                    may_be_heading(headings, separator_));
+                                                    is_possible_heading(headings, separator_));
     if (!heading) return;
     throw InputError("line " + std::to_string(head.number) + ": the heading " +
                      quoted(head.text, kQuotedHeading) + " does not say which of the " +
@@ -368,7 +368,7 @@ class LinesOfPoints {
     if (fields_.size() == fields_per_line_ || closed) return;
     throw InputError("line " + std::to_string(number) + ": has " + std::to_string(fields_.size()) +
                      " fields, but line " + std::to_string(counted_line_) + " has " +
-                     std::to_string(fields_per_line_) + "; " + kDecimalCommaAdvice);
+                     std::to_string(fields_per_line_) + "; " + kDecimalCommaHint);
   }
 
   /// Refuses a row whose name says that it sums up the others.
@@ -376,7 +376,7 @@ class LinesOfPoints {
     const auto& axes = columns_.axes;
     if (fields_.empty() || std::find(axes.begin(), axes.end(), 0) != axes.end()) return;
     const std::string_view name = trimmed_field(fields_[0]);
-    if (number_in(name) || summary_label(name) != SummaryLabel::kSure) return;
+    if (parse_number(name) || detect_summary_label(name) != SummaryLabel::kCertain) return;
     throw InputError("line " + std::to_string(number) + ": " + quoted(name) +
                      " sums up the other rows; remove that row");
   }
@@ -390,7 +390,7 @@ class LinesOfPoints {
         throw InputError("line " + std::to_string(number) +
                          ": fewer than three numbers; a line must be x y z");
       }
-      const std::optional<double> value = number_in_field(fields_[column], separator_);
+      const std::optional<double> value = parse_number_field(fields_[column], separator_);
       if (!value) {
         throw InputError(
             "line " + std::to_string(number) + ": " +
@@ -428,7 +428,7 @@ class LinesOfPoints {
 }  // namespace
 
 CloudSummary read_text_cloud(std::istream& stream, PointSink& sink,
-                             const std::vector<std::string>& columns, bool counted) {
+                             const std::vector<std::string>& columns, bool has_point_counts) {
   Lines lines(stream);
   LinesOfPoints points(sink, columns);
   std::string_view line;
@@ -441,7 +441,7 @@ CloudSummary read_text_cloud(std::istream& stream, PointSink& sink,
   }
   CloudSummary summary;
   summary.lengths = points.finish();
-  if (counted) points.check_count();
+  if (has_point_counts) points.check_count();
   return sink.finish(std::move(summary));
 }
 

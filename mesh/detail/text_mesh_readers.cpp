@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "core/error.hpp"
+#include "core/error_context.hpp"
 #include "core/files/text_scanner.hpp"
-#include "core/in_context.hpp"
 #include "mesh/detail/mesh_readers.hpp"
 #include "mesh/polygon.hpp"
 
@@ -26,7 +26,8 @@ struct PendingFace {
 
 void append_pending(TriangleMesh& mesh, const std::vector<PendingFace>& faces) {
   for (const PendingFace& face : faces) {
-    in_context("line " + std::to_string(face.line), [&] { append_polygon(mesh, face.corners); });
+    with_error_context("line " + std::to_string(face.line),
+                       [&] { append_polygon(mesh, face.corners); });
   }
 }
 
@@ -75,7 +76,7 @@ std::vector<std::int64_t> read_corners(TextScanner& text, std::size_t vertices) 
   std::vector<std::int64_t> corners;
   for (std::string_view corner = text.word(); !corner.empty() && corner.front() != '#';
        corner = text.word()) {
-    const auto number = parsed_integer(corner.substr(0, corner.find('/')));
+    const auto number = parse_integer_token(corner.substr(0, corner.find('/')));
     if (!number || *number == 0) {
       throw InputError(text.here() + "\"" + std::string(corner.substr(0, 40)) +
                        "\" is not a vertex number (they start at 1)");
@@ -128,7 +129,7 @@ std::optional<TriangleMesh> read_off(std::string_view content) {
     if (!next_content_line(text)) throw InputError("the file ends before the numbers of vertices");
     first = text.word();
   }
-  const std::optional<std::int64_t> vertices = parsed_integer(first);
+  const std::optional<std::int64_t> vertices = parse_integer_token(first);
   if (!vertices) throw InputError(text.here() + "the number of vertices is needed here");
   const std::int64_t faces = text.integer();
   // Every vertex and face takes a line of at least two bytes: a wrong count ends here.

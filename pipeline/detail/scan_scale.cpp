@@ -17,10 +17,10 @@ constexpr double kOffScan = 0.25;
 /// The unit in which a length of `raw` file units is that of a usual block.
 std::string likely_unit(double raw) {
   for (const char* name : {"m", "mm", "cm", "ft", "in", "km"}) {
-    const double length = raw * length_unit(name);
-    if (length >= 0.05 && length <= kLongestUsual) {
+    const double length = raw * parse_length_unit(name);
+    if (length >= 0.05 && length <= kMaxUsualLength) {
       return std::string("; it is probably in ") + name + ": try `units` " + name +
-             ", which makes it " + rounded(length, 3) + " m";
+             ", which makes it " + format_rounded(length, 3) + " m";
     }
   }
   return "";
@@ -28,10 +28,10 @@ std::string likely_unit(double raw) {
 
 }  // namespace
 
-void check_size(const Bounds& box, const std::string& id, const ScanToBlockOptions& options) {
+void check_scan_size(const Bounds& box, const std::string& id, const ScanToBlockOptions& options) {
   const double length = (box.high - box.low).maxCoeff();
-  if (options.any_size || (length <= kLongestUsual && length >= kShortestUsual)) return;
-  const std::string size = "block " + id + " would be " + rounded(length, 3) + " m long, ";
+  if (options.any_size || (length <= kMaxUsualLength && length >= kMinUsualLength)) return;
+  const std::string size = "block " + id + " would be " + format_rounded(length, 3) + " m long, ";
   const std::string anyway = "; `any_size` takes it as it is";
   if (options.scale_points) {
     throw InputError(size + "scaled by `scale_points`: check its two points and its metres" +
@@ -41,26 +41,26 @@ void check_size(const Bounds& box, const std::string& id, const ScanToBlockOptio
                    likely_unit(length * options.scale_factor / options.scan.unit) + anyway);
 }
 
-void check_mass(const Block& block, const ScanToBlockOptions& options) {
-  if (options.any_size || block.mass.mass <= kHeaviestUsual) return;
-  throw InputError("block " + block.id + " would be " + with_digits(block.mass.mass / 1000.0, 4) +
+void check_block_mass(const Block& block, const ScanToBlockOptions& options) {
+  if (options.any_size || block.mass.mass <= kMaxUsualMass) return;
+  throw InputError("block " + block.id + " would be " + format_significant(block.mass.mass / 1000.0, 4) +
                    " t heavy; usually blocks are no heavier than " +
-                   with_digits(kHeaviestUsual / 1000.0, 5) +
+                   format_significant(kMaxUsualMass / 1000.0, 5) +
                    " t: check scale and density; `any_size` takes it as it is");
 }
 
-std::string scale_text(const ScanToBlockOptions& options) {
+std::string format_scale_record(const ScanToBlockOptions& options) {
   std::string text = "units=" + options.units;
   if (options.scale_points) {
-    text = "unit_by_length_m=" + with_digits(options.scan.unit / options.scale_factor, 9);
+    text = "unit_by_length_m=" + format_significant(options.scan.unit / options.scale_factor, 9);
   }
   if (options.scale_factor != 1.0) {
-    text += " scale_factor=" + with_digits(options.scale_factor, 9);
+    text += " scale_factor=" + format_significant(options.scale_factor, 9);
   }
   return text;
 }
 
-void note_far_scale(FieldScan& found, const std::array<Vec3, 2>& points) {
+void note_distant_scale_points(FieldScan& found, const std::array<Vec3, 2>& points) {
   if (found.raw.vertices.empty()) return;
   const Bounds box = bounds(found.raw);
   double off = 0.0;
@@ -70,8 +70,8 @@ void note_far_scale(FieldScan& found, const std::array<Vec3, 2>& points) {
   if (off <= kOffScan * box.diagonal()) return;
   for (FieldBlock& block : found.blocks) {
     block.scan.notes.insert(block.scan.notes.begin(),
-                            "a point of `scale_points` lies " + rounded(off, 3) +
-                                " units off this scan, which is " + rounded(box.diagonal(), 3) +
+                            "a point of `scale_points` lies " + format_rounded(off, 3) +
+                                " units off this scan, which is " + format_rounded(box.diagonal(), 3) +
                                 " units across: check that both points are of this scan");
   }
 }

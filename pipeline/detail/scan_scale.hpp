@@ -10,16 +10,16 @@ namespace clast::pipeline_detail {
 /// Refuses a size that no rock block has (over 20 m or under 1 mm), which is a wrong unit most of
 /// the time. `box` is in metres.
 /// @throws InputError  naming the unit that is probably meant
-void check_size(const Bounds& box, const std::string& id, const ScanToBlockOptions& options);
+void check_scan_size(const Bounds& box, const std::string& id, const ScanToBlockOptions& options);
 
 /// Refuses a mass over 10,000 t, which is a wrong unit or density most of the time.
 /// @throws InputError  with the block's id
-void check_mass(const Block& block, const ScanToBlockOptions& options);
+void check_block_mass(const Block& block, const ScanToBlockOptions& options);
 
 /// How a scan got its size, as "key=value" for the record.
-std::string scale_text(const ScanToBlockOptions& options);
+std::string format_scale_record(const ScanToBlockOptions& options);
 
 /// Adds a note where a point that gave the scale lies far from all that was read.
-void note_far_scale(FieldScan& found, const std::array<Vec3, 2>& points);
+void note_distant_scale_points(FieldScan& found, const std::array<Vec3, 2>& points);
 
 }  // namespace clast::pipeline_detail

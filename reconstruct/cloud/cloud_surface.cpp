@@ -139,7 +139,7 @@ void smooth(Body& body) {
 /// Edges where the surface touches itself, as a share of all. Where some normals face in, the
 /// surface continues inside the body, and touches itself in many places.
 double touching_share(const TriangleMesh& surface) {
-  const MeshReport report = inspect(surface);
+  const MeshReport report = inspect_mesh(surface);
   return static_cast<double>(report.non_manifold_edges) / static_cast<double>(report.edges);
 }
 
@@ -210,7 +210,7 @@ Body body_through(const std::vector<Vec3>& points, std::span<const NormalsBy> wa
   if (missed.share > kMostMissed) {
     throw GeometryError(
         "the surface misses " + std::to_string(missed.count) + " of the " +
-        std::to_string(points.size()) + " points, " + with_digits(100.0 * missed.share, 2) +
+        std::to_string(points.size()) + " points, " + format_significant(100.0 * missed.share, 2) +
         " % of the area they cover, near " + place(missed.place) +
         ": they belong to a second body that touches this one, or are too far apart "
         "for the thickness of the block; crop the cloud to one body, or scan it more "
@@ -247,7 +247,7 @@ TriangleMesh seen_part(const Body& body) {
   const std::vector<std::uint32_t> source = reconstruct_detail::cut_touching_edges(closed).source;
   std::vector<bool> seen;
   for (const std::uint32_t t : source) seen.push_back(body.seen.seen[t]);
-  TriangleMesh open = with_triangles(closed, seen);
+  TriangleMesh open = extract_triangles(closed, seen);
   reconstruct_detail::split_pinched_vertices(open);
   std::vector<reconstruct_detail::Component> components = reconstruct_detail::components_of(open);
   return components.empty() ? TriangleMesh() : std::move(components.front().mesh);
@@ -258,7 +258,7 @@ TriangleMesh seen_part(const Body& body) {
 void CloudSurfaceOptions::check() const {
   const auto require = [](bool fine, const char* name, double value, const char* range) {
     if (fine) return;
-    throw InputError(std::string(name) + " = " + with_digits(value, 4) + "; must be " + range);
+    throw InputError(std::string(name) + " = " + format_significant(value, 4) + "; must be " + range);
   };
   require(cell > 0.0 && cell <= 0.1, "cell", cell, "above 0 and at most 0.1");
   require(trim > 0.0, "trim", trim, "above 0");

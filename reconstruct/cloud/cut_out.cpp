@@ -25,7 +25,7 @@ TriangleMesh without_ears(TriangleMesh mesh) {
     std::vector<bool> keep(mesh.triangles.size());
     for (std::size_t t = 0; t < keep.size(); ++t) keep[t] = borders[t] < 2;
     if (std::find(keep.begin(), keep.end(), false) == keep.end()) break;
-    mesh = with_triangles(mesh, keep);
+    mesh = extract_triangles(mesh, keep);
   }
   return mesh;
 }
@@ -65,7 +65,7 @@ std::vector<Component> components_nearest_to(const TriangleMesh& sheet, const Ne
     const Vec3 &p = sheet.vertices[a], &q = sheet.vertices[b], &r = sheet.vertices[c];
     keep[t] = belongs((p + q + r) / 3.0) && belongs(p) && belongs(q) && belongs(r);
   }
-  const TriangleMesh rock = with_triangles(sheet, keep);
+  const TriangleMesh rock = extract_triangles(sheet, keep);
   if (rock.triangles.empty()) return {};
   return components_of(without_ears(rock));
 }

@@ -49,7 +49,7 @@ ChosenBlocks choose_standing(const std::vector<Vec3>& points, const Ground& grou
 
 void refuse_bare_ground(const std::string& name, double share) {
   throw GeometryError(name + ": the largest component is the ground (" +
-                      with_digits(100.0 * share, 3) +
+                      format_significant(100.0 * share, 3) +
                       " % of the scan) and nothing that rises from it is a block; scan a block and "
                       "the ground around "
                       "it, or, if this is one block alone, use `find_ground = false`");

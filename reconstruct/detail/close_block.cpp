@@ -9,8 +9,8 @@
 
 #include "core/angle.hpp"
 #include "core/error.hpp"
+#include "core/error_context.hpp"
 #include "core/files/up_axis.hpp"
-#include "core/in_context.hpp"
 #include "core/number_text.hpp"
 #include "mesh/triangle_neighbours.hpp"
 #include "reconstruct/detail/doubtful_form.hpp"
@@ -34,22 +34,22 @@ double degrees_between(const Vec3& a, const Vec3& b) {
 /// From the file's units and axes.
 Vec3 in_metres(Vec3 point, const ScanOptions& options) {
   point *= options.unit;
-  return options.up == "y" ? turned_z_up(point) : point;
+  return options.up == "y" ? y_up_to_z_up(point) : point;
 }
 
 /// From metres, upright.
 TriangleMesh in_file_units(TriangleMesh mesh, const ScanOptions& options) {
   for (Vec3& v : mesh.vertices) {
-    v = (options.up == "y" ? turned_y_up(v) : v) / options.unit;
+    v = (options.up == "y" ? z_up_to_y_up(v) : v) / options.unit;
   }
   return mesh;
 }
 
 /// Was a little missing, and more than a fan closes?
 bool hardly_open(const FieldBlock& block) {
-  if (block.underside) return block.underside->invented_share < kHardlyOpen;
+  if (block.underside) return block.underside->filled_fraction < kHardlyOpen;
   const RepairReport& report = block.scan.report;
-  return report.invented_share < kHardlyOpen &&
+  return report.filled_fraction < kHardlyOpen &&
          std::any_of(report.holes.begin(), report.holes.end(),
                      [](const FilledHole& hole) { return hole.border_edges > kFanEdges; });
 }
@@ -67,7 +67,7 @@ FieldBlock with_doubt(FieldBlock block) {
 
 /// Is a part of the surface not as it was read? A wrap is off it everywhere, and says so.
 bool was_changed(const RepairReport& report) {
-  return !report.wrap_bias && (report.invented_share > 0.0 || !report.doubled.empty() ||
+  return !report.wrap_bias && (report.filled_fraction > 0.0 || !report.doubled.empty() ||
                                report.find(DefectKind::kSpike) != nullptr ||
                                report.find(DefectKind::kCrossing) != nullptr);
 }
@@ -89,7 +89,7 @@ bool turn_open_mesh_outward(TriangleMesh& open) {
                    .dot((open.vertices[b] - middle).cross(open.vertices[c] - middle));
   }
   if (sixfold >= 0.0) return false;
-  turn_over(open);
+  flip_orientation(open);
   return true;
 }
 
@@ -107,7 +107,7 @@ void swap_sides(RepairReport& report) {
 /// a pocket is small.
 std::vector<FilledHole> close_small_holes(OpenBlock& open, const std::string& name) {
   if (open.margin != nullptr) return close_by_fans(open.surface, kFanEdges);
-  return in_context(name, [&] { return fill_holes(open.surface, false); });
+  return with_error_context(name, [&] { return fill_holes(open.surface, false); });
 }
 
 /// What was scanned, where the surface has other parts too; null where it has not.
@@ -127,7 +127,7 @@ std::optional<Underside> close_unseen_side(const OpenBlock& open, const ScannedS
   if (scanned) closing.was_seen = [&](const Vec3& place) { return scanned->holds(place); };
   closing.margin = open.margin;
   closing.unit = unit;
-  return in_context(name, [&] { return close_underside(open.surface, closing); });
+  return with_error_context(name, [&] { return close_underside(open.surface, closing); });
 }
 
 /// The turn about the place where the block stands after which z points up from its ground.
@@ -142,7 +142,7 @@ Pose upright(const OpenBlock& open, const ScanOptions& options) {
 void note_tilt(const Quat& rotation, std::vector<std::string>& notes) {
   const double tilt = degrees_between(rotation * Vec3::UnitZ(), Vec3::UnitZ());
   if (tilt <= kNotedTilt) return;
-  notes.push_back("turned by " + with_digits(tilt, 3) +
+  notes.push_back("turned by " + format_significant(tilt, 3) +
                   " degrees so that z points up from the ground; `up` keeps the file's axes");
 }
 
@@ -167,7 +167,7 @@ std::string format_file_place(const Vec3& point, const FieldBlock& block,
   const double digit = std::pow(
       10.0, std::floor(std::log10(1e-3 * bounds(block.scan.mesh).diagonal() / options.unit)));
   const Vec3 upright = block.block_from_file.inverse() * point;
-  const Vec3 in_file = (options.up == "y" ? turned_y_up(upright) : upright) / options.unit;
+  const Vec3 in_file = (options.up == "y" ? z_up_to_y_up(upright) : upright) / options.unit;
   return place(((in_file / digit).array().round() * digit + 0.0).matrix());  // no "-0"
 }
 
@@ -214,9 +214,9 @@ void judge_form(FieldBlock& block, const std::string& name, const ScanOptions& o
       block.scan.notes.push_back(format_form_doubt(doubt, file_place));
       continue;
     }
-    const std::string seam =
-        " in a seam " + with_digits(doubt.size, 2) + " m wide near " + file_place(doubt.place);
-    const std::string share = with_digits(100.0 * doubt.fraction, 2) + " % of the volume";
+    const std::string seam = " in a seam " + format_significant(doubt.size, 2) + " m wide near " +
+                             file_place(doubt.place);
+    const std::string share = format_significant(100.0 * doubt.fraction, 2) + " % of the volume";
     if (doubt.fraction > kSmallNeighbour) {
       throw GeometryError(name + ": two bodies that touch" + seam + ", the smaller with " + share +
                           ": crop the scan to one of them; if it is one rock with a narrow "
@@ -291,7 +291,7 @@ RepairReport with_fillings(RepairReport report, const std::vector<FilledHole>& f
     hole.volume_above *= unit * unit * unit;
     filled.volume_below += hole.volume_below;
     filled.volume_above += hole.volume_above;
-    filled.invented_share += hole.area_share;
+    filled.filled_fraction += hole.area_share;
     filled.holes.push_back(hole);
   }
   std::stable_sort(filled.holes.begin(), filled.holes.end(),

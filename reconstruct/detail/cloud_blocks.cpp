@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "core/error.hpp"
-#include "core/in_context.hpp"
+#include "core/error_context.hpp"
 #include "core/number_text.hpp"
 #include "reconstruct/cloud/cloud.hpp"
 #include "reconstruct/cloud/outliers.hpp"
@@ -21,7 +21,7 @@ constexpr std::size_t kFewestPoints = 500;  ///< of a cloud
 void refuse_unusable(const std::vector<Vec3>& points, const std::string& name, double unit) {
   if (!all_within_reach(points, unit)) {
     throw InputError(name + ": a point is not finite or farther than " +
-                     with_digits(kLargestCoordinate, 3) +
+                     format_significant(kLargestCoordinate, 3) +
                      " m from the origin: the file is damaged, or its unit is wrong");
   }
   if (points.size() < kFewestPoints) {
@@ -50,7 +50,7 @@ void refuse_separate_sets(const NearAndFar& found, const std::string& name) {
   if (found.far_share <= kScrapArea) return;
   throw GeometryError(name + ": separate sets of points, the second with about " +
                       std::to_string(std::lround(100.0 * found.far_share)) +
-                      " % of the area of the first, near " + place(found.far_place) +
+                      " % of the area of the first, near " + format_point(found.far_place) +
                       "; save each block to a file of its own, or delete what does not belong "
                       "to it");
 }
@@ -58,7 +58,7 @@ void refuse_separate_sets(const NearAndFar& found, const std::string& name) {
 /// Also notes what the surface leaves out and fills.
 CloudSurface surface_of(const std::vector<Vec3>& points, const std::string& name,
                         const CloudSurfaceOptions& options, std::vector<std::string>& notes) {
-  return in_context(name, [&] {
+  return with_error_context(name, [&] {
     CloudSurface surface = cloud_surface(points, options);
     if (surface.outliers > 0) {
       notes.push_back(std::to_string(surface.outliers) +
@@ -66,8 +66,9 @@ CloudSurface surface_of(const std::vector<Vec3>& points, const std::string& name
     }
     if (surface.gaps > 0) {
       notes.push_back(std::to_string(surface.gaps) + (surface.gaps == 1 ? " gap" : " gaps") +
-                      " between the points filled, " + with_digits(100.0 * surface.gap_share, 2) +
-                      " % of the surface, the largest near " + place(surface.gap_place));
+                      " between the points filled, " +
+                      format_significant(100.0 * surface.gap_share, 2) +
+                      " % of the surface, the largest near " + format_point(surface.gap_place));
     }
     return surface;
   });
@@ -78,7 +79,8 @@ FieldBlock block_alone(NearAndFar sets, std::vector<std::string> notes, const st
                        const FieldScanOptions& options) {
   if (sets.far > 0) {
     notes.push_back(std::to_string(sets.far) +
-                    " points far from the block were left out, some near " + place(sets.far_place));
+                    " points far from the block were left out, some near " +
+                    format_point(sets.far_place));
   }
   CloudSurface surface = surface_of(sets.near, name, options.surface, notes);
   return close_block(

@@ -184,8 +184,8 @@ std::vector<FormDoubt> find_form_doubts(const TriangleMesh& closed) {
 
 std::string format_form_doubt(const FormDoubt& doubt,
                               const std::function<std::string(const Vec3&)>& file_place) {
-  const std::string size = with_digits(doubt.size, 2) + " m",
-                    percent = with_digits(100.0 * doubt.fraction, 2) + " %",
+  const std::string size = format_significant(doubt.size, 2) + " m",
+                    percent = format_significant(100.0 * doubt.fraction, 2) + " %",
                     near = " near " + file_place(doubt.place);
   switch (doubt.kind) {
     case FormDoubt::Kind::kShell:

@@ -34,9 +34,9 @@ struct OpenSheet {
 std::optional<OpenSheet> open_sheet(const TriangleMesh& raw, const ScanOptions& options) {
   if (!all_within_reach(raw.vertices, options.unit)) return std::nullopt;
   const double tolerance = options.repair.weld_tolerance * bounds(raw).diagonal();
-  TriangleMesh mesh = welded(raw, tolerance);
+  TriangleMesh mesh = weld_vertices(raw, tolerance);
   RepairReport report;
-  report.as_read = inspect(mesh);
+  report.as_read = inspect_mesh(mesh);
   const double area = surface_area(mesh);
   const auto note = [&](DefectKind kind, std::size_t count, double dropped = 0.0,
                         std::optional<Vec3> where = {}, double size = 0.0) {
@@ -45,7 +45,7 @@ std::optional<OpenSheet> open_sheet(const TriangleMesh& raw, const ScanOptions& 
   const auto note_change = [&](DefectKind kind, const Change& change) {
     note(kind, change.count, change.area, change.place);
   };
-  note(DefectKind::kNearVertices, welded(raw, 0.0).vertices.size() - mesh.vertices.size(), 0.0, {},
+  note(DefectKind::kNearVertices, weld_vertices(raw, 0.0).vertices.size() - mesh.vertices.size(), 0.0, {},
        tolerance * options.unit);
   note(DefectKind::kNoArea, raw.triangles.size() - mesh.triangles.size());
   const SoupRepair repair = repair_soup(mesh, kFinArea);
@@ -58,7 +58,7 @@ std::optional<OpenSheet> open_sheet(const TriangleMesh& raw, const ScanOptions& 
     note(DefectKind::kMixedWinding, turned, 0.0, mesh.vertices[repair.orientation.first]);
   }
   const std::vector<FilledHole> ragged = close_ragged_holes(mesh);
-  if (inspect(mesh).closed()) return std::nullopt;
+  if (inspect_mesh(mesh).is_closed()) return std::nullopt;
   note_change(DefectKind::kPinchedVertex, split_pinched_vertices(mesh));
   const Spikes spikes = flatten_spikes(mesh);
   note(DefectKind::kSpike, spikes.count, 0.0, spikes.place, spikes.highest * options.unit);
@@ -103,7 +103,7 @@ bool drop_copies(std::vector<Component>& components, RepairReport& report, doubl
   }
   components.resize(1);
   for (Component& component : kept) components.push_back(std::move(component));
-  return !others && inspect(components[0].mesh).closed();
+  return !others && inspect_mesh(components[0].mesh).is_closed();
 }
 
 /// Are all holes of the sheet so small that none is an unseen side?
@@ -122,7 +122,7 @@ bool has_only_small_holes(const TriangleMesh& sheet) {
 std::string left_out(const std::vector<Component>& components) {
   if (components.size() < 2 || components[1].area <= kScrapArea * components[0].area) return "";
   return "another component of the scan that stands close to this block, with " +
-         with_digits(100.0 * components[1].area / components[0].area, 3) + " % of its area, near " +
+         format_significant(100.0 * components[1].area / components[0].area, 3) + " % of its area, near " +
          place(components[1].mesh.vertices[0]) +
          ", was left out; to have both, save each to a file of its own";
 }

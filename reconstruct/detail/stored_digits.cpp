@@ -60,7 +60,7 @@ std::optional<CoordinateStep> coordinate_step(const TriangleMesh& mesh) {
 }
 
 std::string digits_note(const TriangleMesh& mesh, const std::filesystem::path& path, double unit) {
-  const std::string extension = extension_of(path);
+  const std::string extension = lower_case_extension(path);
   const bool keeps_floats =
       extension == ".stl" || extension == ".glb" || extension == ".gltf" || extension == ".3ds";
   if (!keeps_floats && mesh.vertices.size() < kNoChance) return "";
@@ -71,10 +71,10 @@ std::string digits_note(const TriangleMesh& mesh, const std::filesystem::path& p
   const double share = found->step / diagonal;
   if (!(share > kDigitsLost)) return "";
   const std::string text = "precision was lost in the file itself: its coordinates reach " +
-                           with_digits(found->largest, 9) + " and are kept in steps of " +
-                           with_digits(found->step * unit, 3) + " m, " +
-                           with_digits(100.0 * share, 3) + " % of the scan's diagonal of " +
-                           with_digits(diagonal * unit, 3) + " m";
+                           format_significant(found->largest, 9) + " and are kept in steps of " +
+                           format_significant(found->step * unit, 3) + " m, " +
+                           format_significant(100.0 * share, 3) + " % of the scan's diagonal of " +
+                           format_significant(diagonal * unit, 3) + " m";
   const std::string advice =
       "; export it again with a local origin (CloudCompare: accept the global shift when loading) "
       "or as PLY with doubles";

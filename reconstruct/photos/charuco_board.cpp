@@ -18,12 +18,12 @@ void CharucoBoard::check() const {
                      " squares; 3 to 100 each are understood");
   }
   if (!(square > 0.0 && square < 10.0)) {
-    throw InputError("ChArUco board: " + with_digits(square, 6) +
+    throw InputError("ChArUco board: " + format_significant(square, 6) +
                      " m is no side of a square; must be above 0 and below 10 m");
   }
   if (!(marker > 0.0 && marker < square)) {
-    throw InputError("ChArUco board: markers of " + with_digits(marker, 6) +
-                     " m don't fit in squares of " + with_digits(square, 6) +
+    throw InputError("ChArUco board: markers of " + format_significant(marker, 6) +
+                     " m don't fit in squares of " + format_significant(square, 6) +
                      " m; check both lengths");
   }
   const int size = photos_detail::dictionary_size(dictionary);

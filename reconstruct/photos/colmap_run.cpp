@@ -10,7 +10,7 @@
 #include "core/error.hpp"
 #include "core/files/child_process.hpp"
 #include "core/files/digest.hpp"
-#include "core/files/part_place.hpp"
+#include "core/files/staging_path.hpp"
 #include "core/files/text_file.hpp"
 #include "core/number_text.hpp"
 #include "reconstruct/photos/detail/photo_image.hpp"
@@ -58,7 +58,7 @@ class ColmapJob {
       throw InputError(kept.parent_path().string() + ": can't be made (" + code.message() +
                        "); choose another folder with `cache`");
     }
-    part_.emplace(kept, PartPlace::Kind::kFolder);
+    part_.emplace(kept, StagingPath::Kind::kFolder);
     work_ = part_->path();
     fs::create_directory(work_ / "sparse", code);
   }
@@ -172,11 +172,12 @@ class ColmapJob {
   bool try_step(const std::string& what, const std::string& command,
                 const std::vector<std::string>& arguments) {
     if (stage_) stage_(what);
-    const ChildEnd end = run_child(words(command, arguments), {{"QT_QPA_PLATFORM", "offscreen"}},
-                                   work_ / (command + ".log"), options_.seconds);
+    const ProcessResult end =
+        run_child_process(words(command, arguments), {{"QT_QPA_PLATFORM", "offscreen"}},
+                          work_ / (command + ".log"), options_.seconds);
     if (end.timed_out) {
       throw InputError("colmap " + command + " was ended after " +
-                       with_digits(options_.seconds / 60.0, 3) +
+                       format_significant(options_.seconds / 60.0, 3) +
                        " minutes: use fewer or smaller photos, or give it more time with "
                        "`seconds`");
     }
@@ -192,7 +193,7 @@ class ColmapJob {
   }
 
   fs::path program_, photos_, work_;
-  std::optional<PartPlace> part_;  ///< of `work_`
+  std::optional<StagingPath> part_;  ///< of `work_`
   const ColmapOptions& options_;
   const std::function<void(const std::string&)>& stage_;
   std::vector<fs::path> folders_;
@@ -247,7 +248,7 @@ std::vector<fs::path> photos_beside_masks(const fs::path& folder, const fs::path
 void ColmapOptions::check() const {
   const auto require = [](bool fine, const char* name, double value) {
     if (fine) return;
-    throw InputError(std::string(name) + " = " + with_digits(value, 6) + " is out of range");
+    throw InputError(std::string(name) + " = " + format_significant(value, 6) + " is out of range");
   };
   require(seconds > 0.0 && seconds <= 1e6, "seconds", seconds);
   require(features >= 100 && features <= 100000, "features", features);
@@ -295,7 +296,7 @@ PhotoModel colmap_cameras(const fs::path& folder, const ColmapOptions& options,
     judge({model}, files.size(), options);
     return finished(std::move(model));
   }
-  const fs::path program = program_named(options.program);
+  const fs::path program = find_executable(options.program);
   if (program.empty()) {
     throw InputError("cameras of photos are found by the program colmap, and " + options.program +
                      " isn't there: install the package colmap (Debian, Ubuntu: apt-get install "

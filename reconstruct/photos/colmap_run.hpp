@@ -30,9 +30,9 @@ void visit_fields(const ColmapOptions& options, Visit&& visit) {
   const auto& [program, cache, masks, seconds, features, most_pixels, exhaustive_up_to,
                least_share] = options;
   visit("program", program);
-  visit("cache", NoInfluence{cache});
+  visit("cache", ExcludedField{cache});
   visit("masks", masks);
-  visit("seconds", NoInfluence{seconds});
+  visit("seconds", ExcludedField{seconds});
   visit("features", features);
   visit("most_pixels", most_pixels);
   visit("exhaustive_up_to", exhaustive_up_to);

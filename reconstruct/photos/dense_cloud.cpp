@@ -99,7 +99,7 @@ class Cells {
     ++cell.count;
   }
 
-  void hand_over(DenseCloud& cloud) const {
+  void flush_batch(DenseCloud& cloud) const {
     std::vector<std::uint64_t> keys;
     for (const auto& [key, cell] : cells_) keys.push_back(key);
     std::sort(keys.begin(), keys.end());
@@ -142,7 +142,7 @@ void skip_blurred(const PhotoModel& model, const DenseOptions& options, DenseClo
     if (!sharpness[i].blurred) continue;
     cloud.blurred.push_back(i);
     names += (names.empty() ? "" : ", ") + model.photos[i].name + " (sharpness " +
-             with_digits(sharpness[i].relative, 2) + " of the median)";
+             format_significant(sharpness[i].relative, 2) + " of the median)";
   }
   if (!names.empty()) cloud.notes.push_back("blurred photos were skipped: " + names);
 }
@@ -153,7 +153,7 @@ void DenseOptions::check() const {
   pairs.check();
   const auto require = [](bool fine, const char* name, double value, const char* range) {
     if (fine) return;
-    throw InputError(std::string(name) + " = " + with_digits(value, 5) + "; must be " + range);
+    throw InputError(std::string(name) + " = " + format_significant(value, 5) + "; must be " + range);
   };
   require(most_pixels >= 100 && most_pixels <= 10000, "most_pixels", most_pixels,
           "from 100 to 10000");
@@ -203,7 +203,7 @@ DenseCloud dense_cloud(const PhotoModel& model, const DenseOptions& options,
     }
     if (progress) progress(count + (first + points.size()) / 4, count + count / 4);
   }
-  cells.hand_over(cloud);
+  cells.flush_batch(cloud);
   cloud.through = photos_detail::looked_through(views, agreed, cloud.region, options.tolerance,
                                                 options.threads);
   if (cloud.points.size() < kFewestDensePoints) {

@@ -38,7 +38,7 @@ void visit_fields(const DenseOptions& options, Visit&& visit) {
   visit("cell", cell);
   visit("skip_blurred", skip_blurred);
   visit("masks", masks);
-  visit("threads", NoInfluence{threads});
+  visit("threads", ExcludedField{threads});
 }
 
 struct DenseCloud {

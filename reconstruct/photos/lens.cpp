@@ -41,7 +41,7 @@ Distorted distorted(const Lens& lens, const Vec2& p) {
 
 void Lens::check() const {
   const auto refuse = [](const std::string& what, double value) {
-    throw InputError("camera: " + what + " = " + with_digits(value, 6) +
+    throw InputError("camera: " + what + " = " + format_significant(value, 6) +
                      " is not of a lens; check the camera model");
   };
   if (width < 1 || width > 100000) refuse("width", width);

@@ -40,7 +40,7 @@ fs::path model_at(const fs::path& path) {
 PhotoModel read_at(const fs::path& path) {
   if (holds_colmap(path, ".txt")) return photos_detail::read_colmap_text(path);
   if (holds_colmap(path, ".bin")) return photos_detail::read_colmap_binary(path);
-  const std::string extension = extension_of(path);
+  const std::string extension = lower_case_extension(path);
   if (extension == ".xml") return photos_detail::read_metashape(path);
   if (extension == ".sfm" || extension == ".json") return photos_detail::read_alicevision(path);
   throw InputError(

@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "core/error.hpp"
-#include "core/in_context.hpp"
+#include "core/error_context.hpp"
 #include "core/number_text.hpp"
 #include "core/parallel.hpp"
 #include "reconstruct/photos/detail/marker_corners.hpp"
@@ -26,8 +26,8 @@ using photos_detail::MarkerInPhoto;
 
 Lens lens_for(const PhotoModel& model, std::size_t photo, const cv::Mat& image) {
   const Photo& p = model.photos[photo];
-  return in_context("photo " + p.name,
-                    [&] { return resized(model.lenses[p.lens], image.cols, image.rows); });
+  return with_error_context("photo " + p.name,
+                            [&] { return resized(model.lenses[p.lens], image.cols, image.rows); });
 }
 
 /// The dictionary with the most markers on some photos; empty when none has enough.
@@ -86,7 +86,8 @@ void MarkerOptions::check() const {
   if (dictionary != "auto" && dictionary != "none") photos_detail::dictionary_number(dictionary);
   if (fewest_photos < 2) throw InputError("fewest_photos must be 2 at least");
   if (!(largest_error > 0.0 && largest_error < 100.0)) {
-    throw InputError("largest_error = " + with_digits(largest_error, 4) + " px is out of range");
+    throw InputError("largest_error = " + format_significant(largest_error, 4) +
+                     " px is out of range");
   }
 }
 

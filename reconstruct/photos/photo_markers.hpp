@@ -27,7 +27,7 @@ void visit_fields(const MarkerOptions& options, Visit&& visit) {
   visit("dictionary", dictionary);
   visit("fewest_photos", fewest_photos);
   visit("largest_error", largest_error);
-  visit("threads", NoInfluence{threads});
+  visit("threads", ExcludedField{threads});
 }
 
 /// A marker that several photos agree on.

@@ -74,7 +74,7 @@ std::vector<fs::path> photos_in(const fs::path& folder) {
     const bool hidden = entry->path().filename().string().starts_with(".");
     if (hidden && entry->is_directory(unseen)) entry.disable_recursion_pending();
     if (!hidden && entry->is_regular_file(unseen) &&
-        kPhotos.contains(extension_of(entry->path()))) {
+        kPhotos.contains(lower_case_extension(entry->path()))) {
       found.push_back(entry->path());
     }
   }

@@ -22,7 +22,7 @@ const FoundMarker& marker_of(const std::vector<FoundMarker>& markers, int id) {
                    ". A marker must be seen whole, sharp and with a white margin in 3 photos");
 }
 
-std::string in_percent(double share) { return with_digits(100.0 * share, 2) + " %"; }
+std::string in_percent(double share) { return format_significant(100.0 * share, 2) + " %"; }
 
 double median(std::vector<double> values) {
   std::sort(values.begin(), values.end());
@@ -93,7 +93,7 @@ std::size_t leave_out_disagreeing(std::vector<ScaleMeasure>& measures, double mo
   if (2 * used > measures.size() || measures.size() == 1) return used;
   std::string values;
   for (const ScaleMeasure& measure : measures) {
-    values += (values.empty() ? "" : ", ") + measure.name + ": " + with_digits(measure.factor, 6) +
+    values += (values.empty() ? "" : ", ") + measure.name + ": " + format_significant(measure.factor, 6) +
               " m per unit";
   }
   throw InputError("the sizes contradict each other by more than " + in_percent(most) + " (" +
@@ -145,17 +145,17 @@ void ScaleOptions::check() const {
                        "; name two markers");
     }
     if (!(bar.length > 0.0 && bar.length < 1e4)) {
-      throw InputError("scale bar: " + with_digits(bar.length, 6) +
+      throw InputError("scale bar: " + format_significant(bar.length, 6) +
                        " m is no distance; must be above 0 and below 10000 m");
     }
   }
   if (board) board->check();
   if (marker_side && !(*marker_side > 0.0 && *marker_side < 100.0)) {
-    throw InputError("marker_side = " + with_digits(*marker_side, 6) +
+    throw InputError("marker_side = " + format_significant(*marker_side, 6) +
                      " m is no side of a marker; must be above 0 and below 100 m");
   }
   if (!(largest_disagreement > 0.0 && largest_disagreement < 1.0)) {
-    throw InputError("largest_disagreement = " + with_digits(largest_disagreement, 6) +
+    throw InputError("largest_disagreement = " + format_significant(largest_disagreement, 6) +
                      " must be between 0 and 1");
   }
 }

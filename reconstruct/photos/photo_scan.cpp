@@ -54,7 +54,7 @@ std::string scale_words(const PhotoScale& scale, const std::string& source) {
                                   [](const ScaleMeasure& one) { return one.used; });
   std::string text = "scale by " + source + ": " + std::to_string(used) + " of " +
                      std::to_string(scale.measures.size()) + " lengths agree";
-  if (used > 1) text += ", to " + with_digits(100.0 * scale.spread, 2) + " %";
+  if (used > 1) text += ", to " + format_significant(100.0 * scale.spread, 2) + " %";
   return text;
 }
 
@@ -93,7 +93,7 @@ void set_scale_by_markers(PhotoScan& scan, const PhotoScanOptions& options) {
   scan.notes.insert(scan.notes.end(), scan.scale->notes.begin(), scan.scale->notes.end());
   const double factor = scan.scale->metres_per_unit;
   if (scan.model.metric && std::abs(factor - 1.0) > kToldDifference) {
-    scan.notes.push_back("by the markers, lengths are " + with_digits(factor, 4) + " times what " +
+    scan.notes.push_back("by the markers, lengths are " + format_significant(factor, 4) + " times what " +
                          scan.model.source + " says; the markers were taken");
   }
   scan.metric = true;
@@ -126,7 +126,7 @@ void PhotoScanOptions::check() const {
   scale.check();
   dense.check();
   if (metres_per_unit && !(*metres_per_unit > 0.0)) {
-    throw InputError("metres_per_unit = " + with_digits(*metres_per_unit, 6) + " must be positive");
+    throw InputError("metres_per_unit = " + format_significant(*metres_per_unit, 6) + " must be positive");
   }
 }
 

@@ -71,7 +71,7 @@ AlikePoints alike(std::vector<BoardPoint> points, double most) {
     }
     if (points.size() == 3 || 2 * (points.size() - 1) <= all) {
       throw InputError("the board is not what the photos show: distances on it differ by up to " +
-                       with_digits(now.worst, 3) + " m of " + with_digits(now.reach, 3) +
+                       format_significant(now.worst, 3) + " m of " + format_significant(now.reach, 3) +
                        " m, and " + std::to_string(points.size()) + " of its " +
                        std::to_string(all) +
                        " points can't tell which is wrong; measure it again, or check its file");
@@ -88,7 +88,7 @@ AlikePoints alike(std::vector<BoardPoint> points, double most) {
     notes.push_back(points[worst].name +
                     " is not where the board has it: without it distances "
                     "agree to " +
-                    with_digits(least, 2) + " m instead of " + with_digits(now.rms, 2) +
+                    format_significant(least, 2) + " m instead of " + format_significant(now.rms, 2) +
                     " m. Left out");
     misplaced.push_back(points[worst].id);
     points.erase(points.begin() + static_cast<std::ptrdiff_t>(worst));
@@ -127,7 +127,7 @@ void ScaleBoard::check() const {
       }
       const double distance = (markers[i].centre - markers[j].centre).norm();
       if (!(distance > 0.0 && distance < 1e4)) {
-        throw InputError("board: markers " + pair + " are " + with_digits(distance, 6) +
+        throw InputError("board: markers " + pair + " are " + format_significant(distance, 6) +
                          " m apart; must be above 0 and below 10000 m");
       }
     }

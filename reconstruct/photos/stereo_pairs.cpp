@@ -88,7 +88,7 @@ std::vector<std::size_t> choose_partners(const std::vector<Partner>& partners, s
   std::string apart;
   if (!nearest.empty()) {
     std::sort(nearest.begin(), nearest.end());
-    apart = ": neighbours are " + with_digits(nearest[nearest.size() / 2] * kDegreesPerRadian, 2) +
+    apart = ": neighbours are " + format_significant(nearest[nearest.size() / 2] * kDegreesPerRadian, 2) +
             " degrees apart";
   }
   throw InputError("only " + std::to_string(pairs) + " pairs among " + std::to_string(photos) +

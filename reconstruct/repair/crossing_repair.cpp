@@ -43,13 +43,13 @@ class CrossingRepair {
   /// `mesh` when it is what is wanted, and its volume is about that of the surface.
   std::optional<TriangleMesh> if_sound(TriangleMesh mesh, double change) const {
     mesh = on_grid(std::move(mesh), origin_);
-    const MeshReport report = inspect(mesh);
-    if (!report.closed() || !report.oriented() || report.pinched_vertices > 0 ||
+    const MeshReport report = inspect_mesh(mesh);
+    if (!report.is_closed() || !report.is_oriented() || report.pinched_vertices > 0 ||
         report.components != 1) {
       return std::nullopt;
     }
     const double ratio = std::abs(signed_volume(mesh)) / volume_;
-    if (!(std::abs(ratio - 1.0) <= change) || !crossing_triangles(mesh).empty()) {
+    if (!(std::abs(ratio - 1.0) <= change) || !find_self_intersections(mesh).empty()) {
       return std::nullopt;
     }
     return mesh;
@@ -59,9 +59,9 @@ class CrossingRepair {
   /// it is turned for the while. The vertices stay parted for what is tried next.
   std::optional<TriangleMesh> by_parting() {
     const bool inward = signed_volume(mesh_) < 0.0;
-    if (inward) turn_over(mesh_);
+    if (inward) flip_orientation(mesh_);
     part_touching_vertices(mesh_, kPartedBy * bounds(mesh_).diagonal());
-    if (inward) turn_over(mesh_);
+    if (inward) flip_orientation(mesh_);
     return if_sound(mesh_, kCrossingVolume);
   }
 
@@ -76,7 +76,7 @@ class CrossingRepair {
     TriangleMesh trial = mesh_;
     for (int rings = 0; rings < kCutRings; ++rings) {
       std::vector<bool> near(trial.vertices.size(), false);
-      for (const auto& pair : crossing_triangles(trial)) {
+      for (const auto& pair : find_self_intersections(trial)) {
         for (const std::uint32_t t : pair) {
           for (const std::uint32_t v : trial.triangles[t]) near[v] = true;
         }
@@ -96,8 +96,8 @@ class CrossingRepair {
       trial = std::move(components_of(trial).front().mesh);
       split_pinched_vertices(trial);
       close_by_fans(trial, kFanEdges);
-      if (inspect(trial).boundary_edges > 0) fill_holes(trial);
-      if (!inspect(trial).closed()) return std::nullopt;
+      if (inspect_mesh(trial).boundary_edges > 0) fill_holes(trial);
+      if (!inspect_mesh(trial).is_closed()) return std::nullopt;
       if (auto sound = if_sound(trial, kCrossingVolume)) return sound;
     }
     return std::nullopt;

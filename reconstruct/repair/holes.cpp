@@ -267,7 +267,7 @@ std::vector<FilledHole> fill_holes(TriangleMesh& mesh, bool unseen_sides) {
       fill(work, start, border, hole);
     } catch (const CGAL::Failure_exception&) {  // met something that it takes for impossible
       throw GeometryError("the hole of " + std::to_string(border.size()) +
-                          " border edges that is " + with_digits(hole.perimeter, 3) +
+                          " border edges that is " + format_significant(hole.perimeter, 3) +
                           " m round can't be filled; close it in MeshLab or CloudCompare first");
     }
     if (hole.area > 0.0) filled.push_back(hole);

@@ -57,24 +57,24 @@ Vec3 local_origin(const Bounds& box) {
 /// @param weld_tolerance  share of the diagonal
 TriangleMesh weld_as_needed(const TriangleMesh& raw, double weld_tolerance, RepairLog& log) {
   const double diagonal = bounds(raw).diagonal();
-  TriangleMesh mesh = welded(raw, 0.0);
+  TriangleMesh mesh = weld_vertices(raw, 0.0);
   reconstruct_detail::check_not_empty(mesh);
   MeshReport& as_read = log.report.as_read;
-  as_read = inspect(mesh);
+  as_read = inspect_mesh(mesh);
   const std::size_t vertices = mesh.vertices.size();
   double tolerance = 0.0;
   for (const double multiple : kWelds) {
-    if (as_read.closed()) break;
+    if (as_read.is_closed()) break;
     const double trial = multiple * weld_tolerance * diagonal;
-    TriangleMesh joined = welded(raw, trial);
-    const MeshReport report = inspect(joined);
+    TriangleMesh joined = weld_vertices(raw, trial);
+    const MeshReport report = inspect_mesh(joined);
     const std::size_t before = as_read.boundary_edges;
     const bool better =
         multiple == 1.0 ? report.boundary_edges < before : 2 * report.boundary_edges < before;
     // Vertices that lie close together because the mesh is fine are not torn apart.
     const bool only_borders = multiple == 1.0 || mesh.vertices.size() - joined.vertices.size() <=
                                                      kJoinedPerOpenEdge * before;
-    if (report.triangles == 0 || !only_borders || !(report.closed() || better)) continue;
+    if (report.triangles == 0 || !only_borders || !(report.is_closed() || better)) continue;
     mesh = std::move(joined);
     as_read = report;
     tolerance = trial;
@@ -116,13 +116,13 @@ void fill_remaining_holes(TriangleMesh& mesh, const TriangleMesh& welded_mesh,
        reconstruct_detail::close_by_fans(mesh, reconstruct_detail::kFanEdges)) {
     holes.push_back(hole);
   }
-  if (options.invent && inspect(mesh).boundary_edges > 0) {
+  if (options.invent && inspect_mesh(mesh).boundary_edges > 0) {
     for (const FilledHole& hole : reconstruct_detail::fill_holes(mesh)) holes.push_back(hole);
   }
   const double area = surface_area(mesh);
   for (FilledHole& hole : holes) {
     hole.area_share = hole.area / area;
-    log.report.invented_share += hole.area_share;
+    log.report.filled_fraction += hole.area_share;
     log.report.volume_below += hole.volume_below;
     log.report.volume_above += hole.volume_above;
     reconstruct_detail::check_hole(hole, options.largest_hole, welded_mesh, log);
@@ -135,7 +135,7 @@ void fill_remaining_holes(TriangleMesh& mesh, const TriangleMesh& welded_mesh,
 /// Triangles that cross are replaced.
 void replace_crossings(TriangleMesh& mesh, const Vec3& origin, RepairLog& log) {
   mesh = reconstruct_detail::on_grid(std::move(mesh), origin);
-  const auto crossings = crossing_triangles(mesh);
+  const auto crossings = find_self_intersections(mesh);
   if (crossings.empty()) return;
   const Vec3 where = mesh.vertices[mesh.triangles[crossings[0][0]][0]];
   std::optional<reconstruct_detail::FreedSurface> freed =
@@ -144,7 +144,7 @@ void replace_crossings(TriangleMesh& mesh, const Vec3& origin, RepairLog& log) {
     throw GeometryError("the surface passes through itself at " + std::to_string(crossings.size()) +
                         " pairs of triangles, the first near " + log.at(where) +
                         ", and can't be freed of that without changing its volume by more than " +
-                        with_digits(100.0 * reconstruct_detail::kCrossingVolume, 2) + " %" +
+                        format_significant(100.0 * reconstruct_detail::kCrossingVolume, 2) + " %" +
                         reconstruct_detail::kRepairAdvice);
   }
   log.report.crossing_volume_change =
@@ -171,13 +171,13 @@ void repair_block(TriangleMesh& mesh, const TriangleMesh& welded_mesh, const Vec
 
 void turn_solid_outward(TriangleMesh& mesh, RepairLog& log) {
   if (signed_volume(mesh) > 0.0) return;
-  turn_over(mesh);
+  flip_orientation(mesh);
   log.swap_sides();
   log.note(DefectKind::kInward, 1);
 }
 
 void note_tunnels(const TriangleMesh& mesh, RepairLog& log) {
-  const MeshReport report = inspect(mesh);
+  const MeshReport report = inspect_mesh(mesh);
   const long handles = static_cast<long>(report.components) - report.euler_characteristic / 2;
   if (handles > 0) log.note(DefectKind::kTunnel, static_cast<std::size_t>(handles));
 }
@@ -186,11 +186,11 @@ void note_tunnels(const TriangleMesh& mesh, RepairLog& log) {
 
 void RepairOptions::check() const {
   if (!(weld_tolerance >= 0.0 && weld_tolerance <= 0.01)) {
-    throw InputError("weld_tolerance = " + with_digits(weld_tolerance, 6) +
+    throw InputError("weld_tolerance = " + format_significant(weld_tolerance, 6) +
                      ": a share of the diagonal between 0 and 0.01 is needed");
   }
   if (!(largest_hole > 0.0 && largest_hole < 1.0)) {
-    throw InputError("largest_hole = " + with_digits(largest_hole, 6) +
+    throw InputError("largest_hole = " + format_significant(largest_hole, 6) +
                      ": a share of the surface between 0 and 1 is needed");
   }
 }

@@ -31,7 +31,7 @@ void visit_fields(const RepairOptions& options, Visit&& visit) {
   visit("keep_inner_shells", keep_inner_shells);
   visit("invent", invent);
   visit("largest_hole", largest_hole);
-  visit("reported_place", NoInfluence{reported_place});
+  visit("reported_place", ExcludedField{reported_place});
 }
 
 /// Coordinates beyond this (m) are no place on Earth or any rock: the file is damaged. Squares and

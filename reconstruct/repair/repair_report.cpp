@@ -13,7 +13,7 @@ namespace {
 /// A share of the surface below which it isn't worth a word.
 constexpr double kWorthNoting = 1e-3;
 
-std::string in_percent(double share) { return with_digits(100.0 * share, 3) + " %"; }
+std::string in_percent(double share) { return format_significant(100.0 * share, 3) + " %"; }
 
 std::string change(double relative) {
   return std::abs(relative) < 1e-5 ? "less than 0.001 %" : in_percent(relative);
@@ -45,7 +45,7 @@ class Sentences {
   }
 
  private:
-  static std::string metres(double length) { return with_digits(length, 3) + " m"; }
+  static std::string metres(double length) { return format_significant(length, 3) + " m"; }
 
   static std::string near(const Defect& defect) {
     return defect.place ? " near " + place(*defect.place) : "";
@@ -61,7 +61,7 @@ class Sentences {
                            ? "a second copy of the block's whole surface, "
                            : "a second copy of " + in_percent(std::min(1.0, copy.area_share)) +
                                  " of the block's surface, ";
-    text += with_digits(100.0 * copy.scale, 4) + " % of its size, " + metres(copy.distance) +
+    text += format_significant(100.0 * copy.scale, 4) + " % of its size, " + metres(copy.distance) +
             " away from it and on average " + metres(std::abs(copy.offset)) +
             (copy.offset < 0.0 ? " inside" : " outside") +
             ", was dropped: not a bubble but the same rock, scanned or stored twice and not "
@@ -82,10 +82,10 @@ class Sentences {
     }
     const double volume = copy.kept_volume, change = copy.volume_change;
     text += volume > 0.0
-                ? "; it has a volume of " + with_digits(volume, 4) +
-                      " m3, with the other one it would be " + with_digits(volume + change, 4) +
+                ? "; it has a volume of " + format_significant(volume, 4) +
+                      " m3, with the other one it would be " + format_significant(volume + change, 4) +
                       " m3"
-                : "; with the other one the volume would be " + with_digits(std::abs(change), 3) +
+                : "; with the other one the volume would be " + format_significant(std::abs(change), 3) +
                       " m3 " + (change < 0.0 ? "smaller" : "larger");
     return text + ". Register the scans again, or delete one";
   }
@@ -93,44 +93,44 @@ class Sentences {
   std::string of(const Defect& d) const {
     switch (d.kind) {
       case DefectKind::kNearVertices:
-        return counted(d.count, "vertex", "vertices") + " joined to a neighbour closer than " +
-               with_digits(d.size, 4) + " m";
+        return format_count(d.count, "vertex", "vertices") + " joined to a neighbour closer than " +
+               format_significant(d.size, 4) + " m";
       case DefectKind::kNoArea:
-        return counted(d.count, "triangle", "triangles") + " without area or stored twice dropped";
+        return format_count(d.count, "triangle", "triangles") + " without area or stored twice dropped";
       case DefectKind::kFolded:
-        return counted(d.count, "triangle", "triangles") + " back to back with another dropped" +
+        return format_count(d.count, "triangle", "triangles") + " back to back with another dropped" +
                worth_of(d);
       case DefectKind::kFin:
-        return counted(d.count, "triangle that stands", "triangles that stand") +
+        return format_count(d.count, "triangle that stands", "triangles that stand") +
                " on the surface or double it dropped" + worth_of(d) + ", the first" + near(d);
       case DefectKind::kTouchingEdge:
-        return counted(d.count, "edge", "edges") +
+        return format_count(d.count, "edge", "edges") +
                " shared by more than two triangles cut apart, the first" + near(d);
       case DefectKind::kMixedWinding:
-        return counted(d.count, "triangle", "triangles") + " turned to agree with neighbours";
+        return format_count(d.count, "triangle", "triangles") + " turned to agree with neighbours";
       case DefectKind::kPinchedVertex:
-        return counted(d.count, "vertex", "vertices") + " where the surface touches itself split";
+        return format_count(d.count, "vertex", "vertices") + " where the surface touches itself split";
       case DefectKind::kDoubleSheet:
-        return counted(d.count, "sheet that lies", "sheets that lie") +
+        return format_count(d.count, "sheet that lies", "sheets that lie") +
                " on the block dropped (a part scanned twice)" + worth_of(d) + ", the largest" +
                near(d);
       case DefectKind::kIsland:
-        return counted(d.count, "loose scrap", "loose scraps") + " dropped" + worth_of(d);
+        return format_count(d.count, "loose scrap", "loose scraps") + " dropped" + worth_of(d);
       case DefectKind::kInnerShell:
-        return counted(d.count, "inner shell", "inner shells") + " (bubbles) of " +
-               with_digits(report_.inner_shell_volume, 4) + " m3 in all " +
+        return format_count(d.count, "inner shell", "inner shells") + " (bubbles) of " +
+               format_significant(report_.inner_shell_volume, 4) + " m3 in all " +
                (report_.inner_shells_kept ? "kept as cavities" : "dropped");
       case DefectKind::kSpike:
-        return counted(d.count, "spike", "spikes") + " of up to " + metres(d.size) +
+        return format_count(d.count, "spike", "spikes") + " of up to " + metres(d.size) +
                " put back into the surface, the highest" + near(d);
       case DefectKind::kCrossing:
-        return counted(d.count, "pair", "pairs") +
+        return format_count(d.count, "pair", "pairs") +
                " of triangles that touched or passed through each other parted or replaced" +
                near(d) + ", which changed the volume by " + change(report_.crossing_volume_change);
       case DefectKind::kInward:
         return "the surface faced inwards and was turned";
       case DefectKind::kTunnel:
-        return counted(d.count, "tunnel goes through the block and stays",
+        return format_count(d.count, "tunnel goes through the block and stays",
                        "tunnels go through the block and stay") +
                " open; if the rock has none, fill in the scan what makes one";
       case DefectKind::kHole:
@@ -156,25 +156,25 @@ class Sentences {
       }
     }
     if (fans > 0) {
-      notes.push_back(counted(fans, "hole", "holes") + " with " +
-                      counted(fan_edges, "border edge", "border edges") + " in all closed by " +
+      notes.push_back(format_count(fans, "hole", "holes") + " with " +
+                      format_count(fan_edges, "border edge", "border edges") + " in all closed by " +
                       (largest_fan <= reconstruct_detail::kFanEdges
                            ? "a fan"
                            : "triangles between their corners"));
     }
     if (largest != nullptr) {
-      notes.push_back(counted(fillings, "hole", "holes") + " filled; the largest has " +
+      notes.push_back(format_count(fillings, "hole", "holes") + " filled; the largest has " +
                       std::to_string(largest->border_edges) + " border edges, is " +
                       metres(largest->perimeter) + " round and reaches " + metres(largest->radius) +
                       " from its middle at " + place(largest->centre));
     }
-    if (report_.invented_share >= kWorthNoting) {
+    if (report_.filled_fraction >= kWorthNoting) {
       std::string open;
       if (report_.volume_below + report_.volume_above > 0.0) {
-        open = "; the volume may be up to " + with_digits(report_.volume_below, 2) +
-               " m3 smaller or " + with_digits(report_.volume_above, 2) + " m3 larger";
+        open = "; the volume may be up to " + format_significant(report_.volume_below, 2) +
+               " m3 smaller or " + format_significant(report_.volume_above, 2) + " m3 larger";
       }
-      notes.push_back(with_digits(100.0 * report_.invented_share, 2) + " %" +
+      notes.push_back(format_significant(100.0 * report_.filled_fraction, 2) + " %" +
                       " of the surface is invented: no scan saw what fills the holes" + open);
     }
     for (const FilledHole& hole : report_.holes) {
@@ -216,7 +216,7 @@ RepairReport joined(RepairReport first, RepairReport second) {
                    [](const Defect& a, const Defect& b) { return a.kind < b.kind; });
   for (const FilledHole& hole : first.holes) {
     second.holes.push_back(hole);
-    second.invented_share += hole.area_share;
+    second.filled_fraction += hole.area_share;
   }
   second.volume_below += first.volume_below;
   second.volume_above += first.volume_above;

@@ -81,7 +81,7 @@ struct RepairReport {
   std::vector<Defect> defects;          ///< none: the surface was sound
   std::vector<FilledHole> holes;        ///< largest area first
   std::vector<DoubledSurface> doubled;  ///< copies with 5 % of the block's area and more
-  double invented_share = 0.0;          ///< fillings over the whole repaired surface
+  double filled_fraction = 0.0;          ///< fillings over the whole repaired surface
   /// How much less or more than the volume of the repaired surface the block may have, as far as
   /// fillings and doubled surfaces leave that uncertain, m^3.
   double volume_below = 0.0, volume_above = 0.0;

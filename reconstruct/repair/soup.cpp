@@ -127,14 +127,14 @@ Change drop_triangles(TriangleMesh& mesh, const std::vector<bool>& drop) {
     if (result.count++ == 0) result.place = mesh.vertices[mesh.triangles[t][0]];
     result.area += triangle_area(mesh, mesh.triangles[t]);
   }
-  if (result.count > 0) mesh = compacted(mesh, kept);
+  if (result.count > 0) mesh = extract_triangles(mesh, kept);
   return result;
 }
 
 Change drop_opposite_pairs(TriangleMesh& mesh) {
   std::vector<bool> second(mesh.triangles.size(), false);
-  std::vector<TriangleCopy> pairs;
-  for (const TriangleCopy& copy : repeated_triangles(mesh.triangles, CopyTurn::kEither)) {
+  std::vector<DuplicateTriangle> pairs;
+  for (const DuplicateTriangle& copy : find_duplicate_triangles(mesh.triangles, WindingMatch::kEither)) {
     if (second[copy.before]) continue;  // is in a pair already
     pairs.push_back(copy);
     second[copy.again] = true;
@@ -156,7 +156,7 @@ Change drop_opposite_pairs(TriangleMesh& mesh) {
   return drop_triangles(mesh, drop);
 }
 
-Change drop_fins(TriangleMesh& mesh, double largest_share) {
+Change remove_fins(TriangleMesh& mesh, double largest_share) {
   Change result;
   for (int round = 0; round < kFinRounds; ++round) {
     const Change now = drop_voted_out(mesh, fin_votes(mesh, largest_share));
@@ -187,7 +187,7 @@ Change drop_fins_at_borders(TriangleMesh& mesh) {
 }
 
 Orientation orient_consistently(TriangleMesh& mesh) {
-  const RelativeFacing facing = relative_facing(mesh, triangle_neighbours(mesh));
+  const ConsistentOrientation facing = find_consistent_orientation(mesh, triangle_neighbours(mesh));
   Orientation result;
   result.orientable = !facing.conflict;
   result.conflict = facing.conflict.value_or(0);
@@ -208,7 +208,7 @@ SoupRepair repair_soup(TriangleMesh& mesh, double largest_fin) {
   SoupRepair repair;
   repair.folded = drop_opposite_pairs(mesh);
   if (mesh.triangles.empty()) return repair;
-  if (inspect(mesh).non_manifold_edges > 0) repair.fins = drop_fins(mesh, largest_fin);
+  if (inspect_mesh(mesh).non_manifold_edges > 0) repair.fins = remove_fins(mesh, largest_fin);
   if (repair.fins.count > 0) {
     const Change more = drop_fins_at_borders(mesh);
     repair.fins.count += more.count;
@@ -222,7 +222,7 @@ SoupRepair repair_soup(TriangleMesh& mesh, double largest_fin) {
     repair.touching = drop_disagreeing(mesh);
     repair.orientation = orient_consistently(mesh);
   }
-  if (!repair.orientation.orientable || inspect(mesh).non_manifold_edges == 0) return repair;
+  if (!repair.orientation.orientable || inspect_mesh(mesh).non_manifold_edges == 0) return repair;
   const Change cut = cut_touching_edges(mesh).cut;
   if (repair.touching.count == 0) repair.touching.place = cut.place;
   repair.touching.count += cut.count;

@@ -31,7 +31,7 @@ inline constexpr double kFinArea = 0.05;
 /// on less smoothly there than the rest does without them: fins, and sheets that lie on the
 /// surface. Counts triangles.
 /// @param largest_share  of the area that such a part may have
-Change drop_fins(TriangleMesh& mesh, double largest_share);
+Change remove_fins(TriangleMesh& mesh, double largest_share);
 
 /// Drops triangles that meet the rest on one edge alone and have a tip of their own. In a scan that
 /// has fins elsewhere they are fins that stand on a border. Counts triangles.

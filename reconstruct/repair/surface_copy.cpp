@@ -170,7 +170,7 @@ std::optional<SurfaceCopy> copy_of_surface(const TriangleMesh& component, const 
 
 void put_best_copy_first(std::vector<Component>& components) {
   const auto better = [](const Component& a, const Component& b) {
-    const bool a_closed = inspect(a.mesh).closed(), b_closed = inspect(b.mesh).closed();
+    const bool a_closed = inspect_mesh(a.mesh).closed(), b_closed = inspect_mesh(b.mesh).closed();
     if (a_closed != b_closed) return a_closed;
     return static_cast<double>(a.mesh.triangles.size()) >
            kFiner * static_cast<double>(b.mesh.triangles.size());
@@ -189,20 +189,20 @@ void put_best_copy_first(std::vector<Component>& components) {
 DoubledSurface describe_copy(const SurfaceCopy& copy, const Component& dropped,
                              const TriangleMesh& kept, const TriangleTree& tree) {
   DoubledSurface doubled;
-  doubled.closed = inspect(dropped.mesh).closed();
+  doubled.closed = inspect_mesh(dropped.mesh).closed();
   doubled.area_share = dropped.area / surface_area(kept);
   doubled.offset = copy.offset;
   doubled.distance = copy.distance;
   doubled.scale = copy.scale;
   const std::size_t of_kept = kept.triangles.size(), of_copy = dropped.mesh.triangles.size();
-  if (inspect(kept).closed() && !doubled.closed) {
+  if (inspect_mesh(kept).closed() && !doubled.closed) {
     doubled.kept_for = KeptFor::kClosed;
   } else if (doubled.area_share < kCompleteCopy) {
     doubled.kept_for = KeptFor::kWhole;
   } else if (static_cast<double>(of_kept) > kFiner * static_cast<double>(of_copy)) {
     doubled.kept_for = KeptFor::kFiner;
   }
-  if (inspect(kept).closed()) doubled.kept_volume = std::abs(signed_volume(kept));
+  if (inspect_mesh(kept).closed()) doubled.kept_volume = std::abs(signed_volume(kept));
   if (doubled.closed && doubled.kept_volume > 0.0) {
     doubled.volume_change = std::abs(signed_volume(dropped.mesh)) - doubled.kept_volume;
     return doubled;

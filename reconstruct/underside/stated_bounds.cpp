@@ -27,17 +27,17 @@ constexpr double kPointed = 3.0;
 /// By the volume that a copy of the surface has more or less.
 void widen_for_copies(VolumeBracket& bounds, const RepairReport& report) {
   if (!bounds.sides || report.doubled.empty()) return;
-  const double below = report.volume_below / bounds.best_volume,
-               above = report.volume_above / bounds.best_volume;
+  const double below = report.volume_below / bounds.estimated_volume,
+               above = report.volume_above / bounds.estimated_volume;
   bounds.sides->lower *= std::max(kLeastVolumeLeft, 1.0 - kPointed * below);
   bounds.sides->upper *= 1.0 + kPointed * above;
 }
 
 bool worth_stating(const VolumeBracket& bounds, const Vec3& sides) {
   if (!bounds.upper_volume || !bounds.sides) return true;
-  const double open = kWorthStating * bounds.best_volume;
-  return bounds.best_volume - bounds.lower_volume > open ||
-         *bounds.upper_volume - bounds.best_volume > open ||
+  const double open = kWorthStating * bounds.estimated_volume;
+  return bounds.estimated_volume - bounds.lower_volume > open ||
+         *bounds.upper_volume - bounds.estimated_volume > open ||
          ((sides - bounds.sides->lower).array() > kSidesWorthStating * sides.array()).any() ||
          ((bounds.sides->upper - sides).array() > kSidesWorthStating * sides.array()).any();
 }
@@ -61,7 +61,7 @@ std::string assumption_of(const ClosedScan& scan, const RepairReport& report) {
 
 }  // namespace
 
-ScannedSurface::ScannedSurface(const TriangleMesh& raw) : surface_(welded(raw, 0.0)) {
+ScannedSurface::ScannedSurface(const TriangleMesh& raw) : surface_(weld_vertices(raw, 0.0)) {
   if (!surface_.triangles.empty()) tree_.emplace(surface_);
   reach_ = kOnSurface * bounds(surface_).diagonal();
 }
@@ -84,12 +84,12 @@ std::optional<StatedBounds> closed_bounds(const ClosedScan& scan, const RepairRe
   const UnseenBounds found = unseen_bounds(scan.surface, {closure, {}, false, scan.margin});
   StatedBounds bounds{scaled(found, scan.unit), hollow_notes(found.hollows, scan.unit)};
   bounds.lower_volume =
-      std::max(std::min(bounds.lower_volume, bounds.best_volume - report.volume_below),
-               kLeastVolumeLeft * bounds.best_volume);
+      std::max(std::min(bounds.lower_volume, bounds.estimated_volume - report.volume_below),
+               kLeastVolumeLeft * bounds.estimated_volume);
   if (bounds.upper_volume) {
-    bounds.upper_volume = std::max(*bounds.upper_volume, bounds.best_volume + report.volume_above);
+    bounds.upper_volume = std::max(*bounds.upper_volume, bounds.estimated_volume + report.volume_above);
   }
-  bounds.invented_share = report.invented_share;
+  bounds.filled_fraction = report.filled_fraction;
   bounds.assumption = assumption_of(scan, report);
   widen_for_copies(bounds, report);
   if (!worth_stating(bounds, scan.unit * smallest_box(scan.surface.vertices).lengths)) {
@@ -101,7 +101,7 @@ std::optional<StatedBounds> closed_bounds(const ClosedScan& scan, const RepairRe
 VolumeBracket underside_bounds(const Underside& side, const RepairReport& report) {
   VolumeBracket bounds = side;
   bounds.lower_volume =
-      std::max(side.lower_volume - report.volume_below, kLeastVolumeLeft * side.best_volume);
+      std::max(side.lower_volume - report.volume_below, kLeastVolumeLeft * side.estimated_volume);
   if (bounds.upper_volume) *bounds.upper_volume += report.volume_above;
   widen_for_copies(bounds, report);
   return bounds;

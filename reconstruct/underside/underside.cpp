@@ -101,8 +101,8 @@ class Closing {
   }
 
   std::optional<Underside> run() {
-    const MeshReport report = inspect(result_.lower);
-    if (report.non_manifold_edges > 0 || !report.oriented() || report.pinched_vertices > 0) {
+    const MeshReport report = inspect_mesh(result_.lower);
+    if (report.non_manifold_edges > 0 || !report.is_oriented() || report.pinched_vertices > 0) {
       throw GeometryError("the surface is not a simple sheet: " + report.summary() +
                           "; repair it in MeshLab or CloudCompare first");
     }
@@ -143,7 +143,7 @@ class Closing {
         "the largest component is the ground, or one side of a block: a sheet whose "
         "border of " +
         std::to_string(rim.loop.size()) + " edges near " +
-        place(result_.lower.vertices[rim.loop[0]]) + " spans " + with_digits(100.0 * share, 3) +
+        format_point(result_.lower.vertices[rim.loop[0]]) + " spans " + format_significant(100.0 * share, 3) +
         " % of what a closed surface would have; scan the block from all sides");
   }
 
@@ -176,7 +176,7 @@ class Closing {
     closure_volume_ = sections.volume_above(sections.lowest());
     if (!(closure_volume_ > 0.0)) {
       throw GeometryError("the surface faces inwards, or encloses nothing once it is closed (" +
-                          with_digits(closure_volume_, 3) +
+                          format_significant(closure_volume_, 3) +
                           " m3); turn its faces outward, and check that it is one side of a block");
     }
     const std::vector<double> heights = rim_heights(rims[0]);
@@ -186,7 +186,7 @@ class Closing {
     rim_root_ = std::sqrt(std::abs(rims[0].area.dot(result_.down)));
     guess(heights, sections, bottom, closure);
     const double filling = area_from(result_.best, result_.first_invented);
-    result_.invented_share = filling / surface_area(result_.best);
+    result_.filled_fraction = filling / surface_area(result_.best);
   }
 
   /// Which triangles of `lower` were not scanned.
@@ -216,7 +216,7 @@ class Closing {
       parts.floor = Plane{options_.ground->normal, *bottom};
       const double depth = (options_.ground->distance - *bottom) / (highest - *bottom);
       result_.assumption += " and reaches into the ground by no more than " +
-                            with_digits(100.0 * std::max(0.0, depth), 2) + " % of its height";
+                            format_significant(100.0 * std::max(0.0, depth), 2) + " % of its height";
     }
     const reconstruct_detail::UnseenBounds bounds =
         reconstruct_detail::unseen_bounds(result_.lower, parts);
@@ -240,7 +240,7 @@ class Closing {
       return heights[static_cast<std::size_t>(share * static_cast<double>(heights.size() - 1))];
     };
     double largest = closure_volume_, deepest = 0.0;
-    result_.best_volume = closure_volume_;
+    result_.estimated_volume = closure_volume_;
     for (const double share : kRimShares) {
       const double level = quantile(share);
       const Continued below = continued(sections, level, bottom);
@@ -248,12 +248,12 @@ class Closing {
         largest = below.largest_volume;
         deepest = level - bottom;
       }
-      result_.best_volume = std::max(result_.best_volume, below.best_volume);
+      result_.estimated_volume = std::max(result_.estimated_volume, below.estimated_volume);
     }
     const bool uneven = quantile(0.9) - quantile(0.1) > kEven * (sections.highest() - bottom);
-    if (uneven) result_.best_volume = std::lerp(closure_volume_, largest, kUnevenShare);
+    if (uneven) result_.estimated_volume = std::lerp(closure_volume_, largest, kUnevenShare);
     if (result_.upper_volume) {
-      result_.best_volume = std::min(result_.best_volume, *result_.upper_volume);
+      result_.estimated_volume = std::min(result_.estimated_volume, *result_.upper_volume);
     }
     settle_best(closure, deepest);
   }
@@ -279,16 +279,16 @@ class Closing {
     const double share = foot_share(below);
     const double hull = closure_volume_ + below.volume + below.foot_area * sunk_depth(highest);
     if (hull >= *result_.upper_volume) return;
-    result_.notes.push_back("photos show " + with_digits(100.0 * (1.0 - share), 3) +
+    result_.notes.push_back("photos show " + format_significant(100.0 * (1.0 - share), 3) +
                             " % of its plan to be clear of the ground: that takes " +
-                            with_digits(100.0 * (1.0 - hull / *result_.upper_volume), 3) +
+                            format_significant(100.0 * (1.0 - hull / *result_.upper_volume), 3) +
                             " % off the largest volume");
     result_.upper_volume = hull;
   }
 
   /// Volumes with the sections continued below a level.
   struct Continued {
-    double largest_volume = 0.0, best_volume = 0.0;
+    double largest_volume = 0.0, estimated_volume = 0.0;
   };
 
   Continued continued(const reconstruct_detail::Sections& sections, double level,
@@ -344,12 +344,12 @@ class Closing {
   /// The best shape lies on the ground. A cap under an uneven rim may meet the walls: it is made
   /// more pointed, then drawn back, until it does not.
   void settle_best(const reconstruct_detail::BottomClosure& closure, double deepest) {
-    const double added = result_.best_volume - closure_volume_;
+    const double added = result_.estimated_volume - closure_volume_;
     reconstruct_detail::Move start = closure.holding(added, kBestPower, deepest);
     if (faces_ground()) start = closure.lying(*options_.ground, start, added, kMostPointedBest);
     deepest = std::max(deepest, start.depth);
-    const std::size_t crossings = crossing_triangles(result_.lower).size();
-    const auto fits = [&] { return crossing_triangles(result_.best).size() <= crossings; };
+    const std::size_t crossings = find_self_intersections(result_.lower).size();
+    const auto fits = [&] { return find_self_intersections(result_.best).size() <= crossings; };
     for (double power = start.power; power <= kMostPointedBest; power *= 1.5) {
       result_.best = closure.lowered(closure.holding(added, power, deepest));
       if (fits()) break;
@@ -364,13 +364,13 @@ class Closing {
       }
     }
     if (share < 1.0) {
-      result_.notes.push_back("the filling was drawn back to " + with_digits(100.0 * share, 3) +
+      result_.notes.push_back("the filling was drawn back to " + format_significant(100.0 * share, 3) +
                               " % of its depth, where it does not meet the walls");
     }
     const reconstruct_detail::Sections sections(result_.best, -result_.down);
-    result_.best_volume = sections.volume_above(sections.lowest());
+    result_.estimated_volume = sections.volume_above(sections.lowest());
     if (result_.upper_volume) {
-      result_.best_volume = std::min(result_.best_volume, *result_.upper_volume);
+      result_.estimated_volume = std::min(result_.estimated_volume, *result_.upper_volume);
     }
   }
 
@@ -385,16 +385,16 @@ class Closing {
 
 void UndersideOptions::check() const {
   if (ground && !(std::abs(ground->normal.norm() - 1.0) < 1e-6)) {
-    throw InputError("ground normal has length " + with_digits(ground->normal.norm(), 3) +
+    throw InputError("ground normal has length " + format_significant(ground->normal.norm(), 3) +
                      "; it must be 1");
   }
   if (!(deepest > 0.0 && deepest <= 10.0)) {
-    throw InputError("deepest = " + with_digits(deepest, 3) +
+    throw InputError("deepest = " + format_significant(deepest, 3) +
                      ": the share of the seen height that may be buried must be above 0, up to 10");
   }
   if (!(smallest_share > 0.0 && smallest_share < largest_share && largest_share < 1.0)) {
-    throw InputError("smallest_share = " + with_digits(smallest_share, 3) +
-                     " and largest_share = " + with_digits(largest_share, 3) +
+    throw InputError("smallest_share = " + format_significant(smallest_share, 3) +
+                     " and largest_share = " + format_significant(largest_share, 3) +
                      ": shares between 0 and 1 in that order are needed");
   }
 }

@@ -30,7 +30,7 @@ std::string shaded_png(const Canvas& canvas) {
     const long shade = std::lround(pixel[0] / 255.0 * (kShades - 1));
     pixels.push_back(pixel == kWhite ? 0 : static_cast<std::uint8_t>(1 + shade));
   }
-  return palette_png(canvas.camera().width, canvas.camera().height, pixels, palette);
+  return encode_palette_png(canvas.camera().width, canvas.camera().height, pixels, palette);
 }
 
 }  // namespace
@@ -58,7 +58,7 @@ std::string render_thumbnail_png(const TriangleMesh& mesh, std::uint32_t width, 
 std::string thumbnail(const TriangleMesh& mesh, const std::string& name, std::uint32_t width,
                       std::uint32_t height) {
   return "<img width=\"" + std::to_string(width) + "\" height=\"" + std::to_string(height) +
-         "\" alt=\"" + escape_html(name) + "\" src=\"" + png_link(render_thumbnail_png(mesh, width, height)) +
+         "\" alt=\"" + escape_html(name) + "\" src=\"" + png_data_uri(render_thumbnail_png(mesh, width, height)) +
          "\"/>";
 }
 

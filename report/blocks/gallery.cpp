@@ -107,9 +107,9 @@ std::string card(const Block& block, const std::string& source) {
   const bool metric = !is_unscaled(block);
   const std::string u = metric ? " m" : " u";
   std::string attributes = " data-name=\"" + escape_html(block.id) + "\" data-source=\"" + source +
-                           "\" data-mass=\"" + (metric ? rounded(block.mass.mass, 6) : "") +
-                           "\" data-length=\"" + (metric ? rounded(axes.L, 6) : "") +
-                           "\" data-elongation=\"" + rounded(elongation_s_c(axes), 6) +
+                           "\" data-mass=\"" + (metric ? format_rounded(block.mass.mass, 6) : "") +
+                           "\" data-length=\"" + (metric ? format_rounded(axes.L, 6) : "") +
+                           "\" data-elongation=\"" + format_rounded(elongation_index(axes), 6) +
                            "\" data-vertices=\"" + std::to_string(block.body.vertices.size()) +
                            "\"";
   std::string classes;
@@ -123,11 +123,11 @@ std::string card(const Block& block, const std::string& source) {
          thumbnail(block.surface, block.id, kGalleryWidth, kGalleryHeight) + "</button>\n<h3>" +
          escape_html(block.id) + "</h3>\n<div class=\"file\">" + escape_html(block.source.file) +
          "</div>\n<dl>" + term("class", classes) +
-         term("mass", metric ? rounded(block.mass.mass) + " kg" : "none: unscaled") +
+         term("mass", metric ? format_rounded(block.mass.mass) + " kg" : "none: unscaled") +
          term("L x I x S",
-              rounded(axes.L, 3) + " x " + rounded(axes.I, 3) + " x " + rounded(axes.S, 3) + u) +
-         term("volume", rounded(block.mass.volume) + (metric ? " m3" : " u3")) +
-         term("s_c", rounded(elongation_s_c(axes), 3)) +
+              format_rounded(axes.L, 3) + " x " + format_rounded(axes.I, 3) + " x " + format_rounded(axes.S, 3) + u) +
+         term("volume", format_rounded(block.mass.volume) + (metric ? " m3" : " u3")) +
+         term("s_c", format_rounded(elongation_index(axes), 3)) +
          term("vertices", std::to_string(block.body.vertices.size())) +
          "</dl>\n<template class=\"details\">" + details(block) + "</template>\n</article>\n";
 }
@@ -153,7 +153,7 @@ std::filesystem::path write_gallery(std::span<const Block* const> blocks, const 
     if (three) data += format_packed_element(source, turntable_json(*blocks[i], limits));
   }
   std::string body = "<h1>" + escape_html(title) + "</h1>\n<p class=\"lead\">" +
-                     counted(blocks.size(), "block") +
+                     format_count(blocks.size(), "block") +
                      "; a click on a picture shows the block in 3-D, with all its numbers</p>\n";
   if (const std::string note = describe_unscaled(blocks); !note.empty()) body += paragraph(note);
   body += format_series_matrices(blocks) + bar(blocks) + "<div " + kMark + ">\n" + cards + "</div>\n";

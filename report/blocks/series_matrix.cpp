@@ -33,7 +33,7 @@ struct Member {
 /// What is seen of a block: the surface of a core has none of a large rounding.
 TriangleMesh seen_surface(const Block& block) {
   const bool round = block.body.radius > kVisibleShare * block.box.lengths[2];
-  return round && !block.body.faces.empty() ? skin_mesh(block.body, kMatrixSkinSegments)
+  return round && !block.body.faces.empty() ? rounded_surface_mesh(block.body, kMatrixSkinSegments)
                                             : block.surface;
 }
 
@@ -91,12 +91,12 @@ std::string form_table(const std::string& parent, const std::vector<Member>& mem
     at[{(by_s_i ? s_i : s_l)(form), across(form)}].push_back(&member);
   }
   std::vector<std::string> heads;
-  for (const double column : columns) heads.push_back(with_digits(column, 3));
+  for (const double column : columns) heads.push_back(format_significant(column, 3));
   PictureTable table(heads);
   for (auto row = rows.rbegin(); row != rows.rend(); ++row) {
     std::vector<std::vector<const Member*>> cells;
     for (const double column : columns) cells.push_back(at[{*row, column}]);
-    table.row(with_digits(*row, 3), cells);
+    table.row(format_significant(*row, 3), cells);
   }
   return "<h2>Forms of " + escape_html(parent) + "</h2>\n" +
          table.html(by_s_i ? "S/I by I/L" : "S/L by I/L");
@@ -119,7 +119,7 @@ std::string step_table(const std::string& kind, const std::vector<Member>& membe
   for (const Member& member : members) {
     const VariationRecord& record = member.record;
     const std::pair<double, std::string> key = {record.step, record.reference};
-    columns[key] = record.reference.empty() ? with_digits(record.step, 4) : record.reference;
+    columns[key] = record.reference.empty() ? format_significant(record.step, 4) : record.reference;
     if (!at.contains(record.parent)) parents.push_back(record.parent);
     at[record.parent][key].push_back(&member);
   }
@@ -139,7 +139,7 @@ std::string step_table(const std::string& kind, const std::vector<Member>& membe
 std::string format_series_matrices(std::span<const Block* const> blocks) {
   std::map<std::string, std::vector<Member>> forms, steps;
   for (std::size_t i = 0; i < blocks.size(); ++i) {
-    const std::optional<VariationRecord> record = read_variation(*blocks[i]);
+    const std::optional<VariationRecord> record = parse_variation(*blocks[i]);
     if (!record || record->kind == "drawn") continue;
     const std::string kind = record->kind == "inertia" ? "reference" : record->kind;
     if (kind == "stretch" && !record->form) continue;

@@ -35,8 +35,8 @@ TriangleMesh coarser(const TriangleMesh& mesh, std::size_t most) {
   if (mesh.triangles.size() <= most) return mesh;
   constexpr double kFirst = 1.2, kGrowth = 1.15;
   double distance = kFirst * std::sqrt(surface_area(mesh) / static_cast<double>(most));
-  TriangleMesh joined = welded(mesh, distance);
-  while (joined.triangles.size() > most) joined = welded(mesh, distance *= kGrowth);
+  TriangleMesh joined = weld_vertices(mesh, distance);
+  while (joined.triangles.size() > most) joined = weld_vertices(mesh, distance *= kGrowth);
   return joined;
 }
 
@@ -72,7 +72,7 @@ Json deviation_json(const TriangleMesh& skin, const TriangleMesh& scan, double r
       for (int column = 0; column <= row; ++column) {
         const Vec3 place = a + (b - a) * (static_cast<double>(row - column) / n) +
                            (c - a) * (static_cast<double>(column) / n);
-        const TriangleTree::Signed found = tree.signed_closest(place, hint);
+        const TriangleTree::Signed found = tree.signed_closest_point(place, hint);
         hint = found.triangle;
         shares.push_back(static_cast<std::int8_t>(
             std::lround(kShareSteps * std::clamp(found.distance / reach, -1.0, 1.0))));
@@ -97,13 +97,13 @@ void TurntableLimits::check() const {
                      ": must be 100 or more");
   }
   if (!(deviation_cells >= 1.0 && deviation_cells <= kMostPieces)) {
-    throw InputError("deviation_cells = " + with_digits(deviation_cells, 6) + ": must be 1 to 200");
+    throw InputError("deviation_cells = " + format_significant(deviation_cells, 6) + ": must be 1 to 200");
   }
 }
 
 std::string turntable_json(const Block& block, const TurntableLimits& limits) {
   limits.check();
-  const TriangleMesh skin = skin_mesh(block.body, kTurntableSkinSegments);
+  const TriangleMesh skin = rounded_surface_mesh(block.body, kTurntableSkinSegments);
   TriangleMesh scan;
   if (!block.from_core) scan = coarser(block.surface, limits.scan_triangles);
   const Vec3 centre = block.box.centre;

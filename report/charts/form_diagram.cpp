@@ -25,18 +25,18 @@ struct Field {
   Vec2 label;
 };
 
-const ClassShare& share_of(const std::vector<ClassShare>& shares, const std::string& name) {
+const ClassFraction& share_of(const std::vector<ClassFraction>& shares, const std::string& name) {
   return *std::find_if(shares.begin(), shares.end(),
-                       [&](const ClassShare& share) { return share.name == name; });
+                       [&](const ClassFraction& share) { return share.name == name; });
 }
 
 /// Outlines, darker where more blocks are; a class without a block keeps its outline.
-std::string fields_svg(const std::vector<Field>& fields, const std::vector<ClassShare>& shares) {
+std::string fields_svg(const std::vector<Field>& fields, const std::vector<ClassFraction>& shares) {
   double largest = 1e-9;
-  for (const ClassShare& share : shares) largest = std::max(largest, share.share);
+  for (const ClassFraction& share : shares) largest = std::max(largest, share.share);
   std::string svg;
   for (const Field& field : fields) {
-    const ClassShare& share = share_of(shares, field.name);
+    const ClassFraction& share = share_of(shares, field.name);
     std::string points;
     for (const Vec2& corner : field.corners) {
       points += fixed(corner.x(), 1) + "," + fixed(corner.y(), 1) + " ";
@@ -44,21 +44,21 @@ std::string fields_svg(const std::vector<Field>& fields, const std::vector<Class
     svg += "<polygon points=\"" + points + "\" fill=\"" + kDataColours[5] + "\" fill-opacity=\"" +
            fixed(0.45 * share.share / largest, 3) + "\" stroke=\"#5b6775\"><title>" +
            escape_html(field.name + ": " + std::to_string(share.count) + " blocks, " +
-                   percent(share.share) + " (95 % interval " + percent(share.low) + " to " +
-                   percent(share.high) + ")") +
+                   format_percent(share.share) + " (95 % interval " + format_percent(share.low) + " to " +
+                   format_percent(share.high) + ")") +
            "</title></polygon>\n";
   }
   return svg;
 }
 
-std::string labels_svg(const std::vector<Field>& fields, const std::vector<ClassShare>& shares) {
+std::string labels_svg(const std::vector<Field>& fields, const std::vector<ClassFraction>& shares) {
   std::string svg;
   for (const Field& field : fields) {
-    const ClassShare& share = share_of(shares, field.name);
+    const ClassFraction& share = share_of(shares, field.name);
     svg += svg_text(field.label.x(), field.label.y() - 2, field.name,
                     std::string("font-size=\"13\" font-weight=\"700\"") + kDiagramHalo);
     svg += svg_text(field.label.x(), field.label.y() + 12,
-                    share.count > 0 ? percent(share.share) : std::string("0"),
+                    share.count > 0 ? format_percent(share.share) : std::string("0"),
                     std::string("font-size=\"11\"") + kDiagramHalo);
   }
   return svg;
@@ -69,12 +69,12 @@ std::string blocks_svg(const Population& population, std::size_t number,
                        const PopulationOptions& options, const Vec2& corner, Place place_of) {
   std::vector<Vec2> places;
   places.reserve(population.blocks.size());
-  for (const MeasuredBlock& block : population.blocks) places.push_back(place_of(block.as_written));
+  for (const MeasuredBlock& block : population.blocks) places.push_back(place_of(block.axes_as_written));
   if (places.size() > kMostSingleBlocks) return draw_density_squares(places, corner, "blocks");
   std::string svg;
   for (std::size_t i = 0; i < places.size(); ++i) {
     const MeasuredBlock& block = population.blocks[i];
-    svg += draw_shape_mark(places[i].x(), places[i].y(), garcia_class(block.as_written), true,
+    svg += draw_shape_mark(places[i].x(), places[i].y(), garcia_class(block.axes_as_written), true,
                       "class=\"block\" data-block=\"" + block_element_id(number, i) + "\"",
                       format_block_title(block, options)) +
            "\n";
@@ -161,20 +161,20 @@ std::string format_block_title(const MeasuredBlock& block, const PopulationOptio
                       significant(axes.I, 3) + ", S " + significant(axes.S, 3) +
                       (block.unscaled ? " u (model units)" : " m");
   if (block.mass) title += ", " + significant(*block.mass, 4) + " kg";
-  title += "\ns_c " + fixed(elongation_s_c(block.as_written), 2);
-  for (const std::string& scheme : options.chosen_schemes()) {
+  title += "\ns_c " + fixed(elongation_index(block.axes_as_written), 2);
+  for (const std::string& scheme : options.selected_schemes()) {
     const ClassCertainty certainty =
         class_certainty(scheme, axes, block.axis_error, options.limits);
-    title += "\n" + scheme + ": " + shape_class(scheme, block.as_written, options.limits);
-    if (certainty.near_limit) title += " (" + certainty_words(certainty) + ")";
+    title += "\n" + scheme + ": " + shape_class(scheme, block.axes_as_written, options.limits);
+    if (certainty.near_limit) title += " (" + describe_certainty(certainty) + ")";
   }
   return title;
 }
 
 std::string sneed_folk_diagram(const Population& population, std::size_t number,
                                const PopulationOptions& options) {
-  const std::vector<ClassShare> shares =
-      class_shares(proportions(population), "sneed-folk", options.limits);
+  const std::vector<ClassFraction> shares =
+      class_fractions(axis_proportions(population), "sneed-folk", options.limits);
   const std::array<double, 4> limits = limits_d(options.limits);
   const std::vector<Field> fields = triangle_fields(limits);
   const double base = kApex + kDiagramHeight;
@@ -214,7 +214,7 @@ std::string zingg_diagram(const Population& population, std::size_t number,
   const auto on_square = [](double flat, double long_) {
     return Vec2(kX + kSize * flat, kTop + kSize * (1.0 - long_));
   };
-  const std::vector<ClassShare> shares = class_shares(proportions(population), "zingg");
+  const std::vector<ClassFraction> shares = class_fractions(axis_proportions(population), "zingg");
   std::vector<Field> fields;
   const auto add_field = [&](const char* name, double x0, double x1, double y0, double y1) {
     fields.push_back({name,

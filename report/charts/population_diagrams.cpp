@@ -22,7 +22,7 @@ std::string s_c_chart(const PopulationReport& report) {
     Series series{reported.population.name, series_colour(all.size()), "", {}};
     const bool named = reported.population.blocks.size() <= kMostNamedMarks;
     for (const MeasuredBlock& block : reported.population.blocks) {
-      series.values.push_back(elongation_s_c(block.as_written));
+      series.values.push_back(elongation_index(block.axes_as_written));
       if (named) series.names.push_back(block.name);
     }
     all.push_back(std::move(series));
@@ -34,14 +34,14 @@ std::string s_c_chart(const PopulationReport& report) {
                          all);
 }
 
-Share share_bar(const ClassShare& share, bool by_mass) {
+Share share_bar(const ClassFraction& share, bool by_mass) {
   Share bar{by_mass ? share.mass_share : share.share,
             by_mass ? share.mass_low : share.low,
             by_mass ? share.mass_high : share.high,
             {}};
   bar.note = (by_mass ? format_block_mass(share.mass) + " kg" : std::to_string(share.count) + " blocks") +
-             ", " + percent(bar.value) + " (95 % interval " + percent(bar.low) + " to " +
-             percent(bar.high) + ")";
+             ", " + format_percent(bar.value) + " (95 % interval " + format_percent(bar.low) + " to " +
+             format_percent(bar.high) + ")";
   return bar;
 }
 
@@ -52,7 +52,7 @@ std::string shares_chart(const PopulationReport& report, std::size_t scheme) {
   const auto add = [&](const ReportedPopulation& reported, const std::string& name, bool by_mass) {
     ClassFractionSeries series{name, series_colour(all.size()), {}};
     classes.clear();
-    for (const ClassShare& share : reported.summary.schemes[scheme].shares) {
+    for (const ClassFraction& share : reported.summary.schemes[scheme].shares) {
       classes.push_back(share.name);
       series.shares.push_back(share_bar(share, by_mass));
     }
@@ -84,7 +84,7 @@ Series size_series(const ReportedPopulation& reported, std::size_t number, bool 
 }
 
 /// A fitted law from far below the smallest size to far above the largest.
-Curve law_curve(const SizeLaw& law, double smallest, double largest) {
+Curve law_curve(const FittedSizeLaw& law, double smallest, double largest) {
   constexpr int kSteps = 160;
   const bool normal = law.kind == SizeLawKind::kLogNormal;
   Curve curve{name_of(law.kind) + " by number",
@@ -119,7 +119,7 @@ std::string size_chart(const ReportedPopulation& reported, std::size_t number) {
   const auto [smallest, largest] =
       std::minmax_element(series[0].values.begin(), series[0].values.end());
   std::vector<Curve> curves;
-  for (const SizeLaw& law : size.by_number.laws) {
+  for (const FittedSizeLaw& law : size.by_number.laws) {
     curves.push_back(law_curve(law, *smallest, *largest));
   }
   return cumulative_chart({"Size: " + shorten_middle(reported.population.name, kMostTitle),

@@ -211,7 +211,7 @@ std::string disc_of(const ShapeResponse& form, const Vec2& place, const Response
 std::string draw_response_triangle(std::span<const ShapeResponse> forms, const std::string& label) {
   std::vector<Vec2> places;
   for (const ShapeResponse& form : forms) {
-    const TernaryPlace place = ternary_place(form.axes);
+    const TernaryCoordinates place = ternary_coordinates(form.axes);
     places.push_back(triangle_point(place.compact, place.elongate));
   }
   const ResponseRange range = response_range(forms);

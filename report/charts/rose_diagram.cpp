@@ -40,7 +40,7 @@ std::vector<std::size_t> sector_counts(const std::vector<double>& trends) {
   const double width = kPi / static_cast<double>(kSectors);
   for (const double trend : trends) {
     // Sectors begin half of their width before -90 degrees, so that one is along downslope.
-    const double turned = axial_angle(trend) + 0.5 * kPi + 0.5 * width;
+    const double turned = wrap_axial_angle(trend) + 0.5 * kPi + 0.5 * width;
     ++counts[static_cast<std::size_t>(turned / width) % kSectors];
   }
   return counts;
@@ -70,8 +70,8 @@ std::string draw_rose_diagram(const std::string& name, const std::string& colour
     if (counts[i] == 0) continue;
     const double middle = width * static_cast<double>(i) - 0.5 * kPi;
     const std::string note =
-        fixed(middle * 180.0 / kPi, 0) + "\xC2\xB0: " + counted(counts[i], "block") + ", " +
-        percent(static_cast<double>(counts[i]) / static_cast<double>(trends.size()));
+        fixed(middle * 180.0 / kPi, 0) + "\xC2\xB0: " + format_count(counts[i], "block") + ", " +
+        format_percent(static_cast<double>(counts[i]) / static_cast<double>(trends.size()));
     for (const double turn : {0.0, kPi}) {
       svg += sector(middle - 0.5 * width + turn, middle + 0.5 * width + turn,
                     radius_of(static_cast<double>(counts[i])), colour, note);

@@ -86,7 +86,7 @@ std::string draw_class_fractions(const std::string& title, const std::vector<std
              format_svg_line(low, middle, high, middle, "stroke=\"#1d2733\" stroke-width=\"1.3\"") +
              format_svg_line(low, middle - 3, low, middle + 3, "stroke=\"#1d2733\"") +
              format_svg_line(high, middle - 3, high, middle + 3, "stroke=\"#1d2733\"") +
-             svg_text(high + 6, middle + 4, percent(share.value),
+             svg_text(high + 6, middle + 4, format_percent(share.value),
                       "font-size=\"11\" fill=\"#33404d\"") +
              "</g>\n";
     }

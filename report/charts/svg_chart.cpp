@@ -154,7 +154,7 @@ std::string named_marks(const Series& series, const std::vector<Step>& steps,
            " cx=\"" + fixed(x_at(range, step.value), 1) + "\" cy=\"" +
            fixed(top + height * (1.0 - step.share), 1) + "\" r=\"2.6\" fill=\"" + series.colour +
            "\"><title>" +
-           escape_html(series.names[step.index] + "\n" + percent(step.share) + " up to here, " +
+           escape_html(series.names[step.index] + "\n" + format_percent(step.share) + " up to here, " +
                    series.name) +
            "</title></circle>\n";
   }
@@ -292,7 +292,7 @@ std::string draw_histogram(const ChartText& text, const std::vector<Series>& ser
              "\" width=\"" + fixed(width - 1.0, 1) + "\" height=\"" + fixed(height, 1) +
              "\" fill=\"" + series[i].colour + "\"><title>" +
              escape_html(significant(low, 4) + " to " + significant(low + bins.width, 4) + ": " +
-                     percent(shares[i][k]) + names_in_bin(names[i][k])) +
+                     format_percent(shares[i][k]) + names_in_bin(names[i][k])) +
              "</title></rect>";
     }
     svg += format_svg_line(kChartLeft, base, kChartWidth - kChartRight, base, kAxis);

@@ -167,12 +167,12 @@ void write_geopackage(const std::filesystem::path& path, const Comparison& compa
   check_written(driver != nullptr, path, "a GeoPackage: this GDAL has no GPKG driver");
   // OutputFile has made an empty file to claim the name; GDAL refuses to create over it.
   std::error_code ignored;
-  std::filesystem::remove(output.temporary(), ignored);
+  std::filesystem::remove(output.temporary_path(), ignored);
   DatasetPointer dataset(
-      driver->Create(output.temporary().string().c_str(), 0, 0, 0, GDT_Unknown, nullptr));
+      driver->Create(output.temporary_path().string().c_str(), 0, 0, 0, GDT_Unknown, nullptr));
   check_written(dataset != nullptr, path, "a GeoPackage");
 
-  const OGRSpatialReference crs = reference_of(comparison.results.front().frame.crs);
+  const OGRSpatialReference crs = make_spatial_reference(comparison.results.front().frame.crs);
   const OGRSpatialReference* reference = &crs;
 
   check_written(dataset->StartTransaction() == OGRERR_NONE, path, "a GeoPackage");

@@ -94,11 +94,11 @@ std::string format_link_target(std::string_view path) {
 }
 
 std::string fixed(double value, int decimals) {
-  return std::isfinite(value) ? with_decimals(value, decimals) : "-";
+  return std::isfinite(value) ? format_decimals(value, decimals) : "-";
 }
 
 std::string significant(double value, int digits) {
-  return std::isfinite(value) ? rounded(value, digits) : "-";
+  return std::isfinite(value) ? format_rounded(value, digits) : "-";
 }
 
 HtmlTable::HtmlTable(std::vector<std::string> heads, std::size_t text_columns)

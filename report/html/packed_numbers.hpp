@@ -13,7 +13,7 @@ static_assert(std::endian::native == std::endian::little, "browsers read little-
 /// The bytes of an array in base64, which scripts read with `clastBytes` of unpack.js.
 template <class T>
 std::string packed(std::span<const T> values) {
-  return base64({reinterpret_cast<const char*>(values.data()), values.size_bytes()});
+  return encode_base64({reinterpret_cast<const char*>(values.data()), values.size_bytes()});
 }
 
 }  // namespace clast::report_detail

@@ -2,10 +2,10 @@
 
 #include <algorithm>
 
+#include "library/block_bracket.hpp"
 #include "library/block_measures.hpp"
 #include "library/unscaled.hpp"
-#include "library/unseen_range.hpp"
-#include "shapes/edge_bend.hpp"
+#include "shapes/edge_convexity.hpp"
 
 namespace clast {
 
@@ -41,11 +41,11 @@ Json boxes_json(const Block& block) {
 
 Json unseen_json(const Block& block) {
   const VolumeBracket& unseen = *block.unseen;
-  const UnseenRange range = unseen_range(block);
+  const BlockBracket range = derive_block_bracket(block);
   const auto known = [](const std::optional<double>& value) {
     return value ? Json(*value) : Json(nullptr);
   };
-  const auto sides = [&](Axes AxesRange::*end) {
+  const auto sides = [&](Axes AxesBounds::*end) {
     if (!range.axes) return Json(nullptr);
     const Axes& axes = (*range.axes).*end;
     return Json{axes.L, axes.I, axes.S};
@@ -53,16 +53,16 @@ Json unseen_json(const Block& block) {
   const auto classes = [&](const char* scheme) {
     return range.axes ? Json(range.classes.at(scheme)) : Json(nullptr);
   };
-  return {{"invented_share", unseen.invented_share},
+  return {{"invented_share", unseen.filled_fraction},
           {"volume_lower_m3", unseen.lower_volume},
-          {"volume_best_m3", unseen.best_volume},
+          {"volume_best_m3", unseen.estimated_volume},
           {"volume_upper_m3", known(unseen.upper_volume)},
           {"mass_lower_kg", range.lower_mass},
           {"mass_upper_kg", known(range.upper_mass)},
           {"density_lower_kg_m3", known(range.lower_density)},
           {"density_upper_kg_m3", range.upper_density},
-          {"axes_lower_m", sides(&AxesRange::lower)},
-          {"axes_upper_m", sides(&AxesRange::upper)},
+          {"axes_lower_m", sides(&AxesBounds::lower)},
+          {"axes_upper_m", sides(&AxesBounds::upper)},
           {"s_c_lower", known(range.lower_s_c)},
           {"s_c_upper", known(range.upper_s_c)},
           {"sneed_folk", classes("sneed-folk")},
@@ -109,11 +109,13 @@ Json block_json(const Block& block) {
                         {"program_version", block.source.program_version}};
   json["vertices"] = block.body.vertices.size();
   json["edges"] = block.body.edges.size();
-  const std::vector<EdgeBend> bends = edge_bends(block.body);
-  const auto with = [&](EdgeBend bend) { return std::count(bends.begin(), bends.end(), bend); };
-  json["edge_bends"] = {{"convex", with(EdgeBend::kConvex)},
-                        {"flat", with(EdgeBend::kFlat)},
-                        {"reflex", with(EdgeBend::kReflex)}};
+  const std::vector<EdgeConvexity> bends = edge_convexities(block.body);
+  const auto with = [&](EdgeConvexity bend) {
+    return std::count(bends.begin(), bends.end(), bend);
+  };
+  json["edge_bends"] = {{"convex", with(EdgeConvexity::kConvex)},
+                        {"flat", with(EdgeConvexity::kFlat)},
+                        {"reflex", with(EdgeConvexity::kReflex)}};
   json["faces"] = block.body.faces.size();
   json["radius_m"] = block.body.radius;
   json["volume_m3"] = block.mass.volume;
@@ -125,7 +127,7 @@ Json block_json(const Block& block) {
   json["principal_moments_kg_m2"] = vector_json(block.principal.moments);
   json["box_m"] = {axes.L, axes.I, axes.S};
   json["boxes_m"] = boxes_json(block);
-  json["s_c"] = elongation_s_c(axes);
+  json["s_c"] = elongation_index(axes);
   json["sneed_folk"] = sneed_folk_class(axes);
   json["zingg"] = zingg_class(axes);
   json["shape"] = garcia_class(axes);

@@ -77,7 +77,7 @@ Json check_json(const PredictiveCheck& check) {
   return {{"figures", check.figures},
           {"covered", check.covered},
           {"squared_distance", check.squared},
-          {"freedom", check.freedom},
+          {"freedom", check.degrees_of_freedom},
           {"p", check.p_value ? Json(*check.p_value) : Json()},
           {"failed", check.failed()}};
 }

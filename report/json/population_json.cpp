@@ -18,13 +18,13 @@ Json certainty_json(const ClassCertainty& certainty) {
   return {{"class", certainty.name},        {"ratio", certainty.ratio},
           {"value", certainty.value},       {"nearest_limit", certainty.limit},
           {"distance", certainty.distance}, {"near_limit", certainty.near_limit},
-          {"survives", certainty.survives}, {"others", certainty.others}};
+          {"survives", certainty.is_certain}, {"others", certainty.others}};
 }
 
 Json curve_json(const SizeCurve& curve) {
   if (curve.blocks == 0) return nullptr;  // every block is unscaled
   Json laws = Json::array();
-  for (const SizeLaw& law : curve.laws) {
+  for (const FittedSizeLaw& law : curve.laws) {
     const bool normal = law.kind == SizeLawKind::kLogNormal;
     Json json = {{"law", name_of(law.kind)},
                  {normal ? "median_m" : "d63_m", law.location},
@@ -55,7 +55,7 @@ Json surface_json(const SurfaceMeasures& measures) {
   json["roundness"] = {{"wadell_roundness", measures.roundness->value},
                        {"edge_length_m", measures.roundness->edge_length},
                        {"inscribed_radius_m", measures.roundness->inscribed_radius},
-                       {"corner_share", measures.roundness->corner_share}};
+                       {"corner_share", measures.roundness->corner_fraction}};
   return json;
 }
 
@@ -65,30 +65,30 @@ Json measured_block_json(const MeasuredBlock& block, const SchemeOptions& limits
   Json json = {{"id", block.name},
                {"box" + unit, {block.axes.L, block.axes.I, block.axes.S}},
                {"axis_error" + unit, block.axis_error},
-               {"s_c", elongation_s_c(block.as_written)},
-               {"sneed_folk", sneed_folk_class(block.as_written, limits)},
-               {"zingg", zingg_class(block.as_written)},
-               {"shape", garcia_class(block.as_written)}};
+               {"s_c", elongation_index(block.axes_as_written)},
+               {"sneed_folk", sneed_folk_class(block.axes_as_written, limits)},
+               {"zingg", zingg_class(block.axes_as_written)},
+               {"shape", garcia_class(block.axes_as_written)}};
   if (block.mass) json["mass_kg"] = *block.mass;
-  for (std::size_t i = 0; i < block.by_box.size(); ++i) {
-    const Axes& axes = block.by_box[i];
+  for (std::size_t i = 0; i < block.axes_by_box.size(); ++i) {
+    const Axes& axes = block.axes_by_box[i];
     json["boxes" + unit][name_of(kBoxConventions[i])] = {axes.L, axes.I, axes.S};
   }
   for (const std::string& scheme : scheme_names()) {
     json["classes"][scheme] =
         certainty_json(class_certainty(scheme, block.axes, block.axis_error, limits));
   }
-  json["indices"] = form_indices(block.as_written);
+  json["indices"] = form_indices(block.axes_as_written);
   return json;
 }
 
 /// Formula and source of every index of form.
 Json formulas_json() {
   Json json;
-  for (const FormIndex& index : form_index_list()) {
+  for (const FormIndex& index : form_index_definitions()) {
     json[index.name] = {{"formula", index.formula}, {"source", index.source}};
   }
-  for (const SurfaceIndex& index : surface_index_list()) {
+  for (const SurfaceIndex& index : surface_index_definitions()) {
     json[index.name] = {{"formula", index.formula}, {"source", index.source}};
   }
   return json;
@@ -97,9 +97,9 @@ Json formulas_json() {
 /// Rows of "population": {scheme: [...]}.
 Json shares_json(const PopulationSummary& summary) {
   Json population = Json::object();
-  for (const SchemeShares& scheme : summary.schemes) {
+  for (const SchemeFractions& scheme : summary.schemes) {
     population[scheme.scheme] = Json::array();
-    for (const ClassShare& share : scheme.shares) {
+    for (const ClassFraction& share : scheme.shares) {
       Json row = {{"class", share.name},
                   {"blocks", share.count},
                   {"share", share.share},
@@ -131,10 +131,10 @@ Json size_json(const PopulationSummary& summary) {
 
 Json size_and_shape_json(const PopulationSummary& summary) {
   Json all = Json::array();
-  for (const SizeShape& relation : summary.size_and_shape) {
+  for (const SizeShapeCorrelation& relation : summary.size_shape_correlations) {
     Json json = {{"shape", relation.measure->name}, {"blocks", relation.blocks}};
     json.update(test_json(relation.test, "spearman_rho"));
-    json["words"] = size_shape_words(relation, summary.size.measure);
+    json["words"] = describe_size_shape(relation, summary.size.measure);
     all.push_back(json);
   }
   return all;
@@ -151,7 +151,7 @@ Json comparison_json(const PopulationComparison& comparison) {
   for (const ClassDifference& one : comparison.schemes) {
     Json json = {{"scheme", one.scheme}};
     json["chi_squared"] = one.test ? Json(one.test->chi_squared) : Json();
-    json["degrees_of_freedom"] = one.test ? Json(one.test->freedom) : Json();
+    json["degrees_of_freedom"] = one.test ? Json(one.test->degrees_of_freedom) : Json();
     json["smallest_expected"] = one.test ? Json(one.test->smallest_expected) : Json();
     json["random_tables"] = one.test ? Json(one.test->draws) : Json();
     json["p_value"] = one.test ? Json(one.test->p_value) : Json();

@@ -8,7 +8,7 @@ namespace clast {
 namespace {
 
 nlohmann::ordered_json body_json(const Block& block) {
-  const VariationRecord record = read_variation(block).value_or(VariationRecord{});
+  const VariationRecord record = parse_variation(block).value_or(VariationRecord{});
   const bool metric = !is_unscaled(block);
   nlohmann::ordered_json json = {
       {"id", block.id}, {"parent", record.parent}, {"kind", record.kind}};
@@ -52,8 +52,8 @@ nlohmann::ordered_json series_json(const BlockSeries& series, const std::optiona
                      {"population", pair.population},
                      {"drawn", pair.drawn}});
   }
-  json["fit"] = {{"largest_difference", fit->largest_difference},
-                 {"weakened", fit->weakened},
+  json["fit"] = {{"largest_difference", fit->max_cdf_difference},
+                 {"weakened", fit->removed_correlation},
                  {"rank_correlations", pairs}};
   return json;
 }

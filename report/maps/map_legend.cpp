@@ -75,7 +75,7 @@ MapLegend draw_map_legend(const SiteMap& site, const Sheet& sheet) {
   const std::vector<std::string>& zones = site.terrain->zone_names;
   if (!zones.empty()) legend.head("Ground zones");
   for (std::size_t zone = 0; zone < zones.size(); ++zone) {
-    legend.swatch(format_colour(zone_tint(zones[zone], zone)),
+    legend.swatch(format_colour(zone_colour(zones[zone], zone)),
                   shorten_middle(zones[zone], kMostMapCharacters));
   }
   return {legend.svg(), legend.bottom()};

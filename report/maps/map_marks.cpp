@@ -39,8 +39,8 @@ std::string draw_relief_image(const SiteMap& site, std::uint32_t columns) {
   const Vec2 origin = frame.origin.head<2>();
   const Relief relief =
       sampled(*site.terrain, {site.window.low - origin, site.window.high - origin}, columns);
-  return png_link(
-      relief_png(relief, site.terrain->zone_names, frame.origin.z(), site.contour_interval()));
+  return png_data_uri(
+      render_relief_png(relief, site.terrain->zone_names, frame.origin.z(), site.contour_interval()));
 }
 
 }  // namespace clast::report_detail

@@ -13,7 +13,7 @@ inline constexpr const char* kMapText = "font-size=\"12\" fill=\"#33404d\"";
 
 /// The part of the plan that is drawn (map coordinates) and where it lies on the picture.
 struct Sheet {
-  Window window;
+  PlanWindow window;
   double scale = 1.0;  ///< px/m
 
   double width() const { return window.size().x() * scale; }

@@ -154,7 +154,7 @@ ValueStyle style_of(const Quantity& quantity, const Span& span) {
   }
   for (const double value : limits_of(quantity.limits, span, style.unit_size)) {
     style.breaks.push_back(limit(value * style.unit_size));
-    style.numbers.push_back(with_digits(value, 6));
+    style.numbers.push_back(format_significant(value, 6));
   }
   style.colours = colours_of(*quantity.ramp, style.breaks.size());
   return style;

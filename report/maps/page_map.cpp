@@ -31,7 +31,7 @@ Json axis(const char* name, double low, double high) {
 }
 
 Json layout_of(const SiteMap& site, int height, const Json& notes) {
-  const Window& window = site.window;
+  const PlanWindow& window = site.window;
   Json y = axis("y, m", window.low.y(), window.high.y());
   y["scaleanchor"] = "x";
   return {
@@ -107,7 +107,7 @@ std::string format_page_map(const Comparison& comparison, const PageMapContents&
       assets::map_html,
       {{"id", contents.id},
        {"choices", options},
-       {"opacity", with_decimals(kLayerOpacity, 2)},
+       {"opacity", format_decimals(kLayerOpacity, 2)},
        {"paths", paths_box(layers)},
        {"figure", plotly_figure(contents.label, "map",
                                 figure.dump(-1, ' ', false, Json::error_handler_t::replace))},

@@ -24,7 +24,7 @@ std::string element(const std::string& name, const Attributes& attributes,
 }
 
 /// A number from which the same double is read.
-std::string exact(double value) { return with_digits(value, 17); }
+std::string exact(double value) { return format_significant(value, 17); }
 
 /// One symbol layer, with its properties as every QGIS 3 reads them.
 std::string symbol(const std::string& type, std::size_t number, double opacity,

@@ -25,7 +25,7 @@ class MarkBox {
     box_.high = box_.high.cwiseMax(point);
   }
   /// With a margin, neither too long nor too thin.
-  Window window() const {
+  PlanWindow window() const {
     const double longer = std::max(box_.size().maxCoeff(), 4.0);
     const Vec2 middle = 0.5 * (box_.low + box_.high);
     Vec2 size = box_.size() + Vec2::Constant(0.14 * longer);
@@ -34,7 +34,7 @@ class MarkBox {
   }
 
  private:
-  Window box_{Vec2::Constant(INFINITY), Vec2::Constant(-INFINITY)};
+  PlanWindow box_{Vec2::Constant(INFINITY), Vec2::Constant(-INFINITY)};
 };
 
 /// Leaves the first release point of each location.

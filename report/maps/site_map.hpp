@@ -27,7 +27,7 @@ struct ReleaseOutline {
 /// terrain that it was made of.
 struct SiteMap {
   const Terrain* terrain = nullptr;
-  Window window;  ///< the part of the plan that is drawn, m
+  PlanWindow window;  ///< the part of the plan that is drawn, m
   /// Heights over which contours are spaced, m.
   double lowest = std::numeric_limits<double>::infinity();
   double highest = -std::numeric_limits<double>::infinity();

@@ -47,7 +47,7 @@ std::string crossing_table(const Comparison& comparison, std::size_t line) {
     const std::optional<Interval>& interval = group->interval;
     std::vector<std::string> cells = {
         short_group_name(comparison.groups[group->group_index]), std::to_string(group->started),
-        std::to_string(group->crossed), percent(group->probability),
+        std::to_string(group->crossed), format_percent(group->probability),
         interval ? fixed(100.0 * interval->low, 1) + kDash + fixed(100.0 * interval->high, 1) + " %"
                  : "-"};
     append_summary(cells, group->height, 2);
@@ -75,7 +75,7 @@ std::string impact_table(const Comparison& comparison, std::size_t line) {
     for (const double energy : {group->total.mean, group->total.p95, group->total.max}) {
       cells.push_back(significant(energy / 1000.0));
     }
-    cells.push_back(group->total.mean > 0.0 ? percent(group->rotational.mean / group->total.mean)
+    cells.push_back(group->total.mean > 0.0 ? format_percent(group->rotational.mean / group->total.mean)
                                             : "-");
     const Summary& rate = group->rotation_rate;
     for (const double value : {rate.mean, rate.p95, rate.max}) {

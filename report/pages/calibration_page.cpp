@@ -32,8 +32,8 @@ std::string calibration_head(const Calibration& calibration) {
   std::string html = "<header id=\"answer\">\n<h1>Ground found from what was observed</h1>\n";
   html += "<p class=\"lead\">" +
           escape_html(calibration.study.file.filename().string() + ": " +
-                  counted(design.members, "member") + " of " + counted(design.releases, "release") +
-                  " at " + counted(calibration.study.sites.size(), "site")) +
+                  format_count(design.members, "member") + " of " + format_count(design.releases, "release") +
+                  " at " + format_count(calibration.study.sites.size(), "site")) +
           "</p>\n<p class=\"answer\">" + escape_html(describe_calibration_result(calibration)) + "</p>\n";
   for (const std::string& finding : describe_calibration_findings(calibration)) html += paragraph(finding);
   return html + "</header>\n";
@@ -80,7 +80,7 @@ std::string unknowns_section(const Calibration& calibration) {
                                     significant(marginal.median),
                                     significant(marginal.low),
                                     significant(marginal.high),
-                                    percent(std::min(1.0, marginal.width), 0)};
+                                    format_percent(std::min(1.0, marginal.width), 0)};
     if (i < posterior.nearest.unknowns.size()) {
       row.push_back(significant(posterior.nearest.unknowns[i].low));
       row.push_back(significant(posterior.nearest.unknowns[i].high));
@@ -213,7 +213,7 @@ std::string sensitivity_table(const Calibration& calibration, double SobolIndice
       const std::vector<SobolIndices>& shares = calibration.posterior.sensitivities[at++];
       if (shares.empty()) continue;
       std::vector<std::string> row = {observation.name + ": " + figure.name};
-      for (const SobolIndices& one : shares) row.push_back(percent(one.*share, 0));
+      for (const SobolIndices& one : shares) row.push_back(format_percent(one.*share, 0));
       table.row(row);
     }
   }
@@ -232,7 +232,7 @@ std::string surrogate_table(const Calibration& calibration) {
         continue;
       }
       table.row({name, std::to_string(quality->members), significant(quality->error),
-                 percent(std::max(0.0, quality->explained), 0), fixed(quality->inflation, 2),
+                 format_percent(std::max(0.0, quality->explained), 0), fixed(quality->inflation, 2),
                  significant(quality->roughness)});
     }
   }
@@ -263,7 +263,7 @@ std::string format_provenance_section(const Calibration& calibration) {
       fact("Seed", std::to_string(calibration.study.design.seed)) +
       fact("Draws", std::to_string(calibration.posterior.draws.cols()) + " after " +
                         std::to_string(calibration.posterior.temperatures) + " temperatures, " +
-                        percent(calibration.posterior.accepted, 0) + " of the last moves accepted");
+                        format_percent(calibration.posterior.accepted, 0) + " of the last moves accepted");
   std::string inputs;
   for (const std::string& input : calibration.stored.inputs) inputs += paragraph(input);
   return section("For campaigns", "<pre>" + escape_html(format_ground_block(calibration)) + "</pre>\n") +

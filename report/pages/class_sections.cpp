@@ -48,7 +48,7 @@ std::string format_class_section(const Comparison& comparison) {
     for (std::size_t line = 0; line < comparison.lines.size(); ++line) {
       std::string cell = "-";
       for (const BarrierGroupStatistics& barrier : comparison.barriers) {
-        if (barrier.line == line && barrier.group_index == g) cell = percent(barrier.probability);
+        if (barrier.line == line && barrier.group_index == g) cell = format_percent(barrier.probability);
       }
       cells.push_back(cell);
     }

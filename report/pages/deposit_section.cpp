@@ -65,7 +65,7 @@ std::string pair_in_words(const Comparison& comparison,
     fewest = std::min({fewest, one->first.summary.count, one->second.summary.count});
     tests = std::max(tests, one->tests);
     const Verdict verdict = one->verdict();
-    const bool with_gap = verdict == Verdict::kMoreThanChance || verdict == Verdict::kOneOfMany;
+    const bool with_gap = verdict == Verdict::kSignificant || verdict == Verdict::kInsignificantAfterCorrection;
     append_item(lists[verdict], words + (with_gap ? " " + describe_difference(*one) : std::string()));
   }
   const std::string names = capitalized(file_name(comparison, pair.front()->first.file)) + " against " +
@@ -75,14 +75,14 @@ std::string pair_in_words(const Comparison& comparison,
                      (fewest < 2 ? "which takes two realisations of each file."
                                  : "since realisations do not differ."));
   }
-  const std::string& clear = lists[Verdict::kMoreThanChance];
+  const std::string& clear = lists[Verdict::kSignificant];
   return (clear.empty() ? paragraph(names + ": no figure differs more than by chance.")
                         : format_headed_list(names + ", more than chance:", clear)) +
          format_headed_list("Not clear, since one of " + std::to_string(tests) +
                          " differences tested can be as large by chance:",
-                     lists[Verdict::kOneOfMany]) +
+                     lists[Verdict::kInsignificantAfterCorrection]) +
          format_headed_list("Not distinguished, the 95 % interval of the difference holds zero:",
-                     lists[Verdict::kCanBeChance]) +
+                     lists[Verdict::kInsignificant]) +
          format_headed_list("Without an interval, since realisations do not differ:",
                      lists[Verdict::kUntested]);
 }
@@ -100,10 +100,10 @@ std::string differences_table(const Comparison& comparison, const DepositQuantit
                fixed(one.first.summary.mean, figure.decimals),
                fixed(one.second.summary.mean, figure.decimals),
                fixed(one.estimate, figure.decimals), interval_text(one.interval, figure.decimals),
-               one.p_value ? with_digits(*one.p_value, 2) : "-",
-               one.p_holm ? with_digits(*one.p_holm, 2) : "-",
+               one.p_value ? format_significant(*one.p_value, 2) : "-",
+               one.p_holm ? format_significant(*one.p_holm, 2) : "-",
                !one.p_holm                                 ? "-"
-               : one.verdict() == Verdict::kMoreThanChance ? "yes"
+               : one.verdict() == Verdict::kSignificant ? "yes"
                                                            : "no"});
   }
   return table.html();
@@ -161,7 +161,7 @@ std::string mobility_of(const Comparison& comparison, const std::vector<DepositM
                std::to_string(one.together_runout.count), std::to_string(one.runs),
                fixed(one.together_runout.mean, 2), fixed(one.alone_runout.mean, 2),
                fixed(one.difference.estimate, 2), interval_text(one.difference.interval, 2),
-               one.difference.p_value ? with_digits(*one.difference.p_value, 2) : "-",
+               one.difference.p_value ? format_significant(*one.difference.p_value, 2) : "-",
                fixed(one.together_toe.mean, 2), fixed(one.alone_toe, 2)});
   }
   return html + folded("Together and alone",

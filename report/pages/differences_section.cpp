@@ -69,7 +69,7 @@ std::string difference_chart(const Comparison& comparison, const Picture& pictur
     if (one->quantity == "lateral_deg" || !one->interval || !(size > 0.0)) continue;
     const double unit = 100.0 / size;
     marks.push_back({row_name(comparison, *one), unit * one->estimate, unit * one->interval->low,
-                     unit * one->interval->high, one->verdict() == Verdict::kMoreThanChance,
+                     unit * one->interval->high, one->verdict() == Verdict::kSignificant,
                      in_words(*one, comparison)});
   }
   return draw_interval_chart(picture.title, "difference, % of the mean, with 95 % interval", marks);
@@ -81,17 +81,17 @@ std::string words_for(const Comparison& comparison, const Picture& picture) {
   std::size_t tests = 0;
   for (const Difference* one : picture.rows) {
     const Verdict verdict = one->verdict();
-    const bool with_gap = verdict == Verdict::kMoreThanChance || verdict == Verdict::kUntested;
+    const bool with_gap = verdict == Verdict::kSignificant || verdict == Verdict::kUntested;
     append_item(lists[verdict],
                 row_name(comparison, *one) + (with_gap ? " " + describe_difference(*one) : std::string()));
     tests = std::max(tests, one->tests);
   }
-  return format_headed_list(picture.title + ", more than chance:", lists[Verdict::kMoreThanChance]) +
-         format_headed_list("Equal on average, but spread differently:", lists[Verdict::kOtherSpread]) +
+  return format_headed_list(picture.title + ", more than chance:", lists[Verdict::kSignificant]) +
+         format_headed_list("Equal on average, but spread differently:", lists[Verdict::kDistributionDiffers]) +
          format_headed_list("Not clear, since one of " + std::to_string(tests) +
                          " differences tested can be as large by chance:",
-                     lists[Verdict::kOneOfMany]) +
-         format_headed_list("No clear difference:", lists[Verdict::kCanBeChance]) +
+                     lists[Verdict::kInsignificantAfterCorrection]) +
+         format_headed_list("No clear difference:", lists[Verdict::kInsignificant]) +
          format_headed_list(picture.title + ", of one realisation, not tested for chance:",
                      lists[Verdict::kUntested]);
 }
@@ -106,11 +106,11 @@ std::string make_table(const Comparison& comparison) {
     // Pairs of blocks are many; the table differences.csv has them.
     if (first.kind != GroupKind::kGarcia && first.kind != GroupKind::kColumn) continue;
     table.row({first.name, comparison.groups[one.second].name, one.quantity,
-               with_digits(one.first_mean, 3), with_digits(one.second_mean, 3),
-               with_digits(one.estimate, 3), one.interval ? with_digits(one.interval->low, 3) : "-",
-               one.interval ? with_digits(one.interval->high, 3) : "-",
-               with_digits(one.cliffs_delta, 3), one.hedges_g ? with_digits(*one.hedges_g, 3) : "-",
-               with_digits(one.ks_distance, 3), one.p_holm ? with_digits(*one.p_holm, 2) : "-",
+               format_significant(one.first_mean, 3), format_significant(one.second_mean, 3),
+               format_significant(one.estimate, 3), one.interval ? format_significant(one.interval->low, 3) : "-",
+               one.interval ? format_significant(one.interval->high, 3) : "-",
+               format_significant(one.cliffs_delta, 3), one.hedges_g ? format_significant(*one.hedges_g, 3) : "-",
+               format_significant(one.ks_distance, 3), one.p_holm ? format_significant(*one.p_holm, 2) : "-",
                !one.p_holm   ? "-"
                : one.found() ? "yes"
                              : "no"});

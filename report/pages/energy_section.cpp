@@ -101,7 +101,7 @@ std::string kinetic_chart(const Comparison& comparison,
   for (std::size_t i = 0; i < masses.size(); ++i) {
     const std::string name =
         (has_several_files(comparison) ? file_name(comparison, masses[i].front()->file) : "mean") +
-        " of " + counted(masses[i].size(), "realisation");
+        " of " + format_count(masses[i].size(), "realisation");
     add_realisation_curve(traces, name, series_colour(i), Trace::Kind::kLine,
                           compute_energy_curve(masses[i],
                                        [](const EnergySample& sample) {
@@ -137,9 +137,9 @@ std::string shares_table(const Comparison& comparison,
       }
       const Summary summary = summarise(shares);
       cells.push_back(significant(summarise(energies).mean));
-      cells.push_back(percent(summary.mean));
-      cells.push_back(percent(*std::min_element(shares.begin(), shares.end())));
-      cells.push_back(percent(summary.max));
+      cells.push_back(format_percent(summary.mean));
+      cells.push_back(format_percent(*std::min_element(shares.begin(), shares.end())));
+      cells.push_back(format_percent(summary.max));
     }
     table.row(std::move(cells));
   };

@@ -12,7 +12,7 @@
 namespace clast::report_detail {
 namespace {
 
-constexpr double kSignificant = 0.05;
+constexpr double kSignificanceLevel = 0.05;
 
 bool is_share(const ParameterEffect& effect) { return effect.outcome != "mean runout"; }
 
@@ -52,7 +52,7 @@ std::string effect_sentence(const Comparison& comparison,
       effects.begin(), effects.end(),
       [&](const ParameterEffect& a, const ParameterEffect& b) { return size(a) < size(b); });
   // Of several parameters one is likelier to seem to move it by chance (Bonferroni).
-  const double limit = kSignificant / static_cast<double>(effects.size());
+  const double limit = kSignificanceLevel / static_cast<double>(effects.size());
   if (!most->correlation || most->correlation->p_value > limit) {
     text += "; no single parameter is seen to move it";
   } else {
@@ -87,7 +87,7 @@ std::string format_ensemble_section(const ComparisonAnalyses& analyses) {
                  parameter_in_words(effect.parameter), significant(effect.low),
                  significant(effect.high), correlation ? fixed(correlation->statistic, 2) : "-",
                  correlation ? significant(correlation->p_value, 2) : "-",
-                 effect.first_order ? percent(*effect.first_order) : "-"});
+                 effect.first_order ? format_percent(*effect.first_order) : "-"});
     }
     sentences += paragraph(effect_sentence(comparison, same));
   }

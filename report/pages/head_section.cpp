@@ -52,7 +52,7 @@ std::string cautions_of(const Comparison& comparison) {
     (i < kMostCautions ? html : more) += caution_line(cautions[i]);
   }
   if (!more.empty()) {
-    html += folded(counted(cautions.size() - kMostCautions, "more caution"), more);
+    html += folded(format_count(cautions.size() - kMostCautions, "more caution"), more);
   }
   return html + "</div>\n";
 }

@@ -45,8 +45,8 @@ std::string measured_table(const Comparison& comparison) {
                fixed(group.simulated_runout, 1), fixed(group.quartiles.median, 1),
                fixed(group.simulated_quartiles.median, 1), fixed(group.medians.estimate, 1),
                interval ? fixed(interval->low, 1) : "-", interval ? fixed(interval->high, 1) : "-",
-               with_digits(group.cliffs_delta, 3), with_digits(group.ks_distance, 3),
-               group.medians.p_holm ? with_digits(*group.medians.p_holm, 2) : "-"});
+               format_significant(group.cliffs_delta, 3), format_significant(group.ks_distance, 3),
+               group.medians.p_holm ? format_significant(*group.medians.p_holm, 2) : "-"});
   }
   return table.html();
 }

@@ -47,7 +47,7 @@ std::string passage_chart(const Comparison& comparison,
     const RealisationCurve curve = with_end(passage_curve(files[i], value));
     const std::string name =
         (has_several_files(comparison) ? file_name(comparison, files[i].front()->file) : "mean") +
-        " of " + counted(files[i].size(), "realisation");
+        " of " + format_count(files[i].size(), "realisation");
     add_realisation_curve(traces, name, series_colour(i), Trace::Kind::kSteps, curve,
                           files[i].size());
   }
@@ -117,10 +117,10 @@ std::string describe_crossings(const Comparison& comparison, const std::vector<R
     html +=
         paragraph(comparison.lines[line].name +
                   (has_several_files(comparison) ? ", " + file_name(comparison, file) : "") +
-                  ": within 1 s at most " + counted(static_cast<std::size_t>(blocks), "block") +
+                  ": within 1 s at most " + format_count(static_cast<std::size_t>(blocks), "block") +
                   ", at most " + format_mass(std::ceil(mass)) + " and at most " +
                   format_energy_limit(energy) + " pass; the largest energy of a " + "single block is " +
-                  format_energy_limit(single) + ". From " + counted(realisations.size(), "realisation") +
+                  format_energy_limit(single) + ". From " + format_count(realisations.size(), "realisation") +
                   (at_once ? "." : " of blocks that were released one after the other."));
   }
   return html;

@@ -19,7 +19,7 @@ constexpr std::size_t kMostNotes = 20;
 
 /// "22.8-41.7 %", with a dash that is no minus
 std::string range_text(double low, double high) {
-  return fixed(100.0 * low, 1) + "\xE2\x80\x93" + percent(high);
+  return fixed(100.0 * low, 1) + "\xE2\x80\x93" + format_percent(high);
 }
 
 std::string population_head(const PopulationReport& report) {
@@ -27,7 +27,7 @@ std::string population_head(const PopulationReport& report) {
   std::vector<std::string> notes;
   for (const ReportedPopulation& reported : report.populations) {
     title += (title.empty() ? "" : " and ") + reported.population.name;
-    std::string text = counted(reported.summary.blocks, "block");
+    std::string text = format_count(reported.summary.blocks, "block");
     if (reported.summary.weighed > 0) {
       text += ", " + std::to_string(reported.summary.weighed) + " with a mass, " +
               format_block_mass(reported.summary.size.total_mass) + " kg";
@@ -44,7 +44,7 @@ std::string population_head(const PopulationReport& report) {
     }
     if (reported.population.blocks.size() > kMostSingleBlocks) {
       notes.push_back(
-          reported.population.name + ": with " + counted(reported.summary.blocks, "block") +
+          reported.population.name + ": with " + format_count(reported.summary.blocks, "block") +
           " the diagrams show densities, not single blocks; every block is in classes.csv");
     }
   }
@@ -90,12 +90,12 @@ std::string classes_section(const PopulationReport& report, const Diagrams& diag
       }
       if (report.populations.size() > 1) html += paragraph(reported.population.name);
       HtmlTable table(heads, 1);
-      for (const ClassShare& share : reported.summary.schemes[scheme].shares) {
+      for (const ClassFraction& share : reported.summary.schemes[scheme].shares) {
         std::vector<std::string> cells = {share.name, std::to_string(share.count),
-                                          percent(share.share), range_text(share.low, share.high)};
+                                          format_percent(share.share), range_text(share.low, share.high)};
         if (weighed) {
           cells.push_back(format_block_mass(share.mass));
-          cells.push_back(percent(share.mass_share));
+          cells.push_back(format_percent(share.mass_share));
           cells.push_back(range_text(share.mass_low, share.mass_high));
         }
         table.row(std::move(cells));
@@ -130,9 +130,9 @@ std::string boxes_section(const PopulationReport& report) {
   for (const ReportedPopulation& reported : report.populations) {
     const std::vector<MeasuredBlock>& blocks = reported.population.blocks;
     std::string words;
-    for (const BoxEffect& effect :
-         box_effects(blocks, report.options.chosen_schemes(), report.options.limits)) {
-      words += "<li>" + escape_html(box_effect_words(effect)) + "</li>\n";
+    for (const BoxConventionEffect& effect :
+         compare_box_conventions(blocks, report.options.selected_schemes(), report.options.limits)) {
+      words += "<li>" + escape_html(describe_box_effect(effect)) + "</li>\n";
     }
     if (words.empty()) continue;
     if (report.populations.size() > 1) html += paragraph(reported.population.name);
@@ -143,10 +143,10 @@ std::string boxes_section(const PopulationReport& report) {
     for (const BoxConvention box : kBoxConventions) heads.push_back("S/L, " + name_of(box));
     HtmlTable table(heads, 1);
     for (const MeasuredBlock& block : blocks) {
-      if (block.by_box.empty()) continue;
+      if (block.axes_by_box.empty()) continue;
       std::vector<std::string> cells = {block.name};
-      for (const Axes& axes : block.by_box) cells.push_back(fixed(elongation_s_c(axes), 3));
-      for (const Axes& axes : block.by_box) cells.push_back(fixed(axes.S / axes.L, 3));
+      for (const Axes& axes : block.axes_by_box) cells.push_back(fixed(elongation_index(axes), 3));
+      for (const Axes& axes : block.axes_by_box) cells.push_back(fixed(axes.S / axes.L, 3));
       table.row(std::move(cells));
     }
     html += table.html();
@@ -163,12 +163,12 @@ std::string blocks_section(const PopulationReport& report) {
   for (const ReportedPopulation& reported : report.populations) {
     const std::vector<MeasuredBlock>& blocks = reported.population.blocks;
     if (blocks.size() > kMostRows) {
-      html += paragraph(reported.population.name + ": " + counted(blocks.size(), "block") +
+      html += paragraph(reported.population.name + ": " + format_count(blocks.size(), "block") +
                         ", all of them in classes.csv.");
       continue;
     }
     std::vector<std::string> heads = {shorten_middle(reported.population.name, kMostHead)};
-    for (const SchemeShares& scheme : reported.summary.schemes) heads.push_back(scheme.scheme);
+    for (const SchemeFractions& scheme : reported.summary.schemes) heads.push_back(scheme.scheme);
     const std::string& first = reported.summary.schemes.front().scheme;
     heads.push_back("how sure (" + first + ")");
     const std::size_t text = heads.size();
@@ -177,18 +177,18 @@ std::string blocks_section(const PopulationReport& report) {
     HtmlTable table(heads, text);
     for (const MeasuredBlock& block : blocks) {
       std::vector<std::string> cells = {block.name};
-      for (const SchemeShares& scheme : reported.summary.schemes) {
-        cells.push_back(shape_class(scheme.scheme, block.as_written, report.options.limits));
+      for (const SchemeFractions& scheme : reported.summary.schemes) {
+        cells.push_back(shape_class(scheme.scheme, block.axes_as_written, report.options.limits));
       }
       const ClassCertainty certainty =
           class_certainty(first, block.axes, block.axis_error, report.options.limits);
-      cells.push_back(certainty.near_limit ? certainty_words(certainty) : "clear of limits");
+      cells.push_back(certainty.near_limit ? describe_certainty(certainty) : "clear of limits");
       for (const double axis : {block.axes.L, block.axes.I, block.axes.S}) {
         cells.push_back(significant(axis, 3) + (block.unscaled ? " u" : ""));
       }
       cells.push_back(block.mass ? significant(*block.mass, 4) : "-");
-      cells.push_back(fixed(elongation_s_c(block.as_written), 2));
-      cells.push_back(fixed(block.as_written.S / block.as_written.L, 2));
+      cells.push_back(fixed(elongation_index(block.axes_as_written), 2));
+      cells.push_back(fixed(block.axes_as_written.S / block.axes_as_written.L, 2));
       table.row(std::move(cells));
     }
     html += table.html();

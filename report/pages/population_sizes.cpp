@@ -10,13 +10,13 @@ std::string with_error(double value, double error) {
 }
 
 void law_rows(HtmlTable& table, const std::string& weighting, const SizeCurve& curve) {
-  for (const SizeLaw& law : curve.laws) {
+  for (const FittedSizeLaw& law : curve.laws) {
     const bool normal = law.kind == SizeLawKind::kLogNormal;
     table.row(
         {name_of(law.kind) + " " + weighting,
          (normal ? "median " : "d63 ") + with_error(law.location, law.location_error),
          (normal ? "\xCF\x83 of ln " : "exponent ") + with_error(law.spread, law.spread_error),
-         fixed(law.distance, 3), law.p_value ? p_words(*law.p_value) : "-"});
+         fixed(law.distance, 3), law.p_value ? format_p_value(*law.p_value) : "-"});
   }
 }
 
@@ -63,12 +63,12 @@ std::string format_size_section(const PopulationReport& report, const Diagrams& 
                         " m; fits are judged with samples read in the same steps.");
     }
     html += "<ul>\n";
-    for (const SizeShape& one : reported.summary.size_and_shape) {
-      html += "<li>" + escape_html(size_shape_words(one, size.measure)) + "</li>\n";
+    for (const SizeShapeCorrelation& one : reported.summary.size_shape_correlations) {
+      html += "<li>" + escape_html(describe_size_shape(one, size.measure)) + "</li>\n";
     }
     html +=
         "<li>" +
-        escape_html("C40, the share of blocks with S/L at most 0.4: " + percent(reported.summary.c40) +
+        escape_html("C40, the share of blocks with S/L at most 0.4: " + format_percent(reported.summary.c40) +
                 ".") +
         "</li>\n</ul>\n";
   }

@@ -88,22 +88,22 @@ std::string released(const CampaignResults& results) {
   if (!results.stay) {
     const std::size_t members = count_ensemble_members(results);
     const std::size_t sets = results.blocks.size() * points * members;
-    return counted(results.blocks.size(), "block") + " \xC3\x97 " + counted(points, "point") +
-           " \xC3\x97 " + counted(sets > 0 ? results.planned_runs / sets : 0, "orientation") +
-           (members > 1 ? " \xC3\x97 " + counted(members, "draw") + " of the ground" : "");
+    return format_count(results.blocks.size(), "block") + " \xC3\x97 " + format_count(points, "point") +
+           " \xC3\x97 " + format_count(sets > 0 ? results.planned_runs / sets : 0, "orientation") +
+           (members > 1 ? " \xC3\x97 " + format_count(members, "draw") + " of the ground" : "");
   }
   const auto removed = static_cast<std::size_t>(
       std::count_if(results.stays.begin(), results.stays.end(),
                     [](const PersistentBlockRecord& stay) { return std::isfinite(stay.removed_at); }));
-  return counted(results.planned_runs / results.stay->blocks_each, "realisation") + " of " +
-         counted(results.stay->blocks_each, "block") +
+  return format_count(results.planned_runs / results.stay->blocks_each, "realisation") + " of " +
+         format_count(results.stay->blocks_each, "block") +
          (results.stay->at_once
               ? ", released " +
-                    (points > 1 ? "as " + counted(points, "mass", "masses") : "at once as one mass")
-              : ", released one after the other from " + counted(points, "point")) +
+                    (points > 1 ? "as " + format_count(points, "mass", "masses") : "at once as one mass")
+              : ", released one after the other from " + format_count(points, "point")) +
          " and left where they stop" +
          (removed > 0 ? ", but for " +
-                            counted(removed, "block that was removed", "blocks that were removed")
+                            format_count(removed, "block that was removed", "blocks that were removed")
                       : "");
 }
 
@@ -152,7 +152,7 @@ std::string notes_of(const Comparison& comparison) {
     items += paragraph(warning);
     ++count;
   }
-  return items.empty() ? "" : folded(counted(count, "more warning"), items);
+  return items.empty() ? "" : folded(format_count(count, "more warning"), items);
 }
 
 }  // namespace

@@ -58,7 +58,7 @@ std::string lost_runs(const Comparison& comparison) {
     html += paragraph("The first " + std::to_string(kMostListed) + " of " + std::to_string(count) +
                       "; the others are in runs.csv.");
   }
-  return folded(counted(count, "run") + " did not come to rest on the terrain", html);
+  return folded(format_count(count, "run") + " did not come to rest on the terrain", html);
 }
 
 }  // namespace

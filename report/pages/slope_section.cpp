@@ -72,8 +72,8 @@ std::string barrier_table(const Comparison& comparison, const std::vector<Profil
                   1);
   const auto runs = static_cast<double>(comparison.groups[group].rows.size());
   for (const ProfileBin* bin : bins_of_group(bins, group)) {
-    table.row({with_digits(bin->from, 4) + " to " + with_digits(bin->to, 4),
-               std::to_string(bin->runs), percent(static_cast<double>(bin->runs) / runs, 0),
+    table.row({format_significant(bin->from, 4) + " to " + format_significant(bin->to, 4),
+               std::to_string(bin->runs), format_percent(static_cast<double>(bin->runs) / runs, 0),
                significant(bin->energy.p95 / 1000.0), significant(bin->energy.max / 1000.0),
                measured(bin->height.p95, bin->height, 2), measured(bin->height.max, bin->height, 2),
                measured(bin->speed.p95, bin->speed, 1)});
@@ -88,7 +88,7 @@ std::string least_demand(const Comparison& comparison, const std::vector<Profile
   const ProfileBin* place = least_energy_place(bins, group, runs);
   if (place == nullptr || runs < kFewestPassages) return {};
   return "Where at least half of the " + std::to_string(runs) + " runs arrive, energy is lowest " +
-         with_digits(place->from, 4) + " to " + with_digits(place->to, 4) +
+         format_significant(place->from, 4) + " to " + format_significant(place->to, 4) +
          " m from the release: 95 % of the " + std::to_string(place->runs) +
          " runs there stay below " + format_energy_limit(place->energy.p95) +
          ", and the centres of 95 % below " + format_height_limit(place->height.p95) + ". ";
@@ -127,7 +127,7 @@ std::string cut_along_the_mean_path(const Comparison& comparison,
                                     const std::vector<ProfileBin>& bins, std::size_t group,
                                     const std::string& title) {
   const CampaignResults& results = comparison.results[comparison.groups[group].file.value_or(0)];
-  const TerrainSurface surface = terrain_surface(results.terrain);
+  const TerrainSurface surface = make_terrain_surface(results.terrain);
   const double highest = bounds(results.terrain.surface).high.z();
   Trace ground{"ground", "#7a6245", {}, Trace::Kind::kLine, {}, {}};
   Trace most{"95 % of the runs pass below", "#0072B2", {}, Trace::Kind::kLine, {}, {}};
@@ -202,7 +202,7 @@ std::string format_slope_section(const Comparison& comparison, const std::vector
     charts +=
         cut_along_the_mean_path(comparison, bins, group, "The ground along the mean path: " + name);
   }
-  const std::string width = with_digits(bins.front().to - bins.front().from, 3);
+  const std::string width = format_significant(bins.front().to - bins.front().from, 3);
   return section(title,
                  paragraph(words + "In every " + width +
                            " m a run counts with its largest value there; distances are from "

@@ -24,7 +24,7 @@ std::vector<const PersistentBlockRecord*> stays_of_rows(const Comparison& compar
 
 std::string count_and_share(std::size_t count, std::size_t all) {
   return std::to_string(count) + " (" +
-         percent(static_cast<double>(count) / static_cast<double>(all)) + ")";
+         format_percent(static_cast<double>(count) / static_cast<double>(all)) + ")";
 }
 
 /// The cells of a group without its name; empty where none of its blocks stayed among others.

@@ -3,8 +3,8 @@
 #include <cmath>
 
 #include "core/version.hpp"
+#include "library/block_bracket.hpp"
 #include "library/unscaled.hpp"
-#include "library/unseen_range.hpp"
 #include "report/blocks/turntable.hpp"
 #include "report/html/html_page.hpp"
 #include "report/scans/photo_section.hpp"
@@ -33,7 +33,7 @@ std::string with_bounds(double value, double low, const std::optional<double>& h
 
 /// Bounds of the axes and every class they allow.
 std::string range_facts(const Block& block, const std::string& unit) {
-  const UnseenRange range = unseen_range(block);
+  const BlockBracket range = derive_block_bracket(block);
   const std::string not_known = "not known: too much of the block was not seen";
   if (!range.axes) return fact("bounds of L, I, S; possible shapes", not_known);
   const auto& [low, high] = *range.axes;
@@ -56,7 +56,7 @@ std::string facts(const Block& block, const std::string& scale) {
   double low_volume = 0.0, low_mass = 0.0;
   std::optional<double> high_volume = 0.0, high_mass = 0.0;
   if (block.unseen) {
-    const UnseenRange range = unseen_range(block);
+    const BlockBracket range = derive_block_bracket(block);
     low_volume = block.unseen->lower_volume, high_volume = block.unseen->upper_volume;
     low_mass = range.lower_mass, high_mass = range.upper_mass;
   }
@@ -75,12 +75,13 @@ std::string facts(const Block& block, const std::string& scale) {
   if (block.unseen) html += range_facts(block, unit);
   html += fact("vertices of the block", std::to_string(block.body.vertices.size()));
   html += fact("radius of its rounding, " + unit, significant(block.body.radius, 3));
-  html += fact("surface not seen but filled in",
-               block.unseen ? percent(block.unseen->invented_share) : "none, or small holes alone");
+  html += fact("surface not seen but filled in", block.unseen
+                                                     ? format_percent(block.unseen->filled_fraction)
+                                                     : "none, or small holes alone");
   if (!block.from_core) {
-    html += fact("farthest from the scan", significant(block.deviation.hausdorff, 2) + " " + unit +
-                                               " (" + percent(block.deviation.hausdorff / axes.L) +
-                                               " of L)");
+    html += fact("farthest from the scan",
+                 significant(block.deviation.hausdorff, 2) + " " + unit + " (" +
+                     format_percent(block.deviation.hausdorff / axes.L) + " of L)");
   }
   return html + fact("scale", metric ? scale : "none") + "</dl>\n";
 }
@@ -92,12 +93,12 @@ std::string notes(const Block& block) {
 
 /// How far the block is off the scan: the map and the numbers that go with it.
 std::string certificate(const Block& block, const FieldBlock& found) {
-  const Deviation& d = block.deviation;
+  const SurfaceDeviation& d = block.deviation;
   const std::string unit = is_unscaled(block) ? " units" : " m";
   std::string html;
   if (d.hausdorff > 0.0) {
-    html += draw_deviation_map(skin_mesh(block.body, kSkinSegments), found.scan.mesh, d.hausdorff,
-                          !is_unscaled(block));
+    html += draw_deviation_map(rounded_surface_mesh(block.body, kSkinSegments), found.scan.mesh,
+                               d.hausdorff, !is_unscaled(block));
   }
   html += "<dl class=\"facts\">";
   html += fact("scan to block, at most", significant(d.scan_to_body, 3) + unit);
@@ -131,7 +132,7 @@ std::string mass_check(const Block& block, bool density_given) {
   }
   const double gap = block.mass.mass / *weighed - 1.0;
   std::string text = "Volume times density gives " + significant(block.mass.mass, 4) + " kg, " +
-                     percent(std::abs(gap)) + (gap < 0.0 ? " less" : " more") +
+                     format_percent(std::abs(gap)) + (gap < 0.0 ? " less" : " more") +
                      " than the weighed " + significant(*weighed, 4) + " kg.";
   if (block.unseen) {
     const double low = block.density * block.unseen->lower_volume;
@@ -161,10 +162,10 @@ std::string scan_sections(const Block& block, const ScanOfBlock& scan) {
   const RepairReport& report = scan.found->scan.report;
   ScanOptions options = scan.options;
   options.up = scan.up;
-  std::string html =
-      draw_before_and_after(*scan.raw, options, *scan.found, find_repair_marks(report), !is_unscaled(block));
-  html +=
-      format_repair_section(report, scan.raw->triangles.empty(), scan.found->underside.has_value(), unit);
+  std::string html = draw_before_and_after(*scan.raw, options, *scan.found,
+                                           find_repair_marks(report), !is_unscaled(block));
+  html += format_repair_section(report, scan.raw->triangles.empty(),
+                                scan.found->underside.has_value(), unit);
   if (scan.found->underside) html += format_underside_section(*scan.found->underside, unit);
   if (scan.photos != nullptr) {
     html += format_photo_section(
@@ -178,8 +179,9 @@ std::string scan_sections(const Block& block, const ScanOfBlock& scan) {
 }  // namespace
 
 std::string make_block_page(const Block& block, const ScanOfBlock& scan) {
-  std::string body = "<h1>Block " + escape_html(block.id) + "</h1>\n<p class=\"lead\">from the scan " +
-                     escape_html(block.source.file) + "</p>\n";
+  std::string body = "<h1>Block " + escape_html(block.id) +
+                     "</h1>\n<p class=\"lead\">from the scan " + escape_html(block.source.file) +
+                     "</p>\n";
   if (is_unscaled(block)) {
     body += format_note_box(
         "Unscaled",

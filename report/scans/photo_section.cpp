@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "core/angle.hpp"
-#include "core/listed.hpp"
+#include "core/comma_separated.hpp"
 #include "core/number_text.hpp"
 #include "report/html/html_page.hpp"
 #include "report/scans/scan_pictures.hpp"
@@ -217,8 +217,9 @@ std::string scale_part(const PhotoScan& scan, const PhotoEvidence& evidence,
       fewest = std::min(fewest, corner.photos);
       worst = std::max(worst, corner.error);
     }
-    html += paragraph("ChArUco board: " + counted(scan.corners.size(), "corner") + ", each in " +
-                      counted(fewest, "photo") + " or more, within " + fixed(worst, 2) + " px.");
+    html +=
+        paragraph("ChArUco board: " + format_count(scan.corners.size(), "corner") + ", each in " +
+                  format_count(fewest, "photo") + " or more, within " + fixed(worst, 2) + " px.");
   }
   if (scan.scale) return html + scale_table(*scan.scale);
   return html + paragraph(scan.metric ? "The scale is that of: " + scan.scale_source +
@@ -231,7 +232,7 @@ std::string scale_part(const PhotoScan& scan, const PhotoEvidence& evidence,
 }  // namespace
 
 std::string format_photo_section(const PhotoScan& scan, const PhotoEvidence& evidence,
-                          const TriangleMesh& surface) {
+                                 const TriangleMesh& surface) {
   const CameraRing& ring = evidence.ring;
   const std::string unit = scan.metric ? "m" : "units";
   std::vector<std::string> blurred, alone;
@@ -246,17 +247,18 @@ std::string format_photo_section(const PhotoScan& scan, const PhotoEvidence& evi
   if (!ring.gaps.empty()) notes.push_back(gap_words(ring));
   const auto left_out = [&](const std::string& what, const std::vector<std::string>& names) {
     if (!names.empty()) {
-      notes.push_back(counted(names.size(), "photo") + " " + what + ": " + listed(names));
+      notes.push_back(format_count(names.size(), "photo") + " " + what + ": " +
+                      comma_separated(names));
     }
   };
   left_out("without a camera", scan.without_camera);
   left_out("blurred and skipped", blurred);
   left_out("without a partner 6 to 32 degrees away", alone);
   const std::size_t compared = ring.seats.size() - blurred.size() - alone.size();
-  std::string html = paragraph(counted(ring.seats.size(), "photo") + " with a camera, by " +
-                               scan.model.source + "; " + std::to_string(compared) +
-                               " compared, in " + counted(scan.cloud.pairs.size(), "pair") +
-                               ", which gave " + counted(scan.cloud.points.size(), "point") + ".");
+  std::string html = paragraph(
+      format_count(ring.seats.size(), "photo") + " with a camera, by " + scan.model.source + "; " +
+      std::to_string(compared) + " compared, in " + format_count(scan.cloud.pairs.size(), "pair") +
+      ", which gave " + format_count(scan.cloud.points.size(), "point") + ".");
   if (!notes.empty()) html += format_note_box("Photos", notes);
   html += "<div class=\"plan\">" + ring_plan(evidence, surface, ring.middle) + "</div>\n" +
           photo_table(ring, unit) + "<h3>What was seen</h3>\n" +

@@ -12,12 +12,12 @@ namespace {
 constexpr std::size_t kMostHoles = 200;  ///< rows of the table
 constexpr std::size_t kMarkedHoles = 9;
 
-std::string length(double metres) { return metres > 0.0 ? with_digits(metres, 3) : ""; }
+std::string length(double metres) { return metres > 0.0 ? format_significant(metres, 3) : ""; }
 
 /// A share that rounds to nothing says so.
 std::string share(double value) {
   if (value <= 0.0) return "";
-  return value < 5e-4 ? "under 0.1 %" : percent(value);
+  return value < 5e-4 ? "under 0.1 %" : format_percent(value);
 }
 
 std::string closing(const FilledHole& hole) {
@@ -37,7 +37,7 @@ std::string format_repair_section(const RepairReport& report, bool cloud, bool o
       std::to_string(report.as_read.triangles) + " triangles; " + report.as_read.summary() + ".");
   if (report.defects.empty()) {
     return section("Defects found and repaired",
-                   html + paragraph(report.as_read.closed() && !open_side
+                   html + paragraph(report.as_read.is_closed() && !open_side
                                         ? "None: the surface was closed and sound, and was not "
                                           "changed."
                                         : "None beside the open side, of which more below."));
@@ -53,7 +53,7 @@ std::string format_repair_section(const RepairReport& report, bool cloud, bool o
   html += defects.html();
   if (report.wrap_bias) {
     html += paragraph("The surface could not be freed of its crossings and was wrapped anew; the " +
-                      percent(*report.wrap_bias) + " of volume that added is scaled away.");
+                      format_percent(*report.wrap_bias) + " of volume that added is scaled away.");
   }
   if (!report.holes.empty()) {
     HtmlTable holes({"hole", "closed by", "border edges", "length round " + unit, "radius " + unit,
@@ -62,8 +62,8 @@ std::string format_repair_section(const RepairReport& report, bool cloud, bool o
     for (std::size_t i = 0; i < std::min(kMostHoles, report.holes.size()); ++i) {
       const FilledHole& hole = report.holes[i];
       holes.row({"H" + std::to_string(i + 1), closing(hole), std::to_string(hole.border_edges),
-                 with_digits(hole.perimeter, 3), with_digits(hole.radius, 3),
-                 with_digits(hole.area, 3), share(hole.area_share), place(hole.centre)});
+                 format_significant(hole.perimeter, 3), format_significant(hole.radius, 3),
+                 format_significant(hole.area, 3), share(hole.area_share), place(hole.centre)});
     }
     html += "<h3>Holes that were filled, the largest first</h3>\n" + holes.html();
     if (report.holes.size() > kMostHoles) {
@@ -93,26 +93,26 @@ std::vector<PositionMark> find_repair_marks(const RepairReport& report) {
 std::string format_underside_section(const Underside& side, const std::string& unit) {
   HtmlTable table({"shape", "how", "volume " + unit + "3", "against best"}, 2);
   const auto row = [&](const char* name, const char* how, double volume) {
-    const double change = volume / side.best_volume - 1.0;
-    table.row({name, how, with_digits(volume, 4), (change > 0.0 ? "+" : "") + percent(change)});
+    const double change = volume / side.estimated_volume - 1.0;
+    table.row({name, how, format_significant(volume, 4), (change > 0.0 ? "+" : "") + format_percent(change)});
   };
   row("lower", "filled straight across the rim, with hollows as deep as the seen ones",
       side.lower_volume);
-  row("best", "likeliest depth below the rim; the block is made of this", side.best_volume);
+  row("best", "likeliest depth below the rim; the block is made of this", side.estimated_volume);
   std::string text = "The scan was open on the unseen side: a rim of " +
-                     std::to_string(side.rim_edges) + " edges, " + with_digits(side.rim_length, 3) +
+                     std::to_string(side.rim_edges) + " edges, " + format_significant(side.rim_length, 3) +
                      " " + unit + " round";
   if (side.open_sides > 1) {
     const std::size_t others = side.open_sides - 1;
     text += ", and " + std::to_string(others) +
             (others == 1 ? " other large hole" : " other large holes");
   }
-  text += ". " + percent(side.invented_share) + " of the closed surface is invented. ";
+  text += ". " + format_percent(side.filled_fraction) + " of the closed surface is invented. ";
   if (side.upper_volume) {
     row("upper", "flanks continued as they were seen", *side.upper_volume);
-    const double width = (*side.upper_volume - side.lower_volume) / side.best_volume;
+    const double width = (*side.upper_volume - side.lower_volume) / side.estimated_volume;
     text += "The true volume is expected between the lower and the upper one, which are " +
-            percent(width) + " of the best volume apart, if " + side.assumption + ".";
+            format_percent(width) + " of the best volume apart, if " + side.assumption + ".";
   } else {
     text +=
         "Too much of the block was not seen to give an upper bound of its volume, lengths and "
@@ -121,7 +121,7 @@ std::string format_underside_section(const Underside& side, const std::string& u
   std::string html = paragraph(text);
   if (side.gap > 0.0) {
     html +=
-        paragraph("The rim stands " + with_digits(side.gap, 3) + " " + unit + " above the ground.");
+        paragraph("The rim stands " + format_significant(side.gap, 3) + " " + unit + " above the ground.");
   }
   return section("The side nobody saw", html + table.html());
 }

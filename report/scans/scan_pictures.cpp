@@ -54,10 +54,10 @@ Cameras cameras_on(std::span<const Vec3> points) {
 
 /// @param metric  false: in units of a model that nobody knows the length of
 std::string length_text(double metres, bool metric) {
-  if (!metric) return with_digits(metres, 3) + (metres == 1.0 ? " unit" : " units");
-  if (metres >= 1.0) return with_digits(metres, 3) + " m";
-  if (metres >= 0.01) return with_digits(100.0 * metres, 3) + " cm";
-  return with_digits(1000.0 * metres, 3) + " mm";
+  if (!metric) return format_significant(metres, 3) + (metres == 1.0 ? " unit" : " units");
+  if (metres >= 1.0) return format_significant(metres, 3) + " m";
+  if (metres >= 0.01) return format_significant(100.0 * metres, 3) + " cm";
+  return format_significant(1000.0 * metres, 3) + " mm";
 }
 
 std::string scale_bar(const Camera& camera, bool metric) {
@@ -79,7 +79,7 @@ std::string view(const Canvas& canvas, const std::string& name, const std::vecto
                            std::to_string(camera.height) + "\"";
   std::string svg = open_svg(camera.width, camera.height, name);
   svg += "<image " + size + " href=\"" +
-         png_link(rgb_png(camera.width, camera.height, canvas.picture())) + "\"/>";
+         png_data_uri(encode_rgb_png(camera.width, camera.height, canvas.picture())) + "\"/>";
   for (const PositionMark& mark : marks) {
     if (!canvas.sees(mark.place)) continue;
     const Vec3 at = camera.seen(mark.place);
@@ -212,7 +212,7 @@ std::string draw_before_and_after(const TriangleMesh& raw, const ScanOptions& op
                              bool metric) {
   const auto to_block = [&](Vec3 p) -> Vec3 {
     p *= options.unit;
-    if (options.up == "y") p = turned_z_up(p);
+    if (options.up == "y") p = y_up_to_z_up(p);
     return block.block_from_file * p;
   };
   TriangleMesh read = raw;
@@ -220,7 +220,7 @@ std::string draw_before_and_after(const TriangleMesh& raw, const ScanOptions& op
   std::vector<PositionMark> placed = marks;
   for (PositionMark& mark : placed) mark.place = to_block(mark.place);
   const bool cloud = read.triangles.empty();
-  if (!cloud) read = welded(read, options.repair.weld_tolerance * bounds(read).diagonal());
+  if (!cloud) read = weld_vertices(read, options.repair.weld_tolerance * bounds(read).diagonal());
 
   const std::vector<std::array<Vec3, 2>> border = border_of(read);
   const auto draw_read = [&](Canvas& canvas) {
@@ -268,7 +268,7 @@ std::string draw_deviation_map(const TriangleMesh& skin, const TriangleMesh& sca
                canvas.draw(
                    skin,
                    [&](std::uint32_t, const Vec3& place, bool) {
-                     const auto closest = tree.signed_closest(place, hint);
+                     const auto closest = tree.signed_closest_point(place, hint);
                      hint = closest.triangle;
                      return deviation_colour(closest.distance / reach);
                    },

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "core/error.hpp"
-#include "core/files/csv_text.hpp"
+#include "core/files/csv_writer.hpp"
 #include "core/files/file_kind.hpp"
 #include "core/files/output_file.hpp"
 #include "core/files/text_file.hpp"
@@ -43,7 +43,7 @@ struct ScanReport::Impl {
                        "s_c", "volume m3", "filled in %", "off scan, % of L", "notes"},
                       3};
   HtmlTable failures = {{"scan", "why there is no block"}, 2};
-  CsvText csv = {};
+  CsvWriter csv = {};
   std::size_t made = 0, earlier = 0, failed = 0;
   std::mutex mutex = {};                          ///< of `pages`
   std::map<std::string, std::string> pages = {};  ///< prepared, by id of the block
@@ -60,8 +60,8 @@ ScanReport::ScanReport(fs::path folder, bool replace) : impl_(std::make_unique<I
                      ": already exists and is not a summary of such pages, so it is not replaced; "
                      "name another folder");
   }
-  check_output(summary, {.kind = "text", .replace = replace});
-  check_output(impl_->folder / "index.html", {.kind = kPageKind, .replace = replace});
+  check_output_target(summary, {.kind = "text", .replace = replace});
+  check_output_target(impl_->folder / "index.html", {.kind = kPageKind, .replace = replace});
   impl_->csv.header(
       "block,outcome,scan,L_m,I_m,S_m,volume_m3,volume_lower_m3,volume_upper_m3,invented_share,"
       "density_kg_m3,mass_kg,weighed_kg,sneed_folk,zingg,shape,vertices,radius_m,scan_to_body_m,"
@@ -103,7 +103,8 @@ void ScanReport::Impl::add_page_row(const Block& block) {
   const std::string u = metric ? "" : " u";
   std::string name = escape_html(block.id);
   if (fs::exists(page_of(block))) {
-    name = "<a href=\"" + format_link_target("blocks/" + block.id + ".html") + "\">" + name + "</a>";
+    name =
+        "<a href=\"" + format_link_target("blocks/" + block.id + ".html") + "\">" + name + "</a>";
   }
   const auto cubed = [&](double volume) { return significant(volume, 4) + (metric ? "" : " u3"); };
   std::string volume = cubed(block.mass.volume);
@@ -116,8 +117,8 @@ void ScanReport::Impl::add_page_row(const Block& block) {
                    escape_html(garcia_class(axes) + ", " + sneed_folk_class(axes)),
                    metric ? significant(block.mass.mass, 4) : "-", significant(axes.L, 3) + u,
                    significant(axes.I, 3) + u, significant(axes.S, 3) + u,
-                   significant(elongation_s_c(axes), 3), volume,
-                   unseen ? fixed(100.0 * unseen->invented_share, 1) : "",
+                   significant(elongation_index(axes), 3), volume,
+                   unseen ? fixed(100.0 * unseen->filled_fraction, 1) : "",
                    fixed(100.0 * block.deviation.hausdorff / axes.L, 2),
                    std::to_string(block.warnings.size())});
 }
@@ -129,14 +130,16 @@ void ScanReport::Impl::add_csv_row(const Block& block, const std::string& outcom
   csv.cell(block.id);
   csv.cell(outcome);
   csv.cell(block.source.file);
-  const auto metric_cell = [&](double value) { metric ? csv.cell(value) : csv.empty_cells(1); };
+  const auto metric_cell = [&](double value) {
+    metric ? csv.cell(value) : csv.write_empty_cells(1);
+  };
   for (const double size : {axes.L, axes.I, axes.S, block.mass.volume}) metric_cell(size);
   if (unseen) {
     metric_cell(unseen->lower_volume);
     metric_cell(unseen->upper_volume.value_or(std::nan("")));
-    csv.cell(unseen->invented_share);
+    csv.cell(unseen->filled_fraction);
   } else {
-    csv.empty_cells(3);
+    csv.write_empty_cells(3);
   }
   csv.cell(block.density);
   metric_cell(block.mass.mass);
@@ -151,26 +154,26 @@ void ScanReport::Impl::add_csv_row(const Block& block, const std::string& outcom
   csv.count(block.warnings.size());
   csv.cell(block.source.sha256);
   csv.cell(metric ? "metric" : "none");
-  csv.empty_cells(1);
+  csv.write_empty_cells(1);
   csv.end_row();
 }
 
 void ScanReport::add_failure(const std::string& scan, const std::string& reason) {
   ++impl_->failed;
-  impl_->failures.row({as_utf8(scan), as_utf8(reason)});
-  impl_->csv.empty_cells(1);
+  impl_->failures.row({to_utf8(scan), to_utf8(reason)});
+  impl_->csv.write_empty_cells(1);
   impl_->csv.cell("failed");
-  impl_->csv.cell(as_utf8(scan));
-  impl_->csv.empty_cells(20);
-  impl_->csv.cell(as_utf8(reason));
+  impl_->csv.cell(to_utf8(scan));
+  impl_->csv.write_empty_cells(20);
+  impl_->csv.cell(to_utf8(reason));
   impl_->csv.end_row();
 }
 
 void ScanReport::finish() {
-  std::string body =
-      "<h1>Blocks from scans</h1>\n<p class=\"lead\">" + counted(impl_->made, "block") + " made";
+  std::string body = "<h1>Blocks from scans</h1>\n<p class=\"lead\">" +
+                     format_count(impl_->made, "block") + " made";
   if (impl_->earlier > 0) body += ", " + std::to_string(impl_->earlier) + " made earlier";
-  if (impl_->failed > 0) body += ", " + counted(impl_->failed, "scan") + " without a block";
+  if (impl_->failed > 0) body += ", " + format_count(impl_->failed, "scan") + " without a block";
   body += "</p>\n";
   if (impl_->failed > 0) body += section("Scans that gave no block", impl_->failures.html());
   if (impl_->made + impl_->earlier > 0) {

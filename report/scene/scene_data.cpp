@@ -91,8 +91,8 @@ Json terrain_json(const Terrain& terrain, const Vec3& shift, const SceneLimits& 
 
 TriangleMesh drawn_body(const CampaignResults& results, const BlockSummary& block) {
   const SpheroPolyhedron body = scaled(results.shapes[block.shape], block.scale);
-  if (body.faces.empty()) return skin_mesh(body);  // a ball or a capsule
-  return body.radius < kSeenRadius * block.axes.L ? core_mesh(body) : skin_mesh(body, 1);
+  if (body.faces.empty()) return rounded_surface_mesh(body);  // a ball or a capsule
+  return body.radius < kSeenRadius * block.axes.L ? core_mesh(body) : rounded_surface_mesh(body, 1);
 }
 
 /// Bodies of all files one after the other, and where those of each file begin.
@@ -159,7 +159,7 @@ SceneRuns scene_runs(const Comparison& comparison, const DrawnRuns& all, const B
 Json tints_json(const std::vector<std::string>& zone_names) {
   Json tints = Json::array();
   for (std::size_t zone = 0; zone < std::max<std::size_t>(zone_names.size(), 1); ++zone) {
-    tints.push_back(format_colour(zone_tint(zone < zone_names.size() ? zone_names[zone] : "", zone)));
+    tints.push_back(format_colour(zone_colour(zone < zone_names.size() ? zone_names[zone] : "", zone)));
   }
   return tints;
 }

@@ -20,7 +20,7 @@ static_assert(std::endian::native == std::endian::little, "the files say LittleE
 /// The core with its corners moved out by the radius along their mean normals: within the radius of
 /// the rounded surface, with a tenth of the triangles that a rounded mesh needs in every frame.
 TriangleMesh outline(const SpheroPolyhedron& shape) {
-  if (shape.faces.empty()) return skin_mesh(shape);  // a ball or a capsule
+  if (shape.faces.empty()) return rounded_surface_mesh(shape);  // a ball or a capsule
   TriangleMesh mesh = core_mesh(shape);
   std::vector<Vec3> normals(mesh.vertices.size(), Vec3::Zero());
   for (const auto& [a, b, c] : mesh.triangles) {
@@ -155,7 +155,7 @@ std::filesystem::path write_animation(const std::filesystem::path& folder,
     const std::string name = "frame_" + frame_number(index++) + ".vtp";
     write_text_file(folder / name, vtk_frame(blocks, time));
     list +=
-        "<DataSet timestep=\"" + with_digits(time, 9) + "\" part=\"0\" file=\"" + name + "\"/>\n";
+        "<DataSet timestep=\"" + format_significant(time, 9) + "\" part=\"0\" file=\"" + name + "\"/>\n";
   }
   const std::filesystem::path target = folder / "animation.pvd";
   write_text_file(target,

@@ -67,7 +67,7 @@ ComparisonTable make_table(const std::string& name, const TableColumns<Row>& col
       }
     };
   };
-  return {name, filled(csv_of<Row>), filled(values_of<Row>)};
+  return {name, filled(format_csv<Row>), filled(tabulate<Row>)};
 }
 
 }  // namespace clast::report_detail

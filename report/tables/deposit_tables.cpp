@@ -23,13 +23,13 @@ const TableColumns<DepositMeasures>& realisation_columns() {
         {"left_terrain", "", "that left the terrain", &Row::left_terrain},
         {"mass_kg", "kg", "of the blocks", &Row::mass},
         {"volume_m3", "m3", "of the blocks, without the space between them", &Row::volume}},
-       columns_of_list<Row>({"first_x_m", "first_y_m", "first_z_m"}, "m",
+       array_columns<Row>({"first_x_m", "first_y_m", "first_z_m"}, "m",
                             "their centre of mass where they started", &Row::first_centre),
-       columns_of_list<Row>({"x_m", "y_m", "z_m"}, "m", "their centre of mass where they lie",
+       array_columns<Row>({"x_m", "y_m", "z_m"}, "m", "their centre of mass where they lie",
                             &Row::centre),
-       columns_of_list<Row>({"crest_x_m", "crest_y_m", "crest_z_m"}, "m",
+       array_columns<Row>({"crest_x_m", "crest_y_m", "crest_z_m"}, "m",
                             "highest start of all blocks", &Row::crest),
-       columns_of_list<Row>({"toe_x_m", "toe_y_m", "toe_z_m"}, "m",
+       array_columns<Row>({"toe_x_m", "toe_y_m", "toe_z_m"}, "m",
                             "stop that is farthest from the crest in plan", &Row::toe),
        {{"centre_angle_deg", "deg", "slope of the line from first to last centre of mass",
          [=](const Row& row) { return degrees(row.first_centre, row.centre); }},
@@ -101,7 +101,7 @@ const TableColumns<DepositQuantityDifference>& realisation_difference_columns() 
       {"difference_low", unit, interval, [](const Row& row) { return bounds_of(row.interval)[0]; }},
       {"difference_high", unit, interval,
        [](const Row& row) { return bounds_of(row.interval)[1]; }},
-      {"freedom", "", "degrees of freedom of the interval", &Row::freedom},
+      {"freedom", "", "degrees of freedom of the interval", &Row::degrees_of_freedom},
       {"p_value", "", "of no difference, uncorrected",
        [](const Row& row) { return row.p_value.value_or(NAN); }},
       {"p_holm", "", "... corrected for `tests` tests",
@@ -109,7 +109,7 @@ const TableColumns<DepositQuantityDifference>& realisation_difference_columns() 
       {"tests", "", "number of tests that `p_holm` is corrected for", &Row::tests},
       {"distinguished", "", "1 where `p_holm` is below 0.05",
        [](const Row& row) {
-         return std::uint64_t{row.verdict() == Verdict::kMoreThanChance ? 1u : 0u};
+         return std::uint64_t{row.verdict() == Verdict::kSignificant ? 1u : 0u};
        }},
       {"words", "", "a sentence to quote", [](const Row& row) { return in_words(row); }}};
   return columns;

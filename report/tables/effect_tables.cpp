@@ -14,7 +14,7 @@ struct EffectShare {
   const OutcomeEffects& outcome;
   std::string factor;  ///< "interactions" for these
   std::size_t levels;  ///< 0 for these
-  const VarianceShare& share;
+  const VarianceFraction& share;
 };
 
 /// An outcome against a property of the blocks, and the file.
@@ -51,7 +51,7 @@ const TableColumns<EffectShare>& effect_columns() {
        "first-order Sobol index of the runs as they are, exact; empty where not every combination "
        "was "
        "run once",
-       [](const Row& row) { return row.share.of_design; }},
+       [](const Row& row) { return row.share.design_fraction; }},
       {"share", "", estimated, [](const Row& row) { return row.share.estimate; }},
       {"share_low", "", estimated, [](const Row& row) { return row.share.interval.low; }},
       {"share_high", "", estimated, [](const Row& row) { return row.share.interval.high; }}};

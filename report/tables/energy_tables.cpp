@@ -18,7 +18,7 @@ const TableColumns<EnergyOfFile>& energy_columns() {
   using Row = EnergyOfFile;
   static const auto columns = joined<Row>(
       {{{"realisation", "", "from 1", [](const Row& row) { return row.realisation + 1; }}},
-       columns_of_part<Row>(
+       adapt_columns<Row>(
            chosen(stored_energy_columns(),
                   {"time_s", "moving", "translational_j", "rotational_j", "potential_j", "stored_j",
                    "gone_j", "ground_normal_j", "ground_friction_j", "ground_rolling_j",

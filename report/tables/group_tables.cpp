@@ -80,7 +80,7 @@ const TableColumns<ComparisonRow<GroupDeposit>>& deposit_columns() {
          [=](const Row& row) { return stops(row).rest; }}},
        summary_columns<Row>(kAllStatistics, "runout_*_m", "m", "runout of the runs at rest",
                             [](const Row& row) { return row->deposit.runout; }),
-       columns_of_list<Row>({"mean_stop_x_m", "mean_stop_y_m", "mean_stop_z_m"}, "m", "mean stop",
+       array_columns<Row>({"mean_stop_x_m", "mean_stop_y_m", "mean_stop_z_m"}, "m", "mean stop",
                             [=](const Row& row) {
                               return stops(row).rest > 0 ? row->deposit.mean_stop
                                                          : Vec3(Vec3::Constant(NAN));
@@ -94,7 +94,7 @@ const TableColumns<ComparisonRow<GroupDeposit>>& deposit_columns() {
          [=](const Row& row) { return stops(row).max_time; }},
         {"error", "", "runs that ended in this way",
          [=](const Row& row) { return stops(row).error; }}},
-       columns_of_list<Row>({"downslope_x", "downslope_y"}, "",
+       array_columns<Row>({"downslope_x", "downslope_y"}, "",
                             "unit vector that runout is measured along",
                             [](const Row& row) { return row.comparison.downslope; })});
   return columns;
@@ -152,7 +152,7 @@ const TableColumns<ComparisonRow<MeasuredGroup>>& measured_columns() {
   using Measured = MeasuredGroup;
   const auto bounds = [](const char* low, const char* high, const char* unit,
                          std::optional<Interval> (*interval)(const Row&)) {
-    return columns_of_list<Row>({low, high}, unit,
+    return array_columns<Row>({low, high}, unit,
                                 "its 95 % confidence interval; empty for one realisation",
                                 [interval](const Row& row) { return bounds_of(interval(row)); });
   };
@@ -173,10 +173,10 @@ const TableColumns<ComparisonRow<MeasuredGroup>>& measured_columns() {
          [](const Row& row) { return row->medians.p_value.value_or(NAN); }},
         {"p_holm", "", "... corrected for all groups",
          [](const Row& row) { return row->medians.p_holm.value_or(NAN); }}},
-       columns_of_list<Row>(
+       array_columns<Row>(
            {"runout_q25_m", "runout_q75_m"}, "m", "quartiles of measured stops",
            [](const Row& row) { return Vec2(row->quartiles.low, row->quartiles.high); }),
-       columns_of_list<Row>(
+       array_columns<Row>(
            {"simulated_runout_q25_m", "simulated_runout_median_m", "simulated_runout_q75_m"}, "m",
            "quartiles of runs at rest",
            [](const Row& row) {
@@ -287,7 +287,7 @@ const TableColumns<BarrierGroupStatistics>& report_detail::barrier_table_columns
          "ring 0",
          &Row::backward},
         {"probability", "", "`crossings` / `runs`", &Row::probability}},
-       columns_of_list<Row>({"probability_low", "probability_high"}, "",
+       array_columns<Row>({"probability_low", "probability_high"}, "",
                             "its 95 % confidence interval; empty for one realisation",
                             [](const Row& row) { return bounds_of(row.interval); }),
        statistics("height_*_m", "m", "height of the centre of mass above the ground below it",

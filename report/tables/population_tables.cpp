@@ -20,7 +20,7 @@ struct BlockRow {
 struct ShareRow {
   const std::string& population;
   const std::string& scheme;
-  const ClassShare& share;
+  const ClassFraction& share;
   bool weighed = false;  ///< the mass of some block is known
 };
 /// A quantity of a size distribution.
@@ -34,7 +34,7 @@ struct SizeRow {
 struct TestRow {
   std::string test, populations, quantity;
   std::optional<double> statistic;
-  std::optional<std::size_t> freedom;
+  std::optional<std::size_t> degrees_of_freedom;
   std::optional<double> p_value;
   std::string p_from, words;
 };
@@ -61,7 +61,7 @@ std::vector<SizeRow> rows_of_curve(const SizeRow& common, const SizeCurve& curve
   add("d10", "m", curve.d10);
   add("d50", "m", curve.d50);
   add("d90", "m", curve.d90);
-  for (const SizeLaw& law : curve.laws) {
+  for (const FittedSizeLaw& law : curve.laws) {
     const bool normal = law.kind == SizeLawKind::kLogNormal;
     const std::string name = normal ? "log_normal_" : "rosin_rammler_";
     add(name + (normal ? "median" : "d63"), "m", law.location, law.location_error);
@@ -84,11 +84,11 @@ TestRow row_of(const std::string& kind, const std::string& populations, const st
 TestRow row_of(const std::string& populations, const ClassDifference& one) {
   const std::string kind = "chi-squared";
   if (!one.test) return {kind, populations, one.scheme, {}, {}, {}, "", one.words};
-  const ClassTest& test = *one.test;
+  const ChiSquaredResult& test = *one.test;
   const std::string from = test.draws > 0 ? std::to_string(test.draws) + " random tables"
                                           : std::string("chi-squared distribution");
   return {kind,         populations,  one.scheme, test.chi_squared,
-          test.freedom, test.p_value, from,       one.words};
+          test.degrees_of_freedom, test.p_value, from,       one.words};
 }
 
 TableColumns<BlockRow> class_columns(const PopulationOptions& options) {
@@ -108,30 +108,30 @@ TableColumns<BlockRow> class_columns(const PopulationOptions& options) {
        [](const Row& row) { return row.block.unscaled ? NAN : row.block.mass.value_or(NAN); }},
       {"axis_error_m", "m", "possible error of each axis, as given or assumed",
        [](const Row& row) { return row.block.unscaled ? NAN : row.block.axis_error; }}};
-  for (const std::string& scheme : options.chosen_schemes()) {
+  for (const std::string& scheme : options.selected_schemes()) {
     columns.push_back({class_column_name(scheme), "",
                        "class by each requested scheme; `shape` is Garcia's `compact` or "
                        "`elongated`",
                        [scheme, limits = options.limits](const Row& row) {
-                         return shape_class(scheme, row.block.as_written, limits);
+                         return shape_class(scheme, row.block.axes_as_written, limits);
                        }});
   }
-  for (const FormIndex& index : form_index_list()) {
+  for (const FormIndex& index : form_index_definitions()) {
     columns.push_back(
         {index.name, "", "indices, see [theory](theory.md#shape-classes)",
-         [index](const Row& row) { return cell_of(index.value(row.block.as_written)); }});
+         [index](const Row& row) { return cell_of(index.value(row.block.axes_as_written)); }});
   }
   return columns;
 }
 
 TableColumns<ShareRow> share_columns(const PopulationOptions&) {
   using Row = ShareRow;
-  const auto number = [](const char* name, double ClassShare::*value) {
+  const auto number = [](const char* name, double ClassFraction::*value) {
     return TableColumn<Row>{name, "", "by number, with its 95 % confidence interval",
                             [value](const Row& row) { return row.share.*value; }};
   };
   const auto mass = [](const char* name, const char* unit, const char* meaning,
-                       double ClassShare::*value) {
+                       double ClassFraction::*value) {
     return TableColumn<Row>{name, unit, meaning, [value](const Row& row) {
                               return row.weighed ? row.share.*value : NAN;
                             }};
@@ -144,13 +144,13 @@ TableColumns<ShareRow> share_columns(const PopulationOptions&) {
        [](const Row& row) { return row.share.name; }},
       {"blocks", "", "number of blocks in the class",
        [](const Row& row) { return row.share.count; }},
-      number("share", &ClassShare::share),
-      number("share_low", &ClassShare::low),
-      number("share_high", &ClassShare::high),
-      mass("mass_kg", "kg", "of the blocks of the class whose mass is known", &ClassShare::mass),
-      mass("mass_share", "", by_mass, &ClassShare::mass_share),
-      mass("mass_share_low", "", by_mass, &ClassShare::mass_low),
-      mass("mass_share_high", "", by_mass, &ClassShare::mass_high)};
+      number("share", &ClassFraction::share),
+      number("share_low", &ClassFraction::low),
+      number("share_high", &ClassFraction::high),
+      mass("mass_kg", "kg", "of the blocks of the class whose mass is known", &ClassFraction::mass),
+      mass("mass_share", "", by_mass, &ClassFraction::mass_share),
+      mass("mass_share_low", "", by_mass, &ClassFraction::mass_low),
+      mass("mass_share_high", "", by_mass, &ClassFraction::mass_high)};
 }
 
 TableColumns<SizeRow> size_columns(const PopulationOptions&) {
@@ -179,7 +179,7 @@ TableColumns<TestRow> test_columns(const PopulationOptions&) {
           {"statistic", "", "rho, D or chi-squared",
            [](const Row& row) { return cell_of(row.statistic); }},
           {"degrees_of_freedom", "", "of chi-squared",
-           [](const Row& row) { return cell_of(row.freedom); }},
+           [](const Row& row) { return cell_of(row.degrees_of_freedom); }},
           {"p_value", "", "probability of a statistic at least this extreme if there is no effect",
            [](const Row& row) { return cell_of(row.p_value); }},
           {"p_from", "", "how p was determined", &Row::p_from},
@@ -190,8 +190,8 @@ std::vector<ShareRow> share_rows(const PopulationReport& report) {
   std::vector<ShareRow> rows;
   for (const ReportedPopulation& reported : report.populations) {
     const bool weighed = reported.summary.weighed > 0;
-    for (const SchemeShares& scheme : reported.summary.schemes) {
-      for (const ClassShare& share : scheme.shares) {
+    for (const SchemeFractions& scheme : reported.summary.schemes) {
+      for (const ClassFraction& share : scheme.shares) {
         rows.push_back({reported.population.name, scheme.scheme, share, weighed});
       }
     }
@@ -217,11 +217,11 @@ std::vector<SizeRow> size_rows(const PopulationReport& report) {
 std::vector<TestRow> test_rows(const PopulationReport& report) {
   std::vector<TestRow> rows;
   for (const ReportedPopulation& reported : report.populations) {
-    for (const SizeShape& one : reported.summary.size_and_shape) {
+    for (const SizeShapeCorrelation& one : reported.summary.size_shape_correlations) {
       rows.push_back(row_of("spearman", reported.population.name,
                             name_of(report.options.size) + " and " + one.measure->name, one.test,
                             "all orders", "Student's t",
-                            size_shape_words(one, report.options.size)));
+                            describe_size_shape(one, report.options.size)));
     }
   }
   if (report.comparison) {
@@ -256,7 +256,7 @@ PopulationTable population_table(const std::string& name,
     return
         [=](const PopulationReport& report) { return fill(columns(report.options), rows(report)); };
   };
-  return {name, filled(csv_of<Row>), filled(values_of<Row>)};
+  return {name, filled(format_csv<Row>), filled(tabulate<Row>)};
 }
 
 }  // namespace
@@ -274,7 +274,7 @@ void write_classes_csv(const PopulationReport& report, const std::filesystem::pa
   constexpr std::size_t kTogether = 32;  // tasks in memory at a time, some 20 MB
   const TableColumns<BlockRow> columns = class_columns(report.options);
   OutputFile file(path);
-  std::ofstream stream(file.temporary(), std::ios::binary);
+  std::ofstream stream(file.temporary_path(), std::ios::binary);
   stream << csv_header(columns) << "\n";
   for (const ReportedPopulation& reported : report.populations) {
     const std::vector<MeasuredBlock>& blocks = reported.population.blocks;
@@ -282,7 +282,7 @@ void write_classes_csv(const PopulationReport& report, const std::filesystem::pa
       const std::size_t last = std::min(first + kChunk * kTogether, blocks.size());
       std::vector<std::string> chunks((last - first + kChunk - 1) / kChunk);
       parallel_for(chunks.size(), threads, [&](std::size_t chunk) {
-        CsvText csv;
+        CsvWriter csv;
         const std::size_t begin = first + chunk * kChunk;
         for (std::size_t i = begin; i < std::min(begin + kChunk, last); ++i) {
           append_row(csv, columns, {reported.population.name, blocks[i]});

@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
+#include "core/comma_separated.hpp"
 #include "core/error.hpp"
 #include "core/files/table_values.hpp"
-#include "core/listed.hpp"
 
 namespace clast {
 
@@ -29,11 +29,12 @@ std::vector<std::string> table_names(const std::vector<ReportTable<Source>>& tab
 /// @throws InputError  no such table; the message lists them
 template <class Source>
 const ReportTable<Source>& find_table(const std::vector<ReportTable<Source>>& tables,
-                                       const std::string& name) {
+                                      const std::string& name) {
   for (const ReportTable<Source>& table : tables) {
     if (table.name == name) return table;
   }
-  throw InputError("\"" + name + "\" is no table; there are " + listed(table_names(tables)));
+  throw InputError("\"" + name + "\" is no table; there are " +
+                   comma_separated(table_names(tables)));
 }
 
 /// True if the file is that of a table, "NAME.csv".

@@ -23,7 +23,7 @@ struct RunStay {
 /// Columns of runs.csv for rows that belong to a run.
 template <class Row, class Run>
 TableColumns<Row> of_run(const std::vector<std::string>& names, const Run& run) {
-  return columns_of_part<Row>(chosen(run_columns(), names), [run](const Row& row) {
+  return adapt_columns<Row>(chosen(run_columns(), names), [run](const Row& row) {
     return ComparisonRow<RunRow>{row.comparison, run(row)};
   });
 }
@@ -54,7 +54,7 @@ const TableColumns<ComparisonRow<RunImpact>>& impact_columns() {
     return row.comparison.results[row->run.file];
   };
   const auto stored = [](const std::vector<std::string>& names) {
-    return columns_of_part<Row>(chosen(stored_impact_columns(), names),
+    return adapt_columns<Row>(chosen(stored_impact_columns(), names),
                                 [](const Row& row) -> const Impact& { return row->impact; });
   };
   const auto energy = [](const char* name, double Impact::*value) {
@@ -66,7 +66,7 @@ const TableColumns<ComparisonRow<RunImpact>>& impact_columns() {
                    {{"zone", "", "name of the ground zone of the first contact",
                      [=](const Row& row) { return results(row).zone_names[row->impact.zone]; }}},
                    stored({"time_s", "contact_s"}),
-                   columns_of_list<Row>(
+                   array_columns<Row>(
                        {"x_m", "y_m", "z_m"}, "m", "position at the first contact",
                        [=](const Row& row) { return results(row).frame.map(row->impact.place); }),
                    stored({"speed_before_m_s", "speed_after_m_s"}),
@@ -92,7 +92,7 @@ const TableColumns<ComparisonRow<RunStay>>& stay_columns() {
         {"order", "", "of its release in the realisation, from 1",
          [=](const Row& row) { return row->stay.run % each(row) + 1; }}},
        blank_unknown_cells(
-           columns_of_part<Row>(
+           adapt_columns<Row>(
                chosen(stored_stay_columns(),
                       {"released_at_s", "raised_m", "moved_later_m", "blocks_hit", "removed_at_s"}),
                [](const Row& row) -> const PersistentBlockRecord& { return row->stay; }),
@@ -121,7 +121,7 @@ const TableColumns<ComparisonRow<BarrierCrossing>>& report_detail::crossing_colu
     return row.comparison.lines[row->barrier];
   };
   const auto stored = [&](const std::vector<std::string>& names) {
-    return columns_of_part<Row>(chosen(stored_crossing_columns(), names), crossing);
+    return adapt_columns<Row>(chosen(stored_crossing_columns(), names), crossing);
   };
   static const auto columns = joined<Row>(
       {of_run<Row>({"run", "block", "class", "shape"}, run),
@@ -137,16 +137,16 @@ const TableColumns<ComparisonRow<BarrierCrossing>>& report_detail::crossing_colu
          "entry and for its first exit",
          [](const Row& row) { return std::uint64_t{row->counted ? 1u : 0u}; }}},
        stored({"time_s"}),
-       columns_of_list<Row>({"x_m", "y_m", "z_m"}, "m", "centre of mass", &BarrierCrossing::position),
+       array_columns<Row>({"x_m", "y_m", "z_m"}, "m", "centre of mass", &BarrierCrossing::position),
        stored({"height_m", "clearance_m"}),
        {{"speed_m_s", "m/s", "speed of the centre of mass",
          [=](const Row& row) { return crossing(row).velocity.norm(); }}},
-       columns_of_list<Row>({"velocity_x_m_s", "velocity_y_m_s", "velocity_z_m_s"}, "m/s",
+       array_columns<Row>({"velocity_x_m_s", "velocity_y_m_s", "velocity_z_m_s"}, "m/s",
                             "velocity of the centre of mass",
                             [=](const Row& row) { return crossing(row).velocity; }),
        {{"rotation_rate_rad_s", "rad/s", "magnitude of the angular velocity",
          [=](const Row& row) { return crossing(row).angular_velocity.norm(); }}},
-       columns_of_list<Row>(
+       array_columns<Row>(
            {"angular_velocity_x_rad_s", "angular_velocity_y_rad_s", "angular_velocity_z_rad_s"},
            "rad/s", "angular velocity along the world axes",
            [=](const Row& row) { return crossing(row).angular_velocity; }),

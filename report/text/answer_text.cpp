@@ -39,7 +39,7 @@ std::string by_draw(std::size_t draws) { return draws > 0 ? kByDraw : ""; }
 std::string covered_by(const FileSummary& statement, bool named) {
   if (named || statement.samples_blocks) return by_draw(statement.draws);
   return by_draw(statement.draws) + ", for runs of " +
-         (statement.blocks == 1 ? "this block" : "these " + counted(statement.blocks, "block")) +
+         (statement.blocks == 1 ? "this block" : "these " + format_count(statement.blocks, "block")) +
          " only";
 }
 
@@ -77,7 +77,7 @@ std::string mean_runout(const Comparison& comparison, const FileSummary& stateme
   const bool named = who.starts_with("block ");
   const std::string text =
       at_rest_only(all) + who + (named ? " runs " : " run ") + format_length(all.mean, decimals);
-  if (!all.stands()) return text + " (" + counted(all.at_rest, "run") + ")";
+  if (!all.stands()) return text + " (" + format_count(all.at_rest, "run") + ")";
   return text + " on average" +
          (all.interval ? " (" + format_length_interval(*all.interval, decimals) +
                              covered_by(statement, named) + ")"
@@ -111,28 +111,28 @@ std::string describe_difference(const Comparison& comparison, const FileSummary&
                                             : "";
   const std::string prefix = at_rest_only(statement.all);
   const std::string means = a + " and " + b + " blocks run " +
-                            with_decimals(farther.mean, decimals) + " and " +
+                            format_decimals(farther.mean, decimals) + " and " +
                             format_length(nearer.mean, decimals) + " on average";
   switch (gap.verdict) {
-    case Verdict::kMoreThanChance:
+    case Verdict::kSignificant:
       return prefix + a + " blocks run " + format_length(gap.gap, decimals) + " farther than " +
              b + " ones" + (gap.of_few ? " on average" : "") + interval +
              (gap.of_few ? few_run_on(farther, nearer, a, b, decimals) : "");
-    case Verdict::kOtherSpread:
+    case Verdict::kDistributionDiffers:
       return prefix + means + ", a difference that can be chance" + interval +
              "; but their stops are spread differently";
-    case Verdict::kOneOfMany:
-    case Verdict::kCanBeChance:
+    case Verdict::kInsignificantAfterCorrection:
+    case Verdict::kInsignificant:
       return prefix + means + "; " +
              (gap.interval && gap.interval->low > 0.0
                   ? "among all that was compared, a difference like this" + interval +
                         " can be chance"
                   : "the difference can be chance" + interval);
-    case Verdict::kDependsOnGround:
+    case Verdict::kGroundDependent:
       return prefix + means + "; which of them run farther depends on the ground" + interval;
     case Verdict::kUntested:
       return prefix + means + "; one realisation does not show whether this is chance";
-    case Verdict::kTooFew:
+    case Verdict::kTooFewValues:
       break;
   }
   const std::string ends = other_ends(statement.stops);
@@ -155,13 +155,13 @@ std::string share_sentence(const Comparison& comparison, const BarrierSummary& p
   const BarrierText words = barrier_text(comparison, passage.line);
   if (passage.all.crossed == 0) {
     const std::string text =
-        "none of " + counted(passage.all.started, "run") + " " + words.pass + "es " + words.name;
+        "none of " + format_count(passage.all.started, "run") + " " + words.pass + "es " + words.name;
     if (!passage.all.interval || draws > 0) return text;
     return text + " (with more runs, up to " + format_percentage(passage.all.interval->high) +
            " might)";
   }
   if (passage.all.crossed == passage.all.started) {
-    return "all " + counted(passage.all.started, "run") + " " + words.pass + " " + words.name +
+    return "all " + format_count(passage.all.started, "run") + " " + words.pass + " " + words.name +
            with_interval(passage.all, draws);
   }
   if (passage.classes.size() < 2) {
@@ -202,7 +202,7 @@ std::string passages_in_words(const Comparison& comparison, const FileSummary& s
     text += " " + capitalized(share_sentence(comparison, statement.passages[i], statement.draws)) + ".";
   }
   const std::size_t left = statement.passages.size() - 1 - shown;
-  if (left > 0) text += " " + counted(left, "more barrier") + " below.";
+  if (left > 0) text += " " + format_count(left, "more barrier") + " below.";
   return text;
 }
 
@@ -242,16 +242,16 @@ std::string files_in_words(const Comparison& comparison, const KeyResults& answe
   const std::string interval = gap.interval ? " (" + format_length_interval(*gap.interval, decimals) +
                                                   (answer.has_draws() ? kByDraw : "") + ")"
                                             : "";
-  if (gap.verdict == Verdict::kMoreThanChance) {
+  if (gap.verdict == Verdict::kSignificant) {
     return "Blocks run " + format_length(gap.gap, decimals) + " farther in " + a + " than in " +
            b + interval + ".";
   }
-  if (gap.verdict == Verdict::kTooFew) return "";
+  if (gap.verdict == Verdict::kTooFewValues) return "";
   if (gap.verdict == Verdict::kUntested) {
     return "Blocks run " + format_length(gap.gap, decimals) + " farther in " + a + " than in " +
            b + "; one realisation does not show whether this is chance.";
   }
-  if (gap.verdict == Verdict::kDependsOnGround) {
+  if (gap.verdict == Verdict::kGroundDependent) {
     return "Whether blocks run farther in " + a + " or in " + b + " depends on the ground" +
            interval + ".";
   }
@@ -283,7 +283,7 @@ std::vector<std::string> describe_key_results(const Comparison& comparison, cons
     sentences.push_back(sentence_of(comparison, answer.statements[i]));
   }
   if (shown < answer.statements.size()) {
-    sentences.push_back(counted(answer.statements.size() - shown, "more file") + " below.");
+    sentences.push_back(format_count(answer.statements.size() - shown, "more file") + " below.");
   }
   return sentences;
 }
@@ -295,11 +295,11 @@ std::string describe_runs(const Comparison& comparison) {
     blocks += group.kind == GroupKind::kBlock;
     classes += group.kind == GroupKind::kGarcia;
   }
-  std::string text = counted(comparison.rows.size(), "run") + " of " + counted(blocks, "block") +
+  std::string text = format_count(comparison.rows.size(), "run") + " of " + format_count(blocks, "block") +
                      " (" + masses_in_words(comparison) + ") in " +
-                     counted(classes, "shape class", "shape classes");
+                     format_count(classes, "shape class", "shape classes");
   const std::size_t files = comparison.results.size();
-  return files > 1 ? text + ", from " + counted(files, "file") : text;
+  return files > 1 ? text + ", from " + format_count(files, "file") : text;
 }
 
 std::string describe_intervals(const KeyResults& answer) {

@@ -17,7 +17,7 @@ namespace {
 
 constexpr double kRidge = 0.6;  ///< rank correlation from which two parameters are a ridge
 
-std::string calibrated_value(double value) { return rounded(value, 3); }
+std::string calibrated_value(double value) { return format_rounded(value, 3); }
 
 std::string unit_of(const std::string& parameter) {
   const std::string unit = parameter_range(parameter).unit;
@@ -34,7 +34,7 @@ std::string listed_in_words(const std::vector<std::string>& parts) {
 
 std::string check_sentence(const PredictiveCheck& check, bool fitted) {
   const std::string covered = std::to_string(check.covered) + " of " +
-                              counted(check.figures, fitted ? "fitted figure" : "kept figure");
+                              format_count(check.figures, fitted ? "fitted figure" : "kept figure");
   std::string text = covered + (check.covered == 1 ? " lies" : " lie") +
                      " within the 95 % interval of what would be observed";
   if (!check.p_value) {
@@ -43,7 +43,7 @@ std::string check_sentence(const PredictiveCheck& check, bool fitted) {
            "contradict the fit";
   }
   const std::string p = *check.p_value < 0.001 ? std::string(" (p below 0.001)")
-                                               : " (p = " + with_digits(*check.p_value, 2) + ")";
+                                               : " (p = " + format_significant(*check.p_value, 2) + ")";
   if (!check.failed()) return text + ", and together they are such as the law gives" + p;
   return text + ", but together they are not such as the law gives" + p + ": " +
          (fitted ? "no ground within the ranges explains what was observed; the law, the ranges or "
@@ -77,7 +77,7 @@ void add_ridges(const Calibration& calibration, std::vector<std::string>& findin
                          (together < 0.0 ? " make up for each other"
                                          : " rise together: more of one is offset by more of the "
                                            "other") +
-                         " (rank correlation " + with_decimals(together, 2) + ")");
+                         " (rank correlation " + format_decimals(together, 2) + ")");
     }
   }
 }
@@ -197,9 +197,9 @@ std::string format_study_summary(const CalibrationStudy& study) {
                               calibrated_value(figure.observed)});
     }
   }
-  return std::to_string(study.runs()) + " runs: " + counted(study.design.members, "member") +
-         " of " + counted(study.design.releases, "release") + " at " +
-         counted(study.sites.size(), "site") + "\n\n" + unknowns.text() + "\n" + figures.text() +
+  return std::to_string(study.runs()) + " runs: " + format_count(study.design.members, "member") +
+         " of " + format_count(study.design.releases, "release") + " at " +
+         format_count(study.sites.size(), "site") + "\n\n" + unknowns.text() + "\n" + figures.text() +
          "\n";
 }
 
@@ -211,7 +211,7 @@ std::string format_unknowns_table(const Calibration& calibration) {
     table.rows.push_back({unknown.parameter, calibrated_value(unknown.low),
                           calibrated_value(unknown.high), calibrated_value(marginal.median),
                           calibrated_value(marginal.low), calibrated_value(marginal.high),
-                          percent(std::min(1.0, marginal.width), 0)});
+                          format_percent(std::min(1.0, marginal.width), 0)});
   }
   return table.text();
 }
@@ -237,7 +237,7 @@ std::string format_statistics_table(const Calibration& calibration) {
              {found->median, found->low, found->high, found->prior.low, found->prior.high}) {
           row.push_back(calibrated_value(value));
         }
-        row.push_back(percent(std::max(0.0, calibration.posterior.surrogates[at]->explained), 0));
+        row.push_back(format_percent(std::max(0.0, calibration.posterior.surrogates[at]->explained), 0));
       }
       table.rows.push_back(row);
     }
@@ -259,10 +259,10 @@ std::string format_ground_block(const Calibration& calibration) {
     }
     for (const auto& [zone, ground] : site.campaign.ground) {
       if (!written.insert(zone).second) continue;
-      text += "[ground." + toml_key(zone) + "]\n";
+      text += "[ground." + format_toml_key(zone) + "]\n";
       for (const GroundParameterField& field : ground_fields()) {
         const std::optional<Distribution>& asked = ground.*field.asked;
-        if (asked) text += std::string(field.name) + " = " + with_digits(asked->first, 4) + "\n";
+        if (asked) text += std::string(field.name) + " = " + format_significant(asked->first, 4) + "\n";
       }
     }
   }
@@ -270,7 +270,7 @@ std::string format_ground_block(const Calibration& calibration) {
     const std::string& parameter = study.unknowns[i].parameter;
     if (is_ground_parameter(parameter)) continue;
     text +=
-        "# " + parameter + " = " + with_digits(calibration.posterior.marginals[i].median, 4) + "\n";
+        "# " + parameter + " = " + format_significant(calibration.posterior.marginals[i].median, 4) + "\n";
   }
   const bool all_ground =
       std::all_of(study.unknowns.begin(), study.unknowns.end(),

@@ -30,13 +30,13 @@ std::string describe_difference(const Contrast& contrast, const std::string& uni
   const double sign = gap < 0.0 ? -1.0 : 1.0;
   const std::string way = gap < 0.0 ? " less" : " more";
   const std::string of_unit = unit.empty() ? "" : " " + unit;
-  if (!contrast.interval) return with_digits(sign * gap, 3) + of_unit + way;
+  if (!contrast.interval) return format_significant(sign * gap, 3) + of_unit + way;
   double low = sign * (factor * contrast.interval->low);
   double high = sign * (factor * contrast.interval->high);
   if (low > high) std::swap(low, high);
-  const int decimals = decimals_known({low, high}, kMostDecimals);
-  return with_decimals(sign * gap, decimals) + of_unit + way + " (" + with_decimals(low, decimals) +
-         " to " + with_decimals(high, decimals) + of_unit + ")";
+  const int decimals = known_decimals({low, high}, kMostDecimals);
+  return format_decimals(sign * gap, decimals) + of_unit + way + " (" + format_decimals(low, decimals) +
+         " to " + format_decimals(high, decimals) + of_unit + ")";
 }
 
 std::string describe_difference(const Difference& difference) {
@@ -51,7 +51,7 @@ std::string describe_difference(const DepositQuantityDifference& difference) {
 std::string in_words(const Difference& difference, const Comparison& comparison) {
   const QuantityText words = quantity_text(difference.quantity);
   const auto mean = [&](double value) {
-    return with_digits(words.factor * value, 3) + " " + words.unit;
+    return format_significant(words.factor * value, 3) + " " + words.unit;
   };
   const std::string means = words.name + ": " + comparison.groups[difference.first].name + " " +
                             mean(difference.first_mean) + " on average, " +
@@ -60,9 +60,9 @@ std::string in_words(const Difference& difference, const Comparison& comparison)
   switch (difference.verdict()) {
     case Verdict::kUntested:
       return means + "; one realisation does not show whether this is chance";
-    case Verdict::kMoreThanChance:
+    case Verdict::kSignificant:
       return means;
-    case Verdict::kOtherSpread:
+    case Verdict::kDistributionDiffers:
       return means + ", which can be chance, but the values are spread differently";
     default:
       return means + ", which can be chance" +
@@ -75,17 +75,17 @@ std::string in_words(const DepositQuantityDifference& difference) {
   const DepositQuantity& figure = deposit_quantities()[difference.first.figure];
   const auto mean = [&](const DepositQuantitySummary& of_file) {
     return "file " + std::to_string(of_file.file + 1) + " " +
-           with_decimals(of_file.summary.mean, figure.decimals) +
+           format_decimals(of_file.summary.mean, figure.decimals) +
            (figure.unit.empty() ? "" : " " + figure.unit);
   };
   const std::string text = figure.words + ": " + mean(difference.first) + ", " +
                            mean(difference.second) + "; " + describe_difference(difference) + ", from " +
                            std::to_string(difference.first.summary.count) + " and " +
-                           counted(difference.second.summary.count, "realisation");
+                           format_count(difference.second.summary.count, "realisation");
   switch (difference.verdict()) {
-    case Verdict::kMoreThanChance:
+    case Verdict::kSignificant:
       return text;
-    case Verdict::kOneOfMany:
+    case Verdict::kInsignificantAfterCorrection:
       return text + "; one of " + std::to_string(difference.tests) +
              " differences can be as large by chance";
     case Verdict::kUntested:
@@ -99,8 +99,8 @@ std::string in_words(const DepositQuantityDifference& difference) {
 }
 
 std::string in_words(const DepositMobility& mobility) {
-  std::string text = mobility.group + ": " + with_decimals(mobility.together_runout.mean, 1) +
-                     " m together, " + with_decimals(mobility.alone_runout.mean, 1) + " m alone; " +
+  std::string text = mobility.group + ": " + format_decimals(mobility.together_runout.mean, 1) +
+                     " m together, " + format_decimals(mobility.alone_runout.mean, 1) + " m alone; " +
                      describe_difference(mobility.difference, "m");
   if (!mobility.difference.interval) {
     text += ", without an interval";
@@ -108,10 +108,10 @@ std::string in_words(const DepositMobility& mobility) {
     text += ", not distinguished";
   }
   if (mobility.starts_apart > kSameStart) {
-    text += "; they start " + with_decimals(mobility.starts_apart, 0) + " m apart";
+    text += "; they start " + format_decimals(mobility.starts_apart, 0) + " m apart";
   }
   if (std::abs(mobility.mass_ratio - 1.0) > kSameMass) {
-    text += "; mean mass together is " + with_digits(mobility.mass_ratio, 3) + " times that alone";
+    text += "; mean mass together is " + format_significant(mobility.mass_ratio, 3) + " times that alone";
   }
   return text;
 }

@@ -8,11 +8,11 @@ namespace {
 
 using namespace report_detail;
 
-std::string whole_percent(double share) { return with_decimals(100.0 * share, 0); }
+std::string whole_percent(double share) { return format_decimals(100.0 * share, 0); }
 
 constexpr double kWideInterval = 0.5;  ///< its middle says nothing
 
-std::string share_text(const VarianceShare& share) {
+std::string share_text(const VarianceFraction& share) {
   if (share.interval.high - share.interval.low > kWideInterval) {
     return "between " + whole_percent(share.interval.low) + " and " +
            whole_percent(share.interval.high) + " % (too few to say more)";
@@ -32,7 +32,7 @@ std::string outcome_sentence(const DesignEffects& effects, const OutcomeEffects&
                                    : "the " + outcome.outcome + "'s variance";
   std::string text;
   for (std::size_t f = 0; f < effects.factors.size(); ++f) {
-    const VarianceShare& share = outcome.shares.factors[f];
+    const VarianceFraction& share = outcome.shares.factors[f];
     text += (f == 0 ? "" : ", ") + name_in_text(effects.factors[f].name);
     text += f == 0 ? " explains " + share_text(share) + " of " + variance : " " + share_text(share);
   }

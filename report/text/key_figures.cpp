@@ -44,12 +44,12 @@ KeyFigure runout_figure(const Comparison& comparison, const FileSummary& stateme
   }
   Pair means, medians, farthest;
   for (const RunoutEstimate& one : shown) {
-    means.add(one.stands() ? with_decimals(one.mean, decimals) : "?",
-              one.stands() && one.interval ? with_decimals(one.interval->low, decimals) + " to " +
-                                                 with_decimals(one.interval->high, decimals)
+    means.add(one.stands() ? format_decimals(one.mean, decimals) : "?",
+              one.stands() && one.interval ? format_decimals(one.interval->low, decimals) + " to " +
+                                                 format_decimals(one.interval->high, decimals)
                                            : "");
-    medians.add(one.stands() ? with_decimals(one.median, decimals) : "?", "");
-    farthest.add(one.stands() ? with_decimals(one.p95, decimals) : "?", "");
+    medians.add(one.stands() ? format_decimals(one.median, decimals) : "?", "");
+    farthest.add(one.stands() ? format_decimals(one.p95, decimals) : "?", "");
   }
   const bool some =
       std::any_of(shown.begin(), shown.end(), [](const RunoutEstimate& one) { return one.stands(); });
@@ -68,7 +68,7 @@ std::string by_class(const Comparison& comparison, const BarrierSummary& passage
     if (share.crossed == 0) continue;
     text += (text.empty() ? "" : ", ") + comparison.groups[share.group].key + " " +
             as_limit(share.*value) +
-            (share.largest ? " (" + counted(share.crossed, "passage") + ")" : "");
+            (share.largest ? " (" + format_count(share.crossed, "passage") + ")" : "");
   }
   if (passage.all.largest) return text;
   return text + (text.empty() ? "" : "; ") + "largest " + in_words(passage.all.*largest);
@@ -90,11 +90,11 @@ std::vector<KeyFigure> barrier_figures(const Comparison& comparison, const FileS
   }
   const CrossingEstimate& all = passage.all;
   const std::string limit =
-      all.largest ? "largest of " + counted(all.crossed, "passage") : "95 % lie below";
+      all.largest ? "largest of " + format_count(all.crossed, "passage") : "95 % lie below";
   std::vector<KeyFigure> figures = {
       {pair.values + " %", words.pass + " " + words.name + class_names(comparison, statement),
        drawn_ranges(pair.ranges, statement),
-       std::to_string(all.crossed) + " of " + counted(all.started, "run") +
+       std::to_string(all.crossed) + " of " + format_count(all.started, "run") +
            (all.crossed == 0 ? ""
                              : "; speed there: " + limit + " " + format_speed_limit(all.speed) +
                                    format_in_brackets(range_by_draw(all.speed_range, format_speed_limit)))}};

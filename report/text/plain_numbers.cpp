@@ -11,7 +11,7 @@ namespace {
 std::string share_number(double share) {
   const double percent = 100.0 * share;
   const bool near_an_end = (percent > 0.0 && percent < 1.0) || (percent > 99.0 && percent < 100.0);
-  return with_decimals(percent, near_an_end ? 1 : 0);
+  return format_decimals(percent, near_an_end ? 1 : 0);
 }
 
 /// The next value up that so many decimals can say.
@@ -28,15 +28,15 @@ int decimals_of_energy(double joules) { return joules >= 1e3 && joules < 1e4 ? 1
 }  // namespace
 
 int decimals_of_length(double length, const std::optional<Interval>& interval) {
-  return decimals_known(interval.value_or(Interval{0.0, 0.25 * std::abs(length)}), 2);
+  return known_decimals(interval.value_or(Interval{0.0, 0.25 * std::abs(length)}), 2);
 }
 
 std::string format_length(double length, int decimals) {
-  return with_decimals(length, decimals) + " m";
+  return format_decimals(length, decimals) + " m";
 }
 
 std::string format_length_interval(const Interval& interval, int decimals) {
-  return with_decimals(interval.low, decimals) + " to " + with_decimals(interval.high, decimals) +
+  return format_decimals(interval.low, decimals) + " to " + format_decimals(interval.high, decimals) +
          " m";
 }
 
@@ -48,8 +48,8 @@ std::string format_percentage_interval(const Interval& interval) {
 
 std::string format_energy(double joules) {
   const int decimals = decimals_of_energy(joules);
-  if (joules >= 1e3) return with_decimals(joules / 1e3, decimals) + " kJ";
-  return joules >= 10.0 ? with_decimals(joules, decimals) + " J" : with_digits(joules, 2) + " J";
+  if (joules >= 1e3) return format_decimals(joules / 1e3, decimals) + " kJ";
+  return joules >= 10.0 ? format_decimals(joules, decimals) + " J" : format_significant(joules, 2) + " J";
 }
 
 std::string format_energy_limit(double joules) {
@@ -58,15 +58,15 @@ std::string format_energy_limit(double joules) {
 }
 
 std::string format_speed_limit(double metres_per_second) {
-  return with_decimals(raised(metres_per_second, 1), 1) + " m/s";
+  return format_decimals(raised(metres_per_second, 1), 1) + " m/s";
 }
 
 std::string format_mass(double kilograms) {
-  return (kilograms < 100.0 ? with_digits(kilograms, 2) : with_decimals(kilograms, 0)) + " kg";
+  return (kilograms < 100.0 ? format_significant(kilograms, 2) : format_decimals(kilograms, 0)) + " kg";
 }
 
 std::string format_height(double metres) {
-  return with_decimals(metres, decimals_of_height(metres)) + " m";
+  return format_decimals(metres, decimals_of_height(metres)) + " m";
 }
 
 std::string format_height_limit(double metres) {

@@ -19,25 +19,25 @@ TextTable make_series_table(std::span<const Block> blocks) {
   for (const Block& block : blocks) {
     const BoxRatios ratios = box_ratios(block.box);
     const bool metric = !is_unscaled(block);
-    table.rows.push_back({block.id, in_words(read_variation(block).value_or(VariationRecord{})),
-                          with_decimals(ratios.i_l, 4), with_decimals(ratios.s_l, 4),
-                          with_decimals(convexity_of(block), 4),
-                          rounded(block.mass.volume) + (metric ? "" : " u"),
-                          metric ? rounded(block.mass.mass) : "", sneed_folk_class(block.axes())});
+    table.rows.push_back({block.id, describe_variation(parse_variation(block).value_or(VariationRecord{})),
+                          format_decimals(ratios.i_l, 4), format_decimals(ratios.s_l, 4),
+                          format_decimals(convexity_of(block), 4),
+                          format_rounded(block.mass.volume) + (metric ? "" : " u"),
+                          metric ? format_rounded(block.mass.mass) : "", sneed_folk_class(block.axes())});
   }
   return table;
 }
 
 std::string describe_copula_fit(const CopulaFit& fit) {
   std::string text = "Fit: distribution functions of population and bodies drawn differ by " +
-                     with_decimals(fit.largest_difference, 3) +
+                     format_decimals(fit.max_cdf_difference, 3) +
                      " at most; rank correlations, population and drawn:\n";
   for (const RankCorrelation& pair : fit.correlations) {
-    text += "  " + pair.first + " and " + pair.second + ": " + with_decimals(pair.population, 2) +
-            ", " + with_decimals(pair.drawn, 2) + "\n";
+    text += "  " + pair.first + " and " + pair.second + ": " + format_decimals(pair.population, 2) +
+            ", " + format_decimals(pair.drawn, 2) + "\n";
   }
-  if (fit.weakened > 0.0) {
-    text += "  correlations weakened by " + percent(fit.weakened, 0) +
+  if (fit.removed_correlation > 0.0) {
+    text += "  correlations weakened by " + format_percent(fit.removed_correlation, 0) +
             ", since those of the population are not possible together\n";
   }
   return text;

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/listed.hpp"
+#include "core/comma_separated.hpp"
 #include "core/number_text.hpp"
 #include "report/text/capital.hpp"
 
@@ -15,17 +15,17 @@ using namespace report_detail;
 constexpr double kTrendLevel = 0.05;
 
 std::string p_text(double p) {
-  return p < 1e-3 ? "p < 0.001" : "p = " + with_digits(p, p < 0.1 ? 1 : 2);
+  return p < 1e-3 ? "p < 0.001" : "p = " + format_significant(p, p < 0.1 ? 1 : 2);
 }
 
 std::string trend_value(double value, const std::string& unit) {
-  return with_digits(value, 2) + (unit.empty() ? "" : " " + unit);
+  return format_significant(value, 2) + (unit.empty() ? "" : " " + unit);
 }
 
 /// A number of runs, two digits of it.
 std::string about(double runs) {
   const double digits = std::pow(10.0, std::floor(std::log10(std::max(runs, 10.0))) - 1.0);
-  return with_decimals(std::round(runs / digits) * digits, 0);
+  return format_decimals(std::round(runs / digits) * digits, 0);
 }
 
 /// "Runout rises with S/L (...) and falls with rounding (...); no trend with mass."
@@ -38,12 +38,14 @@ std::string trend_sentence(const std::vector<const ShapeTrend*>& outcome) {
     }
     found.push_back(std::string(trend->trend.statistic > 0.0 ? "rises" : "falls") + " with " +
                     trend->property + " (rank correlation " +
-                    with_decimals(trend->trend.statistic, 2) + ", " + p_text(trend->corrected_p) +
+                    format_decimals(trend->trend.statistic, 2) + ", " + p_text(trend->corrected_p) +
                     ")");
   }
   const std::string& name = outcome.front()->outcome;
-  if (found.empty()) return name + " has no trend with " + listed(none) + " beyond chance.";
-  return name + " " + listed(found) + (none.empty() ? "" : "; no trend with " + listed(none)) + ".";
+  if (found.empty())
+    return name + " has no trend with " + comma_separated(none) + " beyond chance.";
+  return name + " " + comma_separated(found) +
+         (none.empty() ? "" : "; no trend with " + comma_separated(none)) + ".";
 }
 
 /// Difference of the halves by one property, what it means, and what could be found.
@@ -51,8 +53,8 @@ std::string halves_sentence(const ShapeTrend& trend, const std::optional<double>
   const CrossedDifference& halves = trend.halves;
   std::string text = "between the halves of the blocks by " + trend.property + " the " +
                      trend.outcome + " differs by " + trend_value(halves.estimate, trend.unit) +
-                     " (" + with_digits(halves.interval->low, 2) + " to " +
-                     with_digits(halves.interval->high, 2) + ")";
+                     " (" + format_significant(halves.interval->low, 2) + " to " +
+                     format_significant(halves.interval->high, 2) + ")";
   if (trend.equivalence) {
     const std::string limit = trend_value(*margin, trend.unit);
     const bool beyond = std::max(halves.interval->low, -halves.interval->high) > *margin;
@@ -81,7 +83,7 @@ std::string why_not_known(const PlannedPower& plan) {
            "the realisations of two campaigns";
   }
   if (plan.blocks < kFewestBlocksOfPower) {
-    return begin + " with " + counted(plan.blocks, "block") +
+    return begin + " with " + format_count(plan.blocks, "block") +
            ": halves of the blocks are compared, " + "which takes " +
            std::to_string(kFewestBlocksOfPower) + " or more";
   }
@@ -89,7 +91,8 @@ std::string why_not_known(const PlannedPower& plan) {
     return begin + ": " + (plan.trial_runs == 0 ? "no trial run" : "only one trial run") +
            " came to rest within the time limit, too few to estimate the scatter of runouts";
   }
-  return begin + ": the runouts of " + counted(plan.trial_runs, "trial run") + " do not scatter";
+  return begin + ": the runouts of " + format_count(plan.trial_runs, "trial run") +
+         " do not scatter";
 }
 
 }  // namespace
@@ -122,10 +125,10 @@ std::string describe_planned_power(const PlannedPower& plan) {
                      " between two halves of the blocks is found in 80 % of such campaigns, if "
                      "the runout scatters by " +
                      trend_value(plan.scatter, "m") + " as in " +
-                     counted(plan.trial_runs, "trial run") + " and " +
-                     with_digits(100.0 * kAssumedBlockShare, 2) +
+                     format_count(plan.trial_runs, "trial run") + " and " +
+                     format_significant(100.0 * kAssumedBlockShare, 2) +
                      " % of its variance goes with the block (design effect " +
-                     with_digits(plan.design_effect(), 2) + ")";
+                     format_significant(plan.design_effect(), 2) + ")";
   if (plan.margin) {
     text += "; " + trend_value(*plan.margin, "m") + " takes " + about(plan.runs_needed()) +
             " runs, with blocks in proportion";

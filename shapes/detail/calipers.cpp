@@ -33,7 +33,7 @@ bool is_before_in_plane(const Vec2& a, const Vec2& b) {
 
 }  // namespace
 
-std::vector<Vec2> convex_outline(std::vector<Vec2> points) {
+std::vector<Vec2> convex_hull_2d(std::vector<Vec2> points) {
   std::sort(points.begin(), points.end(), is_before_in_plane);
   points.erase(std::unique(points.begin(), points.end()), points.end());
   if (points.size() < 3) return points;
@@ -54,8 +54,8 @@ std::vector<Vec2> convex_outline(std::vector<Vec2> points) {
   return outline;
 }
 
-std::vector<Vec2> convex_loop(std::vector<Vec2> loop) {
-  if (loop.size() < 3) return convex_outline(std::move(loop));
+std::vector<Vec2> remove_reflex_vertices(std::vector<Vec2> loop) {
+  if (loop.size() < 3) return convex_hull_2d(std::move(loop));
   // From a point that is certainly a corner, so that none before it has to be undone.
   std::rotate(loop.begin(), std::min_element(loop.begin(), loop.end(), is_before_in_plane),
               loop.end());
@@ -75,10 +75,10 @@ std::vector<Vec2> convex_loop(std::vector<Vec2> loop) {
 }
 
 Rectangle smallest_rectangle(std::vector<Vec2> points, double radius) {
-  return smallest_rectangle_of_outline(convex_outline(std::move(points)), radius);
+  return smallest_outline_rectangle(convex_hull_2d(std::move(points)), radius);
 }
 
-Rectangle smallest_rectangle_of_outline(std::span<const Vec2> outline, double radius) {
+Rectangle smallest_outline_rectangle(std::span<const Vec2> outline, double radius) {
   const std::size_t count = outline.size();
   Rectangle best;
   best.along = best.across = 2.0 * radius;

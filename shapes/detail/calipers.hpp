@@ -17,11 +17,11 @@ struct Rectangle {
 
 /// Extreme points counter-clockwise, without those on an edge. One or two points remain of points
 /// at one place or on a line.
-std::vector<Vec2> convex_outline(std::vector<Vec2> points);
+std::vector<Vec2> convex_hull_2d(std::vector<Vec2> points);
 
 /// The convex outline of points that run once around it counter-clockwise but for rounding: corners
 /// that do not turn left are left out.
-std::vector<Vec2> convex_loop(std::vector<Vec2> loop);
+std::vector<Vec2> remove_reflex_vertices(std::vector<Vec2> loop);
 
 /// Smallest rectangle around the points, each swept by a disc of `radius`. One side lies on an edge
 /// of the outline (Freeman & Shapira 1975), also with a radius: between edges the area has no
@@ -30,6 +30,6 @@ std::vector<Vec2> convex_loop(std::vector<Vec2> loop);
 Rectangle smallest_rectangle(std::vector<Vec2> points, double radius);
 
 /// The same of points that are a convex outline, counter-clockwise.
-Rectangle smallest_rectangle_of_outline(std::span<const Vec2> outline, double radius);
+Rectangle smallest_outline_rectangle(std::span<const Vec2> outline, double radius);
 
 }  // namespace clast

@@ -40,7 +40,7 @@ GaussImage::GaussImage(const TriangleMesh& mesh, double radius)
     weighted_normals_.row(f) = 0.5 * cross.transpose();
   }
   for_each_edge(sorted_half_edges(mesh), [&](std::span<const HalfEdge> sides) {
-    if (!are_neighbours(sides)) return;
+    if (!is_interior_edge(sides)) return;
     const std::size_t out = sides[0].forward ? 0 : 1;
     edges_.push_back({sides[0].low, sides[0].high, sides[out].triangle, sides[1 - out].triangle});
   });
@@ -51,7 +51,7 @@ double GaussImage::arc(std::size_t edge) const {
   return std::atan2(a.cross(b).norm(), a.dot(b));
 }
 
-Vec3 GaussImage::on_arc(std::size_t edge, double share) const {
+Vec3 GaussImage::point_on_arc(std::size_t edge, double share) const {
   const Vec3 a = normal(edges_[edge].face), b = normal(edges_[edge].other_face);
   const double angle = arc(edge);
   // Opposite normals, of which one is that of a face without area, have no arc between them.
@@ -59,7 +59,7 @@ Vec3 GaussImage::on_arc(std::size_t edge, double share) const {
   return (std::sin((1.0 - share) * angle) * a + std::sin(share * angle) * b).normalized();
 }
 
-Posture GaussImage::best_about(const Vec3& direction, double limit) {
+BoxCandidate GaussImage::best_box_about(const Vec3& direction, double limit) {
   along_.noalias() = coordinates_ * direction;
   const double width = along_.maxCoeff() - along_.minCoeff() + 2.0 * radius_;
   slopes_.noalias() = weighted_normals_ * direction;
@@ -72,8 +72,8 @@ Posture GaussImage::best_about(const Vec3& direction, double limit) {
   frame.col(1) = direction.unitOrthogonal();
   frame.col(2) = direction.cross(frame.col(1));
   trace_outline(frame);
-  const Rectangle rectangle = smallest_rectangle_of_outline(outline_, radius_);
-  Posture posture;
+  const Rectangle rectangle = smallest_outline_rectangle(outline_, radius_);
+  BoxCandidate posture;
   posture.axes.col(0) = direction;
   posture.axes.col(1) =
       (rectangle.direction.x() * frame.col(1) + rectangle.direction.y() * frame.col(2))
@@ -109,7 +109,7 @@ void GaussImage::trace_outline(const Mat3& frame) {
     v = next_[v];
   } while (v != start && outline_.size() < count);
   if (v == start && outline_.size() == count) {
-    outline_ = convex_loop(std::move(outline_));
+    outline_ = remove_reflex_vertices(std::move(outline_));
     return;
   }
   // Faces on edge, up or down by rounding, can pinch the loop.
@@ -119,7 +119,7 @@ void GaussImage::trace_outline(const Mat3& frame) {
     add(edge.from);
     add(edge.to);
   }
-  outline_ = convex_outline(std::move(outline_));
+  outline_ = convex_hull_2d(std::move(outline_));
 }
 
 }  // namespace clast

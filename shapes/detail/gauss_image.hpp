@@ -11,7 +11,7 @@
 namespace clast {
 
 /// A direction seen as the normal of one pair of box sides, with the best box it allows.
-struct Posture {
+struct BoxCandidate {
   double volume = std::numeric_limits<double>::infinity();  ///< m^3
   Mat3 axes = Mat3::Identity();                             ///< columns: unit directions
 };
@@ -31,14 +31,14 @@ class GaussImage {
     return {edges_[edge].face, edges_[edge].other_face};
   }
   double arc(std::size_t edge) const;  ///< between the normals at an edge, rad
-  /// At `share` of the way along the arc of an edge.
-  Vec3 on_arc(std::size_t edge, double share) const;
+  /// At `fraction` of the way along the arc of an edge.
+  Vec3 point_on_arc(std::size_t edge, double fraction) const;
 
   /// The smallest box with sides along and across `direction`, with infinite volume where a lower
   /// bound (projected area times width) says that it is above `limit`.
   /// @param direction  unit
   /// @param limit      m^3
-  Posture best_about(const Vec3& direction, double limit);
+  BoxCandidate best_box_about(const Vec3& direction, double limit);
 
  private:
   struct Edge {

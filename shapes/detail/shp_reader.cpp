@@ -76,7 +76,7 @@ class ShpReader {
 
   double number(const std::string& what) {
     const std::string_view word = needed(what);
-    const std::optional<double> value = parsed_number(word);
+    const std::optional<double> value = parse_number_token(word);
     if (!value) fail(what + " is needed, found \"" + printable(word) + "\"");
     if (!std::isfinite(*value)) {
       fail(what + " is \"" + printable(word) + "\", not a finite number; correct the file");
@@ -91,7 +91,7 @@ class ShpReader {
 
   std::int64_t integer(const std::string& what) {
     const std::string_view word = needed(what);
-    const std::optional<std::int64_t> value = parsed_integer(word);
+    const std::optional<std::int64_t> value = parse_integer_token(word);
     if (!value) fail(what + " is needed, found \"" + printable(word) + "\"");
     return *value;
   }
@@ -149,7 +149,7 @@ class ShpReader {
     const double w = number("orientation"), x = number("orientation"), y = number("orientation");
     Quat turn(w, x, y, number("orientation"));
     if (std::abs(turn.norm() - 1.0) > kUnitSlack) {
-      fail("the orientation has length " + with_digits(turn.norm(), 4) +
+      fail("the orientation has length " + format_significant(turn.norm(), 4) +
            "; a rotation is a quaternion w x y z of length 1");
     }
     if (std::abs(turn.norm() - 1.0) > 1e-15) turn.normalize();
@@ -165,7 +165,7 @@ class ShpReader {
     } else if (key == "radius") {
       shape.body.radius = number("the radius");
       if (shape.body.radius < 0.0) {
-        fail("the radius is " + with_digits(shape.body.radius, 6) + "; it must be 0 or more");
+        fail("the radius is " + format_significant(shape.body.radius, 6) + "; it must be 0 or more");
       }
     } else if (key == "preCompDone") {
       const std::string_view answer = needed("y or n after preCompDone");
@@ -257,7 +257,7 @@ class ShpReader {
     body.edges.erase(std::unique(body.edges.begin(), body.edges.end()), body.edges.end());
     if (body.faces.empty()) return;
     check_edges_lie_on_faces(body);
-    body.edges = edges_of(body.faces);
+    body.edges = face_edges(body.faces);
     constexpr Index kUnused = 0xffffffffu;
     std::vector<Index> number(body.vertices.size(), kUnused);
     for (const SpheroPolyhedron::Face& face : body.faces) {
@@ -284,7 +284,7 @@ class ShpReader {
 
   /// An edge may be a side or a diagonal of a face; else it is a rod beside the polyhedron.
   void check_edges_lie_on_faces(const SpheroPolyhedron& body) const {
-    const std::vector<SpheroPolyhedron::Edge> sides = edges_of(body.faces);
+    const std::vector<SpheroPolyhedron::Edge> sides = face_edges(body.faces);
     std::vector<std::vector<Index>> faces_at(body.vertices.size());
     for (Index f = 0; f < body.faces.size(); ++f) {
       for (const Index v : body.faces[f]) faces_at[v].push_back(f);
@@ -325,8 +325,8 @@ class ShpReader {
 
 }  // namespace
 
-std::vector<ShpShape> shp_shapes(std::string_view content) {
-  if (content.starts_with(kMapFileMark)) {
+std::vector<ShpShape> parse_shp(std::string_view content) {
+  if (content.starts_with(kEsriShapefileMagic)) {
     throw InputError("is a map file (ESRI shapefile), not a Rockable shape; both are called .shp");
   }
   return ShpReader(content).shapes();

@@ -8,9 +8,9 @@
 namespace clast::shapes_detail {
 
 /// First bytes of an ESRI shapefile, which has the same extension.
-inline constexpr std::string_view kMapFileMark{"\0\0\x27\x0a", 4};
+inline constexpr std::string_view kEsriShapefileMagic{"\0\0\x27\x0a", 4};
 
 /// @throws InputError  with line and shape, as `read_shp` says
-std::vector<ShpShape> shp_shapes(std::string_view content);
+std::vector<ShpShape> parse_shp(std::string_view content);
 
 }  // namespace clast::shapes_detail

@@ -27,8 +27,8 @@ std::string design_digest(const CalibrationStudy& study, const std::vector<std::
                      std::to_string(study.design.seed) + "\n";
   for (const CalibrationSite& site : study.sites) text += site.name + "\n";
   for (const Unknown& unknown : study.unknowns) {
-    text += unknown.parameter + " " + with_digits(unknown.low, 17) + " " +
-            with_digits(unknown.high, 17) + (unknown.logarithmic ? " log\n" : "\n");
+    text += unknown.parameter + " " + format_significant(unknown.low, 17) + " " +
+            format_significant(unknown.high, 17) + (unknown.logarithmic ? " log\n" : "\n");
   }
   for (const std::string& input : inputs) text += input.substr(input.rfind(' ') + 1) + "\n";
   return sha256(text);
@@ -132,12 +132,12 @@ void check_partial(const fs::path& target, const CalibrateOptions& options) {
                    "or delete the file to start afresh");
 }
 
-OutputRules rules_of(const CalibrateOptions& options) {
+OverwritePolicy rules_of(const CalibrateOptions& options) {
   return {.kind = kPosteriorFormat, .replace = options.replace || options.resume};
 }
 
 void check_target(const fs::path& target, const CalibrateOptions& options) {
-  check_output(target, rules_of(options));
+  check_output_target(target, rules_of(options));
   check_partial(target, options);
 }
 
@@ -158,7 +158,7 @@ Calibration calibrate_with(const CalibrationBackend& simulator, const Calibratio
       select_outcomes(observation, simulator.sites[observation.site], {});  // refuses blocks that it lacks
     }
     check_target(target, options);
-    lock.emplace(target, FileLockOptions{.longest_wait = std::chrono::milliseconds(0)});
+    lock.emplace(target, FileLockOptions{.timeout = std::chrono::milliseconds(0)});
     check_partial(target, options);
     calibration.stored = begun(study, simulator, target, options);
     return std::string();
@@ -168,7 +168,7 @@ Calibration calibrate_with(const CalibrationBackend& simulator, const Calibratio
   const bool whole = options.shard.count == 1;
   if (whole) {
     calibration.posterior =
-        infer_posterior(study, calibration.stored.runs, thread_count(options.threads));
+        infer_posterior(study, calibration.stored.runs, resolve_thread_count(options.threads));
   }
   write_posterior(target, study, calibration.stored, whole ? &calibration.posterior : nullptr,
                   rules_of(options));
@@ -195,7 +195,7 @@ struct PreparedSites {
     // Processes are asked for one by one, so each has a core to itself unless another number is
     // given.
     const bool alone = !options.team || options.team->size() == 1;
-    const unsigned threads = options.threads == 0 && !alone ? 1 : thread_count(options.threads);
+    const unsigned threads = options.threads == 0 && !alone ? 1 : resolve_thread_count(options.threads);
     simulator.physics_digest = physics_digest();
     simulator.simulate = [this, threads](std::size_t site, std::uint32_t member,
                                          const std::vector<double>& values) {

@@ -24,7 +24,7 @@ struct CalibrateOptions {
   ProcessTeam* team = nullptr;
   /// Called after each member of each site. What it throws ends the calibration; members until then
   /// are kept.
-  Progress progress = {};
+  ProgressCallback progress = {};
 };
 
 /// A finished calibration.

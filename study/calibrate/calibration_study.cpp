@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <set>
 
+#include "core/comma_separated.hpp"
 #include "core/error.hpp"
 #include "core/files/digest.hpp"
 #include "core/files/text_file.hpp"
-#include "core/listed.hpp"
 #include "core/number_text.hpp"
 #include "core/statistics/sobol_sequence.hpp"
 #include "study/calibrate/detail/study_reading.hpp"
@@ -172,9 +172,9 @@ std::vector<Unknown> read_unknowns(const TomlTable& top,
     throw InputError(top.file() +
                      ": no unknown: write a table [[unknown]] with parameter and range of each");
   }
-  if (unknowns.size() > kMostSobolDimensions) {
+  if (unknowns.size() > kMaxSobolDimensions) {
     throw InputError(top.file() + ": has " + std::to_string(unknowns.size()) +
-                     " unknowns; at most " + std::to_string(kMostSobolDimensions) +
+                     " unknowns; at most " + std::to_string(kMaxSobolDimensions) +
                      " can be found at once");
   }
   return unknowns;
@@ -219,7 +219,7 @@ void check_unknown_shares(const CalibrationStudy& study) {
     }
     if (most > 1.0) {
       throw InputError(study.file.string() + ": the unknown shares of site " + site.name +
-                       " add up to " + with_digits(most, 6) +
+                       " add up to " + format_significant(most, 6) +
                        " at the upper ends of their ranges; lower these until it is 1 at most");
     }
   }

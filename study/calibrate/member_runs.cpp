@@ -58,7 +58,7 @@ class Simulation {
 class Keeper {
  public:
   Keeper(const CalibrationStudy& study, const std::filesystem::path& target,
-         const CalibrateOptions& options, ProgressStep step, StoredCalibration& stored)
+         const CalibrateOptions& options, ProgressUpdate step, StoredCalibration& stored)
       : study_(study), target_(target), options_(options), step_(step), stored_(stored) {}
 
   void add(std::uint32_t item, std::vector<ReleaseOutcome> outcomes) {
@@ -85,7 +85,7 @@ class Keeper {
   const CalibrationStudy& study_;
   const std::filesystem::path& target_;
   const CalibrateOptions& options_;
-  ProgressStep step_;
+  ProgressUpdate step_;
   StoredCalibration& stored_;
   std::mutex one_at_a_time_;
   std::chrono::steady_clock::time_point kept_ = std::chrono::steady_clock::now();
@@ -108,7 +108,7 @@ void simulate_missing_members(const CalibrationStudy& study, const CalibrationBa
                       StoredCalibration& stored) {
   const Simulation simulation(study, simulator);
   std::vector<std::uint32_t> missing;
-  ProgressStep step;
+  ProgressUpdate step;
   for (std::uint32_t member = 0; member < study.design.members; ++member) {
     if (!options.shard.has(member)) continue;
     for (std::size_t site = 0; site < simulator.sites.size(); ++site) {

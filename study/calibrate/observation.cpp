@@ -5,8 +5,8 @@
 #include <numeric>
 #include <set>
 
+#include "core/comma_separated.hpp"
 #include "core/error.hpp"
-#include "core/listed.hpp"
 #include "core/number_text.hpp"
 #include "core/statistics/statistics.hpp"
 
@@ -15,15 +15,16 @@ namespace {
 
 constexpr double kNoFigure = std::numeric_limits<double>::quiet_NaN();
 
-void check_known(const Observation& observation, const SiteDescription& site, const std::string& what,
-                 const std::string& wanted, const std::vector<std::string>& known) {
+void check_known(const Observation& observation, const SiteDescription& site,
+                 const std::string& what, const std::string& wanted,
+                 const std::vector<std::string>& known) {
   if (wanted.empty() || std::find(known.begin(), known.end(), wanted) != known.end()) return;
   std::vector<std::string> once = known;
   std::sort(once.begin(), once.end());
   once.erase(std::unique(once.begin(), once.end()), once.end());
   throw InputError("observation " + observation.name + ": the campaign of site " + site.name +
                    " has no " + what + " \"" + wanted + "\"; it has " +
-                   (once.empty() ? "none" : listed(once)));
+                   (once.empty() ? "none" : comma_separated(once)));
 }
 
 std::size_t place_of_moment(const Observation& observation, const SiteDescription& site) {
@@ -95,7 +96,8 @@ double OutcomeAtMoment::*measured_member(Figure::Kind kind) {
 }  // namespace
 
 std::string Moment::name() const {
-  return kind == Kind::kImpact ? "impact " + with_digits(value, 6) : with_digits(value, 6) + " s";
+  return kind == Kind::kImpact ? "impact " + format_significant(value, 6)
+                               : format_significant(value, 6) + " s";
 }
 
 std::vector<Moment> observed_moments(const std::vector<Observation>& observations,
@@ -107,15 +109,15 @@ std::vector<Moment> observed_moments(const std::vector<Observation>& observation
   return {moments.begin(), moments.end()};
 }
 
-StopPosition stop_position_of(const Observation& observation, const SiteDescription& site, const Vec2& start,
-                      const Vec2& stop) {
+StopPosition stop_position_of(const Observation& observation, const SiteDescription& site,
+                              const Vec2& start, const Vec2& stop) {
   const Vec2 offset = stop - (observation.from_own_start ? start : site.middle_of_starts);
   const Vec2 right(site.downslope.y(), -site.downslope.x());
   return {offset.dot(site.downslope), offset.dot(right)};
 }
 
 std::vector<Seen> select_outcomes(const Observation& observation, const SiteDescription& site,
-                          std::span<const ReleaseOutcome> outcomes) {
+                                  std::span<const ReleaseOutcome> outcomes) {
   check_known(observation, site, "block", observation.block, site.blocks);
   check_known(observation, site, "block of shape", observation.shape, site.shapes);
   check_known(observation, site, "barrier", observation.barrier, site.barriers);
@@ -134,8 +136,8 @@ std::vector<Seen> select_outcomes(const Observation& observation, const SiteDesc
     OutcomeAtMoment at;
     if (observation.moment) at = outcome.moments[moment];
     if (!observation.barrier.empty()) at = outcome.barriers[barrier];
-    const StopPosition place =
-        stop_position_of(observation, site, outcome.start, observation.moment ? at.place : outcome.stop);
+    const StopPosition place = stop_position_of(observation, site, outcome.start,
+                                                observation.moment ? at.place : outcome.stop);
     seen.push_back({outcome.point, place.along, place.aside, at});
   }
   return seen;
@@ -149,7 +151,7 @@ void check_enough(const Observation& observation, std::span<const Seen> seen) {
 }
 
 double compute_statistic(const Figure& figure, std::span<const Seen> seen,
-                 std::span<const std::size_t> sample) {
+                         std::span<const std::size_t> sample) {
   std::vector<double> values, aside;
   if (figure.kind == Figure::Kind::kPassed) {
     for (const std::size_t i : sample) values.push_back(seen[i].at.passed() ? 1.0 : 0.0);

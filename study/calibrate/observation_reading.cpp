@@ -5,8 +5,8 @@
 #include <map>
 #include <utility>
 
+#include "core/comma_separated.hpp"
 #include "core/error.hpp"
-#include "core/listed.hpp"
 #include "core/number_text.hpp"
 #include "study/calibrate/observed_trajectories.hpp"
 #include "study/campaign/campaign_ranges.hpp"
@@ -60,8 +60,9 @@ std::string source_of(const DeclaredTable& table) {
         std::find(key.with.begin(), key.with.end(), source) != key.with.end()) {
       continue;
     }
-    table.refuse(key.name, *node,
-                 "belongs to an observation with " + listed(key.with) + "; leave it out here");
+    table.refuse(
+        key.name, *node,
+        "belongs to an observation with " + comma_separated(key.with) + "; leave it out here");
   }
   return source;
 }
@@ -72,7 +73,7 @@ Figure figure_named(const TomlTable& table, const TomlNode& node, const std::str
   if (name == "std") return {Figure::Kind::kStdPlace, 0.0, "std_place_m", 0.0, {}};
   if (name == "aside") return {Figure::Kind::kMeanAside, 0.0, "mean_aside_m", 0.0, {}};
   const std::optional<double> level =
-      name.starts_with("p") ? number_in(std::string_view(name).substr(1)) : std::nullopt;
+      name.starts_with("p") ? parse_number(std::string_view(name).substr(1)) : std::nullopt;
   if (!level || !(*level >= 1.0 && *level <= 99.0)) {
     table.refuse("figures", node,
                  "must be \"mean\", \"std\", \"aside\", or a percentile from \"p1\" to \"p99\"");
@@ -94,7 +95,7 @@ std::vector<Figure> stop_figures(const DeclaredTable& table) {
   if (table.find("beyond_m")) {
     for (const double place : numbers_of(table, "beyond_m", "a list of places, [m, m, ...]")) {
       figures.push_back(
-          {Figure::Kind::kBeyond, place, "beyond_" + with_digits(place, 6) + "_m", 0.0, {}});
+          {Figure::Kind::kBeyond, place, "beyond_" + format_significant(place, 6) + "_m", 0.0, {}});
     }
   }
   return figures;
@@ -137,15 +138,15 @@ void read_stops(const DeclaredTable& table, const SiteDescription& site, Observa
   }
   if (stops.size() < kFewestStops) {
     table.refuse("stops", file,
-                 "has " + counted(stops.size(), "stop") + " of these blocks; " +
+                 "has " + format_count(stops.size(), "stop") + " of these blocks; " +
                      std::to_string(kFewestStops) + " are needed at least");
   }
   observation.releases = stops.size();
   read_starts(stops, observation);
   std::vector<StopPosition> places;
   for (const MeasuredStop& stop : stops) {
-    places.push_back(
-        stop_position_of(observation, site, stop.start.value_or(site.middle_of_starts), stop.place));
+    places.push_back(stop_position_of(observation, site, stop.start.value_or(site.middle_of_starts),
+                                      stop.place));
   }
   for (Figure& figure : observation.figures) {
     figure.observed = compute_statistic(figure, places);
@@ -231,7 +232,7 @@ std::vector<Observation> read_followed(const DeclaredTable& table, const SiteDes
   for (const double time :
        numbers_of(table, "times_s", "a list of times since the release, [s, s, ...]")) {
     if (time > followed.longest()) {
-      table.refuse("times_s", "the longest trajectory ends before " + with_digits(time, 6));
+      table.refuse("times_s", "the longest trajectory ends before " + format_significant(time, 6));
     }
     Observation own = common;
     own.moment = {Moment::Kind::kTime, time};
@@ -253,7 +254,8 @@ std::vector<Observation> read_followed(const DeclaredTable& table, const SiteDes
   return observations;
 }
 
-void read_passages(const DeclaredTable& table, const SiteDescription& site, Observation& observation) {
+void read_passages(const DeclaredTable& table, const SiteDescription& site,
+                   Observation& observation) {
   observation.barrier = *table.text("barrier");
   if (std::find(site.barriers.begin(), site.barriers.end(), observation.barrier) ==
       site.barriers.end()) {
@@ -293,7 +295,8 @@ std::size_t site_of(const DeclaredTable& table, const std::vector<CalibrationSit
   table.refuse("site", node, "there is no [[site]] of this name");
 }
 
-void check_release(const DeclaredTable& table, const SiteDescription& site, const std::string& release) {
+void check_release(const DeclaredTable& table, const SiteDescription& site,
+                   const std::string& release) {
   if (release.empty() ||
       std::find(site.releases.begin(), site.releases.end(), release) != site.releases.end()) {
     return;

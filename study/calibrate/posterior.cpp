@@ -161,8 +161,8 @@ PredictiveCheck predict_figures(const CalibrationStudy& study,
   covariance.diagonal().array() += 1e-12;
   const VectorXd apart = observed - mean;
   check.squared = apart.dot(covariance.llt().solve(apart));
-  check.freedom = static_cast<double>(which.size());
-  check.p_value = chi_squared_above(check.squared, check.freedom);
+  check.degrees_of_freedom = static_cast<double>(which.size());
+  check.p_value = chi_squared_upper_tail(check.squared, check.degrees_of_freedom);
   return check;
 }
 
@@ -179,11 +179,11 @@ void check_fit(const SyntheticLikelihood& likelihood, CalibrationPosterior& post
   }
   PredictiveCheck& check = posterior.fitted;
   check.squared = likelihood.squared_distance(posterior.shares.col(best), true)[0];
-  check.freedom = static_cast<double>(check.figures) - determined;
-  if (check.freedom >= 0.5) {
-    check.p_value = chi_squared_above(check.squared, check.freedom);
+  check.degrees_of_freedom = static_cast<double>(check.figures) - determined;
+  if (check.degrees_of_freedom >= 0.5) {
+    check.p_value = chi_squared_upper_tail(check.squared, check.degrees_of_freedom);
   } else {
-    check.freedom = std::max(0.0, check.freedom);
+    check.degrees_of_freedom = std::max(0.0, check.degrees_of_freedom);
   }
 }
 

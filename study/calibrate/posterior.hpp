@@ -52,7 +52,7 @@ struct PredictiveCheck {
   std::size_t figures = 0;
   std::size_t covered = 0;  ///< by their 95 % intervals
   double squared = 0.0;     ///< squared distance in units of the covariance
-  double freedom = 0.0;     ///< figures, less the parameters that they determine
+  double degrees_of_freedom = 0.0;     ///< figures, less the parameters that they determine
   /// Probability of a larger distance if the law is right; none where as many parameters were
   /// determined as there are figures, so that nothing can contradict.
   std::optional<double> p_value;

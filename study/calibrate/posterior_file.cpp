@@ -118,7 +118,7 @@ void write_check(Hdf5Group& group, const std::string& name, const PredictiveChec
   group.set_attribute<std::int64_t>(name + "_figures", static_cast<std::int64_t>(check.figures));
   group.set_attribute<std::int64_t>(name + "_covered", static_cast<std::int64_t>(check.covered));
   group.set_attribute<double>(name + "_squared_distance", check.squared);
-  group.set_attribute<double>(name + "_freedom", check.freedom);
+  group.set_attribute<double>(name + "_freedom", check.degrees_of_freedom);
   group.set_attribute<double>(name + "_p", check.p_value.value_or(kNotStored));
 }
 
@@ -161,10 +161,10 @@ void write_found(Hdf5Group group, const CalibrationPosterior& posterior) {
 
 void write_posterior(const std::filesystem::path& target, const CalibrationStudy& study,
                      const StoredCalibration& stored, const CalibrationPosterior* posterior,
-                     const OutputRules& rules) {
+                     const OverwritePolicy& rules) {
   OutputFile output(target, rules);
   {
-    Hdf5File file = Hdf5File::create(output.temporary(), kPosteriorFormat, kPosteriorSchema);
+    Hdf5File file = Hdf5File::create(output.temporary_path(), kPosteriorFormat, kPosteriorSchema);
     Hdf5Group root = file.root();
     root.set_attribute<std::string>("study_sha256", study.sha256);
     root.set_attribute<std::string>("design_sha256", stored.design_sha256);

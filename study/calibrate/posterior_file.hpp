@@ -27,7 +27,7 @@ struct StoredCalibration {
 /// @throws InputError  as `OutputFile`
 void write_posterior(const std::filesystem::path& target, const CalibrationStudy& study,
                      const StoredCalibration& stored, const CalibrationPosterior* posterior,
-                     const OutputRules& rules);
+                     const OverwritePolicy& rules);
 
 /// The simulations that a file holds, finished or not.
 /// @throws InputError  missing, no posterior, damaged, or of a newer schema

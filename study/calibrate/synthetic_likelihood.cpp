@@ -152,7 +152,7 @@ SyntheticLikelihood::SyntheticLikelihood(const CalibrationStudy& study,
     if (surrogates_[k] || !fitted_[k]) continue;
     const auto with_value = figures.values.row(static_cast<Index>(k)).array().isFinite().count();
     throw InputError(study.file.string() + ": " + full_command_name(study, k) + ": only " +
-                     counted(static_cast<std::size_t>(with_value), "member") + " of " +
+                     format_count(static_cast<std::size_t>(with_value), "member") + " of " +
                      std::to_string(study.design.members) + " have it, and " +
                      std::to_string(fewest) +
                      " are needed; widen the ranges, simulate more releases, or keep it");

@@ -26,7 +26,7 @@ void read_zone_names(const DeclaredTable& table, Campaign& campaign) {
   TerrainOptions& terrain = campaign.terrain;
   table.read("zones", terrain.zones);
   if (std::optional<ZoneFile> file =
-          table.checked("zones", [&] { return zone_file(terrain.zones); })) {
+          table.checked("zones", [&] { return parse_zone_file(terrain.zones); })) {
     file->path = input_file(table, "zones", element(*table.find("zones"), 0), file->path.string());
     terrain.zones = file->zones();
   } else if (terrain.zones.size() != terrain.surface.size() && !are_zone_rules(terrain.zones)) {
@@ -66,7 +66,7 @@ const MemberTable<Campaign>& terrain_keys() {
        {"spike_steepness", "",
         "vertices that protrude by more, over the distance to their neighbours, are levelled",
         number(kSpikeSteepness), kTerrain, &Options::spike_steepness},
-       {"smoothing", "", "rounds of smoothing", count(0, kMostSmoothing), kTerrain,
+       {"smoothing", "", "rounds of smoothing", count(0, kMaxSmoothing), kTerrain,
         &Options::smoothing},
        {"tolerance_m", "m", "vertices are removed where the surface stays within this height",
         number(kSurfaceTolerance), kTerrain, &Options::tolerance},
@@ -236,7 +236,7 @@ Campaign read_by_parts(const fs::path& file, const std::optional<std::string>& t
   const bool ensemble = groups && read([&] { campaign.ensemble = read_ensemble(top, campaign); });
   const bool releases = terrain && read([&] {
                           const std::string up =
-                              up_axis(campaign.terrain.up, campaign.terrain.surface.front());
+                              resolve_up_axis(campaign.terrain.up, campaign.terrain.surface.front());
                           campaign.releases = read_releases(top, up == "y");
                         });
   if (blocks && groups && releases) {

@@ -5,8 +5,8 @@
 #include <cstdlib>
 #include <stdexcept>
 
+#include "core/comma_separated.hpp"
 #include "core/error.hpp"
-#include "core/listed.hpp"
 #include "study/campaign/campaign_ranges.hpp"
 
 namespace clast::study_detail {
@@ -85,13 +85,12 @@ std::optional<std::string> DeclaredTable::word(const std::string& key) const {
   return words.empty() ? text(key) : choice(*this, key, words);
 }
 
-std::optional<std::vector<std::string>> DeclaredTable::word_or_words(
-    const std::string& key) const {
+std::optional<std::vector<std::string>> DeclaredTable::word_or_words(const std::string& key) const {
   const std::optional<std::vector<std::string>> names = texts(key);
   const std::vector<std::string>& words = form(key).leaf().words;
   for (std::size_t i = 0; names && !words.empty() && i < names->size(); ++i) {
     if (std::find(words.begin(), words.end(), (*names)[i]) == words.end()) {
-      refuse(key, element(*find(key), i), "must be of " + listed(words));
+      refuse(key, element(*find(key), i), "must be of " + comma_separated(words));
     }
   }
   return names;
@@ -218,7 +217,7 @@ const TomlNode& element(const TomlNode& node, std::size_t index) {
 }
 
 std::optional<Distribution> read_distribution(const TomlTable& table, const std::string& key,
-                                        const NumberRange& range) {
+                                              const NumberRange& range) {
   const TomlNode* node = table.find(key);
   if (!node) return std::nullopt;
   Distribution number;

@@ -5,8 +5,8 @@
 #include <cctype>
 #include <set>
 
+#include "core/comma_separated.hpp"
 #include "core/error.hpp"
-#include "core/listed.hpp"
 
 namespace clast {
 namespace {
@@ -121,7 +121,7 @@ const GroundType& ground_type(const std::string& name) {
     if (type.name == name) return type;
     names.push_back(type.name);
   }
-  throw InputError("\"" + name + "\" is no ground type; there are " + listed(names));
+  throw InputError("\"" + name + "\" is no ground type; there are " + comma_separated(names));
 }
 
 const GroundType* find_ground_type(const std::string& zone) {

@@ -17,7 +17,7 @@ bool PlannedPower::known() const {
 
 double PlannedPower::smallest() const {
   // Values needed go with one over the square of the difference.
-  return std::sqrt(values_needed(1.0, scatter, design_effect()) / static_cast<double>(runs));
+  return std::sqrt(required_sample_size(1.0, scatter, design_effect()) / static_cast<double>(runs));
 }
 
 double PlannedPower::runs_needed() const {

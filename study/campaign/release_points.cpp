@@ -30,11 +30,11 @@ std::vector<Vec3> read_points(const std::filesystem::path& file) {
     return found ? std::optional(std::vector<std::size_t>(found->axes.begin(), found->axes.end()))
                  : std::nullopt;
   };
-  const NumberTable table{.names = {{"x"}, {"y"}, {"z"}},
+  const NumericTableSpec table{.names = {{"x"}, {"y"}, {"z"}},
                           .range = kMapCoordinate,
                           .meaning = "three numbers, x y z",
                           .find = find};
-  for (const NumberRow& row : read_number_table(file, table)) {
+  for (const NumericRow& row : read_numeric_table(file, table)) {
     points.emplace_back(row.values[0], row.values[1], row.values[2]);
   }
   return points;
@@ -43,16 +43,16 @@ std::vector<Vec3> read_points(const std::filesystem::path& file) {
 std::vector<Quat> read_orientations(const std::filesystem::path& file) {
   std::vector<Quat> orientations;
   constexpr NumberRange kComponent{-2.0, 2.0};
-  const NumberTable table{
+  const NumericTableSpec table{
       {{"w", "qw", "q0"}, {"x", "qx", "q1"}, {"y", "qy", "q2"}, {"z", "qz", "q3"}},
       kComponent,
       "a quaternion, w x y z"};
-  for (const NumberRow& row : read_number_table(file, table)) {
+  for (const NumericRow& row : read_numeric_table(file, table)) {
     Quat orientation(row.values[0], row.values[1], row.values[2], row.values[3]);
     const double norm = orientation.norm();
     if (!(std::abs(norm - 1.0) <= kNormTolerance)) {
       throw InputError(file.string() + ":" + std::to_string(row.line) + ": quaternion of length " +
-                       with_digits(norm, 6) + "; a rotation has length 1, written w x y z");
+                       format_significant(norm, 6) + "; a rotation has length 1, written w x y z");
     }
     orientation.normalize();
     orientations.push_back(orientation);
@@ -60,7 +60,7 @@ std::vector<Quat> read_orientations(const std::filesystem::path& file) {
   return orientations;
 }
 
-Quat turned_z_up(const Quat& orientation) {
+Quat y_up_to_z_up(const Quat& orientation) {
   const double half = std::sqrt(0.5);
   return (Quat(half, half, 0.0, 0.0) * orientation).normalized();
 }

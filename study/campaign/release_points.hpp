@@ -20,8 +20,8 @@ std::vector<Vec3> read_points(const std::filesystem::path& file);
 /// @throws InputError  as `read_points`, or a norm further from 1
 std::vector<Quat> read_orientations(const std::filesystem::path& file);
 
-/// A rotation world_from_source whose world has y up, in one with z up (`core/files/up_axis.hpp`).
-Quat turned_z_up(const Quat& orientation);
+/// A rotation world_from_source whose world has y up, in one with z up (`core/files/resolve_up_axis.hpp`).
+Quat y_up_to_z_up(const Quat& orientation);
 
 /// `count` points at equal distances along a polyline, both ends included; the middle for one.
 std::vector<Vec3> space_points_on_line(std::span<const Vec3> line, std::size_t count);

@@ -36,15 +36,15 @@ ReleasedMass read_released_mass(const MassTerrains& terrains, const ReleasedMass
   return find_released_mass(before, after, options);
 }
 
-MassBlocks blocks_of_released_mass(const ReleasedMass& mass, const MassTerrains& terrains,
+RockMassBlocks blocks_of_released_mass(const ReleasedMass& mass, const MassTerrains& terrains,
                                    const ReleasedMassOptions& options,
-                                   const MassBlockOptions& cutting) {
+                                   const RockMassOptions& cutting) {
   const BlockSource source{
-      as_utf8(names_of(terrains.before) + " less " + names_of(terrains.after)),
+      to_utf8(names_of(terrains.before) + " less " + names_of(terrains.after)),
       digest_of(terrains, options),
-      "min_thickness_m=" + with_digits(options.min_thickness, 6) + " bodies=" + options.bodies +
-          (options.resolution ? " resolution_m=" + with_digits(*options.resolution, 6) : "") +
-          (options.polygon ? " polygon=" + as_utf8(options.polygon->filename().string()) : ""),
+      "min_thickness_m=" + format_significant(options.min_thickness, 6) + " bodies=" + options.bodies +
+          (options.resolution ? " resolution_m=" + format_significant(*options.resolution, 6) : "") +
+          (options.polygon ? " polygon=" + to_utf8(options.polygon->filename().string()) : ""),
       ""};
   std::vector<TriangleMesh> masses;
   for (const MassBody& body : mass.bodies) masses.push_back(body.mesh);

@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <optional>
 
-#include "library/mass_blocks.hpp"
+#include "library/rock_mass_blocks.hpp"
 #include "terrain/released_mass.hpp"
 #include "terrain/terrain_input.hpp"
 
@@ -21,9 +21,9 @@ ReleasedMass read_released_mass(const MassTerrains& terrains, const ReleasedMass
 /// Cuts every body of the mass by joints, in map coordinates as `[[mass]] in_place` has them.
 /// Blocks name both terrains and what was asked of them as their source.
 /// @throws InputError, GeometryError  as `distribute_blocks`
-MassBlocks blocks_of_released_mass(const ReleasedMass& mass, const MassTerrains& terrains,
-                                   const ReleasedMassOptions& options,
-                                   const MassBlockOptions& cutting);
+RockMassBlocks blocks_of_released_mass(const ReleasedMass& mass, const MassTerrains& terrains,
+                                       const ReleasedMassOptions& options,
+                                       const RockMassOptions& cutting);
 
 /// The bodies of the mass as one mesh, on the map.
 TriangleMesh mesh_of(const ReleasedMass& mass);

@@ -34,10 +34,10 @@ double Distribution::mean() const {
     return value > 0.0 ? std::log(value / first) / second : -1e300;
   };
   const double from = deviations(low), to = deviations(high);
-  const double all = normal_below(to) - normal_below(from);
+  const double all = normal_cdf(to) - normal_cdf(from);
   if (law == Law::kLogNormal) {
     return first * std::exp(0.5 * second * second) *
-           (normal_below(to - second) - normal_below(from - second)) / all;
+           (normal_cdf(to - second) - normal_cdf(from - second)) / all;
   }
   const auto density = [](double z) { return std::exp(-0.5 * z * z) / std::sqrt(2.0 * kPi); };
   return first + second * (density(from) - density(to)) / all;
@@ -57,8 +57,8 @@ double Distribution::quantile(double below) const {
   if (fixed()) return first;
   if (law == Law::kUniform) return first + (second - first) * below;
   const auto share_below = [&](double value) {
-    if (law == Law::kNormal) return normal_below((value - first) / second);
-    return value > 0.0 ? normal_below(std::log(value / first) / second) : 0.0;
+    if (law == Law::kNormal) return normal_cdf((value - first) / second);
+    return value > 0.0 ? normal_cdf(std::log(value / first) / second) : 0.0;
   };
   const double from = share_below(low), to = share_below(high);
   const double z = normal_quantile(std::clamp(from + (to - from) * below, kLeast, 1.0 - kLeast));

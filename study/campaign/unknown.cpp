@@ -6,8 +6,8 @@
 #include <span>
 
 #include "classify/schemes.hpp"
+#include "core/comma_separated.hpp"
 #include "core/error.hpp"
-#include "core/listed.hpp"
 #include "study/campaign/campaign_ranges.hpp"
 #include "study/campaign/campaign_reading.hpp"
 #include "study/campaign/ground_fields.hpp"
@@ -73,8 +73,8 @@ std::span<const Settable> settables() {
         "no campaign has [blocks] draw with a number as mass_kg"},
        {"blocks.mass_median_kg", kBlockMass, &set_mass<&Distribution::first>,
         &has_mass<Law::kLogNormal>, kLogNormal},
-       {"blocks.mass_sigma", kLogSigma, &set_mass<&Distribution::second>, &has_mass<Law::kLogNormal>,
-        kLogNormal},
+       {"blocks.mass_sigma", kLogSigma, &set_mass<&Distribution::second>,
+        &has_mass<Law::kLogNormal>, kLogNormal},
        {"blocks.mass_mean_kg", kBlockMass, &set_mass<&Distribution::first>, &has_mass<Law::kNormal>,
         kNormal},
        {"blocks.mass_std_kg", kBlockMass, &set_mass<&Distribution::second>, &has_mass<Law::kNormal>,
@@ -156,10 +156,10 @@ NumberRange parameter_range(const std::string& parameter) {
       const std::vector<std::string>& of_scheme = class_names(scheme);
       names.insert(names.end(), of_scheme.begin(), of_scheme.end());
     }
-    throw InputError("is the share of no class; classes are " + listed(names));
+    throw InputError("is the share of no class; classes are " + comma_separated(names));
   }
   for (const auto& [name, range] : calibratable_parameters()) names.push_back(name);
-  throw InputError("is no parameter that can be calibrated; these are " + listed(names));
+  throw InputError("is no parameter that can be calibrated; these are " + comma_separated(names));
 }
 
 bool has_parameter(const Campaign& campaign, const std::string& parameter) {
@@ -197,7 +197,9 @@ void set_parameter(Campaign& campaign, const std::string& parameter, double valu
   if (const Settable* found = settable(parameter)) found->set(campaign, value);
 }
 
-bool is_ground_parameter(const std::string& parameter) { return zone_field(parameter).field != nullptr; }
+bool is_ground_parameter(const std::string& parameter) {
+  return zone_field(parameter).field != nullptr;
+}
 
 bool is_of_release(const std::string& parameter) {
   return parameter.starts_with("release.") && settable(parameter);

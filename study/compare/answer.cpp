@@ -143,7 +143,7 @@ RunoutContrast gap_between(const Comparison& comparison, const RunoutEstimate& a
   if (const auto by_draw = gaps_by_draw(comparison, gap.farther, gap.nearer); !by_draw.empty()) {
     gap.interval = range_of_draw_means(by_draw);
     if (gap.interval->low < 0.0 && gap.interval->high > 0.0) {
-      gap.verdict = Verdict::kDependsOnGround;
+      gap.verdict = Verdict::kGroundDependent;
     }
     return gap;
   }

@@ -32,7 +32,7 @@ struct RunoutContrast {
   std::size_t farther = 0;  ///< into Comparison::groups: the one with the larger mean
   std::size_t nearer = 0;
   /// Too few where few runs, or less than half of a group, came to rest.
-  Verdict verdict = Verdict::kTooFew;
+  Verdict verdict = Verdict::kTooFewValues;
   double gap = 0.0;                  ///< mean of `farther` less that of `nearer`, m
   std::optional<Interval> interval;  ///< m; none of one realisation
   /// The medians differ far less than the means: some blocks of `farther` run on, most do not.

@@ -307,7 +307,7 @@ const std::string& find_release_set(const CampaignResults& results, std::uint32_
 
 void CompareOptions::check() const {
   if (margin && !(*margin > 0.0 && std::isfinite(*margin))) {
-    throw InputError("margin " + with_digits(*margin, 4) + " m: give a length above 0");
+    throw InputError("margin " + format_significant(*margin, 4) + " m: give a length above 0");
   }
 }
 

@@ -81,7 +81,7 @@ struct BarrierGroupStatistics {
   std::size_t crossed = 0;
   std::size_t backward = 0;  ///< runs that passed backward first, counted or not; of a ring none
   double probability = 0.0;
-  /// 95 %, of the probability, as `clustered_share_interval`; none of one realisation.
+  /// 95 %, of the probability, as `clustered_proportion_interval`; none of one realisation.
   std::optional<Interval> interval;
   Summary height, clearance, speed;  ///< m, m, m/s
   Summary top;  ///< no skin point is higher above that ground, m: height and farthest skin point

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "core/angle.hpp"
-#include "core/listed.hpp"
+#include "core/comma_separated.hpp"
 #include "core/number_text.hpp"
 #include "study/compare/comparison.hpp"
 #include "study/results/block_scale.hpp"
@@ -105,7 +105,7 @@ void warn_of_reassigned(Comparison& comparison) {
   const bool turning =
       static_cast<double>(count) >= kReassignedShare * static_cast<double>(comparison.rows.size());
   warn(comparison,
-       happened + " (at most " + with_digits(100.0 * largest, 3) + " %, run " +
+       happened + " (at most " + format_significant(100.0 * largest, 3) + " %, run " +
            std::to_string(worst->record->run) + ", block " + worst->block->id +
            "); it acts like that much more or less friction. Run some of them with half the "
            "[contact] time_step_s to see whether the results depend on it",
@@ -126,9 +126,9 @@ void warn_of_speeds(Comparison& comparison) {
   if (speeds.empty()) return;
   const double p95 = summarise(speeds).p95;
   if (!(p95 > kSeldomSpeed)) return;
-  const std::string fast = "5 % of the runs are faster than " + with_digits(p95, 3) +
+  const std::string fast = "5 % of the runs are faster than " + format_significant(p95, 3) +
                            " m/s; blocks on slopes are seldom seen faster than " +
-                           with_digits(kSeldomSpeed, 3) + " m/s";
+                           format_significant(kSeldomSpeed, 3) + " m/s";
   warn(comparison,
        fast +
            ". Check units and heights of the terrain, drop heights and velocities of the "
@@ -159,9 +159,9 @@ void warn_of_masses(Comparison& comparison) {
   for (const auto& [name, mean] : means) {
     low = std::min(low, mean);
     high = std::max(high, mean);
-    list += (list.empty() ? "" : ", ") + name + " " + with_digits(mean, 4) + " kg";
+    list += (list.empty() ? "" : ", ") + name + " " + format_significant(mean, 4) + " kg";
     in_short += (in_short.empty() ? "" : ", ") + name + " " +
-                (mean < 1000.0 ? with_digits(mean, 3) : with_decimals(mean, 0)) + " kg";
+                (mean < 1000.0 ? format_significant(mean, 3) : format_decimals(mean, 0)) + " kg";
   }
   if (means.size() > 1 && high > low * (1.0 + kNotableMassDifference)) {
     warn(comparison,
@@ -213,7 +213,7 @@ bool are_many(std::size_t stops, std::size_t runs) { return 50 * stops > runs; }
 std::vector<std::size_t> stops_by_zone(const CampaignResults& results) {
   std::vector<std::size_t> stops(results.zone_names.size(), 0);
   if (results.terrain.surface.triangles.empty()) return stops;
-  const TerrainSurface ground = terrain_surface(results.terrain);
+  const TerrainSurface ground = make_terrain_surface(results.terrain);
   for (const RunRecord& run : results.runs) {
     if (run.result.stop_reason != StopReason::kRest) continue;
     const Vec3& place = run.result.final_state.position;
@@ -225,7 +225,7 @@ std::vector<std::size_t> stops_by_zone(const CampaignResults& results) {
 
 void warn_of_slopes(Comparison& comparison) {
   const auto degrees = [](double angle) {
-    return with_digits(angle * kDegreesPerRadian, 3) + " deg";
+    return format_significant(angle * kDegreesPerRadian, 3) + " deg";
   };
   std::vector<std::string> sliding_texts, rolling_texts;
   std::set<std::string> sliding_zones, rolling_zones;
@@ -265,9 +265,9 @@ void warn_of_slopes(Comparison& comparison) {
     if (texts.empty()) return;
     comparison.warnings.insert(comparison.warnings.end(), texts.begin(), texts.end());
     const std::vector<std::string> names(zones.begin(), zones.end());
-    comparison.cautions.push_back(
-        {(names.size() == 1 ? "In the zone " : "In the zones ") + listed(names) + " " + effect,
-         texts});
+    comparison.cautions.push_back({(names.size() == 1 ? "In the zone " : "In the zones ") +
+                                       comma_separated(names) + " " + effect,
+                                   texts});
   };
   add(sliding_texts, sliding_zones,
       "the slope is too steep for friction to stop a block: shape may make little difference "
@@ -334,8 +334,8 @@ void warn_of_measured(Comparison& comparison) {
                   (stop.place.array() <= ground.high.head<2>().array()).all();
          });
          return over ? std::string()
-                     : "x " + with_digits(stop.place.x(), 9) + ", y " +
-                           with_digits(stop.place.y(), 9);
+                     : "x " + format_significant(stop.place.x(), 9) + ", y " +
+                           format_significant(stop.place.y(), 9);
        });
 }
 
@@ -355,7 +355,7 @@ void warn_of_directions(Comparison& comparison) {
     }
     const std::string crossed = of(group.backward, group.started) +
                                 " runs crossed it the other way first, with up to " +
-                                with_digits(most / 1000.0, 4) + " kJ";
+                                format_significant(most / 1000.0, 4) + " kJ";
     warn(comparison,
          "barrier " + line.name +
              " counts only crossings from the left of its line to the right, but " + crossed +
@@ -395,9 +395,9 @@ void add_warnings(Comparison& comparison) {
   for (std::size_t file = 0; file < comparison.results.size(); ++file) {
     const CampaignResults& results = comparison.results[file];
     for (const std::string& warning : results.warnings) {
-      const bool asked =
-          std::any_of(results.blocks.begin(), results.blocks.end(),
-                      [&](const BlockSummary& block) { return warning == describe_block_scale(block); });
+      const bool asked = std::any_of(
+          results.blocks.begin(), results.blocks.end(),
+          [&](const BlockSummary& block) { return warning == describe_block_scale(block); });
       if (asked) continue;
       if (!in_all_files(warning)) {
         warn(comparison, "file " + std::to_string(file + 1) + ": " + warning);

@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "core/number_text.hpp"
-#include "core/statistics/unbalanced_shares.hpp"
+#include "core/statistics/unbalanced_variance.hpp"
 #include "study/compare/detail/run_outcomes.hpp"
 
 namespace clast {
@@ -117,7 +117,7 @@ std::string gap_of(const std::vector<FactorLevels>& factors, std::size_t runs) {
     text += (text.empty() ? "" : ", ") + factor.name + " " + std::to_string(factor.count);
     combinations *= factor.count;
   }
-  return counted(runs, "run") + " are not every combination once (" + text + ": " +
+  return format_count(runs, "run") + " are not every combination once (" + text + ": " +
          std::to_string(combinations) + " combinations)";
 }
 
@@ -132,7 +132,7 @@ std::vector<OutcomeEffects> outcomes_with(const std::vector<RunOutcome>& outcome
   }
   std::vector<std::vector<double>> values;
   for (const RunOutcome* outcome : differing) values.push_back(outcome->values);
-  const std::vector<VarianceShares> found = shares(values);
+  const std::vector<VarianceDecomposition> found = shares(values);
   std::vector<OutcomeEffects> effects;
   for (std::size_t i = 0; i < differing.size(); ++i) {
     const Summary summary = summarise(values[i]);
@@ -142,27 +142,27 @@ std::vector<OutcomeEffects> outcomes_with(const std::vector<RunOutcome>& outcome
   return effects;
 }
 
-std::vector<VarianceShares> shares_of_design(const std::vector<std::vector<double>>& outcomes,
-                                             const std::vector<std::size_t>& places,
-                                             const std::vector<FactorLevels>& factors) {
+std::vector<VarianceDecomposition> shares_of_design(
+    const std::vector<std::vector<double>>& outcomes, const std::vector<std::size_t>& places,
+    const std::vector<FactorLevels>& factors) {
   std::vector<std::size_t> levels;
   for (const FactorLevels& factor : factors) levels.push_back(factor.count);
-  std::vector<VarianceShares> shares;
+  std::vector<VarianceDecomposition> shares;
   for (const std::vector<double>& outcome : outcomes) {
     std::vector<double> values(outcome.size());
     for (std::size_t i = 0; i < outcome.size(); ++i) values[places[i]] = outcome[i];
-    shares.push_back(variance_shares(values, levels));
+    shares.push_back(decompose_variance(values, levels));
   }
   return shares;
 }
 
-std::vector<VarianceShares> shares_of_model(const std::vector<std::vector<double>>& outcomes,
-                                            const std::vector<FactorLevels>& factors) {
+std::vector<VarianceDecomposition> shares_of_model(const std::vector<std::vector<double>>& outcomes,
+                                                   const std::vector<FactorLevels>& factors) {
   std::vector<std::vector<std::uint32_t>> levels;
   for (const FactorLevels& factor : factors) {
     levels.emplace_back(factor.of_run.begin(), factor.of_run.end());
   }
-  return unbalanced_shares(outcomes, levels);
+  return decompose_unbalanced_variance(outcomes, levels);
 }
 
 DesignEffects effects_of(const Comparison& comparison, std::uint32_t file) {

@@ -114,7 +114,7 @@ std::optional<Difference> difference_between(const Comparison& comparison, std::
   found.cliffs_delta = *cliffs_delta(a.values, b.values);
   found.hedges_g = hedges_g(a.values, b.values);
   if (first_sample.one_realisation || second_sample.one_realisation) {
-    found.ks_distance = two_sample_ks(a.values, b.values)->statistic;
+    found.ks_distance = two_sample_ks_test(a.values, b.values)->statistic;
     return found;
   }
   const bool by_runs = are_points_alone(a, b);
@@ -126,7 +126,7 @@ std::optional<Difference> difference_between(const Comparison& comparison, std::
   };
   found.interval = bootstrap_difference(a, b, drawn_from, kDifferenceSeed,
                                         draws(by_runs ? runs : clusters.count(), 2000));
-  const TestResult test = *clustered_ks(a, b, drawn_from, kDifferenceSeed, draws(runs, 9999));
+  const TestResult test = *clustered_ks_test(a, b, drawn_from, kDifferenceSeed, draws(runs, 9999));
   found.ks_distance = test.statistic;
   found.p_value = test.p_value;
   return found;
@@ -162,7 +162,7 @@ std::vector<Difference> differences(const Comparison& comparison) {
         }
       }
     }
-    correct_family(family);
+    correct_multiple_tests(family);
     for (Difference& one : family) found.push_back(std::move(one));
   }
   return found;

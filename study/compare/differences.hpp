@@ -12,7 +12,7 @@ namespace clast {
 struct Comparison;
 
 /// Two groups of one kind in one quantity: first mean less second mean. The test is that of
-/// Kolmogorov and Smirnov, clusters kept (clustered_ks); there is none where a group is of one
+/// Kolmogorov and Smirnov, clusters kept (clustered_ks_test); there is none where a group is of one
 /// realisation. It is corrected for all differences of the same kind of group.
 struct Difference : Contrast {
   std::size_t first = 0;  ///< index into Comparison::groups

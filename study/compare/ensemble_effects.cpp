@@ -107,7 +107,7 @@ void add_effects(const Comparison& comparison, std::uint32_t file, const std::st
         effects.push_back({file, group, results.zone_names[zone], field.name, drawn.size(),
                            values.front(), quantile(values, 0.5), values.back(), outcome.name,
                            quantile(ordered, 0.05), quantile(ordered, 0.5), quantile(ordered, 0.95),
-                           spearman(drawn, outcome.values),
+                           spearman_test(drawn, outcome.values),
                            estimate_first_order_index(drawn, outcome.values)});
       }
     }

@@ -39,12 +39,12 @@ Columns columns_of(const Record& header, const std::string& file) {
     }
     const ColumnHeading heading = parse_heading(header.fields[column]);
     if (heading.length && heading.length->factor != 1.0) {
-      refuse("\"" + printable(header.fields[column]) + "\" is in " + heading.length->name +
+      refuse("\"" + escape_nonprintable(header.fields[column]) + "\" is in " + heading.length->name +
              "; positions must be in m");
     }
   };
   for (std::size_t i = 0; i < header.fields.size(); ++i) {
-    const std::string name = parse_heading(header.fields[i]).joined_words();
+    const std::string name = parse_heading(header.fields[i]).snake_case();
     if (name == "x" || name == "y" || name == "start_x" || name == "start_y" || name == "block" ||
         name == "shape") {
       add(name, i);
@@ -53,7 +53,7 @@ Columns columns_of(const Record& header, const std::string& file) {
   }
   if (!columns.contains("x") && !columns.contains("y")) {  // "Easting", "Rechtswert"
     for (std::size_t i = 0; i < header.fields.size(); ++i) {
-      const std::optional<int> axis = coordinate_axis(header.fields[i]);
+      const std::optional<int> axis = parse_coordinate_axis(header.fields[i]);
       if (axis && *axis < 2) add(*axis == 0 ? "x" : "y", i);
     }
   }
@@ -74,14 +74,14 @@ std::string_view field(const Record& record, const Columns& columns, const std::
 }
 
 double coordinate(const Record& record, const Columns& columns, const std::string& name,
-                  const DelimitedText& table, const std::string& file) {
+                  const DelimitedTextReader& table, const std::string& file) {
   const std::string_view text = field(record, columns, name);
-  const std::optional<double> value = number_in_field(text, table.separator());
+  const std::optional<double> value = parse_number_field(text, table.separator());
   if (value && kMapCoordinate.holds(*value)) return *value;
   throw InputError(
       file + ":" + std::to_string(record.line) + ": " + name + " \"" + std::string(text) +
       "\" is not a number " + kMapCoordinate.words() +
-      (is_doubtful_number(text, table.separator()) ? "; " + std::string(kDecimalCommaAdvice) : ""));
+      (is_ambiguous_number(text, table.separator()) ? "; " + std::string(kDecimalCommaHint) : ""));
 }
 
 Vec2 mean_release(const Comparison& comparison) {
@@ -183,7 +183,7 @@ StopCurve curve_of(const ClusteredValues& stops, std::size_t clusters, bool band
     curve.runout.push_back(at);
     curve.share.push_back(summarise(before.values).mean);
     if (!banded) continue;
-    const Interval interval = clustered_share_interval(before, clusters);
+    const Interval interval = clustered_proportion_interval(before, clusters);
     curve.low.push_back(interval.low);
     curve.high.push_back(interval.high);
   }
@@ -193,23 +193,23 @@ StopCurve curve_of(const ClusteredValues& stops, std::size_t clusters, bool band
 }  // namespace
 
 Verdict judge_agreement(const MeasuredGroup& group) {
-  if (group.measured < kFewestMeasured) return Verdict::kTooFew;
+  if (group.measured < kFewestMeasured) return Verdict::kTooFewValues;
   const Verdict verdict = group.medians.verdict();
-  return verdict == Verdict::kOneOfMany ? Verdict::kMoreThanChance : verdict;
+  return verdict == Verdict::kInsignificantAfterCorrection ? Verdict::kSignificant : verdict;
 }
 
 MeasuredStops read_measured_stops(const std::filesystem::path& path) {
   const std::string file = path.string(), bytes = read_text_file(path);
-  const TableText content = table_text(bytes, file);
-  DelimitedText table(content.text, file);
+  const DecodedText content = decode_text(bytes, file);
+  DelimitedTextReader table(content.text, file);
   Record record;
   MeasuredStops measured{path, sha256(bytes), {}, {}};
   if (!table.next(record)) throw InputError(file + ": is empty; it must be a table of stops");
   const Columns columns = columns_of(record, file);
   while (table.next(record)) {
-    if (summary_label(record.fields.front()) == SummaryLabel::kSure) {
+    if (detect_summary_label(record.fields.front()) == SummaryLabel::kCertain) {
       throw InputError(file + ":" + std::to_string(record.line) + ": \"" +
-                       printable(record.fields.front()) +
+                       escape_nonprintable(record.fields.front()) +
                        "\" sums up the other rows; remove that row");
     }
     MeasuredStop stop;
@@ -256,7 +256,7 @@ void compare_stops(const Comparison& comparison, MeasuredStops& measured) {
       by_cluster[cluster_of_run.back()].push_back(run.runout);
     }
     if (seen.empty() || simulated.empty()) continue;
-    const TestResult test = *two_sample_ks(seen, simulated);
+    const TestResult test = *two_sample_ks_test(seen, simulated);
     MeasuredGroup found;
     found.group = g;
     found.measured = seen.size();
@@ -280,7 +280,7 @@ void compare_stops(const Comparison& comparison, MeasuredStops& measured) {
     found.simulated_curve = curve_of({simulated, cluster_of_run}, clusters.count(), tested);
     measured.groups.push_back(std::move(found));
   }
-  correct_family(measured.groups, &MeasuredGroup::medians);
+  correct_multiple_tests(measured.groups, &MeasuredGroup::medians);
 }
 
 }  // namespace clast

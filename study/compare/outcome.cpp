@@ -32,9 +32,9 @@ std::vector<std::string> describe_failed_runs(const StopReasonCounts& outcome) {
   std::vector<std::string> warnings;
   if (outcome.reassigned > 0) {
     warnings.push_back(
-        counted(outcome.reassigned, "run loses or gains", "runs lose or gain") +
+        format_count(outcome.reassigned, "run loses or gains", "runs lose or gain") +
         " more than 10 % of the dissipated energy where contacts change, the largest share being " +
-        with_digits(100.0 * outcome.largest_reassigned.value_or(0.0), 2) +
+        format_significant(100.0 * outcome.largest_reassigned.value_or(0.0), 2) +
         " %; clast compare names the worst run and says what to try");
   }
   return warnings;
@@ -50,7 +50,7 @@ void check_outcome(const CampaignResults& results, const std::filesystem::path& 
                                    "\"auto\", and look at the ground "
                                    "at the place named";
   throw SimulationError(std::to_string(outcome.errors()) + " of " +
-                        counted(results.runs.size(), "run") + " ended with an error, the first: " +
+                        format_count(results.runs.size(), "run") + " ended with an error, the first: " +
                         outcome.first_error + ". All runs are in " + file.string() +
                         "; clast compare lists the failed ones and leaves them out of its "
                         "statistics" +

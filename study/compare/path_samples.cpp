@@ -58,7 +58,7 @@ void for_each_trajectory(
     std::error_code code;
     if (row < end && std::filesystem::is_regular_file(results.file, code)) {
       const TrajectoryFile trajectories(results.file);
-      const TerrainSurface ground = terrain_surface(results.terrain);
+      const TerrainSurface ground = make_terrain_surface(results.terrain);
       for (; row < end; ++row) {
         const std::uint32_t run = comparison.rows[row].record->run;
         if (trajectories.frames(run) > 0) visit(row, trajectories.read(run), ground);

@@ -89,7 +89,7 @@ std::map<MapCell, double> thicknesses(const CampaignResults& results, const Terr
   Tops tops(width, results.frame.origin.head<2>());
   for (const RunRow* row : rows) {
     const SpheroPolyhedron shape = scaled(results.shapes[row->block->shape], row->block->scale);
-    tops.include(transformed(skin_mesh(shape), state(*row).world_from_body()));
+    tops.include(transformed(rounded_surface_mesh(shape), state(*row).world_from_body()));
   }
   std::map<MapCell, double> thicknesses;
   for (const auto& [cell, top] : tops.heights()) {
@@ -204,7 +204,7 @@ DepositResults measure_deposits(const Comparison& comparison) {
     const auto [file, realisation] = key;
     const CampaignResults& results = comparison.results[file];
     if (file_of_ground != file) {
-      ground.emplace(terrain_surface(results.terrain));
+      ground.emplace(make_terrain_surface(results.terrain));
       file_of_ground = file;
     }
     std::vector<const RunRow*> lying;

@@ -120,7 +120,7 @@ DepositQuantityComparison compare_deposit_quantities(const std::vector<DepositMe
   }
   if (by_file.size() > kMostGroups) return found;
   found.differences = pairs_of(by_file);
-  correct_family(found.differences);
+  correct_multiple_tests(found.differences);
   return found;
 }
 

@@ -46,15 +46,15 @@ TableColumns<Row> own_columns() {
         {"volume_m3", "m^3", "of the block as it ran",
          [=](const Row& r) { return block(r).volume; }},
         {"s_c", "", "of the block as it ran",
-         [=](const Row& r) { return elongation_s_c(block(r).axes); }}},
-       columns_of_list<Row>({"L_m", "I_m", "S_m"}, "m", "sides of the smallest box",
+         [=](const Row& r) { return elongation_index(block(r).axes); }}},
+       array_columns<Row>({"L_m", "I_m", "S_m"}, "m", "sides of the smallest box",
                             [=](const Row& r) {
                               const Axes& axes = block(r).axes;
                               return Vec3(axes.L, axes.I, axes.S);
                             }),
-       columns_of_list<Row>({"start_x_m", "start_y_m", "start_z_m"}, "m",
+       array_columns<Row>({"start_x_m", "start_y_m", "start_z_m"}, "m",
                             "centre of mass at release", &RunRow::start),
-       columns_of_list<Row>({"stop_x_m", "stop_y_m", "stop_z_m"}, "m", "centre of mass at the end",
+       array_columns<Row>({"stop_x_m", "stop_y_m", "stop_z_m"}, "m", "centre of mass at the end",
                             &RunRow::stop),
        {{"runout_m", "m", "along downslope, see [theory](theory.md#statistics)", &RunRow::runout},
         {"lateral_deg", "deg", "from downslope, see [theory](theory.md#statistics)",
@@ -77,7 +77,7 @@ TableColumns<Row> own_columns() {
 /// Own columns first: where the file has one of the same name, it holds an index, or is local.
 const TableColumns<Row>& all_columns() {
   static const TableColumns<Row> columns = joined<Row>(
-      {own_columns(), blank_unknown_cells(columns_of_part<Row>(stored_run_columns(),
+      {own_columns(), blank_unknown_cells(adapt_columns<Row>(stored_run_columns(),
                                                             [](const Row& row) -> const RunRecord& {
                                                               return *row->record;
                                                             }),
@@ -119,7 +119,7 @@ const TableColumns<Row>& group_columns() {
 using Value = std::pair<double, std::string>;
 
 Value value_of(const TableCell& cell) {
-  if (const auto* number = std::get_if<double>(&cell)) return {*number, with_digits(*number, 6)};
+  if (const auto* number = std::get_if<double>(&cell)) return {*number, format_significant(*number, 6)};
   if (const auto* whole = std::get_if<std::uint64_t>(&cell)) {
     return {static_cast<double>(*whole), std::to_string(*whole)};
   }
@@ -143,7 +143,7 @@ Value quarter(const std::vector<double>& sorted, double value) {
   std::size_t part = 0;
   while (part < 3 && value > bounds[part + 1]) ++part;
   return {static_cast<double>(part),
-          with_digits(bounds[part], 4) + " to " + with_digits(bounds[part + 1], 4)};
+          format_significant(bounds[part], 4) + " to " + format_significant(bounds[part + 1], 4)};
 }
 
 }  // namespace

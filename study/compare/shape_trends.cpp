@@ -140,7 +140,7 @@ std::optional<ShapeTrend> trend_of(const RunOutcome& outcome, const ShapePropert
                                    Grouping& grouping, const std::optional<double>& margin) {
   grouping.trend.values = outcome.values;
   grouping.halves.values = outcome.values;
-  const std::optional<TestResult> trend = clustered_trend(grouping.trend, kTrendSeed);
+  const std::optional<TestResult> trend = clustered_trend_test(grouping.trend, kTrendSeed);
   const std::optional<CrossedDifference> halves = crossed_difference(grouping.halves);
   if (!trend || !halves) return std::nullopt;
   ShapeTrend found;
@@ -152,9 +152,9 @@ std::optional<ShapeTrend> trend_of(const RunOutcome& outcome, const ShapePropert
   found.trend = *trend;
   found.limit = grouping.limit;
   found.halves = *halves;
-  found.smallest = smallest_found(halves->standard_error, halves->freedom);
+  found.smallest = minimum_detectable_difference(halves->standard_error, halves->degrees_of_freedom);
   if (margin && outcome.unit == "m") {
-    found.equivalence = equivalence_p(*halves, *margin);
+    found.equivalence = equivalence_p_value(*halves, *margin);
     const double times = found.smallest / *margin;
     found.runs_needed = std::ceil(static_cast<double>(found.runs) * times * times);
   }
@@ -184,7 +184,7 @@ ShapeTrends trends_of(const Comparison& comparison, std::uint32_t file) {
       found.push_back(*trend);
       p_values.push_back(trend->trend.p_value);
     }
-    const std::vector<double> corrected = holm(p_values);
+    const std::vector<double> corrected = holm_adjusted(p_values);
     for (std::size_t i = 0; i < found.size(); ++i) {
       found[i].corrected_p = corrected[i];
       result.trends.push_back(found[i]);

@@ -19,13 +19,13 @@ struct ShapeTrend {
   std::string property;  ///< "I/L", "S/L", "convexity", "rounding", "mass"
   std::size_t blocks = 0;
   std::size_t runs = 0;
-  TestResult trend;          ///< rank correlation, as `clustered_trend`
+  TestResult trend;          ///< rank correlation, as `clustered_trend_test`
   double corrected_p = 1.0;  ///< of the trend, over all properties of the outcome (Holm)
   double limit = 0.0;        ///< property of the blocks between the lower and the upper half
   /// Upper half of the blocks less the lower one.
   CrossedDifference halves;
   double smallest = 0.0;  ///< difference that a campaign like this finds in 80 % of cases
-  /// Of the runout, where a margin was given: as `equivalence_p`, and the runs that find a
+  /// Of the runout, where a margin was given: as `equivalence_p_value`, and the runs that find a
   /// difference of the margin.
   std::optional<double> equivalence;
   std::optional<double> runs_needed;

@@ -143,12 +143,12 @@ class RockableReader {
       const SceneBody& planned = scene.bodies[i];
       const std::string& name = set_.shapes[planned.shape].shape.name;
       if (body.shape != name || !(std::abs(body.scale / planned.scale - 1.0) < kSixDigits)) {
-        refuse("has a block " + body.shape + " of scale " + with_digits(body.scale, 6) + ", not " +
-               name + " of " + with_digits(planned.scale, 6));
+        refuse("has a block " + body.shape + " of scale " + format_significant(body.scale, 6) + ", not " +
+               name + " of " + format_significant(planned.scale, 6));
       }
       const double away = (body.state.position - planned.start.position).norm();
       if (conf.time == 0.0 && !(away < kSameStart)) {
-        refuse("block " + name + " starts " + with_digits(away, 4) + " m from where it should");
+        refuse("block " + name + " starts " + format_significant(away, 4) + " m from where it should");
       }
     }
   }
@@ -157,8 +157,8 @@ class RockableReader {
                           const std::vector<fs::path>& files) {
     for (std::size_t i = 1; i < confs.size(); ++i) {
       if (confs[i].time > confs[i - 1].time) continue;
-      throw InputError(files[i].string() + ": is at t = " + with_digits(confs[i].time, 6) +
-                       " s, and the file before it at " + with_digits(confs[i - 1].time, 6) +
+      throw InputError(files[i].string() + ": is at t = " + format_significant(confs[i].time, 6) +
+                       " s, and the file before it at " + format_significant(confs[i - 1].time, 6) +
                        " s; the folder has files of two runs, so delete those of the older");
     }
   }
@@ -181,8 +181,8 @@ class RockableReader {
           continue;
         }
         changed = scene.name + " was run with " + name + pair + " = " +
-                  with_digits(found->second, 6) + ", and the campaign says " +
-                  with_digits(planned, 6);
+                  format_significant(found->second, 6) + ", and the campaign says " +
+                  format_significant(planned, 6);
       }
     }
   }
@@ -199,8 +199,8 @@ class RockableReader {
     const std::optional<TrackedState> end = read_last_tracked_state(track);
     const double interval = last.time_step * kTrackedSteps;
     if (end && end->time + interval < (1.0 - kSixDigits) * last.time) {
-      throw InputError(file.string() + ": is at t = " + with_digits(last.time, 6) + " s, and " +
-                       track.string() + " ends at " + with_digits(end->time, 6) +
+      throw InputError(file.string() + ": is at t = " + format_significant(last.time, 6) + " s, and " +
+                       track.string() + " ends at " + format_significant(end->time, 6) +
                        " s; the folder has files of two runs, so delete those of the older");
     }
     return end;
@@ -241,7 +241,7 @@ class RockableReader {
     }
     if (lost) {
       return {StopReason::kError,
-              "the state of the block is no number from t = " + with_digits(*lost, 6) + " s on"};
+              "the state of the block is no number from t = " + format_significant(*lost, 6) + " s on"};
     }
     const RigidState& last = series.states.back();
     const bool tracked_rest = tracker_ && series.states.size() > 1 &&
@@ -252,10 +252,10 @@ class RockableReader {
     const double interval =
         confs.size() > 1 ? conf.time - confs[confs.size() - 2].time : conf.max_time;
     if (series.time.back() + 1.5 * interval > conf.max_time) return {StopReason::kMaxTime};
-    return {StopReason::kError, "the files end at t = " + with_digits(series.time.back(), 6) +
+    return {StopReason::kError, "the files end at t = " + format_significant(series.time.back(), 6) +
                                     " s, when the block moves at " +
-                                    with_digits(last.velocity.norm(), 3) +
-                                    " m/s, before tmax = " + with_digits(conf.max_time, 6) +
+                                    format_significant(last.velocity.norm(), 3) +
+                                    " m/s, before tmax = " + format_significant(conf.max_time, 6) +
                                     " s; Rockable was stopped, or files are missing"};
   }
 
@@ -283,7 +283,7 @@ std::vector<std::string> notes_of(const RockableReader& reader, std::size_t with
   if (!reader.changed.empty())
     notes.push_back(reader.changed + "; the runs are those of the scene");
   if (without > 0) {
-    notes.push_back(counted(without, "scene") + (without == 1 ? " has" : " have") +
+    notes.push_back(format_count(without, "scene") + (without == 1 ? " has" : " have") +
                     " no conf files, so its runs are not in the results");
   }
   return notes;

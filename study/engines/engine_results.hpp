@@ -22,7 +22,7 @@ struct EngineResultsOptions {
   /// The campaign file; none: the folder keeps the text, and SCENE.txt says where it was.
   std::optional<std::filesystem::path> campaign = {};
   bool replace = false;    ///< results that the target holds
-  Progress progress = {};  ///< called after each run
+  ProgressCallback progress = {};  ///< called after each run
 
   void check() const;  ///< throws InputError naming the field and its value
 };

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <fstream>
 
+#include "core/comma_separated.hpp"
 #include "core/error.hpp"
 #include "core/files/output_file.hpp"
-#include "core/listed.hpp"
 #include "core/number_text.hpp"
 #include "shapes/shp_file.hpp"
 #include "study/engines/detail/scene.hpp"
@@ -76,7 +76,7 @@ std::string scene_text(const CampaignPlan& prepared, const EngineSceneOptions& o
           exact(prepared.header.terrain.frame.origin) + ") m\n\nshapes, groups and blocks\n";
   for (std::size_t i = 0; i < set.shapes.size(); ++i) {
     text += "  " + set.shapes[i].shape.name + "  group " + std::to_string(i) + "  block " +
-            set.shapes[i].block + ", " + with_digits(set.shapes[i].density, 6) + " kg/m^3\n";
+            set.shapes[i].block + ", " + format_significant(set.shapes[i].density, 6) + " kg/m^3\n";
   }
   for (std::size_t zone = 0; zone < set.zones.size(); ++zone) {
     if (set.zones[zone].surface.triangles.empty()) continue;
@@ -85,7 +85,7 @@ std::string scene_text(const CampaignPlan& prepared, const EngineSceneOptions& o
   }
   text += "\nwhat differs from clast\n";
   for (const std::string& note : scenes.notes) text += "- " + note + "\n";
-  text += "\n" + counted(scenes.folders.size(), "scene") + ": " + scenes.folders.front() +
+  text += "\n" + format_count(scenes.folders.size(), "scene") + ": " + scenes.folders.front() +
           (scenes.folders.size() > 1 ? " to " + scenes.folders.back() : "") + "\n";
   return text;
 }
@@ -119,7 +119,8 @@ EngineScenes write_engine_scenes(const CampaignPlan& prepared, const EngineScene
   const std::vector<std::uint32_t> runs = first_runs(prepared, options);
   const SceneContents set = scene_set(prepared);
   EngineScenes scenes;
-  scenes.notes = is_rockable(options) ? check_rockable_limits(prepared) : check_exadem_limits(prepared);
+  scenes.notes =
+      is_rockable(options) ? check_rockable_limits(prepared) : check_exadem_limits(prepared);
   std::vector<ShpShape> shapes;
   for (const SceneShape& shape : set.shapes) shapes.push_back(shape.shape);
   if (is_rockable(options)) {

@@ -40,7 +40,7 @@ FolderKind scene_folder_kind();
 /// as sphero-polyhedra with their exact mass properties, the terrain as one surface for each zone,
 /// stiffnesses and ground parameters, all in metres in the local frame of the terrain. SCENE.txt
 /// there says where that lies on the map, which block has which name, and the notes.
-/// @param folder  exists and is empty, such as `OutputFolder::temporary`
+/// @param folder  exists and is empty, such as `OutputFolder::temporary_path`
 /// @throws InputError  a run that the campaign doesn't have; blocks that are released one after the
 ///                     other and stay; a contact law that the engine doesn't have
 EngineScenes write_engine_scenes(const CampaignPlan& prepared, const EngineSceneOptions& options,

@@ -81,7 +81,7 @@ CampaignProposal propose_campaign(const BlockLibrary& library, const Terrain& te
   CampaignProposal proposal;
   const Bounds box = bounds(terrain.surface);
   proposal.blocks = propose_blocks(library, (box.high - box.low).head<2>().maxCoeff());
-  proposal.places = propose_release_and_barrier(terrain, terrain_surface(terrain), proposal.blocks.longest_side);
+  proposal.places = propose_release_and_barrier(terrain, make_terrain_surface(terrain), proposal.blocks.longest_side);
   for (const std::string& zone : terrain.zone_names) {
     const GroundType* type = find_ground_type(zone);
     proposal.ground.push_back({zone, type ? *type : default_ground_type(), type != nullptr});
@@ -114,15 +114,15 @@ void try_runs(const CampaignPlan& prepared, CampaignProposal& proposal) {
   // Full minutes.
   proposal.max_time = std::min(60.0 * std::ceil(2.0 * trial.longest / 60.0), kLongestTime);
   if (static_cast<double>(trial.passed) >= kFewPass * static_cast<double>(trial.count)) return;
-  std::string doubt = std::to_string(trial.passed) + " of " + counted(trial.count, "trial run") +
+  std::string doubt = std::to_string(trial.passed) + " of " + format_count(trial.count, "trial run") +
                       " passed the foot of the slope, and half of them went less than " +
-                      with_decimals(std::max(trial.median_distance, 0.0), 1) + " m";
+                      format_decimals(std::max(trial.median_distance, 0.0), 1) + " m";
   if (trial.median_distance > kLeastDistance * places.block_length &&
       trial.median_distance < places.distance) {
     place_barrier(prepared.header.terrain, *prepared.surface, trial.median_distance, places);
     places.barrier_name = "halfway";
     doubt +=
-        "; the barrier lies there, " + with_decimals(places.distance, 0) + " m from the releases";
+        "; the barrier lies there, " + format_decimals(places.distance, 0) + " m from the releases";
   }
   proposal.doubts.push_back(doubt);
 }
@@ -132,22 +132,22 @@ std::vector<std::string> assumptions(const CampaignProposal& proposal) {
   std::vector<std::string> doubts;
   const double slope = proposal.places.release_slope * kDegreesPerRadian;
   if (slope < 25.0) {
-    doubts.push_back("the steepest ground is " + with_decimals(slope, 0) +
+    doubts.push_back("the steepest ground is " + format_decimals(slope, 0) +
                      " degrees, on which many blocks stop where they land");
   }
   const auto guessed = static_cast<std::size_t>(
       std::count_if(proposal.ground.begin(), proposal.ground.end(),
                     [](const ProposedGround& zone) { return !zone.by_name; }));
   if (guessed > 0) {
-    doubts.push_back(counted(guessed, "ground zone is", "ground zones are") + " taken for " +
+    doubts.push_back(format_count(guessed, "ground zone is", "ground zones are") + " taken for " +
                      default_ground_type().name + ", since the name says no kind of ground");
   }
   if (proposal.blocks.mass) {
     doubts.push_back("the blocks have no size of their own; " +
-                     with_digits(*proposal.blocks.mass, 6) + " kg each is an assumption");
+                     format_significant(*proposal.blocks.mass, 6) + " kg each is an assumption");
   }
   if (const std::vector<std::string>& out = proposal.blocks.left_out; !out.empty()) {
-    doubts.push_back(counted(out.size(), "block of the library is", "blocks of the library are") +
+    doubts.push_back(format_count(out.size(), "block of the library is", "blocks of the library are") +
                      " left out: " + out.front() +
                      (out.size() > 1 ? ", and " + std::to_string(out.size() - 1) + " more" : ""));
   }
@@ -162,8 +162,8 @@ std::string relative_path(const fs::path& path, const fs::path& folder) {
 }  // namespace
 
 CampaignProposal write_new_campaign(const fs::path& library, const std::vector<fs::path>& surface,
-                                    const fs::path& target, const OutputRules& rules) {
-  OutputRules campaigns_only = rules;
+                                    const fs::path& target, const OverwritePolicy& rules) {
+  OverwritePolicy campaigns_only = rules;
   campaigns_only.kind = kCampaignKind;
   OutputFile output(target, campaigns_only);
   const BlockLibrary blocks = BlockLibrary::read(library);
@@ -183,7 +183,7 @@ CampaignProposal write_new_campaign(const fs::path& library, const std::vector<f
   proposal.max_time = kLongestTime;
   proposal.doubts = assumptions(proposal);
   output.write(campaign_text(proposal, library_path, surface_paths));
-  try_runs(prepare_campaign(read_campaign(output.temporary())), proposal);
+  try_runs(prepare_campaign(read_campaign(output.temporary_path())), proposal);
   output.write(campaign_text(proposal, library_path, surface_paths));
   output.commit();
   return proposal;

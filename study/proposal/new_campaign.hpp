@@ -96,6 +96,6 @@ std::string campaign_text(const CampaignProposal& proposal, const std::string& l
 CampaignProposal write_new_campaign(const std::filesystem::path& library,
                                     const std::vector<std::filesystem::path>& surface,
                                     const std::filesystem::path& target,
-                                    const OutputRules& rules = {});
+                                    const OverwritePolicy& rules = {});
 
 }  // namespace clast

@@ -5,8 +5,8 @@
 namespace clast {
 
 std::string describe_block_scale(const BlockSummary& block) {
-  return "block " + block.id + " is scaled by " + with_digits(block.scale, 4) + " to " +
-         with_digits(block.mass, 4) + " kg";
+  return "block " + block.id + " is scaled by " + format_significant(block.scale, 4) + " to " +
+         format_significant(block.mass, 4) + " kg";
 }
 
 }  // namespace clast

@@ -93,8 +93,8 @@ std::vector<std::string> format_stiffness_cells(const BlockStiffness& block) {
       cells.emplace_back("-");
       continue;
     }
-    const std::string low = with_digits(value.range.low, 4);
-    const std::string high = with_digits(value.range.high, 4);
+    const std::string low = format_significant(value.range.low, 4);
+    const std::string high = format_significant(value.range.high, 4);
     cells.push_back(low == high ? low : low + " to " + high);
   }
   return cells;

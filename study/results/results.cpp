@@ -32,15 +32,15 @@ fs::path journal_path(const fs::path& target) {
 }
 
 void check_results_target(const fs::path& target, bool replace) {
-  check_output(target, {.kind = kResultsFormat, .replace = replace});
+  check_output_target(target, {.kind = kResultsFormat, .replace = replace});
 }
 
 bool is_finished(const fs::path& target, const CampaignHeader& header, std::size_t runs) {
-  if (kind_of_file(target) != kResultsFormat) return false;
+  if (detect_file_kind(target) != kResultsFormat) return false;
   const CampaignResults stored = read_results(target);
   std::string difference = describe_campaign_difference(stored, header);
   if (difference.empty() && stored.runs.size() != runs) {
-    difference = counted(stored.runs.size(), "run") + ", where this one has " +
+    difference = format_count(stored.runs.size(), "run") + ", where this one has " +
                  std::to_string(runs) + " (another shard)";
   }
   if (difference.empty()) return true;
@@ -54,7 +54,7 @@ namespace {
 std::unique_ptr<FileLock> locked(const fs::path& target) {
   check_results_target(target, true);
   return std::make_unique<FileLock>(target,
-                                    FileLockOptions{.longest_wait = std::chrono::milliseconds(0)});
+                                    FileLockOptions{.timeout = std::chrono::milliseconds(0)});
 }
 
 }  // namespace

@@ -187,7 +187,7 @@ void write_results_file(const fs::path& target, const CampaignHeader& header, st
                         const std::function<StoredRun(std::size_t)>& run) {
   OutputFile output(target, {.kind = kResultsFormat});
   {
-    Hdf5File file = Hdf5File::create(output.temporary(), kResultsFormat, kResultsSchema);
+    Hdf5File file = Hdf5File::create(output.temporary_path(), kResultsFormat, kResultsSchema);
     Hdf5Group root = file.root();
     write_header(root, header);
     Hdf5Group trajectories = root.create_group("trajectories");
@@ -222,13 +222,13 @@ void write_results_file(const fs::path& target, const CampaignHeader& header, st
 void check_results_disk_space(const fs::path& target, const CampaignHeader& header, std::size_t runs) {
   const OutputFile trial(target, {.kind = kResultsFormat});
   {
-    Hdf5File file = Hdf5File::create(trial.temporary(), kResultsFormat, kResultsSchema);
+    Hdf5File file = Hdf5File::create(trial.temporary_path(), kResultsFormat, kResultsSchema);
     write_header(file.root(), header);
     file.flush();
   }
-  const std::uint64_t without_runs = fs::file_size(trial.temporary());
-  fs::resize_file(trial.temporary(), 0);  // what it takes is free again
-  check_room(trial.target(), {without_runs, runs * ResultsJournal::smallest_record_size()});
+  const std::uint64_t without_runs = fs::file_size(trial.temporary_path());
+  fs::resize_file(trial.temporary_path(), 0);  // what it takes is free again
+  check_disk_space(trial.target(), {without_runs, runs * ResultsJournal::smallest_record_size()});
 }
 
 }  // namespace clast::study_detail

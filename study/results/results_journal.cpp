@@ -70,7 +70,7 @@ Identity identity_of(const CampaignHeader& header) {
 
 std::string record_of(const std::string& content) {
   std::uint64_t length = content.size();
-  return bytes_of(length) + sha256(content) + content;
+  return serialized_bytes(length) + sha256(content) + content;
 }
 
 // The content of the record that begins at `begin`; none when it is cut short or damaged.
@@ -149,7 +149,7 @@ std::string packed(StoredRun run) {
 
 std::string format_campaign_identity(const CampaignHeader& header) {
   Identity identity = identity_of(header);
-  return bytes_of(identity);
+  return serialized_bytes(identity);
 }
 
 std::string describe_campaign_difference(const CampaignHeader& stored, const CampaignHeader& now) {

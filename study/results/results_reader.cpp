@@ -60,7 +60,7 @@ void check_blocks(const CheckedGroup& reader, const CampaignHeader& results) {
     const auto require = [&](bool fine, const char* name, std::initializer_list<double> values) {
       if (fine) return;
       std::string list;
-      for (const double value : values) list += (list.empty() ? "" : ", ") + with_digits(value, 6);
+      for (const double value : values) list += (list.empty() ? "" : ", ") + format_significant(value, 6);
       reader.damaged(name, "is " + list + ", which is impossible for block " + block.id);
     };
     require(block.mass > 0.0 && std::isfinite(block.mass), "mass_kg", {block.mass});

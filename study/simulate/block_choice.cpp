@@ -6,7 +6,7 @@
 
 #include "classify/schemes.hpp"
 #include "core/error.hpp"
-#include "core/in_context.hpp"
+#include "core/error_context.hpp"
 #include "core/number_text.hpp"
 #include "library/block_library.hpp"
 #include "library/unscaled.hpp"
@@ -42,22 +42,22 @@ std::vector<Block> selected_from(const BlockLibrary& library, const Campaign& ca
 }
 
 /// The bodies that are made of the blocks, in place of them.
-void vary(const Campaign& campaign, const BlockLibrary& library, const BlockPreparationOptions& making,
-          BlockChoice& choice) {
+void vary(const Campaign& campaign, const BlockLibrary& library,
+          const BlockPreparationOptions& making, BlockChoice& choice) {
   SeriesRequest request = *campaign.blocks.vary;
   request.library = campaign.blocks.library;
   for (const Block& block : choice.library) request.ids.push_back(block.id);
   request.options.threads = making.threads;
   request.options.progress = making.progress;
   const auto of_campaign = [&](const std::string& message) {
-    return campaign.file.string() + ": [blocks] vary: " + in_words_of_keys(message);
+    return campaign.file.string() + ": [blocks] vary: " + without_backticks(message);
   };
-  RequestedSeries made = with_message(of_campaign, [&] {
-    RequestedSeries series = make_series(request, library);
+  SeriesResult made = with_rewritten_error(of_campaign, [&] {
+    SeriesResult series = make_series(request, library);
     const std::vector<std::string>& failed = series.series.failed;
     if (!failed.empty()) {
       throw GeometryError(
-          std::to_string(failed.size()) + " of " + counted(series.wanted, "body", "bodies") +
+          std::to_string(failed.size()) + " of " + format_count(series.wanted, "body", "bodies") +
           " can't be made; leave out what asks for them. The first: " + failed.front());
     }
     return series;
@@ -124,9 +124,9 @@ void check_named(const Campaign& campaign, const BlockGroup& group, const BlockL
       throw InputError(start + "which " + campaign.blocks.library.string() +
                        " does not have; clast show lists its blocks");
     }
-    throw InputError(start + "which is none of the " +
-                     counted(choice.library.size(), "body", "bodies") + " made by vary, such as " +
-                     choice.library.front().id + "; name bodies, or a class");
+    throw InputError(
+        start + "which is none of the " + format_count(choice.library.size(), "body", "bodies") +
+        " made by vary, such as " + choice.library.front().id + "; name bodies, or a class");
   }
 }
 
@@ -207,11 +207,11 @@ std::size_t count_of_volume(const Campaign& campaign, const std::vector<Block>& 
   if (count >= 1.0 && count <= static_cast<double>(study_detail::kMostPerSet)) {
     return static_cast<std::size_t>(count);
   }
-  throw InputError(campaign.file.string() + ": [blocks] draw volume_m3 = " + with_digits(asked, 6) +
-                   " comes to " + with_digits(asked / each, 3) + " blocks of " +
-                   with_digits(each, 3) + " m^3 on average; the number must round to 1 to " +
-                   std::to_string(study_detail::kMostPerSet) +
-                   ", so give another volume_m3 or mass_kg");
+  throw InputError(
+      campaign.file.string() + ": [blocks] draw volume_m3 = " + format_significant(asked, 6) +
+      " comes to " + format_significant(asked / each, 3) + " blocks of " +
+      format_significant(each, 3) + " m^3 on average; the number must round to 1 to " +
+      std::to_string(study_detail::kMostPerSet) + ", so give another volume_m3 or mass_kg");
 }
 
 // Draws need not touch every block of the library.
@@ -257,8 +257,9 @@ std::vector<CampaignBlock> draw_blocks(const Campaign& campaign, const std::vect
       allocate_quotas(shares, draw.count > 0 ? draw.count : count_of_volume(campaign, blocks));
   const std::uint32_t draws = campaign.stay ? campaign.stay->realisations : 1;
   for (std::uint32_t k = 0; k < draws; ++k) {
-    Random random(k == 0 ? draw.seed
-                         : study_detail::derive_seed(draw.seed, "realisation " + std::to_string(k)));
+    Random random(k == 0
+                      ? draw.seed
+                      : study_detail::derive_seed(draw.seed, "realisation " + std::to_string(k)));
     for (std::size_t pool = 0; pool < pools.size(); ++pool) {
       for (std::size_t i = 0; i < counts[pool]; ++i) {
         const std::size_t block = pools[pool][random.below(pools[pool].size())];
@@ -281,7 +282,7 @@ std::vector<std::pair<std::string, double>> class_fractions(const BlockSampling&
         found != draw.set_shares.end() ? found->second : share;
   }
   if (set > 1.0 || (others <= 0.0 && set != 1.0)) {
-    throw InputError("the shares of classes that are set add up to " + with_digits(set, 6) +
+    throw InputError("the shares of classes that are set add up to " + format_significant(set, 6) +
                      (set > 1.0 ? ", more than 1" : ", and no other class makes up the rest"));
   }
   std::vector<std::pair<std::string, double>> shares = draw.shares;

@@ -30,7 +30,7 @@ struct BlockChoice {
 /// How blocks are made where the campaign varies them; no matter for what is made.
 struct BlockPreparationOptions {
   unsigned threads = 0;    ///< 0: one per core
-  Progress progress = {};  ///< bodies made, from any thread, one at a time
+  ProgressCallback progress = {};  ///< bodies made, from any thread, one at a time
 };
 
 /// Selects, varies, draws and scales as [blocks] and [[block_group]] ask. Bodies that are made run

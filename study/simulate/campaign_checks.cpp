@@ -70,9 +70,9 @@ void tell_of_steps(const CampaignPlan& prepared, std::vector<std::string>& warni
   const double steps = prepared.campaign.max_time / step;
   if (!(steps > kManySteps)) return;
   const std::string cost = "block " + prepared.header.blocks[shortest->block].id +
-                           ": the time step of " + with_digits(step, 3) + " s makes up to " +
-                           with_digits(steps, 2) + " steps of a run of " +
-                           with_digits(prepared.campaign.max_time, 4) + " s";
+                           ": the time step of " + format_significant(step, 3) + " s makes up to " +
+                           format_significant(steps, 2) + " steps of a run of " +
+                           format_significant(prepared.campaign.max_time, 4) + " s";
   if (!(steps < kEndlessSteps)) {
     throw InputError(prepared.campaign.file.string() + ": " + cost +
                      ", which would not end; give a softer [contact] stiffness_n_m, a longer "
@@ -94,7 +94,7 @@ void tell_of_friction(const CampaignPlan& prepared, std::vector<std::string>& wa
     for (const auto& [key, value] : {std::pair("friction", ground.friction),
                                      std::pair("rolling_friction", ground.rolling_friction)}) {
       if (value <= kSteepest) continue;
-      const std::string number = with_digits(value, 4);
+      const std::string number = format_significant(value, 4);
       warnings.push_back("[ground." + prepared.header.zone_names[zone] + "] " + key + " = " +
                          number + " is a coefficient; the one of an angle of " + number +
                          " degrees is its tangent");
@@ -110,12 +110,12 @@ void tell_of_restitution(const CampaignPlan& prepared, std::vector<std::string>&
   }
   const auto question = [&](const std::string& table, double value) {
     if (!(value > usual) || value > kElastic) return;
-    warnings.push_back("[" + table + "] energy_restitution = " + with_digits(value, 4) +
+    warnings.push_back("[" + table + "] energy_restitution = " + format_significant(value, 4) +
                        " is the share of energy that an impact gives back, e_n^2; usual ground "
                        "gives back up to " +
-                       with_digits(usual, 2) +
+                       format_significant(usual, 2) +
                        ". If it is a coefficient of restitution of velocity, R_n, give its " +
-                       "square, " + with_digits(value * value, 2));
+                       "square, " + format_significant(value * value, 2));
   };
   const CampaignHeader& header = prepared.header;
   std::pair<double, std::string> largest{0.0, ""};
@@ -130,11 +130,11 @@ void tell_of_restitution(const CampaignPlan& prepared, std::vector<std::string>&
   }
   if (header.stay && largest.first > kMostUnbalanced) {
     throw InputError(prepared.campaign.file.string() + ": [" + largest.second +
-                     "] energy_restitution = " + with_digits(largest.first, 4) +
+                     "] energy_restitution = " + format_significant(largest.first, 4) +
                      " returns more than half of the energy of an impact; with blocks that stay or "
                      "a rock mass, blocks could gain energy then (docs/theory.md, Weights and "
                      "energy). Give at most " +
-                     with_digits(kMostUnbalanced, 2) + ", or release the blocks one at a time");
+                     format_significant(kMostUnbalanced, 2) + ", or release the blocks one at a time");
   }
   if (header.stay) question("contact.blocks", header.stay->between_blocks.energy_restitution);
 }
@@ -211,17 +211,17 @@ std::string format_release_set_name(const ReleaseSet& release) {
 
 std::string describe_unusual_size(const std::string& block, double length, double mass, double extent) {
   std::string usual;
-  if (length > kLongestUsual) {
-    usual = "blocks are no longer than " + with_digits(kLongestUsual, 3) + " m";
-  } else if (mass > kHeaviestUsual) {
-    usual = "blocks are no heavier than " + with_digits(kHeaviestUsual / 1000.0, 5) + " t";
+  if (length > kMaxUsualLength) {
+    usual = "blocks are no longer than " + format_significant(kMaxUsualLength, 3) + " m";
+  } else if (mass > kMaxUsualMass) {
+    usual = "blocks are no heavier than " + format_significant(kMaxUsualMass / 1000.0, 5) + " t";
   } else if (length > kLargestShare * extent) {
-    usual = "a block is no longer than a tenth of the terrain, which is " + with_digits(extent, 4) +
+    usual = "a block is no longer than a tenth of the terrain, which is " + format_significant(extent, 4) +
             " m across";
   } else {
     return "";
   }
-  return block + " is " + with_digits(length, 3) + " m long and " + with_digits(mass / 1000.0, 3) +
+  return block + " is " + format_significant(length, 3) + " m long and " + format_significant(mass / 1000.0, 3) +
          " t heavy; usually " + usual;
 }
 
@@ -245,9 +245,9 @@ void check_falls(const CampaignPlan& prepared) {
     const double speed = std::sqrt(2.0 * prepared.campaign.gravity * height);
     if (!(speed > kMostSpeed)) continue;
     throw InputError(prepared.campaign.file.string() + ": release point " +
-                     std::to_string(run.point + 1) + " is " + with_decimals(height, 3) +
+                     std::to_string(run.point + 1) + " is " + format_decimals(height, 3) +
                      " m above the lowest ground, where its blocks could arrive with " +
-                     with_digits(speed, 4) +
+                     format_significant(speed, 4) +
                      " m/s; at most 1000 m/s make sense: check heights, units "
                      "and gravity_m_s2");
   }

@@ -20,7 +20,7 @@ namespace {
 BlockSummary summary_of(const CampaignBlock& chosen, const Block& block, const RigidBody& body,
                         const std::vector<BlockGroup>& groups) {
   const double scale = chosen.scale;
-  const std::optional<VariationRecord> made = read_variation(block);
+  const std::optional<VariationRecord> made = parse_variation(block);
   const Axes axes{scale * block.axes().L, scale * block.axes().I, scale * block.axes().S};
   return {chosen.id,
           body.mass,
@@ -35,7 +35,7 @@ BlockSummary summary_of(const CampaignBlock& chosen, const Block& block, const R
           static_cast<std::uint32_t>(chosen.library),
           body.moments,
           made ? made->parent : "",
-          made ? in_words(*made) : ""};
+          made ? describe_variation(*made) : ""};
 }
 
 std::vector<BlockSummary> block_summaries(const CampaignPlan& prepared) {
@@ -110,7 +110,7 @@ CampaignPlan prepare_campaign(const Campaign& campaign, const BlockPreparationOp
   prepared.header = header_of(prepared, read_terrain(campaign.terrain));
   CampaignHeader& header = prepared.header;
   check_sizes(prepared);
-  prepared.surface.emplace(terrain_surface(header.terrain, campaign.terrain_radius));
+  prepared.surface.emplace(make_terrain_surface(header.terrain, campaign.terrain_radius));
 
   plan_runs(prepared);
   check_falls(prepared);

@@ -245,7 +245,7 @@ void run_campaign(const CampaignPlan& prepared, const std::filesystem::path& tar
                   const RunOptions& options) {
   options.shard.check();
   if (!(options.checkpoint_interval >= 0.0)) {
-    throw InputError("checkpoint_interval = " + with_digits(options.checkpoint_interval, 6) +
+    throw InputError("checkpoint_interval = " + format_significant(options.checkpoint_interval, 6) +
                      " s; must be 0 or more");
   }
   const std::size_t runs = options.shard.runs_of(prepared);
@@ -256,7 +256,7 @@ void run_campaign(const CampaignPlan& prepared, const std::filesystem::path& tar
   ProcessTeam* team = options.team && options.team->size() > 1 ? options.team : nullptr;
   // Processes are asked for one by one, so each has a core to itself unless another number is
   // given.
-  const unsigned threads = options.threads == 0 && team ? 1 : thread_count(options.threads);
+  const unsigned threads = options.threads == 0 && team ? 1 : resolve_thread_count(options.threads);
   check_memory(prepared,
                std::clamp<std::size_t>(runs / prepared.header.runs_per_realisation(), 1, threads),
                available_memory());

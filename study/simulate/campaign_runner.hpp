@@ -106,7 +106,7 @@ struct RunOptions {
   ProcessTeam* team = nullptr;
   /// Called after each run with runs done and planned, from any thread, one at a time; while a
   /// realisation is under way also now and then.
-  Progress progress = {};
+  ProgressCallback progress = {};
   /// Wall-clock time between two checkpoints of a realisation of blocks that stay, s, or 20 times
   /// what writing one takes; 0: one only when `progress` ends the campaign.
   double checkpoint_interval = 300.0;

@@ -4,9 +4,9 @@
 #include <functional>
 #include <optional>
 
+#include "core/comma_separated.hpp"
 #include "core/error.hpp"
-#include "core/in_context.hpp"
-#include "core/listed.hpp"
+#include "core/error_context.hpp"
 #include "core/random.hpp"
 #include "core/statistics/sobol_sequence.hpp"
 #include "study/campaign/ground_fields.hpp"
@@ -24,12 +24,14 @@ void check_zones(const Campaign& campaign, const std::vector<std::string>& zones
   for (const std::string& zone : zones) {
     if (campaign.ground.contains(zone)) continue;
     throw InputError(campaign.file.string() + ": terrain zone \"" + zone +
-                     "\" has no parameters; add [ground." + zone + "] to " + listed(tables));
+                     "\" has no parameters; add [ground." + zone + "] to " +
+                     comma_separated(tables));
   }
   for (const auto& [name, parameters] : campaign.ground) {
     if (std::find(zones.begin(), zones.end(), name) != zones.end()) continue;
     throw InputError(campaign.file.string() + ": [ground." + name +
-                     "] belongs to no zone of the terrain; its zones are " + listed(zones));
+                     "] belongs to no zone of the terrain; its zones are " +
+                     comma_separated(zones));
   }
 }
 
@@ -89,7 +91,7 @@ std::vector<GroundParameters> in_order(const Campaign& campaign, const Values& v
                                        const std::vector<std::string>& zones) {
   std::vector<GroundParameters> ordered;
   for (const std::string& zone : zones) {
-    in_context(campaign.file.string(), [&] {
+    with_error_context(campaign.file.string(), [&] {
       values.at(zone).check(zone);
       if (values.at(zone).soil_memory > 0.0) check_soil_memory(campaign);
     });
@@ -101,7 +103,7 @@ std::vector<GroundParameters> in_order(const Campaign& campaign, const Values& v
 }  // namespace
 
 std::vector<GroundParameterSet> draw_ground_sets(const Campaign& campaign,
-                                   const std::vector<std::string>& zones) {
+                                                 const std::vector<std::string>& zones) {
   check_zones(campaign, zones);
   const std::size_t groups = 1 + campaign.groups.size();
   const std::uint32_t members = campaign.ensemble.members;
@@ -136,7 +138,7 @@ std::vector<GroundParameterSet> draw_ground_sets(const Campaign& campaign,
 }
 
 std::vector<GroundParameters> median_ground(const Campaign& campaign,
-                                             const std::vector<std::string>& zones) {
+                                            const std::vector<std::string>& zones) {
   Values values;
   put(
       campaign.ground, [](const Distribution& number) { return number.central(); }, values);

@@ -41,8 +41,8 @@ void check_memory(const CampaignPlan& prepared, std::size_t at_a_time,
   const double each = estimate_realisation_memory(prepared);
   const double all = each * static_cast<double>(at_a_time);
   if (!available || all <= *available) return;
-  const std::string blocks = counted(at_a_time, "realisation") + " of " +
-                             counted(prepared.header.stay->blocks_each, "block") +
+  const std::string blocks = format_count(at_a_time, "realisation") + " of " +
+                             format_count(prepared.header.stay->blocks_each, "block") +
                              (at_a_time > 1 ? " at a time need about " : " needs about ");
   throw InputError(
       prepared.campaign.file.string() + ": " + blocks + format_memory(all) + " of memory, and " +
@@ -52,8 +52,8 @@ void check_memory(const CampaignPlan& prepared, std::size_t at_a_time,
 }
 
 std::string format_memory(double bytes) {
-  return bytes >= 0.95e9 ? with_digits(bytes / 1e9, 2) + " GB"
-                         : with_decimals(std::max(1.0, bytes / 1e6), 0) + " MB";
+  return bytes >= 0.95e9 ? format_significant(bytes / 1e9, 2) + " GB"
+                         : format_decimals(std::max(1.0, bytes / 1e6), 0) + " MB";
 }
 
 }  // namespace clast

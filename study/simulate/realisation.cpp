@@ -164,11 +164,11 @@ std::string not_settled(const CampaignPlan& prepared, std::span<const RunRecord>
                         const SettlingError& error, double settle_time) {
   const RunRecord& first = planned[error.block];
   const std::string& name = prepared.campaign.releases[first.point].name;
-  return "[mass]" + (name.empty() ? "" : " " + name) + ": " + counted(error.count, "block") + ", " +
+  return "[mass]" + (name.empty() ? "" : " " + name) + ": " + format_count(error.count, "block") + ", " +
          prepared.header.blocks[first.block].id + " the first, " +
          (error.left_form
               ? "left the faces that they settle behind; widen the polygon, or give thickness_m"
-              : "still moved after settle_time_s = " + with_digits(settle_time, 6) +
+              : "still moved after settle_time_s = " + format_significant(settle_time, 6) +
                     "; raise it, or give rolling_friction or friction that lets them rest");
 }
 
@@ -300,9 +300,9 @@ void check_mass_start(const CampaignPlan& prepared, std::uint32_t first) {
   if (overlapping == 0) return;
   const auto id = [&](std::size_t i) { return prepared.header.blocks[runs[i].block].id; };
   throw SimulationError(
-      prepared.campaign.file.string() + ": [mass] in_place: " + counted(overlapping, "pair") +
+      prepared.campaign.file.string() + ": [mass] in_place: " + format_count(overlapping, "pair") +
       " of blocks overlap, the most " + id(worst.first) + " and " + id(worst.second) + ", by " +
-      with_digits(deepest, 3) + " m; select blocks that do not, or cut the mass anew");
+      format_significant(deepest, 3) + " m; select blocks that do not, or cut the mass anew");
 }
 
 std::vector<StoredRun> runs_from(const CampaignPlan& prepared, std::uint32_t first,

@@ -16,8 +16,8 @@ std::filesystem::path shard_file(std::filesystem::path target,
 void refuse_interrupted(const std::filesystem::path& target) {
   const std::filesystem::path part = journal_path(target);
   if (!std::filesystem::exists(part)) return;
-  if (std::filesystem::exists(FileLock::lock_file(target))) {
-    const FileLock lock(target, {.longest_wait = {}});  // refused while that campaign runs
+  if (std::filesystem::exists(FileLock::lock_path(target))) {
+    const FileLock lock(target, {.timeout = {}});  // refused while that campaign runs
   }
   throw InputError(part.string() +
                    ": holds the runs of an interrupted campaign; add `resume` to go on with it, "

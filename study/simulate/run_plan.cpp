@@ -36,13 +36,13 @@ std::vector<Vec3> local_points(const Campaign& campaign, const ReleaseSet& relea
       const Vec3 low = frame.map(surface.extent().low);
       const Vec3 high = frame.map(surface.extent().high);
       const auto range = [&](int axis) {
-        return with_decimals(low[axis], 3) + " to " + with_decimals(high[axis], 3);
+        return format_decimals(low[axis], 3) + " to " + format_decimals(high[axis], 3);
       };
       const bool inside =
           map.x() > low.x() && map.x() < high.x() && map.y() > low.y() && map.y() < high.y();
       throw InputError(campaign.file.string() + ": " + format_release_set_name(release) + "release point " +
-                       std::to_string(i + 1) + " at x " + with_decimals(map.x(), 3) + ", y " +
-                       with_decimals(map.y(), 3) +
+                       std::to_string(i + 1) + " at x " + format_decimals(map.x(), 3) + ", y " +
+                       format_decimals(map.y(), 3) +
                        (inside ? " is over a hole in the terrain" : " is off the terrain") +
                        ", which lies in x " + range(0) + ", y " + range(1) +
                        " m on the map, z up; check the point, the map frame and \"up\"");
@@ -85,9 +85,9 @@ void clear_ground(const CampaignPlan& prepared, const MeasuredBody& measured,
   throw SimulationError(
       "run " + std::to_string(run.run) + ", block " + prepared.header.blocks[run.block].id + ", " +
       format_release_set_name(release) + "release point " + std::to_string(point_of_set + 1) + ", orientation " +
-      std::to_string(run.orientation + 1) + ": starts " + with_decimals(*depth, 3) +
+      std::to_string(run.orientation + 1) + ": starts " + format_decimals(*depth, 3) +
       " m inside the ground, with its centre at " +
-      place_on_map(prepared.header.frame.map(run.start.position)) +
+      format_map_point(prepared.header.frame.map(run.start.position)) +
       (release.drop_height ? "; raise " + table + " height_m"
                            : "; raise the release point or use " + table + " height_m"));
 }

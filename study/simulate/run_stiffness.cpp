@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "core/error.hpp"
-#include "core/in_context.hpp"
+#include "core/error_context.hpp"
 #include "study/simulate/detail/member_settings.hpp"
 
 namespace clast::study_detail {
@@ -93,7 +93,7 @@ std::vector<std::string> choose_run_stiffness(CampaignPlan& prepared) {
   if (prepared.header.stay) return settle_together(prepared, bodies, grounds);
   const auto choose = [&](std::size_t block, const ContactGround& ground, double fastest,
                           const StiffnessOptions& options) {
-    return in_context("block " + prepared.header.blocks[block].id, [&] {
+    return with_error_context("block " + prepared.header.blocks[block].id, [&] {
       return choose_stiffness(std::span(&bodies[block], 1), ground, fastest, gravity, options);
     });
   };

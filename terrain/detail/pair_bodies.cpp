@@ -4,7 +4,7 @@
 
 #include "mesh/mesh_topology.hpp"
 #include "mesh/plan_geometry.hpp"
-#include "terrain/detail/surface_pair.hpp"
+#include "terrain/detail/surface_overlay.hpp"
 
 namespace clast::terrain_detail {
 namespace {
@@ -20,13 +20,13 @@ constexpr double kNoThickness = 1e-5;
 
 /// The part of a pair that is thick enough.
 struct ThickPart {
-  SurfacePair pair;
+  SurfaceOverlay pair;
   std::vector<bool> on_outline;  ///< of every vertex: the thickness falls to the limit there
 };
 
 class Outlining {
  public:
-  Outlining(const SurfacePair& pair, double thickness) : from_(pair), thickness_(thickness) {}
+  Outlining(const SurfaceOverlay& pair, double thickness) : from_(pair), thickness_(thickness) {}
 
   ThickPart part() {
     for (const Triangle& triangle : from_.triangles) add(triangle);
@@ -93,7 +93,7 @@ class Outlining {
     return static_cast<std::uint32_t>(part_.pair.plan.size() - 1);
   }
 
-  const SurfacePair& from_;
+  const SurfaceOverlay& from_;
   double thickness_;
   ThickPart part_;
   std::map<std::uint32_t, std::uint32_t> vertices_;
@@ -106,7 +106,7 @@ class Closing {
   Closing(const ThickPart& part, const std::vector<Triangle>& triangles)
       : part_(part), triangles_(triangles) {}
 
-  PairBody body() {
+  OverlayBody body() {
     for (const Triangle& triangle : triangles_) {
       add({top(triangle[0]), top(triangle[1]), top(triangle[2])});
       measure(triangle);
@@ -139,11 +139,11 @@ class Closing {
   }
 
   void measure(const Triangle& triangle) {
-    const SurfacePair& pair = part_.pair;
+    const SurfaceOverlay& pair = part_.pair;
     body_.plan_area +=
         0.5 * twice_area(pair.plan[triangle[0]], pair.plan[triangle[1]], pair.plan[triangle[2]]);
     for (const std::uint32_t v : triangle) {
-      body_.greatest_thickness = std::max(body_.greatest_thickness, pair.thickness(v));
+      body_.max_thickness = std::max(body_.max_thickness, pair.thickness(v));
     }
   }
 
@@ -160,9 +160,9 @@ class Closing {
       if (top_a != base_a) add({top_b, top_a, base_a});
       if (top_b != base_b) add({top_b, base_a, base_b});
       for (const std::uint32_t v : {a, b}) {
-        if (part_.pair.thickness(v) <= body_.highest_wall) continue;
-        body_.highest_wall = part_.pair.thickness(v);
-        body_.wall_at = body_.mesh.vertices[top(v)];
+        if (part_.pair.thickness(v) <= body_.max_wall_height) continue;
+        body_.max_wall_height = part_.pair.thickness(v);
+        body_.wall_position = body_.mesh.vertices[top(v)];
       }
     }
   }
@@ -170,12 +170,12 @@ class Closing {
   const ThickPart& part_;
   const std::vector<Triangle>& triangles_;
   std::map<std::uint32_t, std::uint32_t> tops_, bases_;
-  PairBody body_;
+  OverlayBody body_;
 };
 
 }  // namespace
 
-std::vector<PairBody> bodies_between(const SurfacePair& pair, double thickness) {
+std::vector<OverlayBody> extract_bodies_between(const SurfaceOverlay& pair, double thickness) {
   const ThickPart part = Outlining(pair, thickness).part();
   if (part.pair.triangles.empty()) return {};
   TriangleMesh plan;
@@ -187,7 +187,7 @@ std::vector<PairBody> bodies_between(const SurfacePair& pair, double thickness) 
   for (std::size_t t = 0; t < component.size(); ++t) {
     triangles[component[t]].push_back(plan.triangles[t]);
   }
-  std::vector<PairBody> bodies;
+  std::vector<OverlayBody> bodies;
   for (const std::vector<Triangle>& each : triangles) bodies.push_back(Closing(part, each).body());
   return bodies;
 }

@@ -88,8 +88,8 @@ std::array<double, 6> north_up_transform(GDALDataset& dataset, const std::filesy
     }
   }
   if (!(transform[1] > 0.0) || transform[5] == 0.0) {
-    throw InputError(path.string() + ": cell size " + with_digits(transform[1], 6) + " x " +
-                     with_digits(transform[5], 6) +
+    throw InputError(path.string() + ": cell size " + format_significant(transform[1], 6) + " x " +
+                     format_significant(transform[5], 6) +
                      "; columns must run east, cells have a size (gdalwarp turns it)");
   }
   return transform;
@@ -162,24 +162,24 @@ void check_zunits(const std::filesystem::path& path) {
     std::istringstream words(line);
     std::string key, unit;
     words >> key >> unit;
-    unit = lower_case(unit);
-    if (lower_case(key) == "zunits" && unit != "no") check_height_unit(path, unit);
+    unit = lower_case_ascii(unit);
+    if (lower_case_ascii(key) == "zunits" && unit != "no") check_height_unit(path, unit);
   }
 }
 
 /// @param system  null: GDAL finds none
 std::vector<std::string> check_raster_map(const std::filesystem::path& path,
                                           const OGRSpatialReference* system, const Vec2& middle) {
-  const LengthUse metres{.way = "gdalwarp -t_srs EPSG:CODE",
-                         .relabel = "gdal_edit.py -a_srs EPSG:CODE " + path.filename().string()};
-  std::vector<LengthDeclaration> declared = parse_geotiff_keys(read_tiff_keys(path)).lengths;
+  const LengthUnitUse metres{.way = "gdalwarp -t_srs EPSG:CODE",
+                         .correction_command = "gdal_edit.py -a_srs EPSG:CODE " + path.filename().string()};
+  std::vector<LengthUnitDeclaration> declared = parse_geotiff_keys(read_geotiff_keys(path)).lengths;
   const std::string wkt = system ? full_wkt(*system) : std::string();
   if (system && system->IsProjected()) {  // its scale at the place is known
-    for (LengthDeclaration& each : declared) each.world_projection.clear();
+    for (LengthUnitDeclaration& each : declared) each.world_projection.clear();
   }
   if (!wkt.empty()) declared.push_back(describe_system(wkt, "reference system"));
   check_zunits(path);
-  std::vector<std::string> notes = check_lengths(path.string(), declared, metres);
+  std::vector<std::string> notes = check_length_units(path.string(), declared, metres);
   check_map_scale(path.string(), wkt, middle, metres.way);
   return notes;
 }
@@ -188,7 +188,7 @@ std::vector<std::string> check_raster_map(const std::filesystem::path& path,
 
 void check_height_unit(const std::filesystem::path& path, const std::string& unit) {
   // "US survey foot", "m a.s.l.", "[m]", "metre (EGM96)"
-  std::string text = lower_case(unit);
+  std::string text = lower_case_ascii(unit);
   std::erase_if(text,
                 [](char c) { return std::string_view("[]()\"").find(c) != std::string::npos; });
   std::vector<std::string> words;
@@ -207,11 +207,11 @@ void check_height_unit(const std::filesystem::path& path, const std::string& uni
     const double factor = other != kOtherUnits.end() ? other->second : 0.3048;
     throw InputError(path.string() + ": its heights are in " +
                      (factor > 0.3 && factor < 0.31 ? "feet" : word) + " (unit \"" +
-                     printable(unit) + "\"); bring them to metres first (gdal_calc.py -A " + file +
-                     " --calc=A*" + with_digits(factor, 10) + " --outfile=metres.tif)");
+                     escape_nonprintable(unit) + "\"); bring them to metres first (gdal_calc.py -A " + file +
+                     " --calc=A*" + format_significant(factor, 10) + " --outfile=metres.tif)");
   }
   throw InputError(
-      path.string() + ": its heights are in the unit \"" + printable(unit) +
+      path.string() + ": its heights are in the unit \"" + escape_nonprintable(unit) +
       "\", which is not known here; bring them to metres, or where they are in metres say "
       "so (gdal_edit.py -units m " +
       file + ")");
@@ -232,7 +232,7 @@ std::string crs_name(const OGRSpatialReference* system) {
   return text;
 }
 
-std::string usual_crs(const std::string& crs) {
+std::string normalised_crs(const std::string& crs) {
   if (crs.empty()) return crs;
   const GdalSession session;
   OGRSpatialReference system;
@@ -250,7 +250,7 @@ Raster read_raster(const std::filesystem::path& path) {
   const EsriGrid grid(path);
   const DatasetPointer dataset(GDALDataset::Open(
       grid.path().c_str(), GDAL_OF_RASTER | GDAL_OF_READONLY | GDAL_OF_VERBOSE_ERROR, nullptr,
-      extension_of(path) == ".asc" ? as_doubles : nullptr, nullptr));
+      lower_case_extension(path) == ".asc" ? as_doubles : nullptr, nullptr));
   if (!dataset) {
     throw InputError(path.string() + ": is not a raster that GDAL can read (" +
                      GdalSession::message() + "); export it as GeoTIFF");
@@ -286,7 +286,7 @@ void check_written(bool done, const std::filesystem::path& target, const std::st
                    "); free some space on the disk or name another place");
 }
 
-OGRSpatialReference reference_of(const std::string& name) {
+OGRSpatialReference make_spatial_reference(const std::string& name) {
   OGRSpatialReference crs;
   crs.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);  // x east, y north, as the numbers are
   if (name.empty() || crs.SetFromUserInput(name.c_str()) != OGRERR_NONE) {
@@ -296,7 +296,7 @@ OGRSpatialReference reference_of(const std::string& name) {
   return crs;
 }
 
-bool same_crs(const std::string& one, const std::string& other) {
+bool is_same_crs(const std::string& one, const std::string& other) {
   if (one == other) return true;
   const GdalSession session;
   OGRSpatialReference a, b;
@@ -304,10 +304,10 @@ bool same_crs(const std::string& one, const std::string& other) {
          b.SetFromUserInput(other.c_str()) == OGRERR_NONE && a.IsSame(&b) != 0;
 }
 
-bool is_raster(const std::filesystem::path& path) {
+bool is_raster_file(const std::filesystem::path& path) {
   static const std::set<std::string> kKnown = {".tif", ".tiff", ".asc", ".vrt", ".img",
                                                ".bil", ".flt",  ".grd", ".dem", ".hgt"};
-  return kKnown.contains(extension_of(path));
+  return kKnown.contains(lower_case_extension(path));
 }
 
 }  // namespace clast::terrain_detail

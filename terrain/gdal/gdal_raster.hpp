@@ -29,12 +29,12 @@ void check_height_unit(const std::filesystem::path& path, const std::string& uni
 
 /// "EPSG:25832" when the plan of a reference system has a code, else its WKT; the text itself where
 /// GDAL does not understand it.
-std::string usual_crs(const std::string& crs);
+std::string normalised_crs(const std::string& crs);
 
 /// True when both name the same coordinate system, whichever way it is written.
-bool same_crs(const std::string& one, const std::string& other);
+bool is_same_crs(const std::string& one, const std::string& other);
 
 /// Extensions that are taken for rasters.
-bool is_raster(const std::filesystem::path& path);
+bool is_raster_file(const std::filesystem::path& path);
 
 }  // namespace clast::terrain_detail

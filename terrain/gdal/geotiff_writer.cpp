@@ -9,7 +9,7 @@
 namespace clast::terrain_detail {
 
 void write_geotiff(const std::filesystem::path& path, const GeoTiffBand& band,
-                   const std::string& crs, const OutputRules& rules) {
+                   const std::string& crs, const OverwritePolicy& rules) {
   constexpr float kNone = -9999.0F;
   const GdalSession session;
   OutputFile output(path, rules);
@@ -17,12 +17,12 @@ void write_geotiff(const std::filesystem::path& path, const GeoTiffBand& band,
   check_written(driver != nullptr, path, "a GeoTIFF: this GDAL has no driver for it");
   const char* options[] = {"COMPRESS=DEFLATE", "PREDICTOR=3", "TILED=YES", nullptr};
   const int columns = static_cast<int>(band.columns), rows = static_cast<int>(band.rows);
-  DatasetPointer dataset(driver->Create(output.temporary().string().c_str(), columns, rows, 1,
+  DatasetPointer dataset(driver->Create(output.temporary_path().string().c_str(), columns, rows, 1,
                                         GDT_Float32, const_cast<char**>(options)));
   check_written(dataset != nullptr, path, "a GeoTIFF");
   double transform[] = {band.corner.x(), band.cell, 0.0, band.corner.y(), 0.0, -band.cell};
   check_written(dataset->SetGeoTransform(transform) == CE_None, path, "its place on the map");
-  const OGRSpatialReference system = reference_of(crs);
+  const OGRSpatialReference system = make_spatial_reference(crs);
   check_written(dataset->SetSpatialRef(&system) == CE_None, path, "its map system");
   dataset->SetMetadataItem("TIFFTAG_SOFTWARE", (std::string("clast ") + version()).c_str());
   GDALRasterBand& written = *dataset->GetRasterBand(1);

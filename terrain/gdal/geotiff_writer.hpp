@@ -25,6 +25,6 @@ struct GeoTiffBand {
 ///             system in metres, since coordinates without any are read as degrees
 /// @throws InputError  GDAL can't write there; or as `OutputFile`
 void write_geotiff(const std::filesystem::path& path, const GeoTiffBand& band,
-                   const std::string& crs, const OutputRules& rules = {});
+                   const std::string& crs, const OverwritePolicy& rules = {});
 
 }  // namespace clast::terrain_detail

@@ -21,15 +21,15 @@ void add_line(const OGRLineString& line, const std::string& name, std::vector<Ma
 
 std::vector<MapLine> read_map_lines(const std::filesystem::path& path, const std::string& crs) {
   const GdalSession session;
-  const DatasetPointer dataset = open_features(path, "lines");
-  OGRLayer& layer = only_layer(*dataset, path, "lines");
-  const Transformation transform = transformation(layer, crs, path);
+  const DatasetPointer dataset = open_feature_file(path, "lines");
+  OGRLayer& layer = find_geometry_layer(*dataset, path, "lines");
+  const Transformation transform = make_transformation(layer, crs, path);
   std::vector<MapLine> lines;
   layer.ResetReading();
   while (const FeaturePointer feature{layer.GetNextFeature()}) {
     const std::string name = feature_name(*feature, path);
     const std::unique_ptr<OGRGeometry> geometry =
-        straight_geometry(*feature, transform.get(), path);
+        linearised_geometry(*feature, transform.get(), path);
     const OGRwkbGeometryType type = geometry ? wkbFlatten(geometry->getGeometryType()) : wkbUnknown;
     if (type == wkbLineString) {
       add_line(*geometry->toLineString(), name, lines);

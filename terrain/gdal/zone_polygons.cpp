@@ -50,7 +50,7 @@ ReadPolygon polygon_of(const OGRFeature& feature, const std::string& zone,
   ZonePolygon result;
   result.zone = zone;
   const std::string named = zone.empty() ? "" : " (zone \"" + zone + "\")";
-  std::unique_ptr<OGRGeometry> geometry = straight_geometry(feature, transform, path);
+  std::unique_ptr<OGRGeometry> geometry = linearised_geometry(feature, transform, path);
   const OGRwkbGeometryType type = geometry ? wkbFlatten(geometry->getGeometryType()) : wkbUnknown;
   if (type == wkbPolygon) {
     add_rings(*geometry->toPolygon(), result);
@@ -103,8 +103,8 @@ void check_overlaps(const std::vector<ReadPolygon>& polygons, const std::filesys
       OGRPoint inside;
       common->Centroid(&inside);
       throw InputError(path.string() + ": zones \"" + one.zone + "\" and \"" + two.zone +
-                       "\" overlap on " + with_digits(area, 4) + " m2 around " +
-                       place_on_map({inside.getX(), inside.getY(), 0.0}) +
+                       "\" overlap on " + format_significant(area, 4) + " m2 around " +
+                       format_map_point({inside.getX(), inside.getY(), 0.0}) +
                        "; cut one of the polygons");
     }
   }
@@ -139,14 +139,14 @@ bool ZonePolygon::contains(const Vec2& point) const {
 std::vector<ZonePolygon> read_zone_polygons(const std::filesystem::path& path,
                                             const std::string& crs) {
   const GdalSession session;
-  const DatasetPointer dataset = open_features(path, "polygons");
-  OGRLayer& layer = only_layer(*dataset, path, "polygons");
+  const DatasetPointer dataset = open_feature_file(path, "polygons");
+  OGRLayer& layer = find_geometry_layer(*dataset, path, "polygons");
   const int field = layer.GetLayerDefn()->GetFieldIndex("zone");
   if (field < 0) {
     throw InputError(path.string() + ": its features have no property \"zone\" (there are: " +
                      field_names(*layer.GetLayerDefn()) + "); add it, with the name of each zone");
   }
-  const Transformation transform = transformation(layer, crs, path);
+  const Transformation transform = make_transformation(layer, crs, path);
   std::vector<ReadPolygon> read;
   layer.ResetReading();
   while (const FeaturePointer feature{layer.GetNextFeature()}) {
@@ -161,11 +161,11 @@ std::vector<ZonePolygon> read_zone_polygons(const std::filesystem::path& path,
   return polygons;
 }
 
-std::vector<ZonePolygon> read_outlines(const std::filesystem::path& path, const std::string& crs) {
+std::vector<ZonePolygon> read_outline_polygons(const std::filesystem::path& path, const std::string& crs) {
   const GdalSession session;
-  const DatasetPointer dataset = open_features(path, "polygons");
-  OGRLayer& layer = only_layer(*dataset, path, "polygons");
-  const Transformation transform = transformation(layer, crs, path);
+  const DatasetPointer dataset = open_feature_file(path, "polygons");
+  OGRLayer& layer = find_geometry_layer(*dataset, path, "polygons");
+  const Transformation transform = make_transformation(layer, crs, path);
   std::vector<ZonePolygon> outlines;
   layer.ResetReading();
   while (const FeaturePointer feature{layer.GetNextFeature()}) {
@@ -177,7 +177,7 @@ std::vector<ZonePolygon> read_outlines(const std::filesystem::path& path, const 
 
 bool is_polygon_file(const std::filesystem::path& path) {
   static const std::set<std::string> kKnown = {".geojson", ".json", ".gpkg", ".shp"};
-  return kKnown.contains(extension_of(path));
+  return kKnown.contains(lower_case_extension(path));
 }
 
 }  // namespace clast::terrain_detail

@@ -32,7 +32,7 @@ std::vector<ZonePolygon> read_zone_polygons(const std::filesystem::path& path,
 /// zone is empty.
 /// @param crs  of the terrain, as above
 /// @throws InputError  unreadable, something that is not a polygon, or one that crosses itself
-std::vector<ZonePolygon> read_outlines(const std::filesystem::path& path, const std::string& crs);
+std::vector<ZonePolygon> read_outline_polygons(const std::filesystem::path& path, const std::string& crs);
 
 bool is_polygon_file(const std::filesystem::path& path);
 

@@ -32,7 +32,7 @@ void check_one_height(const TriangleMesh& mesh, double cell, const std::filesyst
   if (count == 0) return;
   throw GeometryError(path.string() + ": " + std::to_string(count) + " of " +
                       std::to_string(mesh.triangles.size()) +
-                      " triangles stand upright or overhang, the first at " + place_on_map(first) +
+                      " triangles stand upright or overhang, the first at " + format_map_point(first) +
                       "; a grid has one height over every place, so that it can't hold them. Leave "
                       "out resolution, or simplify the mesh with a tolerance, which keeps them");
 }
@@ -49,7 +49,7 @@ std::pair<std::size_t, std::size_t> cells_between(double low, double high, doubl
 
 HeightGrid heights_of(const TriangleMesh& mesh, double cell, const std::filesystem::path& path) {
   const Bounds box = bounds(mesh);
-  HeightGrid grid = covering_grid(box.low.head<2>(), box.high.head<2>(), cell, path);
+  HeightGrid grid = make_covering_grid(box.low.head<2>(), box.high.head<2>(), cell, path);
   for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
     PlanBox corners;
     for (const std::uint32_t v : mesh.triangles[t]) corners.include(mesh.vertices[v].head<2>());
@@ -59,7 +59,7 @@ HeightGrid heights_of(const TriangleMesh& mesh, double cell, const std::filesyst
         cells_between(corners.low.y(), corners.high.y(), grid.first.y(), cell, grid.rows);
     for (std::size_t row = bottom; row < top; ++row) {
       for (std::size_t column = left; column < right; ++column) {
-        const std::optional<double> z = height_on(mesh, t, grid.centre(column, row));
+        const std::optional<double> z = height_on_triangle(mesh, t, grid.centre(column, row));
         double& height = grid.heights[row * grid.columns + column];
         if (z && !(height >= *z)) height = *z;
       }
@@ -94,7 +94,7 @@ std::vector<std::uint16_t> sources_for(const TriangleMesh& grid, const RawSurfac
     std::map<std::uint16_t, double> covered;
     for (const std::uint32_t old : index.near(boxes[t])) {
       covered[surface.source[old]] +=
-          area_within(sampled_plan_triangle(surface.mesh, old), corners);
+          clipped_area(sampled_plan_triangle(surface.mesh, old), corners);
     }
     double most = -1.0;
     for (const auto& [source, area] : covered) {
@@ -115,7 +115,7 @@ void note_change(const TriangleMesh& mesh, const TriangleMesh& grid, double cell
   Vec3 largest_at = Vec3::Zero();
   for (const Vec3& vertex : mesh.vertices) {
     for (const std::uint32_t t : index.near(Vec2(vertex.head<2>()))) {
-      const std::optional<double> z = height_on(grid, t, vertex.head<2>());
+      const std::optional<double> z = height_on_triangle(grid, t, vertex.head<2>());
       if (!z) continue;
       if (std::abs(*z - vertex.z()) > largest) {
         largest = std::abs(*z - vertex.z());
@@ -124,28 +124,28 @@ void note_change(const TriangleMesh& mesh, const TriangleMesh& grid, double cell
       break;
     }
   }
-  std::string note = "resampled to cells of " + with_digits(cell, 9) +
+  std::string note = "resampled to cells of " + format_significant(cell, 9) +
                      " m: " + std::to_string(grid.triangles.size()) + " triangles for " +
                      std::to_string(mesh.triangles.size()) + ", over " +
-                     with_digits(plan_area(grid), 6) + " of " + with_digits(plan_area(mesh), 6) +
-                     " m2 in plan; vertices of the mesh are up to " + with_digits(largest, 3) +
+                     format_significant(plan_area(grid), 6) + " of " + format_significant(plan_area(mesh), 6) +
+                     " m2 in plan; vertices of the mesh are up to " + format_significant(largest, 3) +
                      " m above or below it";
-  if (largest > 0.0) note += ", as at " + place_on_map(largest_at);
+  if (largest > 0.0) note += ", as at " + format_map_point(largest_at);
   report.notes.push_back(note);
 }
 
 }  // namespace
 
-TriangleMesh highest_grid(const TriangleMesh& mesh, double cell,
+TriangleMesh grid_highest_surface(const TriangleMesh& mesh, double cell,
                           const std::filesystem::path& path) {
-  return grid_surface(heights_of(mesh, cell, path), path);
+  return triangulate_grid(heights_of(mesh, cell, path), path);
 }
 
-RawSurface resampled(const RawSurface& surface, double cell, const std::filesystem::path& path,
+RawSurface resample_surface(const RawSurface& surface, double cell, const std::filesystem::path& path,
                      TerrainReport& report) {
   check_one_height(surface.mesh, cell, path);
   const HeightGrid grid = heights_of(surface.mesh, cell, path);
-  RawSurface result{.mesh = grid_surface(grid, path),
+  RawSurface result{.mesh = triangulate_grid(grid, path),
                     .source = {},
                     .crs = surface.crs,
                     .notes = surface.notes,

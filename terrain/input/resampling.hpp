@@ -16,11 +16,11 @@ namespace clast::terrain_detail {
 /// @throws GeometryError  a wall or an overhang larger than a cell, with its place: a grid has one
 ///                        height over a place
 /// @throws InputError     too many cells, or no four neighbouring ones with ground
-RawSurface resampled(const RawSurface& surface, double cell, const std::filesystem::path& path,
+RawSurface resample_surface(const RawSurface& surface, double cell, const std::filesystem::path& path,
                      TerrainReport& report);
 
 /// The same of the highest of its triangles over every centre, walls and overhangs or not.
 /// @throws InputError  as above
-TriangleMesh highest_grid(const TriangleMesh& mesh, double cell, const std::filesystem::path& path);
+TriangleMesh grid_highest_surface(const TriangleMesh& mesh, double cell, const std::filesystem::path& path);
 
 }  // namespace clast::terrain_detail

@@ -21,9 +21,9 @@ namespace {
 namespace fs = std::filesystem;
 
 SurfaceKind kind_of(const fs::path& path) {
-  const std::string extension = extension_of(path);
+  const std::string extension = lower_case_extension(path);
   if (extension == ".h5" || extension == ".hdf5") return SurfaceKind::kTerrain;
-  if (is_raster(path)) return SurfaceKind::kRaster;
+  if (is_raster_file(path)) return SurfaceKind::kRaster;
   const std::vector<std::string>& clouds = cloud_extensions();
   if (std::find(clouds.begin(), clouds.end(), extension) != clouds.end()) {
     return SurfaceKind::kCloud;
@@ -41,8 +41,8 @@ RawSurface read_meshes(const TerrainOptions& options) {
   RawSurface surface;
   for (std::size_t i = 0; i < options.surface.size(); ++i) {
     TriangleMesh mesh = read_mesh(options.surface[i]);
-    if (up_axis(options.up, options.surface[i]) == "y") {
-      for (Vec3& vertex : mesh.vertices) vertex = turned_z_up(vertex);
+    if (resolve_up_axis(options.up, options.surface[i]) == "y") {
+      for (Vec3& vertex : mesh.vertices) vertex = y_up_to_z_up(vertex);
     }
     surface.source.insert(surface.source.end(), mesh.triangles.size(),
                           static_cast<std::uint16_t>(i));
@@ -53,7 +53,7 @@ RawSurface read_meshes(const TerrainOptions& options) {
 
 RawSurface surface_of(const HeightGrid& grid, const fs::path& path) {
   RawSurface surface;
-  surface.mesh = grid_surface(grid, path);
+  surface.mesh = triangulate_grid(grid, path);
   surface.source.assign(surface.mesh.triangles.size(), 0);
   surface.cell = grid.step.minCoeff();
   const auto empty = std::count_if(grid.heights.begin(), grid.heights.end(),
@@ -66,7 +66,7 @@ RawSurface surface_of(const HeightGrid& grid, const fs::path& path) {
   return surface;
 }
 
-std::string cells_of(double size) { return "cells of " + with_digits(size, 6) + " m"; }
+std::string cells_of(double size) { return "cells of " + format_significant(size, 6) + " m"; }
 
 RawSurface read_one_raster(const TerrainOptions& options) {
   const fs::path& path = options.surface.front();
@@ -82,7 +82,7 @@ RawSurface read_one_raster(const TerrainOptions& options) {
     const HeightGrid& grid = raster.grid;
     const double own = grid.step.maxCoeff();
     if (*options.resolution < own * (1.0 - 1e-9)) {
-      throw InputError(path.string() + ": resolution = " + with_digits(*options.resolution, 6) +
+      throw InputError(path.string() + ": resolution = " + format_significant(*options.resolution, 6) +
                        " m is finer than the raster, which has " + cells_of(own) +
                        "; leave it out");
     }
@@ -104,7 +104,7 @@ RawSurface read_one_raster(const TerrainOptions& options) {
                      ": holds no heights, only nodata; check which value stands for no data");
   }
   if (options.fill) {
-    const HolesFilled filled = fill_holes(raster.grid, *options.fill);
+    const HoleFillReport filled = fill_holes(raster.grid, *options.fill);
     if (filled.cells > 0) {
       notes.push_back(path.string() + ": " + std::to_string(filled.cells) +
                       " cells without a height were filled from their surroundings, in " +
@@ -118,7 +118,7 @@ RawSurface read_one_raster(const TerrainOptions& options) {
 }
 
 RawSurface read_clouds(const TerrainOptions& options) {
-  CloudGrid cloud = cloud_grid(options);
+  CloudGrid cloud = read_cloud_grid(options);
   RawSurface surface = surface_of(cloud.grid, options.surface.front());
   surface.crs = std::move(cloud.crs);
   const std::vector<std::string> fill = check_fill_values(
@@ -130,7 +130,7 @@ RawSurface read_clouds(const TerrainOptions& options) {
 
 }  // namespace
 
-SurfaceKind surface_kind(const std::vector<fs::path>& files) {
+SurfaceKind detect_surface_kind(const std::vector<fs::path>& files) {
   const SurfaceKind kind = kind_of(files.front());
   for (const fs::path& file : files) {
     if (kind_of(file) != kind) {

@@ -18,7 +18,7 @@ enum class SurfaceKind {
 /// What kind all of them are, by their extensions.
 /// @throws InputError  an extension that is none of them, kinds that are mixed, or several rasters
 ///                     or terrain files
-SurfaceKind surface_kind(const std::vector<std::filesystem::path>& files);
+SurfaceKind detect_surface_kind(const std::vector<std::filesystem::path>& files);
 
 /// Reads meshes, a raster or clouds, z up. Rasters get coarser and clouds become a grid as the
 /// options say, and holes of both are filled; nothing else is repaired.

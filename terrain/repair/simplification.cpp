@@ -253,7 +253,7 @@ void put_in_rows(std::vector<std::uint32_t>& vertices, const std::vector<Vec3>& 
 std::optional<std::uint32_t> triangle_under(const TriangleMesh& mesh, const PlanIndex& index,
                                             const std::vector<bool>& kept, const Vec2& at) {
   for (const std::uint32_t t : index.near(at)) {
-    if (!kept[t] && height_on(mesh, t, at)) return t;
+    if (!kept[t] && height_on_triangle(mesh, t, at)) return t;
   }
   return std::nullopt;
 }
@@ -336,7 +336,7 @@ void simplify_surface(RawSurface& surface, double tolerance, TerrainReport& repo
   const TriangleMesh& mesh = surface.mesh;
   const std::vector<bool> kept = kept_triangles(mesh);
   FreeSurface free = free_surface(surface, kept);
-  const double length = median_edge(mesh);
+  const double length = median_edge_length(mesh);
   put_in_rows(free.vertices, mesh.vertices, length);
   Growing growing(mesh.vertices, free.edges, length, tolerance);
   grow_from(growing, free.constraints, free.vertices);
@@ -354,12 +354,12 @@ void simplify_surface(RawSurface& surface, double tolerance, TerrainReport& repo
     result.mesh.triangles.push_back(corners);
     result.source.push_back(source);
   }
-  drop_unused_vertices(result.mesh);
-  std::string note = "simplified within " + with_digits(tolerance, 4) +
+  remove_unused_vertices(result.mesh);
+  std::string note = "simplified within " + format_significant(tolerance, 4) +
                      " m: " + std::to_string(result.mesh.triangles.size()) + " of " +
                      std::to_string(mesh.triangles.size()) + " triangles; nowhere more than " +
-                     with_digits(growing.largest(), 4) + " m above or below what was there";
-  if (growing.largest() > 0.0) note += ", as at " + place_on_map(growing.largest_at());
+                     format_significant(growing.largest(), 4) + " m above or below what was there";
+  if (growing.largest() > 0.0) note += ", as at " + format_map_point(growing.largest_at());
   report.notes.push_back(note);
   surface = std::move(result);
 }

@@ -108,7 +108,7 @@ class Surroundings {
     PlanBox here;
     here.include(at);
     std::optional<double> best;
-    for (const std::uint32_t s : side_index_->near(here.grown(width_))) {
+    for (const std::uint32_t s : side_index_->near(here.expanded(width_))) {
       const auto [a, b] = sides_[s];
       if (a == vertex || b == vertex) continue;
       const Vec3 &from = mesh_.vertices[a], &to = mesh_.vertices[b];
@@ -136,7 +136,7 @@ class Surroundings {
     PlanBox here;
     here.include(at);
     std::set<std::uint32_t> result, joined;
-    for (const std::uint32_t s : side_index_->near(here.grown(width_))) {
+    for (const std::uint32_t s : side_index_->near(here.expanded(width_))) {
       const auto& [a, b] = sides_[s];
       if (a == v) joined.insert(b);
       if (b == v) joined.insert(a);
@@ -224,7 +224,7 @@ void level_group(TriangleMesh& mesh, const std::vector<std::uint32_t>& group,
   const std::set<std::uint32_t>& ground = at_border || ring.size() < kFewAround ? wide : ring;
   const std::vector<std::uint32_t> fitted(ground.begin(), ground.end());
   const Vec3 first = mesh.vertices[group.front()];
-  const std::optional<RingPlane> plane = ring_plane(mesh, fitted, group.front());
+  const std::optional<RingPlane> plane = fit_ring_plane(mesh, fitted, group.front());
   if (!plane) return;
   const auto off = [&](std::uint32_t v) {
     const Vec3& p = mesh.vertices[v];
@@ -286,7 +286,7 @@ void level_spike_groups(TriangleMesh& mesh, double steepness, double width, Terr
   report.notes.push_back(std::to_string(levelled.count) +
                          " vertices far above or below the ground, in groups or on a border, were "
                          "brought to the plane of the ground around, the farthest, by " +
-                         with_digits(levelled.farthest, 3) + " m, at " + place_on_map(levelled.at));
+                         format_significant(levelled.farthest, 3) + " m, at " + format_map_point(levelled.at));
 }
 
 }  // namespace clast::terrain_detail

@@ -97,7 +97,7 @@ std::optional<RingPlane> plane_without_one(const TriangleMesh& mesh, const Rings
   for (std::size_t left_out = 0; left_out < ring.size(); ++left_out) {
     std::vector<std::uint32_t> others(ring.begin(), ring.end());
     others.erase(others.begin() + static_cast<std::ptrdiff_t>(left_out));
-    const std::optional<RingPlane> plane = ring_plane(mesh, others, vertex);
+    const std::optional<RingPlane> plane = fit_ring_plane(mesh, others, vertex);
     if (!plane) continue;
     double farthest = 0.0;
     for (const std::uint32_t v : others) {
@@ -122,7 +122,7 @@ void level_once(TriangleMesh& mesh, const Rings& rings, double steepness, Spikes
   std::vector<std::pair<double, std::uint32_t>> suspects;
   for (std::uint32_t v = 0; v < mesh.vertices.size(); ++v) {
     if (rings.on_border[v] || rings.overhung[v]) continue;
-    const std::optional<RingPlane> plane = ring_plane(mesh, rings.at(v), v);
+    const std::optional<RingPlane> plane = fit_ring_plane(mesh, rings.at(v), v);
     if (!plane) continue;
     const double off = std::abs(mesh.vertices[v].z() - plane->height);
     if (off > kSuspect * steepness * plane->distance) suspects.emplace_back(-off, v);
@@ -133,7 +133,7 @@ void level_once(TriangleMesh& mesh, const Rings& rings, double steepness, Spikes
     // A second spike beside it would pull the plane along.
     const std::optional<RingPlane> plane = rings.at(v).size() > 4
                                                ? plane_without_one(mesh, rings, v)
-                                               : ring_plane(mesh, rings.at(v), v);
+                                               : fit_ring_plane(mesh, rings.at(v), v);
     if (!plane) continue;
     const double off = std::abs(mesh.vertices[v].z() - plane->height);
     if (off <= steepness * plane->distance) continue;
@@ -170,14 +170,14 @@ void level_spikes(RawSurface& surface, double steepness, TerrainReport& report) 
                            (spikes.left == 1 ? " vertex stands" : " vertices stand") +
                            " far above or below the ground around, but not alone, as on crests and "
                            "walls, kept as measured; the first at " +
-                           place_on_map(spikes.left_at));
+                           format_map_point(spikes.left_at));
   }
   if (spikes.levelled == 0) return;
   report.notes.push_back(std::to_string(spikes.levelled) +
                          " single vertices far above or below all their neighbours were brought "
                          "to the plane through these, the farthest, by " +
-                         with_digits(spikes.farthest, 3) + " m, at " +
-                         place_on_map(spikes.farthest_at));
+                         format_significant(spikes.farthest, 3) + " m, at " +
+                         format_map_point(spikes.farthest_at));
 }
 
 void note_slivers(const RawSurface& surface, TerrainReport& report) {
@@ -199,10 +199,10 @@ void note_slivers(const RawSurface& surface, TerrainReport& report) {
   if (report.slivers == 0) return;
   report.notes.push_back(std::to_string(report.slivers) +
                          " slivers, triangles less than 1 mm high, were kept; the lowest, " +
-                         with_digits(lowest, 2) + " m, at " + place_on_map(lowest_at));
+                         format_significant(lowest, 2) + " m, at " + format_map_point(lowest_at));
 }
 
-void smooth(TriangleMesh& mesh, int rounds, TerrainReport& report) {
+void smooth_surface(TriangleMesh& mesh, int rounds, TerrainReport& report) {
   if (rounds == 0) return;
   const Rings rings = rings_of(mesh);
   std::vector<double> heights(mesh.vertices.size());
@@ -212,7 +212,7 @@ void smooth(TriangleMesh& mesh, int rounds, TerrainReport& report) {
     for (std::uint32_t v = 0; v < mesh.vertices.size(); ++v) {
       heights[v] = mesh.vertices[v].z();
       if (rings.on_border[v] || rings.overhung[v]) continue;
-      const std::optional<RingPlane> plane = ring_plane(mesh, rings.at(v), v);
+      const std::optional<RingPlane> plane = fit_ring_plane(mesh, rings.at(v), v);
       if (plane) heights[v] += kSmoothing * (plane->height - heights[v]);
     }
     for (std::size_t v = 0; v < heights.size(); ++v) mesh.vertices[v].z() = heights[v];
@@ -226,7 +226,7 @@ void smooth(TriangleMesh& mesh, int rounds, TerrainReport& report) {
     largest_at = mesh.vertices[v];
   }
   report.notes.push_back("smoothed " + std::to_string(rounds) + " times; the largest change, " +
-                         with_digits(largest, 3) + " m, is at " + place_on_map(largest_at));
+                         format_significant(largest, 3) + " m, is at " + format_map_point(largest_at));
 }
 
 }  // namespace clast::terrain_detail

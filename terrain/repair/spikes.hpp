@@ -18,6 +18,6 @@ void note_slivers(const RawSurface& surface, TerrainReport& report);
 
 /// Moves every inner vertex `rounds` times halfway to the plane through its neighbours; vertices
 /// of the border and of overhangs stay. Notes the largest change.
-void smooth(TriangleMesh& mesh, int rounds, TerrainReport& report);
+void smooth_surface(TriangleMesh& mesh, int rounds, TerrainReport& report);
 
 }  // namespace clast::terrain_detail

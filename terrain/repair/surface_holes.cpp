@@ -80,7 +80,7 @@ std::vector<Loop> border_loops(const TriangleMesh& mesh, const TriangleNeighbour
   std::vector<std::uint32_t> place_on_path(mesh.vertices.size(), kNoIndex);
   for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
     for (std::size_t k = 0; k < 3; ++k) {
-      if (!links.on_border(t, k) || (seen[t] >> k & 1)) continue;
+      if (!links.is_border_side(t, k) || (seen[t] >> k & 1)) continue;
       // Loops that touch in a vertex are taken apart there.
       Loop path;
       std::optional<Side> at = Side{t, k};
@@ -198,14 +198,14 @@ void fill_surface_holes(RawSurface& surface, double widest, double slit, Terrain
   }
   if (report.filled_holes > 0) {
     report.notes.push_back(std::to_string(report.filled_holes) +
-                           " holes were filled, the widest, " + with_digits(widest_filled, 3) +
-                           " m, around " + place_on_map(filled_at));
+                           " holes were filled, the widest, " + format_significant(widest_filled, 3) +
+                           " m, around " + format_map_point(filled_at));
   }
   if (report.open_holes > 0) {
     report.notes.push_back(std::to_string(report.open_holes) + " holes stay open, the widest, " +
-                           with_digits(widest_open, 3) + " m, around " + place_on_map(open_at) +
+                           format_significant(widest_open, 3) + " m, around " + format_map_point(open_at) +
                            "; a block that gets there leaves the terrain; fill = " +
-                           with_digits(widest_open * 1.01, 3) + " m fills them");
+                           format_significant(widest_open * 1.01, 3) + " m fills them");
   }
 }
 

@@ -33,12 +33,12 @@ std::vector<bool> copies_of_triangles(const RawSurface& surface,
                                       const std::vector<std::uint16_t>& zone_of_file) {
   const TriangleMesh& mesh = surface.mesh;
   std::vector<bool> is_copy(mesh.triangles.size(), false);
-  for (const auto& [one, two] : repeated_triangles(mesh.triangles, CopyTurn::kEither)) {
+  for (const auto& [one, two] : find_duplicate_triangles(mesh.triangles, WindingMatch::kEither)) {
     is_copy[two] = true;
     const std::uint16_t file = surface.source[one], other = surface.source[two];
     if (zone_of_file[file] != zone_of_file[other] && !is_degenerate(mesh, mesh.triangles[one])) {
       throw GeometryError(files[file] + " and " + files[other] + " both hold the triangle at " +
-                          place_on_map(centroid(mesh, mesh.triangles[one])) +
+                          format_map_point(centroid(mesh, mesh.triangles[one])) +
                           " under different zones; cut it out of one of them");
     }
   }
@@ -61,7 +61,7 @@ std::optional<bool> faces_up(const TriangleMesh& mesh, const std::vector<std::ui
 
 }  // namespace
 
-void weld(RawSurface& surface, TerrainReport& report) {
+void weld_surface(RawSurface& surface, TerrainReport& report) {
   TriangleMesh& mesh = surface.mesh;
   const std::vector<std::uint32_t> target = weld_targets(mesh.vertices, kWeldDistance);
   for (std::uint32_t v = 0; v < target.size(); ++v) report.welded_vertices += target[v] != v;
@@ -70,7 +70,7 @@ void weld(RawSurface& surface, TerrainReport& report) {
   }
 }
 
-void drop_useless_triangles(RawSurface& surface, const std::vector<std::string>& files,
+void remove_invalid_triangles(RawSurface& surface, const std::vector<std::string>& files,
                             const std::vector<std::uint16_t>& zone_of_file, TerrainReport& report) {
   TriangleMesh& mesh = surface.mesh;
   const std::vector<bool> is_copy = copies_of_triangles(surface, files, zone_of_file);
@@ -81,41 +81,41 @@ void drop_useless_triangles(RawSurface& surface, const std::vector<std::string>&
     const bool degenerate = is_degenerate(mesh, triangle);
     keep[t] = !degenerate && !is_copy[t];
     if (degenerate) {
-      if (report.dropped_degenerate++ == 0) degenerate_at = centroid(mesh, triangle);
+      if (report.removed_degenerate++ == 0) degenerate_at = centroid(mesh, triangle);
     } else if (is_copy[t]) {
-      if (report.dropped_duplicates++ == 0) copy_at = centroid(mesh, triangle);
+      if (report.removed_duplicates++ == 0) copy_at = centroid(mesh, triangle);
     }
   }
-  keep_triangles(surface, keep);
+  retain_triangles(surface, keep);
   if (mesh.triangles.empty()) {
     throw GeometryError(files[0] + ": no triangle has an area; there is no ground");
   }
   const auto note = [&](std::size_t dropped, const std::string& what, const Vec3& at) {
     if (dropped == 0) return;
     report.notes.push_back(std::to_string(dropped) + what + " were dropped, the first at " +
-                           place_on_map(at));
+                           format_map_point(at));
   };
-  note(report.dropped_degenerate, " triangles without an area", degenerate_at);
-  note(report.dropped_duplicates, " copies of triangles", copy_at);
+  note(report.removed_degenerate, " triangles without an area", degenerate_at);
+  note(report.removed_duplicates, " copies of triangles", copy_at);
 }
 
 void orient_upwards(RawSurface& surface, TerrainReport& report) {
   TriangleMesh& mesh = surface.mesh;
   TriangleNeighbours links = triangle_neighbours(mesh);
-  if (links.non_manifold_edges > 0 && drop_fins(surface, links, report)) {
+  if (links.non_manifold_edges > 0 && remove_fins(surface, links, report)) {
     links = triangle_neighbours(mesh);
   }
   report.boundary_edges = links.border_edges;
   if (links.non_manifold_edges > 0) {
-    const auto& [low, high] = links.first_non_manifold;
+    const auto& [low, high] = links.first_non_manifold_edge;
     throw GeometryError("the ground has " + std::to_string(links.non_manifold_edges) +
                         " edges where more than two triangles meet, the first at " +
-                        place_on_map((mesh.vertices[low] + mesh.vertices[high]) / 2.0) +
+                        format_map_point((mesh.vertices[low] + mesh.vertices[high]) / 2.0) +
                         "; surfaces overlap or cross there, remove one of them");
   }
-  const RelativeFacing facing = relative_facing(mesh, links);
+  const ConsistentOrientation facing = find_consistent_orientation(mesh, links);
   if (facing.conflict) {
-    throw GeometryError("the ground at " + place_on_map(mesh.vertices[*facing.conflict]) +
+    throw GeometryError("the ground at " + format_map_point(mesh.vertices[*facing.conflict]) +
                         " is twisted into itself and has no upper side; cut it there");
   }
   report.components += facing.components.size();
@@ -125,7 +125,7 @@ void orient_upwards(RawSurface& surface, TerrainReport& report) {
     if (!up) {
       report.notes.push_back("a component of " + std::to_string(component.size()) +
                              " triangles at " +
-                             place_on_map(centroid(mesh, mesh.triangles[component.front()])) +
+                             format_map_point(centroid(mesh, mesh.triangles[component.front()])) +
                              " stands upright and touches no other ground; which side is rock was "
                              "taken as in the file");
     } else if (!*up) {
@@ -135,13 +135,13 @@ void orient_upwards(RawSurface& surface, TerrainReport& report) {
   Vec3 first_turned = Vec3::Zero();
   for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
     if (!turn[t]) continue;
-    if (report.turned_triangles++ == 0) first_turned = centroid(mesh, mesh.triangles[t]);
+    if (report.flipped_triangles++ == 0) first_turned = centroid(mesh, mesh.triangles[t]);
     std::swap(mesh.triangles[t][1], mesh.triangles[t][2]);
   }
-  if (report.turned_triangles > 0) {
-    report.notes.push_back(std::to_string(report.turned_triangles) +
+  if (report.flipped_triangles > 0) {
+    report.notes.push_back(std::to_string(report.flipped_triangles) +
                            " triangles faced into the ground and were turned, the first at " +
-                           place_on_map(first_turned));
+                           format_map_point(first_turned));
   }
 }
 

@@ -9,14 +9,14 @@
 namespace clast::terrain_detail {
 
 /// Vertices within 1e-6 m become one. Real ground has edges under 1 mm: only copies are joined.
-void weld(RawSurface& surface, TerrainReport& report);
+void weld_surface(RawSurface& surface, TerrainReport& report);
 
 /// Drops triangles with a repeated corner or lower than 1e-9 m, and copies of a triangle; then
 /// vertices that nothing uses.
 /// @param files  of `RawSurface::source`, for messages
 /// @throws GeometryError  two files hold the same triangle under different zones, or nothing is
 /// left
-void drop_useless_triangles(RawSurface& surface, const std::vector<std::string>& files,
+void remove_invalid_triangles(RawSurface& surface, const std::vector<std::string>& files,
                             const std::vector<std::uint16_t>& zone_of_file, TerrainReport& report);
 
 /// Drops fins, and turns triangles so that neighbours agree and every component faces up over most

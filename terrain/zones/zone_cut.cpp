@@ -69,7 +69,7 @@ class CutMesh {
 
   std::vector<std::uint32_t> triangles_near(const PlanBox& box) const {
     std::vector<std::uint32_t> found;
-    for (const std::uint32_t first : index_.near(box.grown(kNear))) {
+    for (const std::uint32_t first : index_.near(box.expanded(kNear))) {
       found.insert(found.end(), parts_[first].begin(), parts_[first].end());
     }
     return found;
@@ -150,7 +150,7 @@ class CutMesh {
     mesh_.vertices.push_back(point);
     const std::uint32_t far = bisect(t, k, middle);
     if (other == kNoIndex) return;
-    const std::size_t side = side_between(mesh_.triangles[other], a, b);
+    const std::size_t side = find_edge_side(mesh_.triangles[other], a, b);
     const std::uint32_t other_far = bisect(other, side, middle);
     // `t` keeps a, `far` has b; on the other side the first corner of the side stays.
     const bool against = mesh_.triangles[other][side] == b;
@@ -195,8 +195,8 @@ class CutMesh {
   }
 
   void link(std::uint32_t one, std::uint32_t two, std::uint32_t a, std::uint32_t b) {
-    across_[one][side_between(mesh_.triangles[one], a, b)] = two;
-    across_[two][side_between(mesh_.triangles[two], a, b)] = one;
+    across_[one][find_edge_side(mesh_.triangles[one], a, b)] = two;
+    across_[two][find_edge_side(mesh_.triangles[two], a, b)] = one;
   }
 
   TriangleMesh& mesh_;
@@ -208,7 +208,7 @@ class CutMesh {
 
 }  // namespace
 
-std::size_t cut_along(TriangleMesh& mesh, std::span<const std::array<Vec2, 2>> segments) {
+std::size_t insert_edges_along(TriangleMesh& mesh, std::span<const std::array<Vec2, 2>> segments) {
   const std::size_t before = mesh.triangles.size();
   CutMesh cut(mesh);
   for (const auto& [from, to] : segments) {

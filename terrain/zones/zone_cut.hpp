@@ -12,6 +12,6 @@ namespace clast::terrain_detail {
 /// what it was. Segments closer than a micrometre to a vertex or edge take that instead.
 /// @param segments  ends, in the plan of the mesh's own frame; zero-length ones do nothing
 /// @return  how many triangles were added
-std::size_t cut_along(TriangleMesh& mesh, std::span<const std::array<Vec2, 2>> segments);
+std::size_t insert_edges_along(TriangleMesh& mesh, std::span<const std::array<Vec2, 2>> segments);
 
 }  // namespace clast::terrain_detail

@@ -46,12 +46,12 @@ void check_zone_name(const std::string& name) {
     return c == '=' || static_cast<unsigned char>(c) < 0x20 || c == 0x7f;
   });
   if (!name.empty() && !bad) return;
-  throw InputError("zone \"" + printable(name) +
+  throw InputError("zone \"" + escape_nonprintable(name) +
                    "\": a zone name must be one line without \"=\" or control characters; rename "
                    "it");
 }
 
-std::optional<ZoneFile> zone_file(const std::vector<std::string>& zones) {
+std::optional<ZoneFile> parse_zone_file(const std::vector<std::string>& zones) {
   if (zones.empty()) return std::nullopt;
   ZoneFile file;
   const std::size_t colon = zones.front().rfind(':');
@@ -63,7 +63,7 @@ std::optional<ZoneFile> zone_file(const std::vector<std::string>& zones) {
   } else if (zones.size() == 1) {
     file.path = zones.front();
   }
-  if (!terrain_detail::is_raster(file.path) && !terrain_detail::is_polygon_file(file.path)) {
+  if (!terrain_detail::is_raster_file(file.path) && !terrain_detail::is_polygon_file(file.path)) {
     return std::nullopt;
   }
   read_names(names, file);

@@ -5,7 +5,7 @@
 #include <functional>
 
 #include "core/error.hpp"
-#include "core/in_context.hpp"
+#include "core/error_context.hpp"
 #include "core/number_text.hpp"
 #include "mesh/plan_geometry.hpp"
 #include "mesh/reference_system.hpp"
@@ -62,14 +62,14 @@ std::map<long, std::uint32_t> classes_of(const HeightGrid& grid, const ZoneFile&
     if (std::isnan(value)) continue;
     const Vec2 centre = grid.centre(i % grid.columns, i / grid.columns);
     if (value != std::round(value) || std::abs(value) > 1e9) {
-      throw InputError(source.path.string() + ": " + with_digits(value, 6) + " at " +
-                       place_on_map({centre.x(), centre.y(), 0.0}) +
+      throw InputError(source.path.string() + ": " + format_significant(value, 6) + " at " +
+                       format_map_point({centre.x(), centre.y(), 0.0}) +
                        "; a zone raster holds whole class numbers");
     }
     const auto [entry, is_new] = label_of.emplace(static_cast<long>(value), 0);
     if (!is_new || source.names.empty() || source.names.contains(entry->first)) continue;
     throw InputError(source.path.string() + ": class " + std::to_string(entry->first) + " at " +
-                     place_on_map({centre.x(), centre.y(), 0.0}) + " has no name; add " +
+                     format_map_point({centre.x(), centre.y(), 0.0}) + " has no name; add " +
                      std::to_string(entry->first) + "=NAME to the zones");
   }
   for (auto& [number, label] : label_of) {
@@ -109,7 +109,7 @@ class LabelGrid {
         const Vec2 high = low + step_;
         const std::array<Vec2, 4> cell = {low, Vec2(high.x(), low.y()), high,
                                           Vec2(low.x(), high.y())};
-        const double area = area_within(cell, triangle);
+        const double area = clipped_area(cell, triangle);
         if (area > 0.0) add_share(shares, here, area);
       }
     }
@@ -135,7 +135,7 @@ class LabelGrid {
 
 ZoneMap raster_zones(const ZoneFile& source, const std::string& crs) {
   const Raster raster = read_raster(source.path);
-  if (!crs.empty() && !raster.crs.empty() && !same_crs(crs, raster.crs)) {
+  if (!crs.empty() && !raster.crs.empty() && !is_same_crs(crs, raster.crs)) {
     throw InputError(source.path.string() + ": is in " + reference_system_name(raster.crs) +
                      ", the ground in " + reference_system_name(crs) +
                      "; reproject one (gdalwarp -t_srs)");
@@ -197,7 +197,7 @@ ZoneMap polygon_zones(const ZoneFile& source, const std::string& crs) {
         continue;
       }
       double area = 0.0;
-      for (const std::vector<Vec2>& ring : polygon.rings) area += area_within(ring, triangle);
+      for (const std::vector<Vec2>& ring : polygon.rings) area += clipped_area(ring, triangle);
       if (area > 0.0) add_share(shares, label_of[i], area);
     }
     return shares;
@@ -210,7 +210,7 @@ void cut_borders(Terrain& terrain, const ZoneMap& map) {
   for (std::array<Vec2, 2>& border : borders) {
     for (Vec2& end : border) end -= terrain.frame.origin.head<2>();
   }
-  const std::size_t added = cut_along(terrain.surface, borders);
+  const std::size_t added = insert_edges_along(terrain.surface, borders);
   if (added > 0) {
     terrain.report.notes.push_back("cutting the zone borders into the ground added " +
                                    std::to_string(added) + " triangles");
@@ -230,8 +230,9 @@ void refuse_bare(const Bare& bare, const Terrain& terrain, const std::string& wh
   if (bare.triangles == 0) return;
   throw GeometryError(who + ": leaves " + std::to_string(bare.triangles) + " of " +
                       std::to_string(terrain.surface.triangles.size()) + " triangles (" +
-                      with_digits(bare.area, 6) + " m2 in plan) without a zone, the first at " +
-                      place_on_map(bare.at) + "; " + advice);
+                      format_significant(bare.area, 6) +
+                      " m2 in plan) without a zone, the first at " + format_map_point(bare.at) +
+                      "; " + advice);
 }
 
 /// Numbers for the labels that are used, in their order.
@@ -243,7 +244,7 @@ void number_zones(Terrain& terrain, const std::vector<std::string>& labels,
   std::vector<std::uint16_t> number(labels.size(), 0);
   for (std::size_t i = 0; i < labels.size(); ++i) {
     if (!used[i]) continue;
-    in_context(who, [&] { check_zone_name(labels[i]); });
+    with_error_context(who, [&] { check_zone_name(labels[i]); });
     number[i] = static_cast<std::uint16_t>(terrain.zone_names.size());
     terrain.zone_names.push_back(labels[i]);
   }
@@ -258,8 +259,8 @@ void check_extent(const ZoneMap& map, const Terrain& terrain, const ZoneFile& so
     return;
   }
   const auto span = [](const Vec2& from, const Vec2& to) {
-    return "x " + with_digits(from.x(), 9) + " to " + with_digits(to.x(), 9) + ", y " +
-           with_digits(from.y(), 9) + " to " + with_digits(to.y(), 9);
+    return "x " + format_significant(from.x(), 9) + " to " + format_significant(to.x(), 9) +
+           ", y " + format_significant(from.y(), 9) + " to " + format_significant(to.y(), 9);
   };
   throw InputError(source.path.string() + ": the zones lie at " +
                    span(map.extent.low, map.extent.high) + ", the ground at " +
@@ -313,14 +314,15 @@ void assign_zones(Terrain& terrain, const ZoneFile& source, bool cut) {
   }
   refuse_bare(bare, terrain, source.path.string(), "extend the zones or cut the ground");
   if (bare.partial > 1e-6) {
-    terrain.report.notes.push_back(source.path.string() + ": " + with_digits(bare.partial, 3) +
+    terrain.report.notes.push_back(source.path.string() + ": " +
+                                   format_significant(bare.partial, 3) +
                                    " m2 beside the zones took the zone of the triangle's rest");
   }
   number_zones(terrain, map.labels, label, source.path.string());
 }
 
 void assign_zones(Terrain& terrain, const std::vector<std::string>& texts) {
-  const std::vector<ZoneRule> rules = zone_rules(texts);
+  const std::vector<ZoneRule> rules = parse_zone_rules(texts);
   std::vector<std::string> labels;
   std::vector<std::uint32_t> label_of;
   for (const ZoneRule& rule : rules) {

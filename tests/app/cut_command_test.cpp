@@ -131,7 +131,7 @@ TEST_F(CutBetweenTerrains, TheBlocksAreReleasedInPlaceOnTheTerrainAfter) {
   EXPECT_TRUE(contains(run.out, "in 1 body; left out: none")) << run.out;
   EXPECT_TRUE(contains(run.out, "edges of the surfaces, median: ")) << run.out;
   const TriangleMesh scar = read_mesh(folder / "scar.ply");
-  EXPECT_TRUE(inspect(scar).closed());
+  EXPECT_TRUE(inspect_mesh(scar).is_closed());
   // A paraboloid, without what is thinner than 0.1 m.
   const double volume = 0.5 * std::numbers::pi * 36.0 * 3.0 * (1.0 - std::pow(0.1 / 3.0, 2));
   EXPECT_NEAR(signed_volume(scar) / volume, 1.0, 5e-3);

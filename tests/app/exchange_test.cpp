@@ -237,8 +237,8 @@ TEST_F(Exchange, MeshesAreOfTheAskedSurfaceInTheAskedFrame) {
   EXPECT_EQ(exported({"--what", "surface"}).triangles.size(), l_block().triangles.size());
   const double volume = shown("b.h5").at("concave")["volume_m3"];
   const TriangleMesh skin = exported({}), fine = exported({"--segments", "8"});
-  EXPECT_TRUE(inspect(skin).closed() && inspect(skin).oriented());
-  EXPECT_TRUE(crossing_triangles(skin).empty());
+  EXPECT_TRUE(inspect_mesh(skin).is_closed() && inspect_mesh(skin).is_oriented());
+  EXPECT_TRUE(find_self_intersections(skin).empty());
   EXPECT_NEAR(enclosed_volume(skin), volume, 0.01 * volume);
   EXPECT_NEAR(enclosed_volume(fine), volume, 0.0025 * volume);
   const TriangleMesh own = exported({"--what", "core", "--frame", "principal"});

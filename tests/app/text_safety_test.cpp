@@ -83,7 +83,7 @@ TEST(TextSafety, CellsThatASpreadsheetWouldRunAreTextAndComeBack) {
   for (const char* cell : {",\"'=1+1\",", ",\"'@SUM(A1)\",", ",\"'-B7\","}) {
     EXPECT_TRUE(contains(classes, cell));
   }
-  DelimitedText text(classes, "classes.csv");
+  DelimitedTextReader text(classes, "classes.csv");
   Record record;
   std::vector<std::string> names;
   while (text.next(record)) names.emplace_back(record.fields.at(1));

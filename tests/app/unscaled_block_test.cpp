@@ -22,10 +22,10 @@ class UnscaledBlock : public SlopeCampaign {
     model.id = "model";
     model.source.unscaled = true;
     model.unseen = VolumeBracket{.lower_volume = 0.9 * model.mass.volume,
-                                 .best_volume = model.mass.volume,
+                                 .estimated_volume = model.mass.volume,
                                  .upper_volume = 1.1 * model.mass.volume,
                                  .sides = SideBounds{model.box.lengths, model.box.lengths},
-                                 .invented_share = 0.2,
+                                 .filled_fraction = 0.2,
                                  .assumption = "the flanks go on"};
     library.add(model);
     library.write(folder / "blocks.h5");

@@ -17,7 +17,7 @@ class VaryCommand : public testing::Test {
     BlockLibrary library;
     for (const std::uint64_t seed : {3u, 4u}) {
       const SpheroPolyhedron body =
-          sphero_polyhedron(rock_mesh(2, Vec3(1.0, 0.8, 0.5), seed, 0.3), 0.02);
+          make_sphero_polyhedron(rock_mesh(2, Vec3(1.0, 0.8, 0.5), seed, 0.3), 0.02);
       library.add(make_block("R" + std::to_string(seed), body,
                              {"rock.ply", std::string(64, 'a'), "", ""}, {}));
     }

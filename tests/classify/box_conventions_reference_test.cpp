@@ -31,11 +31,11 @@ TEST(BoxConventions, DecideTheClassOfRealStones) {
     if (row.at("kind") != "mesh" || row.at("obb_volume_best").empty()) continue;
     if (row.at("volume_meaningful") != "True" || row.at("nonmanifold_edges") != "0") continue;
     const TriangleMesh mesh = read_scan(test_data("meshes/" + row.at("file"))).mesh;
-    const SpheroPolyhedron body = sphero_polyhedron(mesh, 0.0);
+    const SpheroPolyhedron body = make_sphero_polyhedron(mesh, 0.0);
     const PrincipalFrame frame = principal_frame(solid_mass_properties(mesh, 1.0));
     const OrientedBox smallest = smallest_box(body);
     for (const BoxConvention convention : kBoxConventions) {
-      const OrientedBox box = box_of(body, frame, convention);
+      const OrientedBox box = box_by_convention(body, frame, convention);
       const double ratio = box.volume() / smallest.volume();
       EXPECT_GE(ratio, 1.0 - 1e-9) << row.at("file") << " " << name_of(convention);
       const Axes mine = axes_of(box), theirs = axes_of(smallest);
@@ -81,7 +81,7 @@ class AuthumeBoxes : public testing::TestWithParam<Core> {
  protected:
   SpheroPolyhedron body(double radius) const {
     const std::string file = std::string("authume/blocks/") + GetParam().block + ".stl";
-    return sphero_polyhedron(read_scan(test_data(file)).mesh, radius);
+    return make_sphero_polyhedron(read_scan(test_data(file)).mesh, radius);
   }
 };
 
@@ -90,29 +90,29 @@ class AuthumeBoxes : public testing::TestWithParam<Core> {
 TEST_P(AuthumeBoxes, ConventionDecidesTheElongation) {
   const Core& core = GetParam();
   const Axes axes = axes_of(smallest_box(body(core.radius)));
-  EXPECT_NEAR(elongation_s_c(axes), core.smallest_rounded, 0.01);
+  EXPECT_NEAR(elongation_index(axes), core.smallest_rounded, 0.01);
   EXPECT_EQ(garcia_class(axes), core.smallest_rounded > 0.3 ? "elongated" : "compact");
   const SpheroPolyhedron bare = body(0.0);
   const PrincipalFrame frame = principal_frame(solid_mass_properties(core_mesh(bare), 1.0));
-  const Axes inertia = axes_of(box_of(bare, frame, BoxConvention::kInertia));
-  EXPECT_NEAR(elongation_s_c(inertia), core.inertia_bare, 0.005);
+  const Axes inertia = axes_of(box_by_convention(bare, frame, BoxConvention::kInertia));
+  EXPECT_NEAR(elongation_index(inertia), core.inertia_bare, 0.005);
   const double error = 0.01 * axes.L;
   const ClassCertainty certainty = class_certainty("sneed-folk", axes, error);
   std::cout << core.block << ": smallest box " << axes.L << " " << axes.I << " " << axes.S
-            << ", s_c " << elongation_s_c(axes) << ", " << certainty.name << ", "
-            << certainty_words(certainty) << "; inertia box of the core, s_c "
-            << elongation_s_c(inertia) << "; the paper prints " << core.printed << "\n";
+            << ", s_c " << elongation_index(axes) << ", " << certainty.name << ", "
+            << describe_certainty(certainty) << "; inertia box of the core, s_c "
+            << elongation_index(inertia) << "; the paper prints " << core.printed << "\n";
   EXPECT_TRUE(contains(core.sneed_folk, certainty.name));
   // SP2A lies on the line between C and CB: any error at all allows the other.
   if (std::string(core.block) == "SP2A") {
-    EXPECT_FALSE(certainty.survives);
+    EXPECT_FALSE(certainty.is_certain);
     EXPECT_LT(certainty.distance, 1e-3);
   }
   // SP3A is next to the line between B and E, which the error of a tape crosses.
   if (std::string(core.block) == "SP3A") {
     EXPECT_TRUE(certainty.near_limit);
     const ClassCertainty taped = class_certainty("sneed-folk", axes, kTapeError);
-    EXPECT_FALSE(taped.survives);
+    EXPECT_FALSE(taped.is_certain);
     EXPECT_EQ(std::count(taped.others.begin(), taped.others.end(), "E"), 1);
   }
 }

@@ -30,20 +30,20 @@ TEST(Certainty, NamesTheNearestLimit) {
 TEST(Certainty, ErrorOfTheAxesDecidesWhatIsPossible) {
   // q = 0.69: 69.5/99.5 = 0.698 and 70/99 = 0.707.
   const Axes axes{100, 85, 69};
-  EXPECT_TRUE(class_certainty("sneed-folk", axes, 0.5).survives);
+  EXPECT_TRUE(class_certainty("sneed-folk", axes, 0.5).is_certain);
   const ClassCertainty certainty = class_certainty("sneed-folk", axes, 1.0);
-  EXPECT_FALSE(certainty.survives);
+  EXPECT_FALSE(certainty.is_certain);
   EXPECT_EQ(certainty.others, std::vector<std::string>{"C"});
   // s_c = 0.25: 126/99 - 1 = 0.273, 130/95 - 1 = 0.368.
-  EXPECT_TRUE(class_certainty("garcia", {125, 100, 50}, 1.0).survives);
-  EXPECT_FALSE(class_certainty("garcia", {125, 100, 50}, 5.0).survives);
+  EXPECT_TRUE(class_certainty("garcia", {125, 100, 50}, 1.0).is_certain);
+  EXPECT_FALSE(class_certainty("garcia", {125, 100, 50}, 5.0).is_certain);
 }
 
 // Five centimetres on a block of a decimetre allow nearly everything, but not a negative axis.
 TEST(Certainty, AnErrorLargerThanTheAxesIsNoTrouble) {
   for (const std::string& scheme : scheme_names()) {
     const ClassCertainty certainty = class_certainty(scheme, {0.10, 0.06, 0.03}, 0.05);
-    EXPECT_FALSE(certainty.survives) << scheme;
+    EXPECT_FALSE(certainty.is_certain) << scheme;
     EXPECT_FALSE(certainty.others.empty()) << scheme;
   }
 }
@@ -97,7 +97,7 @@ TEST(Certainty, IsCompleteAndHoldsNothingElse) {
     for (const std::string& scheme : scheme_names()) {
       const ClassCertainty certainty = class_certainty(scheme, axes, error);
       std::set<std::string> said = said_classes(certainty);
-      EXPECT_EQ(certainty.survives, said.size() == 1);
+      EXPECT_EQ(certainty.is_certain, said.size() == 1);
       if (scheme == "williams") {
         // A line between the other two: a grid does not meet it.
         EXPECT_EQ(said.erase("neither"), said.size() == 3 ? 1u : 0u);
@@ -107,7 +107,7 @@ TEST(Certainty, IsCompleteAndHoldsNothingElse) {
         said.erase(name);
         ++compared;
       }
-      more_than_one += !certainty.survives;
+      more_than_one += !certainty.is_certain;
       constexpr int kFine = 500;
       for (int face = 0; face < 3 && !said.empty(); ++face) {
         for (int i = 0; i <= kFine; ++i) {
@@ -134,10 +134,10 @@ TEST(Certainty, IsCompleteAndHoldsNothingElse) {
 TEST(Certainty, AClassThatOnlyTouchesItsLimitSurvives) {
   const ClassCertainty certainty = class_certainty("en-933-4", {1.0, 0.7, 0.4}, 0.05);
   EXPECT_EQ(certainty.name, "cubical");
-  EXPECT_TRUE(certainty.survives);
+  EXPECT_TRUE(certainty.is_certain);
   EXPECT_TRUE(certainty.others.empty());
   // A hair more and 1.0501/0.3499 is above it.
-  EXPECT_FALSE(class_certainty("en-933-4", {1.0, 0.7, 0.4}, 0.0501).survives);
+  EXPECT_FALSE(class_certainty("en-933-4", {1.0, 0.7, 0.4}, 0.0501).is_certain);
 }
 
 // I^2 = L S between oblate and prolate is a class of its own, if one without an area.
@@ -146,7 +146,7 @@ TEST(Certainty, TheLineOfWilliamsIsPossibleWhereItIsCrossed) {
       class_certainty("williams", {1.0, 0.72, 0.5}, 0.05).others;
   EXPECT_EQ(others, (std::vector<std::string>{"neither", "prolate"}));
   // 0.84^2 > 1.01 * 0.51: far from the line.
-  EXPECT_TRUE(class_certainty("williams", {1.0, 0.85, 0.5}, 0.01).survives);
+  EXPECT_TRUE(class_certainty("williams", {1.0, 0.85, 0.5}, 0.01).is_certain);
 }
 
 TEST(Certainty, HoldsForAxesOfAnySize) {
@@ -160,13 +160,13 @@ TEST(Certainty, HoldsForAxesOfAnySize) {
 TEST(Certainty, UndeterminedOnBothSidesOfAClassDoesNotSurvive) {
   const ClassCertainty certainty = class_certainty("erdogan", {1.32, 1.0, 0.76}, 0.05);
   EXPECT_EQ(certainty.name, "undetermined");
-  EXPECT_FALSE(certainty.survives);
+  EXPECT_FALSE(certainty.is_certain);
 }
 
 TEST(Certainty, IsSaidInWords) {
-  EXPECT_EQ(certainty_words(class_certainty("sneed-folk", {100, 85, 69}, 1.0)),
+  EXPECT_EQ(describe_certainty(class_certainty("sneed-folk", {100, 85, 69}, 1.0)),
             "S/L 0.69 is 0.01 from 0.7; C possible");
-  EXPECT_EQ(certainty_words(class_certainty("garcia", {100, 80, 60}, 0.1)),
+  EXPECT_EQ(describe_certainty(class_certainty("garcia", {100, 80, 60}, 0.1)),
             "s_c 0.25 is 0.05 from 0.3");
 }
 

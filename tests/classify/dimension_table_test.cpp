@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "core/error.hpp"
-#include "core/files/csv_text.hpp"
+#include "core/files/csv_writer.hpp"
 #include "core/files/text_file.hpp"
 #include "tests/support/refusal.hpp"
 #include "tests/support/scratch_folder.hpp"
@@ -190,7 +190,7 @@ TEST_F(Tables, UnitOfTheTableIsApplied) {
     const auto block =
         read("L" + unit + ",I" + unit + ",S" + unit + "\n300,200,100\n").blocks.at(0);
     EXPECT_NEAR(block.axes.L, 3e-4, 1e-18);
-    EXPECT_EQ(block.as_written.L, 300.0);
+    EXPECT_EQ(block.axes_as_written.L, 300.0);
   }
   EXPECT_TRUE(contains(refusal("L_cm,I_cm,S_mm\n3,2,1\n"), "different units"));
 }
@@ -198,8 +198,8 @@ TEST_F(Tables, UnitOfTheTableIsApplied) {
 // 0.42/0.6 in any unit: ratios are of the numbers as they were written.
 TEST_F(Tables, RatiosCarryNoRoundingOfTheUnit) {
   const auto block = read("L,I,S\n1,3,0.7\n", {.units = 1e-6}).blocks.at(0);
-  EXPECT_EQ(block.as_written.S / block.as_written.I, 0.7);
-  EXPECT_EQ(block.as_written.I / block.as_written.L, 1.0 / 3.0);
+  EXPECT_EQ(block.axes_as_written.S / block.axes_as_written.I, 0.7);
+  EXPECT_EQ(block.axes_as_written.I / block.axes_as_written.L, 1.0 / 3.0);
 }
 
 TEST_F(Tables, MassesAreReadWhereThereIsAColumn) {
@@ -207,7 +207,7 @@ TEST_F(Tables, MassesAreReadWhereThereIsAColumn) {
   ASSERT_EQ(kilograms.blocks.size(), 3u);
   EXPECT_EQ(kilograms.blocks[0].mass, 450.0);
   EXPECT_FALSE(kilograms.blocks[1].mass || kilograms.blocks[2].mass);
-  EXPECT_EQ(kilograms.unweighed, 2u);
+  EXPECT_EQ(kilograms.without_mass, 2u);
   ASSERT_EQ(kilograms.notes.size(), 2u);
   EXPECT_TRUE(contains(kilograms.notes[0], "row 3: mass is missing"));
   EXPECT_TRUE(contains(kilograms.notes[1], "row 4: mass = -4"));
@@ -306,7 +306,7 @@ TEST_F(Tables, ARowOfAnotherLengthThanTheHeaderIsRefusedWithItsLine) {
 
 // What `clast classify -o DIR` writes is a table of its own.
 TEST_F(Tables, NamesThatASpreadsheetWouldRunComeBack) {
-  CsvText csv;
+  CsvWriter csv;
   csv.header("block,L_m,I_m,S_m");
   const std::vector<std::string> names = {"=1+1", "@x", "-B7", "+A", "'=2", "B, \"8\""};
   for (const std::string& name : names) {
@@ -380,7 +380,7 @@ TEST_F(Tables, AxesThatNoBlockHasAreSkipped) {
       "1e200\n");
   ASSERT_EQ(table.blocks.size(), 2u);
   EXPECT_EQ(table.skipped, 4u);
-  EXPECT_EQ(table.unweighed, 1u);
+  EXPECT_EQ(table.without_mass, 1u);
   for (const char* part :
        {"row 2 skipped: L = 1e301 is more than 1e+09 m",
         "row 5 skipped: S = 0.9e-9 is less than 1e-09 m", "row 7: mass = 1e200"}) {

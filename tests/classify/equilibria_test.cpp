@@ -17,7 +17,7 @@ const Pose kSomeMotion{Vec3(3, -2, 5), Quat(0.5, -0.3, 0.7, 0.2).normalized()};
 /// Equilibria of the hull of points, about its own centre of mass, at another place.
 Equilibria equilibria(const std::vector<Vec3>& points, double radius = 0.1) {
   const TriangleMesh hull = transformed(convex_hull(points), kSomeMotion);
-  return static_equilibria(sphero_polyhedron(hull, radius),
+  return static_equilibria(make_sphero_polyhedron(hull, radius),
                            solid_mass_properties(hull, 1.0).centre);
 }
 
@@ -101,7 +101,7 @@ TEST(Equilibria, PoincareHopfHoldsForAnyCentreInside) {
     const TriangleMesh hull = convex_hull(points);
     const Vec3 middle = solid_mass_properties(hull, 1.0).centre;
     const Vec3 centre = middle + 0.5 * random.uniform() * (points[0] - middle);
-    const Equilibria e = static_equilibria(sphero_polyhedron(hull, 0.1), centre);
+    const Equilibria e = static_equilibria(make_sphero_polyhedron(hull, 0.1), centre);
     EXPECT_TRUE(e.consistent()) << "seed " << seed << ": " << e.stable << " " << e.unstable << " "
                                 << e.saddle;
     EXPECT_GE(e.stable, 1u);

@@ -26,11 +26,11 @@ std::vector<Axes> authume_blocks() {
 TEST(FieldClasses, AuthumePopulationIsAsPublished) {
   const std::vector<Axes> blocks = authume_blocks();
   ASSERT_EQ(blocks.size(), 89u);
-  const auto garcia = class_shares(blocks, "garcia");
+  const auto garcia = class_fractions(blocks, "garcia");
   EXPECT_EQ(garcia[0].count, 46u);
   EXPECT_EQ(garcia[1].count, 43u);
   std::map<std::string, std::size_t> counts;
-  for (const ClassShare& share : class_shares(blocks, "sneed-folk")) {
+  for (const ClassFraction& share : class_fractions(blocks, "sneed-folk")) {
     if (share.count > 0) counts[share.name] = share.count;
   }
   const std::map<std::string, std::size_t> expected = {{"C", 28}, {"CP", 6}, {"CB", 22}, {"CE", 24},
@@ -51,7 +51,7 @@ TEST(FieldClasses, EveryClassWithinTheErrorOfTheTapeIsNamed) {
       said.emplace_back(certainty.others.begin(), certainty.others.end());
       said.back().insert(certainty.name);
       said.back().erase("neither");  // a line: a grid hits it only by chance
-      EXPECT_EQ(certainty.survives, certainty.others.empty());
+      EXPECT_EQ(certainty.is_certain, certainty.others.empty());
     }
     std::vector<std::set<std::string>> seen(said.size());
     const auto at = [](double axis, int k) {

@@ -46,9 +46,9 @@ TEST(FormGrid, CoversZinggsDiagramAndRefusesNoGrid) {
 }
 
 /// Flatter the longer they are, all else by chance.
-std::vector<DrawnBlock> drawn_population(std::size_t count) {
+std::vector<BlockForm> drawn_population(std::size_t count) {
   Random random(5);
-  std::vector<DrawnBlock> blocks;
+  std::vector<BlockForm> blocks;
   for (std::size_t i = 0; i < count; ++i) {
     const double size = random.normal();
     const double L = std::exp(0.4 * size), I = L * random.uniform(0.5, 1.0);
@@ -59,22 +59,22 @@ std::vector<DrawnBlock> drawn_population(std::size_t count) {
 }
 
 TEST(FormCopula, DrawsBlocksLikeThePopulation) {
-  const std::vector<DrawnBlock> from = drawn_population(200);
+  const std::vector<BlockForm> from = drawn_population(200);
   const FormCopula copula(from);
   Random random(1);
-  std::vector<DrawnBlock> drawn;
+  std::vector<BlockForm> drawn;
   for (int i = 0; i < 3000; ++i) drawn.push_back(copula.draw(random));
   double longest = 0.0;
-  for (const DrawnBlock& block : from) longest = std::max(longest, block.axes.L);
-  for (const DrawnBlock& block : drawn) {
+  for (const BlockForm& block : from) longest = std::max(longest, block.axes.L);
+  for (const BlockForm& block : drawn) {
     EXPECT_TRUE(block.axes.L >= block.axes.I && block.axes.I >= block.axes.S);
     EXPECT_GT(block.axes.S, 0.0);
     EXPECT_LE(block.axes.L, longest * (1.0 + 1e-12));
     EXPECT_FALSE(block.convexity);
   }
   const CopulaFit fit = copula.fit(drawn);
-  EXPECT_LT(fit.largest_difference, 0.04);
-  EXPECT_EQ(fit.weakened, 0.0);
+  EXPECT_LT(fit.max_cdf_difference, 0.04);
+  EXPECT_EQ(fit.removed_correlation, 0.0);
   ASSERT_EQ(fit.correlations.size(), 3u);
   for (const RankCorrelation& pair : fit.correlations) {
     EXPECT_NEAR(pair.drawn, pair.population, 0.06) << pair.first << pair.second;
@@ -83,10 +83,10 @@ TEST(FormCopula, DrawsBlocksLikeThePopulation) {
 }
 
 TEST(FormCopula, KeepsWhatIsTheSameOfAllBlocksAndRefusesTooFew) {
-  std::vector<DrawnBlock> same(12, {{1.0, 0.8, 0.4}, 0.95});
+  std::vector<BlockForm> same(12, {{1.0, 0.8, 0.4}, 0.95});
   const FormCopula copula(same);
   Random random(2);
-  const DrawnBlock block = copula.draw(random);
+  const BlockForm block = copula.draw(random);
   EXPECT_NEAR(block.axes.S, 0.4, 1e-12);
   EXPECT_NEAR(block.convexity.value(), 0.95, 1e-12);
   EXPECT_TRUE(contains(refusal([&] { FormCopula{{same.data(), 9}}; }), "and there are 9"));

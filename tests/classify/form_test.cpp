@@ -22,7 +22,7 @@ TEST(Form, IndicesOfTwoMeasuredStones) {
 
 TEST(Form, IndicesOfACuboidByHand) {
   const Axes axes{4.0, 2.0, 1.0};
-  EXPECT_EQ(elongation_s_c(axes), 1.0);
+  EXPECT_EQ(elongation_index(axes), 1.0);
   EXPECT_NEAR(*disc_rod_index(axes), 2.0 / 3.0, 1e-16);
   EXPECT_NEAR(maximum_projection_sphericity(axes), 0.5, 1e-16);
   EXPECT_NEAR(intercept_sphericity(axes), 0.5, 1e-16);
@@ -87,19 +87,19 @@ TEST(Form, IndicesOfACube) {
 
 TEST(Form, LimitsOfDiscsAndRods) {
   const Axes disc{1.0, 1.0, 1e-9}, rod{1.0, 1e-9, 1e-9};
-  EXPECT_NEAR(williams_w(disc), 1.0, 1e-8);
-  EXPECT_NEAR(williams_w(rod), -1.0, 1e-8);
+  EXPECT_NEAR(williams_shape_index(disc), 1.0, 1e-8);
+  EXPECT_NEAR(williams_shape_index(rod), -1.0, 1e-8);
   EXPECT_LT(*oblate_prolate_index(disc), 0.0);
   EXPECT_GT(*oblate_prolate_index(rod), 0.0);
-  EXPECT_NEAR(ternary_place(disc).platy, 1.0, 1e-8);
-  EXPECT_NEAR(ternary_place(rod).elongate, 1.0, 1e-8);
+  EXPECT_NEAR(ternary_coordinates(disc).platy, 1.0, 1e-8);
+  EXPECT_NEAR(ternary_coordinates(rod).elongate, 1.0, 1e-8);
 }
 
 TEST(Form, PartsOfAWholeAddUpToOne) {
   for (double I = 0.1; I <= 1.0; I += 0.1) {
     for (double S = 0.05; S <= I; S += 0.1) {
       const Axes axes{1.0, I, S};
-      const TernaryPlace place = ternary_place(axes);
+      const TernaryCoordinates place = ternary_coordinates(axes);
       EXPECT_NEAR(place.compact + place.elongate + place.platy, 1.0, 1e-15);
       EXPECT_NEAR(place.elongate, (1.0 - S) * *disc_rod_index(axes), 1e-15);
       const auto indices = form_indices(axes);
@@ -113,7 +113,7 @@ TEST(Form, PartsOfAWholeAddUpToOne) {
 // "Compactness" alone means at least four things.
 TEST(Form, NamesAreSingleAndNeverTheBareWordCompactness) {
   std::set<std::string> names;
-  for (const FormIndex& index : form_index_list()) {
+  for (const FormIndex& index : form_index_definitions()) {
     EXPECT_TRUE(names.insert(index.name).second) << index.name;
     EXPECT_STRNE(index.name, "compactness");
     EXPECT_FALSE(std::string(index.formula).empty()) << index.name;
@@ -135,7 +135,7 @@ TEST(Form, EqualAxesHaveNoDiscRodIndex) {
 TEST(Form, IndicesDoNotDependOnTheUnit) {
   const auto metres = form_indices({1.3, 0.9, 0.4});
   const auto millimetres = form_indices({1300.0, 900.0, 400.0});
-  EXPECT_EQ(metres.size(), form_index_list().size());
+  EXPECT_EQ(metres.size(), form_index_definitions().size());
   for (const auto& [name, value] : metres) {
     EXPECT_NEAR(value, millimetres.at(name), 1e-14) << name;
   }

@@ -8,7 +8,7 @@ namespace clast {
 namespace {
 
 MeasuredBlock block(const std::string& name, double error) {
-  MeasuredBlock one = measured_block(name, {0.03, 0.02, 0.01});
+  MeasuredBlock one = make_measured_block(name, {0.03, 0.02, 0.01});
   one.axis_error = error;
   return one;
 }

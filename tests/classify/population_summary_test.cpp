@@ -19,7 +19,7 @@ Population deposit(const std::string& name, std::uint64_t seed, int blocks, doub
     const double elongation = s_c * std::exp(0.4 * random.normal());
     const double I = related ? 0.3 + elongation : 0.5 + 0.3 * random.uniform();
     population.blocks.push_back(
-        measured_block("b" + std::to_string(i), {I * (1.0 + elongation), I, 0.7 * I}, 1000.0 * I));
+        make_measured_block("b" + std::to_string(i), {I * (1.0 + elongation), I, 0.7 * I}, 1000.0 * I));
   }
   return population;
 }
@@ -29,25 +29,25 @@ TEST(Summarised, HoldsEverySchemeAndMeasure) {
   EXPECT_EQ(summary.blocks, 40u);
   EXPECT_EQ(summary.weighed, 40u);
   ASSERT_EQ(summary.schemes.size(), scheme_names().size());
-  for (const SchemeShares& scheme : summary.schemes) {
+  for (const SchemeFractions& scheme : summary.schemes) {
     EXPECT_EQ(scheme.shares.size(), class_names(scheme.scheme).size());
     std::size_t count = 0;
     double mass = 0.0;
-    for (const ClassShare& share : scheme.shares) {
+    for (const ClassFraction& share : scheme.shares) {
       count += share.count;
       mass += share.mass_share;
     }
     EXPECT_EQ(count, 40u);
     EXPECT_NEAR(mass, 1.0, 1e-12);
   }
-  EXPECT_EQ(summary.size_and_shape.size(), 3u);
+  EXPECT_EQ(summary.size_shape_correlations.size(), 3u);
   EXPECT_EQ(
       summarise_population(deposit("talus", 1, 5, 0.3), {.schemes = {"zingg"}}).schemes.size(), 1u);
 }
 
 TEST(Summarised, SizeAndShapeGoTogetherOnlyWhereTheyDo) {
-  const auto related = summarise_population(deposit("a", 1, 60, 0.3, true)).size_and_shape;
-  const auto unrelated = summarise_population(deposit("b", 1, 60, 0.3)).size_and_shape;
+  const auto related = summarise_population(deposit("a", 1, 60, 0.3, true)).size_shape_correlations;
+  const auto unrelated = summarise_population(deposit("b", 1, 60, 0.3)).size_shape_correlations;
   EXPECT_STREQ(related[0].measure->name, "s_c");
   EXPECT_NEAR(related[0].test->statistic, 1.0, 1e-12);
   EXPECT_LT(related[0].test->p_value, 1e-9);
@@ -57,19 +57,19 @@ TEST(Summarised, SizeAndShapeGoTogetherOnlyWhereTheyDo) {
 TEST(Summarised, UnscaledBlocksHaveClassesAndNoSizes) {
   Population population = deposit("talus", 1, 40, 0.3);
   const PopulationSummary metric = summarise_population(population);
-  MeasuredBlock model = measured_block("model", {70.0, 50.0, 40.0});
+  MeasuredBlock model = make_measured_block("model", {70.0, 50.0, 40.0});
   model.unscaled = true;
   population.blocks.insert(population.blocks.begin() + 20, model);
   const PopulationSummary summary = summarise_population(population);
   EXPECT_EQ(summary.blocks, 41u);
   std::size_t counted = 0;
-  for (const ClassShare& share : summary.schemes.front().shares) counted += share.count;
+  for (const ClassFraction& share : summary.schemes.front().shares) counted += share.count;
   EXPECT_EQ(counted, 41u);
   EXPECT_EQ(summary.size.by_number.blocks, 40u);
   EXPECT_EQ(summary.size.by_number.d90, metric.size.by_number.d90);
   EXPECT_EQ(summary.size.by_mass->d50, metric.size.by_mass->d50);
   EXPECT_EQ(summary.size.total_mass, metric.size.total_mass);
-  EXPECT_EQ(summary.size_and_shape[0].test->statistic, metric.size_and_shape[0].test->statistic);
+  EXPECT_EQ(summary.size_shape_correlations[0].test->statistic, metric.size_shape_correlations[0].test->statistic);
 
   const PopulationSummary alone = summarise_population({"models", {model, model}});
   EXPECT_EQ(alone.size.by_number.blocks, 0u);
@@ -79,13 +79,13 @@ TEST(Summarised, UnscaledBlocksHaveClassesAndNoSizes) {
 
 TEST(Summarised, OneBlockAndOneSizeSayWhatCanBeSaid) {
   Population cubes{"cubes", {}};
-  for (int i = 0; i < 4; ++i) cubes.blocks.push_back(measured_block("c", {1, 1, 1}));
+  for (int i = 0; i < 4; ++i) cubes.blocks.push_back(make_measured_block("c", {1, 1, 1}));
   const PopulationSummary summary = summarise_population(cubes);
-  EXPECT_FALSE(summary.size_and_shape[0].test);
-  EXPECT_EQ(summary.size_and_shape[2].blocks, 0u);  // d of L = S is not defined
+  EXPECT_FALSE(summary.size_shape_correlations[0].test);
+  EXPECT_EQ(summary.size_shape_correlations[2].blocks, 0u);  // d of L = S is not defined
   EXPECT_TRUE(summary.size.by_number.laws.empty());
   EXPECT_EQ(summary.weighed, 0u);
-  EXPECT_EQ(summarise_population({"one", {measured_block("x", {3, 2, 1})}}).blocks, 1u);
+  EXPECT_EQ(summarise_population({"one", {make_measured_block("x", {3, 2, 1})}}).blocks, 1u);
   EXPECT_TRUE(contains(refusal([] { summarise_population({"none", {}}); }), "none"));
 }
 
@@ -127,7 +127,7 @@ TEST(Compared, SmallExpectedCountsAreSaid) {
 }
 
 TEST(Compared, PopulationsOfOneClassHaveNothingToCompare) {
-  Population cubes{"cubes", {measured_block("c", {1, 1, 1})}};
+  Population cubes{"cubes", {make_measured_block("c", {1, 1, 1})}};
   const PopulationComparison comparison = compare_populations(cubes, cubes);
   EXPECT_FALSE(comparison.schemes.at(0).test);
   EXPECT_TRUE(contains(comparison.schemes.at(0).words, "one sneed-folk class"));
@@ -137,7 +137,7 @@ TEST(Compared, PopulationsOfOneClassHaveNothingToCompare) {
 
 // Ratios of decimals that are equal on paper: 1.1/0.8 and 0.55/0.4.
 TEST(ShapeMeasures, TiesOnPaperAreTies) {
-  const auto values = values_of(shape_measures()[0],
+  const auto values = measure_values(shape_measures()[0],
                                 std::vector<Axes>{{1.1, 0.8, 0.5}, {0.55, 0.4, 0.2}, {1.3, 1, 1}});
   EXPECT_EQ(values[0], values[1]);
   EXPECT_NEAR(values[2], 0.3, 1e-12);

@@ -20,10 +20,10 @@ std::vector<Axes> population(int compact, int elongated) {
 // Wilson's limits are the shares p0 for which the observed p is 1.96 standard errors of p0 away.
 TEST(ClassShares, IntervalsSolveWilsonsEquation) {
   for (const auto& [a, b] : {std::pair{1, 9}, {10, 10}, {43, 46}, {99, 1}}) {
-    const auto shares = class_shares(population(a, b), "garcia");
+    const auto shares = class_fractions(population(a, b), "garcia");
     ASSERT_EQ(shares.size(), 2u);
     const double n = a + b;
-    for (const ClassShare& share : shares) {
+    for (const ClassFraction& share : shares) {
       EXPECT_EQ(share.share, share.count / n);
       for (const double limit : {share.low, share.high}) {
         const double error = std::sqrt(limit * (1.0 - limit) / n);
@@ -37,7 +37,7 @@ TEST(ClassShares, IntervalsSolveWilsonsEquation) {
 
 // 0 of 10: upper limit z^2 / (n + z^2) = 3.8415 / 13.8415.
 TEST(ClassShares, EmptyClassesKeepAnUpperLimit) {
-  const auto shares = class_shares(population(10, 0), "garcia");
+  const auto shares = class_fractions(population(10, 0), "garcia");
   EXPECT_EQ(shares[0].name, "compact");
   EXPECT_EQ(shares[0].count, 10u);
   EXPECT_EQ(shares[0].high, 1.0);
@@ -48,15 +48,15 @@ TEST(ClassShares, EmptyClassesKeepAnUpperLimit) {
 }
 
 TEST(ClassShares, EveryClassIsListedAndCountsAddUp) {
-  const auto shares = class_shares(population(3, 4), "sneed-folk");
+  const auto shares = class_fractions(population(3, 4), "sneed-folk");
   EXPECT_EQ(shares.size(), 10u);
   std::size_t total = 0;
-  for (const ClassShare& share : shares) total += share.count;
+  for (const ClassFraction& share : shares) total += share.count;
   EXPECT_EQ(total, 7u);
 }
 
 TEST(ClassShares, OfNoBlocksNothingIsKnown) {
-  for (const ClassShare& share : class_shares({}, "zingg")) {
+  for (const ClassFraction& share : class_fractions({}, "zingg")) {
     EXPECT_EQ(share.count, 0u);
     EXPECT_EQ(share.low, 0.0);
     EXPECT_EQ(share.high, 1.0);
@@ -66,7 +66,7 @@ TEST(ClassShares, OfNoBlocksNothingIsKnown) {
 TEST(ClassShares, EqualMassesGiveTheSharesByNumber) {
   const auto blocks = population(43, 46);
   const std::vector<double> kg(89, 250.0);
-  for (const ClassShare& share : class_shares(blocks, "garcia", {}, kg)) {
+  for (const ClassFraction& share : class_fractions(blocks, "garcia", {}, kg)) {
     EXPECT_NEAR(share.mass_share, share.share, 1e-14);
     EXPECT_NEAR(share.mass_low, share.low, 1e-12);
     EXPECT_NEAR(share.mass_high, share.high, 1e-12);
@@ -79,7 +79,7 @@ TEST(ClassShares, OneHeavyBlockSaysLittleOfTheDeposit) {
   const auto blocks = population(9, 1);
   std::vector<double> kg(9, 1.0);
   kg.push_back(91.0);
-  const auto shares = class_shares(blocks, "garcia", {}, kg);
+  const auto shares = class_fractions(blocks, "garcia", {}, kg);
   EXPECT_NEAR(shares[1].mass_share, 0.91, 1e-14);
   EXPECT_LT(shares[1].mass_low, 0.35);
   EXPECT_NEAR(shares[0].mass_low, 1.0 - shares[1].mass_high, 1e-12);
@@ -87,12 +87,12 @@ TEST(ClassShares, OneHeavyBlockSaysLittleOfTheDeposit) {
 
 TEST(ClassShares, BlocksWithoutMassCountByNumberOnly) {
   const auto shares =
-      class_shares(population(2, 2), "garcia", {}, std::vector<double>{30, 0, 10, 0});
+      class_fractions(population(2, 2), "garcia", {}, std::vector<double>{30, 0, 10, 0});
   EXPECT_EQ(shares[0].count, 2u);
   EXPECT_EQ(shares[0].share, 0.5);
   EXPECT_EQ(shares[0].mass, 30.0);
   EXPECT_EQ(shares[0].mass_share, 0.75);
-  const auto none = class_shares(population(2, 2), "garcia");
+  const auto none = class_fractions(population(2, 2), "garcia");
   EXPECT_EQ(none[0].mass_share, 0.0);
   EXPECT_EQ(none[0].mass_low, 0.0);
   EXPECT_EQ(none[0].mass_high, 1.0);
@@ -114,7 +114,7 @@ TEST(ClassShares, IntervalsByMassHoldTheTrueShare) {
         blocks.push_back({elongated ? 2.0 : 1.0, 1.0, 1.0});
         kg.push_back((elongated ? heavier : 1.0) * 600.0 * std::exp(0.8 * random.normal()));
       }
-      const ClassShare share = class_shares(blocks, "garcia", {}, kg)[1];
+      const ClassFraction share = class_fractions(blocks, "garcia", {}, kg)[1];
       held += share.mass_low <= truth && truth <= share.mass_high;
     }
     EXPECT_GT(held, 0.92 * kSamples) << heavier;
@@ -123,7 +123,7 @@ TEST(ClassShares, IntervalsByMassHoldTheTrueShare) {
 }
 
 TEST(ClassShares, UnknownSchemeIsRefused) {
-  EXPECT_THROW(class_shares(population(1, 1), "none"), InputError);
+  EXPECT_THROW(class_fractions(population(1, 1), "none"), InputError);
 }
 
 TEST(Population, C40CountsSlabs) {

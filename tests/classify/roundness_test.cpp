@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "core/error.hpp"
-#include "mesh/remeshing.hpp"
+#include "mesh/isotropic_remeshing.hpp"
 #include "shapes/inscribed_ball.hpp"
 #include "shapes/sphero_polyhedron.hpp"
 #include "tests/shapes/shape_samples.hpp"
@@ -17,7 +17,7 @@ namespace {
 TriangleMesh ellipsoid(const Vec3& half_axes, double edge_length) {
   TriangleMesh mesh = random_rock(1, 5, 0.0);
   for (Vec3& v : mesh.vertices) v = v.normalized().cwiseProduct(half_axes);
-  return remeshed(mesh, edge_length);
+  return remesh_isotropic(mesh, edge_length);
 }
 
 // Half axes b, b, a: with w^2 = a^2 cos^2 t + b^2 sin^2 t at the latitude t the larger curvature is
@@ -35,7 +35,7 @@ TEST(Roundness, OfAProlateEllipsoidIsTheMeanRadiusOfCurvature) {
   EXPECT_NEAR(found.value, weighted / area, 0.05 * weighted / area);
   EXPECT_NEAR(found.inscribed_radius, b, 0.01 * b);
   EXPECT_NEAR(found.edge_length, 0.12, 0.02);
-  EXPECT_GT(found.corner_share, 0.7);
+  EXPECT_GT(found.corner_fraction, 0.7);
 }
 
 TEST(Roundness, OfASphereIsNearlyOne) {
@@ -47,8 +47,9 @@ TEST(Roundness, OfASphereIsNearlyOne) {
 TEST(Roundness, OfARoundedCubeIsTheRadiusOfItsEdgesToAnEdgeLength) {
   constexpr double kEdge = 0.05;
   for (const double r : {0.1, 0.25, 0.45}) {
-    const SpheroPolyhedron cube = sphero_polyhedron(box_mesh(Vec3::Constant(1.0 - 2.0 * r)), r);
-    const TriangleMesh skin = remeshed(skin_mesh(cube, 24), kEdge);
+    const SpheroPolyhedron cube =
+        make_sphero_polyhedron(box_mesh(Vec3::Constant(1.0 - 2.0 * r)), r);
+    const TriangleMesh skin = remesh_isotropic(rounded_surface_mesh(cube, 24), kEdge);
     const double value = roundness(skin).value;
     EXPECT_NEAR(0.5 * value, r, 1.2 * kEdge);
     const TriangleMesh elsewhere = scaled(

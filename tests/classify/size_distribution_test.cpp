@@ -62,7 +62,7 @@ TEST_P(BothLaws, ParametersAreRecoveredWithinTheirErrors) {
 }
 
 /// Log-likelihood of a law by its own density, differenced from `below`.
-double log_likelihood(const SizeLaw& law, const std::vector<double>& sizes) {
+double log_likelihood(const FittedSizeLaw& law, const std::vector<double>& sizes) {
   double sum = 0.0;
   for (const double size : sizes) {
     const double step = 1e-5 * size;
@@ -73,10 +73,10 @@ double log_likelihood(const SizeLaw& law, const std::vector<double>& sizes) {
 
 TEST_P(BothLaws, NoLawNearbyIsLikelier) {
   const std::vector<double> sizes = {0.35, 0.4, 0.45, 0.5, 0.5, 0.65, 0.8, 0.9, 1.1, 1.75};
-  const SizeLaw best = *fit_size_law(GetParam(), sizes);
+  const FittedSizeLaw best = *fit_size_law(GetParam(), sizes);
   const double highest = log_likelihood(best, sizes);
   for (const double factor : {0.98, 1.02}) {
-    SizeLaw other = best;
+    FittedSizeLaw other = best;
     other.location *= factor;
     EXPECT_LT(log_likelihood(other, sizes), highest);
     other = best;
@@ -88,7 +88,7 @@ TEST_P(BothLaws, NoLawNearbyIsLikelier) {
 TEST_P(BothLaws, WholeWeightsStandForRepeatedSizes) {
   const std::vector<double> sizes = {0.4, 0.7, 1.3}, weights = {2.0, 3.0, 1.0};
   const std::vector<double> repeated = {0.4, 0.4, 0.7, 0.7, 0.7, 1.3};
-  const SizeLaw a = *fit_size_law(GetParam(), sizes, weights),
+  const FittedSizeLaw a = *fit_size_law(GetParam(), sizes, weights),
                 b = *fit_size_law(GetParam(), repeated);
   EXPECT_NEAR(a.location, b.location, 1e-12);
   EXPECT_NEAR(a.spread, b.spread, 1e-11);
@@ -98,7 +98,7 @@ TEST_P(BothLaws, UnitsScaleTheSizesAlone) {
   const std::vector<double> sizes = sample_of(GetParam(), 4, 50, 0.7, 1.3);
   std::vector<double> in_mm;
   for (const double size : sizes) in_mm.push_back(1000.0 * size);
-  SizeLaw a = *fit_size_law(GetParam(), sizes), b = *fit_size_law(GetParam(), in_mm);
+  FittedSizeLaw a = *fit_size_law(GetParam(), sizes), b = *fit_size_law(GetParam(), in_mm);
   EXPECT_NEAR(b.location, 1000.0 * a.location, 1e-9);
   EXPECT_NEAR(b.spread, a.spread, 1e-11);
   test_size_law(a, sizes, 0.0, 1, 200);
@@ -118,7 +118,7 @@ TEST_P(BothLaws, NeedTwoSizes) {
 // The sizes at which ln d is the 3 : 1 mean of two values have closed forms: mean and standard
 // deviation of {0, 0, 0, 4 a} are a and a sqrt 3.
 TEST(LogNormal, IsMeanAndDeviationOfTheLogarithms) {
-  const SizeLaw law =
+  const FittedSizeLaw law =
       *fit_size_law(SizeLawKind::kLogNormal, std::vector<double>{1.0, 1.0, 1.0, std::exp(2.0)});
   EXPECT_NEAR(law.location, std::exp(0.5), 1e-14);
   EXPECT_NEAR(law.spread, 0.5 * std::sqrt(3.0), 1e-14);
@@ -128,7 +128,7 @@ TEST(LogNormal, IsMeanAndDeviationOfTheLogarithms) {
 }
 
 TEST(RosinRammler, PassesTheShareItIsNamedFor) {
-  SizeLaw law;
+  FittedSizeLaw law;
   law.kind = SizeLawKind::kRosinRammler;
   law.location = 0.8;
   law.spread = 1.7;
@@ -139,11 +139,11 @@ TEST(RosinRammler, PassesTheShareItIsNamedFor) {
 
 /// Share of samples of the law that lie at least so far from their own fit.
 double share_beyond(SizeLawKind kind, int n, double distance) {
-  SizeLaw law;
+  FittedSizeLaw law;
   law.kind = kind;
   law.location = 0.7;
   law.spread = 1.4;
-  const std::vector<double> distances = distances_by_chance(law, n, 0.0, 7, 6000);
+  const std::vector<double> distances = bootstrap_ks_distances(law, n, 0.0, 7, 6000);
   return static_cast<double>(std::count_if(distances.begin(), distances.end(),
                                            [&](double d) { return d >= distance; })) /
          6000.0;
@@ -209,7 +209,7 @@ TEST_P(BothLaws, TrueLawsAreRejectedAsOftenAsStated) {
       for (double& size : sizes) {
         if (step > 0.0) size = std::max(1.0, std::round(size / step)) * step;
       }
-      SizeLaw law = *fit_size_law(GetParam(), sizes);
+      FittedSizeLaw law = *fit_size_law(GetParam(), sizes);
       test_size_law(law, sizes, step, seed, 99);
       rejected += *law.p_value <= 0.1;
     }
@@ -219,35 +219,35 @@ TEST_P(BothLaws, TrueLawsAreRejectedAsOftenAsStated) {
 
 TEST(Judge, FindsTheWrongLawInALargeSample) {
   const std::vector<double> sizes = log_normal_sample(2, 3000, 0.6, 0.5);
-  SizeLaw right = *fit_size_law(SizeLawKind::kLogNormal, sizes);
-  SizeLaw wrong = *fit_size_law(SizeLawKind::kRosinRammler, sizes);
+  FittedSizeLaw right = *fit_size_law(SizeLawKind::kLogNormal, sizes);
+  FittedSizeLaw wrong = *fit_size_law(SizeLawKind::kRosinRammler, sizes);
   test_size_law(right, sizes, 0.0, 1, 199);
   test_size_law(wrong, sizes, 0.0, 1, 199);
   EXPECT_GT(*right.p_value, 0.02);
   EXPECT_EQ(*wrong.p_value, 1.0 / 200.0);
-  SizeLaw again = *fit_size_law(SizeLawKind::kLogNormal, sizes);
+  FittedSizeLaw again = *fit_size_law(SizeLawKind::kLogNormal, sizes);
   test_size_law(again, sizes, 0.0, 1, 199);
   EXPECT_EQ(*again.p_value, *right.p_value);
 }
 
 TEST(ReadingStep, IsTheLargestCommonStep) {
-  EXPECT_NEAR(reading_step(std::vector<double>{0.45, 0.8, 0.65, 1.1}), 0.05, 1e-12);
-  EXPECT_NEAR(reading_step(std::vector<double>{0.45, 0.8, 0.66, 1.13}), 0.01, 1e-12);
-  EXPECT_NEAR(reading_step(std::vector<double>{3 * 0.0254, 5 * 0.0254, 8 * 0.0254}), 0.0254, 1e-12);
+  EXPECT_NEAR(find_reading_resolution(std::vector<double>{0.45, 0.8, 0.65, 1.1}), 0.05, 1e-12);
+  EXPECT_NEAR(find_reading_resolution(std::vector<double>{0.45, 0.8, 0.66, 1.13}), 0.01, 1e-12);
+  EXPECT_NEAR(find_reading_resolution(std::vector<double>{3 * 0.0254, 5 * 0.0254, 8 * 0.0254}), 0.0254, 1e-12);
   // One reading in twelve to the centimetre does not hide the 5 cm of the others; one in six does.
-  EXPECT_NEAR(reading_step(std::vector<double>{0.45, 0.8, 0.65, 1.1, 0.7, 0.85, 0.9, 0.95, 0.55,
+  EXPECT_NEAR(find_reading_resolution(std::vector<double>{0.45, 0.8, 0.65, 1.1, 0.7, 0.85, 0.9, 0.95, 0.55,
                                                0.6, 0.75, 0.62}),
               0.05, 1e-12);
-  EXPECT_NEAR(reading_step(std::vector<double>{0.45, 0.8, 0.65, 1.1, 0.7, 0.62}), 0.01, 1e-12);
-  EXPECT_EQ(reading_step(std::vector<double>{0.8, 0.8}), 0.0);
-  EXPECT_EQ(reading_step(std::vector<double>{}), 0.0);
-  EXPECT_EQ(reading_step(log_normal_sample(1, 40, 1.0, 0.5)), 0.0);
+  EXPECT_NEAR(find_reading_resolution(std::vector<double>{0.45, 0.8, 0.65, 1.1, 0.7, 0.62}), 0.01, 1e-12);
+  EXPECT_EQ(find_reading_resolution(std::vector<double>{0.8, 0.8}), 0.0);
+  EXPECT_EQ(find_reading_resolution(std::vector<double>{}), 0.0);
+  EXPECT_EQ(find_reading_resolution(log_normal_sample(1, 40, 1.0, 0.5)), 0.0);
 }
 
 Population population_of(const std::vector<Axes>& axes, const std::vector<double>& kg = {}) {
   Population population{"test", {}};
   for (std::size_t i = 0; i < axes.size(); ++i) {
-    population.blocks.push_back(measured_block(
+    population.blocks.push_back(make_measured_block(
         "b" + std::to_string(i), axes[i],
         kg.empty() || kg[i] == 0.0 ? std::optional<double>() : std::optional(kg[i])));
   }

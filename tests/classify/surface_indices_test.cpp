@@ -17,7 +17,7 @@ namespace {
 const Pose kMotion{Vec3(3, -2, 5), Quat(0.5, -0.3, 0.7, 0.2).normalized()};
 
 SpheroPolyhedron gridded_cuboid(const Vec3& sides, double radius, int cells = 1) {
-  return transformed(sphero_polyhedron(box_mesh(sides, cells), radius), kMotion);
+  return transformed(make_sphero_polyhedron(box_mesh(sides, cells), radius), kMotion);
 }
 
 SpheroPolyhedron ball(double radius) {
@@ -54,7 +54,7 @@ TEST(Convexity, OfAnLBlock) {
     mesh.triangles.push_back({i, j, j + 6});
     mesh.triangles.push_back({i, j + 6, i + 6});
   }
-  const SpheroPolyhedron sharp = sphero_polyhedron(mesh, 0.0);
+  const SpheroPolyhedron sharp = make_sphero_polyhedron(mesh, 0.0);
   EXPECT_NEAR(convexity(sharp, 3.0), 6.0 / 7.0, 1e-12);
   // Faces by their directions: x 4, y 4, z 6 of 14.
   const Vec3 f = surface_orientation(sharp).eigenvalues;
@@ -66,7 +66,7 @@ TEST(Convexity, OfAnLBlock) {
   const double side = 4.0 - r + 0.25 * kPi * r * (8.0 + 5.0) + 4.0 / 3.0 * kPi * r * r;
   const double top = 6.0 + 0.25 * kPi * r * 16.0 + 4.0 / 3.0 * kPi * r * r;
   const Vec3 expected = Vec3(top, side + 0.5 * r, side - 0.5 * r) / (top + 2.0 * side);
-  const Vec3 g = surface_orientation(sphero_polyhedron(mesh, r)).eigenvalues;
+  const Vec3 g = surface_orientation(make_sphero_polyhedron(mesh, r)).eigenvalues;
   EXPECT_TRUE(g.isApprox(expected, 1e-12)) << g.transpose() << "; " << expected.transpose();
 }
 
@@ -90,7 +90,7 @@ TEST(Convexity, OfAColumnWithPointsOnItsWallsIsOne) {
                            off * random.direction());
         }
       }
-      const SpheroPolyhedron column = sphero_polyhedron(convex_hull(places), 0.005);
+      const SpheroPolyhedron column = make_sphero_polyhedron(convex_hull(places), 0.005);
       // A hexagon of side 0.3, rounded: V + A r + M r^2 + 4 pi r^3 / 3.
       const double hexagon = 1.5 * std::sqrt(3.0) * 0.09, height = 1.4, r = 0.005;
       const double mean_curvature = kPi / 2.0 * 12.0 * 0.3 / 2.0 + kPi / 3.0 * 6.0 * height / 2.0;
@@ -139,8 +139,8 @@ TEST(SurfaceOrientation, AgreesWithAFineSkin) {
     for (int i = 0; i < 20; ++i) {
       points.push_back(random.direction().cwiseProduct(Vec3(1.0, 0.6, 0.4)));
     }
-    const SpheroPolyhedron body = sphero_polyhedron(convex_hull(points), 0.15);
-    const TriangleMesh skin = skin_mesh(body, 24);
+    const SpheroPolyhedron body = make_sphero_polyhedron(convex_hull(points), 0.15);
+    const TriangleMesh skin = rounded_surface_mesh(body, 24);
     Mat3 sum = Mat3::Zero();
     for (const auto& [a, b, c] : skin.triangles) {
       const Vec3 n =
@@ -156,7 +156,7 @@ TEST(SurfaceOrientation, AgreesWithAFineSkin) {
 TEST(SurfaceOrientation, OfAnOpenCoreIsRefused) {
   TriangleMesh open = box_mesh(Vec3(1, 1, 1));
   open.triangles.pop_back();
-  EXPECT_THROW(surface_orientation(sphero_polyhedron(open, 0.1)), GeometryError);
+  EXPECT_THROW(surface_orientation(make_sphero_polyhedron(open, 0.1)), GeometryError);
 }
 
 }  // namespace

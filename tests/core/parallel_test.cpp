@@ -32,9 +32,9 @@ TEST(ParallelFor, NoItemsIsNothingToDo) {
   parallel_for(0, 2, [](std::size_t) { FAIL(); });
 }
 
-TEST(ThreadTeam, RunsLoopAfterLoop) {
+TEST(ThreadPool, RunsLoopAfterLoop) {
   for (const unsigned threads : {1u, 2u, 5u}) {
-    ThreadTeam team(threads);
+    ThreadPool team(threads);
     std::vector<int> visits(100, 0);
     for (int loop = 0; loop < 500; ++loop) {
       team.run(visits.size(), 7, [&](std::size_t i) { ++visits[i]; });
@@ -43,8 +43,8 @@ TEST(ThreadTeam, RunsLoopAfterLoop) {
   }
 }
 
-TEST(ThreadTeam, WorksOnAfterAFailure) {
-  ThreadTeam team(3);
+TEST(ThreadPool, WorksOnAfterAFailure) {
+  ThreadPool team(3);
   EXPECT_THROW(team.run(50, 4,
                         [](std::size_t i) {
                           if (i == 20) throw std::runtime_error("20");

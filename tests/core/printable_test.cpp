@@ -13,27 +13,27 @@ namespace {
 TEST(Printable, LettersOfAnyLanguageStay) {
   for (const char* text :
        {"", "B017", "Ch\xc3\xa2teau", "\xe5\xb2\xa9", "\xf0\x9f\xaa\xa8", "a\\n"}) {
-    EXPECT_EQ(printable(text), text);
+    EXPECT_EQ(escape_nonprintable(text), text);
   }
 }
 
 TEST(Printable, WhatATerminalObeysIsEscaped) {
-  EXPECT_EQ(printable("red\x1b[31m"), "red\\u001b[31m");
-  EXPECT_EQ(printable("B1\rB2\nclast: done\t"), "B1\\rB2\\nclast: done\\t");
-  EXPECT_EQ(printable(std::string("a\0b\x7f", 4)), "a\\u0000b\\u007f");
-  EXPECT_EQ(printable("\xc2\x9b"
+  EXPECT_EQ(escape_nonprintable("red\x1b[31m"), "red\\u001b[31m");
+  EXPECT_EQ(escape_nonprintable("B1\rB2\nclast: done\t"), "B1\\rB2\\nclast: done\\t");
+  EXPECT_EQ(escape_nonprintable(std::string("a\0b\x7f", 4)), "a\\u0000b\\u007f");
+  EXPECT_EQ(escape_nonprintable("\xc2\x9b"
                       "31m"),
             "\\u009b31m");  // CSI in one character
-  EXPECT_EQ(printable("gpj.\xe2\x80\xae"
+  EXPECT_EQ(escape_nonprintable("gpj.\xe2\x80\xae"
                       "exe"),
             "gpj.\\u202eexe");  // right-to-left override
-  EXPECT_EQ(printable("\xe2\x80\xa8\xe2\x81\xa6"), "\\u2028\\u2066");
+  EXPECT_EQ(escape_nonprintable("\xe2\x80\xa8\xe2\x81\xa6"), "\\u2028\\u2066");
 }
 
 TEST(Printable, BytesThatAreNoUtf8AreShownAsBytes) {
-  EXPECT_EQ(printable("Ch\xe2teau"), "Ch\\xe2teau");
-  EXPECT_EQ(printable("\xff\xc3"), "\\xff\\xc3");
-  EXPECT_EQ(printable("\xed\xa0\x80"), "\\xed\\xa0\\x80");  // half of a surrogate pair
+  EXPECT_EQ(escape_nonprintable("Ch\xe2teau"), "Ch\\xe2teau");
+  EXPECT_EQ(escape_nonprintable("\xff\xc3"), "\\xff\\xc3");
+  EXPECT_EQ(escape_nonprintable("\xed\xa0\x80"), "\\xed\\xa0\\x80");  // half of a surrogate pair
 }
 
 TEST(Printable, OfAnyBytesIsOneLineOfUtf8) {
@@ -43,10 +43,10 @@ TEST(Printable, OfAnyBytesIsOneLineOfUtf8) {
     for (std::size_t k = random.below(20); k > 0; --k) {
       bytes += static_cast<char>(random.below(256));
     }
-    const std::string shown = printable(bytes);
+    const std::string shown = escape_nonprintable(bytes);
     EXPECT_TRUE(is_utf8(shown));
     for (const char c : shown) EXPECT_TRUE(static_cast<unsigned char>(c) >= 0x20 && c != 0x7f);
-    EXPECT_EQ(printable(shown), shown);
+    EXPECT_EQ(escape_nonprintable(shown), shown);
   }
 }
 

@@ -13,26 +13,26 @@ namespace {
 
 TEST(ShellWords, PlainOnesStayAsTheyAre) {
   EXPECT_EQ(
-      shell_command({"clast", "simulate", "a-b_c/1.toml", "-o", "out=2,3.h5", "--shard", "1/4"}),
+      format_shell_command({"clast", "simulate", "a-b_c/1.toml", "-o", "out=2,3.h5", "--shard", "1/4"}),
       "clast simulate a-b_c/1.toml -o out=2,3.h5 --shard 1/4");
-  EXPECT_EQ(shell_command({"\xC3\xA9"
+  EXPECT_EQ(format_shell_command({"\xC3\xA9"
                            "boulis.toml"}),
             "\xC3\xA9"
             "boulis.toml");
 }
 
 TEST(ShellWords, OthersAreQuoted) {
-  EXPECT_EQ(shell_command({"my campaign.toml"}), "'my campaign.toml'");
-  EXPECT_EQ(shell_command({""}), "''");
-  EXPECT_EQ(shell_command({"it's.toml"}), "'it'\\''s.toml'");
-  EXPECT_EQ(shell_command({"a\tb"}), "$'a\\x09b'");
+  EXPECT_EQ(format_shell_command({"my campaign.toml"}), "'my campaign.toml'");
+  EXPECT_EQ(format_shell_command({""}), "''");
+  EXPECT_EQ(format_shell_command({"it's.toml"}), "'it'\\''s.toml'");
+  EXPECT_EQ(format_shell_command({"a\tb"}), "$'a\\x09b'");
 }
 
 /// What bash makes of a command that prints its words, each between two marks.
 std::string words_in_bash(const std::vector<std::string>& words) {
   std::vector<std::string> all = {"printf", "<%s>"};
   all.insert(all.end(), words.begin(), words.end());
-  std::string command = shell_command(all), script;
+  std::string command = format_shell_command(all), script;
   for (const char character : command) {
     script += character == '\'' ? std::string("'\\''") : std::string(1, character);
   }

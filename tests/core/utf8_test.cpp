@@ -36,8 +36,8 @@ TEST(Utf8, LatinAndWindowsBytesBecomeTheirCharacters) {
 }
 
 TEST(Utf8, TextThatIsUtf8StaysAsItIs) {
-  EXPECT_EQ(as_utf8("Ch\xc3\xa2teau"), "Ch\xc3\xa2teau");
-  EXPECT_EQ(as_utf8("Ch\xe2teau"), "Ch\xc3\xa2teau");
+  EXPECT_EQ(to_utf8("Ch\xc3\xa2teau"), "Ch\xc3\xa2teau");
+  EXPECT_EQ(to_utf8("Ch\xe2teau"), "Ch\xc3\xa2teau");
 }
 
 }  // namespace

@@ -29,7 +29,7 @@ RigidBody eota(double mass, bool plate) {
   const PrincipalFrame frame = principal_frame(properties);
   RigidBody body;
   body.shape =
-      transformed(sphero_polyhedron(mesh, 0.0), Pose{properties.centre, frame.rotation}.inverse());
+      transformed(make_sphero_polyhedron(mesh, 0.0), Pose{properties.centre, frame.rotation}.inverse());
   body.mass = properties.mass;
   body.moments = frame.moments;
   body.smallest_side = std::cbrt(mass / kConcrete) * eota_sides(plate).minCoeff();

@@ -147,7 +147,7 @@ struct Heard {
                           from.empty() ? nullptr : &reader);
     motion = moved.str();
     energy = spent.str();
-    results = bytes_of(list);
+    results = serialized_bytes(list);
   }
 };
 

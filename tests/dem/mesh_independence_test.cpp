@@ -243,7 +243,7 @@ TEST(MeshIndependence, AnyAttitudeKeepsTheSameEnergy) {
   const RigidBody cut_cube = box(1000.0, Vec3::Ones(), 0.02, 4);
   const RigidBody stone = rock(4, {0.42, 0.36, 0.30}, 0.02, 2700.0, 3);
   RigidBody cut_stone = stone;
-  cut_stone.shape = sphero_polyhedron(subdivided(core_mesh(stone.shape), 1), 0.02);
+  cut_stone.shape = make_sphero_polyhedron(subdivided(core_mesh(stone.shape), 1), 0.02);
   double worst = 0.0;
   for (std::uint64_t seed = 1; seed <= 64; ++seed) {
     const Quat turn = Random(seed).rotation();

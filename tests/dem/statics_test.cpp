@@ -27,7 +27,7 @@ struct Placed {
 
 /// The hull of some corners, rounded outwards.
 Placed block_of(std::span<const Vec3> corners, bool fixed = false) {
-  const SpheroPolyhedron shape = sphero_polyhedron(convex_hull(corners), kEdgeRadius);
+  const SpheroPolyhedron shape = make_sphero_polyhedron(convex_hull(corners), kEdgeRadius);
   const MassProperties mass = sphero_mass_properties(shape, kDensity, 1e-3);
   const PrincipalFrame frame = principal_frame(mass);
   Placed placed;

@@ -81,7 +81,7 @@ RigidBody spiked() {
     }
   }
   RigidBody body;
-  body.shape = sphero_polyhedron(mesh, 0.005);
+  body.shape = make_sphero_polyhedron(mesh, 0.005);
   body.mass = 628.0;
   body.moments = Vec3::Constant(21.0);  // equal by symmetry
   body.smallest_side = 0.8;

@@ -32,7 +32,7 @@ RigidBody bridge() {
     mesh.triangles.push_back({i, j + 8, j});
   }
   RigidBody body;
-  body.shape = sphero_polyhedron(mesh, 0.0);
+  body.shape = make_sphero_polyhedron(mesh, 0.0);
   body.mass = 1000.0;
   body.moments = {150.0, 400.0, 400.0};
   body.smallest_side = 0.6;

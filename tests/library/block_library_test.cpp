@@ -54,7 +54,7 @@ TEST(BlockLibrary, EveryMemberOfABlockComesBack) {
   EXPECT_EQ(is.area, was.area);
   EXPECT_EQ(is.principal.moments, was.principal.moments);
   EXPECT_EQ(is.principal.rotation.coeffs(), was.principal.rotation.coeffs());
-  EXPECT_EQ(is.principal.nearly_equal, was.principal.nearly_equal);
+  EXPECT_EQ(is.principal.has_near_equal_moments, was.principal.has_near_equal_moments);
   EXPECT_EQ(is.box.centre, was.box.centre);
   EXPECT_EQ(is.box.axes, was.box.axes);
   EXPECT_EQ(is.box.lengths, was.box.lengths);
@@ -68,9 +68,9 @@ TEST(BlockLibrary, EveryMemberOfABlockComesBack) {
   EXPECT_EQ(is.from_core, was.from_core);
   ASSERT_TRUE(is.unseen.has_value());
   EXPECT_EQ(is.unseen->lower_volume, was.unseen->lower_volume);
-  EXPECT_EQ(is.unseen->best_volume, was.unseen->best_volume);
+  EXPECT_EQ(is.unseen->estimated_volume, was.unseen->estimated_volume);
   EXPECT_EQ(is.unseen->upper_volume, was.unseen->upper_volume);
-  EXPECT_EQ(is.unseen->invented_share, was.unseen->invented_share);
+  EXPECT_EQ(is.unseen->filled_fraction, was.unseen->filled_fraction);
   ASSERT_TRUE(is.unseen->sides.has_value());
   EXPECT_EQ(is.unseen->sides->lower, was.unseen->sides->lower);
   EXPECT_EQ(is.unseen->sides->upper, was.unseen->sides->upper);
@@ -413,7 +413,7 @@ TEST(BlockLibraryFile, TellsOtherReadersHowEdgesBendAndKeepsPolygons) {
                          {1, 0, 1}, {1, 1, 1}, {0, 1, 1}, {.5, .5, .8}};
   block.body.faces = {{0, 3, 2, 1}, {0, 1, 5, 4}, {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7},
                       {4, 5, 8},    {5, 6, 8},    {6, 7, 8},    {7, 4, 8}};
-  block.body.edges = edges_of(block.body.faces);
+  block.body.edges = face_edges(block.body.faces);
   block.box.centre = {0.5, 0.5, 0.5};
   block.box.lengths = Vec3::Constant(1.0 + 2.0 * block.body.radius);
   block.mass.volume = 1.0;

@@ -24,7 +24,7 @@ class AuthumeCores : public testing::TestWithParam<Published> {
  protected:
   SpheroPolyhedron body() const {
     const std::string file = std::string("authume/blocks/") + GetParam().block + ".stl";
-    return sphero_polyhedron(read_scan(test_data(file)).mesh, GetParam().radius);
+    return make_sphero_polyhedron(read_scan(test_data(file)).mesh, GetParam().radius);
   }
 };
 

@@ -20,36 +20,36 @@ namespace {
 /// vertices, whole cylinders on the edges, slabs over the faces. A convex body cuts a line in one
 /// interval, from the lowest to the highest point of any of them.
 Moments hull_by_columns(const TriangleMesh& hull, double r, int per_side) {
-  std::vector<SkinPiece> parts;
+  std::vector<OffsetPiece> parts;
   Bounds all = bounds(hull);
   all.low -= Vec3::Constant(r);
   all.high += Vec3::Constant(r);
-  const auto add = [&](SkinPiece::Round round, const Vec3& p, const Vec3& q) {
-    SkinPiece part;
+  const auto add = [&](OffsetPiece::Round round, const Vec3& p, const Vec3& q) {
+    OffsetPiece part;
     part.round = round;
     part.centre = p;
     part.box = all;
-    if (round == SkinPiece::Round::cylinder) {
+    if (round == OffsetPiece::Round::cylinder) {
       part.axis = (q - p).normalized();
       part.planes = {{-part.axis, -part.axis.dot(p)}, {part.axis, part.axis.dot(q)}};
     }
     parts.push_back(part);
   };
-  for (const Vec3& v : hull.vertices) add(SkinPiece::Round::sphere, v, v);
+  for (const Vec3& v : hull.vertices) add(OffsetPiece::Round::sphere, v, v);
   for (const auto& t : hull.triangles) {
     const Vec3 &a = hull.vertices[t[0]], &b = hull.vertices[t[1]], &c = hull.vertices[t[2]];
     const Vec3 n = (b - a).cross(c - a).normalized();
-    SkinPiece slab;
+    OffsetPiece slab;
     slab.box = all;
     slab.planes = {{n, n.dot(a) + r}, {-n, r - n.dot(a)}};
     for (const auto& [p, q] : {std::pair(a, b), std::pair(b, c), std::pair(c, a)}) {
       const Vec3 outward = (q - p).cross(n);
       slab.planes.push_back({outward, outward.dot(p)});
-      add(SkinPiece::Round::cylinder, p, q);
+      add(OffsetPiece::Round::cylinder, p, q);
     }
     parts.push_back(slab);
   }
-  const LinePieces lines(parts, r);
+  const VerticalLinePieces lines(parts, r);
   const Vec3 step = (all.high - all.low) / per_side;
   Moments sum;
   for (int j = 0; j < per_side; ++j) {
@@ -93,9 +93,9 @@ TEST_P(RandomHull, ClosedFormAgreesWithColumnsToAMillionth) {
   for (int i = 0; i < 12; ++i) points.push_back(random.direction().cwiseProduct(Vec3(1, 0.8, 0.6)));
   const TriangleMesh hull = convex_hull(points);
   const double r = random.uniform(0.1, 0.3);
-  const MassProperties exact = convex_sphero_mass_properties(sphero_polyhedron(hull, r), 1.0);
+  const MassProperties exact = convex_sphero_mass_properties(make_sphero_polyhedron(hull, r), 1.0);
   const MassProperties sampled =
-      mass_properties_from(hull_by_columns(hull, r, 3000), Vec3::Zero(), Mat3::Identity(), 1.0);
+      to_mass_properties(hull_by_columns(hull, r, 3000), Vec3::Zero(), Mat3::Identity(), 1.0);
   EXPECT_NEAR(sampled.volume / exact.volume, 1.0, 1e-6);
   EXPECT_LT((sampled.centre - exact.centre).norm(), 1e-6);
   EXPECT_TRUE(sampled.inertia.isApprox(exact.inertia, 1e-6));

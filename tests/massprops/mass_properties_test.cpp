@@ -43,16 +43,16 @@ TEST(PrincipalFrame, AscendingRightHandedAndDiagonalizing) {
 }
 
 TEST(PrincipalFrame, EqualMomentsAreSaidToBeSo) {
-  EXPECT_TRUE(principal_frame(with_inertia(Vec3(1.0, 1.0, 1.5).asDiagonal())).nearly_equal);
-  EXPECT_TRUE(principal_frame(with_inertia(Vec3(1.0, 1.5, 1.5 + 1e-7).asDiagonal())).nearly_equal);
-  EXPECT_FALSE(principal_frame(with_inertia(Vec3(1.0, 1.2, 1.5).asDiagonal())).nearly_equal);
+  EXPECT_TRUE(principal_frame(with_inertia(Vec3(1.0, 1.0, 1.5).asDiagonal())).has_near_equal_moments);
+  EXPECT_TRUE(principal_frame(with_inertia(Vec3(1.0, 1.5, 1.5 + 1e-7).asDiagonal())).has_near_equal_moments);
+  EXPECT_FALSE(principal_frame(with_inertia(Vec3(1.0, 1.2, 1.5).asDiagonal())).has_near_equal_moments);
 }
 
 TEST(PrincipalFrame, MomentsThatTheStatedErrorCannotTellApartAreNearlyEqual) {
   MassProperties properties = with_inertia(Vec3(1.0, 1.2, 1.2001).asDiagonal());
-  EXPECT_FALSE(principal_frame(properties).nearly_equal);
+  EXPECT_FALSE(principal_frame(properties).has_near_equal_moments);
   properties.relative_error = 1e-4;
-  EXPECT_TRUE(principal_frame(properties).nearly_equal);
+  EXPECT_TRUE(principal_frame(properties).has_near_equal_moments);
 }
 
 // Noise far below the moments must not choose the axes between equal ones.
@@ -67,7 +67,7 @@ TEST(PrincipalFrame, AxesBetweenEqualMomentsFollowTheSourceAndNotRounding) {
       noise = (noise + noise.transpose()).eval();
       const PrincipalFrame frame = principal_frame(with_inertia(inertia));
       const PrincipalFrame noisy = principal_frame(with_inertia(inertia + noise));
-      EXPECT_TRUE(frame.nearly_equal && noisy.nearly_equal);
+      EXPECT_TRUE(frame.has_near_equal_moments && noisy.has_near_equal_moments);
       EXPECT_LT(frame.rotation.angularDistance(noisy.rotation), 1e-7);
       const Mat3 axes = frame.rotation.toRotationMatrix();
       EXPECT_TRUE((axes * frame.moments.asDiagonal() * axes.transpose()).isApprox(inertia, 2e-6));

@@ -42,7 +42,7 @@ TriangleMesh stored_mesh(const std::string& file) {
 
 /// As the table counts: equal vertices joined, all components kept, outward on the whole.
 TriangleMesh reference_mesh(const std::string& file) {
-  const TriangleMesh mesh = welded(stored_mesh(file), 0.0);
+  const TriangleMesh mesh = weld_vertices(stored_mesh(file), 0.0);
   return signed_volume(mesh) < 0.0 ? turned_over(mesh) : mesh;
 }
 

@@ -79,7 +79,7 @@ TriangleMesh slit_cube() {
 TEST(SpheroMass, FacesThatLieOnEachOtherAreNoObstacle) {
   for (const Quat& turn : {Quat::Identity(), kMotion.rotation, Quat(0.8, 0.0, 0.6, 0.0)}) {
     const SpheroPolyhedron body =
-        transformed(sphero_polyhedron(slit_cube(), 0.0), {Vec3::Zero(), turn});
+        transformed(make_sphero_polyhedron(slit_cube(), 0.0), {Vec3::Zero(), turn});
     const MassProperties p = sphero_mass_properties(body, 1.0);
     EXPECT_NEAR(p.volume, 1.0, 1e-12);
     EXPECT_LT((p.inertia - Mat3::Identity() / 6.0).norm(), 1e-12);
@@ -88,7 +88,7 @@ TEST(SpheroMass, FacesThatLieOnEachOtherAreNoObstacle) {
 
 TEST(SpheroMass, SpheroCubeMatchesItsFormula) {
   TriangleMesh cube = box_mesh(Vec3::Ones());
-  const SpheroPolyhedron body = transformed(sphero_polyhedron(cube, 0.2), kMotion);
+  const SpheroPolyhedron body = transformed(make_sphero_polyhedron(cube, 0.2), kMotion);
   for (const MassProperties& p :
        {convex_sphero_mass_properties(body, 1.0), sphero_mass_properties(body, 1.0)}) {
     EXPECT_NEAR(p.volume / 2.6105014400690667, 1.0, 1e-12);
@@ -100,14 +100,14 @@ TEST(SpheroMass, SpheroCubeMatchesItsFormula) {
 
 TEST(SpheroMass, FinerTrianglesOfTheSameCubeChangeNothing) {
   const SpheroPolyhedron body =
-      transformed(sphero_polyhedron(box_mesh(Vec3::Ones(), 4), 0.2), kMotion);
+      transformed(make_sphero_polyhedron(box_mesh(Vec3::Ones(), 4), 0.2), kMotion);
   const MassProperties p = sphero_mass_properties(body, 1.0);
   EXPECT_NEAR(p.volume / 2.6105014400690667, 1.0, 1e-12);
   EXPECT_LT((p.inertia / p.volume - 0.309245342893335 * Mat3::Identity()).norm(), 1e-12);
 }
 
 TEST(SpheroMass, AFaceWithARepeatedVertexChangesNothing) {
-  const SpheroPolyhedron body = sphero_polyhedron(box_mesh(Vec3::Ones()), 0.2);
+  const SpheroPolyhedron body = make_sphero_polyhedron(box_mesh(Vec3::Ones()), 0.2);
   SpheroPolyhedron repeated = body;
   const auto [a, b] = body.edges.front();
   repeated.faces.push_back({a, a, b});
@@ -123,7 +123,7 @@ TEST(SpheroMass, BallAndCapsuleAreClosedForms) {
   const MassProperties b = sphero_mass_properties(ball, 2000.0);
   EXPECT_NEAR(b.volume, kPi / 6.0, 1e-15);
   EXPECT_TRUE(b.inertia.isApprox(0.4 * b.mass * 0.25 * Mat3::Identity(), 1e-14));
-  EXPECT_NEAR(sphero_area(ball), kPi, 1e-14);
+  EXPECT_NEAR(sphero_surface_area(ball), kPi, 1e-14);
 
   // Textbook capsule: cylinder m_c of height h, two half balls of mass m_b / 2 each.
   SpheroPolyhedron capsule;
@@ -139,14 +139,14 @@ TEST(SpheroMass, BallAndCapsuleAreClosedForms) {
       c.inertia(0, 0),
       tube * (h * h / 12.0 + r * r / 4.0) + caps * (0.4 * r * r + h * h / 4.0 + 3.0 * h * r / 8.0),
       1e-14);
-  EXPECT_NEAR(sphero_area(capsule), 4.0 * kPi * r * r + 2.0 * kPi * r * h, 1e-14);
+  EXPECT_NEAR(sphero_surface_area(capsule), 4.0 * kPi * r * r + 2.0 * kPi * r * h, 1e-14);
 }
 
 class LBlock : public testing::TestWithParam<std::tuple<double, double>> {};
 
 TEST_P(LBlock, TrueErrorIsInsideTheStatedOne) {
   const auto [radius, accuracy] = GetParam();
-  const SpheroPolyhedron body = transformed(sphero_polyhedron(l_block(), radius), kMotion);
+  const SpheroPolyhedron body = transformed(make_sphero_polyhedron(l_block(), radius), kMotion);
   const MassProperties p = sphero_mass_properties(body, 1.0, accuracy);
   EXPECT_LE(p.relative_error, accuracy);
   EXPECT_GT(p.relative_error, 0.0);
@@ -164,7 +164,7 @@ INSTANTIATE_TEST_SUITE_P(RadiiAndAccuracies, LBlock,
 TEST(SpheroMass, LBlockVolumeWithinAMillionth) {
   for (const double radius : {0.05, 0.2}) {
     const MassProperties p =
-        sphero_mass_properties(sphero_polyhedron(l_block(), radius), 1.0, 1e-6);
+        sphero_mass_properties(make_sphero_polyhedron(l_block(), radius), 1.0, 1e-6);
     EXPECT_NEAR(p.volume / l_block_volume(radius), 1.0, 1e-6);
   }
 }
@@ -182,10 +182,10 @@ TEST(SpheroMass, SkinsThatMeetAcrossAGapCountOnce) {
   const double cap = kPi * (r * r * (r - s) - (r * r * r - s * s * s) / 3.0);
   const double expected = 2.0 * cube - 2.0 * ((r - s) + 4.0 * strip + cap);
   const MassProperties p =
-      sphero_mass_properties(transformed(sphero_polyhedron(pair, r), kMotion), 1.0, 1e-5);
+      sphero_mass_properties(transformed(make_sphero_polyhedron(pair, r), kMotion), 1.0, 1e-5);
   EXPECT_GT(p.relative_error, 0.0);
   EXPECT_NEAR(p.volume / expected, 1.0, std::max(p.relative_error, 1e-9));
-  EXPECT_THROW(convex_sphero_mass_properties(sphero_polyhedron(pair, r), 1.0), GeometryError);
+  EXPECT_THROW(convex_sphero_mass_properties(make_sphero_polyhedron(pair, r), 1.0), GeometryError);
 }
 
 TEST(SpheroMass, CoreThatCrossesItselfCountsOnce) {
@@ -194,8 +194,8 @@ TEST(SpheroMass, CoreThatCrossesItselfCountsOnce) {
   const TriangleMesh crossing = merged(box_mesh(Vec3::Ones()), other);
   const double r = 0.1;
   const MassProperties whole =
-      sphero_mass_properties(sphero_polyhedron(box_mesh(Vec3(1.5, 1, 1)), r), 1.0);
-  const MassProperties p = sphero_mass_properties(sphero_polyhedron(crossing, r), 1.0, 1e-4);
+      sphero_mass_properties(make_sphero_polyhedron(box_mesh(Vec3(1.5, 1, 1)), r), 1.0);
+  const MassProperties p = sphero_mass_properties(make_sphero_polyhedron(crossing, r), 1.0, 1e-4);
   EXPECT_LE(p.relative_error, 1e-4);
   EXPECT_NEAR(p.volume / whole.volume, 1.0, p.relative_error);
   EXPECT_LT((p.inertia - whole.inertia).norm(), p.relative_error * whole.inertia(0, 0));
@@ -216,7 +216,7 @@ class HollowCube : public testing::TestWithParam<double> {};
 TEST_P(HollowCube, CavityShrinksByTheRadius) {
   const double c = GetParam(), r = 0.2, left = std::max(c - 2.0 * r, 0.0);
   const Vec3 middle(0.47, 0.5, 0.52);
-  const SpheroPolyhedron body = transformed(sphero_polyhedron(hollow_cube(c, middle), r), kMotion);
+  const SpheroPolyhedron body = transformed(make_sphero_polyhedron(hollow_cube(c, middle), r), kMotion);
   const double outer = 2.6105014400690667, void_volume = left * left * left;
   const double volume = outer - void_volume;
   const Vec3 centre = (outer * Vec3::Constant(0.5) - void_volume * middle) / volume;
@@ -264,7 +264,7 @@ double steiner_estimate(const TriangleMesh& core, double r) {
 TEST(SpheroMass, ABumpyRockHasTheSteinerEstimate) {
   const TriangleMesh core = rock_mesh(5, {1.0, 0.8, 0.6}, 4);
   for (const double r : {0.04, 0.02, 0.01}) {
-    const MassProperties p = sphero_mass_properties(sphero_polyhedron(core, r), 1.0, 1e-6);
+    const MassProperties p = sphero_mass_properties(make_sphero_polyhedron(core, r), 1.0, 1e-6);
     EXPECT_GT(p.relative_error, 0.0);
     EXPECT_NEAR(p.volume, steiner_estimate(core, r), p.relative_error * p.volume + 0.1 * r * r * r);
   }
@@ -284,7 +284,7 @@ TEST_P(RoughRock, AgreesWithMonteCarlo) {
   Random random(100 + GetParam());
   const TriangleMesh core = random_rock(GetParam(), 2, 0.35);
   const double r = random.uniform(0.02, 0.25);
-  const MassProperties p = sphero_mass_properties(sphero_polyhedron(core, r), 1.0, 1e-4);
+  const MassProperties p = sphero_mass_properties(make_sphero_polyhedron(core, r), 1.0, 1e-4);
   EXPECT_LE(p.relative_error, 1e-4);
 
   Bounds box = bounds(core);
@@ -311,7 +311,7 @@ TEST_P(RoughRock, AgreesWithMonteCarlo) {
 
 TEST_P(RoughRock, TrueErrorIsInsideTheStatedOneAndTurnsWithTheBody) {
   const TriangleMesh core = random_rock(GetParam(), 3, 0.25);
-  const SpheroPolyhedron body = sphero_polyhedron(core, 0.04);
+  const SpheroPolyhedron body = make_sphero_polyhedron(core, 0.04);
   const MassProperties fine = sphero_mass_properties(body, 1.0, 1e-5);
   for (const double accuracy : {1e-2, 1e-3, 1e-4}) {
     const MassProperties p = sphero_mass_properties(transformed(body, kMotion), 1.0, accuracy);
@@ -360,7 +360,7 @@ TEST(SpheroMass, WhatColumnsMayMissIsAllowedFor) {
   // ball leaves of the rim, at most the dent itself lower.
   const double cube = 1.0 + 6.0 * r + 3.0 * kPi * r * r + 4.0 / 3.0 * kPi * r * r * r;
   for (const double accuracy : {1e-2, 1e-4, 1e-5}) {
-    const MassProperties p = sphero_mass_properties(sphero_polyhedron(dented, r), 1.0, accuracy);
+    const MassProperties p = sphero_mass_properties(make_sphero_polyhedron(dented, r), 1.0, accuracy);
     EXPECT_GT(p.relative_error, 0.0);
     EXPECT_LE(p.relative_error, accuracy);
     EXPECT_NEAR(p.volume / cube, 1.0, p.relative_error + side * side * depth / 3.0);
@@ -370,13 +370,13 @@ TEST(SpheroMass, WhatColumnsMayMissIsAllowedFor) {
 TEST(SpheroMass, ZeroRadiusIsTheCoreItself) {
   const TriangleMesh core = random_rock(3, 2, 0.3);
   const MassProperties solid = solid_mass_properties(core, 2650.0);
-  const MassProperties p = sphero_mass_properties(sphero_polyhedron(core, 0.0), 2650.0);
+  const MassProperties p = sphero_mass_properties(make_sphero_polyhedron(core, 0.0), 2650.0);
   EXPECT_NEAR(p.volume / solid.volume, 1.0, 1e-12);
   EXPECT_TRUE(p.inertia.isApprox(solid.inertia, 1e-12));
 }
 
 TEST(SpheroMass, SameBitsEveryTime) {
-  const SpheroPolyhedron body = sphero_polyhedron(random_rock(9, 3, 0.3), 0.05);
+  const SpheroPolyhedron body = make_sphero_polyhedron(random_rock(9, 3, 0.3), 0.05);
   const MassProperties first = sphero_mass_properties(body, 2650.0);
   const MassProperties again = sphero_mass_properties(body, 2650.0);
   EXPECT_EQ(first.volume, again.volume);
@@ -386,7 +386,7 @@ TEST(SpheroMass, SameBitsEveryTime) {
 TEST(SpheroArea, ConvexIsSteinersFormula) {
   const double r = 0.2;
   const double cube = 6.0 + 2.0 * 3.0 * kPi * r + 4.0 * kPi * r * r;
-  EXPECT_NEAR(sphero_area(transformed(sphero_polyhedron(box_mesh(Vec3::Ones(), 2), r), kMotion)),
+  EXPECT_NEAR(sphero_surface_area(transformed(make_sphero_polyhedron(box_mesh(Vec3::Ones(), 2), r), kMotion)),
               cube, 1e-12);
 }
 
@@ -394,19 +394,19 @@ TEST(SpheroArea, LBlockIsTheDerivativeOfItsVolume) {
   for (const double r : {0.05, 0.2, 0.5}) {
     const double exact =
         14.0 + 2.0 * (21.0 * kPi / 4.0 - 1.0) * r + 4.0 * (5.0 * kPi / 4.0 - 1.0) * r * r;
-    EXPECT_NEAR(sphero_area(sphero_polyhedron(l_block(), r)) / exact, 1.0, 1e-3);
+    EXPECT_NEAR(sphero_surface_area(make_sphero_polyhedron(l_block(), r)) / exact, 1.0, 1e-3);
   }
 }
 
 TEST(SpheroMass, WhatBoundsNoSolidIsRefused) {
   TriangleMesh open = box_mesh(Vec3::Ones());
   open.triangles.pop_back();
-  EXPECT_THROW(sphero_mass_properties(sphero_polyhedron(open, 0.1), 1.0), GeometryError);
-  EXPECT_THROW(sphero_area(sphero_polyhedron(open, 0.1)), GeometryError);
+  EXPECT_THROW(sphero_mass_properties(make_sphero_polyhedron(open, 0.1), 1.0), GeometryError);
+  EXPECT_THROW(sphero_surface_area(make_sphero_polyhedron(open, 0.1)), GeometryError);
   TriangleMesh inward = box_mesh(Vec3::Ones());
   for (auto& t : inward.triangles) std::swap(t[0], t[1]);
-  EXPECT_THROW(sphero_mass_properties(sphero_polyhedron(inward, 0.1), 1.0), GeometryError);
-  EXPECT_THROW(convex_sphero_mass_properties(sphero_polyhedron(l_block(), 0.1), 1.0),
+  EXPECT_THROW(sphero_mass_properties(make_sphero_polyhedron(inward, 0.1), 1.0), GeometryError);
+  EXPECT_THROW(convex_sphero_mass_properties(make_sphero_polyhedron(l_block(), 0.1), 1.0),
                GeometryError);
   SpheroPolyhedron two_points;
   two_points.vertices = {{0, 0, 0}, {1, 0, 0}};
@@ -418,14 +418,14 @@ TEST(SpheroMass, WhatBoundsNoSolidIsRefused) {
 }
 
 TEST(SpheroMass, OptionsOutOfRangeAreRefused) {
-  SpheroPolyhedron cube = sphero_polyhedron(box_mesh(Vec3::Ones()), 0.1);
+  SpheroPolyhedron cube = make_sphero_polyhedron(box_mesh(Vec3::Ones()), 0.1);
   EXPECT_THROW(sphero_mass_properties(cube, -1.0), InputError);
   EXPECT_THROW(sphero_mass_properties(cube, 1.0, 0.0), InputError);
   EXPECT_THROW(sphero_mass_properties(cube, 1.0, 0.5), InputError);
   cube.radius = -0.1;
   EXPECT_THROW(sphero_mass_properties(cube, 1.0), InputError);
   cube.radius = std::nan("");
-  EXPECT_THROW(sphero_area(cube), InputError);
+  EXPECT_THROW(sphero_surface_area(cube), InputError);
 }
 
 }  // namespace

@@ -35,7 +35,7 @@ TEST(StatedError, HoldsForLBlocksInAnyOrientation) {
     const double r = random.uniform(0.02, 1.0);
     SCOPED_TRACE("L " + std::to_string(i) + ", r = " + std::to_string(r));
     const double volume = l_block_volume(r);
-    expect_inside(sphero_polyhedron(l_block(), r), &volume, random);
+    expect_inside(make_sphero_polyhedron(l_block(), r), &volume, random);
   }
 }
 
@@ -45,7 +45,7 @@ TEST(StatedError, HoldsForRoughRocksInAnyOrientation) {
     const TriangleMesh core =
         rough_rock_mesh(i % 2 == 0 ? 3 : 6, {0.42, 0.36, 0.30}, i + 1, random.uniform(0.0, 0.4));
     SCOPED_TRACE("rock " + std::to_string(i));
-    expect_inside(sphero_polyhedron(core, random.uniform(0.005, 0.1)), nullptr, random);
+    expect_inside(make_sphero_polyhedron(core, random.uniform(0.005, 0.1)), nullptr, random);
   }
 }
 

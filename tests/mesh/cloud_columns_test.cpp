@@ -40,7 +40,7 @@ struct ColumnLayout {
 
  private:
   std::string number(double value) const {
-    std::string text = with_digits(value, 9);
+    std::string text = format_significant(value, 9);
     if (decimal_comma) std::replace(text.begin(), text.end(), '.', ',');
     return text;
   }
@@ -185,22 +185,22 @@ TEST_F(Clouds, ColumnsThatAreAskedForAreTaken) {
 TEST_F(Clouds, UnitsOfHeadingsAreDeclared) {
   write_text_file(folder / "a.csv", "X (ft),Y (ft),Z (ft)\n1,2,3\n");
   const CloudSummary feet = stream_cloud(folder / "a.csv", [](const PointBatch&) {});
-  EXPECT_TRUE(contains(refusal([&] { check_lengths("a.csv", feet.lengths, {.way = "WAY"}); }),
+  EXPECT_TRUE(contains(refusal([&] { check_length_units("a.csv", feet.lengths, {.way = "WAY"}); }),
                        "its map unit is the ft (0.3048 m) (heading \"X (ft)\")"));
   write_text_file(folder / "b.csv", "X [m];Y [m];Z [mm]\n1;2;3\n");
   const CloudSummary mixed = stream_cloud(folder / "b.csv", [](const PointBatch&) {});
-  EXPECT_TRUE(contains(refusal([&] { check_lengths("b.csv", mixed.lengths, {}); }),
+  EXPECT_TRUE(contains(refusal([&] { check_length_units("b.csv", mixed.lengths, {}); }),
                        "its heights are in units of the mm (0.001 m) (heading \"Z [mm]\")"));
   write_text_file(folder / "u.csv", "id;X;Y;Z\n-;m;m;ft\n1;1;2;3\n");
   const CloudSummary row = stream_cloud(folder / "u.csv", [](const PointBatch&) {});
-  EXPECT_TRUE(contains(refusal([&] { check_lengths("u.csv", row.lengths, {}); }),
+  EXPECT_TRUE(contains(refusal([&] { check_length_units("u.csv", row.lengths, {}); }),
                        "its heights are in units of the ft (0.3048 m) (unit \"ft\" of line 2)"));
   write_text_file(folder / "c.csv", "X (deg);Y (deg);Z (m)\n1;2;3\n");
   const CloudSummary degrees = stream_cloud(folder / "c.csv", [](const PointBatch&) {});
-  EXPECT_TRUE(contains(refusal([&] { check_lengths("c.csv", degrees.lengths, {}); }), "degrees"));
+  EXPECT_TRUE(contains(refusal([&] { check_length_units("c.csv", degrees.lengths, {}); }), "degrees"));
   write_text_file(folder / "d.csv", "X (m);Y (m);Z (m)\n1;2;3\n");
   const CloudSummary metres = stream_cloud(folder / "d.csv", [](const PointBatch&) {});
-  EXPECT_TRUE(check_lengths("d.csv", metres.lengths, {}).empty());
+  EXPECT_TRUE(check_length_units("d.csv", metres.lengths, {}).empty());
 }
 
 TEST_F(Clouds, RowsThatSumUpTheOthersAreRefused) {
@@ -214,7 +214,7 @@ TEST_F(Clouds, UnitsThatAreNotUnderstoodAreNoted) {
   write_text_file(folder / "a.csv", "X (el);Y (el);Z (el)\n1;2;3\n");
   const CloudSummary els =
       stream_cloud(folder / "a.csv", [](const PointBatch&) {}, {"1", "2", "3"});
-  const std::vector<std::string> notes = check_lengths("a.csv", els.lengths, {});
+  const std::vector<std::string> notes = check_length_units("a.csv", els.lengths, {});
   ASSERT_EQ(notes.size(), 3u);
   EXPECT_TRUE(contains(notes[0], "its heading \"X (el)\" names no unit or reference system"));
 }

@@ -115,11 +115,11 @@ TEST_F(MeshFiles, FloatsFarOutAreWrittenNearAnOriginThatIsTold) {
 TEST_F(MeshFiles, OriginsAreWrittenAsTheirMeshesAre) {
   const TriangleMesh far = awkward_rock(), near = random_rock(12, 2);
   const std::filesystem::path mesh = folder_ / "a.stl", origin = folder_ / "a.stl.origin.txt";
-  const MeshOutput keep{.rules = {.kind = "STL", .replace = false}};
-  const MeshOutput replace{.rules = {.kind = "STL"}};
+  const MeshWriteOptions keep{.rules = {.kind = "STL", .replace = false}};
+  const MeshWriteOptions replace{.rules = {.kind = "STL"}};
   write_text_file(origin, "of the user");
   for (const TriangleMesh& rock : {far, near}) {
-    for (const MeshOutput& output : {MeshOutput{}, keep, replace}) {
+    for (const MeshWriteOptions& output : {MeshWriteOptions{}, keep, replace}) {
       EXPECT_TRUE(contains(refusal([&] { write_mesh(mesh, rock, output); }),
                            "a.stl.origin.txt: already exists and holds \"text\""));
     }
@@ -434,7 +434,7 @@ TEST_P(DamagedFiles, AreReadOrRefusedButNeverCrash) {
     }
     write_text_file(folder / name, damaged);
     try {
-      inspect(read_mesh(folder / name));
+      inspect_mesh(read_mesh(folder / name));
     } catch (const Error& error) {
       ++refused;
       EXPECT_NE(std::string(error.what()).find(name), std::string::npos);

@@ -25,8 +25,8 @@ TEST(TriangleMesh, BoundsAreaAndRigidMotionOfABox) {
 TEST(TriangleMesh, MergingRenumbersTheSecondMesh) {
   const TriangleMesh both = merged(tetrahedron(), box_mesh({1, 1, 1}));
   EXPECT_EQ(both.triangles.size(), 16u);
-  EXPECT_EQ(inspect(both).components, 2u);
-  EXPECT_TRUE(inspect(both).closed());
+  EXPECT_EQ(inspect_mesh(both).components, 2u);
+  EXPECT_TRUE(inspect_mesh(both).is_closed());
 }
 
 TEST(TriangleMesh, ScaleThatIsNotPositiveIsRefused) {
@@ -38,8 +38,8 @@ TEST(TriangleMesh, ScaleThatIsNotPositiveIsRefused) {
 TEST(MeshTopology, BoxIsClosedWithEulerTwo) {
   for (const int n : {1, 2, 7}) {
     const TriangleMesh box = box_mesh({1, 2, 3}, n);
-    const MeshReport report = inspect(box);
-    EXPECT_TRUE(report.closed() && report.oriented());
+    const MeshReport report = inspect_mesh(box);
+    EXPECT_TRUE(report.is_closed() && report.is_oriented());
     EXPECT_EQ(report.triangles, 12u * n * n);
     EXPECT_EQ(report.vertices, 6u * n * n + 2);
     EXPECT_EQ(report.edges, 18u * n * n);
@@ -53,12 +53,12 @@ TEST(MeshTopology, MissingTriangleIsOneLoopInFillingDirection) {
   TriangleMesh open = tetrahedron();
   const TriangleMesh::Triangle taken = open.triangles.back();
   open.triangles.pop_back();
-  EXPECT_EQ(inspect(open).summary(), "3 boundary edges in 1 loop");
+  EXPECT_EQ(inspect_mesh(open).summary(), "3 boundary edges in 1 loop");
   const auto loops = boundary_loops(open);
   ASSERT_EQ(loops.size(), 1u);
   ASSERT_EQ(loops[0].size(), 3u);
   open.triangles.push_back({loops[0][0], loops[0][1], loops[0][2]});
-  EXPECT_TRUE(inspect(open).closed() && inspect(open).oriented());
+  EXPECT_TRUE(inspect_mesh(open).is_closed() && inspect_mesh(open).is_oriented());
   EXPECT_EQ(std::set<std::uint32_t>(taken.begin(), taken.end()),
             std::set<std::uint32_t>(loops[0].begin(), loops[0].end()));
 }
@@ -92,38 +92,38 @@ TEST(MeshTopology, LoopsThatTouchAtAVertexAreSplit) {
   ASSERT_EQ(loops.size(), 2u);
   EXPECT_EQ(loops[0].size(), 3u);
   EXPECT_EQ(loops[1].size(), 3u);
-  EXPECT_EQ(inspect(sheet).boundary_loops, 2u);
+  EXPECT_EQ(inspect_mesh(sheet).boundary_loops, 2u);
 }
 
 TEST(MeshTopology, DefectsAreCounted) {
   TriangleMesh flipped = tetrahedron();
   std::swap(flipped.triangles[0][0], flipped.triangles[0][1]);
-  EXPECT_EQ(inspect(flipped).misoriented_edges, 3u);
-  EXPECT_TRUE(inspect(flipped).closed());
-  EXPECT_FALSE(inspect(flipped).oriented());
+  EXPECT_EQ(inspect_mesh(flipped).misoriented_edges, 3u);
+  EXPECT_TRUE(inspect_mesh(flipped).is_closed());
+  EXPECT_FALSE(inspect_mesh(flipped).is_oriented());
 
   TriangleMesh fin = tetrahedron();
   fin.vertices.push_back({2, 2, 2});
   fin.triangles.push_back({0, 1, 4});
-  EXPECT_EQ(inspect(fin).non_manifold_edges, 1u);
-  EXPECT_EQ(inspect(fin).boundary_edges, 2u);
-  EXPECT_FALSE(inspect(fin).closed());
+  EXPECT_EQ(inspect_mesh(fin).non_manifold_edges, 1u);
+  EXPECT_EQ(inspect_mesh(fin).boundary_edges, 2u);
+  EXPECT_FALSE(inspect_mesh(fin).is_closed());
 
   TriangleMesh flat = tetrahedron();
   flat.triangles.push_back({1, 1, 2});
-  EXPECT_EQ(inspect(flat).degenerate_triangles, 1u);
-  EXPECT_TRUE(inspect(flat).closed());
+  EXPECT_EQ(inspect_mesh(flat).degenerate_triangles, 1u);
+  EXPECT_TRUE(inspect_mesh(flat).is_closed());
   flat.vertices.push_back({0.5, 0, 0});
   flat.triangles.push_back({0, 4, 1});
-  EXPECT_EQ(inspect(flat).degenerate_triangles, 2u);
+  EXPECT_EQ(inspect_mesh(flat).degenerate_triangles, 2u);
 }
 
 TEST(MeshTopology, TwoSolidsAtOneVertexArePinchedAndTwoPieces) {
   TriangleMesh two = tetrahedron();
   two.vertices.insert(two.vertices.end(), {{-1, 0, 0}, {0, -1, 0}, {0, 0, -1}});
   two.triangles.insert(two.triangles.end(), {{0, 4, 5}, {0, 6, 4}, {4, 6, 5}, {0, 5, 6}});
-  const MeshReport report = inspect(two);
-  EXPECT_TRUE(report.closed());
+  const MeshReport report = inspect_mesh(two);
+  EXPECT_TRUE(report.is_closed());
   EXPECT_EQ(report.pinched_vertices, 1u);
   EXPECT_EQ(report.components, 2u);
   EXPECT_EQ(report.summary(), "1 pinched vertex, 2 components");
@@ -139,13 +139,13 @@ TEST(MeshTopology, ComponentsAreNumberedByFirstTriangle) {
 TEST(MeshTopology, VertexNumberOutOfRangeIsRefused) {
   TriangleMesh bad = tetrahedron();
   bad.triangles[2][1] = 4;
-  EXPECT_THROW(inspect(bad), GeometryError);
+  EXPECT_THROW(inspect_mesh(bad), GeometryError);
   EXPECT_THROW(boundary_loops(bad), GeometryError);
 }
 
 TEST(MeshTopology, NoTrianglesIsNotClosed) {
-  EXPECT_FALSE(inspect({}).closed());
-  EXPECT_EQ(inspect({}).summary(), "no triangles");
+  EXPECT_FALSE(inspect_mesh({}).is_closed());
+  EXPECT_EQ(inspect_mesh({}).summary(), "no triangles");
 }
 
 class RandomRocks : public testing::TestWithParam<int> {};
@@ -157,7 +157,7 @@ TEST_P(RandomRocks, LoseTrianglesAndCountTheirOpenEdges) {
     rock.triangles.erase(rock.triangles.begin() +
                          static_cast<std::ptrdiff_t>(random.below(rock.triangles.size())));
   }
-  const MeshReport report = inspect(rock);
+  const MeshReport report = inspect_mesh(rock);
   std::size_t in_loops = 0;
   for (const auto& loop : boundary_loops(rock)) {
     in_loops += loop.size();

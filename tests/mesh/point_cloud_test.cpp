@@ -110,7 +110,7 @@ TEST_F(Clouds, PointsWithoutPlaceAreCounted) {
   write_text_file(folder / "nan.xyz", "1 2 3\nnan nan nan\n4 5 6\n1 inf 3\n");
   const CloudSummary summary = stream_cloud(folder / "nan.xyz", [](const PointBatch&) {});
   EXPECT_EQ(summary.points, 2u);
-  EXPECT_EQ(summary.without_place, 2u);
+  EXPECT_EQ(summary.non_finite, 2u);
 }
 
 class LasVersions : public testing::TestWithParam<std::array<int, 3>> {};

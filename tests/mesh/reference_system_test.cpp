@@ -158,7 +158,7 @@ class DeclaredLengths : public testing::Test {
   }
   std::string refused(const LasDeclaration& says, double unit = 1.0) {
     return refusal([&] {
-      check_lengths("a.las", read(says).lengths,
+      check_length_units("a.las", read(says).lengths,
                     {.unit = unit, .unit_given = unit != 1.0, .way = "WAY"});
     });
   }
@@ -263,7 +263,7 @@ TEST_F(DeclaredLengths, AGivenUnitDecides) {
   EXPECT_TRUE(contains(refused({.keys = {{1024, 1}, {3072, 26913}, {4099, 9003}}}, kSurveyFoot),
                        "its heights are in units of"));
   const std::vector<std::string> notes =
-      check_lengths("a.las", read({.keys = {{1024, 1}, {3072, 26913}}}).lengths,
+      check_length_units("a.las", read({.keys = {{1024, 1}, {3072, 26913}}}).lengths,
                     {.unit = 0.001, .unit_given = true});
   ASSERT_EQ(notes.size(), 1u);
   EXPECT_TRUE(contains(notes[0], "its map unit is the metre (GeoTIFF key 3072 = 26913"));
@@ -272,7 +272,7 @@ TEST_F(DeclaredLengths, AGivenUnitDecides) {
 
 TEST_F(DeclaredLengths, ThatNobodyUnderstandsAreNoted) {
   const std::vector<std::string> notes =
-      check_lengths("a.las", read({.keys = {{1024, 1}, {3072, 1}}, .wkt = "nonsense"}).lengths, {});
+      check_length_units("a.las", read({.keys = {{1024, 1}, {3072, 1}}, .wkt = "nonsense"}).lengths, {});
   ASSERT_EQ(notes.size(), 2u);
   EXPECT_TRUE(
       contains(notes[0], "GeoTIFF key 3072 = 1 names no unit or reference system that is known"));
@@ -286,16 +286,16 @@ TEST(MapScale, IsTheStretchOfTheProjection) {
   for (const double degrees : {0.0, 20.0, 46.8, 70.0}) {
     const double latitude = degrees * std::acos(-1.0) / 180.0;
     const double y = kRadius * std::log(std::tan(std::acos(-1.0) / 4.0 + latitude / 2.0));
-    const auto scale = map_scale("EPSG:3857", {1.1e6, y});
+    const auto scale = map_scale_factor("EPSG:3857", {1.1e6, y});
     ASSERT_TRUE(scale);
     EXPECT_NEAR(scale->x() * std::cos(latitude), 1.0, 0.007);
     EXPECT_NEAR(scale->y() * std::cos(latitude), 1.0, 0.007);
   }
-  EXPECT_NEAR(map_scale("EPSG:32632", {5e5, 5.2e6})->x(), 0.9996, 1e-6);
-  EXPECT_NEAR(map_scale("EPSG:32632", {5e5, 5.2e6})->y(), 0.9996, 1e-6);
-  EXPECT_NEAR(map_scale("EPSG:2232", {3e6, 1.7e6})->x(), 1.0, 2e-4);  // in feet
-  EXPECT_NEAR(map_scale("EPSG:3832", {3.33958e6, 0.0})->x(), 1.0, 1e-3) << "on the date line";
-  EXPECT_FALSE(map_scale("EPSG:4326", {10.0, 46.0}));
+  EXPECT_NEAR(map_scale_factor("EPSG:32632", {5e5, 5.2e6})->x(), 0.9996, 1e-6);
+  EXPECT_NEAR(map_scale_factor("EPSG:32632", {5e5, 5.2e6})->y(), 0.9996, 1e-6);
+  EXPECT_NEAR(map_scale_factor("EPSG:2232", {3e6, 1.7e6})->x(), 1.0, 2e-4);  // in feet
+  EXPECT_NEAR(map_scale_factor("EPSG:3832", {3.33958e6, 0.0})->x(), 1.0, 1e-3) << "on the date line";
+  EXPECT_FALSE(map_scale_factor("EPSG:4326", {10.0, 46.0}));
 }
 
 TEST(MapScale, OfWorldMapsIsRefusedAndOfSurveyorsMapsIsNot) {

@@ -70,7 +70,7 @@ TEST(HalfEdges, OfPolygonsPairUpOnAClosedSurface) {
   std::size_t edges = 0;
   for_each_edge(sorted_half_edges(pyramid), [&](std::span<const HalfEdge> sides) {
     ++edges;
-    EXPECT_TRUE(are_neighbours(sides));
+    EXPECT_TRUE(is_interior_edge(sides));
     for (const HalfEdge& side : sides) {
       EXPECT_EQ(pyramid[side.triangle][side.side], side.from());
     }
@@ -84,30 +84,30 @@ TEST(TriangleNeighbours, AreMutualAndShareTheSide) {
   TriangleMesh rock = random_rock(4);
   rock.triangles.resize(rock.triangles.size() - 7);
   const TriangleNeighbours links = triangle_neighbours(rock);
-  EXPECT_EQ(links.border_edges, inspect(rock).boundary_edges);
+  EXPECT_EQ(links.border_edges, inspect_mesh(rock).boundary_edges);
   EXPECT_EQ(links.non_manifold_edges, 0u);
   std::size_t open = 0;
   for (std::uint32_t t = 0; t < rock.triangles.size(); ++t) {
     for (std::size_t k = 0; k < 3; ++k) {
       const std::uint32_t a = rock.triangles[t][k], b = rock.triangles[t][(k + 1) % 3];
-      EXPECT_EQ(side_between(rock.triangles[t], b, a), k);
-      open += links.on_border(t, k);
-      if (links.on_border(t, k)) continue;
+      EXPECT_EQ(find_edge_side(rock.triangles[t], b, a), k);
+      open += links.is_border_side(t, k);
+      if (links.is_border_side(t, k)) continue;
       const std::uint32_t other = links.across[t][k];
-      EXPECT_EQ(links.across[other][side_between(rock.triangles[other], a, b)], t);
+      EXPECT_EQ(links.across[other][find_edge_side(rock.triangles[other], a, b)], t);
     }
   }
   EXPECT_EQ(open, links.border_edges);
-  EXPECT_EQ(side_between({0, 1, 2}, 0, 3), 3u);
+  EXPECT_EQ(find_edge_side({0, 1, 2}, 0, 3), 3u);
 }
 
 TEST(TriangleNeighbours, PartsThatMeetAtACrowdedEdgeAreApart) {
   const TriangleMesh sheets = three_sheets();
   const TriangleNeighbours links = triangle_neighbours(sheets);
   EXPECT_EQ(links.non_manifold_edges, 1u);
-  EXPECT_EQ(links.first_non_manifold, (EdgeKey{0, 1}));
+  EXPECT_EQ(links.first_non_manifold_edge, (EdgeKey{0, 1}));
   EXPECT_EQ(manifold_components(links), (std::vector<std::uint32_t>{0, 0, 1, 1, 2, 2}));
-  EXPECT_EQ(inspect(sheets).components, 1u);
+  EXPECT_EQ(inspect_mesh(sheets).components, 1u);
 }
 
 class TurnedRocks : public testing::TestWithParam<int> {};
@@ -120,7 +120,7 @@ TEST_P(TurnedRocks, AreFoundToDisagreeWhereTheyWereTurned) {
     TriangleMesh::Triangle& t = rock.triangles[random.below(rock.triangles.size())];
     std::swap(t[1], t[2]);
   }
-  const RelativeFacing facing = relative_facing(rock, triangle_neighbours(rock));
+  const ConsistentOrientation facing = find_consistent_orientation(rock, triangle_neighbours(rock));
   EXPECT_FALSE(facing.conflict);
   ASSERT_EQ(facing.components.size(), 2u);
   for (const std::vector<std::uint32_t>& component : facing.components) {
@@ -135,10 +135,10 @@ TEST_P(TurnedRocks, AreFoundToDisagreeWhereTheyWereTurned) {
 
 INSTANTIATE_TEST_SUITE_P(Seeds, TurnedRocks, testing::Range(0, 10));
 
-TEST(RelativeFacing, ABandWithHalfATurnIsOneSided) {
+TEST(ConsistentOrientation, ABandWithHalfATurnIsOneSided) {
   const TriangleMesh band = moebius_band(9);
   const std::optional<std::uint32_t> conflict =
-      relative_facing(band, triangle_neighbours(band)).conflict;
+      find_consistent_orientation(band, triangle_neighbours(band)).conflict;
   ASSERT_TRUE(conflict);
   EXPECT_LT(*conflict, band.vertices.size());
 }
@@ -158,10 +158,10 @@ TEST(VertexCorners, AreAllThatLieAtAVertexAscending) {
 TEST(SubMesh, KeepsOrdersAndDropsWhatNothingUses) {
   const TriangleMesh both = merged(tetrahedron(), scaled(tetrahedron(), 2.0));
   const TriangleMesh second =
-      with_triangles(both, {false, false, false, false, true, true, true, true});
+      extract_triangles(both, {false, false, false, false, true, true, true, true});
   EXPECT_EQ(second.vertices, scaled(tetrahedron(), 2.0).vertices);
   EXPECT_EQ(second.triangles, tetrahedron().triangles);
-  EXPECT_TRUE(with_triangles(both, std::vector<bool>(8, false)).vertices.empty());
+  EXPECT_TRUE(extract_triangles(both, std::vector<bool>(8, false)).vertices.empty());
 }
 
 }  // namespace

@@ -28,9 +28,9 @@ TriangleMesh exploded(const TriangleMesh& mesh, double shift = 0.0) {
 TEST(Weld, SoupBecomesTheMeshAgain) {
   const TriangleMesh box = box_mesh({1, 2, 3}, 5);
   for (const double tolerance : {0.0, 1e-6}) {
-    const TriangleMesh back = welded(exploded(box), tolerance);
+    const TriangleMesh back = weld_vertices(exploded(box), tolerance);
     EXPECT_EQ(back.vertices.size(), box.vertices.size());
-    EXPECT_TRUE(inspect(back).closed());
+    EXPECT_TRUE(inspect_mesh(back).is_closed());
     EXPECT_NEAR(enclosed_volume(back), 6.0, tolerance == 0.0 ? 1e-13 : 1e-4);
   }
 }
@@ -39,9 +39,9 @@ TEST(Weld, NearVerticesJoinOnlyWithinTheTolerance) {
   for (const Vec3& offset : {Vec3(0, 0, 0), Vec3(888600, 6671300, 200)}) {
     const TriangleMesh soup =
         transformed(exploded(random_rock(3), 0.4e-5), Pose{offset, Quat::Identity()});
-    EXPECT_TRUE(inspect(welded(soup, 1e-5)).closed());
-    EXPECT_FALSE(inspect(welded(soup, 1e-7)).closed());
-    EXPECT_FALSE(inspect(welded(soup, 0.0)).closed());
+    EXPECT_TRUE(inspect_mesh(weld_vertices(soup, 1e-5)).is_closed());
+    EXPECT_FALSE(inspect_mesh(weld_vertices(soup, 1e-7)).is_closed());
+    EXPECT_FALSE(inspect_mesh(weld_vertices(soup, 0.0)).is_closed());
   }
 }
 
@@ -49,7 +49,7 @@ TEST(Weld, PositionIsThatOfTheFirstVertex) {
   TriangleMesh mesh;
   mesh.vertices = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1e-7, 0, 0}, {1, 1, 0}};
   mesh.triangles = {{0, 1, 2}, {3, 4, 2}};
-  const TriangleMesh result = welded(mesh, 1e-6);
+  const TriangleMesh result = weld_vertices(mesh, 1e-6);
   EXPECT_EQ(result.vertices.size(), 4u);
   EXPECT_EQ(result.triangles[1][0], 0u);
   EXPECT_EQ(result.vertices[0], Vec3(0, 0, 0));
@@ -61,15 +61,15 @@ TEST(Weld, CollapsedAndRepeatedTrianglesAndUnusedVerticesGo) {
   mesh.vertices.push_back({1, 0, 0});
   mesh.triangles.push_back({1, 5, 2});  // collapses
   mesh.triangles.push_back({2, 1, 0});  // the first triangle again, started elsewhere
-  const TriangleMesh result = welded(mesh, 0.0);
+  const TriangleMesh result = weld_vertices(mesh, 0.0);
   EXPECT_EQ(result.triangles, tetrahedron().triangles);
   EXPECT_EQ(result.vertices, tetrahedron().vertices);
 }
 
 TEST(Weld, ToleranceThatIsNegativeOrNotFiniteIsRefused) {
-  EXPECT_THROW(welded(tetrahedron(), -1e-9), InputError);
-  EXPECT_THROW(welded(tetrahedron(), std::nan("")), InputError);
-  EXPECT_THROW(welded(tetrahedron(), std::numeric_limits<double>::infinity()), InputError);
+  EXPECT_THROW(weld_vertices(tetrahedron(), -1e-9), InputError);
+  EXPECT_THROW(weld_vertices(tetrahedron(), std::nan("")), InputError);
+  EXPECT_THROW(weld_vertices(tetrahedron(), std::numeric_limits<double>::infinity()), InputError);
 }
 
 TEST(Weld, TargetsStayThemselves) {
@@ -81,17 +81,17 @@ TEST(Weld, TargetsStayThemselves) {
 TEST(Weld, CopiesOfATriangleAreFoundByTurn) {
   const std::vector<TriangleMesh::Triangle> triangles = {
       {4, 5, 6}, {0, 1, 2}, {2, 0, 1}, {1, 0, 2}};
-  const std::vector<TriangleCopy> same = repeated_triangles(triangles, CopyTurn::kSame);
+  const std::vector<DuplicateTriangle> same = find_duplicate_triangles(triangles, WindingMatch::kSame);
   ASSERT_EQ(same.size(), 1u);
   EXPECT_EQ(same[0].before, 1u);
   EXPECT_EQ(same[0].again, 2u);
-  const std::vector<TriangleCopy> either = repeated_triangles(triangles, CopyTurn::kEither);
+  const std::vector<DuplicateTriangle> either = find_duplicate_triangles(triangles, WindingMatch::kEither);
   ASSERT_EQ(either.size(), 2u);
   EXPECT_EQ(either[1].before, 2u);
   EXPECT_EQ(either[1].again, 3u);
 }
 
-TEST(Weld, EmptyMeshStaysEmpty) { EXPECT_TRUE(welded({}, 0.1).vertices.empty()); }
+TEST(Weld, EmptyMeshStaysEmpty) { EXPECT_TRUE(weld_vertices({}, 0.1).vertices.empty()); }
 
 }  // namespace
 }  // namespace clast

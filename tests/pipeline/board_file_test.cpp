@@ -14,7 +14,7 @@ TEST(BoardFile, WhatIsNoBoardIsRefusedWithItsPlace) {
   const ScratchFolder folder;
   const auto refused = [&](const std::string& board) {
     write_text_file(folder / "board.toml", board);
-    return refusal([&] { read_board(folder / "board.toml"); });
+    return refusal([&] { read_scale_board(folder / "board.toml"); });
   };
   const std::string head = "dictionary = \"4x4_50\"\n";
   const std::string markers =
@@ -22,7 +22,7 @@ TEST(BoardFile, WhatIsNoBoardIsRefusedWithItsPlace) {
   const std::string charuco =
       "[charuco]\ncolumns = 7\nrows = 5\nsquare_m = 0.04\nmarker_m = 0.03\n";
   write_text_file(folder / "good.toml", head + markers);
-  EXPECT_FALSE(read_board(folder / "good.toml").charuco);
+  EXPECT_FALSE(read_scale_board(folder / "good.toml").charuco);
   EXPECT_TRUE(contains(refused(head), "board.toml: board: 0 markers"));
   EXPECT_TRUE(contains(refused(markers), "dictionary"));
   EXPECT_TRUE(contains(refused(head + markers + charuco), "give one of them"));
@@ -31,7 +31,7 @@ TEST(BoardFile, WhatIsNoBoardIsRefusedWithItsPlace) {
   EXPECT_TRUE(contains(refused(head + "[marker]\nid = 0\n"), "[[marker]]"));
   EXPECT_TRUE(contains(refused(head + "[charuco]\ncolumns = 7\n"), "rows"));
   EXPECT_TRUE(contains(refused("dictionary = \"5x7\"\n" + markers), "\"5x7\" isn't known"));
-  EXPECT_TRUE(contains(refusal([&] { read_board(folder / "none.toml"); }), "none.toml"));
+  EXPECT_TRUE(contains(refusal([&] { read_scale_board(folder / "none.toml"); }), "none.toml"));
 }
 
 }  // namespace

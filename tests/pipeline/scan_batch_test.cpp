@@ -49,7 +49,7 @@ class Batches : public testing::Test {
     return folder / name;
   }
 
-  BatchResult run(const std::vector<ScanFile>& scans, const Progress& progress = {}) {
+  BatchResult run(const std::vector<ScanFile>& scans, const ProgressCallback& progress = {}) {
     log.said.clear();
     return reconstruct_batch(scans, options, log, progress);
   }
@@ -125,7 +125,7 @@ TEST_F(Batches, WhatWasDoneIsKeptWhenABatchIsCancelled) {
   for (const char* id : {"a", "b", "c"}) {
     scans.push_back({scan(std::string(id) + ".obj", cuboid(1, 0.9, 0.8)), id, {}});
   }
-  const Progress cancel = [](const ProgressStep& step) {
+  const ProgressCallback cancel = [](const ProgressUpdate& step) {
     EXPECT_EQ(step.total, 3u);
     EXPECT_EQ(step.done, step.what.back() == 'a' ? 0u : step.what.back() == 'b' ? 1u : 2u);
     if (step.what == "reading c") throw Cancelled();

@@ -46,7 +46,7 @@ TEST_F(ScanToBlock, BlocksOnAGroundAreSplitAndNumbered) {
   std::vector<std::string> steps, made;
   const std::vector<Block> blocks = reconstruct_blocks(
       folder / "scene.obj", "scene", options,
-      {.progress = [&](const ProgressStep& step) { steps.push_back(step.what); },
+      {.progress = [&](const ProgressUpdate& step) { steps.push_back(step.what); },
        .made =
            [&](const Block& block, const BlockOrigin& origin) {
              made.push_back(block.id);
@@ -205,7 +205,7 @@ TEST_F(ScanToBlock, AToleranceThatLetsHalfABlockPassIsQuestioned) {
   for (const double tolerance : {1.0, 0.5, 0.2}) {
     options.block.tolerance = tolerance;
     const std::string said = notes(block_of(rock));
-    EXPECT_TRUE(contains(said, "`tolerance` " + with_digits(tolerance, 4) + " is a share of L"));
+    EXPECT_TRUE(contains(said, "`tolerance` " + format_significant(tolerance, 4) + " is a share of L"));
     EXPECT_TRUE(contains(said, "was a length or a percentage meant? 0.01 is 1 %"));
   }
   options.block.tolerance = 0.05;

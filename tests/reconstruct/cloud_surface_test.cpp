@@ -37,8 +37,8 @@ std::vector<Vec3> points_on(TriangleMesh body, double steepest, int count = 2000
 
 TEST(CloudSurface, OfABallSeenFromAllSidesIsTheBall) {
   const TriangleMesh surface = cloud_surface(points_on(unit_sphere(20), -1.0), kCoarse).mesh;
-  const MeshReport report = inspect(surface);
-  EXPECT_TRUE(report.closed() && report.oriented()) << report.summary();
+  const MeshReport report = inspect_mesh(surface);
+  EXPECT_TRUE(report.is_closed() && report.is_oriented()) << report.summary();
   EXPECT_EQ(report.euler_characteristic, 2);
   EXPECT_NEAR(solid_mass_properties(surface, 1.0).volume, 4.0 / 3.0 * kPi, 0.015 * 4.2);
 }
@@ -53,10 +53,10 @@ TEST(CloudSurface, OfAConcaveRockHasItsVolume) {
 TEST(CloudSurface, IsOpenWhereNoPointsAre) {
   // A cap within acos 0.6 = 53 degrees of the lowest point has a fifth of the ball.
   const TriangleMesh surface = cloud_surface(points_on(unit_sphere(20), -0.6), kCoarse).mesh;
-  const MeshReport report = inspect(surface);
+  const MeshReport report = inspect_mesh(surface);
   EXPECT_EQ(report.components, 1u);
   EXPECT_EQ(report.boundary_loops, 1u);
-  EXPECT_TRUE(report.oriented());
+  EXPECT_TRUE(report.is_oriented());
   // It goes on for up to 1.5 cells of 0.07 around a rim of 2 pi 0.8.
   EXPECT_NEAR(surface_area(surface), 0.8 * 4.0 * kPi, 0.06 * 4.0 * kPi);
   EXPECT_NEAR(bounds(surface).low.z(), 5.0 - 0.6, 0.15);
@@ -124,7 +124,7 @@ TEST(CloudSurface, OfPointsWithoutNoiseGoesThroughThemAndNeverBeyond) {
   const TriangleMesh rock = rock_mesh(16, {0.5, 0.4, 0.05}, 3);
   const std::vector<Vec3> points = sampled_cloud(rock, {.points = 6000}, 4);
   const CloudSurface surface = cloud_surface(points);
-  EXPECT_TRUE(inspect(surface.mesh).closed());
+  EXPECT_TRUE(inspect_mesh(surface.mesh).is_closed());
   EXPECT_EQ(surface.gaps, 0u);
   std::set<std::array<double, 3>> given;
   for (const Vec3& p : points) given.insert({p.x(), p.y(), p.z()});
@@ -139,7 +139,7 @@ TEST(CloudSurface, IsClosedWhereTheDensityOnlyFalls) {
   const std::vector<Vec3> points =
       sampled_cloud(unit_sphere(20), {.points = 8000, .fall = 0.05, .step = true}, 5);
   const CloudSurface surface = cloud_surface(points);
-  EXPECT_TRUE(inspect(surface.mesh).closed());
+  EXPECT_TRUE(inspect_mesh(surface.mesh).is_closed());
   EXPECT_NEAR(solid_mass_properties(surface.mesh, 1.0).volume, 4.0 / 3.0 * kPi, 0.02 * 4.2);
 }
 
@@ -148,7 +148,7 @@ TEST(CloudSurface, AGapIsFilledAndReportedWithItsPlace) {
   std::erase_if(points,
                 [](const Vec3& p) { return p.z() > std::cos(0.12); });  // 0.36 % of the area
   const CloudSurface surface = cloud_surface(points);
-  EXPECT_TRUE(inspect(surface.mesh).closed());
+  EXPECT_TRUE(inspect_mesh(surface.mesh).is_closed());
   EXPECT_EQ(surface.gaps, 1u);
   EXPECT_NEAR(surface.gap_share, 0.0036, 0.002);
   EXPECT_GT(surface.gap_place.z(), 0.9);
@@ -160,10 +160,10 @@ TEST(CloudSurface, TheMissingEdgeOfALensIsUnseen) {
   TriangleMesh lens = unit_sphere(24);
   for (Vec3& v : lens.vertices) v = v.cwiseProduct(Vec3(0.5, 0.5, 0.06));
   std::vector<Vec3> points = sampled_cloud(lens, {.points = 8000}, 8);
-  EXPECT_TRUE(inspect(cloud_surface(points).mesh).closed());
+  EXPECT_TRUE(inspect_mesh(cloud_surface(points).mesh).is_closed());
   std::erase_if(points, [](const Vec3& p) { return p.x() < -0.43; });
   const CloudSurface surface = cloud_surface(points);
-  EXPECT_TRUE(surface.gaps == 1 || !inspect(surface.mesh).closed());
+  EXPECT_TRUE(surface.gaps == 1 || !inspect_mesh(surface.mesh).is_closed());
   if (surface.gaps == 1) {
     EXPECT_LT(surface.gap_place.x(), -0.44);
   }
@@ -214,7 +214,7 @@ TEST(CloudSurface, OutliersThatAreLeftDoNotDecide) {
   }
   ASSERT_GT(kept.size(), 8000u);
   const CloudSurface surface = cloud_surface(kept);
-  EXPECT_TRUE(inspect(surface.mesh).closed());
+  EXPECT_TRUE(inspect_mesh(surface.mesh).is_closed());
   EXPECT_NEAR(solid_mass_properties(surface.mesh, 1.0).volume, 4.0 / 3.0 * kPi, 0.01 * 4.2);
 }
 

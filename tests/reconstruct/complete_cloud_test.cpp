@@ -111,7 +111,7 @@ bool is_class_within(const std::string& name, const Vec3& sides, double share) {
 /// box found, the sides that the true body has along its axes; none where that is not among the
 /// smallest.
 std::optional<Vec3> true_sides_along(const OrientedBox& found, const Body& body, double share) {
-  const OrientedBox same = box_along(body.mesh.vertices, found.axes);
+  const OrientedBox same = box_with_axes(body.mesh.vertices, found.axes);
   const double smallest = smallest_box(body.mesh.vertices).volume();
   if (same.volume() > (1.0 + share) * smallest) return std::nullopt;
   return same.lengths;
@@ -157,13 +157,13 @@ std::optional<std::string> fault_of(const Body& body, Kind kind, std::uint64_t s
     const Vec3 sides = true_sides_along(box, body, kind.bars.side).value_or(smallest);
     const Vec3 off = box.lengths.cwiseQuotient(sides) - Vec3::Ones();
     const std::string figures =
-        "volume " + with_digits(100.0 * (found / truth - 1.0), 3) + " %, L, I, S " +
-        with_digits(100.0 * off[0], 3) + ", " + with_digits(100.0 * off[1], 3) + ", " +
-        with_digits(100.0 * off[2], 3) + " %, " + block_class_of_group(box.lengths) + " for " + block_class_of_group(sides);
+        "volume " + format_significant(100.0 * (found / truth - 1.0), 3) + " %, L, I, S " +
+        format_significant(100.0 * off[0], 3) + ", " + format_significant(100.0 * off[1], 3) + ", " +
+        format_significant(100.0 * off[2], 3) + " %, " + block_class_of_group(box.lengths) + " for " + block_class_of_group(sides);
     if (block.underside) return "a side called unseen; " + figures;
     if (!holds(block, truth, sides)) return "the truth is outside the bounds stated; " + figures;
     const double farthest = farthest_from_points(block.scan.mesh, points);
-    if (farthest > kFarthest) return with_digits(farthest, 3) + " spacings off; " + figures;
+    if (farthest > kFarthest) return format_significant(farthest, 3) + " spacings off; " + figures;
     if (std::abs(found / truth - 1.0) > kind.bars.volume ||
         off.cwiseAbs().maxCoeff() > kind.bars.side ||
         !is_class_within(block_class_of_group(box.lengths), sides, kind.bars.side)) {

@@ -40,14 +40,14 @@ Trial mend_damaged(const TriangleMesh& rock, double intensity, std::uint64_t see
   trial.lost_share = dirty.lost_share;
   try {
     const RepairedMesh repaired = repair_mesh(dirty.mesh);
-    const MeshReport report = inspect(repaired.mesh);
+    const MeshReport report = inspect_mesh(repaired.mesh);
     const double volume = enclosed_volume(repaired.mesh);
-    trial.valid = report.closed() && report.oriented() && report.pinched_vertices == 0 &&
+    trial.valid = report.is_closed() && report.is_oriented() && report.pinched_vertices == 0 &&
                   report.components == 1 && volume > 0.0 &&
-                  crossing_triangles(repaired.mesh).empty();
+                  find_self_intersections(repaired.mesh).empty();
     trial.volume_error = volume / enclosed_volume(rock) - 1.0;
     trial.hausdorff = vertex_hausdorff(rock, repaired.mesh);
-    trial.invented_share = repaired.report.invented_share;
+    trial.filled_fraction = repaired.report.filled_fraction;
   } catch (const GeometryError& error) {
     trial.refusal = error.what();
   }

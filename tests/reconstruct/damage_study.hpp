@@ -14,7 +14,7 @@ struct Trial {
   double hausdorff = 0.0;       ///< both ways, at the vertices, m
   double largest_hole = 0.0;    ///< radius, m
   double lost_share = 0.0;      ///< of the area
-  double invented_share = 0.0;  ///< as reported
+  double filled_fraction = 0.0;  ///< as reported
   std::string refusal;          ///< empty: it was repaired
 };
 

@@ -24,9 +24,9 @@ TEST(DamagedShapes, AnHourglassIsWrappedAndKeepsItsVolume) {
     if (v.z() > 0.0) v = Vec3(1.0 - v.x(), 1.0 - v.y(), v.z());
   }
   const RepairedMesh result = repair_mesh(hourglass);
-  const MeshReport report = inspect(result.mesh);
-  EXPECT_TRUE(report.closed() && report.oriented()) << report.summary();
-  EXPECT_TRUE(crossing_triangles(result.mesh).empty());
+  const MeshReport report = inspect_mesh(result.mesh);
+  EXPECT_TRUE(report.is_closed() && report.is_oriented()) << report.summary();
+  EXPECT_TRUE(find_self_intersections(result.mesh).empty());
   EXPECT_NEAR(enclosed_volume(result.mesh), 1.0 / 3.0, 1e-9);  // squares of side |1 - 2 z|
   ASSERT_TRUE(result.report.wrap_bias);
   EXPECT_GT(*result.report.wrap_bias, 0.0);

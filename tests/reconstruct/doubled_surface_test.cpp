@@ -113,7 +113,7 @@ TEST(DoubledSurface, OpenCopiesLeaveTheBracketOfTheUnseenSide) {
   const FieldBlock alone = field_blocks(cut.open, "one")[0];
   const FieldBlock both = field_blocks(merged(cut.open, scaled(cut.open, 0.98)), "two")[0];
   ASSERT_TRUE(both.underside);
-  EXPECT_NEAR(both.underside->best_volume / alone.underside->best_volume, 1.0, 1e-6);
+  EXPECT_NEAR(both.underside->estimated_volume / alone.underside->estimated_volume, 1.0, 1e-6);
   EXPECT_EQ(both.scan.report.doubled.size(), 1u);
 }
 

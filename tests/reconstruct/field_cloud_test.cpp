@@ -61,12 +61,12 @@ TEST(FieldCloud, VolumeAndAxesWithinAPercent) {
 
 TEST(FieldCloud, ThePhonesLidarScanIsClosedAndItsScrapReported) {
   const FieldBlock block = read_field_scan(test_data("meshes/eesd_iphone_lidar.stl")).blocks[0];
-  EXPECT_TRUE(inspect(block.scan.mesh).closed());
+  EXPECT_TRUE(inspect_mesh(block.scan.mesh).is_closed());
   // Its large piece is closed but for four edges where two sheets meet; what is open is a scrap
   // with 5 % of the area, which is told.
   // The four edges are a gap, and no side that nobody saw.
   EXPECT_FALSE(block.underside.has_value());
-  EXPECT_GT(block.scan.report.invented_share, 0.0);
+  EXPECT_GT(block.scan.report.filled_fraction, 0.0);
   const Defect* scrap = block.scan.report.find(DefectKind::kIsland);
   ASSERT_NE(scrap, nullptr);
   EXPECT_EQ(scrap->count, 1u);
@@ -84,7 +84,7 @@ TEST(FieldCloud, ThePhonesLidarScanIsClosedAndItsScrapReported) {
 
 TEST(FieldCloud, ThePointsOfAStoneGiveThatStone) {
   const FieldBlock block = read_field_scan(test_data("meshes/eesd_stone14_points.ply")).blocks[0];
-  EXPECT_TRUE(inspect(block.scan.mesh).closed());
+  EXPECT_TRUE(inspect_mesh(block.scan.mesh).is_closed());
   double mesh_volume = 0.0;
   for (const ReferenceRow& row : mesh_reference()) {
     if (row.at("file") == "eesd_stone14.stl") mesh_volume = value(row, "volume");

@@ -58,8 +58,8 @@ TEST(FieldScan, AnOpenMeshIsClosedAsTheBestOfItsBracket) {
   const CutBlock cut = cut_blocks(rock_mesh(10, {0.5, 0.4, 0.3}, 2), 1, 5)[0];
   const FieldBlock block = field_blocks(cut.open, "cut")[0];
   ASSERT_TRUE(block.underside.has_value());
-  EXPECT_TRUE(inspect(block.scan.mesh).closed());
-  EXPECT_NEAR(solid_volume(block.scan.mesh), block.underside->best_volume, 1e-9);
+  EXPECT_TRUE(inspect_mesh(block.scan.mesh).is_closed());
+  EXPECT_NEAR(solid_volume(block.scan.mesh), block.underside->estimated_volume, 1e-9);
   EXPECT_LT(block.underside->lower_volume, cut.volume);
   EXPECT_GT(block.underside->upper_volume.value(), cut.volume);
 }
@@ -87,9 +87,9 @@ TEST(FieldScan, UnitsAndAxisHoldForTheBracketToo) {
 
 TEST(FieldScan, AnInwardOpenMeshIsTurned) {
   CutBlock cut = cut_blocks(rock_mesh(8, {0.5, 0.4, 0.3}, 3), 1, 6)[0];
-  const double best = field_blocks(cut.open, "cut")[0].underside->best_volume;
+  const double best = field_blocks(cut.open, "cut")[0].underside->estimated_volume;
   for (TriangleMesh::Triangle& t : cut.open.triangles) std::swap(t[1], t[2]);
-  EXPECT_NEAR(field_blocks(cut.open, "cut")[0].underside->best_volume, best, 1e-6);
+  EXPECT_NEAR(field_blocks(cut.open, "cut")[0].underside->estimated_volume, best, 1e-6);
 }
 
 TEST(FieldScan, GroundIsTakenAwayFromAMesh) {
@@ -98,14 +98,14 @@ TEST(FieldScan, GroundIsTakenAwayFromAMesh) {
   TriangleMesh scene = merged(rock, ground_mesh(slope, 1.2, 60));
   const FieldBlock block = field_blocks(scene, "scene")[0];
   ASSERT_TRUE(block.underside.has_value());
-  EXPECT_NEAR(block.underside->best_volume, solid_volume(rock), 0.05 * solid_volume(rock));
+  EXPECT_NEAR(block.underside->estimated_volume, solid_volume(rock), 0.05 * solid_volume(rock));
   EXPECT_LT(block.underside->lower_volume, solid_volume(rock));
   EXPECT_GT(block.underside->upper_volume.value(), solid_volume(rock));
   EXPECT_LT((block.underside->down + Vec3::UnitZ()).norm(), 0.03);  // turned up from the slope
   FieldScanOptions kept;
   kept.up_given = true;
   const FieldBlock as_it_lies = field_blocks(scene, "scene", kept)[0];
-  EXPECT_NEAR(as_it_lies.underside->best_volume, block.underside->best_volume, 1e-6);
+  EXPECT_NEAR(as_it_lies.underside->estimated_volume, block.underside->estimated_volume, 1e-6);
   EXPECT_GT(as_it_lies.underside->down.x(), 0.1);
   EXPECT_LT((as_it_lies.scan.mesh.vertices[0] - rock.vertices[0]).norm(), 1.0);
 }
@@ -213,9 +213,9 @@ TEST(FieldScan, ThreeBlocksAreSplitInOrder) {
   const int order[3] = {1, 2, 0};
   for (int k = 0; k < 3; ++k) {
     const double whole = solid_volume(rocks[static_cast<std::size_t>(order[k])]);
-    EXPECT_NEAR(all[static_cast<std::size_t>(k)].underside->best_volume, whole, 0.08 * whole) << k;
+    EXPECT_NEAR(all[static_cast<std::size_t>(k)].underside->estimated_volume, whole, 0.08 * whole) << k;
   }
-  EXPECT_NEAR(one[0].underside->best_volume, all[1].underside->best_volume, 1e-12);
+  EXPECT_NEAR(one[0].underside->estimated_volume, all[1].underside->estimated_volume, 1e-12);
 }
 
 TEST(FieldScan, MendsOfAnOpenScanAreToldAsThoseOfAClosedOne) {
@@ -270,8 +270,8 @@ TEST(FieldScan, AScanThatWasClosedBeforeSaysThatItsBoundsKnowLittle) {
   });
   const FieldBlock block = field_blocks(mesh, "rock")[0];
   EXPECT_FALSE(block.underside.has_value());  // a gap, and no unseen side
-  EXPECT_GT(block.scan.report.invented_share, 0.0);
-  EXPECT_LT(block.scan.report.invented_share, 0.01);
+  EXPECT_GT(block.scan.report.filled_fraction, 0.0);
+  EXPECT_LT(block.scan.report.filled_fraction, 0.01);
   EXPECT_TRUE(std::any_of(
       block.scan.notes.begin(), block.scan.notes.end(),
       [](const std::string& note) { return contains(note, "the file does not show"); }));

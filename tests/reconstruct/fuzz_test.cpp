@@ -32,7 +32,7 @@ TEST_P(MutatedFiles, GiveASoundBlockOrAnErrorThatNamesThem) {
   const MeshFile file = mesh_files(random_rock(2, 2, 0.05)).at(GetParam());
   const ScratchFolder folder;
   write_text_file(folder / file.name, file.bytes);
-  ASSERT_TRUE(inspect(read_scan(folder / file.name).mesh).closed()) << file.name;
+  ASSERT_TRUE(inspect_mesh(read_scan(folder / file.name).mesh).is_closed()) << file.name;
   std::size_t blocks = 0, refusals = 0;
   double longest = 0.0;
   FuzzNumbers numbers(file.name, 30);
@@ -43,10 +43,10 @@ TEST_P(MutatedFiles, GiveASoundBlockOrAnErrorThatNamesThem) {
     try {
       const bool field_scan = *number > kMany && *number % kFieldScans == 0;
       const TriangleMesh mesh = block_of(folder / file.name, field_scan);
-      const MeshReport report = inspect(mesh);
-      EXPECT_TRUE(report.closed() && report.oriented() && report.pinched_vertices == 0)
+      const MeshReport report = inspect_mesh(mesh);
+      EXPECT_TRUE(report.is_closed() && report.is_oriented() && report.pinched_vertices == 0)
           << report.summary();
-      EXPECT_TRUE(crossing_triangles(mesh).empty());
+      EXPECT_TRUE(find_self_intersections(mesh).empty());
       ++blocks;
     } catch (const Error& error) {
       EXPECT_NE(std::string(error.what()).find(file.name), std::string::npos) << error.what();

@@ -47,7 +47,7 @@ class Photographed {
       keep[t] = middle.z() > 0.0 && seen(middle, tree_.face_normal(t), t);
     }
     TriangleMesh mesh =
-        std::move(reconstruct_detail::components_of(with_triangles(body_, keep)).front().mesh);
+        std::move(reconstruct_detail::components_of(extract_triangles(body_, keep)).front().mesh);
     reconstruct_detail::split_pinched_vertices(mesh);
     return mesh;
   }
@@ -108,7 +108,7 @@ TEST(LookedUnder, ABallStandsOnItsFoot) {
   EXPECT_EQ(with.lower_volume, without.lower_volume);
   EXPECT_GE(with.upper_volume.value(), ball.volume());
   EXPECT_LE(with.upper_volume.value(), without.upper_volume.value());
-  EXPECT_LE(with.best_volume, with.upper_volume.value());
+  EXPECT_LE(with.estimated_volume, with.upper_volume.value());
 }
 
 // Nothing is known where the cubes don't reach, and of no cubes nothing.
@@ -120,7 +120,7 @@ TEST(LookedUnder, WithoutKnowledgeTheBracketStays) {
   for (const SeenThrough* through : {&none, &far}) {
     const Underside with = *close_underside(open, {.ground = kGround, .through = through});
     EXPECT_EQ(with.upper_volume, without.upper_volume);
-    EXPECT_EQ(with.best_volume, without.best_volume);
+    EXPECT_EQ(with.estimated_volume, without.estimated_volume);
   }
 }
 
@@ -155,8 +155,8 @@ TEST(LookedUnder, UndercutRocksInManyPosesKeepTheirVolumeInTheBracket) {
       const double truth = body.volume();
       ASSERT_TRUE(without.upper_volume.has_value()) << seed << " " << pose;
       std::cout << 100.0 * buried << " % buried, foot " << foot << ": lower "
-                << with.lower_volume / truth << ", best " << without.best_volume / truth << " -> "
-                << with.best_volume / truth << ", upper " << *without.upper_volume / truth << " -> "
+                << with.lower_volume / truth << ", best " << without.estimated_volume / truth << " -> "
+                << with.estimated_volume / truth << ", upper " << *without.upper_volume / truth << " -> "
                 << *with.upper_volume / truth << "\n";
       ++poses;
       inside += with.upper_volume >= truth && with.lower_volume <= truth ? 1 : 0;
@@ -166,8 +166,8 @@ TEST(LookedUnder, UndercutRocksInManyPosesKeepTheirVolumeInTheBracket) {
       length_errors += (lengths.cwiseQuotient(body.lengths()) - Vec3::Ones()).cwiseAbs2();
       lying += bounds(with.best).low.z() < 0.001 ? 1 : 0;
       narrowed += *with.upper_volume < 0.99 * *without.upper_volume ? 1 : 0;
-      off_without += std::abs(without.best_volume / truth - 1.0);
-      off_with += std::abs(with.best_volume / truth - 1.0);
+      off_without += std::abs(without.estimated_volume / truth - 1.0);
+      off_with += std::abs(with.estimated_volume / truth - 1.0);
       width_without += (*without.upper_volume - without.lower_volume) / truth;
       width_with += (*with.upper_volume - with.lower_volume) / truth;
     }

@@ -24,16 +24,16 @@ TEST(RealBlocks, BecomeRoundedBlocksCloseToTheScan) {
     const std::size_t most = porous ? 320 : 250;
     const TriangleMesh thin = simplified(scan, {.target_vertices = most});
     EXPECT_LE(thin.vertices.size(), most);
-    EXPECT_TRUE(crossing_triangles(thin).empty());
+    EXPECT_TRUE(find_self_intersections(thin).empty());
     EXPECT_NEAR(enclosed_volume(thin) / enclosed_volume(scan), 1.0, 1e-3);
     const double longest = std::stod(row["L1"]), shortest = std::stod(row["L3"]);
     // Walls between tunnels are thinner than two larger radii.
     for (const double share : porous ? std::vector{0.02} : std::vector{0.02, 0.05}) {
-      const SpheroPolyhedron body = rounded_core(thin, share * shortest);
+      const SpheroPolyhedron body = inset_core(thin, share * shortest);
       const TriangleMesh core = core_mesh(body);
-      EXPECT_TRUE(inspect(core).closed() && inspect(core).oriented());
-      EXPECT_TRUE(crossing_triangles(core).empty());
-      const Deviation deviation = surface_deviation(thin, body, 5000);
+      EXPECT_TRUE(inspect_mesh(core).is_closed() && inspect_mesh(core).is_oriented());
+      EXPECT_TRUE(find_self_intersections(core).empty());
+      const SurfaceDeviation deviation = measure_surface_deviation(thin, body, 5000);
       // What a ball can't reach: about 0.7 r at a right corner, whole tunnels of the porous stone.
       EXPECT_LT(deviation.hausdorff, porous ? 0.05 * longest : 1.25 * body.radius);
       EXPECT_LT(deviation.mean, 0.003 * longest);

@@ -24,8 +24,8 @@ TEST(RealScans, EveryClosedMeshIsReadWithItsReferenceVolume) {
     }
     SCOPED_TRACE(file);
     const Scan scan = read_scan(data_file("meshes/" + file));
-    const MeshReport report = inspect(scan.mesh);
-    EXPECT_TRUE(report.closed() && report.oriented()) << report.summary();
+    const MeshReport report = inspect_mesh(scan.mesh);
+    EXPECT_TRUE(report.is_closed() && report.is_oriented()) << report.summary();
     EXPECT_EQ(report.components, 1u);
     EXPECT_EQ(report.pinched_vertices, 0u);
     EXPECT_EQ(scan.report.as_read.vertices, std::stoul(row["vertices_welded"]));
@@ -55,7 +55,7 @@ TEST(RealScans, AreSimplifiedToAtMostTheVerticesAskedFor) {
       try {
         const TriangleMesh light = simplified(scan.mesh, {.target_vertices = most});
         EXPECT_LE(light.vertices.size(), most);
-        EXPECT_TRUE(crossing_triangles(light).empty());
+        EXPECT_TRUE(find_self_intersections(light).empty());
         ++made;
       } catch (const GeometryError& error) {
         const std::string message = error.what();
@@ -70,11 +70,11 @@ TEST(RealScans, AreSimplifiedToAtMostTheVerticesAskedFor) {
 }
 
 void expect_block_with_box(const Scan& scan, std::map<std::string, std::string>& row) {
-  const MeshReport report = inspect(scan.mesh);
-  EXPECT_TRUE(report.closed() && report.oriented()) << report.summary();
+  const MeshReport report = inspect_mesh(scan.mesh);
+  EXPECT_TRUE(report.is_closed() && report.is_oriented()) << report.summary();
   EXPECT_EQ(report.components, 1u);
   EXPECT_EQ(report.pinched_vertices, 0u);
-  EXPECT_TRUE(crossing_triangles(scan.mesh).empty());
+  EXPECT_TRUE(find_self_intersections(scan.mesh).empty());
   const Vec3 sides = smallest_box(scan.mesh.vertices).lengths;
   for (int axis = 0; axis < 3; ++axis) {
     EXPECT_NEAR(sides[axis] / std::stod(row["L" + std::to_string(axis + 1)]), 1.0, 0.02);
@@ -87,7 +87,7 @@ TEST(RealScans, ARockWithSliversOnItsEdgesKeepsItsVolume) {
   expect_block_with_box(scan, row);
   EXPECT_EQ(scan.report.as_read.non_manifold_edges, std::stoul(row["nonmanifold_edges"]));
   EXPECT_NEAR(enclosed_volume(scan.mesh) / std::stod(row["largest_component_volume"]), 1.0, 1e-6);
-  EXPECT_EQ(scan.report.invented_share, 0.0);
+  EXPECT_EQ(scan.report.filled_fraction, 0.0);
 }
 
 TEST(RealScans, AnOpenPhoneScanBecomesABlockThatSaysWhatWasInvented) {
@@ -95,8 +95,8 @@ TEST(RealScans, AnOpenPhoneScanBecomesABlockThatSaysWhatWasInvented) {
   const Scan scan = read_scan(data_file("meshes/eesd_iphone_lidar.stl"));
   expect_block_with_box(scan, row);
   EXPECT_EQ(scan.report.as_read.boundary_edges, std::stoul(row["boundary_edges"]));
-  EXPECT_GT(scan.report.invented_share, 0.001);
-  EXPECT_LT(scan.report.invented_share, 0.05);
+  EXPECT_GT(scan.report.filled_fraction, 0.001);
+  EXPECT_LT(scan.report.filled_fraction, 0.05);
   std::string notes;
   for (const std::string& note : scan.notes) notes += note + "\n";
   EXPECT_NE(notes.find("% of the surface is invented"), std::string::npos) << notes;
@@ -125,8 +125,8 @@ TEST(RealScans, AuthumeBlocksAreClosedAndOnlySp1aNeedsATriangle) {
   for (const std::string name : {"SP1A", "SP2A", "SP2B", "SP3A"}) {
     SCOPED_TRACE(name);
     const Scan scan = read_scan(data_file("authume/blocks/" + name + ".stl"));
-    const MeshReport report = inspect(scan.mesh);
-    EXPECT_TRUE(report.closed() && report.oriented()) << report.summary();
+    const MeshReport report = inspect_mesh(scan.mesh);
+    EXPECT_TRUE(report.is_closed() && report.is_oriented()) << report.summary();
     EXPECT_EQ(report.euler_characteristic, 2);
     EXPECT_GT(enclosed_volume(scan.mesh), 0.0);
     if (name == "SP1A") {

@@ -32,12 +32,12 @@ TriangleMesh at(TriangleMesh mesh, const Vec3& place) {
 }
 
 void expect_sound(const TriangleMesh& mesh) {
-  const MeshReport report = inspect(mesh);
-  EXPECT_TRUE(report.closed() && report.oriented()) << report.summary();
+  const MeshReport report = inspect_mesh(mesh);
+  EXPECT_TRUE(report.is_closed() && report.is_oriented()) << report.summary();
   EXPECT_EQ(report.pinched_vertices, 0u);
   EXPECT_EQ(report.components, 1u);
   EXPECT_GT(enclosed_volume(mesh), 0.0);
-  EXPECT_TRUE(crossing_triangles(mesh).empty());
+  EXPECT_TRUE(find_self_intersections(mesh).empty());
 }
 
 std::size_t count(const RepairedMesh& result, DefectKind kind) {
@@ -80,7 +80,7 @@ TEST(Repair, ASoundMeshKeepsEveryBitWhereverItLies) {
     EXPECT_EQ(result.mesh.vertices, mesh.vertices);
     EXPECT_EQ(result.mesh.triangles, mesh.triangles);
     EXPECT_TRUE(result.report.defects.empty());
-    EXPECT_EQ(result.report.invented_share, 0.0);
+    EXPECT_EQ(result.report.filled_fraction, 0.0);
     EXPECT_TRUE(repair_notes(result.report).empty());
   }
 }
@@ -99,7 +99,7 @@ TEST(Repair, AHoleInASphereIsFilledRoundAndMeasured) {
   EXPECT_NEAR(hole.centre.z(), height, 0.02);
   // A cap's share of the sphere's area is half its height over the radius.
   EXPECT_NEAR(hole.area_share, 0.5 * (1.0 - height), 0.01);
-  EXPECT_EQ(result.report.invented_share, hole.area_share);
+  EXPECT_EQ(result.report.filled_fraction, hole.area_share);
   EXPECT_NEAR(enclosed_volume(result.mesh) / enclosed_volume(sphere), 1.0, 1e-3);
   for (const Vec3& v : result.mesh.vertices) EXPECT_NEAR(v.norm(), 1.0, 0.01);
 }
@@ -327,7 +327,7 @@ TEST(Repair, CrossingTrianglesAreReplaced) {
     }
   }
   dirty.vertices[500] += 1.1 * (dirty.vertices[beside] - from);
-  ASSERT_FALSE(crossing_triangles(dirty).empty());
+  ASSERT_FALSE(find_self_intersections(dirty).empty());
   const RepairedMesh result = repair_mesh(dirty);
   expect_sound(result.mesh);
   EXPECT_NEAR(enclosed_volume(result.mesh) / enclosed_volume(rock()), 1.0, 2e-3);
@@ -375,7 +375,7 @@ TEST(Repair, DamagedRocksComeBackWithTheirVolume) {
       EXPECT_TRUE(trial.valid) << trial.refusal;
       EXPECT_NEAR(trial.volume_error, 0.0, 2e-3);
       EXPECT_LE(trial.hausdorff, trial.largest_hole);
-      EXPECT_GT(trial.invented_share, 0.5 * trial.lost_share);
+      EXPECT_GT(trial.filled_fraction, 0.5 * trial.lost_share);
     }
     std::cout << table_line("x" + std::to_string(intensity).substr(0, 3), trials) << "\n";
   }

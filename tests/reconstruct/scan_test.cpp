@@ -26,8 +26,8 @@ TriangleMesh inverted(TriangleMesh mesh) {
 }
 
 bool sound(const TriangleMesh& mesh) {
-  const MeshReport report = inspect(mesh);
-  return report.closed() && report.oriented() && report.pinched_vertices == 0 &&
+  const MeshReport report = inspect_mesh(mesh);
+  return report.is_closed() && report.is_oriented() && report.pinched_vertices == 0 &&
          report.components == 1 && enclosed_volume(mesh) > 0.0;
 }
 
@@ -55,7 +55,7 @@ TEST(Scan, SoundMeshKeepsEveryBit) {
   EXPECT_EQ(scan.mesh.vertices, rock.vertices);
   EXPECT_EQ(scan.mesh.triangles, rock.triangles);
   EXPECT_TRUE(scan.notes.empty());
-  EXPECT_TRUE(scan.report.as_read.closed());
+  EXPECT_TRUE(scan.report.as_read.is_closed());
 }
 
 TEST(Scan, UnitAndUpAxisAreApplied) {
@@ -170,8 +170,8 @@ TEST(Scan, InnerShellsAreKeptAsCavitiesOnRequest) {
     };
     const TriangleMesh all = merged(merged(facing(first, 1), facing(rock, 2)), facing(second, 4));
     const Scan scan = clean_scan(all, "B017", {.unit = 2.0, .repair = {.keep_inner_shells = true}});
-    const MeshReport report = inspect(scan.mesh);
-    EXPECT_TRUE(report.closed() && report.oriented()) << report.summary();
+    const MeshReport report = inspect_mesh(scan.mesh);
+    EXPECT_TRUE(report.is_closed() && report.is_oriented()) << report.summary();
     EXPECT_EQ(report.components, 3u);
     EXPECT_EQ(scan.report.inner_shells, 2u);
     EXPECT_NEAR(scan.report.inner_shell_volume, 8.0 * bubbles, 1e-12);
@@ -354,7 +354,7 @@ TEST(Scan, FilesAreNamedInRefusals) {
 
 /// As programs write it that don't care: `write_mesh` would take an origin off first.
 void write_as_floats(const std::filesystem::path& path, const TriangleMesh& mesh) {
-  write_text_file(path, mesh_detail::stl_content(mesh));
+  write_text_file(path, mesh_detail::encode_stl(mesh));
 }
 
 TEST(Scan, DigitsLostInTheFileAreToldOfOrRefused) {

@@ -58,7 +58,7 @@ TEST(Simplify, SurfaceThatPassesThroughItselfIsRefused) {
   for (Vec3& v : box.vertices) {
     if (v.z() == 1.0 && (v - Vec3(0.5, 0.5, 1)).norm() < 0.3) v.z() = -1.0;
   }
-  EXPECT_FALSE(crossing_triangles(box).empty());
+  EXPECT_FALSE(find_self_intersections(box).empty());
   try {
     simplified(box, {.target_vertices = 200});
     FAIL();
@@ -94,14 +94,14 @@ TriangleMesh pierced(TriangleMesh rock, std::size_t first, std::size_t second) {
 
 TEST(Simplify, TunnelTooNarrowForTheVerticesIsClosed) {
   const TriangleMesh rock = pierced(random_rock(7, 5, 0.02), 3, 700);
-  ASSERT_TRUE(crossing_triangles(rock).empty());
-  ASSERT_EQ(inspect(rock).euler_characteristic, 0);
+  ASSERT_TRUE(find_self_intersections(rock).empty());
+  ASSERT_EQ(inspect_mesh(rock).euler_characteristic, 0);
   const TriangleMesh thin = simplified(rock, {.target_vertices = 60});
-  const MeshReport report = inspect(thin);
-  EXPECT_TRUE(report.closed() && report.oriented()) << report.summary();
+  const MeshReport report = inspect_mesh(thin);
+  EXPECT_TRUE(report.is_closed() && report.is_oriented()) << report.summary();
   EXPECT_EQ(report.euler_characteristic, 2);
   EXPECT_LE(thin.vertices.size(), 120u);
-  EXPECT_TRUE(crossing_triangles(thin).empty());
+  EXPECT_TRUE(find_self_intersections(thin).empty());
   EXPECT_NEAR(enclosed_volume(thin) / enclosed_volume(rock), 1.0, 0.01);
 }
 
@@ -115,14 +115,14 @@ TEST(Simplify, FansThatWouldTakeHoursAreRefused) {
 }
 
 TEST(SelfIntersection, SoundShapesHaveNoneAndAPokedBoxHasSome) {
-  EXPECT_TRUE(crossing_triangles(tetrahedron()).empty());
-  EXPECT_TRUE(crossing_triangles(box_mesh({1, 1, 1}, 3)).empty());
+  EXPECT_TRUE(find_self_intersections(tetrahedron()).empty());
+  EXPECT_TRUE(find_self_intersections(box_mesh({1, 1, 1}, 3)).empty());
   TriangleMesh poked = tetrahedron();
   poked.vertices[3] = Vec3(0.2, 0.2, 1.0);
-  EXPECT_TRUE(crossing_triangles(poked).empty());
+  EXPECT_TRUE(find_self_intersections(poked).empty());
   const TriangleMesh two =
       merged(tetrahedron(), transformed(tetrahedron(), Pose{{0.1, 0.1, 0.1}, Quat::Identity()}));
-  EXPECT_FALSE(crossing_triangles(two).empty());
+  EXPECT_FALSE(find_self_intersections(two).empty());
 }
 
 class ThinnedRocks : public testing::TestWithParam<int> {};
@@ -131,12 +131,12 @@ TEST_P(ThinnedRocks, AreClosedSimpleAndKeepTheVolume) {
   const TriangleMesh rock = random_rock(GetParam(), 4, 0.02);
   for (const std::size_t target : {400u, 120u, 30u}) {
     const TriangleMesh thin = simplified(rock, {.target_vertices = target});
-    const MeshReport report = inspect(thin);
-    EXPECT_TRUE(report.closed() && report.oriented()) << report.summary();
+    const MeshReport report = inspect_mesh(thin);
+    EXPECT_TRUE(report.is_closed() && report.is_oriented()) << report.summary();
     EXPECT_EQ(report.euler_characteristic, 2);
     EXPECT_LE(thin.vertices.size(), target);
     EXPECT_GE(thin.vertices.size(), target * 3 / 4);
-    EXPECT_TRUE(crossing_triangles(thin).empty());
+    EXPECT_TRUE(find_self_intersections(thin).empty());
     EXPECT_NEAR(enclosed_volume(thin) / enclosed_volume(rock), 1.0, 1e-3);
   }
 }

@@ -26,11 +26,11 @@ namespace {
 using Triangle = TriangleMesh::Triangle;
 
 void expect_closed_and_sound(const TriangleMesh& mesh) {
-  const MeshReport report = inspect(mesh);
-  EXPECT_TRUE(report.closed() && report.oriented()) << report.summary();
+  const MeshReport report = inspect_mesh(mesh);
+  EXPECT_TRUE(report.is_closed() && report.is_oriented()) << report.summary();
   EXPECT_EQ(report.pinched_vertices, 0u);
   EXPECT_EQ(report.components, 1u);
-  EXPECT_TRUE(crossing_triangles(mesh).empty());
+  EXPECT_TRUE(find_self_intersections(mesh).empty());
 }
 
 /// Largest relative difference of a side of the smallest box.
@@ -185,7 +185,7 @@ TEST_P(TornRocks, ComeBackToTheLastVertexAndWithTheirVolume) {
     EXPECT_LT(box_error(block.scan.mesh, rock), 1e-3);
     EXPECT_NEAR(solid_volume(block.scan.mesh) / solid_volume(rock), 1.0, 2e-3);
     const RepairReport& report = block.scan.report;
-    EXPECT_NEAR(report.invented_share, GetParam(), 0.03);
+    EXPECT_NEAR(report.filled_fraction, GetParam(), 0.03);
     EXPECT_LE(solid_volume(rock), solid_volume(block.scan.mesh) + report.volume_above + 1e-12);
     EXPECT_GE(solid_volume(rock), solid_volume(block.scan.mesh) - report.volume_below - 1e-12);
   }

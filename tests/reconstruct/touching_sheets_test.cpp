@@ -57,7 +57,7 @@ TriangleMesh body_with_two_wedges_missing() {
 
 TEST(TouchingSheets, StayClosedWhereTheyMeetAtBothEndsOfAnEdgeToo) {
   TriangleMesh mesh = body_with_two_wedges_missing();
-  const MeshReport before = inspect(mesh);
+  const MeshReport before = inspect_mesh(mesh);
   ASSERT_EQ(before.non_manifold_edges, 3u);
   ASSERT_EQ(before.boundary_edges, 0u);
   const TriangleMesh whole = mesh;
@@ -66,8 +66,8 @@ TEST(TouchingSheets, StayClosedWhereTheyMeetAtBothEndsOfAnEdgeToo) {
   reconstruct_detail::split_pinched_vertices(mesh);
 
   EXPECT_EQ(touching.cut.count, 3u);
-  const MeshReport after = inspect(mesh);
-  EXPECT_TRUE(after.closed() && after.oriented()) << after.summary();
+  const MeshReport after = inspect_mesh(mesh);
+  EXPECT_TRUE(after.is_closed() && after.is_oriented()) << after.summary();
   EXPECT_EQ(after.pinched_vertices, 0u);
   EXPECT_NEAR(signed_volume(mesh), signed_volume(whole), 1e-15);
   EXPECT_NEAR(surface_area(mesh), surface_area(whole), 1e-14);
@@ -88,11 +88,11 @@ TEST(TouchingSheets, OfTwoBodiesThatShareAnEdgeEachKeepsItsOwn) {
   const std::vector<Vec3> vertices = {{0, 0, 0},     {0, 0, 1},    {1, 0, 0.5},
                                       {1, 0.5, 0.5}, {-1, 0, 0.5}, {-1, 0.5, 0.5}};
   TriangleMesh mesh = surface_of(vertices, {{0, 1, 2, 3}, {0, 1, 4, 5}});
-  ASSERT_EQ(inspect(mesh).non_manifold_edges, 1u);
+  ASSERT_EQ(inspect_mesh(mesh).non_manifold_edges, 1u);
   const std::size_t triangles = mesh.triangles.size();
   reconstruct_detail::cut_touching_edges(mesh);
-  const MeshReport after = inspect(mesh);
-  EXPECT_TRUE(after.closed() && after.oriented()) << after.summary();
+  const MeshReport after = inspect_mesh(mesh);
+  EXPECT_TRUE(after.is_closed() && after.is_oriented()) << after.summary();
   EXPECT_EQ(after.components, 2u);
   EXPECT_EQ(mesh.triangles.size(), triangles) << "parted at the ends: nothing needs to be cut";
 }
@@ -107,7 +107,7 @@ TEST(TouchingSheets, TrianglesThatLieOnOneAnotherAreDropped) {
   const TriangleMesh whole = mesh;
   const reconstruct_detail::TouchingEdges touching = reconstruct_detail::cut_touching_edges(mesh);
   EXPECT_EQ(touching.source.size(), mesh.triangles.size());
-  EXPECT_EQ(inspect(mesh).non_manifold_edges, 0u);
+  EXPECT_EQ(inspect_mesh(mesh).non_manifold_edges, 0u);
   EXPECT_LE(surface_area(mesh), surface_area(whole));
 }
 

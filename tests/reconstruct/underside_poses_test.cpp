@@ -28,7 +28,7 @@ struct Tally {
     const Underside& side = *found;
     const bool nearly_all = block.seen >= 0.95;
     ++poses;
-    errors[nearly_all].push_back(std::abs(side.best_volume / block.volume - 1.0));
+    errors[nearly_all].push_back(std::abs(side.estimated_volume / block.volume - 1.0));
     if (!side.upper_volume) return;
     ++bracketed;
     const double miss =
@@ -38,11 +38,11 @@ struct Tally {
       ++inside;
     } else {
       worst_miss = std::max(worst_miss, miss);
-      misses.push_back(name + " with " + with_digits(100.0 * block.buried, 3) +
-                       " % of its height buried is missed by " + with_digits(100.0 * miss, 3) +
+      misses.push_back(name + " with " + format_significant(100.0 * block.buried, 3) +
+                       " % of its height buried is missed by " + format_significant(100.0 * miss, 3) +
                        " %");
     }
-    widths[nearly_all].push_back((*side.upper_volume - side.lower_volume) / side.best_volume);
+    widths[nearly_all].push_back((*side.upper_volume - side.lower_volume) / side.estimated_volume);
   }
 
   static double median(std::vector<double> values) {

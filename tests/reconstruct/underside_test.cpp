@@ -68,7 +68,7 @@ TEST(Underside, UpperBoundOfACutPyramidIsTheWholePyramid) {
   const double tip = 0.3 * 0.3 * (0.3 * 0.8 / 0.7) / 3.0;
   EXPECT_NEAR(side.upper_volume.value(), side.lower_volume + tip, 5e-3 * tip);
   // The section is read a millionth of the height above the rim.
-  EXPECT_NEAR(side.best_volume, side.lower_volume + 0.6 * tip, 3e-5 * tip);
+  EXPECT_NEAR(side.estimated_volume, side.lower_volume + 0.6 * tip, 3e-5 * tip);
 }
 
 // Nothing shows how far upright walls go down; the likeliest is a share of the height seen.
@@ -77,7 +77,7 @@ TEST(Underside, UprightWallsHaveNoUpperBound) {
   EXPECT_NEAR(side.lower_volume, 0.5 * 0.5 * 0.6, 1e-9);
   EXPECT_FALSE(side.upper_volume.has_value());
   EXPECT_FALSE(side.sides.has_value());
-  EXPECT_NEAR(side.best_volume, 0.5 * 0.5 * 0.72, 1e-6);
+  EXPECT_NEAR(side.estimated_volume, 0.5 * 0.5 * 0.72, 1e-6);
   EXPECT_LT((side.down + Vec3::UnitZ()).norm(), 1e-9);
   EXPECT_EQ(side.rim_edges, 32u);
   EXPECT_NEAR(side.rim_length, 2.0, 1e-9);
@@ -117,7 +117,7 @@ TEST(Underside, ABlockThatLeansHasNoUpperBound) {
     const Vec3 middle = (open.vertices[a] + open.vertices[b] + open.vertices[c]) / 3.0;
     keep.push_back(middle.z() > 0.15 || middle.x() < -0.2);
   }
-  open = with_triangles(open, keep);
+  open = extract_triangles(open, keep);
   const Underside side = *close_underside(open, {.ground = Plane{Vec3::UnitZ(), 0.0}});
   EXPECT_GT(side.gap, 0.05);
   EXPECT_FALSE(side.upper_volume);
@@ -174,7 +174,7 @@ TEST(Underside, GapsInAConvexSurfaceAreNoTunnels) {
       const Vec3 middle = (ball.vertices[a] + ball.vertices[b] + ball.vertices[c]).normalized();
       keep.push_back(std::abs(middle.z()) < std::cos(width));
     }
-    const std::optional<Underside> side = close_underside(with_triangles(ball, keep), {});
+    const std::optional<Underside> side = close_underside(extract_triangles(ball, keep), {});
     ASSERT_TRUE(side) << width;
     for (const std::string& note : side->notes) EXPECT_FALSE(contains(note, "tunnel")) << note;
   }
@@ -194,9 +194,9 @@ TEST(Underside, HoldsTheCapOfABall) {
     EXPECT_GT(side.upper_volume.value(), whole - cap + cone) << c;
     // The tangents are those of patches, and some of a patch's width inside the rim.
     EXPECT_LT(side.upper_volume.value(), whole - cap + 2.2 * cone) << c;
-    EXPECT_NEAR(side.best_volume, whole, 0.02 * whole) << c;
+    EXPECT_NEAR(side.estimated_volume, whole, 0.02 * whole) << c;
     // A ball's cap of height h has 2 pi h of 4 pi.
-    EXPECT_NEAR(side.invented_share, 0.5 * (1 - c), 0.02) << c;
+    EXPECT_NEAR(side.filled_fraction, 0.5 * (1 - c), 0.02) << c;
   }
 }
 
@@ -204,8 +204,8 @@ TEST(Underside, BothShapesAreClosedAndKeepWhatWasSeen) {
   for (const CutBlock& block : cut_blocks(rock_mesh(12, {0.5, 0.4, 0.3}, 4), 3, 11)) {
     const Underside side = *close_underside(block.open);
     for (const TriangleMesh* mesh : {&side.lower, &side.best}) {
-      const MeshReport report = inspect(*mesh);
-      EXPECT_TRUE(report.closed() && report.oriented()) << report.summary();
+      const MeshReport report = inspect_mesh(*mesh);
+      EXPECT_TRUE(report.is_closed() && report.is_oriented()) << report.summary();
       ASSERT_GE(mesh->vertices.size(), block.open.vertices.size());
       EXPECT_TRUE(std::equal(block.open.vertices.begin(), block.open.vertices.end(),
                              mesh->vertices.begin()));
@@ -214,8 +214,8 @@ TEST(Underside, BothShapesAreClosedAndKeepWhatWasSeen) {
     }
     EXPECT_EQ(side.first_invented, block.open.triangles.size());
     EXPECT_GE(solid_volume(side.lower), side.lower_volume);
-    EXPECT_NEAR(solid_volume(side.best), side.best_volume, 1e-9);
-    EXPECT_TRUE(crossing_triangles(side.best).empty());
+    EXPECT_NEAR(solid_volume(side.best), side.estimated_volume, 1e-9);
+    EXPECT_TRUE(find_self_intersections(side.best).empty());
     // The smallest box of the seen part, found anew after closing.
     const std::vector<Vec3> seen(
         side.best.vertices.begin(),
@@ -231,11 +231,11 @@ TEST(Underside, MovesTurnsAndScalesWithTheBlock) {
   const Pose pose{{420000.0, 5200000.0, 800.0}, random.rotation()};
   const Underside there = *close_underside(transformed(scaled(block.open, 3.0), pose));
   EXPECT_NEAR(there.lower_volume / here.lower_volume, 27.0, 1e-6);
-  EXPECT_NEAR(there.best_volume / here.best_volume, 27.0, 1e-5);
+  EXPECT_NEAR(there.estimated_volume / here.estimated_volume, 27.0, 1e-5);
   EXPECT_NEAR(there.upper_volume.value() / here.upper_volume.value(), 27.0, 1e-5);
   EXPECT_LT((there.sides->lower - 3.0 * here.sides->lower).norm(), 0.02 * here.sides->lower.norm());
   EXPECT_LT((there.sides->upper - 3.0 * here.sides->upper).norm(), 0.02 * here.sides->upper.norm());
-  EXPECT_NEAR(there.invented_share, here.invented_share, 1e-4);
+  EXPECT_NEAR(there.filled_fraction, here.filled_fraction, 1e-4);
 }
 
 TEST(Underside, SameInputGivesTheSameBits) {
@@ -255,7 +255,7 @@ TEST(Underside, FewPosesOfThreeRocksAreInsideTheBracket) {
       EXPECT_LE(side.lower_volume, block.volume) << seed;
       EXPECT_GE(side.upper_volume.value_or(block.volume), block.volume) << seed;
       const double bar = block.seen >= 0.95 ? 0.03 : 0.10;
-      EXPECT_NEAR(side.best_volume, block.volume, bar * block.volume) << seed;
+      EXPECT_NEAR(side.estimated_volume, block.volume, bar * block.volume) << seed;
     }
   }
 }
@@ -272,7 +272,7 @@ TriangleMesh without_overhangs(const TriangleMesh& body, double steepest) {
     const Vec3 normal = (q - p).cross(r - p).normalized();
     keep[t] = normal.z() > -steepest || (p.z() + q.z() + r.z()) / 3.0 > middle;
   }
-  TriangleMesh seen = reconstruct_detail::components_of(with_triangles(body, keep)).front().mesh;
+  TriangleMesh seen = reconstruct_detail::components_of(extract_triangles(body, keep)).front().mesh;
   reconstruct_detail::split_pinched_vertices(seen);
   return seen;
 }
@@ -297,9 +297,9 @@ TEST(Underside, UndercutBlocksAreInsideTheBracket) {
       ++count;
       inside += below <= 0.0 && above <= 0.0;
       worst_miss = std::max({worst_miss, below, above});
-      worst_best = std::max(worst_best, std::abs(side.best_volume / truth - 1.0));
+      worst_best = std::max(worst_best, std::abs(side.estimated_volume / truth - 1.0));
       const double unseen = 1.0 - surface_area(seen) / surface_area(body);
-      least_told = std::min(least_told, side.invented_share / unseen);
+      least_told = std::min(least_told, side.filled_fraction / unseen);
     }
   }
   std::cout << inside << " of " << count << " inside, worst miss " << worst_miss
@@ -316,7 +316,7 @@ TEST(Underside, OtherHolesAreClosedFlatAndTold) {
   TriangleMesh open = open_frustum(0.5, 0.4, 0.6);
   open.triangles.erase(open.triangles.begin() + 120, open.triangles.begin() + 121);
   const Underside side = *close_underside(open);
-  EXPECT_TRUE(inspect(side.best).closed());
+  EXPECT_TRUE(inspect_mesh(side.best).is_closed());
   EXPECT_EQ(side.open_sides, 1u);
   ASSERT_EQ(side.notes.size(), 1u);
   EXPECT_EQ(side.notes[0], "1 other hole filled straight across");
@@ -326,7 +326,7 @@ TEST(Underside, LargeHolesAreBracketedTogether) {
   TriangleMesh open = open_frustum(0.5, 0.4, 0.6);
   open.triangles.erase(open.triangles.begin() + 120, open.triangles.begin() + 124);
   const Underside side = *close_underside(open);
-  EXPECT_TRUE(inspect(side.best).closed());
+  EXPECT_TRUE(inspect_mesh(side.best).is_closed());
   EXPECT_EQ(side.open_sides, 2u);
   EXPECT_TRUE(side.notes.empty());
 }

@@ -55,7 +55,7 @@ Outcome looked_at(const NamedBody& body, const UnseenCase& hidden) {
   const double volume = solid_mass_properties(hidden.whole, 1.0).volume;
   const Vec3 sides = smallest_box(hidden.whole.vertices).lengths;
   const Vec3 best = smallest_box(found->best.vertices).lengths;
-  result.best_volume_off = std::abs(found->best_volume / volume - 1.0);
+  result.best_volume_off = std::abs(found->estimated_volume / volume - 1.0);
   result.best_side_off = (best.cwiseQuotient(sides) - Vec3::Ones()).cwiseAbs().maxCoeff();
   result.lower_holds = found->lower_volume <= (1.0 + kRounding) * volume;
   result.bracketed = found->upper_volume.has_value() && found->sides.has_value();
@@ -73,7 +73,7 @@ Outcome looked_at(const NamedBody& body, const UnseenCase& hidden) {
   }
   result.holds[4] = true;
   for (const char* scheme : {"sneed-folk", "zingg", "garcia"}) {
-    const std::vector<std::string> listed = possible_classes(scheme, axes_of(low), axes_of(high));
+    const std::vector<std::string> listed = find_possible_classes(scheme, axes_of(low), axes_of(high));
     const std::string truth = shape_class(scheme, axes_of(sides));
     const bool met = std::find(listed.begin(), listed.end(), truth) != listed.end();
     result.holds[4] = result.holds[4] && met;

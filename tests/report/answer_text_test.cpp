@@ -198,7 +198,7 @@ TEST(AnswerText, LargeNumbersSayWhatClassesAndTheLargestAre) {
   const std::vector<KeyFigure> figures = key_figures(comparison, said);
   ASSERT_EQ(figures.size(), 4u);
   const RunoutEstimate& compact = said.statements[0].classes[0];
-  EXPECT_TRUE(figures[0].more.starts_with("half stop before " + with_decimals(compact.median, 0)))
+  EXPECT_TRUE(figures[0].more.starts_with("half stop before " + format_decimals(compact.median, 0)))
       << figures[0].more;
   const BarrierSummary& road = said.statements[0].passages[0];
   EXPECT_EQ(figures[2].more, "compact " + format_energy_limit(road.classes[0].energy) + ", elongated " +

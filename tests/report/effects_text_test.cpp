@@ -6,7 +6,7 @@
 namespace clast {
 namespace {
 
-VarianceShare share(double estimate, double low, double high) {
+VarianceFraction share(double estimate, double low, double high) {
   return {estimate, estimate, {low, high}};
 }
 

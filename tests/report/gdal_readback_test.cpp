@@ -82,7 +82,7 @@ TEST(Png, IsReadBackByGdal) {
   for (int i = 0; i < 200; ++i) {
     palette.push_back({static_cast<std::uint8_t>(i), static_cast<std::uint8_t>(255 - i), 7});
   }
-  write_text_file(folder / "a.png", palette_png(width, height, pixels, palette));
+  write_text_file(folder / "a.png", encode_palette_png(width, height, pixels, palette));
   const Dataset dataset(
       GDALDataset::Open((folder / "a.png").c_str(), GDAL_OF_RASTER | GDAL_OF_READONLY));
   ASSERT_NE(dataset, nullptr);
@@ -107,7 +107,7 @@ TEST(Png, ColoursAreReadBackByGdal) {
       part = static_cast<std::uint8_t>(noisy ? random.below(256) : i % width);
     }
   }
-  write_text_file(folder / "a.png", rgb_png(width, height, pixels));
+  write_text_file(folder / "a.png", encode_rgb_png(width, height, pixels));
   const Dataset dataset(
       GDALDataset::Open((folder / "a.png").c_str(), GDAL_OF_RASTER | GDAL_OF_READONLY));
   ASSERT_NE(dataset, nullptr);

@@ -154,7 +154,7 @@ TEST_F(ThrownRuns, MoveAsBlocksInAnAnimation) {
     EXPECT_NE(list.find(part), std::string::npos) << part;
   }
   // Twice 0.4 x 0.3 x 0.2 m. A corner moves out by 0.1 m, towards the mean of its triangles.
-  const TriangleMesh core = core_mesh(sphero_polyhedron(cuboid(0.8, 0.6, 0.4), 0.1));
+  const TriangleMesh core = core_mesh(make_sphero_polyhedron(cuboid(0.8, 0.6, 0.4), 0.1));
   for (const int frame : {0, 2}) {
     const std::string file =
         read_text_file(folder_ / ("animation/frame_000" + std::to_string(frame) + ".vtp"));

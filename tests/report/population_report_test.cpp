@@ -36,7 +36,7 @@ Population blocks(const std::string& name, std::size_t count, bool weighed = tru
     const Axes axes = Axes::sorted(std::exp(0.4 * random.normal()), std::exp(0.4 * random.normal()),
                                    std::exp(0.4 * random.normal()));
     population.blocks.push_back(
-        measured_block("b<" + std::to_string(i) + ">", axes,
+        make_measured_block("b<" + std::to_string(i) + ">", axes,
                        weighed ? std::optional(2600.0 * axes.L * axes.I * axes.S) : std::nullopt));
   }
   return population;
@@ -122,8 +122,8 @@ double number_after(const std::string& svg, const std::string& part, const std::
 // Where the limits meet the left side: heights of the triangle from the base are S/L.
 TEST(SneedFolkDiagram, MarksStandWhereTheRatiosSay) {
   Population population{"three",
-                        {measured_block("cube", {1, 1, 1}), measured_block("plate", {1, 1, 0.001}),
-                         measured_block("needle", {1, 0.001, 0.001})}};
+                        {make_measured_block("cube", {1, 1, 1}), make_measured_block("plate", {1, 1, 0.001}),
+                         make_measured_block("needle", {1, 0.001, 0.001})}};
   const std::string svg = sneed_folk_diagram(population, 0);
   const auto x = [&](int i) {
     const std::string key = "data-block=\"0-" + std::to_string(i) + "\"";
@@ -167,9 +167,9 @@ TEST(PopulationPage, TwoPopulationsAreComparedInWords) {
 
 TEST(PopulationPage, BlocksWithBoxesSayWhatTheConventionDecides) {
   Population population = blocks("scans", 5);
-  for (MeasuredBlock& block : population.blocks) block.by_box = {4, block.axes};
-  population.blocks[0].axes = population.blocks[0].as_written = {1.2, 1.0, 0.9};
-  population.blocks[0].by_box = {
+  for (MeasuredBlock& block : population.blocks) block.axes_by_box = {4, block.axes};
+  population.blocks[0].axes = population.blocks[0].axes_as_written = {1.2, 1.0, 0.9};
+  population.blocks[0].axes_by_box = {
       {1.2, 1.0, 0.9}, {1.4, 1.0, 0.9}, {1.4, 1.0, 0.9}, {1.4, 1.0, 0.9}};
   const std::string html = page_of(report_of({population}));
   EXPECT_EQ(unbalanced(html), "");
@@ -188,7 +188,7 @@ TEST(PopulationPage, NotesAreReadFirst) {
 TEST(PopulationTables, ClassesHoldEveryBlockWithItsClassesAndIndices) {
   const ScratchFolder folder;
   PopulationReport report = report_of({blocks("talus", 5000)});
-  report.populations[0].population.blocks.push_back(measured_block("cube", {1, 1, 1}));
+  report.populations[0].population.blocks.push_back(make_measured_block("cube", {1, 1, 1}));
   write_classes_csv(report, folder / "one.csv", 1);
   write_classes_csv(report, folder / "four.csv", 4);
   const std::string text = read_text_file(folder / "one.csv");
@@ -234,7 +234,7 @@ TEST(PopulationPage, EverySchemeHasItsDiagramAndColumn) {
 // A block on the limit of C says so where its mark is.
 TEST(PopulationPage, BlocksNearALimitSaySo) {
   Population population{
-      "two", {measured_block("edge", {1.0, 0.85, 0.7}), measured_block("clear", {1.0, 0.9, 0.1})}};
+      "two", {make_measured_block("edge", {1.0, 0.85, 0.7}), make_measured_block("clear", {1.0, 0.9, 0.1})}};
   population.blocks[0].axis_error = 0.05;
   const std::string edge = format_block_title(population.blocks[0], {.schemes = {"sneed-folk"}});
   EXPECT_TRUE(contains(edge, "sneed-folk: C (") && contains(edge, "0.7"));
@@ -245,7 +245,7 @@ TEST(PopulationTables, SharesAndSizesAreThoseOfTheSummary) {
   const PopulationReport report = report_of({blocks("a", 30), blocks("b", 20, false)});
   const CsvTable shares = read_csv(find_table(population_tables(), "shares").csv(report));
   EXPECT_EQ(shares.rows.size(), 2u * (10 + 4 + 2));
-  const ClassShare& first = report.populations[0].summary.schemes[0].shares[0];
+  const ClassFraction& first = report.populations[0].summary.schemes[0].shares[0];
   EXPECT_EQ(shares.number(0, "blocks"), double(first.count));
   EXPECT_EQ(shares.number(0, "mass_share_high"), first.mass_high);
   EXPECT_EQ(shares.rows[16].at("population"), "b");
@@ -362,7 +362,7 @@ TEST(PopulationReports, DiagramsOfAnEarlierReportAreRemoved) {
   const auto write = [&](const PopulationReport& report) {
     const std::filesystem::path target = folder / "out";
     OutputFolder whole(target, population_folder_kind(target), true);
-    write_population_report(report, whole.temporary());
+    write_population_report(report, whole.temporary_path());
     whole.commit();
   };
   const PopulationReport one = report_of({blocks("talus", 9)});

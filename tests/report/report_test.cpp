@@ -246,19 +246,19 @@ TEST(HtmlPage, LinksKeepOddNames) {
 }
 
 TEST(Base64, EncodesTheVectorsOfRfc4648) {
-  EXPECT_EQ(base64(""), "");
-  EXPECT_EQ(base64("f"), "Zg==");
-  EXPECT_EQ(base64("fo"), "Zm8=");
-  EXPECT_EQ(base64("foo"), "Zm9v");
-  EXPECT_EQ(base64("foob"), "Zm9vYg==");
-  EXPECT_EQ(base64("fooba"), "Zm9vYmE=");
-  EXPECT_EQ(base64("foobar"), "Zm9vYmFy");
-  EXPECT_EQ(base64("\xFF\xFE\xFD"), "//79");
+  EXPECT_EQ(encode_base64(""), "");
+  EXPECT_EQ(encode_base64("f"), "Zg==");
+  EXPECT_EQ(encode_base64("fo"), "Zm8=");
+  EXPECT_EQ(encode_base64("foo"), "Zm9v");
+  EXPECT_EQ(encode_base64("foob"), "Zm9vYg==");
+  EXPECT_EQ(encode_base64("fooba"), "Zm9vYmE=");
+  EXPECT_EQ(encode_base64("foobar"), "Zm9vYmFy");
+  EXPECT_EQ(encode_base64("\xFF\xFE\xFD"), "//79");
 }
 
 TEST(Relief, SamplesThePlaneAtCellCentres) {
   const CampaignResults results = hand_made_results();
-  const Window window{Vec2(-20.0, -25.0), Vec2(60.0, 15.0)};
+  const PlanWindow window{Vec2(-20.0, -25.0), Vec2(60.0, 15.0)};
   const Relief relief = sampled(results.terrain, window, 80);
   ASSERT_EQ(relief.columns, 80u);
   ASSERT_EQ(relief.rows, 40u);
@@ -311,14 +311,14 @@ TEST(PageNumbers, AreWrittenAsAReaderExpects) {
   EXPECT_EQ(significant(0.012345, 3), "0.0123");
   EXPECT_EQ(significant(9.996, 3), "10.0");
   EXPECT_EQ(significant(8.7e7, 3), "8.70e+07");
-  EXPECT_EQ(percent(0.03125), "3.1 %");
+  EXPECT_EQ(format_percent(0.03125), "3.1 %");
   EXPECT_EQ(escape_html("a<b & \"c\">'\x01"), "a&lt;b &amp; &quot;c&quot;&gt;&#39;");
 }
 
 TEST(ZoneTint, FollowsTheNameWhenItIsAColour) {
-  EXPECT_EQ(zone_tint("Blue", 3), zone_tint("blue", 0));
-  EXPECT_NE(zone_tint("blue", 0), zone_tint("red", 0));
-  EXPECT_NE(zone_tint("scree", 0), zone_tint("rock", 1));
+  EXPECT_EQ(zone_colour("Blue", 3), zone_colour("blue", 0));
+  EXPECT_NE(zone_colour("blue", 0), zone_colour("red", 0));
+  EXPECT_NE(zone_colour("scree", 0), zone_colour("rock", 1));
 }
 
 }  // namespace

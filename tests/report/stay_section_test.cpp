@@ -70,8 +70,8 @@ TEST(DepositSection, GivesMeansOverRealisationsForEachFile) {
   EXPECT_EQ(unbalanced(html), "");
   EXPECT_TRUE(contains(html, "file 2: least"));
   const std::string thickness = html.substr(html.find(">largest thickness"));
-  for (const std::string& cell : {">" + with_decimals(least, 2) + "<",
-                                  ">" + with_decimals(most, 2) + "<", std::string(">-<")}) {
+  for (const std::string& cell : {">" + format_decimals(least, 2) + "<",
+                                  ">" + format_decimals(most, 2) + "<", std::string(">-<")}) {
     EXPECT_TRUE(contains(thickness.substr(0, thickness.find("</tr>")), cell))
         << cell << " in " << thickness;
   }
@@ -159,7 +159,7 @@ TEST(DepositSection, SetsBlocksTogetherAgainstTheSameAlone) {
   EXPECT_TRUE(contains(html,
                        "The farthest block of a realisation goes 30.5 m on average; of as "
                        "many single runs it would be " +
-                           with_decimals(largest, 1) + " m."));
+                           format_decimals(largest, 1) + " m."));
   EXPECT_TRUE(contains(html, ">class elongated<"));
 }
 

@@ -13,7 +13,7 @@ namespace clast {
 namespace {
 
 SpheroPolyhedron rock(std::uint64_t seed, double radius = 0.02) {
-  return sphero_polyhedron(rock_mesh(4, Vec3(1.0, 0.7, 0.5), seed, 0.25), radius);
+  return make_sphero_polyhedron(rock_mesh(4, Vec3(1.0, 0.7, 0.5), seed, 0.25), radius);
 }
 
 class StretchOfRocks : public testing::TestWithParam<std::uint64_t> {};
@@ -27,9 +27,9 @@ TEST_P(StretchOfRocks, ReachesFormsAllOverTheTriangleOfSneedAndFolk) {
                                  {0.75, 0.5},
                                  {0.5, 0.5},
                                  {1.0, 0.6}}) {
-    const StretchedBody result = stretched_to(body, target);
-    EXPECT_LT(ratio_gap(box_ratios(smallest_box(result.body)), target), 1e-3);
-    EXPECT_TRUE(crossing_triangles(core_mesh(result.body)).empty());
+    const StretchedBody result = stretch_to_ratios(body, target);
+    EXPECT_LT(ratio_difference(box_ratios(smallest_box(result.body)), target), 1e-3);
+    EXPECT_TRUE(find_self_intersections(core_mesh(result.body)).empty());
     EXPECT_NEAR(result.stretch.prod(), 1.0, 1e-9);
     EXPECT_NEAR(enclosed_volume(core_mesh(result.body)), enclosed_volume(core_mesh(body)), 1e-9);
     EXPECT_NEAR(result.body.radius / smallest_box(result.body).lengths[2],
@@ -40,7 +40,7 @@ INSTANTIATE_TEST_SUITE_P(Seeds, StretchOfRocks, testing::Range<std::uint64_t>(1,
 
 TEST(BoxStretch, ItsOwnRatiosLeaveABodyAsItIs) {
   const SpheroPolyhedron body = rock(7);
-  const StretchedBody result = stretched_to(body, box_ratios(smallest_box(body)));
+  const StretchedBody result = stretch_to_ratios(body, box_ratios(smallest_box(body)));
   EXPECT_EQ(result.body.vertices, body.vertices);
   EXPECT_EQ(result.body.radius, body.radius);
   EXPECT_EQ(result.stretch, Vec3(1.0, 1.0, 1.0));
@@ -48,8 +48,8 @@ TEST(BoxStretch, ItsOwnRatiosLeaveABodyAsItIs) {
 
 // A box stretched along its sides is a box: the stretches are known.
 TEST(BoxStretch, OfABoxIsThatOfItsSides) {
-  const SpheroPolyhedron box = sphero_polyhedron(box_mesh(Vec3(3.0, 2.0, 1.0)), 0.0);
-  const StretchedBody result = stretched_to(box, {1.0, 0.5});
+  const SpheroPolyhedron box = make_sphero_polyhedron(box_mesh(Vec3(3.0, 2.0, 1.0)), 0.0);
+  const StretchedBody result = stretch_to_ratios(box, {1.0, 0.5});
   const double side = std::cbrt(6.0 / 0.5);
   EXPECT_NEAR(result.stretch[0], side / 2.0, 1e-9);
   EXPECT_NEAR(result.stretch[1], 0.5 * side / 1.0, 1e-9);
@@ -60,10 +60,10 @@ TEST(BoxStretch, RefusesWhatHasNoFormAndRatiosThatAreNone) {
   SpheroPolyhedron ball;
   ball.vertices = {Vec3::Zero()};
   ball.radius = 1.0;
-  EXPECT_TRUE(contains(refusal<GeometryError>([&] { stretched_to(ball, {0.5, 0.5}); }), "ball"));
-  EXPECT_TRUE(contains(refusal([&] { stretched_to(rock(1), {1.2, 0.5}); }), "I/L = 1.2"));
-  EXPECT_TRUE(contains(refusal([&] { stretched_to(rock(1), {0.5, 0.6}); }), "S/L = 0.6"));
-  EXPECT_TRUE(contains(refusal([&] { stretched_to(rock(1), {0.5, NAN}); }), "S/L = nan"));
+  EXPECT_TRUE(contains(refusal<GeometryError>([&] { stretch_to_ratios(ball, {0.5, 0.5}); }), "ball"));
+  EXPECT_TRUE(contains(refusal([&] { stretch_to_ratios(rock(1), {1.2, 0.5}); }), "I/L = 1.2"));
+  EXPECT_TRUE(contains(refusal([&] { stretch_to_ratios(rock(1), {0.5, 0.6}); }), "S/L = 0.6"));
+  EXPECT_TRUE(contains(refusal([&] { stretch_to_ratios(rock(1), {0.5, NAN}); }), "S/L = nan"));
 }
 
 }  // namespace

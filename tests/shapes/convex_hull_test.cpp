@@ -28,8 +28,8 @@ TEST(ConvexHull, HoldsEveryPointAndOnlyExtremeOnes) {
       points.emplace_back(random.normal(), random.normal(), random.normal());
     }
     const TriangleMesh hull = convex_hull(points);
-    const MeshReport report = inspect(hull);
-    EXPECT_TRUE(report.closed() && report.oriented());
+    const MeshReport report = inspect_mesh(hull);
+    EXPECT_TRUE(report.is_closed() && report.is_oriented());
     EXPECT_EQ(report.euler_characteristic, 2);
     EXPECT_GT(enclosed_volume(hull), 0.0);
     for (const auto& [a, b, c] : hull.triangles) {
@@ -59,7 +59,7 @@ TEST(ConvexHull, FlatFacesAreCutTheSameWhateverWasDoneBefore) {
   const TriangleMesh hull = convex_hull(prism);
   EXPECT_EQ(hull.vertices.size(), 400u);
   EXPECT_EQ(hull.triangles.size(), 796u);
-  EXPECT_TRUE(inspect(hull).closed());
+  EXPECT_TRUE(inspect_mesh(hull).is_closed());
   std::vector<std::vector<char>> kept;
   Random random(3);
   for (int i = 0; i < 10; ++i) {

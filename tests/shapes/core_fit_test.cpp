@@ -19,8 +19,8 @@ TEST(CoreFit, CubeCornersStandOutAndFallShortByTheSame) {
   const double r = 0.1, inset = r * (std::sqrt(3.0) - 1.0);
   const double best = inset / (std::sqrt(3.0) + 1.0);
   const TriangleMesh cube = box_mesh({1, 1, 1}, 4);
-  const SpheroPolyhedron body = fitted_core(cube, rounded_core(cube, r));
-  const Deviation deviation = surface_deviation(cube, body);
+  const SpheroPolyhedron body = fit_core(cube, inset_core(cube, r));
+  const SurfaceDeviation deviation = measure_surface_deviation(cube, body);
   EXPECT_GE(deviation.hausdorff, best - 1e-9) << "nothing can be nearer";
   EXPECT_LT(deviation.hausdorff, 0.5 * inset);
 }
@@ -29,25 +29,25 @@ class FittedRocks : public testing::TestWithParam<int> {};
 
 TEST_P(FittedRocks, AreNearerAndStaySound) {
   const TriangleMesh rock = random_rock(GetParam(), 2, 0.1);
-  const SpheroPolyhedron start = rounded_core(rock, 0.15);
-  const SpheroPolyhedron body = fitted_core(rock, start);
-  const double before = surface_deviation(rock, start).hausdorff;
-  EXPECT_LT(surface_deviation(rock, body).hausdorff, before);
+  const SpheroPolyhedron start = inset_core(rock, 0.15);
+  const SpheroPolyhedron body = fit_core(rock, start);
+  const double before = measure_surface_deviation(rock, start).hausdorff;
+  EXPECT_LT(measure_surface_deviation(rock, body).hausdorff, before);
   EXPECT_EQ(body.radius, start.radius);
   EXPECT_LE(body.vertices.size(), start.vertices.size());
   const TriangleMesh core = core_mesh(body);
-  EXPECT_TRUE(inspect(core).closed() && inspect(core).oriented());
-  EXPECT_TRUE(crossing_triangles(core).empty());
+  EXPECT_TRUE(inspect_mesh(core).is_closed() && inspect_mesh(core).is_oriented());
+  EXPECT_TRUE(find_self_intersections(core).empty());
 }
 
 TEST_P(FittedRocks, FollowARigidMotion) {
   const TriangleMesh rock = random_rock(GetParam(), 2, 0.1);
   const Pose pose{Vec3(3, -2, 5), Random(7).rotation()};
   const double there =
-      surface_deviation(rock, fitted_core(rock, rounded_core(rock, 0.15))).hausdorff;
+      measure_surface_deviation(rock, fit_core(rock, inset_core(rock, 0.15))).hausdorff;
   const TriangleMesh moved = transformed(rock, pose);
   const double here =
-      surface_deviation(moved, fitted_core(moved, rounded_core(moved, 0.15))).hausdorff;
+      measure_surface_deviation(moved, fit_core(moved, inset_core(moved, 0.15))).hausdorff;
   EXPECT_NEAR(here, there, 0.25 * there);
 }
 
@@ -55,23 +55,23 @@ INSTANTIATE_TEST_SUITE_P(Seeds, FittedRocks, testing::Range(0, 2));
 
 TEST(CoreFit, SameInputGivesTheSameBits) {
   const TriangleMesh rock = random_rock(5, 2, 0.1);
-  const SpheroPolyhedron start = rounded_core(rock, 0.05);
-  EXPECT_EQ(fitted_core(rock, start).vertices, fitted_core(rock, start).vertices);
+  const SpheroPolyhedron start = inset_core(rock, 0.05);
+  EXPECT_EQ(fit_core(rock, start).vertices, fit_core(rock, start).vertices);
 }
 
 TEST(CoreFit, GoodEnoughIsLeftAlone) {
   const TriangleMesh rock = random_rock(5, 2, 0.1);
-  const SpheroPolyhedron start = rounded_core(rock, 0.05);
-  EXPECT_EQ(fitted_core(rock, start, {.good_enough = 1.0}).vertices, start.vertices);
-  EXPECT_EQ(fitted_core(rock, start, {.rounds = 0}).vertices, start.vertices);
+  const SpheroPolyhedron start = inset_core(rock, 0.05);
+  EXPECT_EQ(fit_core(rock, start, {.good_enough = 1.0}).vertices, start.vertices);
+  EXPECT_EQ(fit_core(rock, start, {.rounds = 0}).vertices, start.vertices);
 }
 
 TEST(CoreFit, NonsenseIsRefused) {
   const TriangleMesh rock = random_rock(5, 2, 0.04);
-  EXPECT_THROW(fitted_core(rock, {}), GeometryError);
-  EXPECT_THROW(fitted_core(TriangleMesh{}, sphero_polyhedron(rock, 0.1)), GeometryError);
-  EXPECT_THROW(fitted_core(rock, sphero_polyhedron(rock, 0.1), {.rounds = -1}), InputError);
-  EXPECT_THROW(fitted_core(rock, sphero_polyhedron(rock, 0.1), {.good_enough = -1.0}), InputError);
+  EXPECT_THROW(fit_core(rock, {}), GeometryError);
+  EXPECT_THROW(fit_core(TriangleMesh{}, make_sphero_polyhedron(rock, 0.1)), GeometryError);
+  EXPECT_THROW(fit_core(rock, make_sphero_polyhedron(rock, 0.1), {.rounds = -1}), InputError);
+  EXPECT_THROW(fit_core(rock, make_sphero_polyhedron(rock, 0.1), {.good_enough = -1.0}), InputError);
 }
 
 }  // namespace

@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "core/error.hpp"
+#include "mesh/isotropic_remeshing.hpp"
 #include "mesh/mesh_topology.hpp"
-#include "mesh/remeshing.hpp"
 #include "tests/shapes/shape_samples.hpp"
 
 namespace clast {
@@ -38,9 +38,9 @@ TEST(InscribedBall, WithNothingInsideIsRefused) {
 }
 
 TEST(Remeshing, KeepsTheSurfaceInEvenTriangles) {
-  const TriangleMesh mesh = remeshed(box_mesh(Vec3(3, 2, 1)), 0.1);
-  const MeshReport report = inspect(mesh);
-  EXPECT_TRUE(report.closed() && report.oriented());
+  const TriangleMesh mesh = remesh_isotropic(box_mesh(Vec3(3, 2, 1)), 0.1);
+  const MeshReport report = inspect_mesh(mesh);
+  EXPECT_TRUE(report.is_closed() && report.is_oriented());
   EXPECT_EQ(report.euler_characteristic, 2);
   EXPECT_NEAR(enclosed_volume(mesh), 6.0, 0.06);
   double sum = 0.0;
@@ -54,16 +54,16 @@ TEST(Remeshing, KeepsTheSurfaceInEvenTriangles) {
   }
   EXPECT_NEAR(sum / (3.0 * static_cast<double>(mesh.triangles.size())), 0.1, 0.015);
   EXPECT_EQ(long_edges, 0);
-  const TriangleMesh again = remeshed(box_mesh(Vec3(3, 2, 1)), 0.1);
+  const TriangleMesh again = remesh_isotropic(box_mesh(Vec3(3, 2, 1)), 0.1);
   EXPECT_TRUE(again.vertices == mesh.vertices && again.triangles == mesh.triangles);
 }
 
 TEST(Remeshing, OfOpenSurfacesOrToNoLengthIsRefused) {
   TriangleMesh open = box_mesh(Vec3(1, 1, 1));
   open.triangles.pop_back();
-  EXPECT_THROW(remeshed(open, 0.1), GeometryError);
+  EXPECT_THROW(remesh_isotropic(open, 0.1), GeometryError);
   for (const double bad : {0.0, -0.1, std::nan(""), 1e-6}) {
-    EXPECT_THROW(remeshed(box_mesh(Vec3(1, 1, 1)), bad), InputError) << bad;
+    EXPECT_THROW(remesh_isotropic(box_mesh(Vec3(1, 1, 1)), bad), InputError) << bad;
   }
 }
 

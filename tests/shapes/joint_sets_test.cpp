@@ -19,24 +19,24 @@ namespace clast {
 namespace {
 
 TEST(JointSet, IsWrittenAsGeologistsDo) {
-  const JointSet set = read_joint_set("65/095/1.2/0.3");
+  const JointSet set = parse_joint_set("65/095/1.2/0.3");
   EXPECT_NEAR(set.dip, 65.0 * kRadiansPerDegree, 1e-12);
   EXPECT_NEAR(set.dip_direction, 95.0 * kRadiansPerDegree, 1e-12);
   EXPECT_EQ(set.spacing, 1.2);
   EXPECT_EQ(set.scatter, 0.3);
-  EXPECT_EQ(read_joint_set("0/0/2").scatter, 0.0);
+  EXPECT_EQ(parse_joint_set("0/0/2").scatter, 0.0);
   // A plane that dips 30 degrees to the east descends eastwards: its normal leans there.
-  const Vec3 normal = read_joint_set("30/90/1").normal();
+  const Vec3 normal = parse_joint_set("30/90/1").normal();
   EXPECT_LT((normal - Vec3(0.5, 0.0, std::sqrt(0.75))).norm(), 1e-12);
-  EXPECT_LT((read_joint_set("90/0/1").normal() - Vec3::UnitY()).norm(), 1e-12);
+  EXPECT_LT((parse_joint_set("90/0/1").normal() - Vec3::UnitY()).norm(), 1e-12);
   for (const char* wrong : {"", "65", "65/95", "65/95/1/1/1", "a/95/1", "65//1", "65/95/1x"}) {
-    EXPECT_TRUE(contains(refusal([&] { read_joint_set(wrong); }), "is no joint set")) << wrong;
+    EXPECT_TRUE(contains(refusal([&] { parse_joint_set(wrong); }), "is no joint set")) << wrong;
   }
   EXPECT_TRUE(
-      contains(refusal([] { read_joint_set("95/0/1"); }), "dip = 95; must be from 0 to 90"));
-  EXPECT_TRUE(contains(refusal([] { read_joint_set("5/-1/1"); }), "dip direction = -1"));
-  EXPECT_TRUE(contains(refusal([] { read_joint_set("5/1/0"); }), "spacing = 0"));
-  EXPECT_TRUE(contains(refusal([] { read_joint_set("5/1/1/4"); }), "scatter = 4"));
+      contains(refusal([] { parse_joint_set("95/0/1"); }), "dip = 95; must be from 0 to 90"));
+  EXPECT_TRUE(contains(refusal([] { parse_joint_set("5/-1/1"); }), "dip direction = -1"));
+  EXPECT_TRUE(contains(refusal([] { parse_joint_set("5/1/0"); }), "spacing = 0"));
+  EXPECT_TRUE(contains(refusal([] { parse_joint_set("5/1/1/4"); }), "scatter = 4"));
 }
 
 TEST(ConvexCell, CutsOfABoxAreClosedAndAddUp) {
@@ -54,8 +54,8 @@ TEST(ConvexCell, CutsOfABoxAreClosedAndAddUp) {
     ASSERT_TRUE(one && other);
     EXPECT_NEAR(one->volume() + other->volume(), 24.0, 1e-10);
     for (const ConvexCell& part : {*one, *other}) {
-      const MeshReport report = inspect(part.mesh());
-      EXPECT_TRUE(report.closed() && report.oriented()) << report.summary();
+      const MeshReport report = inspect_mesh(part.mesh());
+      EXPECT_TRUE(report.is_closed() && report.is_oriented()) << report.summary();
       EXPECT_EQ(report.euler_characteristic, 2);
       EXPECT_NEAR(signed_volume(part.mesh()), part.volume(), 1e-10);
     }
@@ -68,11 +68,11 @@ TEST(ConvexCell, CutsOfABoxAreClosedAndAddUp) {
 }
 
 /// Blocks are closed, convex, inside the mass and share no inner point.
-void expect_sound(const CutMass& cut, const TriangleMesh& mass, double slack) {
+void expect_sound(const JointedMass& cut, const TriangleMesh& mass, double slack) {
   const TriangleTree tree(mass);
   for (const TriangleMesh& block : cut.blocks) {
-    const MeshReport report = inspect(block);
-    EXPECT_TRUE(report.closed() && report.oriented()) << report.summary();
+    const MeshReport report = inspect_mesh(block);
+    EXPECT_TRUE(report.is_closed() && report.is_oriented()) << report.summary();
     for (const Vec3& vertex : block.vertices) EXPECT_LT(tree.signed_distance(vertex), slack);
     for (const TriangleMesh::Triangle& t : block.triangles) {
       const Vec3& a = block.vertices[t[0]];
@@ -97,16 +97,16 @@ void expect_sound(const CutMass& cut, const TriangleMesh& mass, double slack) {
 
 TEST(CutByJoints, ThreeUprightSetsCutABoxIntoBoxes) {
   const TriangleMesh mass = box_mesh({6.0, 4.0, 3.0});
-  const std::vector<JointSet> sets = {read_joint_set("90/90/1"), read_joint_set("90/0/1"),
-                                      read_joint_set("0/0/1")};
-  const CutMass cut = cut_by_joints(mass, sets, {.least_volume = 1e-9});
+  const std::vector<JointSet> sets = {parse_joint_set("90/90/1"), parse_joint_set("90/0/1"),
+                                      parse_joint_set("0/0/1")};
+  const JointedMass cut = cut_by_joints(mass, sets, {.least_volume = 1e-9});
   EXPECT_NEAR(cut.volume, 72.0, 1e-9);
   EXPECT_NEAR(cut.block_volume, 72.0, 1e-6);
   // Joints lie anywhere: as many cells as spacings fit, and the two ends of each row.
   EXPECT_EQ(cut.blocks.size(), 7u * 5u * 4u);
   for (const TriangleMesh& block : cut.blocks) EXPECT_EQ(block.vertices.size(), 8u);
   expect_sound(cut, mass, 1e-6);
-  const CutMass other = cut_by_joints(mass, sets, {.least_volume = 1e-9, .seed = 2});
+  const JointedMass other = cut_by_joints(mass, sets, {.least_volume = 1e-9, .seed = 2});
   EXPECT_NE(signed_volume(other.blocks[0]), signed_volume(cut.blocks[0]));
   EXPECT_EQ(cut_by_joints(mass, sets, {.least_volume = 1e-9}).blocks[7].vertices,
             cut.blocks[7].vertices);
@@ -117,7 +117,7 @@ TEST(CutByJoints, SpacingsHaveTheMeanAndTheScatterAskedFor) {
   const TriangleMesh beam = box_mesh({4000.0, 1.0, 1.0});
   const std::vector<JointSet> sets = {
       {90.0 * kRadiansPerDegree, 90.0 * kRadiansPerDegree, 2.0, 0.8}};
-  const CutMass cut = cut_by_joints(beam, sets);
+  const JointedMass cut = cut_by_joints(beam, sets);
   double sum = 0.0, squares = 0.0;
   for (const TriangleMesh& slab : cut.blocks) {
     const double width = signed_volume(slab);
@@ -133,10 +133,10 @@ TEST(CutByJoints, SpacingsHaveTheMeanAndTheScatterAskedFor) {
 TEST(CutByJoints, ABallOnTheMapIsCutWithoutLoss) {
   TriangleMesh mass = rock_mesh(12, {4.0, 3.0, 2.5}, 1, 0.0);
   for (Vec3& vertex : mass.vertices) vertex += Vec3(652000.0, 5203000.0, 1800.0);
-  const std::vector<JointSet> sets = {read_joint_set("70/095/1.3/0.4"),
-                                      read_joint_set("60/200/1.1/0.3"),
-                                      read_joint_set("20/310/0.9/0.2")};
-  const CutMass cut = cut_by_joints(mass, sets);
+  const std::vector<JointSet> sets = {parse_joint_set("70/095/1.3/0.4"),
+                                      parse_joint_set("60/200/1.1/0.3"),
+                                      parse_joint_set("20/310/0.9/0.2")};
+  const JointedMass cut = cut_by_joints(mass, sets);
   EXPECT_GT(cut.blocks.size(), 60u);
   EXPECT_GT(cut.block_volume, 0.97 * cut.volume);
   EXPECT_LE(cut.block_volume, cut.volume * (1.0 + 1e-9));
@@ -146,10 +146,10 @@ TEST(CutByJoints, ABallOnTheMapIsCutWithoutLoss) {
 // A rough mass, hollow in places: blocks stay inside all the same.
 TEST(CutByJoints, ARoughMassLosesWhatIsHollow) {
   const TriangleMesh mass = rock_mesh(14, {4.0, 3.0, 2.5}, 5);
-  const std::vector<JointSet> sets = {read_joint_set("70/095/1.5/0.4"),
-                                      read_joint_set("60/200/1.2/0.3"),
-                                      read_joint_set("20/310/1.0/0.2")};
-  const CutMass cut = cut_by_joints(mass, sets);
+  const std::vector<JointSet> sets = {parse_joint_set("70/095/1.5/0.4"),
+                                      parse_joint_set("60/200/1.2/0.3"),
+                                      parse_joint_set("20/310/1.0/0.2")};
+  const JointedMass cut = cut_by_joints(mass, sets);
   EXPECT_GT(cut.block_volume, 0.8 * cut.volume);
   EXPECT_LT(cut.block_volume, cut.volume);
   EXPECT_NEAR(cut.lost_volume(), cut.volume - cut.block_volume, 1e-12);
@@ -158,12 +158,12 @@ TEST(CutByJoints, ARoughMassLosesWhatIsHollow) {
 
 TEST(CutByJoints, RefusesWhatItCanNotCut) {
   const TriangleMesh mass = box_mesh({6.0, 4.0, 3.0});
-  const std::vector<JointSet> fine = {read_joint_set("90/90/0.05"), read_joint_set("90/0/0.05"),
-                                      read_joint_set("0/0/0.05")};
+  const std::vector<JointSet> fine = {parse_joint_set("90/90/0.05"), parse_joint_set("90/0/0.05"),
+                                      parse_joint_set("0/0/0.05")};
   EXPECT_TRUE(contains(refusal([&] { cut_by_joints(mass, {}); }), "no joint set"));
   EXPECT_TRUE(contains(refusal([&] { cut_by_joints(mass, fine, {.least_volume = 1e-9}); }),
                        "into more than 10000 blocks"));
-  const std::vector<JointSet> one = {read_joint_set("45/90/1")};
+  const std::vector<JointSet> one = {parse_joint_set("45/90/1")};
   EXPECT_TRUE(contains(refusal([&] { cut_by_joints(mass, one, {.least_volume = 100.0}); }),
                        "no block of 100 m3"));
   TriangleMesh open = mass;

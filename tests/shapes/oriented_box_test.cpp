@@ -93,7 +93,7 @@ TEST_P(RandomHull, NoRotationOfManyGivesASmallerBox) {
   Mat3 best_axes = Mat3::Identity();
   for (int i = 0; i < 20000; ++i) {
     const Mat3 axes = random.rotation().toRotationMatrix();
-    const double volume = box_along(corners, axes, radius).volume();
+    const double volume = box_with_axes(corners, axes, radius).volume();
     if (volume < best) {
       best = volume;
       best_axes = axes;
@@ -104,7 +104,7 @@ TEST_P(RandomHull, NoRotationOfManyGivesASmallerBox) {
   for (int i = 0; i < 6000; ++i) {
     const Vec3 turn = reach * random.uniform() * random.direction();
     const Mat3 axes = Eigen::AngleAxisd(turn.norm(), turn.normalized()) * best_axes;
-    const double volume = box_along(corners, axes, radius).volume();
+    const double volume = box_with_axes(corners, axes, radius).volume();
     if (volume < best) {
       best = volume;
       best_axes = axes;
@@ -209,7 +209,7 @@ TEST(SmallestBox, BadInputIsRefused) {
 
 TEST(BoxAlong, SidesAreSortedAndAxesFollow) {
   const std::vector<Vec3> points = box_mesh(Vec3(1, 3, 2)).vertices;
-  const OrientedBox box = box_along(points, Mat3::Identity(), 0.25);
+  const OrientedBox box = box_with_axes(points, Mat3::Identity(), 0.25);
   EXPECT_TRUE(box.lengths.isApprox(Vec3(3.5, 2.5, 1.5), 1e-15));
   EXPECT_TRUE(box.axes.col(0) == Vec3::UnitY());
   EXPECT_TRUE(box.axes.col(1) == Vec3::UnitZ());

@@ -32,7 +32,7 @@ constexpr double kGap = 2e-4;
 
 std::string rounding_refusal(const TriangleMesh& scan, double radius) {
   try {
-    rounded_core(scan, radius);
+    inset_core(scan, radius);
   } catch (const GeometryError& error) {
     return error.what();
   }
@@ -45,14 +45,14 @@ TEST(Rounding, CoreOfACubeIsTheSmallerCube) {
   for (const int n : {1, 2, 5, 9}) {
     for (const double r : {0.01, 0.05, 0.1}) {
       const TriangleMesh cube = box_mesh({1, 1, 1}, n);
-      const SpheroPolyhedron body = rounded_core(cube, r);
+      const SpheroPolyhedron body = inset_core(cube, r);
       const TriangleMesh core = core_mesh(body);
       EXPECT_EQ(body.radius, r);
       EXPECT_NEAR((bounds(core).low - Vec3::Constant(r)).norm(), 0.0, 1e-14);
       EXPECT_NEAR((bounds(core).high - Vec3::Constant(1 - r)).norm(), 0.0, 1e-14);
       EXPECT_NEAR(enclosed_volume(core), std::pow(1 - 2 * r, 3), 1e-13);
       EXPECT_NEAR(surface_area(core), 6 * std::pow(1 - 2 * r, 2), 1e-13);
-      const TriangleMesh turned = core_mesh(rounded_core(transformed(cube, pose), r));
+      const TriangleMesh turned = core_mesh(inset_core(transformed(cube, pose), r));
       EXPECT_NEAR(enclosed_volume(turned), std::pow(1 - 2 * r, 3), 1e-8);
     }
   }
@@ -60,18 +60,18 @@ TEST(Rounding, CoreOfACubeIsTheSmallerCube) {
 
 TEST(Rounding, RadiusAboveTheMeshSizeStillGivesTheSmallerBox) {
   // Spacing 1/20, 2/20 and 3/20 against a radius of 0.2: vertices near the edges must go.
-  const SpheroPolyhedron body = rounded_core(box_mesh({1, 2, 3}, 20), 0.2);
+  const SpheroPolyhedron body = inset_core(box_mesh({1, 2, 3}, 20), 0.2);
   const TriangleMesh core = core_mesh(body);
   EXPECT_NEAR(enclosed_volume(core), 0.6 * 1.6 * 2.6, 1e-12);
   EXPECT_NEAR(surface_area(core), 2 * (0.6 * 1.6 + 0.6 * 2.6 + 1.6 * 2.6), 1e-12);
-  EXPECT_TRUE(inspect(core).closed() && inspect(core).oriented());
+  EXPECT_TRUE(inspect_mesh(core).is_closed() && inspect_mesh(core).is_oriented());
 }
 
 TEST(Rounding, TetrahedronShrinksAboutItsIncentre) {
   // Every plane comes in by r: a homothety about the incentre by 1 - r / inradius.
   const double area = 1.5 + 0.5 * std::sqrt(3.0), inradius = 3.0 * (1.0 / 6.0) / area;
   const double r = 0.1;
-  const TriangleMesh core = core_mesh(rounded_core(tetrahedron(), r));
+  const TriangleMesh core = core_mesh(inset_core(tetrahedron(), r));
   const double k = 1.0 - r / inradius;
   const Vec3 incentre = Vec3::Constant(inradius);
   for (std::size_t v = 0; v < 4; ++v) {
@@ -82,7 +82,7 @@ TEST(Rounding, TetrahedronShrinksAboutItsIncentre) {
 
 TEST(Rounding, ZeroRadiusKeepsTheScan) {
   const TriangleMesh rock = random_rock(1);
-  EXPECT_EQ(core_mesh(rounded_core(rock, 0.0)).vertices, rock.vertices);
+  EXPECT_EQ(core_mesh(inset_core(rock, 0.0)).vertices, rock.vertices);
 }
 
 TEST(Rounding, TooLargeARadiusIsRefusedWithOneThatWorks) {
@@ -93,7 +93,7 @@ TEST(Rounding, TooLargeARadiusIsRefusedWithOneThatWorks) {
   const double works = std::stod(message.substr(at + 17));
   EXPECT_NEAR(works, 0.5, 0.02);
   EXPECT_LT(works, 0.5);
-  EXPECT_NO_THROW(rounded_core(box_mesh({1, 1, 1}), works));
+  EXPECT_NO_THROW(inset_core(box_mesh({1, 1, 1}), works));
   EXPECT_NE(rounding_refusal(box_mesh({1, 1, 0.1}, 4), 0.06), "");
 }
 
@@ -104,15 +104,15 @@ TEST(Rounding, OpenInwardAndBadRadiusAreRefused) {
   TriangleMesh inward = tetrahedron();
   for (TriangleMesh::Triangle& t : inward.triangles) std::swap(t[0], t[1]);
   EXPECT_NE(rounding_refusal(inward, 0.01).find("inwards"), std::string::npos);
-  EXPECT_THROW(rounded_core(tetrahedron(), -0.1), InputError);
-  EXPECT_THROW(rounded_core(tetrahedron(), std::nan("")), InputError);
+  EXPECT_THROW(inset_core(tetrahedron(), -0.1), InputError);
+  EXPECT_THROW(inset_core(tetrahedron(), std::nan("")), InputError);
 }
 
-TEST(Deviation, OfASharpCubeIsItsMissingCorner) {
+TEST(SurfaceDeviation, OfASharpCubeIsItsMissingCorner) {
   // The rounded cube touches all faces; its corners are r (sqrt 3 - 1) short of the sharp ones.
   const double r = 0.1;
   const TriangleMesh cube = box_mesh({1, 1, 1});
-  const Deviation deviation = surface_deviation(cube, rounded_core(cube, r));
+  const SurfaceDeviation deviation = measure_surface_deviation(cube, inset_core(cube, r));
   const double corner = r * (std::sqrt(3.0) - 1.0);
   EXPECT_GE(deviation.hausdorff, corner - 1e-12);
   EXPECT_LE(deviation.hausdorff, corner + kGap * std::sqrt(3.0));
@@ -125,7 +125,7 @@ TEST(Deviation, OfASharpCubeIsItsMissingCorner) {
 
 // Faces of a thin slab and of a needle lie just under the skin everywhere: bounding them by their
 // size would give many times the true distance.
-TEST(Deviation, OfLargeThinFacesIsThatOfTheirCorners) {
+TEST(SurfaceDeviation, OfLargeThinFacesIsThatOfTheirCorners) {
   for (const Vec3& sides : {Vec3(2, 1.5, 0.1), Vec3(1, 1, 0.001), Vec3(1, 0.01, 0.01)}) {
     const double r = 0.02 * sides.minCoeff();
     const TriangleMesh slab = box_mesh(sides);
@@ -133,7 +133,7 @@ TEST(Deviation, OfLargeThinFacesIsThatOfTheirCorners) {
     for (Vec3& v : core.vertices) {
       for (int k = 0; k < 3; ++k) v[k] += (v[k] > 0.0 ? -0.99 : 0.99) * r;
     }
-    const Deviation deviation = surface_deviation(slab, sphero_polyhedron(core, r));
+    const SurfaceDeviation deviation = measure_surface_deviation(slab, make_sphero_polyhedron(core, r));
     const double corner = r * (0.99 * std::sqrt(3.0) - 1.0), gap = 2e-4 * sides.norm();
     EXPECT_GE(deviation.scan_to_body, corner * (1.0 - 1e-9));
     EXPECT_LE(deviation.scan_to_body, corner + gap);
@@ -141,7 +141,7 @@ TEST(Deviation, OfLargeThinFacesIsThatOfTheirCorners) {
   }
 }
 
-TEST(Deviation, MeanOfASharpCubeIsTheIntegralOverItsRims) {
+TEST(SurfaceDeviation, MeanOfASharpCubeIsTheIntegralOverItsRims) {
   // At distance s < r from an edge the gap is sqrt(r^2 + (r-s)^2) - r along the foot at the edge of
   // the core; integrated over the rims of the six faces, corners in two dimensions.
   const double r = 0.1;
@@ -157,25 +157,25 @@ TEST(Deviation, MeanOfASharpCubeIsTheIntegralOverItsRims) {
   }
   const double expected = sum / (n * n);
   const TriangleMesh cube = box_mesh({1, 1, 1});
-  const Deviation deviation = surface_deviation(cube, rounded_core(cube, r), 200000);
+  const SurfaceDeviation deviation = measure_surface_deviation(cube, inset_core(cube, r), 200000);
   EXPECT_NEAR(deviation.mean / expected, 1.0, 0.01);
 }
 
-TEST(Deviation, OfTheScanTakenAsCoreIsTheRadius) {
+TEST(SurfaceDeviation, OfTheScanTakenAsCoreIsTheRadius) {
   // Where it is convex; under a reflex edge the skin is farther.
   const TriangleMesh box = box_mesh({1, 2, 3}, 3);
-  const Deviation deviation = surface_deviation(box, sphero_polyhedron(box, 0.03));
+  const SurfaceDeviation deviation = measure_surface_deviation(box, make_sphero_polyhedron(box, 0.03));
   EXPECT_NEAR(deviation.mean, 0.03, 1e-12);
   // The bound is at its worst where the distance is the same everywhere.
   EXPECT_GE(deviation.hausdorff, 0.03);
   EXPECT_LE(deviation.hausdorff, 0.045);
   const TriangleMesh rock = random_rock(2);
-  EXPECT_GE(surface_deviation(rock, sphero_polyhedron(rock, 0.03), 1000).mean, 0.03 - 1e-12);
-  const Deviation none = surface_deviation(rock, sphero_polyhedron(rock, 0.0), 1000);
+  EXPECT_GE(measure_surface_deviation(rock, make_sphero_polyhedron(rock, 0.03), 1000).mean, 0.03 - 1e-12);
+  const SurfaceDeviation none = measure_surface_deviation(rock, make_sphero_polyhedron(rock, 0.0), 1000);
   EXPECT_LT(none.hausdorff, kGap * bounds(rock).diagonal());
 }
 
-TEST(Deviation, SeesWhatOnlyTheBodyHas) {
+TEST(SurfaceDeviation, SeesWhatOnlyTheBodyHas) {
   // A body with a spike far from the scan: only the way body to scan finds its height.
   TriangleMesh spiked = box_mesh({1, 1, 1}, 10);
   for (Vec3& v : spiked.vertices) {
@@ -183,25 +183,25 @@ TEST(Deviation, SeesWhatOnlyTheBodyHas) {
   }
   const TriangleMesh box = box_mesh({1, 1, 1});
   const double gap = kGap * bounds(spiked).diagonal();
-  const Deviation body = surface_deviation(box, sphero_polyhedron(spiked, 0.0));
+  const SurfaceDeviation body = measure_surface_deviation(box, make_sphero_polyhedron(spiked, 0.0));
   EXPECT_GE(body.body_to_scan, 0.5 - 1e-12);
   EXPECT_LE(body.body_to_scan, 0.5 + gap);
   EXPECT_LT(body.scan_to_body, 0.1);
-  const Deviation scan = surface_deviation(spiked, sphero_polyhedron(box, 0.0));
+  const SurfaceDeviation scan = measure_surface_deviation(spiked, make_sphero_polyhedron(box, 0.0));
   EXPECT_GE(scan.scan_to_body, 0.5 - 1e-12);
   EXPECT_LE(scan.scan_to_body, 0.5 + gap);
   EXPECT_LT(scan.body_to_scan, 0.1);
 }
 
-TEST(Deviation, InsideTheCoreCountsFromTheSkin) {
-  const Deviation deviation = surface_deviation(scaled(box_mesh({1, 1, 1}), 0.5),
-                                                sphero_polyhedron(box_mesh({1, 1, 1}), 0.1));
+TEST(SurfaceDeviation, InsideTheCoreCountsFromTheSkin) {
+  const SurfaceDeviation deviation = measure_surface_deviation(scaled(box_mesh({1, 1, 1}), 0.5),
+                                                make_sphero_polyhedron(box_mesh({1, 1, 1}), 0.1));
   // The corner (1/2, 1/2, 1/2) of the small cube is half a unit inside the core, 0.6 under the
   // skin.
   EXPECT_GE(deviation.hausdorff, 0.6 - 1e-12);
 }
 
-TEST(Deviation, AFilledSlotCountsByItsDepth) {
+TEST(SurfaceDeviation, AFilledSlotCountsByItsDepth) {
   // A slot narrower than twice the radius is filled by the body: its floor lies a whole slot's
   // depth under the skin, although core and radius are nowhere farther than a little from it.
   const auto slotted = [](double half_width, double floor) {
@@ -219,17 +219,17 @@ TEST(Deviation, AFilledSlotCountsByItsDepth) {
   const double r = 0.1;
   const TriangleMesh core = slotted(0.02, 0.4);
   const TriangleMesh scan = slotted(0.04, 0.45);
-  const Deviation deviation = surface_deviation(scan, sphero_polyhedron(core, r));
+  const SurfaceDeviation deviation = measure_surface_deviation(scan, make_sphero_polyhedron(core, r));
   // The skin over the slot is about r above the core's rims at z = 1.
   EXPECT_GT(deviation.scan_to_body, 0.45);
 }
 
-TEST(Deviation, BoundsHoldAgainstDenseSampling) {
+TEST(SurfaceDeviation, BoundsHoldAgainstDenseSampling) {
   for (const int seed : {1, 2, 3}) {
     const TriangleMesh rock = random_rock(seed, 2, 0.1);
-    const SpheroPolyhedron body = rounded_core(random_rock(seed, 2, 0.08), 0.08);
-    const Deviation deviation = surface_deviation(rock, body);
-    const TriangleMesh core = core_mesh(body), skin = skin_mesh(body, 12);
+    const SpheroPolyhedron body = inset_core(random_rock(seed, 2, 0.08), 0.08);
+    const SurfaceDeviation deviation = measure_surface_deviation(rock, body);
+    const TriangleMesh core = core_mesh(body), skin = rounded_surface_mesh(body, 12);
     double sampled = 0.0;
     for (const Vec3& p : skin.vertices) {
       double to_core = 1e300, to_rock = 1e300;
@@ -249,10 +249,10 @@ TEST(Deviation, BoundsHoldAgainstDenseSampling) {
   }
 }
 
-TEST(Deviation, EmptySurfacesAreRefused) {
-  EXPECT_THROW(surface_deviation(TriangleMesh{}, sphero_polyhedron(tetrahedron(), 0.1)),
+TEST(SurfaceDeviation, EmptySurfacesAreRefused) {
+  EXPECT_THROW(measure_surface_deviation(TriangleMesh{}, make_sphero_polyhedron(tetrahedron(), 0.1)),
                GeometryError);
-  EXPECT_THROW(surface_deviation(tetrahedron(), {}), GeometryError);
+  EXPECT_THROW(measure_surface_deviation(tetrahedron(), {}), GeometryError);
 }
 
 class RoundedRocks : public testing::TestWithParam<int> {};
@@ -262,12 +262,12 @@ TEST_P(RoundedRocks, StayCloseToTheScanAndSound) {
   const double thickness = (bounds(rock).high - bounds(rock).low).minCoeff();
   for (const double share : {0.02, 0.05, 0.1}) {
     const double r = share * thickness;
-    const SpheroPolyhedron body = rounded_core(rock, r);
+    const SpheroPolyhedron body = inset_core(rock, r);
     const TriangleMesh core = core_mesh(body);
-    EXPECT_TRUE(inspect(core).closed() && inspect(core).oriented());
-    EXPECT_TRUE(crossing_triangles(core).empty());
+    EXPECT_TRUE(inspect_mesh(core).is_closed() && inspect_mesh(core).is_oriented());
+    EXPECT_TRUE(find_self_intersections(core).empty());
     EXPECT_GT(enclosed_volume(core), 0.0);
-    const Deviation deviation = surface_deviation(rock, body, 5000);
+    const SurfaceDeviation deviation = measure_surface_deviation(rock, body, 5000);
     EXPECT_LT(deviation.hausdorff, 0.5 * r + 0.02 * thickness);
     EXPECT_LT(deviation.mean, 0.1 * r);
   }
@@ -275,7 +275,7 @@ TEST_P(RoundedRocks, StayCloseToTheScanAndSound) {
 
 TEST_P(RoundedRocks, DeviationAgreesWithBruteForce) {
   const TriangleMesh rock = random_rock(GetParam(), 2, 0.05);
-  const SpheroPolyhedron body = rounded_core(rock, 0.05);
+  const SpheroPolyhedron body = inset_core(rock, 0.05);
   const TriangleMesh core = core_mesh(body);
   double largest = 0.0;
   for (const Vec3& p : rock.vertices) {
@@ -286,9 +286,9 @@ TEST_P(RoundedRocks, DeviationAgreesWithBruteForce) {
     }
     largest = std::max(largest, std::abs(nearest - body.radius));
   }
-  EXPECT_GE(surface_deviation(rock, body, 100).hausdorff, largest - 1e-13);
-  const Deviation twice = surface_deviation(rock, body, 100);
-  EXPECT_EQ(twice.mean, surface_deviation(rock, body, 100).mean);
+  EXPECT_GE(measure_surface_deviation(rock, body, 100).hausdorff, largest - 1e-13);
+  const SurfaceDeviation twice = measure_surface_deviation(rock, body, 100);
+  EXPECT_EQ(twice.mean, measure_surface_deviation(rock, body, 100).mean);
 }
 
 INSTANTIATE_TEST_SUITE_P(Seeds, RoundedRocks, testing::Range(0, 4));

@@ -19,7 +19,7 @@ namespace {
 ShpShape sample(const std::string& name) {
   ShpShape shape;
   shape.name = name;
-  shape.body = sphero_polyhedron(random_rock(7, 1), 0.1 / 3.0);
+  shape.body = make_sphero_polyhedron(random_rock(7, 1), 0.1 / 3.0);
   shape.volume = 1.0 / 3.0;
   shape.inertia_per_mass = {1.0 / 7.0, 2.0 / 7.0, 3.0 / 7.0};
   shape.box.lengths = {3, 2, 1};
@@ -275,13 +275,13 @@ INSTANTIATE_TEST_SUITE_P(
 
 TEST(ShpFile, MissingFilesAreNamed) {
   EXPECT_TRUE(contains(refusal([] { read_shp("nowhere/a.shp"); }), "nowhere/a.shp"));
-  EXPECT_FALSE(is_map_file("nowhere/a.shp"));
+  EXPECT_FALSE(is_esri_shapefile("nowhere/a.shp"));
 }
 
 TEST(ShpFile, AnyCutIsRefused) {
   const std::string text = tetrahedron_with("preCompDone y\nvolume 1\nI/m 1 1 1");
   for (std::size_t length = 0; length + 2 < text.size(); ++length) {
-    EXPECT_FALSE(refusal([&] { shapes_detail::shp_shapes(text.substr(0, length)); }).empty())
+    EXPECT_FALSE(refusal([&] { shapes_detail::parse_shp(text.substr(0, length)); }).empty())
         << length;
   }
 }
@@ -297,7 +297,7 @@ TEST(ShpFile, DamagedBytesAreRefusedOrGiveAShapeWhosePartsAreThere) {
       damaged[at] = static_cast<char>(random.uniform(0, 256));
     }
     try {
-      for (const ShpShape& shape : shapes_detail::shp_shapes(damaged)) {
+      for (const ShpShape& shape : shapes_detail::parse_shp(damaged)) {
         for (const SpheroPolyhedron::Face& face : shape.body.faces) {
           ASSERT_GE(face.size(), 3u);
           for (const std::uint32_t v : face) ASSERT_LT(v, shape.body.vertices.size());

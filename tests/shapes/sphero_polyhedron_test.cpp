@@ -13,7 +13,7 @@ namespace clast {
 namespace {
 
 TEST(SpheroPolyhedron, EdgesAreUniqueSortedAndSmallestIndexFirst) {
-  const SpheroPolyhedron cube = sphero_polyhedron(box_mesh({1, 1, 1}), 0.1);
+  const SpheroPolyhedron cube = make_sphero_polyhedron(box_mesh({1, 1, 1}), 0.1);
   EXPECT_EQ(cube.edges.size(), 18u);  // 12 and the six diagonals
   EXPECT_TRUE(std::is_sorted(cube.edges.begin(), cube.edges.end()));
   for (std::size_t i = 0; i < cube.edges.size(); ++i) {
@@ -28,11 +28,11 @@ TEST(SpheroPolyhedron, EdgesAreUniqueSortedAndSmallestIndexFirst) {
 }
 
 TEST(SpheroPolyhedron, BadRadiusAndEmptyCoreAreRefused) {
-  EXPECT_THROW(sphero_polyhedron(tetrahedron(), -0.1), InputError);
-  EXPECT_THROW(sphero_polyhedron(tetrahedron(), std::nan("")), InputError);
-  EXPECT_THROW(sphero_polyhedron(tetrahedron(), std::numeric_limits<double>::infinity()),
+  EXPECT_THROW(make_sphero_polyhedron(tetrahedron(), -0.1), InputError);
+  EXPECT_THROW(make_sphero_polyhedron(tetrahedron(), std::nan("")), InputError);
+  EXPECT_THROW(make_sphero_polyhedron(tetrahedron(), std::numeric_limits<double>::infinity()),
                InputError);
-  EXPECT_THROW(sphero_polyhedron({}, 0.1), GeometryError);
+  EXPECT_THROW(make_sphero_polyhedron({}, 0.1), GeometryError);
 }
 
 TEST(SpheroPolyhedron, ConcavePolygonsWithCornersInARowAreCutInsideThemselves) {
@@ -52,7 +52,7 @@ TEST(SpheroPolyhedron, ConcavePolygonsWithCornersInARowAreCutInsideThemselves) {
 }
 
 TEST(SpheroPolyhedron, ScalingScalesTheRadiusToo) {
-  const SpheroPolyhedron twice = scaled(sphero_polyhedron(box_mesh({1, 1, 1}), 0.1), 2.0);
+  const SpheroPolyhedron twice = scaled(make_sphero_polyhedron(box_mesh({1, 1, 1}), 0.1), 2.0);
   EXPECT_DOUBLE_EQ(twice.radius, 0.2);
   EXPECT_DOUBLE_EQ(bounds(core_mesh(twice)).diagonal(), 2.0 * std::sqrt(3.0));
   EXPECT_THROW(scaled(twice, 0.0), InputError);
@@ -67,9 +67,9 @@ TEST(Skin, OfACubeIsClosedAndItsVolumeTendsToTheFormula) {
   double error_before = 1.0;
   for (const int segments : {2, 4, 8, 16, 32}) {
     for (const int n : {1, 3}) {
-      const TriangleMesh skin = skin_mesh(sphero_polyhedron(box_mesh({1, 1, 1}, n), r), segments);
-      const MeshReport report = inspect(skin);
-      EXPECT_TRUE(report.closed() && report.oriented()) << report.summary();
+      const TriangleMesh skin = rounded_surface_mesh(make_sphero_polyhedron(box_mesh({1, 1, 1}, n), r), segments);
+      const MeshReport report = inspect_mesh(skin);
+      EXPECT_TRUE(report.is_closed() && report.is_oriented()) << report.summary();
       EXPECT_EQ(report.euler_characteristic, 2);
       EXPECT_EQ(report.degenerate_triangles, 0u);
       const double error = 1.0 - enclosed_volume(skin) / exact;
@@ -87,7 +87,7 @@ TEST(Skin, OfACubeIsClosedAndItsVolumeTendsToTheFormula) {
 
 /// Volume of a convex core swept by a ball, after Steiner.
 double steiner_volume(const TriangleMesh& hull, double r) {
-  const SpheroPolyhedron shape = sphero_polyhedron(hull, r);
+  const SpheroPolyhedron shape = make_sphero_polyhedron(hull, r);
   double mean_curvature = 0.0;
   for (std::size_t f = 0; f < shape.faces.size(); ++f) {
     for (std::size_t g = f + 1; g < shape.faces.size(); ++g) {
@@ -114,9 +114,9 @@ TEST(Skin, OfConvexHullsIsASphereWhoseVolumeTendsToSteinersFormula) {
     const double r = 0.2, exact = steiner_volume(hull, r);
     double error_before = 0.0;
     for (const int segments : {8, 16, 32}) {
-      const TriangleMesh skin = skin_mesh(sphero_polyhedron(hull, r), segments);
-      EXPECT_TRUE(inspect(skin).closed() && inspect(skin).oriented());
-      EXPECT_EQ(inspect(skin).euler_characteristic, 2);
+      const TriangleMesh skin = rounded_surface_mesh(make_sphero_polyhedron(hull, r), segments);
+      EXPECT_TRUE(inspect_mesh(skin).is_closed() && inspect_mesh(skin).is_oriented());
+      EXPECT_EQ(inspect_mesh(skin).euler_characteristic, 2);
       const double error = 1.0 - enclosed_volume(skin) / exact;
       EXPECT_GT(error, 0.0);
       const double step = 0.5 * kPi / segments;
@@ -135,11 +135,11 @@ TEST(Skin, OfABallAndACapsuleIsClosed) {
   capsule.vertices.push_back({1, 2, 5});
   capsule.edges = {{0, 1}};
   const double ball_volume = 4.0 / 3.0 * kPi * 0.125, tube = kPi * 0.25 * 2.0;
-  const TriangleMesh ball_skin = skin_mesh(ball, 32), capsule_skin = skin_mesh(capsule, 32);
+  const TriangleMesh ball_skin = rounded_surface_mesh(ball, 32), capsule_skin = rounded_surface_mesh(capsule, 32);
   for (const TriangleMesh* skin : {&ball_skin, &capsule_skin}) {
-    EXPECT_TRUE(inspect(*skin).closed() && inspect(*skin).oriented());
-    EXPECT_EQ(inspect(*skin).euler_characteristic, 2);
-    EXPECT_EQ(inspect(*skin).degenerate_triangles, 0u);
+    EXPECT_TRUE(inspect_mesh(*skin).is_closed() && inspect_mesh(*skin).is_oriented());
+    EXPECT_EQ(inspect_mesh(*skin).euler_characteristic, 2);
+    EXPECT_EQ(inspect_mesh(*skin).degenerate_triangles, 0u);
   }
   const double step = 0.5 * kPi / 32;  // chords of angle h lose shares of order h^2
   EXPECT_NEAR(enclosed_volume(ball_skin) / ball_volume, 1.0, step * step);
@@ -147,8 +147,8 @@ TEST(Skin, OfABallAndACapsuleIsClosed) {
 }
 
 TEST(Skin, OfANonConvexCoreIsClosed) {
-  const TriangleMesh skin = skin_mesh(sphero_polyhedron(l_block(), 0.1));
-  EXPECT_TRUE(inspect(skin).closed() && inspect(skin).oriented()) << inspect(skin).summary();
+  const TriangleMesh skin = rounded_surface_mesh(make_sphero_polyhedron(l_block(), 0.1));
+  EXPECT_TRUE(inspect_mesh(skin).is_closed() && inspect_mesh(skin).is_oriented()) << inspect_mesh(skin).summary();
 }
 
 /// How often the closed surface goes round the point.
@@ -171,8 +171,8 @@ TEST(Skin, OfANonConvexCoreGoesRoundTheBodyAndNothingElse) {
   const double sagitta = 1.0 - std::cos(0.25 * kPi / kSegments);  // what chords cut off, times r
   for (const TriangleMesh& core : cores) {
     const double r = 0.05;
-    const SpheroPolyhedron shape = sphero_polyhedron(core, r);
-    const TriangleMesh skin = skin_mesh(shape, kSegments);
+    const SpheroPolyhedron shape = make_sphero_polyhedron(core, r);
+    const TriangleMesh skin = rounded_surface_mesh(shape, kSegments);
     const TriangleTree tree(core);
     Bounds box = bounds(skin);
     Random random(5);
@@ -196,9 +196,9 @@ TEST(Skin, OfANonConvexCoreGoesRoundTheBodyAndNothingElse) {
 
 TEST(Skin, OfPolygonsIsThatOfTheirTriangles) {
   for (const TriangleMesh& core : {box_mesh({1, 1, 1}, 3), l_block()}) {
-    const SpheroPolyhedron shape = sphero_polyhedron(core, 0.1);
-    const TriangleMesh plain = skin_mesh(shape), merged = skin_mesh(with_merged_faces(shape));
-    EXPECT_TRUE(inspect(merged).closed() && inspect(merged).oriented());
+    const SpheroPolyhedron shape = make_sphero_polyhedron(core, 0.1);
+    const TriangleMesh plain = rounded_surface_mesh(shape), merged = rounded_surface_mesh(merge_coplanar_faces(shape));
+    EXPECT_TRUE(inspect_mesh(merged).is_closed() && inspect_mesh(merged).is_oriented());
     EXPECT_NEAR(enclosed_volume(merged), enclosed_volume(plain), 1e-12);
     EXPECT_NEAR(surface_area(merged), surface_area(plain), 1e-11);
   }
@@ -206,15 +206,15 @@ TEST(Skin, OfPolygonsIsThatOfTheirTriangles) {
 
 TEST(Skin, WithoutRadiusIsTheCore) {
   const TriangleMesh core = l_block();
-  EXPECT_EQ(skin_mesh(sphero_polyhedron(core, 0.0)).triangles, core.triangles);
+  EXPECT_EQ(rounded_surface_mesh(make_sphero_polyhedron(core, 0.0)).triangles, core.triangles);
 }
 
 TEST(Skin, OfAnOpenCoreIsRefused) {
   TriangleMesh open = tetrahedron();
   open.triangles.pop_back();
-  EXPECT_THROW(skin_mesh(sphero_polyhedron(open, 0.1)), GeometryError);
-  EXPECT_THROW(skin_mesh({}), GeometryError);
-  EXPECT_THROW(skin_mesh(sphero_polyhedron(tetrahedron(), 0.1), 0), InputError);
+  EXPECT_THROW(rounded_surface_mesh(make_sphero_polyhedron(open, 0.1)), GeometryError);
+  EXPECT_THROW(rounded_surface_mesh({}), GeometryError);
+  EXPECT_THROW(rounded_surface_mesh(make_sphero_polyhedron(tetrahedron(), 0.1), 0), InputError);
 }
 
 class RandomSkins : public testing::TestWithParam<int> {};
@@ -222,10 +222,10 @@ class RandomSkins : public testing::TestWithParam<int> {};
 TEST_P(RandomSkins, AreClosedWithVerticesAtTheRadiusOfTheirCoreVertex) {
   const TriangleMesh rock = random_rock(GetParam(), 2, 0.2);
   const double r = 0.05;
-  const SpheroPolyhedron shape = sphero_polyhedron(rock, r);
-  const TriangleMesh skin = skin_mesh(shape, 3);
-  const MeshReport report = inspect(skin);
-  EXPECT_TRUE(report.closed() && report.oriented()) << report.summary();
+  const SpheroPolyhedron shape = make_sphero_polyhedron(rock, r);
+  const TriangleMesh skin = rounded_surface_mesh(shape, 3);
+  const MeshReport report = inspect_mesh(skin);
+  EXPECT_TRUE(report.is_closed() && report.is_oriented()) << report.summary();
   EXPECT_EQ(report.euler_characteristic, 2);
   for (const Vec3& point : skin.vertices) {
     double nearest = 1e300;

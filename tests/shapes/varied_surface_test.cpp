@@ -6,7 +6,7 @@
 #include "core/error.hpp"
 #include "mesh/self_intersection.hpp"
 #include "shapes/convex_hull.hpp"
-#include "shapes/hull_blend.hpp"
+#include "shapes/hull_interpolation.hpp"
 #include "shapes/reference_bodies.hpp"
 #include "shapes/star_shape.hpp"
 #include "shapes/surface_detail.hpp"
@@ -45,19 +45,19 @@ TriangleMesh ring() {
 
 TEST(StarShape, ACentreSeesTheWholeSurfaceAndARingHasNone) {
   const TriangleMesh rock = bumpy_rock();
-  const std::optional<Vec3> centre = star_centre(rock);
+  const std::optional<Vec3> centre = find_kernel_point(rock);
   ASSERT_TRUE(centre);
   for (const TriangleMesh::Triangle& t : rock.triangles) {
     const Vec3 &a = rock.vertices[t[0]], &b = rock.vertices[t[1]], &c = rock.vertices[t[2]];
     EXPECT_GT((b - a).cross(c - a).dot(a - *centre), 0.0);
   }
   ASSERT_GT(enclosed_volume(ring()), 0.0);
-  EXPECT_FALSE(star_centre(ring()));
+  EXPECT_FALSE(find_kernel_point(ring()));
 }
 
-TEST(HullBlend, GoesFromTheRockToItsHullAndNeverCrossesItself) {
+TEST(HullInterpolation, GoesFromTheRockToItsHullAndNeverCrossesItself) {
   const TriangleMesh rock = bumpy_rock();
-  const HullBlend blend(rock);
+  const HullInterpolation blend(rock);
   const double hull = enclosed_volume(convex_hull(rock.vertices));
   EXPECT_NEAR(blend.hull_volume(), hull, 1e-9 * hull);
   EXPECT_EQ(blend.at(0.0, 0).vertices, rock.vertices);
@@ -69,10 +69,11 @@ TEST(HullBlend, GoesFromTheRockToItsHullAndNeverCrossesItself) {
     before = volume;
   }
   for (const double part : {0.0, 0.5, 0.95}) {
-    EXPECT_TRUE(crossing_triangles(blend.at(part, blend.turns())).empty());
+    EXPECT_TRUE(find_self_intersections(blend.at(part, blend.turns())).empty());
   }
   EXPECT_NEAR(enclosed_volume(blend.at(1.0, blend.turns())), hull, 1e-6 * hull);
-  EXPECT_TRUE(contains(refusal<GeometryError>([] { HullBlend{ring()}; }), "not star-shaped"));
+  EXPECT_TRUE(
+      contains(refusal<GeometryError>([] { HullInterpolation{ring()}; }), "not star-shaped"));
 }
 
 // An ellipsoid near a sphere has harmonics of even degree alone, which fall off fast: nearly all of
@@ -93,48 +94,51 @@ TEST(SurfaceDetail, IsWhatLiesAboveTheDegree) {
   };
   const TriangleMesh mesh = rippled(0.05);
   EXPECT_NEAR(far(mesh), 0.05, 1e-3);
-  const DetailedSurface smooth = with_detail(mesh, {.gain = 0.0, .degree = 6});
-  EXPECT_EQ(smooth.coarse, CoarseForm::kHarmonics);
+  const DetailedSurface smooth = scale_surface_detail(mesh, {.gain = 0.0, .degree = 6});
+  EXPECT_EQ(smooth.coarse, CoarseShape::kHarmonics);
   EXPECT_LT(far(smooth.mesh), 2e-3);
-  EXPECT_NEAR(far(with_detail(mesh, {.gain = 2.0, .degree = 6}).mesh), 0.1, 3e-3);
-  EXPECT_EQ(with_detail(mesh, {.gain = 1.0, .degree = 6}).mesh.vertices, mesh.vertices);
+  EXPECT_NEAR(far(scale_surface_detail(mesh, {.gain = 2.0, .degree = 6}).mesh), 0.1, 3e-3);
+  EXPECT_EQ(scale_surface_detail(mesh, {.gain = 1.0, .degree = 6}).mesh.vertices, mesh.vertices);
 }
 
 TEST(SurfaceDetail, FallsBackToABilaplacianAndSaysSo) {
-  const DetailedSurface smooth = with_detail(ring(), {.gain = 0.9, .degree = 6});
-  EXPECT_EQ(smooth.coarse, CoarseForm::kBilaplacian);
-  EXPECT_TRUE(crossing_triangles(smooth.mesh).empty());
-  EXPECT_TRUE(contains(refusal([] { with_detail(bumpy_rock(), {.gain = 0.0, .degree = 12}); }),
-                       "needs 338 vertices, and there are 162"));
-  EXPECT_TRUE(contains(
-      refusal<GeometryError>([] { with_detail(bumpy_rock(), {.gain = 10.0, .degree = 2}); }),
-      "detail times 10"));
-  EXPECT_TRUE(contains(refusal([] { with_detail(ring(), {.gain = NAN}); }), "`detail` = nan"));
+  const DetailedSurface smooth = scale_surface_detail(ring(), {.gain = 0.9, .degree = 6});
+  EXPECT_EQ(smooth.coarse, CoarseShape::kBilaplacian);
+  EXPECT_TRUE(find_self_intersections(smooth.mesh).empty());
+  EXPECT_TRUE(
+      contains(refusal([] { scale_surface_detail(bumpy_rock(), {.gain = 0.0, .degree = 12}); }),
+               "needs 338 vertices, and there are 162"));
+  EXPECT_TRUE(contains(refusal<GeometryError>(
+                           [] { scale_surface_detail(bumpy_rock(), {.gain = 10.0, .degree = 2}); }),
+                       "detail times 10"));
+  EXPECT_TRUE(
+      contains(refusal([] { scale_surface_detail(ring(), {.gain = NAN}); }), "`detail` = nan"));
 }
 
 TEST(ReferenceBodies, HaveTheRatiosAskedFor) {
-  for (const std::string& name : reference_form_names()) {
-    const ReferenceForm form = reference_form(name);
+  for (const std::string& name : reference_shape_names()) {
+    const ReferenceShape form = parse_reference_shape(name);
     EXPECT_EQ(name_of(form), name);
     BoxRatios ratios = {0.7, 0.4};
-    const SpheroPolyhedron body = reference_body(form, {.ratios = ratios, .radius_share = 0.05});
-    if (form == ReferenceForm::kSphere || form == ReferenceForm::kEota111) ratios = {1.0, 1.0};
-    if (form == ReferenceForm::kEota221) ratios = {1.0, 0.5};
+    const SpheroPolyhedron body =
+        make_reference_body(form, {.ratios = ratios, .radius_share = 0.05});
+    if (form == ReferenceShape::kSphere || form == ReferenceShape::kEota111) ratios = {1.0, 1.0};
+    if (form == ReferenceShape::kEota221) ratios = {1.0, 0.5};
     const OrientedBox box = smallest_box(body);
     EXPECT_NEAR(box.lengths[0], 1.0, 1e-9) << name;
-    EXPECT_LT(ratio_gap(box_ratios(box), ratios), 1e-3) << name;
-    if (form != ReferenceForm::kSphere) {
+    EXPECT_LT(ratio_difference(box_ratios(box), ratios), 1e-3) << name;
+    if (form != ReferenceShape::kSphere) {
       EXPECT_NEAR(body.radius, 0.05 * box.lengths[2], 1e-4) << name;
     }
   }
-  EXPECT_TRUE(contains(refusal([] { reference_form("cone"); }), "eota-111"));
+  EXPECT_TRUE(contains(refusal([] { parse_reference_shape("cone"); }), "eota-111"));
 }
 
 // 1 m^3 of the published bodies is 1.122 m wide as a cube, and 1.4136 x 1.4136 x 0.7068 m as a
 // plate; each has 24 corners.
 TEST(ReferenceBodies, OfEotaHaveThePublishedExtentsAtACubicMetre) {
-  const SpheroPolyhedron cube = reference_body(ReferenceForm::kEota111, {});
-  const SpheroPolyhedron plate = reference_body(ReferenceForm::kEota221, {});
+  const SpheroPolyhedron cube = make_reference_body(ReferenceShape::kEota111, {});
+  const SpheroPolyhedron plate = make_reference_body(ReferenceShape::kEota221, {});
   EXPECT_EQ(cube.vertices.size(), 24u);
   EXPECT_EQ(plate.vertices.size(), 24u);
   EXPECT_NEAR(1.0 / std::cbrt(enclosed_volume(core_mesh(cube))), 1.122, 5e-4);
@@ -144,16 +148,17 @@ TEST(ReferenceBodies, OfEotaHaveThePublishedExtentsAtACubicMetre) {
 // Volumes in closed form: a box is filled, an elliptic cylinder to pi/4, an ellipsoid to pi/6, but
 // for what chords cut off.
 TEST(ReferenceBodies, FillTheirBoxesAsTheyShould) {
-  const auto filled = [](ReferenceForm form, double exponent = 4.0) {
+  const auto filled = [](ReferenceShape form, double exponent = 4.0) {
     const SpheroPolyhedron body =
-        reference_body(form, {.ratios = {0.7, 0.4}, .exponent = exponent});
+        make_reference_body(form, {.ratios = {0.7, 0.4}, .exponent = exponent});
     return enclosed_volume(core_mesh(body)) / smallest_box(body).volume();
   };
-  EXPECT_NEAR(filled(ReferenceForm::kBox), 1.0, 1e-9);
-  EXPECT_NEAR(filled(ReferenceForm::kCylinder), kPi / 4.0, 0.01);
-  EXPECT_NEAR(filled(ReferenceForm::kEllipsoid), kPi / 6.0, 0.02);
-  EXPECT_NEAR(filled(ReferenceForm::kSuperellipsoid, 2.0), filled(ReferenceForm::kEllipsoid), 1e-6);
-  EXPECT_GT(filled(ReferenceForm::kSuperellipsoid, 8.0), 0.75);
+  EXPECT_NEAR(filled(ReferenceShape::kBox), 1.0, 1e-9);
+  EXPECT_NEAR(filled(ReferenceShape::kCylinder), kPi / 4.0, 0.01);
+  EXPECT_NEAR(filled(ReferenceShape::kEllipsoid), kPi / 6.0, 0.02);
+  EXPECT_NEAR(filled(ReferenceShape::kSuperellipsoid, 2.0), filled(ReferenceShape::kEllipsoid),
+              1e-6);
+  EXPECT_GT(filled(ReferenceShape::kSuperellipsoid, 8.0), 0.75);
 }
 
 }  // namespace

@@ -34,14 +34,14 @@ struct FacingSlope {
 inline void write_slope(const std::filesystem::path& file, const FacingSlope& slope) {
   std::string text = "ncols " + std::to_string(slope.cells) + "\nnrows " +
                      std::to_string(slope.cells) + "\nxllcorner " +
-                     with_decimals(slope.corner.x(), 3) + "\nyllcorner " +
-                     with_decimals(slope.corner.y(), 3) + "\ncellsize " +
-                     with_decimals(slope.cell, 3) + "\nNODATA_value -9999\n";
+                     format_decimals(slope.corner.x(), 3) + "\nyllcorner " +
+                     format_decimals(slope.corner.y(), 3) + "\ncellsize " +
+                     format_decimals(slope.cell, 3) + "\nNODATA_value -9999\n";
   Random random(7);
   for (int row = 0; row < slope.cells; ++row) {
     for (int column = 0; column < slope.cells; ++column) {
       const Vec2 place = slope.corner + slope.cell * Vec2(column + 0.5, slope.cells - row - 0.5);
-      text += with_decimals(slope.height(place) + 0.05 * random.normal(), 3) + " ";
+      text += format_decimals(slope.height(place) + 0.05 * random.normal(), 3) + " ";
     }
     text += "\n";
   }

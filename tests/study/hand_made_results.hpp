@@ -70,7 +70,7 @@ inline CampaignResults hand_made_results() {
     TriangleMesh box = box_mesh(sides);
     for (Vec3& vertex : box.vertices) vertex -= 0.5 * sides;
     block.shape = static_cast<std::uint32_t>(results.shapes.size());
-    results.shapes.push_back(sphero_polyhedron(box, 0.0));
+    results.shapes.push_back(make_sphero_polyhedron(box, 0.0));
   }
   results.barriers = {{"B<1>", {Vec2(10.0, -20.0), Vec2(10.0, 20.0)}},
                       {"B2", {Vec2(35.0, -20.0), Vec2(35.0, 20.0)}}};

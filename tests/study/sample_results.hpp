@@ -34,7 +34,7 @@ inline CampaignResults sample_header() {
                     {3, 4, 5}}};
   header.shapes.resize(2);
   header.shapes[0].vertices = {{0, 0, 0}};
-  header.shapes[1] = sphero_polyhedron(cuboid(2.9, 1.9, 0.9), 0.05);
+  header.shapes[1] = make_sphero_polyhedron(cuboid(2.9, 1.9, 0.9), 0.05);
   header.barriers = {{"EC11", {{25, -400}, {25, -340}}},
                      {"EC12", {{36, -400}, {36, -370}, {40, -340}}, CountedDirection::kForward}};
   header.release_points = {{1, 2, 3}, {4, 5, 6}};

@@ -15,7 +15,7 @@ constexpr double kBlockDensity = 2600.0;  ///< kg/m^3
 
 /// A convex body of 12 vertices and 20 faces, rounded: an icosahedron stretched to the half axes.
 inline RigidBody convex_block(const Vec3& half_axes, double radius) {
-  return body_of(sphero_polyhedron(rock_mesh(1, half_axes, 1, 0.0), radius), kBlockDensity,
+  return body_of(make_sphero_polyhedron(rock_mesh(1, half_axes, 1, 0.0), radius), kBlockDensity,
                  2.0 * (half_axes.minCoeff() + radius));
 }
 

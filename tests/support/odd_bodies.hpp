@@ -123,7 +123,7 @@ inline TriangleMesh torus_without_inner_wall(double ring, double thick, double u
       keep.insert(keep.end(), 2, seen);
     }
   }
-  return with_triangles(mesh, keep);
+  return extract_triangles(mesh, keep);
 }
 
 }  // namespace clast

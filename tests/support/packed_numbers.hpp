@@ -7,7 +7,7 @@
 
 namespace clast {
 
-inline std::string bytes_of(const std::string& base64_text) {
+inline std::string serialized_bytes(const std::string& base64_text) {
   const std::string digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
   std::string bytes;
   std::uint32_t bits = 0;
@@ -23,7 +23,7 @@ inline std::string bytes_of(const std::string& base64_text) {
 
 template <class T>
 std::vector<T> packed_numbers(const std::string& base64_text) {
-  const std::string bytes = bytes_of(base64_text);
+  const std::string bytes = serialized_bytes(base64_text);
   std::vector<T> values(bytes.size() / sizeof(T));
   std::memcpy(values.data(), bytes.data(), bytes.size());
   return values;

@@ -59,7 +59,7 @@ inline RigidBody box(double mass, const Vec3& sides, double radius = 0.0, int cu
     }
   }
   RigidBody body;
-  body.shape = sphero_polyhedron(mesh, radius);
+  body.shape = make_sphero_polyhedron(mesh, radius);
   body.mass = mass;
   const Vec3 squares = sides.cwiseProduct(sides);
   body.moments =

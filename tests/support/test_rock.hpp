@@ -21,7 +21,7 @@ inline RigidBody body_of(const SpheroPolyhedron& shape, double density, double s
 
 inline RigidBody rock(int frequency, const Vec3& half_axes, double radius, double density,
                       std::uint64_t seed) {
-  return body_of(sphero_polyhedron(rock_mesh(frequency, half_axes, seed), radius), density,
+  return body_of(make_sphero_polyhedron(rock_mesh(frequency, half_axes, seed), radius), density,
                  2.0 * half_axes.minCoeff());
 }
 

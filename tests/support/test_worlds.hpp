@@ -49,7 +49,7 @@ inline RigidBody capsule(double mass, double length, double radius) {
 /// one.
 inline RigidBody ellipsoid(double mass, const Vec3& half_axes, double radius, int cuts) {
   RigidBody body;
-  body.shape = sphero_polyhedron(rock_mesh(cuts, half_axes, 1, 0.0), radius);
+  body.shape = make_sphero_polyhedron(rock_mesh(cuts, half_axes, 1, 0.0), radius);
   body.mass = mass;
   const Vec3 squares = half_axes.cwiseProduct(half_axes);
   body.moments =

@@ -164,7 +164,7 @@ inline std::optional<UnseenCase> hidden(const TriangleMesh& body, const std::str
       keep[t] = z > lowest && !(faces_down && z < level(0.5));
     }
     if (std::find(keep.begin(), keep.end(), false) == keep.end()) return std::nullopt;
-    found.open = reconstruct_detail::components_of(with_triangles(mesh, keep)).front().mesh;
+    found.open = reconstruct_detail::components_of(extract_triangles(mesh, keep)).front().mesh;
     reconstruct_detail::split_pinched_vertices(found.open);
   }
   found.missing = 1.0 - surface_area(found.open) / surface_area(mesh);

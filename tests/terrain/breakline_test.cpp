@@ -45,7 +45,7 @@ TEST_F(Breaklines, AreEdgesAtTheirOwnHeights) {
       {.surface = {dem()}, .breaklines = {lines(line_feature(top) + "," + line_feature(foot))}});
   EXPECT_EQ(facing_down(terrain), 0u);
   EXPECT_EQ(terrain.report.components, 1u);
-  const TerrainSurface surface = terrain_surface(terrain);
+  const TerrainSurface surface = make_terrain_surface(terrain);
   for (double y = 0.6; y < 19.4; y += 0.23) {
     for (const double x : {5.0, 9.7, 10.59, 10.6})
       EXPECT_NEAR(*surface.height(x, y, 0.0), 6.0, 1e-4);

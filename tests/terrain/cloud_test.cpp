@@ -57,8 +57,8 @@ TEST_F(CloudGround, APlaneIsTheSameAsRasterTinAndCloud) {
     EXPECT_NEAR(v.z(), plane.at(v.x(), v.y()), 1e-6);
   }
   // The same surface: heights and normals agree wherever all three are.
-  const TerrainSurface surfaces[] = {terrain_surface(tin), terrain_surface(from_cloud),
-                                     terrain_surface(from_raster)};
+  const TerrainSurface surfaces[] = {make_terrain_surface(tin), make_terrain_surface(from_cloud),
+                                     make_terrain_surface(from_raster)};
   for (double x = 0.5; x < 9.0; x += 0.31) {
     for (double y = 0.5; y < 9.0; y += 0.37) {
       for (const TerrainSurface& surface : surfaces) {

@@ -74,7 +74,7 @@ TEST_P(DamagedGround, IsMendedAndLosesNoBlock) {
   EXPECT_EQ(report.boundary_edges, 4u * kSize);
   EXPECT_LE(facing_down(terrain), seed > kHarsh ? 2u : 0u) << "of a slit whose sides overlapped";
   EXPECT_GT(report.closed_cracks, 0u);
-  EXPECT_GT(report.turned_triangles, 0u);
+  EXPECT_GT(report.flipped_triangles, 0u);
   // A vertex that a cut put between two spikes may lie anywhere below the steepness of a spike, and
   // groups that fell together into one too large are kept, and named.
   const double allowed = seed > kHarsh ? 3.0 : 0.5;
@@ -86,13 +86,13 @@ TEST_P(DamagedGround, IsMendedAndLosesNoBlock) {
     EXPECT_NEAR(v.z(), slope(v.x(), v.y()), allowed) << v.transpose();
   }
   if (seed > kHarsh) {
-    EXPECT_GT(report.dropped_pieces, 0u);
+    EXPECT_GT(report.removed_components, 0u);
   } else {
     EXPECT_GT(report.slivers, 0u);
-    EXPECT_EQ(report.dropped_duplicates > 0, seed % 2 == 0);
+    EXPECT_EQ(report.removed_duplicates > 0, seed % 2 == 0);
   }
 
-  const TerrainSurface surface = terrain_surface(terrain);
+  const TerrainSurface surface = make_terrain_surface(terrain);
   const RigidBody body = rock(3, {0.42, 0.36, 0.30}, 0.02, 2700.0, 3);
   const std::vector<GroundParameters> zones = {{0.01, 0.70, 0.30}};
   ReleaseSettings settings;

@@ -48,7 +48,7 @@ TEST_F(MeshGround, SquaresComeBackWeldedWithTheirBorder) {
     EXPECT_EQ(terrain.report.welded_vertices, 6 * side * side - (side + 1) * (side + 1));
     EXPECT_EQ(terrain.report.boundary_edges, 4 * side);
     EXPECT_EQ(terrain.report.components, 1u);
-    EXPECT_EQ(terrain.report.turned_triangles, 0u);
+    EXPECT_EQ(terrain.report.flipped_triangles, 0u);
     EXPECT_EQ(terrain.zone_names, std::vector<std::string>{"ground"});
     EXPECT_EQ(terrain.zone, std::vector<std::uint16_t>(2 * side * side, 0));
     EXPECT_TRUE(terrain.frame.origin.isZero(0.0));
@@ -77,7 +77,7 @@ TEST_F(MeshGround, MixedUpTrianglesAreTurnedUp) {
     }
     const Terrain terrain = read(mesh);
     EXPECT_EQ(facing_down(terrain), 0u);
-    EXPECT_EQ(terrain.report.turned_triangles, down);
+    EXPECT_EQ(terrain.report.flipped_triangles, down);
   }
 }
 
@@ -87,7 +87,7 @@ TEST_F(MeshGround, PiecesAreTurnedUpEachByItself) {
   for (Vec3& v : other.vertices) v.x() += 10.0;
   const Terrain terrain = read(merged(low, other));
   EXPECT_EQ(terrain.report.components, 2u);
-  EXPECT_EQ(terrain.report.turned_triangles, 18u);
+  EXPECT_EQ(terrain.report.flipped_triangles, 18u);
   EXPECT_EQ(facing_down(terrain), 0u);
 }
 
@@ -104,7 +104,7 @@ TEST_F(MeshGround, OverhangsKeepFacingDown) {
   }
   for (TriangleMesh::Triangle& t : mesh.triangles) std::swap(t[1], t[2]);
   const Terrain terrain = read(mesh);
-  EXPECT_EQ(terrain.report.turned_triangles, 6u);
+  EXPECT_EQ(terrain.report.flipped_triangles, 6u);
   EXPECT_EQ(facing_down(terrain), 2u);
   EXPECT_TRUE(contains(terrain.report.notes.back(), "2 of 6 triangles overhang; is z "));
 }
@@ -121,8 +121,8 @@ TEST_F(MeshGround, DegenerateTrianglesAndCopiesAreDroppedAndCounted) {
   const Terrain terrain = read(mesh);
   EXPECT_EQ(terrain.surface.triangles.size(), 8u);
   EXPECT_EQ(terrain.surface.vertices.size(), 9u);
-  EXPECT_EQ(terrain.report.dropped_degenerate, 2u);
-  EXPECT_EQ(terrain.report.dropped_duplicates, 1u);
+  EXPECT_EQ(terrain.report.removed_degenerate, 2u);
+  EXPECT_EQ(terrain.report.removed_duplicates, 1u);
 }
 
 TEST_F(MeshGround, YUpIsTurnedZUp) {

@@ -64,7 +64,7 @@ TEST(RealTerrain, AuthumeHasItsZonesAndFacesUp) {
   std::vector<std::size_t> count(3, 0);
   for (const std::uint16_t zone : terrain.zone) ++count.at(zone);
   EXPECT_EQ(count, (std::vector<std::size_t>{5300, 2953, 748}));
-  EXPECT_EQ(terrain.report.turned_triangles, 9001u);
+  EXPECT_EQ(terrain.report.flipped_triangles, 9001u);
   std::size_t down = 0, up = 0;
   for (const std::filesystem::path& file : options.surface) {
     down += facets_against_y(file, true);

@@ -49,11 +49,11 @@ class Released : public testing::Test {
 };
 
 void expect_solid(const TriangleMesh& mesh) {
-  const MeshReport report = inspect(mesh);
-  EXPECT_TRUE(report.closed()) << report.summary();
-  EXPECT_TRUE(report.oriented());
+  const MeshReport report = inspect_mesh(mesh);
+  EXPECT_TRUE(report.is_closed()) << report.summary();
+  EXPECT_TRUE(report.is_oriented());
   EXPECT_EQ(report.components, 1u);
-  EXPECT_TRUE(crossing_triangles(mesh).empty());
+  EXPECT_TRUE(find_self_intersections(mesh).empty());
   EXPECT_GT(signed_volume(mesh), 0.0);
 }
 
@@ -69,7 +69,7 @@ TEST_F(Released, AParaboloidHasItsVolume) {
     // The outline is within a cell of the circle.
     const double area = std::numbers::pi * kRadius * kRadius * (1.0 - least / kHeight);
     EXPECT_NEAR(mass.bodies[0].plan_area, area, 0.4 * 2.0 * std::numbers::pi * kRadius);
-    EXPECT_NEAR(mass.bodies[0].greatest_thickness, kHeight, 0.01);
+    EXPECT_NEAR(mass.bodies[0].max_thickness, kHeight, 0.01);
     expect_solid(mass.bodies[0].mesh);
     EXPECT_TRUE(mass.left_out.empty());
     EXPECT_TRUE(mass.notes.empty());
@@ -116,7 +116,7 @@ TEST_F(Released, IsTheIntegralOfTheThicknessOnRoughGround) {
     const ReleasedMass mass = find_released_mass(
         before, after, {.min_thickness = least, .bodies = "all", .least_volume = 0.0});
     EXPECT_GT(mass.bodies.size(), 5u);
-    const TerrainSurface upper = terrain_surface(before), lower = terrain_surface(after);
+    const TerrainSurface upper = make_terrain_surface(before), lower = make_terrain_surface(after);
     double sum = 0.0;
     const double step = 0.02;
     for (double x = step / 2; x < 22.0; x += step) {

@@ -72,9 +72,9 @@ class CleanScan : public testing::TestWithParam<Scan> {
 };
 
 TEST_P(CleanScan, IsClosedOutwardAndInOnePiece) {
-  const MeshReport report = inspect(mesh_);
+  const MeshReport report = inspect_mesh(mesh_);
   EXPECT_EQ(report.summary(), "closed");
-  EXPECT_TRUE(report.closed() && report.oriented());
+  EXPECT_TRUE(report.is_closed() && report.is_oriented());
   EXPECT_EQ(report.components, 1u);
   EXPECT_EQ(report.euler_characteristic, 2);
   EXPECT_GE(report.triangles, 1500u);
@@ -130,7 +130,7 @@ TEST(Samples, OnlyTheConcaveBlockIsClearlyConcave) {
 
 TEST(Samples, DirtyScansAreAsDirtyAsTheirNamesSay) {
   const auto report = [](const std::string& name) {
-    return inspect(read_mesh(kSamples / "dirty" / (name + ".ply")));
+    return inspect_mesh(read_mesh(kSamples / "dirty" / (name + ".ply")));
   };
   const MeshReport patch = report("D01_ground_patch");
   EXPECT_GT(patch.components, 1u);

@@ -40,14 +40,14 @@ TEST_F(Simplification, APlaneKeepsItsBorderOnly) {
 TEST_F(Simplification, KeepsWithinTheToleranceAndTurnsNoFaceOver) {
   const TriangleMesh mesh = squares(40, 1.0, hills);
   const Terrain whole = read(mesh);
-  const TerrainSurface before = terrain_surface(whole);
+  const TerrainSurface before = make_terrain_surface(whole);
   std::size_t last = whole.surface.triangles.size();
   for (const double tolerance : {0.01, 0.05, 0.2}) {
     const Terrain thin = read(mesh, tolerance);
     EXPECT_LT(thin.surface.triangles.size(), last);
     last = thin.surface.triangles.size();
     EXPECT_EQ(facing_down(thin), 0u);
-    const TerrainSurface after = terrain_surface(thin);
+    const TerrainSurface after = make_terrain_surface(thin);
     double worst = 0.0;
     for (int j = 0; j <= 80; ++j) {
       for (int i = 0; i <= 80; ++i) {  // vertices, and midpoints of all edges

@@ -104,7 +104,7 @@ TEST_F(Mending, ADroppedTriangleLeavesNoCrack) {
   TriangleMesh mesh{{{0, 0, 0}, {4, 0, 0}, {4, 4, 0}, {0, 4, 0}, {2, 2, 0}},
                     {{0, 1, 2}, {0, 4, 3}, {4, 2, 3}, {0, 2, 4}}};
   const Terrain terrain = read(mesh);
-  EXPECT_EQ(terrain.report.dropped_degenerate, 1u);
+  EXPECT_EQ(terrain.report.removed_degenerate, 1u);
   EXPECT_EQ(terrain.report.closed_cracks, 1u);
   EXPECT_EQ(terrain.report.components, 1u);
   EXPECT_EQ(terrain.report.boundary_edges, 4u);
@@ -189,7 +189,7 @@ TEST_F(Mending, SliversAreKeptAndCounted) {
 TEST_F(Mending, ATileThatIsThereTwiceIsDroppedOrRefused) {
   const TriangleMesh ground = squares(10, 1.0, wavy_slope);
   const Terrain terrain = read(with_a_tile_twice(ground, 5.0, 0.0));
-  EXPECT_EQ(terrain.report.dropped_duplicates, 100u);
+  EXPECT_EQ(terrain.report.removed_duplicates, 100u);
   expect_sound(terrain, 10);
   EXPECT_TRUE(contains(notes(terrain), "100 copies of triangles were dropped, the first at x 5."));
   const std::string higher = refused(with_a_tile_twice(ground, 5.0, 0.3));
@@ -276,7 +276,7 @@ TEST_F(Mending, FinsAreDroppedWhereTheGroundGoesOnWithoutThem) {
     expect_sound(terrain, 12);
     EXPECT_EQ(terrain.surface.triangles.size(), 288u);
     EXPECT_EQ(terrain.surface.vertices.size(), 169u);
-    EXPECT_GT(terrain.report.dropped_pieces, 0u);
+    EXPECT_GT(terrain.report.removed_components, 0u);
     EXPECT_TRUE(contains(notes(terrain), ", which hung on an edge of the ground, were dropped"));
   }
 }
@@ -299,7 +299,7 @@ TEST_F(Mending, ASmallPieceOverTheGroundIsDroppedAndOneBesideItIsKept) {
   for (Vec3& v : shred.vertices) v += Vec3(3.2, 4.1, 0.0);
   const TriangleMesh ground = squares(10, 1.0, wavy_slope);
   const Terrain terrain = read(merged(ground, shred));
-  EXPECT_EQ(terrain.report.dropped_pieces, 1u);
+  EXPECT_EQ(terrain.report.removed_components, 1u);
   expect_sound(terrain, 10);
   EXPECT_EQ(terrain.surface.triangles.size(), 200u);
   EXPECT_TRUE(

@@ -78,7 +78,7 @@ TEST_F(TerrainFit, ABallOverAKnownNodeTouchesAtItsHeight) {
   const Terrain terrain = read_terrain({.surface = {folder_ / "dem.asc"}});
   EXPECT_EQ(terrain.surface.vertices.size(), 144u);
   EXPECT_EQ(terrain.surface.triangles.size(), 2u * 11 * 11);
-  const TerrainSurface surface = terrain_surface(terrain);
+  const TerrainSurface surface = make_terrain_surface(terrain);
   for (int j = 0; j < kCells; ++j) {
     for (int i = 0; i < kCells; ++i) {
       const double x = 2.0 * i + 1.0, y = 2.0 * j + 1.0;

@@ -83,7 +83,7 @@ TEST_F(Zones, ANamePerFileInOrderAndTheSameNameIsTheSameZone) {
   const std::vector<std::filesystem::path> twice = {files[0], files[0]};
   EXPECT_TRUE(contains(refusal(TerrainOptions{.surface = twice, .zones = {"a", "b"}}),
                        "under different zones"));
-  EXPECT_EQ(read_terrain({.surface = twice, .zones = {"a", "a"}}).report.dropped_duplicates, 2u);
+  EXPECT_EQ(read_terrain({.surface = twice, .zones = {"a", "a"}}).report.removed_duplicates, 2u);
 }
 
 TEST_F(Zones, ARasterGivesClassNumbersOrTheNamesWrittenBehindIt) {
@@ -366,8 +366,8 @@ TEST_F(Zones, BordersThatAreCutGiveZonesTheirExactArea) {
   EXPECT_NEAR(areas.at("out"), 100.0 - wanted, 1e-4);
   EXPECT_EQ(facing_down(terrain), 0u);
   // The ground is what it was: watertight, with every new vertex on the triangle that was there.
-  const TerrainSurface before = terrain_surface(read_terrain({.surface = {ground_}}));
-  const TerrainSurface after = terrain_surface(terrain);
+  const TerrainSurface before = make_terrain_surface(read_terrain({.surface = {ground_}}));
+  const TerrainSurface after = make_terrain_surface(terrain);
   for (const Vec3& v : terrain.surface.vertices) {
     EXPECT_NEAR(v.z(), *before.height(v.x(), v.y(), v.z()), 1e-9);
   }

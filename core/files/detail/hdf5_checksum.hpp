@@ -12,26 +12,26 @@
 
 namespace clast::hdf5 {
 
-inline constexpr const char* kChecksum = "checksum";
+inline constexpr const char* kChecksumAttribute = "checksum";
 
 /// Of an attribute, as it lies in the file: the first 64 bits of the SHA-256 of name, zero, bytes.
-std::uint64_t attribute_sum(const std::string& name, const void* bytes, std::size_t size);
+std::uint64_t attribute_checksum(const std::string& name, const void* bytes, std::size_t size);
 
 /// Of the values of a dataset, as they lie in the file: by their CRC-32, which finds every change
 /// of up to 32 bits in a row, and their number.
-std::uint64_t values_sum(const void* bytes, std::size_t size, std::uint64_t count);
+std::uint64_t values_checksum(const void* bytes, std::size_t size, std::uint64_t count);
 
 /// Of one attribute of an object, as stored; none when it can't be read.
-std::optional<std::uint64_t> attribute_sum(hid_t object, const std::string& name);
+std::optional<std::uint64_t> attribute_checksum(hid_t object, const std::string& name);
 
 /// Of all attributes of an object but its checksum; none when one can't be read.
-std::optional<std::uint64_t> attributes_sum(hid_t object);
+std::optional<std::uint64_t> attributes_checksum(hid_t object);
 
 /// The checksum that an object has; none when it has none.
-std::optional<std::uint64_t> stored_sum(hid_t object);
+std::optional<std::uint64_t> stored_checksum(hid_t object);
 
 /// Changes the checksum of an object, 0 when it has none yet.
 /// @return false when it can't be written
-bool fold_into_sum(hid_t object, std::uint64_t change);
+bool update_checksum(hid_t object, std::uint64_t change);
 
 }  // namespace clast::hdf5

@@ -10,7 +10,7 @@ constexpr unsigned kGzipLevel = 4;
 
 }  // namespace
 
-void chunk_and_compress(const Id& properties, const std::vector<hsize_t>& extent,
+void set_chunked_compression(const ScopedId& properties, const std::vector<hsize_t>& extent,
                         std::size_t row_bytes) {
   std::vector<hsize_t> chunk = extent;
   chunk[0] = std::clamp<hsize_t>(kChunk / row_bytes, 1, extent[0]);
@@ -20,8 +20,8 @@ void chunk_and_compress(const Id& properties, const std::vector<hsize_t>& extent
   H5Pset_fletcher32(properties);
 }
 
-bool chunks_are_damaged(const Id& dataset, const std::vector<hsize_t>& extent) {
-  const Id properties(H5Dget_create_plist(dataset), H5Pclose);
+bool has_damaged_chunks(const ScopedId& dataset, const std::vector<hsize_t>& extent) {
+  const ScopedId properties(H5Dget_create_plist(dataset), H5Pclose);
   if (H5Pget_layout(properties) != H5D_CHUNKED) return false;
   std::vector<hsize_t> chunk(extent.size(), 0), place(extent.size(), 0);
   const auto rank = static_cast<int>(extent.size());

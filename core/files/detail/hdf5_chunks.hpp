@@ -11,12 +11,12 @@ namespace clast::hdf5 {
 /// Adds chunks and their filters to the creation properties of a dataset.
 /// @param extent     its numbers of elements by dimension, none 0
 /// @param row_bytes  of the elements below the first dimension
-void chunk_and_compress(const Id& properties, const std::vector<hsize_t>& extent,
+void set_chunked_compression(const ScopedId& properties, const std::vector<hsize_t>& extent,
                         std::size_t row_bytes);
 
 /// True when the file names no chunk where one must be, or one that is stored without a filter:
 /// none is written so, and HDF5 would take its bytes for a whole chunk and read beyond them.
 /// @param extent  of the dataset, none 0
-bool chunks_are_damaged(const Id& dataset, const std::vector<hsize_t>& extent);
+bool has_damaged_chunks(const ScopedId& dataset, const std::vector<hsize_t>& extent);
 
 }  // namespace clast::hdf5

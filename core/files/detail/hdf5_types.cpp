@@ -4,7 +4,7 @@
 
 namespace clast::hdf5 {
 
-void silence() {
+void silence_errors() {
   thread_local const bool done = H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr) >= 0;
   static_cast<void>(done);
 }
@@ -21,15 +21,15 @@ std::string reason() {
   return found.empty() ? "" : " (HDF5: " + found + ")";
 }
 
-Id text_type(std::size_t width) {
-  Id type(H5Tcopy(H5T_C_S1), H5Tclose);
+ScopedId fixed_string_type(std::size_t width) {
+  ScopedId type(H5Tcopy(H5T_C_S1), H5Tclose);
   H5Tset_size(type, std::max<std::size_t>(1, width));
   H5Tset_strpad(type, H5T_STR_NULLPAD);
   H5Tset_cset(type, H5T_CSET_UTF8);
   return type;
 }
 
-std::string padded(std::span<const std::string> texts, std::size_t width) {
+std::string padded_strings(std::span<const std::string> texts, std::size_t width) {
   std::string result;
   result.reserve(texts.size() * width);
   for (const std::string& text : texts) {
@@ -40,7 +40,7 @@ std::string padded(std::span<const std::string> texts, std::size_t width) {
   return result;
 }
 
-std::string unpadded(const std::string& bytes, std::size_t begin, std::size_t width) {
+std::string unpadded_string(const std::string& bytes, std::size_t begin, std::size_t width) {
   const std::string text = bytes.substr(begin, width);
   return text.substr(0, text.find_last_not_of('\0') + 1);
 }

@@ -11,15 +11,15 @@
 namespace clast::hdf5 {
 
 /// Stops HDF5 from printing its own errors, which it decides thread by thread.
-void silence();
+void silence_errors();
 
 /// An HDF5 identifier that is closed with its owner.
-class Id {
+class ScopedId {
  public:
-  using Closer = herr_t (*)(hid_t);
-  Id(hid_t id, Closer close) : id_(id), close_(close) {}
-  Id(Id&& other) noexcept : id_(std::exchange(other.id_, -1)), close_(other.close_) {}
-  ~Id() {
+  using CloseFunction = herr_t (*)(hid_t);
+  ScopedId(hid_t id, CloseFunction close) : id_(id), close_(close) {}
+  ScopedId(ScopedId&& other) noexcept : id_(std::exchange(other.id_, -1)), close_(other.close_) {}
+  ~ScopedId() {
     if (id_ >= 0) close_(id_);
   }
   operator hid_t() const { return id_; }
@@ -27,7 +27,7 @@ class Id {
 
  private:
   hid_t id_;
-  Closer close_;
+  CloseFunction close_;
 };
 
 /// The innermost reason HDF5 gives for the failure of its last call, in brackets, or nothing.
@@ -35,12 +35,12 @@ std::string reason();
 
 /// Text is stored at a fixed width, padded with zeros: HDF5's variable-length text lies in a heap
 /// without checksums, and following a damaged one crashes inside HDF5.
-Id text_type(std::size_t width);
+ScopedId fixed_string_type(std::size_t width);
 
 /// The type of numbers T as it lies in memory or, little-endian, in the file.
 template <class T>
-Id number_type(bool in_file) {
-  const auto copy = [](hid_t type) { return Id(H5Tcopy(type), H5Tclose); };
+ScopedId number_type(bool in_file) {
+  const auto copy = [](hid_t type) { return ScopedId(H5Tcopy(type), H5Tclose); };
   if constexpr (std::is_same_v<T, double>) {
     return copy(in_file ? H5T_IEEE_F64LE : H5T_NATIVE_DOUBLE);
   } else if constexpr (std::is_same_v<T, float>) {
@@ -60,7 +60,7 @@ Id number_type(bool in_file) {
 }
 
 template <class T>
-const char* name_of_type() {
+const char* type_name() {
   if constexpr (std::is_same_v<T, std::string>) return "text";
   if constexpr (std::is_same_v<T, double>) return "64-bit numbers";
   if constexpr (std::is_same_v<T, float>) return "32-bit numbers";
@@ -73,7 +73,7 @@ const char* name_of_type() {
 
 /// True when values of the stored type are values of T without loss.
 template <class T>
-bool fits(hid_t stored) {
+bool is_lossless_conversion(hid_t stored) {
   const H5T_class_t kind = H5Tget_class(stored);
   if constexpr (std::is_same_v<T, std::string>) {
     return kind == H5T_STRING && H5Tis_variable_str(stored) == 0;
@@ -86,42 +86,42 @@ bool fits(hid_t stored) {
 }
 
 /// The texts one after the other, each padded or cut to `width` bytes; never inside a character.
-std::string padded(std::span<const std::string> texts, std::size_t width);
+std::string padded_strings(std::span<const std::string> texts, std::size_t width);
 /// One of them again.
-std::string unpadded(const std::string& bytes, std::size_t begin, std::size_t width);
+std::string unpadded_string(const std::string& bytes, std::size_t begin, std::size_t width);
 /// Bytes of the longest text, at least one.
 std::size_t longest(std::span<const std::string> texts);
 
 /// Values as they are handed to HDF5.
 template <class T>
-struct Stored {
-  explicit Stored(std::span<const T> all)
+struct WriteBuffer {
+  explicit WriteBuffer(std::span<const T> all)
       : element(sizeof(T)),
         in_file(number_type<T>(true)),
-        in_memory(number_type<T>(false)),
+        memory_type(number_type<T>(false)),
         values(all) {}
-  Stored(std::span<const T> all, std::size_t) : Stored(all) {}
+  WriteBuffer(std::span<const T> all, std::size_t) : WriteBuffer(all) {}
   const void* data() const { return values.data(); }
 
   std::size_t element;  ///< bytes of one value in the file
-  Id in_file;
-  Id in_memory;
+  ScopedId in_file;
+  ScopedId memory_type;
   std::span<const T> values;
 };
 
 template <>
-struct Stored<std::string> {
-  Stored(std::span<const std::string> all, std::size_t width)
+struct WriteBuffer<std::string> {
+  WriteBuffer(std::span<const std::string> all, std::size_t width)
       : element(width),
-        in_file(text_type(width)),
-        in_memory(text_type(width)),
-        bytes(padded(all, width)) {}
-  explicit Stored(std::span<const std::string> all) : Stored(all, longest(all)) {}
+        in_file(fixed_string_type(width)),
+        memory_type(fixed_string_type(width)),
+        bytes(padded_strings(all, width)) {}
+  explicit WriteBuffer(std::span<const std::string> all) : WriteBuffer(all, longest(all)) {}
   const void* data() const { return bytes.data(); }
 
   std::size_t element;
-  Id in_file;
-  Id in_memory;
+  ScopedId in_file;
+  ScopedId memory_type;
   std::string bytes;
 };
 

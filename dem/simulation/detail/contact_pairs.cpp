@@ -115,7 +115,7 @@ void ContactPairs::list_active(std::span<const WorldBody> bodies) {
   }
 }
 
-void ContactPairs::update(std::span<const WorldBody> bodies, double duration, ThreadTeam& team) {
+void ContactPairs::update(std::span<const WorldBody> bodies, double duration, ThreadPool& team) {
   team.run(active_.size(), kPairsAtATime, [&](std::size_t i) {
     ContactPair& pair = pairs_[active_[i]];
     if (!pair.loads && way(pair, bodies) < pair.asleep_until) {

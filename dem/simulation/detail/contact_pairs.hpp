@@ -68,7 +68,7 @@ class ContactPairs {
   void list_active(std::span<const WorldBody> bodies);
   /// Runs the narrow phase and the contact law of the active pairs at the places that the bodies
   /// have moved to in a step of `duration`; the loads of all others stay.
-  void update(std::span<const WorldBody> bodies, double duration, ThreadTeam& team);
+  void update(std::span<const WorldBody> bodies, double duration, ThreadPool& team);
   /// The same, without a step, for pairs that are new.
   void begin(std::span<const WorldBody> bodies,
              const std::function<bool(const ContactPair&)>& is_new);

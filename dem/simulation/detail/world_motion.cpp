@@ -81,7 +81,7 @@ void WorldMotion::advance(double longest) {
   for (const std::uint32_t i : moving_) {
     if (!bodies_[i].moving.finite()) {
       throw SimulationError("the motion of " + name_of_body(i) + " is not finite any more at " +
-                            with_digits(time_, 6) + " s; a shorter time step may help");
+                            format_significant(time_, 6) + " s; a shorter time step may help");
     }
   }
   if (observer_) show_moves(begin);
@@ -177,7 +177,7 @@ void WorldMotion::refuse_deep_starts(const IsNew& is_new) const {
     const std::string other =
         pair.reference == ContactPair::kTerrain ? "the ground" : name_of_body(pair.reference);
     throw SimulationError(name_of_body(pair.block) + " starts inside " + other + ", " +
-                          with_digits(overlap, 6) + " m deep; place it farther away");
+                          format_significant(overlap, 6) + " m deep; place it farther away");
   }
 }
 

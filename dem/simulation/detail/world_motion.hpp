@@ -130,7 +130,7 @@ class WorldMotion {
   std::vector<GroundParameters> zones_;
   SoilMemory soil_{zones_};
   std::vector<Shape> shapes_;
-  ThreadTeam team_;
+  ThreadPool team_;
 
   std::vector<WorldBody> bodies_;
   ContactPairs pairs_{terrain_, rules(std::span(&settings_.between_bodies, 1), {}, nullptr),

@@ -98,7 +98,7 @@ SeenSurface seen_surface(const TriangleMesh& closed, std::span<const double> spa
     wide.push_back(ball_over(closed, t) > rim * spacing_at(spacings, t));
     if (wide.back()) numbers.push_back(wide.size() - 1);
   }
-  const std::vector<std::uint32_t> patch_of = triangle_components(with_triangles(closed, wide));
+  const std::vector<std::uint32_t> patch_of = triangle_components(extract_triangles(closed, wide));
   std::vector<SparsePatch> patches;
   for (std::size_t i = 0; i < numbers.size(); ++i) {
     if (patch_of[i] >= patches.size()) patches.resize(patch_of[i] + 1);

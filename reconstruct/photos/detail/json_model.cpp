@@ -11,7 +11,7 @@ nlohmann::json json_of(const std::filesystem::path& file) {
 
 double json_number(const nlohmann::json& value) {
   if (!value.is_string()) return value.get<double>();
-  const std::optional<double> number = number_in(value.get<std::string>());
+  const std::optional<double> number = parse_number(value.get<std::string>());
   if (!number) throw InputError("\"" + value.get<std::string>() + "\" is no number");
   return *number;
 }

@@ -14,7 +14,7 @@ std::vector<double> numbers_in(const pugi::xml_node& node, std::size_t count) {
   std::istringstream words(node.text().as_string());
   std::vector<double> values;
   for (std::string word; words >> word;) {
-    const std::optional<double> value = number_in(word);
+    const std::optional<double> value = parse_number(word);
     if (!value)
       throw InputError("<" + std::string(node.name()) + ">: \"" + word + "\" is no number");
     values.push_back(*value);

@@ -29,7 +29,7 @@ void add(Change& dropped, const Component& component) {
 [[noreturn]] void refuse_components(std::size_t others, bool open, double share) {
   throw GeometryError(
       std::to_string(others + 1) + " separate components, the second with " +
-      with_digits(100.0 * share, 4) + " % of the area of the first; " +
+      format_significant(100.0 * share, 4) + " % of the area of the first; " +
       (open ? "if they are parts of one block, align and merge them first (CloudCompare: Fine "
               "registration, then Merge); otherwise "
             : "") +
@@ -51,7 +51,7 @@ void take_shells(TriangleMesh& block, const std::vector<const TriangleMesh*>& sh
     if (!keep) continue;
     TriangleMesh cavity = *shell;
     split_pinched_vertices(cavity);
-    if ((volume > 0.0) == block_outward) turn_over(cavity);
+    if ((volume > 0.0) == block_outward) flip_orientation(cavity);
     block = merged(std::move(block), cavity);
   }
   log.note(DefectKind::kInnerShell, shells.size(), area, shells[0]->vertices[0]);
@@ -70,7 +70,7 @@ void sort_out_components(TriangleMesh& block, std::span<const Component> compone
   bool open = false;
   for (const Component& component : components.subspan(1)) {
     const TriangleMesh& mesh = component.mesh;
-    const bool closed = inspect(mesh).closed();
+    const bool closed = inspect_mesh(mesh).closed();
     const bool small = component.area < kIslandArea * components[0].area;
     if (!small) {
       if (const auto copy = copy_of_surface(mesh, tree, diagonal)) {

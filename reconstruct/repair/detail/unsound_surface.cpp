@@ -24,12 +24,12 @@ constexpr double kSmallestExtent = 1e-9;  // m
 /// "88 open edges in 9 holes: 30 edges and 0.41 m round near (...), ..."
 std::string open_edges(TriangleMesh mesh, const RepairLog& log) {
   orient_consistently(mesh);  // or the borders would not chain into holes
-  const std::size_t open = inspect(mesh).boundary_edges;
+  const std::size_t open = inspect_mesh(mesh).boundary_edges;
   if (open == 0) return "";
-  std::string text = counted(open, "open edge", "open edges");
+  std::string text = format_count(open, "open edge", "open edges");
   std::vector<std::vector<std::uint32_t>> loops = boundary_loops(mesh);
   if (loops.empty()) return text;
-  text += " in " + counted(loops.size(), "hole", "holes");
+  text += " in " + format_count(loops.size(), "hole", "holes");
   std::stable_sort(loops.begin(), loops.end(),
                    [](const auto& a, const auto& b) { return a.size() > b.size(); });
   const std::size_t named = std::min(kHolesNamed, loops.size());
@@ -39,8 +39,8 @@ std::string open_edges(TriangleMesh mesh, const RepairLog& log) {
       around +=
           (mesh.vertices[loops[i][(k + 1) % loops[i].size()]] - mesh.vertices[loops[i][k]]).norm();
     }
-    text += (i == 0 ? ": " : ", ") + counted(loops[i].size(), "edge", "edges") + " and " +
-            with_digits(around, 3) + " m round near " + log.at(mesh.vertices[loops[i].front()]);
+    text += (i == 0 ? ": " : ", ") + format_count(loops[i].size(), "edge", "edges") + " and " +
+            format_significant(around, 3) + " m round near " + log.at(mesh.vertices[loops[i].front()]);
   }
   return text + (named < loops.size() ? ", and smaller ones" : "");
 }
@@ -55,7 +55,7 @@ void check_coordinates(const TriangleMesh& mesh) {
     }
     const double farthest = mesh.vertices[v].cwiseAbs().maxCoeff();
     if (farthest > kLargestCoordinate) {
-      throw GeometryError("vertex " + std::to_string(v + 1) + " lies " + with_digits(farthest, 3) +
+      throw GeometryError("vertex " + std::to_string(v + 1) + " lies " + format_significant(farthest, 3) +
                           " m from the origin: the file is damaged, or its unit is wrong; check "
                           "the unit it was read in");
     }
@@ -66,7 +66,7 @@ void check_coordinates(const TriangleMesh& mesh) {
 void check_extent(const TriangleMesh& mesh) {
   const double diagonal = bounds(mesh).diagonal();
   if (mesh.vertices.empty() || diagonal >= kSmallestExtent) return;
-  throw GeometryError("the mesh is " + with_digits(diagonal, 3) +
+  throw GeometryError("the mesh is " + format_significant(diagonal, 3) +
                       " m across: the file is damaged, or its unit is wrong; check the unit it "
                       "was read in");
 }
@@ -86,20 +86,20 @@ void check_hole(const FilledHole& hole, double largest, const TriangleMesh& weld
                 const RepairLog& log) {
   if (hole.area_share <= largest || hole.fan) return;
   throw GeometryError("the surface is an open sheet and no block: " + open_edges(welded, log) +
-                      "; closing it would invent " + with_digits(100.0 * hole.area_share, 3) +
+                      "; closing it would invent " + format_significant(100.0 * hole.area_share, 3) +
                       " % of its surface. A piece of ground is read by clast terrain; of a block, "
                       "scan more sides");
 }
 
 void check_closed(const TriangleMesh& mesh, const TriangleMesh& welded, const RepairLog& log) {
-  if (inspect(mesh).closed()) return;
+  if (inspect_mesh(mesh).closed()) return;
   std::string text = open_edges(welded, log);
   const TriangleNeighbours links = triangle_neighbours(welded);
   if (links.non_manifold_edges > 0) {
     text += text.empty() ? "" : "; ";
-    text += counted(links.non_manifold_edges, "edge", "edges") +
+    text += format_count(links.non_manifold_edges, "edge", "edges") +
             " shared by more than two triangles, near " +
-            log.at(welded.vertices[links.first_non_manifold[0]]);
+            log.at(welded.vertices[links.first_non_manifold_edge[0]]);
   }
   throw GeometryError("the surface is not closed: " + text + kRepairAdvice);
 }

@@ -7,7 +7,7 @@
 namespace clast::reconstruct_detail {
 
 TriangleMesh wrapped(const TriangleMesh& closed, const WrapShares& shares) {
-  const MeshReport report = inspect(closed);
+  const MeshReport report = inspect_mesh(closed);
   if (!report.closed()) {
     throw GeometryError("only a closed surface can be wrapped, this one has " + report.summary() +
                         "; repair it first");

@@ -28,8 +28,8 @@ HolePatch triangulate(const TriangleMesh& mesh, const std::vector<std::uint32_t>
              second = mesh_detail::CgalMesh::Vertex_index(loop[1]);
   const mesh_detail::CgalMesh::Halfedge_index border = work.halfedge(first, second);
   if (!border.is_valid() || !work.is_border(border)) {
-    throw GeometryError("no border runs from " + place(mesh.vertices[loop[0]]) + " to " +
-                        place(mesh.vertices[loop[1]]));
+    throw GeometryError("no border runs from " + format_point(mesh.vertices[loop[0]]) + " to " +
+                        format_point(mesh.vertices[loop[1]]));
   }
   std::vector<mesh_detail::CgalMesh::Face_index> faces;
   std::vector<mesh_detail::CgalMesh::Vertex_index> vertices;

@@ -214,7 +214,7 @@ std::vector<double> outward_turns(const Parted& parts, const std::vector<Closure
   const std::vector<HalfEdge> sides = sorted_half_edges(parts.closed);
   for (std::size_t i = 0; i + 1 < sides.size(); ++i) {
     const HalfEdge &one = sides[i], &other = sides[i + 1];
-    if (!one.same_edge(other)) continue;
+    if (!one.is_same_edge(other)) continue;
     const bool first_seen = one.triangle < parts.first;
     if (first_seen == (other.triangle < parts.first)) continue;
     const std::uint32_t which =
@@ -374,7 +374,7 @@ UnseenBounds unseen_bounds(const TriangleMesh& closed, const UnseenParts& parts)
 std::vector<std::string> hollow_notes(const std::vector<PossibleHollow>& hollows, double unit) {
   std::vector<std::string> notes;
   for (const PossibleHollow& hollow : hollows) {
-    const std::string width = with_digits(hollow.width * unit, 2) + " m wide";
+    const std::string width = format_significant(hollow.width * unit, 2) + " m wide";
     notes.push_back(
         hollow.beyond
             ? "a tunnel may join the unseen places near " + place(hollow.place) + " and " +

@@ -71,7 +71,7 @@ void add_single_stops(const Comparison& comparison, Json& data) {
 }
 
 /// Stops per square, coloured by factors, since densities span decades.
-void add_stop_density(const Comparison& comparison, const Window& window, Json& data) {
+void add_stop_density(const Comparison& comparison, const PlanWindow& window, Json& data) {
   constexpr double kSquares = 130.0;  // along the longer side
   const double cell = window.size().maxCoeff() / kSquares;
   std::map<std::pair<int, int>, std::size_t> counts;
@@ -143,7 +143,7 @@ void add_measured(const Comparison& comparison, Json& data) {
 
 }  // namespace
 
-void add_stops(const Comparison& comparison, const Window& window, Json& data) {
+void add_stops(const Comparison& comparison, const PlanWindow& window, Json& data) {
   if (comparison.rows.size() > kMostSingleStops) {
     add_stop_density(comparison, window, data);
   } else {
@@ -203,7 +203,7 @@ void add_zones(const SiteMap& site, Json& data) {
     trace["x"].push_back(Json());
     trace["y"].push_back(Json());
     trace["marker"] = {
-        {"symbol", "square"}, {"size", 12}, {"color", format_colour(zone_tint(zones[zone], zone))}};
+        {"symbol", "square"}, {"size", 12}, {"color", format_colour(zone_colour(zones[zone], zone))}};
     data.push_back(std::move(trace));
   }
 }

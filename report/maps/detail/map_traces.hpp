@@ -10,7 +10,7 @@ namespace clast::report_detail {
 inline constexpr const char* kStopsTrace = "stops";
 
 /// Where runs stop, one by one or as a density, and stops observed in the field.
-void add_stops(const Comparison& comparison, const Window& window, nlohmann::ordered_json& traces);
+void add_stops(const Comparison& comparison, const PlanWindow& window, nlohmann::ordered_json& traces);
 /// Lines, and in `notes` their names with an arrow the way that counts from the middle of each.
 void add_barriers(const SiteMap& site, nlohmann::ordered_json& traces,
                   nlohmann::ordered_json& notes);

@@ -12,7 +12,7 @@ using Json = nlohmann::ordered_json;
 Json ring_json(const CameraRing& ring, const std::string& unit) {
   Json seats = Json::array(), gaps = Json::array();
   for (const CameraSeat& seat : ring.seats) {
-    seats.push_back({{"photo", as_utf8(seat.name)},
+    seats.push_back({{"photo", to_utf8(seat.name)},
                      {"azimuth_deg", seat.azimuth * kDegreesPerRadian},
                      {"elevation_deg", seat.elevation * kDegreesPerRadian},
                      {"distance" + unit, seat.distance},
@@ -23,7 +23,7 @@ Json ring_json(const CameraRing& ring, const std::string& unit) {
     gaps.push_back(
         {{"from_deg", gap.from * kDegreesPerRadian},
          {"width_deg", gap.width * kDegreesPerRadian},
-         {"between", {as_utf8(ring.seats[gap.first].name), as_utf8(ring.seats[gap.second].name)}}});
+         {"between", {to_utf8(ring.seats[gap.first].name), to_utf8(ring.seats[gap.second].name)}}});
   }
   return {{"cameras", seats},
           {"gaps", gaps},
@@ -68,9 +68,9 @@ Json photo_json(const PhotoScan& scan, const PhotoEvidence& evidence) {
                {"without_camera", Json::array()},  {"blurred", Json::array()},
                {"pairs", scan.cloud.pairs.size()}, {"points", scan.cloud.points.size()}};
   for (const std::string& name : scan.without_camera)
-    json["without_camera"].push_back(as_utf8(name));
+    json["without_camera"].push_back(to_utf8(name));
   for (const std::size_t photo : scan.cloud.blurred) {
-    json["blurred"].push_back(as_utf8(scan.model.photos[photo].name));
+    json["blurred"].push_back(to_utf8(scan.model.photos[photo].name));
   }
   json["ring"] = ring_json(evidence.ring, unit);
   json["coverage"] = Json::array();

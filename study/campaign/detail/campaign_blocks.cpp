@@ -3,8 +3,8 @@
 #include <cmath>
 
 #include "classify/schemes.hpp"
+#include "core/comma_separated.hpp"
 #include "core/error.hpp"
-#include "core/listed.hpp"
 #include "core/number_text.hpp"
 #include "study/campaign/campaign_keys.hpp"
 #include "study/campaign/campaign_ranges.hpp"
@@ -73,7 +73,7 @@ void read_shares(const DeclaredTable& table, BlockSampling& draw) {
     sum += *share;
   }
   if (!(std::abs(sum - 1.0) <= kShareSum)) {
-    table.refuse("shares", node, "the shares must add up to 1, not " + with_digits(sum, 6));
+    table.refuse("shares", node, "the shares must add up to 1, not " + format_significant(sum, 6));
   }
   for (auto& [name, share] : draw.shares) share /= sum;
 }
@@ -95,14 +95,14 @@ const MemberTable<BlockSampling>& draw_keys() {
 }
 
 BlockSampling read_draw(const DeclaredTable& blocks) {
-  blocks.refuse_if_there("scale", "drawn blocks are scaled by mass_kg of draw; leave scale out");
+  blocks.refuse_if_present("scale", "drawn blocks are scaled by mass_kg of draw; leave scale out");
   const DeclaredTable table = blocks.inner("draw");
   BlockSampling draw;
   draw_keys().read(table, draw);
   if (!draw.volume) {
     table.required("count", "a whole number of blocks; or give volume_m3 instead");
   } else {
-    table.refuse_if_there("count", "contradicts volume_m3; keep one of the two");
+    table.refuse_if_present("count", "contradicts volume_m3; keep one of the two");
   }
   return draw;
 }
@@ -133,9 +133,9 @@ bool any_field(const Test& test) {
 }
 
 /// The tables of a table [ground], by zone.
-std::map<std::string, GroundDistributions> read_zones(const TomlNode& node, const std::string& file,
-                                              const std::string& title,
-                                              const MemberTable<GroundDistributions>& keys) {
+std::map<std::string, GroundDistributions> read_zones(
+    const TomlNode& node, const std::string& file, const std::string& title,
+    const MemberTable<GroundDistributions>& keys) {
   std::vector<std::string> names;
   for (const auto& [name, value] : node.table) names.push_back(name);
   const TomlTable all(node, file, "[" + title + "]", names);
@@ -216,8 +216,9 @@ std::vector<BlockGroup> read_block_groups(const TomlTable& top, const Campaign& 
     const TomlNode& ground = *table.find("ground");
     group.ground = read_zones(ground, top.file(), "block_group.ground", group_ground_keys());
     if (std::all_of(group.ground.begin(), group.ground.end(), [](const auto& zone) {
-          return !any_field(
-              [&](const GroundParameterField& field) { return (zone.second.*field.asked).has_value(); });
+          return !any_field([&](const GroundParameterField& field) {
+            return (zone.second.*field.asked).has_value();
+          });
         })) {
       table.refuse(
           "ground names no parameter that differs; write for example ground.scree = { friction = "

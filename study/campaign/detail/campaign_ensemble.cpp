@@ -2,8 +2,8 @@
 #include <algorithm>
 #include <set>
 
+#include "core/comma_separated.hpp"
 #include "core/error.hpp"
-#include "core/listed.hpp"
 #include "core/number_text.hpp"
 #include "core/statistics/sobol_sequence.hpp"
 #include "study/campaign/campaign_reading.hpp"
@@ -52,9 +52,9 @@ std::set<std::string> taken_tables(const DeclaredTable& table, const PosteriorDr
       "members of an ensemble have the same blocks; write the values that were found into [blocks] "
       "draw, and leave ";
   if (there.empty()) {
-    table.refuse(
-        "posterior", *table.find("posterior"),
-        "has " + listed(posterior.parameters) + " alone, and " + same_blocks + "posterior out");
+    table.refuse("posterior", *table.find("posterior"),
+                 "has " + comma_separated(posterior.parameters) + " alone, and " + same_blocks +
+                     "posterior out");
   }
   const std::optional<std::vector<std::string>> take = table.texts("take");
   if (!take) {
@@ -62,7 +62,7 @@ std::set<std::string> taken_tables(const DeclaredTable& table, const PosteriorDr
       if (is_ground_parameter(parameter)) continue;
       table.refuse("posterior", "was calibrated with " + parameter +
                                     " too; say which tables members have from it: take = [" +
-                                    listed(quoted_names(there)) +
+                                    comma_separated(quoted_names(there)) +
                                     "], or fewer, and the others are as the campaign has them");
     }
     return there;
@@ -74,12 +74,12 @@ std::set<std::string> taken_tables(const DeclaredTable& table, const PosteriorDr
       table.refuse("take", node, same_blocks + "\"blocks\" out");
     }
     if (std::find(known.begin(), known.end(), name) == known.end()) {
-      table.refuse("take", node, "\"" + name + "\" is none of " + listed(known));
+      table.refuse("take", node, "\"" + name + "\" is none of " + comma_separated(known));
     }
     if (!there.contains(name)) {
       table.refuse("take", node,
                    "the posterior has no parameter of \"" + name + "\", but " +
-                       listed(posterior.parameters));
+                       comma_separated(posterior.parameters));
     }
   }
   return {take->begin(), take->end()};
@@ -106,7 +106,7 @@ void check_values(const TomlTable& table, const PosteriorDraws& posterior) {
       const NumberRange allowed = parameter_range(parameter);
       for (const std::vector<double>& draw : posterior.draws) {
         if (allowed.holds(draw[i])) continue;
-        throw InputError("has a draw of " + with_digits(draw[i], 6) + ", which must be " +
+        throw InputError("has a draw of " + format_significant(draw[i], 6) + ", which must be " +
                          allowed.words());
       }
     };
@@ -125,7 +125,7 @@ PosteriorDraws read_posterior(const DeclaredTable& table, const Campaign& campai
   };
   if (std::none_of(taken.parameters.begin(), taken.parameters.end(), is_in_campaign)) {
     table.refuse("posterior", node,
-                 "has no parameter of this ground, but " + listed(all.parameters));
+                 "has no parameter of this ground, but " + comma_separated(all.parameters));
   }
   if (ensemble.members > taken.draws.size()) {
     table.refuse(
@@ -178,8 +178,8 @@ Ensemble read_ensemble(const TomlTable& top, const Campaign& campaign) {
   }
   if (ensemble.design == Ensemble::Design::kSobol) {
     const std::size_t numbers = uncertain_numbers(campaign);
-    if (numbers > kMostSobolDimensions) {
-      table.refuse("design", "fills at most " + std::to_string(kMostSobolDimensions) +
+    if (numbers > kMaxSobolDimensions) {
+      table.refuse("design", "fills at most " + std::to_string(kMaxSobolDimensions) +
                                  " uncertain parameters evenly, and there are " +
                                  std::to_string(numbers) + "; fix some, or leave design out");
     }

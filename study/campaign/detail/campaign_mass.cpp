@@ -19,7 +19,7 @@ constexpr double kMassShareSlack = 1e-6;
 void refuse_repeated(const std::vector<DeclaredTable>& tables) {
   for (std::size_t i = 1; i < tables.size(); ++i) {
     for (const char* key : {"realisations", "seed"}) {
-      tables[i].refuse_if_there(
+      tables[i].refuse_if_present(
           key, "holds for all masses together; give it in the first [[mass]] alone");
     }
   }
@@ -38,7 +38,7 @@ void check_polygon(const DeclaredTable& table, const MultiBlockRelease& mass) {
                  "must not cross, touch or retrace itself, and its sides " +
                      std::to_string(found->first + 1) + " and " +
                      std::to_string(found->second + 1) + " meet at [" +
-                     with_digits(found->place.x(), 9) + ", " + with_digits(found->place.y(), 9) +
+                     format_significant(found->place.x(), 9) + ", " + format_significant(found->place.y(), 9) +
                      "]; give the corners in their order around it");
   }
 }
@@ -47,7 +47,7 @@ void check_polygon(const DeclaredTable& table, const MultiBlockRelease& mass) {
 void check_places(const DeclaredTable& table, const Campaign& campaign, const MultiBlockRelease& mass) {
   for (const char* key :
        {"thickness_m", "share", "count", "settle", "settle_time_s", "faces", "face_interval_s"}) {
-    table.refuse_if_there(key, "is for a heap; blocks that are in place have theirs already");
+    table.refuse_if_present(key, "is for a heap; blocks that are in place have theirs already");
   }
   if (campaign.blocks.draw || campaign.blocks.scale.kind != BlockScale::Kind::kNone) {
     table.refuse("in_place",
@@ -57,7 +57,7 @@ void check_places(const DeclaredTable& table, const Campaign& campaign, const Mu
     table.refuse("in_place", "blocks in place run as they are; leave [blocks] vary out");
   }
   if (campaign.releases.size() == 1) {
-    table.refuse_if_there(
+    table.refuse_if_present(
         "polygon",
         "is for a heap, or for one of several masses in place; a single one has all "
         "blocks");
@@ -71,20 +71,20 @@ void check_places(const DeclaredTable& table, const Campaign& campaign, const Mu
 void check_settling(const DeclaredTable& table, const MultiBlockRelease& mass) {
   if (!mass.settle) {
     for (const char* key : {"settle_time_s", "faces", "face_interval_s"}) {
-      table.refuse_if_there(key, "is for a heap that settles; add settle = true");
+      table.refuse_if_present(key, "is for a heap that settles; add settle = true");
     }
     return;
   }
   if (table.value<std::string>("faces") == "one by one") {
     table.required("face_interval_s", "the time from one face to the next");
   } else {
-    table.refuse_if_there("face_interval_s", "is for faces = \"one by one\"");
+    table.refuse_if_present("face_interval_s", "is for faces = \"one by one\"");
   }
   if (const std::optional<std::size_t> corner = find_reflex_vertex(mass.polygon)) {
     const Vec2& place = mass.polygon[*corner];
     table.refuse("polygon",
                  "is not convex at its corner " + std::to_string(*corner + 1) + ", [" +
-                     with_digits(place.x(), 9) + ", " + with_digits(place.y(), 9) +
+                     format_significant(place.x(), 9) + ", " + format_significant(place.y(), 9) +
                      "]; blocks settle behind the faces of a convex one, so divide it into several "
                      "[[mass]]");
   }
@@ -92,7 +92,7 @@ void check_settling(const DeclaredTable& table, const MultiBlockRelease& mass) {
 
 /// Checks a heap.
 void check_heap(const DeclaredTable& table, const MultiBlockRelease& mass) {
-  table.refuse_if_there("height_m", "is for blocks in place; a heap lies on the ground");
+  table.refuse_if_present("height_m", "is for blocks in place; a heap lies on the ground");
   table.required("polygon", "[[x, y], ...]; or give in_place = true");
   check_polygon(table, mass);
   check_settling(table, mass);
@@ -115,7 +115,7 @@ void check_mass_shares(const std::vector<DeclaredTable>& tables,
     last = &tables[i];
   }
   if (!any || (all ? std::abs(sum - 1.0) <= kMassShareSlack : sum < 1.0)) return;
-  last->refuse("share", "makes the shares of all masses add up to " + with_digits(sum, 6) +
+  last->refuse("share", "makes the shares of all masses add up to " + format_significant(sum, 6) +
                             (all ? "; they must add up to 1, or leave share out of one mass"
                                  : "; they must leave something to the mass without a share"));
 }

@@ -43,7 +43,7 @@ std::vector<Vec3> read_release_points(const DeclaredTable& table, bool y_up, Rel
     const fs::path file = *table.value<fs::path>("points");
     std::vector<Vec3> points = read_points(file);
     if (y_up) {
-      for (Vec3& point : points) point = turned_z_up(point);
+      for (Vec3& point : points) point = y_up_to_z_up(point);
     }
     plan.files.push_back(file);
     return points;
@@ -60,7 +60,7 @@ std::vector<Vec3> read_release_points(const DeclaredTable& table, bool y_up, Rel
   rule.required("count");
   const std::size_t count = *rule.value<std::size_t>("count");
   if (line) {
-    rule.refuse_if_there("seed", "points on a line are evenly spaced and need no seed");
+    rule.refuse_if_present("seed", "points on a line are evenly spaced and need no seed");
     const std::vector<Vec3> corners = points_of(rule, "line", *line, 2);
     if (std::all_of(corners.begin(), corners.end(),
                     [&](const Vec3& corner) { return corner == corners.front(); })) {
@@ -109,14 +109,14 @@ void read_orientation_set(const DeclaredTable& table, bool y_up, ReleaseSet& pla
   const fs::path file = input_file(table, "orientations", node);
   plan.orientations = read_orientations(file);
   if (y_up) {
-    for (Quat& orientation : plan.orientations) orientation = turned_z_up(orientation);
+    for (Quat& orientation : plan.orientations) orientation = y_up_to_z_up(orientation);
   }
   plan.files.push_back(file);
 }
 
 void check_rate(const DeclaredTable& table, const std::string& key, const Vec3& rate, double most) {
   if (rate.norm() > most) {
-    table.refuse(key, "must be " + with_digits(most, 6) + " in size at most; check the units");
+    table.refuse(key, "must be " + format_significant(most, 6) + " in size at most; check the units");
   }
 }
 

@@ -1,8 +1,8 @@
 // Blocks that stay: `sequence = "stay"` of [release], and [contact.blocks] of a campaign file.
 #include <algorithm>
 
+#include "core/comma_separated.hpp"
 #include "core/error.hpp"
-#include "core/listed.hpp"
 #include "study/campaign/campaign_ranges.hpp"
 #include "study/campaign/campaign_reading.hpp"
 #include "study/campaign/ground_fields.hpp"
@@ -28,7 +28,8 @@ std::vector<std::string> read_cleared_zones(const DeclaredTable& table, const Ca
     if (campaign.ground.contains(name)) continue;
     std::vector<std::string> known;
     for (const auto& [of_table, parameters] : campaign.ground) known.push_back(of_table);
-    rule.refuse("zone", zone, "\"" + name + "\" is no ground zone; zones are " + listed(known));
+    rule.refuse("zone", zone,
+                "\"" + name + "\" is no ground zone; zones are " + comma_separated(known));
   }
   return names;
 }
@@ -74,14 +75,16 @@ GroundParameters read_between_blocks(const TomlTable& top, const std::string& wh
   return between_blocks;
 }
 
-std::optional<PersistentBlocksPlan> read_persistent_blocks_plan(const TomlTable& top, const Campaign& campaign) {
-  if (std::optional<PersistentBlocksPlan> masses = read_multi_block_releases(top, campaign)) return masses;
+std::optional<PersistentBlocksPlan> read_persistent_blocks_plan(const TomlTable& top,
+                                                                const Campaign& campaign) {
+  if (std::optional<PersistentBlocksPlan> masses = read_multi_block_releases(top, campaign))
+    return masses;
   const std::vector<DeclaredTable> tables = find_tables(top, release_keys());
   const DeclaredTable& table = tables.front();
   const bool stay = table.value<std::string>("sequence") == "stay";
   if (!stay) {
     for (const char* key : {"realisations", "order", "remove"}) {
-      table.refuse_if_there(key, "is for blocks that stay; add sequence = \"stay\"");
+      table.refuse_if_present(key, "is for blocks that stay; add sequence = \"stay\"");
     }
     if (contact_of_blocks(top)) {
       throw InputError(top.file() +

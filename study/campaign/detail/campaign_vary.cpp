@@ -30,9 +30,9 @@ const MemberTable<FormGrid>& grid_keys() {
       {{"diagram", "", "of form", required("\"sneed-folk\" or \"zingg\"", words(form_grid_names())),
         &FormGrid::diagram},
        {"steps", "", "along each side",
-        required("how many along each side, a whole number", count(1, kMostGridSteps)),
+        required("how many along each side, a whole number", count(1, kMaxGridSteps)),
         &FormGrid::steps},
-       {"least", "", "smallest S/L, in zingg I/L and S/I", number(kLeastRatio), &FormGrid::least}});
+       {"least", "", "smallest S/L, in zingg I/L and S/I", number(kMinRatio), &FormGrid::least}});
   return keys;
 }
 
@@ -46,7 +46,7 @@ const MemberTable<SeriesRequest>& population_keys() {
   static const MemberTable<SeriesRequest> keys(
       {"blocks.vary.population", "Bodies with drawn sizes and forms"},
       {{"count", "", "how many",
-        required("how many bodies, a whole number", count(1, kMostSeriesBodies)),
+        required("how many bodies, a whole number", count(1, kMaxSeriesBodies)),
         &SeriesRequest::draw},
        {"seed", "", "of the draw", seed(), &SeriesRequest::seed},
        {"table", "", "of measured blocks, with columns L, I and S", text(), &SeriesRequest::table},
@@ -62,7 +62,7 @@ void read_population(const DeclaredTable& vary, SeriesRequest& request) {
     if (request.table.empty()) {
       table.refuse("units", "are those of table, which is missing; leave units out");
     }
-    table.checked("units", [&] { length_unit(request.units); });
+    table.checked("units", [&] { parse_length_unit(request.units); });
   }
   if (table.find("prefix")) {
     table.checked("prefix", [&] { check_block_id(request.prefix + "0001"); });
@@ -77,7 +77,7 @@ void refuse_alone(const TomlTable& table, const std::string& key, bool needed,
   }
 }
 
-void check_steps(const DeclaredTable& table, const SeriesSteps& steps) {
+void check_steps(const DeclaredTable& table, const SeriesTargets& steps) {
   refuse_alone(table, "roundness_edge", !steps.roundness.empty(), "roundness");
   refuse_alone(table, "degree", !steps.detail.empty(), "detail");
   refuse_alone(table, "exponent",
@@ -89,10 +89,10 @@ void check_steps(const DeclaredTable& table, const SeriesSteps& steps) {
 }  // namespace
 
 const MemberTable<SeriesRequest>& vary_keys() {
-  using Steps = SeriesSteps;
+  using Steps = SeriesTargets;
   constexpr auto kSteps = &SeriesRequest::steps;
   const auto numbers = [](const NumberRange& range) {
-    return one_or_more(number(range), kMostSeriesBodies);
+    return one_or_more(number(range), kMaxSeriesBodies);
   };
   static const MemberTable<SeriesRequest> keys(
       {"blocks.vary", "Bodies made of the blocks, that run in their place"},
@@ -104,7 +104,7 @@ const MemberTable<SeriesRequest>& vary_keys() {
         &SeriesRequest::like},
        {"convexity", "", "fill hollows until the volume is this share of the hull's",
         numbers(kVariedConvexity), kSteps, &Steps::convexity},
-       {"rounding", "", "radius of edges and corners as a share of S", numbers(kVariedRadiusShare),
+       {"rounding", "", "radius of edges and corners as a share of S", numbers(kVariedRadiusFraction),
         kSteps, &Steps::rounding},
        {"roundness", "", "round edges and corners until Wadell's roundness is this",
         numbers(kVariedRoundness), kSteps, &Steps::roundness},
@@ -112,14 +112,14 @@ const MemberTable<SeriesRequest>& vary_keys() {
         "edges that it is measured on, over the diameter of the ball of equal volume",
         number(kRoundnessEdge), kSteps, &Steps::roundness_edge},
        {"vertices", "", "simplify the core to so many",
-        one_or_more(count(kFewestVaried, kMostVaried), kMostSeriesBodies), kSteps,
+        one_or_more(count(kMinVariedVertices, kMaxVariedVertices), kMaxSeriesBodies), kSteps,
         &Steps::vertices},
        {"detail", "", "factor on what lies off the coarse form: 0 smooths, 2 roughens",
         numbers(kDetailGain), kSteps, &Steps::detail},
        {"degree", "", "spherical harmonics up to this degree are the coarse form",
-        count(kLowestDegree, kHighestDegree), kSteps, &Steps::degree},
+        count(kMinDegree, kMaxDegree), kSteps, &Steps::degree},
        {"reference", "", "simple bodies with the block's I/L and S/L",
-        one_or_more(words(reference_form_names())), kSteps, &Steps::reference},
+        one_or_more(words(reference_shape_names())), kSteps, &Steps::reference},
        {"exponent", "", "of the superellipsoid", number(kSuperellipsoidExponent), kSteps,
         &Steps::exponent},
        {"inertia", "", "bodies with the block's mass and principal moments",

@@ -206,7 +206,7 @@ std::optional<BarrierGroupStatistics> group_at_line(const std::vector<CampaignRe
   group.backward = backward;
   group.probability = static_cast<double>(group.crossed) / static_cast<double>(started);
   if (!clusters.has_single_realisation()) {
-    group.interval = clustered_share_interval(hits, clusters.count());
+    group.interval = clustered_proportion_interval(hits, clusters.count());
   }
   return group;
 }

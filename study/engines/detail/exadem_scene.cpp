@@ -131,8 +131,8 @@ std::string exadem_input(const CampaignPlan& prepared, const SceneContents& set,
          "]\n  - contact_multimat_polyhedron\n\nparticle_write_paraview_generic:\n  - "
          "write_paraview_polyhedra\n  - write_conf_rockable\n\ndomain:\n  cell_size: " +
          exact(cell) + " m\n  periodic: [false, false, false]\n  grid_dims: [" +
-         with_decimals(cells.x(), 0) + ", " + with_decimals(cells.y(), 0) + ", " +
-         with_decimals(cells.z(), 0) + "]\n  bounds: " + bounds_text(box) +
+         format_decimals(cells.x(), 0) + ", " + format_decimals(cells.y(), 0) + ", " +
+         format_decimals(cells.z(), 0) + "]\n  bounds: " + bounds_text(box) +
          "\n  expandable: true\n\nglobal:\n  simulation_dump_frequency: -1\n  "
          "simulation_end_iteration: " +
          steps(campaign.max_time) + "\n  simulation_log_frequency: " + steps(interval) +

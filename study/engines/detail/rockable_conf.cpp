@@ -41,7 +41,7 @@ class WordLines {
 
   /// What flew apart is "nan" there.
   double number(const Words& words, std::size_t at) const {
-    const std::optional<double> value = at < words.size() ? number_in(words[at]) : std::nullopt;
+    const std::optional<double> value = at < words.size() ? parse_number(words[at]) : std::nullopt;
     if (!value) {
       refuse("a number was expected after " + std::to_string(at) + (at == 1 ? " word" : " words") +
              "; the file may not be whole");

@@ -105,9 +105,9 @@ std::string depth_note(const CampaignPlan& prepared) {
       "below. ";
   if (deep == 0) return rule + "The radii here are larger than the deepest impact.";
   const double wanted = prepared.campaign.terrain_radius + missing;
-  return rule + "In " + counted(deep, "run") + " of " + std::to_string(prepared.runs.size()) +
+  return rule + "In " + format_count(deep, "run") + " of " + std::to_string(prepared.runs.size()) +
          " an impact at the highest possible speed would do that; [terrain] radius_m = " +
-         with_decimals(std::ceil(100.0 * wanted) / 100.0, 2) + " would prevent it.";
+         format_decimals(std::ceil(100.0 * wanted) / 100.0, 2) + " would prevent it.";
 }
 
 }  // namespace

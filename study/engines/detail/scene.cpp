@@ -54,10 +54,10 @@ SceneZone scene_zone(const Terrain& terrain, std::size_t zone, double radius) {
   result.zone = terrain.zone_names[zone];
   std::vector<bool> keep(terrain.zone.size());
   for (std::size_t i = 0; i < keep.size(); ++i) keep[i] = terrain.zone[i] == zone;
-  result.surface = with_triangles(terrain.surface, keep);
+  result.surface = extract_triangles(terrain.surface, keep);
   if (result.surface.triangles.empty()) return result;
   result.shape.name = zone_name(zone);
-  result.shape.body = sphero_polyhedron(result.surface, radius);
+  result.shape.body = make_sphero_polyhedron(result.surface, radius);
   result.shape.is_surface = true;
   // A surface has neither; engines that divide by them must find numbers.
   result.shape.volume = 1.0;
@@ -113,7 +113,7 @@ SceneContents scene_set(const CampaignPlan& prepared) {
     used.insert(zone_name(zone));
   }
   for (const Block& block : prepared.choice.library) {
-    set.shapes.push_back({shp_shape(block), block.id, block.density});
+    set.shapes.push_back({to_shp_shape(block), block.id, block.density});
     set.shapes.back().shape.name = shape_name(block.id, used);
   }
   for (std::size_t zone = 0; zone < terrain.zone_names.size(); ++zone) {

@@ -91,12 +91,12 @@ std::string filled(std::string_view text, const std::map<std::string, std::strin
 
 std::string toml_list(const std::vector<std::string>& texts) {
   std::string result;
-  for (const std::string& text : texts) result += (result.empty() ? "" : ", ") + toml_string(text);
+  for (const std::string& text : texts) result += (result.empty() ? "" : ", ") + format_toml_string(text);
   return "[" + result + "]";
 }
 
 std::string pair_text(double x, double y) {
-  return "[" + with_decimals(x, 3) + ", " + with_decimals(y, 3) + "]";
+  return "[" + format_decimals(x, 3) + ", " + format_decimals(y, 3) + "]";
 }
 
 std::string place_text(const Vec3& place) { return pair_text(place.x(), place.y()); }
@@ -105,29 +105,29 @@ std::string format_blocks_table(const ProposedBlocks& blocks) {
   const std::string select =
       blocks.selected.empty() ? "" : "select             = " + toml_list(blocks.selected) + "\n";
   const std::string about = blocks.mass
-                                ? filled(kUnscaledBlocks, {{"mass", with_digits(*blocks.mass, 6)}})
-                                : filled(kSizedBlocks, {{"count", counted(blocks.count, "block")}});
+                                ? filled(kUnscaledBlocks, {{"mass", format_significant(*blocks.mass, 6)}})
+                                : filled(kSizedBlocks, {{"count", format_count(blocks.count, "block")}});
   return select + about;
 }
 
 /// The number with a comment, all in one column.
 std::string commented(double value, const std::string& remark) {
-  std::string text = with_digits(value, 3);
+  std::string text = format_significant(value, 3);
   text.resize(std::max<std::size_t>(text.size(), 5), ' ');
   return text + "  # " + remark;
 }
 
 std::string zone_text(const ProposedGround& zone, double rolling_length) {
   const auto usual = [](const TypicalValue& number, const std::string& symbol) {
-    return commented(number.value, symbol + ", usual " + with_digits(number.low, 3) + " to " +
-                                       with_digits(number.high, 3));
+    return commented(number.value, symbol + ", usual " + format_significant(number.low, 3) + " to " +
+                                       format_significant(number.high, 3));
   };
   return filled(
       kZone, {{"why", zone.by_name ? "By its name:" : "Its name says no kind of ground; taken for"},
               {"type", zone.type.name},
               {"description", zone.type.description},
               {"source", zone.type.source},
-              {"zone", toml_key(zone.zone)},
+              {"zone", format_toml_key(zone.zone)},
               {"e_n^2", usual(zone.type.energy_restitution, "e_n^2")},
               {"mu", usual(zone.type.friction, "mu")},
               {"mu_R", usual(zone.type.rolling_friction, "mu_R")},
@@ -148,24 +148,24 @@ std::string campaign_text(const CampaignProposal& proposal, const std::string& l
   return filled(
       kCampaign,
       {{"notes", notes},
-       {"library", toml_string(library)},
+       {"library", format_toml_string(library)},
        {"blocks", format_blocks_table(proposal.blocks)},
-       {"surface", surface.size() == 1 ? toml_string(surface.front()) : toml_list(surface)},
-       {"margin", with_digits(places.margin, 2)},
+       {"surface", surface.size() == 1 ? format_toml_string(surface.front()) : toml_list(surface)},
+       {"margin", format_significant(places.margin, 2)},
        {"ground", ground},
-       {"slope", with_decimals(places.release_slope * kDegreesPerRadian, 0)},
-       {"height", with_decimals(places.releases.from.z(), 0)},
+       {"slope", format_decimals(places.release_slope * kDegreesPerRadian, 0)},
+       {"height", format_decimals(places.releases.from.z(), 0)},
        {"points", places.release_points == 1 ? "[" + place_text(places.releases.from) + "]"
                                              : "{ line = [" + line + "], count = " +
                                                    std::to_string(places.release_points) + " }"},
        {"orientations", std::to_string(proposal.orientations)},
-       {"descent", with_decimals(places.descent, 0)},
-       {"distance", with_decimals(places.distance, 0)},
-       {"barrier", toml_string(places.barrier_name)},
+       {"descent", format_decimals(places.descent, 0)},
+       {"distance", format_decimals(places.distance, 0)},
+       {"barrier", format_toml_string(places.barrier_name)},
        {"from", place_text(places.barrier.from)},
        {"to", place_text(places.barrier.to)},
-       {"time", with_digits(proposal.max_time, 4)},
-       {"longest", with_digits(proposal.trial.longest, 2)},
+       {"time", format_significant(proposal.max_time, 4)},
+       {"longest", format_significant(proposal.trial.longest, 2)},
        {"downslope", pair_text(places.downslope.x(), places.downslope.y())}});
 }
 

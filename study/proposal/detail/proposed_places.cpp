@@ -133,7 +133,7 @@ Start best_start(const UpperGround& ground, std::vector<Start> starts) {
   for (const Start& start : starts) steepest = std::max(steepest, start.uphill.norm());
   if (steepest < tangent(kGentlestStart)) {
     throw InputError("the steepest ground of the terrain has " +
-                     with_decimals(std::atan(steepest) * kDegreesPerRadian, 1) +
+                     format_decimals(std::atan(steepest) * kDegreesPerRadian, 1) +
                      " degrees, on which no block starts; add the slope above it, or write the "
                      "campaign by hand, with velocity_m_s in [release]");
   }
@@ -202,7 +202,7 @@ ProposedLines propose_release_and_barrier(const Terrain& terrain, const TerrainS
   if (starts.empty()) starts = starts_with(ground, places.margin = block_length);
   if (starts.empty()) {
     throw InputError("no place of the terrain is as far from its border as blocks of " +
-                     with_digits(block_length, 3) +
+                     format_significant(block_length, 3) +
                      " m are long; check the units of scans and terrain, or survey more of it");
   }
   const Start start = best_start(ground, std::move(starts));

@@ -21,7 +21,7 @@ std::size_t mass_around(const Campaign& campaign, const std::string& block, cons
   if (masses.size() == 1) return 0;
   std::optional<std::size_t> found;
   const std::string where = campaign.file.string() + ": block " + block + " in place at x " +
-                            with_decimals(centre.x(), 3) + ", y " + with_decimals(centre.y(), 3) +
+                            format_decimals(centre.x(), 3) + ", y " + format_decimals(centre.y(), 3) +
                             " lies in the polygon of ";
   for (std::size_t i = 0; i < masses.size(); ++i) {
     if (!is_inside(masses[i].polygon, centre.head<2>())) continue;
@@ -61,7 +61,7 @@ std::vector<std::size_t> blocks_per_release(const Campaign& campaign, std::size_
   if (by_area.empty() ? std::abs(rest) > kMemberShareSlack * all : !(rest > 0.0)) {
     throw InputError(
         campaign.file.string() + ": count and share of [mass] make " +
-        with_digits(counted_blocks + shared, 6) + " of " + counted(blocks, "block") +
+        format_significant(counted_blocks + shared, 6) + " of " + format_count(blocks, "block") +
         (by_area.empty()
              ? " of a realisation; make it all of them, or leave count and share out "
                "of one mass"
@@ -84,7 +84,7 @@ std::vector<std::size_t> blocks_per_release(const Campaign& campaign, std::size_
     if (masses[i].count) counts[i] = *masses[i].count;
     if (counts[i] > 0) continue;
     throw InputError(campaign.file.string() + ": " + multi_block_release_name(campaign, i) + " gets none of the " +
-                     counted(blocks, "block") +
+                     format_count(blocks, "block") +
                      " of a realisation; give it a count or a larger share, or draw more");
   }
   return counts;

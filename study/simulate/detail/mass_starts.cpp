@@ -70,7 +70,7 @@ void MultiBlockPlacement::check_no_common_space() const {
       if (area == 0.0) continue;
       throw InputError(prepared_.campaign.file.string() + ": the polygons of " +
                        multi_block_release_name(prepared_.campaign, other) + " and " +
-                       multi_block_release_name(prepared_.campaign, i) + " overlap on " + with_digits(area, 3) +
+                       multi_block_release_name(prepared_.campaign, i) + " overlap on " + format_significant(area, 3) +
                        " m^2, where blocks of both would be; move one of them, or draw one "
                        "polygon around both");
     }
@@ -116,7 +116,7 @@ RigidState MultiBlockPlacement::in_place(std::size_t mass, std::uint32_t block,
   state.orientation = place.rotation.normalized();
   const std::string where = prepared_.campaign.file.string() + ": [mass] in_place: block " +
                             prepared_.header.blocks[block].id + " with its centre at " +
-                            place_on_map(prepared_.header.frame.map(state.position));
+                            format_map_point(prepared_.header.frame.map(state.position));
   if (!prepared_.surface->covers(state.position.x(), state.position.y())) {
     throw InputError(where +
                      " is off the terrain; check the map frame and the axis that points up");
@@ -124,7 +124,7 @@ RigidState MultiBlockPlacement::in_place(std::size_t mass, std::uint32_t block,
   const std::optional<double> depth =
       find_depth_in_ground(body.overlap, *prepared_.surface, body.body, state);
   if (!depth) return state;
-  throw SimulationError(where + " starts " + with_decimals(*depth, 3) +
+  throw SimulationError(where + " starts " + format_decimals(*depth, 3) +
                         " m inside the ground; the terrain must be the one without the mass, or "
                         "give [mass] height_m");
 }
@@ -147,10 +147,10 @@ void MultiBlockPlacement::refuse_block(std::size_t mass, std::uint32_t block) co
       prepared_.campaign.file.string() + ": " + multi_block_release_name(prepared_.campaign, mass) + " holds " +
       std::to_string(placed_[mass].blocks) + " of " + std::to_string(expected_[mass]) +
       " blocks of realisation " + std::to_string(realisation) + ", and block " + summary.id +
-      " with L = " + with_decimals(summary.axes.L, 3) + " m fits nowhere";
+      " with L = " + format_decimals(summary.axes.L, 3) + " m fits nowhere";
   const std::optional<double>& thickness = plans_[mass].thickness;
   throw InputError(text + (thickness
-                               ? " below thickness_m = " + with_digits(*thickness, 6) +
+                               ? " below thickness_m = " + format_significant(*thickness, 6) +
                                      "; allow more, widen the polygon, or take fewer or smaller "
                                      "blocks"
                                : "; widen the polygon, or take smaller blocks"));

@@ -24,14 +24,14 @@ struct Stopped {
 
 /// ": 12.5 s simulated, 31 of 60 blocks at rest".
 std::string progress_text(const SequenceProgress& progress, const PersistentBlocksSettings& stay) {
-  std::string text = ": " + with_decimals(progress.time, 1) + " s simulated";
+  std::string text = ": " + format_decimals(progress.time, 1) + " s simulated";
   if (!stay.at_once) {
     return text + ", block " + std::to_string(progress.released) + " of " +
            std::to_string(stay.blocks_each);
   }
   if (progress.settling) text += ", settling";
   return text + ", " + std::to_string(progress.resting()) + " of " +
-         counted(progress.released, "block") + " at rest";
+         format_count(progress.released, "block") + " at rest";
 }
 
 /// Checkpoints are so many times as far apart as it takes to write one, however short the interval.

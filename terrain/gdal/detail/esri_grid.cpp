@@ -10,8 +10,8 @@
 #include <string_view>
 
 #include "core/error.hpp"
+#include "core/error_context.hpp"
 #include "core/files/text_file.hpp"
-#include "core/in_context.hpp"
 #include "core/printable.hpp"
 #include "core/utf8.hpp"
 
@@ -24,7 +24,7 @@ constexpr std::array<std::string_view, 11> kHeaderWords = {
 constexpr std::string_view kGridBlank = " \t\r\n\v\f";
 
 std::string lower_word(std::string_view text, std::size_t at) {
-  return lower_case(text.substr(at, text.find_first_of(kGridBlank, at) - at));
+  return lower_case_ascii(text.substr(at, text.find_first_of(kGridBlank, at) - at));
 }
 
 /// Where the heights begin: behind the lines that begin with a word of the header.
@@ -62,7 +62,7 @@ void check_words(std::string_view text, std::size_t at) {
           1 + std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(at), '\n');
       throw InputError(
           "line " + std::to_string(line) + ": \"" +
-          printable(
+          escape_nonprintable(
               text.substr(at, std::min<std::size_t>(text.find_first_of(kGridBlank, at) - at, 40))) +
           "\" is no height; write the NODATA_value where there is none");
     }
@@ -82,11 +82,11 @@ std::string in_memory(const std::string& name, const std::string& content) {
 }  // namespace
 
 EsriGrid::EsriGrid(const std::filesystem::path& path) : path_(path.string()) {
-  if (extension_of(path) != ".asc") return;
+  if (lower_case_extension(path) != ".asc") return;
   std::string text = read_text_file(path);
   const std::size_t heights = find_heights(text);
   if (heights == std::string::npos) return;
-  in_context(path.string(), [&] { check_words(text, heights); });
+  with_error_context(path.string(), [&] { check_words(text, heights); });
   if (std::isalpha(static_cast<unsigned char>(text[heights])) == 0) return;
   text.insert(heights, " ");
   static std::atomic<unsigned> number{0};

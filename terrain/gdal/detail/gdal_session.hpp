@@ -30,17 +30,17 @@ class GdalSession {
   }
 };
 
-struct CloseDataset {
+struct DatasetCloser {
   void operator()(GDALDataset* dataset) const { GDALClose(dataset); }
 };
-using DatasetPointer = std::unique_ptr<GDALDataset, CloseDataset>;
+using DatasetPointer = std::unique_ptr<GDALDataset, DatasetCloser>;
 
 /// @throws InputError  not `done`: file, what, and what GDAL says
 void check_written(bool done, const std::filesystem::path& target, const std::string& what);
 
 /// The map system by name; a local one in metres where it has none or an unknown one, since
 /// coordinates without any are read as degrees.
-OGRSpatialReference reference_of(const std::string& crs);
+OGRSpatialReference make_spatial_reference(const std::string& crs);
 
 /// "EPSG:25832" when the system has a code, else its WKT; empty for none.
 std::string crs_name(const OGRSpatialReference* system);

@@ -69,7 +69,7 @@ std::string entry_bytes(TiffFile& file, std::uint64_t at, std::size_t size) {
 
 }  // namespace
 
-GeoTiffKeys read_tiff_keys(const std::filesystem::path& path) {
+GeoTiffKeys read_geotiff_keys(const std::filesystem::path& path) {
   GeoTiffKeys keys;
   TiffFile file(path);
   if (!file.is_tiff()) return keys;

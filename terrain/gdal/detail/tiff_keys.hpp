@@ -8,6 +8,6 @@
 namespace clast::terrain_detail {
 
 /// Reads the keys of the first image of a TIFF or BigTIFF file; those of other files are empty.
-GeoTiffKeys read_tiff_keys(const std::filesystem::path& path);
+GeoTiffKeys read_geotiff_keys(const std::filesystem::path& path);
 
 }  // namespace clast::terrain_detail

@@ -10,7 +10,7 @@
 
 namespace clast::terrain_detail {
 
-DatasetPointer open_features(const std::filesystem::path& path, const std::string& what) {
+DatasetPointer open_feature_file(const std::filesystem::path& path, const std::string& what) {
   check_input_file(path);
   DatasetPointer dataset(
       GDALDataset::Open(path.c_str(), GDAL_OF_VECTOR | GDAL_OF_READONLY | GDAL_OF_VERBOSE_ERROR));
@@ -21,7 +21,7 @@ DatasetPointer open_features(const std::filesystem::path& path, const std::strin
   return dataset;
 }
 
-OGRLayer& only_layer(GDALDataset& dataset, const std::filesystem::path& path,
+OGRLayer& find_geometry_layer(GDALDataset& dataset, const std::filesystem::path& path,
                      const std::string& what) {
   std::vector<OGRLayer*> layers;
   std::string names;
@@ -43,7 +43,7 @@ OGRLayer& only_layer(GDALDataset& dataset, const std::filesystem::path& path,
   return *layers.front();
 }
 
-Transformation transformation(OGRLayer& layer, const std::string& crs,
+Transformation make_transformation(OGRLayer& layer, const std::string& crs,
                               const std::filesystem::path& path) {
   const OGRSpatialReference* from = layer.GetSpatialRef();
   OGREnvelope extent;
@@ -64,7 +64,7 @@ Transformation transformation(OGRLayer& layer, const std::string& crs,
   return result;
 }
 
-std::unique_ptr<OGRGeometry> straight_geometry(const OGRFeature& feature,
+std::unique_ptr<OGRGeometry> linearised_geometry(const OGRFeature& feature,
                                                OGRCoordinateTransformation* transform,
                                                const std::filesystem::path& path) {
   constexpr double kStep = 2.0;  // degrees of an arc to a chord

@@ -35,8 +35,8 @@ struct Cells {
       : size(cell), first((low / cell).array().floor()) {
     const Vec2 count = (high / cell).array().floor() - first.array() + 1.0;
     if (!(count.prod() < kMostCloudCells)) {
-      throw InputError(path.string() + ": cells of " + with_digits(cell, 6) + " m over " +
-                       with_digits((high - low).x(), 6) + " x " + with_digits((high - low).y(), 6) +
+      throw InputError(path.string() + ": cells of " + format_significant(cell, 6) + " m over " +
+                       format_significant((high - low).x(), 6) + " x " + format_significant((high - low).y(), 6) +
                        " m are too many; use a larger `resolution`");
     }
     columns = static_cast<std::size_t>(count.x());
@@ -74,7 +74,7 @@ struct Cloud {
         [&](const PointBatch& batch) {
           for (std::size_t i = 0; i < batch.points.size(); ++i) {
             if (kept && !(*kept)[batch.classes[i]]) continue;
-            take(y_up ? turned_z_up(batch.points[i]) : batch.points[i]);
+            take(y_up ? y_up_to_z_up(batch.points[i]) : batch.points[i]);
           }
         },
         columns);
@@ -91,7 +91,7 @@ struct Survey {
 struct ClassSurvey {
   std::size_t points = 0;
   Bounds box;
-  PointHeights heights = {};
+  PointHeightCheck heights = {};
 
   void include(const Vec3& point) {
     ++points;
@@ -155,14 +155,14 @@ std::optional<Classes> ground_classes(const std::vector<ClassSurvey>& by_class,
 /// Refuses a cloud that is not in metres on the map of those before it.
 void check_cloud_map(const fs::path& path, const CloudSummary& summary, const Vec2& centre,
                      CloudGrid& result) {
-  const LengthUse metres{.way = "pdal translate, filters.reprojection, EPSG:CODE",
-                         .relabel = "pdal translate, writers.las.a_srs=EPSG:CODE"};
-  for (const std::string& note : check_lengths(path.string(), summary.lengths, metres)) {
+  const LengthUnitUse metres{.way = "pdal translate, filters.reprojection, EPSG:CODE",
+                         .correction_command = "pdal translate, writers.las.a_srs=EPSG:CODE"};
+  for (const std::string& note : check_length_units(path.string(), summary.lengths, metres)) {
     result.notes.push_back(path.string() + ": " + note);
   }
   check_map_scale(path.string(), summary.crs, centre, metres.way);
-  const std::string crs = usual_crs(summary.crs);
-  if (!result.crs.empty() && !crs.empty() && !same_crs(result.crs, crs)) {
+  const std::string crs = normalised_crs(summary.crs);
+  if (!result.crs.empty() && !crs.empty() && !is_same_crs(result.crs, crs)) {
     throw InputError(path.string() + ": is in " + reference_system_name(crs) +
                      ", the clouds before it in " + reference_system_name(result.crs) +
                      "; bring them into one map system");
@@ -181,7 +181,7 @@ Survey surveyed(const TerrainOptions& options, CloudGrid& result) {
         path,
         [&](const PointBatch& batch) {
           for (std::size_t i = 0; i < batch.points.size(); ++i) {
-            const Vec3 point = cloud.y_up ? turned_z_up(batch.points[i]) : batch.points[i];
+            const Vec3 point = cloud.y_up ? y_up_to_z_up(batch.points[i]) : batch.points[i];
             all.include(point);
             if (!batch.classes.empty()) by_class[batch.classes[i]].include(point);
           }
@@ -192,7 +192,7 @@ Survey surveyed(const TerrainOptions& options, CloudGrid& result) {
       if (count > 0) result.notes.push_back(path.string() + ": " + std::to_string(count) + what);
     };
     note(summary.withheld, " points flagged as noise or withheld were left out");
-    note(summary.without_place, " points without finite coordinates were left out");
+    note(summary.non_finite, " points without finite coordinates were left out");
     cloud.kept = ground_classes(by_class, path, result.notes);
     ClassSurvey kept = all;
     if (cloud.kept) {
@@ -305,22 +305,22 @@ void drop_outliers(CellHeights& stored, const Cells& cells, double distance, con
   stored.offsets.back() = write;
   if (write == 0) {
     throw InputError(path.string() + ": all points are outliers by more than " +
-                     with_digits(distance, 6) + " m; use a larger `outliers`");
+                     format_significant(distance, 6) + " m; use a larger `outliers`");
   }
   if (low + high == 0) return;
   notes.push_back(path.string() + ": " + std::to_string(low) + " points more than " +
-                  with_digits(distance, 6) + " m below and " + std::to_string(high) +
+                  format_significant(distance, 6) + " m below and " + std::to_string(high) +
                   " above the ground around were left out, the farthest, by " +
-                  with_digits(farthest, 4) + " m, near " + place_on_map(farthest_at));
+                  format_significant(farthest, 4) + " m, near " + format_map_point(farthest_at));
 }
 
 std::string cell_value(const TerrainOptions& options) {
   if (!options.percentile) return "mean heights";
   if (*options.percentile == 0.0) return "lowest heights";
-  return "percentile " + with_digits(*options.percentile, 4) + " of the heights";
+  return "percentile " + format_significant(*options.percentile, 4) + " of the heights";
 }
 
-void note_fill(const HolesFilled& filled, double widest, CloudGrid& result, const fs::path& path) {
+void note_fill(const HoleFillReport& filled, double widest, CloudGrid& result, const fs::path& path) {
   if (filled.cells > 0) {
     result.notes.push_back(path.string() + ": " + std::to_string(filled.cells) +
                            " cells without points were filled from their surroundings, in " +
@@ -328,15 +328,15 @@ void note_fill(const HolesFilled& filled, double widest, CloudGrid& result, cons
   }
   if (filled.left > 0) {
     result.notes.push_back(path.string() + ": " + std::to_string(filled.left) +
-                           " holes wider than " + with_digits(widest, 6) +
-                           " m were left open, the widest, " + with_digits(filled.widest_left, 4) +
-                           " m, around " + place_on_map(filled.left_at));
+                           " holes wider than " + format_significant(widest, 6) +
+                           " m were left open, the widest, " + format_significant(filled.widest_remaining, 4) +
+                           " m, around " + format_map_point(filled.left_at));
   }
 }
 
 }  // namespace
 
-HeightGrid covering_grid(const Vec2& low, const Vec2& high, double cell, const fs::path& path) {
+HeightGrid make_covering_grid(const Vec2& low, const Vec2& high, double cell, const fs::path& path) {
   HeightGrid grid = Cells(low, high, cell, path).grid();
   std::fill(grid.heights.begin(), grid.heights.end(), kUnknown);
   return grid;
@@ -359,14 +359,14 @@ HeightGrid bin_points(std::span<const Vec3> points, double cell, const fs::path&
   return grid;
 }
 
-CloudGrid cloud_grid(const TerrainOptions& options) {
+CloudGrid read_cloud_grid(const TerrainOptions& options) {
   CloudGrid result;
   const Survey survey = surveyed(options, result);
   const fs::path& path = options.surface.front();
   const double size = options.resolution.value_or(default_cell(survey));
   const Cells cells(survey.box.low.head<2>(), survey.box.high.head<2>(), size, path);
   result.notes.push_back(path.string() + ": " + std::to_string(survey.points) + " points, " +
-                         cell_value(options) + " over cells of " + with_digits(size, 9) + " m");
+                         cell_value(options) + " over cells of " + format_significant(size, 9) + " m");
   HeightGrid& grid = result.grid;
   grid = cells.grid();
   std::vector<std::uint32_t> hits(cells.count(), 0);

@@ -23,11 +23,11 @@ struct CloudGrid {
 /// most 64 per cell are kept, spread evenly over the order of the file: all of them in a survey of
 /// usual density. Cells lie on multiples of their size. Of a cloud with classes only ground counts.
 /// @throws InputError  unreadable, without points, too many cells, or nothing but outliers
-CloudGrid cloud_grid(const TerrainOptions& options);
+CloudGrid read_cloud_grid(const TerrainOptions& options);
 
 /// Square cells on multiples of their size over a plan box, without heights.
 /// @throws InputError  too many; the message is about `path`
-HeightGrid covering_grid(const Vec2& low, const Vec2& high, double cell,
+HeightGrid make_covering_grid(const Vec2& low, const Vec2& high, double cell,
                          const std::filesystem::path& path);
 
 /// Mean height per square cell; cells lie on multiples of `cell`.

@@ -121,18 +121,18 @@ std::string with_number(std::string advice, const std::string& number) {
 
 std::string cell_place(const HeightGrid& grid, std::size_t cell) {
   const Vec2 centre = grid.centre(cell % grid.columns, cell / grid.columns);
-  return place_on_map({centre.x(), centre.y(), grid.heights[cell]});
+  return format_map_point({centre.x(), centre.y(), grid.heights[cell]});
 }
 
 /// Numbers that are heights nowhere, however few or many there are.
 void refuse_impossible(const HeightGrid& grid, const std::filesystem::path& path,
-                       const FillRules& rules) {
+                       const NoDataRules& rules) {
   for (std::size_t i = 0; i < grid.heights.size(); ++i) {
     const double height = grid.heights[i];
     if (!std::isfinite(height) || (std::abs(height) <= kHighest && height != kUsualNoData)) {
       continue;
     }
-    const std::string number = with_digits(height, 9);
+    const std::string number = format_significant(height, 9);
     throw InputError(path.string() + ": the height at " + cell_place(grid, i) +
                      " m is not a height on Earth. If " + number + " stands for no data, " +
                      with_number(rules.advice, number));
@@ -147,7 +147,7 @@ bool is_far(double value, double gap, double span) {
 
 }  // namespace
 
-void PointHeights::include(double height) {
+void PointHeightCheck::include(double height) {
   if (is_usual_fill(height)) {
     ++fills_[height == 0.0 ? 0.0 : height];
     return;
@@ -156,20 +156,20 @@ void PointHeights::include(double height) {
   high_ = std::max(high_, height);
 }
 
-void PointHeights::include(const PointHeights& other) {
+void PointHeightCheck::include(const PointHeightCheck& other) {
   for (const auto& [value, count] : other.fills_) fills_[value] += count;
   low_ = std::min(low_, other.low_);
   high_ = std::max(high_, other.high_);
 }
 
-void PointHeights::check(const std::filesystem::path& path) const {
+void PointHeightCheck::check(const std::filesystem::path& path) const {
   if (!(low_ <= high_)) return;
   for (const auto& [value, count] : fills_) {
     const double gap = std::max({low_ - value, value - high_, 0.0});
     if (!is_far(value, gap, high_ - low_)) continue;
-    const std::string number = with_digits(value, 9);
-    throw InputError(path.string() + ": " + counted(count, "point has", "points have") +
-                     " the height " + number + " m, " + with_digits(gap, 4) + " m " +
+    const std::string number = format_significant(value, 9);
+    throw InputError(path.string() + ": " + format_count(count, "point has", "points have") +
+                     " the height " + number + " m, " + format_significant(gap, 4) + " m " +
                      (value < low_ ? "below" : "above") + " all others. If " + number +
                      " stands for no data, leave out the points with that height");
   }
@@ -177,7 +177,7 @@ void PointHeights::check(const std::filesystem::path& path) const {
 
 std::vector<std::string> check_fill_values(const HeightGrid& grid,
                                            const std::filesystem::path& path,
-                                           const FillRules& rules) {
+                                           const NoDataRules& rules) {
   refuse_impossible(grid, path, rules);
   std::vector<std::string> notes;
   Candidates candidates = fill_candidates(grid);
@@ -191,13 +191,13 @@ std::vector<std::string> check_fill_values(const HeightGrid& grid,
     const bool far = is_far(value, gap, others.high - others.low);
     const bool stepped = cells.count <= others.count && median > kStepRatio * others.mean_step();
     if (!(is_usual_fill(value) && far) && !stepped) continue;
-    const std::string number = with_digits(value, 9);
+    const std::string number = format_significant(value, 9);
     const std::string text =
-        path.string() + ": " + counted(cells.count, "cell has", "cells have") + " the height " +
+        path.string() + ": " + format_count(cells.count, "cell has", "cells have") + " the height " +
         number + " m, " +
-        (gap > 0.0 ? with_digits(gap, 4) + " m " + (value < others.low ? "below" : "above") +
+        (gap > 0.0 ? format_significant(gap, 4) + " m " + (value < others.low ? "below" : "above") +
                          " all others"
-                   : with_digits(median, 4) + " m from those of the neighbouring cells") +
+                   : format_significant(median, 4) + " m from those of the neighbouring cells") +
         ", one at " + cell_place(grid, cells.first) + ". If " + number + " stands for no data, " +
         with_number(rules.advice, number);
     if (is_usual_fill(value) && far && !rules.declared) throw InputError(text);

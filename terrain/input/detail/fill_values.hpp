@@ -13,7 +13,7 @@
 namespace clast::terrain_detail {
 
 /// What is known of the gaps of a grid, and what to do about those that are not declared.
-struct FillRules {
+struct NoDataRules {
   std::optional<double> declared = {};  ///< value for no data that the file names
   /// Completes "If -9999 stands for no data, ..."; NUMBER stands for the value.
   std::string advice;
@@ -28,13 +28,13 @@ struct FillRules {
 /// @throws InputError  with value, count and a place
 std::vector<std::string> check_fill_values(const HeightGrid& grid,
                                            const std::filesystem::path& path,
-                                           const FillRules& rules);
+                                           const NoDataRules& rules);
 
 /// The heights of a cloud's points: those of usual fill values, and the range of the others.
-class PointHeights {
+class PointHeightCheck {
  public:
   void include(double height);
-  void include(const PointHeights& other);
+  void include(const PointHeightCheck& other);
   /// Refuses usual fill values that lie farther from all other heights than these span, 0 by more
   /// than 100 m too.
   /// @throws InputError  with value and count

@@ -85,8 +85,8 @@ void fill(HeightGrid& grid, const Hole& hole, std::vector<std::uint32_t>& number
 
 }  // namespace
 
-HolesFilled fill_holes(HeightGrid& grid, double widest) {
-  HolesFilled result;
+HoleFillReport fill_holes(HeightGrid& grid, double widest) {
+  HoleFillReport result;
   std::vector<bool> seen(grid.heights.size(), false);
   std::vector<std::uint32_t> number(grid.heights.size(), kNoIndex);
   for (std::size_t cell = 0; cell < grid.heights.size(); ++cell) {
@@ -103,8 +103,8 @@ HolesFilled fill_holes(HeightGrid& grid, double widest) {
       continue;
     }
     ++result.left;
-    if (width <= result.widest_left) continue;
-    result.widest_left = width;
+    if (width <= result.widest_remaining) continue;
+    result.widest_remaining = width;
     const Vec2 middle = (low + high) / 2.0;
     result.left_at = {middle.x(), middle.y(), 0.0};
   }

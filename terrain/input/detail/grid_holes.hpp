@@ -6,11 +6,11 @@
 
 namespace clast::terrain_detail {
 
-struct HolesFilled {
+struct HoleFillReport {
   std::size_t holes = 0;
   std::size_t cells = 0;
   std::size_t left = 0;         ///< holes that are wider
-  double widest_left = 0.0;     ///< m
+  double widest_remaining = 0.0;     ///< m
   Vec3 left_at = Vec3::Zero();  ///< middle of the widest that is left, on the map
 };
 
@@ -18,6 +18,6 @@ struct HolesFilled {
 /// hole is a set of empty cells joined over their sides that does not reach the border of the grid.
 /// It gets the heights whose every cell is the mean of its four neighbours (in the metric of the
 /// cells): a membrane, which leaves a plane as it is and rises or sinks nowhere beyond the rim.
-HolesFilled fill_holes(HeightGrid& grid, double widest);
+HoleFillReport fill_holes(HeightGrid& grid, double widest);
 
 }  // namespace clast::terrain_detail

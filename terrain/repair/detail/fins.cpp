@@ -25,7 +25,7 @@ std::vector<std::vector<std::uint32_t>> crowded_edges(const TriangleMesh& mesh) 
 
 }  // namespace
 
-bool drop_fins(RawSurface& surface, const TriangleNeighbours& links, TerrainReport& report) {
+bool remove_fins(RawSurface& surface, const TriangleNeighbours& links, TerrainReport& report) {
   const TriangleMesh& mesh = surface.mesh;
   const std::vector<std::uint32_t> component = manifold_components(links);
   std::vector<double> area(*std::max_element(component.begin(), component.end()) + 1u, 0.0);
@@ -64,12 +64,12 @@ bool drop_fins(RawSurface& surface, const TriangleNeighbours& links, TerrainRepo
     if (dropped_area == 0.0) first_at = centroid(mesh, mesh.triangles[t]);
     dropped_area += area_vector(mesh, mesh.triangles[t]).norm() / 2.0;
   }
-  keep_triangles(surface, keep);
-  report.dropped_pieces += fins;
-  report.notes.push_back(std::to_string(fins) + " fins of " + with_digits(dropped_area, 3) +
+  retain_triangles(surface, keep);
+  report.removed_components += fins;
+  report.notes.push_back(std::to_string(fins) + " fins of " + format_significant(dropped_area, 3) +
                          " m2 in all, which hung on an edge of the ground, were dropped, the "
                          "first at " +
-                         place_on_map(first_at));
+                         format_map_point(first_at));
   return true;
 }
 

@@ -10,6 +10,6 @@ namespace clast::terrain_detail {
 /// which two triangles are left at each of these. What is not so clear stays, to be refused.
 /// @param links  of the surface as it is
 /// @return  whether any was dropped
-bool drop_fins(RawSurface& surface, const TriangleNeighbours& links, TerrainReport& report);
+bool remove_fins(RawSurface& surface, const TriangleNeighbours& links, TerrainReport& report);
 
 }  // namespace clast::terrain_detail

@@ -2,7 +2,7 @@
 
 namespace clast::terrain_detail {
 
-std::optional<RingPlane> ring_plane(const TriangleMesh& mesh, std::span<const std::uint32_t> ring,
+std::optional<RingPlane> fit_ring_plane(const TriangleMesh& mesh, std::span<const std::uint32_t> ring,
                                     std::uint32_t vertex) {
   if (ring.size() < 3) return std::nullopt;
   const Vec3& centre = mesh.vertices[vertex];

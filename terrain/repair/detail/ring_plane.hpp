@@ -18,7 +18,7 @@ struct RingPlane {
 
 /// None with fewer than three neighbours, or where they are in line.
 /// @param ring  the neighbours; the vertex itself does not count
-std::optional<RingPlane> ring_plane(const TriangleMesh& mesh, std::span<const std::uint32_t> ring,
+std::optional<RingPlane> fit_ring_plane(const TriangleMesh& mesh, std::span<const std::uint32_t> ring,
                                     std::uint32_t vertex);
 
 }  // namespace clast::terrain_detail

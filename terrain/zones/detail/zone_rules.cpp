@@ -22,7 +22,7 @@ ZoneRule::Condition condition_of(const std::string& text, const std::string& rul
   if (sign != std::string::npos) {
     condition.above = text[sign] == '>';
     condition.or_equal = sign + 1 < text.size() && text[sign + 1] == '=';
-    bound = number_in(text.substr(sign + (condition.or_equal ? 2 : 1)));
+    bound = parse_number(text.substr(sign + (condition.or_equal ? 2 : 1)));
   }
   if ((what != "slope" && what != "height") || !bound || !(std::abs(*bound) < 1e9)) {
     throw InputError("zones: \"" + rule +
@@ -45,7 +45,7 @@ bool ZoneRule::holds(double slope, double height) const {
   return true;
 }
 
-std::vector<ZoneRule> zone_rules(const std::vector<std::string>& texts) {
+std::vector<ZoneRule> parse_zone_rules(const std::vector<std::string>& texts) {
   std::vector<ZoneRule> rules;
   for (const std::string& text : texts) {
     const std::size_t equals = text.find('=');
@@ -70,7 +70,7 @@ std::vector<ZoneRule> zone_rules(const std::vector<std::string>& texts) {
 
 bool are_zone_rules(const std::vector<std::string>& zones) {
   for (const std::string& zone : zones) {
-    if (zone.find('=') != std::string::npos) return !zone_file(zones);
+    if (zone.find('=') != std::string::npos) return !parse_zone_file(zones);
   }
   return false;
 }

@@ -24,6 +24,6 @@ struct ZoneRule {
 /// "rock=slope>60", "scree=height<1450&slope>=30", "soil=else"; slopes in degrees from level (more
 /// than 90 overhangs), heights in metres on the map.
 /// @throws InputError  a rule that can't be read
-std::vector<ZoneRule> zone_rules(const std::vector<std::string>& texts);
+std::vector<ZoneRule> parse_zone_rules(const std::vector<std::string>& texts);
 
 }  // namespace clast::terrain_detail

@@ -19,7 +19,7 @@ std::string text_cloud(const std::string& heading, const std::string& separator)
   std::string text = heading;
   for (int i = 0; i < 60; ++i) {
     for (int k = 0; k < 3; ++k) {
-      text += with_digits(random.uniform(-5.0, 5.0), 7) + (k < 2 ? separator : "\n");
+      text += format_significant(random.uniform(-5.0, 5.0), 7) + (k < 2 ? separator : "\n");
     }
   }
   return text;
@@ -40,7 +40,7 @@ std::string shp() {
   const ScratchFolder folder;
   ShpShape shape;
   shape.name = "rock";
-  shape.body = sphero_polyhedron(random_rock(7, 1), 0.05);
+  shape.body = make_sphero_polyhedron(random_rock(7, 1), 0.05);
   shape.volume = 1.0 / 3.0;
   shape.inertia_per_mass = {0.2, 0.3, 0.4};
   shape.box.lengths = {3, 2, 1};

@@ -113,7 +113,7 @@ std::vector<NamedReader> table_and_campaign_readers() {
                 }),
       reader_of(
           "board.toml", [] { return std::string(kBoard); },
-          [](const auto& path) { read_board(path); }),
+          [](const auto& path) { read_scale_board(path); }),
   };
 }
 

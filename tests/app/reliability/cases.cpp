@@ -291,7 +291,7 @@ const std::vector<Kind>& kinds() {
 }
 
 std::string Case::level() const {
-  return kind->unit.empty() ? "" : with_digits(amount, 6) + " " + kind->unit;
+  return kind->unit.empty() ? "" : format_significant(amount, 6) + " " + kind->unit;
 }
 
 std::string Case::name() const { return kind->name + ": " + level() + ": " + body->name; }

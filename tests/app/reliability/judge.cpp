@@ -33,12 +33,12 @@ bool holds(const Range& range, double value) {
 }
 
 std::string percent(double share) {
-  return (share > 0.0 ? "+" : "") + with_digits(100.0 * share, 3) + " %";
+  return (share > 0.0 ? "+" : "") + format_significant(100.0 * share, 3) + " %";
 }
 
 std::string text_of(const Range& range) {
-  return "[" + with_digits(range.low, 4) + ", " +
-         (std::isfinite(range.high) ? with_digits(range.high, 4) : "unknown") + "]";
+  return "[" + format_significant(range.low, 4) + ", " +
+         (std::isfinite(range.high) ? format_significant(range.high, 4) : "unknown") + "]";
 }
 
 void read_ranges(const Json& block, Given& given) {
@@ -113,7 +113,7 @@ class Comparison {
                const std::optional<Range>& range) {
     const bool missed = range && !holds(*range, truth);
     const std::string beyond =
-        missed ? ", true " + with_digits(truth, 4) + " not in " + text_of(*range) : "";
+        missed ? ", true " + format_significant(truth, 4) + " not in " + text_of(*range) : "";
     if (missed) add(missed_, name + beyond);
     const double error = value / truth - 1.0;
     if (std::abs(error) <= tolerance) return true;

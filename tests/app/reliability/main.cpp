@@ -36,7 +36,7 @@ std::filesystem::path write_scan(const std::filesystem::path& folder, const Tria
   }
   std::string text;
   for (const Vec3& p : surface.vertices) {
-    for (int k = 0; k < 3; ++k) text += with_digits(p[k], 8) + (k < 2 ? " " : "\n");
+    for (int k = 0; k < 3; ++k) text += format_significant(p[k], 8) + (k < 2 ? " " : "\n");
   }
   const std::filesystem::path path = folder / "scan.xyz";
   write_text_file(path, text);

@@ -52,7 +52,7 @@ TEST(ScanDamage, AddedPiecesTouchNothing) {
   Random random(2);
   for (const TriangleMesh& mesh :
        {with_bubbles(ball(), 3, 0.1, random), with_islands(ball(), 3, 0.1, random)}) {
-    EXPECT_EQ(inspect(mesh).components, 4u);
+    EXPECT_EQ(inspect_mesh(mesh).components, 4u);
   }
   const TriangleMesh bubbles = with_bubbles(ball(), 4, 0.1, random);
   for (std::size_t v = ball().vertices.size(); v < bubbles.vertices.size(); ++v) {

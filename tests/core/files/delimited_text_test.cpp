@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/error.hpp"
-#include "core/files/csv_text.hpp"
+#include "core/files/csv_writer.hpp"
 #include "core/random.hpp"
 #include "tests/support/refusal.hpp"
 
@@ -15,16 +15,16 @@ namespace {
 
 using Rows = std::vector<std::vector<std::string>>;
 
-Rows make_comparison_rows(const std::string& content, const TableRules& rules = {}) {
-  const TableText table = table_text(content, "t.csv");
-  DelimitedText text(table.text, "t.csv", rules);
+Rows make_comparison_rows(const std::string& content, const TableDialect& rules = {}) {
+  const DecodedText table = decode_text(content, "t.csv");
+  DelimitedTextReader text(table.text, "t.csv", rules);
   Rows rows;
   Record record;
   while (text.next(record)) rows.emplace_back(record.fields.begin(), record.fields.end());
   return rows;
 }
 
-TEST(DelimitedText, EverySeparatorGivesTheSameRows) {
+TEST(DelimitedTextReader, EverySeparatorGivesTheSameRows) {
   const Rows rows = {{"a", "b"}, {"1.5", "x"}};
   for (const char* text : {"a,b\n1.5,x\n", "a;b\n1.5;x", "a\tb\n1.5\tx\n", "a b\n 1.5   x \n",
                            "a,b\r\n1.5,x\r\n", "a,b\r1.5,x\r",
@@ -35,8 +35,10 @@ TEST(DelimitedText, EverySeparatorGivesTheSameRows) {
   }
 }
 
-TEST(DelimitedText, ARowOfAnotherNumberOfFieldsIsRefusedWithItsLine) {
-  const auto refused = [](const std::string& text) { return refusal([&] { make_comparison_rows(text); }); };
+TEST(DelimitedTextReader, ARowOfAnotherNumberOfFieldsIsRefusedWithItsLine) {
+  const auto refused = [](const std::string& text) {
+    return refusal([&] { make_comparison_rows(text); });
+  };
   // 50.5 and 20.1, as a program that writes decimal commas separates them with commas.
   EXPECT_EQ(refused("x,y\n50,5,20,1\n"),
             "t.csv:2: has 4 fields, but line 1 has 2; where commas are decimal signs, separate the "
@@ -50,26 +52,27 @@ TEST(DelimitedText, ARowOfAnotherNumberOfFieldsIsRefusedWithItsLine) {
   EXPECT_EQ(refused("a,b\n1,\n,2\n,\n\"\",\"\"\n"), "");
 }
 
-TEST(DelimitedText, DecimalCommasAreReadWhereCommasDoNotSeparate) {
+TEST(DelimitedTextReader, DecimalCommasAreReadWhereCommasDoNotSeparate) {
   for (const char separator : {';', '\t', ' '}) {
-    EXPECT_EQ(number_in_field("50,5", separator), 50.5);
-    EXPECT_FALSE(number_in_field("1,234.5", separator) || number_in_field("1,2,3", separator));
-    EXPECT_FALSE(is_doubtful_number("50,5", separator));
+    EXPECT_EQ(parse_number_field("50,5", separator), 50.5);
+    EXPECT_FALSE(parse_number_field("1,234.5", separator) ||
+                 parse_number_field("1,2,3", separator));
+    EXPECT_FALSE(is_ambiguous_number("50,5", separator));
   }
-  EXPECT_EQ(number_in_field("50.5", ','), 50.5);
-  EXPECT_FALSE(number_in_field("50,5", ','));
-  EXPECT_TRUE(is_doubtful_number("50,5", ','));
-  EXPECT_FALSE(is_doubtful_number("wet, mossy", ',') || is_doubtful_number("50.5", ','));
+  EXPECT_EQ(parse_number_field("50.5", ','), 50.5);
+  EXPECT_FALSE(parse_number_field("50,5", ','));
+  EXPECT_TRUE(is_ambiguous_number("50,5", ','));
+  EXPECT_FALSE(is_ambiguous_number("wet, mossy", ',') || is_ambiguous_number("50.5", ','));
 }
 
-TEST(DelimitedText, RemarksEndRowsWhereTheyAreAskedFor) {
-  EXPECT_EQ(make_comparison_rows("1;2 # edge\n#\n3;4\n", {.remarks_in_rows = true}),
+TEST(DelimitedTextReader, RemarksEndRowsWhereTheyAreAskedFor) {
+  EXPECT_EQ(make_comparison_rows("1;2 # edge\n#\n3;4\n", {.inline_comments = true}),
             (Rows{{"1", "2"}, {"3", "4"}}));
   EXPECT_EQ(make_comparison_rows("id;L\nB #7;2\n"), (Rows{{"id", "L"}, {"B #7", "2"}}));
 }
 
 // Texts that a spreadsheet would run are written so that it shows them, and come back as they were.
-TEST(DelimitedText, GivesBackWhatCsvTextWrote) {
+TEST(DelimitedTextReader, GivesBackWhatCsvTextWrote) {
   std::vector<std::string> texts = {
       "=1+1", "@SUM(A1)", "+A1", "-B2", "'=1+1", "''-x", "\tx",  "=HYPERLINK(\"http://x\";\"y\")",
       "-",    "'",        "'a",  "-5",  "a=b",   "+5e3", "B017", "=a,b"};
@@ -82,7 +85,7 @@ TEST(DelimitedText, GivesBackWhatCsvTextWrote) {
     texts.push_back(text + "x");
   }
   for (const std::string& text : texts) {
-    CsvText csv;
+    CsvWriter csv;
     csv.cell("name");
     csv.cell("other");
     csv.end_row();

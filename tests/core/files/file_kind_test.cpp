@@ -14,11 +14,11 @@ TEST(FileKind, IsSeenFromTheContent) {
   const ScratchFolder folder;
   const auto kind = [&](const std::string& content) {
     write_text_file(folder / "a", content);
-    return kind_of_file(folder / "a");
+    return detect_file_kind(folder / "a");
   };
   EXPECT_EQ(kind(""), "");
-  EXPECT_EQ(kind_of_file(folder / "none"), "");
-  EXPECT_EQ(kind_of_file(folder.path()), "");
+  EXPECT_EQ(detect_file_kind(folder / "none"), "");
+  EXPECT_EQ(detect_file_kind(folder.path()), "");
   EXPECT_EQ(kind("L,I,S\n3,2,1\n"), "text");
   EXPECT_EQ(kind("<?xml version=\"1.0\"?>\n<svg xmlns=\"\"/>"), "SVG");
   EXPECT_EQ(kind("<?xml version=\"1.0\"?>\n<VTKFile type=\"PolyData\">" + std::string(9, '\0')),
@@ -42,7 +42,7 @@ TEST(FileKind, CampaignsAreKnownByTheirTables) {
   const ScratchFolder folder;
   const auto kind = [&](const std::string& content) {
     write_text_file(folder / "a.toml", content);
-    return kind_of_file(folder / "a.toml");
+    return detect_file_kind(folder / "a.toml");
   };
   EXPECT_EQ(kind("# mine\n[blocks]\nlibrary = \"b.h5\"\n[terrain]\nsurface = \"s.h5\"\n"),
             kCampaignKind);
@@ -63,17 +63,17 @@ TEST(FileKind, CampaignsAreKnownByTheirTables) {
 TEST(FileKind, OfOwnHdf5FilesIsTheirFormat) {
   const ScratchFolder folder;
   Hdf5File::create(folder / "t.h5", "clast terrain", 7);
-  EXPECT_EQ(kind_of_file(folder / "t.h5"), "clast terrain");
+  EXPECT_EQ(detect_file_kind(folder / "t.h5"), "clast terrain");
   const std::string whole = read_text_file(folder / "t.h5");
   write_text_file(folder / "cut.h5", whole.substr(0, whole.size() / 2));
-  EXPECT_EQ(kind_of_file(folder / "cut.h5"), "HDF5");
+  EXPECT_EQ(detect_file_kind(folder / "cut.h5"), "HDF5");
 }
 
 TEST(FileKind, ByNameIsWhatIsWrittenUnderIt) {
-  EXPECT_EQ(kind_by_name("a/map.PNG"), "PNG");
-  EXPECT_EQ(kind_by_name("dem.tiff"), "TIFF");
-  EXPECT_EQ(kind_by_name("runs.csv"), "text");
-  EXPECT_EQ(kind_by_name("rock.obj"), "text");
+  EXPECT_EQ(file_kind_by_extension("a/map.PNG"), "PNG");
+  EXPECT_EQ(file_kind_by_extension("dem.tiff"), "TIFF");
+  EXPECT_EQ(file_kind_by_extension("runs.csv"), "text");
+  EXPECT_EQ(file_kind_by_extension("rock.obj"), "text");
 }
 
 }  // namespace

@@ -55,11 +55,11 @@ TEST(FileLock, IsWaitedForWithAWordAndNotForEver) {
   const ScratchFolder folder;
   const fs::path file = folder / "blocks.h5";
   int said = 0;
-  FileLockOptions options{.longest_wait = std::chrono::milliseconds(60),
+  FileLockOptions options{.timeout = std::chrono::milliseconds(60),
                           .waiting = [&] { ++said; }};
   {
     const FileLock held(file);
-    EXPECT_TRUE(fs::exists(FileLock::lock_file(file)));
+    EXPECT_TRUE(fs::exists(FileLock::lock_path(file)));
     const std::string message = refusal([&] { FileLock(file, options); });
     EXPECT_TRUE(contains(message, "blocks.h5: another program is writing to it; wait"));
     EXPECT_EQ(said, 1);
@@ -69,7 +69,7 @@ TEST(FileLock, IsWaitedForWithAWordAndNotForEver) {
   std::thread release;
   {
     auto held = std::make_unique<FileLock>(file);
-    options.longest_wait = std::chrono::seconds(60);
+    options.timeout = std::chrono::seconds(60);
     release = std::thread([&] {
       std::this_thread::sleep_for(std::chrono::milliseconds(100));
       held.reset();
@@ -97,9 +97,9 @@ TEST(FileLock, OfAKilledProcessIsFree) {
   ASSERT_EQ(::read(ready[0], &byte, 1), 1);
   ::kill(child, SIGKILL);
   ::waitpid(child, nullptr, 0);
-  EXPECT_TRUE(fs::exists(FileLock::lock_file(file)));
-  EXPECT_EQ(refusal([&] { FileLock(file, {.longest_wait = {}}); }), "");
-  EXPECT_FALSE(fs::exists(FileLock::lock_file(file)));
+  EXPECT_TRUE(fs::exists(FileLock::lock_path(file)));
+  EXPECT_EQ(refusal([&] { FileLock(file, {.timeout = {}}); }), "");
+  EXPECT_FALSE(fs::exists(FileLock::lock_path(file)));
 }
 
 TEST(FileLock, IsTheSameByEveryNameOfTheFile) {
@@ -107,20 +107,20 @@ TEST(FileLock, IsTheSameByEveryNameOfTheFile) {
   write_text_file(folder / "real.h5", "");
   fs::create_symlink("real.h5", folder / "link.h5");
   const FileLock held(folder / "link.h5");
-  EXPECT_FALSE(refusal([&] { FileLock(folder / "real.h5", {.longest_wait = {}}); }).empty());
+  EXPECT_FALSE(refusal([&] { FileLock(folder / "real.h5", {.timeout = {}}); }).empty());
 }
 
 TEST(FileLock, LeftByAnotherUserMayBeReadOnly) {
   const ScratchFolder folder;
-  const fs::path file = folder / "blocks.h5", lock = FileLock::lock_file(file);
+  const fs::path file = folder / "blocks.h5", lock = FileLock::lock_path(file);
   fs::permissions(folder.path(), fs::perms::all);
   write_text_file(lock, "");
   fs::permissions(lock, fs::perms(0444));
   {
     const AsNobody nobody;
     EXPECT_EQ(refusal([&] {
-                const FileLock held(file, {.longest_wait = {}});
-                EXPECT_TRUE(contains(refusal([&] { FileLock(file, {.longest_wait = {}}); }),
+                const FileLock held(file, {.timeout = {}});
+                EXPECT_TRUE(contains(refusal([&] { FileLock(file, {.timeout = {}}); }),
                                      "another program is writing to it"));
               }),
               "");
@@ -129,9 +129,9 @@ TEST(FileLock, LeftByAnotherUserMayBeReadOnly) {
   write_text_file(lock, "");
   fs::permissions(lock, fs::perms::none);
   const AsNobody nobody;
-  EXPECT_TRUE(contains(refusal([&] { FileLock(file, {.longest_wait = {}}); }),
+  EXPECT_TRUE(contains(refusal([&] { FileLock(file, {.timeout = {}}); }),
                        ".blocks.h5.lock: can't be opened (Permission denied), so "));
-  EXPECT_TRUE(contains(refusal([&] { FileLock(file, {.longest_wait = {}}); }),
+  EXPECT_TRUE(contains(refusal([&] { FileLock(file, {.timeout = {}}); }),
                        "delete this lock file, or have its owner delete it"));
 }
 

@@ -14,7 +14,7 @@ class NumberTables : public testing::Test {
   std::vector<std::vector<double>> read(const std::string& text) {
     write_text_file(folder_ / "p.csv", text);
     std::vector<std::vector<double>> rows;
-    for (const NumberRow& row : read_number_table(folder_ / "p.csv", kPoints)) {
+    for (const NumericRow& row : read_numeric_table(folder_ / "p.csv", kPoints)) {
       rows.push_back(row.values);
     }
     return rows;
@@ -26,7 +26,7 @@ class NumberTables : public testing::Test {
     return at == std::string::npos ? message : message.substr(at);
   }
 
-  const NumberTable kPoints{{{"x"}, {"y"}, {"z", "height"}}, {-1e8, 1e8, "m"}, "three numbers"};
+  const NumericTableSpec kPoints{{{"x"}, {"y"}, {"z", "height"}}, {-1e8, 1e8, "m"}, "three numbers"};
   ScratchFolder folder_;
 };
 

@@ -21,7 +21,7 @@ TEST(OutputFile, WithoutCommitTheOldFileStaysAndNothingIsLeft) {
   write_text_file(folder / "a.csv", "old");
   {
     OutputFile file(folder / "a.csv");
-    std::ofstream(file.temporary()) << "half";
+    std::ofstream(file.temporary_path()) << "half";
   }
   EXPECT_EQ(read_text_file(folder / "a.csv"), "old");
   EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder.path()), {}), 1);
@@ -88,8 +88,8 @@ TEST(OutputFile, OnlyItsOwnKindIsReplacedAndOnlyWhenAsked) {
   write_text_file(folder / "a.png", "\x89PNG\r\n\x1a\nold");
   write_text_file(folder / "empty.png", "");
   write_text_file(folder / "notes.png", "what the field book says");
-  const auto refused = [&](const char* name, const OutputRules& rules) {
-    return refusal([&] { check_output(folder / name, rules); });
+  const auto refused = [&](const char* name, const OverwritePolicy& rules) {
+    return refusal([&] { check_output_target(folder / name, rules); });
   };
   EXPECT_EQ(refused("a.png", {.kind = "PNG"}), "");
   EXPECT_EQ(refused("empty.png", {.kind = "PNG", .replace = false}), "");
@@ -107,7 +107,7 @@ TEST(OutputFile, OnlyItsOwnKindIsReplacedAndOnlyWhenAsked) {
 // Two programs write the same file, and neither found anything there at its start.
 TEST(OutputFile, WhatAnotherProgramWroteMeanwhileStays) {
   const ScratchFolder folder;
-  const auto message = [&](const std::string& name, const OutputRules& rules, const char* there,
+  const auto message = [&](const std::string& name, const OverwritePolicy& rules, const char* there,
                            const char* meanwhile) {
     const std::filesystem::path target = folder / name;
     if (there) write_text_file(target, there);
@@ -116,7 +116,7 @@ TEST(OutputFile, WhatAnotherProgramWroteMeanwhileStays) {
     file.write("mine");
     return refusal([&] { file.commit(); });
   };
-  const OutputRules keep{.kind = "text", .replace = false};
+  const OverwritePolicy keep{.kind = "text", .replace = false};
   const std::string refused =
       ": another program wrote it meanwhile, so it is left as it is; run again with another name";
   EXPECT_TRUE(contains(message("a.csv", keep, nullptr, "theirs"), "a.csv" + refused));
@@ -135,14 +135,14 @@ TEST(OutputFile, WhatAnotherProgramWroteMeanwhileStays) {
 TEST(OutputFile, OfTheSameNameHaveDifferentTemporaries) {
   const ScratchFolder folder;
   OutputFile one(folder / "a.csv"), two(folder / "a.csv");
-  EXPECT_NE(one.temporary(), two.temporary());
-  EXPECT_EQ(two.temporary().extension(), ".csv");
+  EXPECT_NE(one.temporary_path(), two.temporary_path());
+  EXPECT_EQ(two.temporary_path().extension(), ".csv");
 }
 
 TEST(OutputFile, RoomIsForeseen) {
   const ScratchFolder folder;
   const auto refused = [&](std::initializer_list<std::uint64_t> files) {
-    return refusal([&] { check_room(folder / "r.h5", files); });
+    return refusal([&] { check_disk_space(folder / "r.h5", files); });
   };
   constexpr std::uint64_t kMega = 1'000'000, kExa = 1'000'000 * kMega * kMega;
   EXPECT_EQ(refused({kMega}), "");

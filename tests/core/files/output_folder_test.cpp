@@ -23,9 +23,9 @@ FolderKind report() {
 
 void write(const fs::path& target, const std::string& text, bool replace) {
   OutputFolder folder(target, report(), replace);
-  write_text_file(folder.temporary() / "mark.txt", "this is a report");
-  write_text_file(folder.temporary() / "runs.csv", text);
-  write_text_file(folder.temporary() / "maps" / "a.tif", text);
+  write_text_file(folder.temporary_path() / "mark.txt", "this is a report");
+  write_text_file(folder.temporary_path() / "runs.csv", text);
+  write_text_file(folder.temporary_path() / "maps" / "a.tif", text);
   folder.commit();
 }
 
@@ -41,7 +41,7 @@ TEST(OutputFolder, AppearsWholeOrNotAtAll) {
   const ScratchFolder folder;
   {
     OutputFolder half(folder / "out", report(), false);
-    write_text_file(half.temporary() / "runs.csv", "half");
+    write_text_file(half.temporary_path() / "runs.csv", "half");
   }
   EXPECT_TRUE(files(folder.path()).empty());
   write(folder / "a" / "out", "whole", false);
@@ -61,7 +61,7 @@ TEST(OutputFolder, AFormerOneIsKeptUntilReplaceAndReplacedWhole) {
   write_text_file(folder / "out" / "notes" / "mine.txt", "of the user");
   {
     OutputFolder fails(folder / "out", report(), true);
-    write_text_file(fails.temporary() / "runs.csv", "half");
+    write_text_file(fails.temporary_path() / "runs.csv", "half");
   }
   EXPECT_EQ(read_text_file(folder / "out" / "runs.csv"), "old");
   write(folder / "out", "new", true);
@@ -83,7 +83,7 @@ TEST(OutputFolder, WhatIsNotItsOwnIsLeftAlone) {
   write(folder / "own", "old", false);
   write_text_file(folder / "own" / "extra.csv", "of the user");
   OutputFolder more(folder / "own", report(), true);
-  write_text_file(more.temporary() / "extra.csv", "new");
+  write_text_file(more.temporary_path() / "extra.csv", "new");
   EXPECT_TRUE(contains(refusal([&] { more.commit(); }),
                        "extra.csv: does not belong to the existing report"));
   EXPECT_EQ(read_text_file(folder / "own" / "runs.csv"), "old");
@@ -96,8 +96,8 @@ TEST(OutputFolder, WhatAnotherProgramWroteMeanwhileStays) {
   write_text_file(folder / "shared" / "notes.txt", "of the user");
   for (const char* name : {"new", "empty", "shared"}) {
     OutputFolder mine(folder / name, report(), false);
-    write_text_file(mine.temporary() / "mark.txt", "this is a report");
-    write_text_file(mine.temporary() / "runs.csv", "mine");
+    write_text_file(mine.temporary_path() / "mark.txt", "this is a report");
+    write_text_file(mine.temporary_path() / "runs.csv", "mine");
     write(folder / name, "theirs", false);
     EXPECT_TRUE(contains(refusal([&] { mine.commit(); }),
                          "another program wrote it meanwhile, so it is left as it is"))
@@ -108,7 +108,7 @@ TEST(OutputFolder, WhatAnotherProgramWroteMeanwhileStays) {
   // To be replaced, but by now it is no report.
   {
     OutputFolder mine(folder / "other", report(), true);
-    write_text_file(mine.temporary() / "runs.csv", "mine");
+    write_text_file(mine.temporary_path() / "runs.csv", "mine");
     write_text_file(folder / "other" / "runs.csv", "of the user");
     EXPECT_TRUE(contains(refusal([&] { mine.commit(); }), "another program wrote it meanwhile"));
   }

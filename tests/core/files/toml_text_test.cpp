@@ -9,11 +9,11 @@ namespace clast {
 namespace {
 
 TEST(TomlText, PlainNamesStayAsTheyAre) {
-  EXPECT_EQ(toml_key("upper_cliff-2"), "upper_cliff-2");
-  EXPECT_EQ(toml_key("upper cliff"), "\"upper cliff\"");
-  EXPECT_EQ(toml_key("a.b"), "\"a.b\"");
-  EXPECT_EQ(toml_key(""), "\"\"");
-  EXPECT_EQ(toml_string("it's"), "\"it's\"");
+  EXPECT_EQ(format_toml_key("upper_cliff-2"), "upper_cliff-2");
+  EXPECT_EQ(format_toml_key("upper cliff"), "\"upper cliff\"");
+  EXPECT_EQ(format_toml_key("a.b"), "\"a.b\"");
+  EXPECT_EQ(format_toml_key(""), "\"\"");
+  EXPECT_EQ(format_toml_string("it's"), "\"it's\"");
 }
 
 TEST(TomlText, IsReadBackAsItWas) {
@@ -21,7 +21,7 @@ TEST(TomlText, IsReadBackAsItWas) {
        {std::string("deep \"wet\" meadow"), std::string("C:\\new\\terrain"), std::string("éboulis"),
         std::string("a\nb\tc"), std::string("it's ''' and \"\"\""), std::string("\x01\x1f\x7f")}) {
     const TomlNode file =
-        parse_toml(toml_key(text) + " = " + toml_string(text) + "\n", "text.toml");
+        parse_toml(format_toml_key(text) + " = " + format_toml_string(text) + "\n", "text.toml");
     ASSERT_EQ(file.table.size(), 1u) << text;
     EXPECT_EQ(file.table[0].key, text);
     EXPECT_EQ(file.table[0].value.text, text);

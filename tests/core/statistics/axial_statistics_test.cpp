@@ -21,7 +21,7 @@ std::vector<double> in_rad(std::vector<double> degrees) {
 
 TEST(AxialAngle, IsTheSameFromEitherEnd) {
   for (const double degrees : {-400.0, -90.0, -45.0, 0.0, 30.0, 89.0, 90.0, 91.0, 180.0, 270.0}) {
-    const double angle = axial_angle(degrees * kDegree);
+    const double angle = wrap_axial_angle(degrees * kDegree);
     EXPECT_GT(angle, -0.5 * kPi - 1e-12);
     EXPECT_LE(angle, 0.5 * kPi + 1e-12);
     EXPECT_NEAR(std::sin(angle - degrees * kDegree), 0.0, 1e-12) << degrees;
@@ -50,8 +50,8 @@ TEST(AxialMean, OfEvenDirectionsHasNone) {
 }
 
 TEST(Rayleigh, OfManyAxesIsTheExponential) {
-  EXPECT_NEAR(rayleigh_p({1'000'000, 0.0, 0.002}), std::exp(-4.0), 1e-6);
-  EXPECT_EQ(rayleigh_p({}), 1.0);
+  EXPECT_NEAR(rayleigh_p_value({1'000'000, 0.0, 0.002}), std::exp(-4.0), 1e-6);
+  EXPECT_EQ(rayleigh_p_value({}), 1.0);
 }
 
 TEST(Rayleigh, RejectsEvenDirectionsAsOftenAsItSays) {
@@ -62,7 +62,7 @@ TEST(Rayleigh, RejectsEvenDirectionsAsOftenAsItSays) {
     for (int study = 0; study < kStudies; ++study) {
       std::vector<double> angles(count);
       for (double& angle : angles) angle = random.uniform(-0.5 * kPi, 0.5 * kPi);
-      rejected += rayleigh_p(axial_mean(angles)) < 0.05;
+      rejected += rayleigh_p_value(axial_mean(angles)) < 0.05;
     }
     // Three standard deviations of the count are 0.7 %.
     EXPECT_NEAR(static_cast<double>(rejected) / kStudies, 0.05, 0.008) << count;
@@ -83,8 +83,8 @@ TEST(Rayleigh, OfClustersIsNotDeceivedByAxesThatAlignEachOther) {
         angles.clusters.push_back(cluster);
       }
     }
-    rejected += *rayleigh_p_of_clusters(angles, 6, 9, 199) <= 0.05;
-    rejected_alone += rayleigh_p(axial_mean(angles.values)) < 0.05;
+    rejected += *clustered_rayleigh_p_value(angles, 6, 9, 199) <= 0.05;
+    rejected_alone += rayleigh_p_value(axial_mean(angles.values)) < 0.05;
   }
   EXPECT_NEAR(static_cast<double>(rejected) / kStudies, 0.05, 0.021);
   EXPECT_GT(rejected_alone, kStudies / 2);
@@ -96,9 +96,9 @@ TEST(Rayleigh, OfClustersFindsOneDirectionOfAll) {
     angles.values.push_back(0.2 + 0.01 * (i % 7));
     angles.clusters.push_back(i % 8);
   }
-  EXPECT_LT(*rayleigh_p_of_clusters(angles, 8, 1), 0.001);
+  EXPECT_LT(*clustered_rayleigh_p_value(angles, 8, 1), 0.001);
   angles.clusters.assign(40, 3);
-  EXPECT_FALSE(rayleigh_p_of_clusters(angles, 8, 1));
+  EXPECT_FALSE(clustered_rayleigh_p_value(angles, 8, 1));
 }
 
 }  // namespace

@@ -13,15 +13,15 @@ namespace {
 
 TEST(Holm, CorrectsAsByHand) {
   // 4 x 0.01, 3 x 0.02 and 2 x 0.03 both give 0.06, 1 x 0.2.
-  const std::vector<double> corrected = holm(std::vector<double>{0.03, 0.01, 0.2, 0.02});
+  const std::vector<double> corrected = holm_adjusted(std::vector<double>{0.03, 0.01, 0.2, 0.02});
   const std::vector<double> expected = {0.06, 0.04, 0.2, 0.06};
   for (std::size_t i = 0; i < 4; ++i) EXPECT_NEAR(corrected[i], expected[i], 1e-15);
   // Never below one that was smaller before, never above one.
-  const std::vector<double> near = holm(std::vector<double>{0.3, 0.29, 0.9});
+  const std::vector<double> near = holm_adjusted(std::vector<double>{0.3, 0.29, 0.9});
   EXPECT_NEAR(near[1], 0.87, 1e-15);
   EXPECT_NEAR(near[0], 0.87, 1e-15);
   EXPECT_NEAR(near[2], 0.9, 1e-15);
-  EXPECT_TRUE(holm({}).empty());
+  EXPECT_TRUE(holm_adjusted({}).empty());
 }
 
 TEST(CliffsDelta, CountsPairs) {
@@ -32,10 +32,10 @@ TEST(CliffsDelta, CountsPairs) {
   EXPECT_NEAR(*cliffs_delta(a, a), 0.0, 1e-15);
   EXPECT_EQ(*cliffs_delta(std::vector<double>{5, 6}, a), 1.0);
   EXPECT_FALSE(cliffs_delta(a, {}));
-  EXPECT_STREQ(words_for_delta(-0.1), "negligible");
-  EXPECT_STREQ(words_for_delta(0.2), "small");
-  EXPECT_STREQ(words_for_delta(-0.4), "medium");
-  EXPECT_STREQ(words_for_delta(0.9), "large");
+  EXPECT_STREQ(describe_cliffs_delta(-0.1), "negligible");
+  EXPECT_STREQ(describe_cliffs_delta(0.2), "small");
+  EXPECT_STREQ(describe_cliffs_delta(-0.4), "medium");
+  EXPECT_STREQ(describe_cliffs_delta(0.9), "large");
 }
 
 TEST(HedgesG, IsTheFormula) {
@@ -140,8 +140,8 @@ TEST(ClusteredShare, RepeatedTrialsCountOnce) {
     }
   }
   // The variance of 40 clusters is taken with 39: it is worth 39 trials.
-  const Interval found = clustered_share_interval(repeated, 40);
-  const Interval expected = wilson_interval_of_share(0.3, 39.0);
+  const Interval found = clustered_proportion_interval(repeated, 40);
+  const Interval expected = wilson_interval_of_proportion(0.3, 39.0);
   EXPECT_NEAR(found.low, expected.low, 1e-12);
   EXPECT_NEAR(found.high, expected.high, 1e-12);
 }
@@ -156,10 +156,10 @@ TEST(ClusteredShare, IsWilsonsWhereThereIsNothingToLearnFromClusters) {
     even.values.push_back(i % 2);  // the same share in each cluster: no surer than runs alone
     even.clusters.push_back(i / 10);
   }
-  EXPECT_EQ(clustered_share_interval(none, 6).high, wilson_interval(0, 60).high);
-  EXPECT_EQ(clustered_share_interval(one, 1).low, wilson_interval(20, 60).low);
-  EXPECT_EQ(clustered_share_interval(even, 6).low, wilson_interval(30, 60).low);
-  EXPECT_EQ(clustered_share_interval({}, 3).high, 1.0);
+  EXPECT_EQ(clustered_proportion_interval(none, 6).high, wilson_interval(0, 60).high);
+  EXPECT_EQ(clustered_proportion_interval(one, 1).low, wilson_interval(20, 60).low);
+  EXPECT_EQ(clustered_proportion_interval(even, 6).low, wilson_interval(30, 60).low);
+  EXPECT_EQ(clustered_proportion_interval({}, 3).high, 1.0);
 }
 
 TEST(ClusteredShare, CoversTheTruthNineteenTimesInTwenty) {
@@ -180,7 +180,7 @@ TEST(ClusteredShare, CoversTheTruthNineteenTimesInTwenty) {
     const auto holds = [](const Interval& interval) {
       return interval.low <= 0.4 && 0.4 <= interval.high;
     };
-    covered += holds(clustered_share_interval(hits, 30));
+    covered += holds(clustered_proportion_interval(hits, 30));
     by_runs += holds(wilson_interval(count, 300));
   }
   EXPECT_GE(covered, 368);  // 380 of 400 less three standard deviations

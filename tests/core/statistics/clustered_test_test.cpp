@@ -23,11 +23,11 @@ TEST(ClusteredKs, OfOneClusterIsTheTestOfSingleValues) {
   Pair pair;
   for (const double value : {1.0, 2.0, 3.5, 4.0}) add(pair.a, value, 0);
   for (const double value : {3.0, 5.0, 6.0, 7.0, 8.0}) add(pair.b, value, 0);
-  const TestResult found = *clustered_ks(pair.a, pair.b, 1, 3);
-  const TestResult single = *two_sample_ks(pair.a.values, pair.b.values);
+  const TestResult found = *clustered_ks_test(pair.a, pair.b, 1, 3);
+  const TestResult single = *two_sample_ks_test(pair.a.values, pair.b.values);
   EXPECT_EQ(found.statistic, single.statistic);
   EXPECT_EQ(found.p_value, single.p_value);
-  EXPECT_FALSE(clustered_ks(pair.a, {}, 1, 3));
+  EXPECT_FALSE(clustered_ks_test(pair.a, {}, 1, 3));
 }
 
 // Two points with five and four values, of which the first sample has three and two: 10 x 6 deals,
@@ -42,20 +42,20 @@ TEST(ClusteredKs, DealsWithinClusters) {
     return pair;
   };
   const Pair found = dealt(0b001100111);  // 1, 2, 3 and 3.5, 11
-  const double distance = two_sample_ks(found.a.values, found.b.values)->statistic;
+  const double distance = two_sample_ks_test(found.a.values, found.b.values)->statistic;
   int deals = 0, as_far = 0;
   for (unsigned to_first = 0; to_first < 512; ++to_first) {
     if (std::popcount(to_first & 0b11111u) != 3 || std::popcount(to_first >> 5) != 2) continue;
     const Pair pair = dealt(to_first);
     ++deals;
-    const double other = two_sample_ks(pair.a.values, pair.b.values)->statistic;
+    const double other = two_sample_ks_test(pair.a.values, pair.b.values)->statistic;
     as_far += other >= distance - 1e-12 ? 1 : 0;
   }
   ASSERT_EQ(deals, 60);
   const double exact = as_far / 60.0;
   ASSERT_GT(exact, 0.01);
   ASSERT_LT(exact, 0.5);
-  const TestResult test = *clustered_ks(found.a, found.b, 2, 7);
+  const TestResult test = *clustered_ks_test(found.a, found.b, 2, 7);
   EXPECT_EQ(test.statistic, distance);
   EXPECT_FALSE(test.exact);
   EXPECT_NEAR(test.p_value, exact, 4.0 * std::sqrt(exact * (1.0 - exact) / 9999.0) + 1e-4);
@@ -74,8 +74,8 @@ TEST(ClusteredKs, SeesWhatPointsHide) {
         add(pair.b, place + 3.0 + random.normal(), point);
       }
     }
-    found += clustered_ks(pair.a, pair.b, 8, seed, 999)->p_value < 0.01 ? 1 : 0;
-    found_in_single_values += two_sample_ks(pair.a.values, pair.b.values)->p_value < 0.01 ? 1 : 0;
+    found += clustered_ks_test(pair.a, pair.b, 8, seed, 999)->p_value < 0.01 ? 1 : 0;
+    found_in_single_values += two_sample_ks_test(pair.a.values, pair.b.values)->p_value < 0.01 ? 1 : 0;
   }
   EXPECT_EQ(found_in_single_values, 0);
   EXPECT_EQ(found, 20);
@@ -101,8 +101,8 @@ TEST(ClusteredKs, TakesNoPointForAGroup) {
   int flagged = 0, flagged_by_single_values = 0;
   for (std::uint64_t seed = 0; seed < 200; ++seed) {
     const Pair pair = scattered(seed, 12, 10, [](std::uint32_t point, int) { return point < 6; });
-    flagged += clustered_ks(pair.a, pair.b, 12, seed, 999)->p_value < 0.05 ? 1 : 0;
-    flagged_by_single_values += two_sample_ks(pair.a.values, pair.b.values)->p_value < 0.05 ? 1 : 0;
+    flagged += clustered_ks_test(pair.a, pair.b, 12, seed, 999)->p_value < 0.05 ? 1 : 0;
+    flagged_by_single_values += two_sample_ks_test(pair.a.values, pair.b.values)->p_value < 0.05 ? 1 : 0;
   }
   EXPECT_GE(flagged_by_single_values, 100);
   EXPECT_LE(flagged, 20);  // 10 expected, standard deviation 3.1
@@ -114,7 +114,7 @@ TEST(ClusteredKs, HasTheSizeItSaysWhereSomePointsAreShared) {
     const Pair pair = scattered(1000 + seed, 9, 8, [](std::uint32_t point, int i) {
       return point < 3 || (point < 6 && i < 5);
     });
-    flagged += clustered_ks(pair.a, pair.b, 9, seed, 499)->p_value < 0.05 ? 1 : 0;
+    flagged += clustered_ks_test(pair.a, pair.b, 9, seed, 499)->p_value < 0.05 ? 1 : 0;
   }
   EXPECT_GE(flagged, 8);  // 20 expected, standard deviation 4.4
   EXPECT_LE(flagged, 34);

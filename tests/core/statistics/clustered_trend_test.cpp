@@ -50,7 +50,7 @@ double found_share(const TrendStudy& study) {
   Random random(5);
   int found = 0;
   for (std::uint64_t i = 0; i < 400; ++i) {
-    const auto result = clustered_trend(trend_sample(study, random), i, 399);
+    const auto result = clustered_trend_test(trend_sample(study, random), i, 399);
     found += result && result->p_value < 0.05 ? 1 : 0;
   }
   return found / 400.0;
@@ -64,7 +64,7 @@ TEST(ClusteredTrend, OfFourUnitsIsSpearmansTestOfTheirMeanRanks) {
                            {0, 1, 2, 3, 0, 1, 2, 3},
                            {0.1, 0.2, 0.3, 0.4},
                            {0, 0, 0, 0}};
-  const auto result = clustered_trend(sample, 1);
+  const auto result = clustered_trend_test(sample, 1);
   ASSERT_TRUE(result);
   EXPECT_TRUE(result->exact);
   EXPECT_NEAR(result->statistic, 0.8, 1e-12);
@@ -84,7 +84,7 @@ TEST(ClusteredTrend, OfStrataIsPagesTest) {
       sample.values.push_back(100.0 * stratum + k);
     }
   }
-  const auto result = clustered_trend(sample, 1, 999);
+  const auto result = clustered_trend_test(sample, 1, 999);
   ASSERT_TRUE(result);
   EXPECT_NEAR(result->statistic, 1.0, 1e-12);
   EXPECT_NEAR(result->p_value, 1.0 / 1000.0, 1e-12);
@@ -105,14 +105,14 @@ TEST(ClusteredTrend, IsFoundWhereThereIsOne) {
 
 TEST(ClusteredTrend, IsNoneWithoutUnitsThatDiffer) {
   TrendSample sample{{1, 2, 3}, {0, 0, 0}, {0, 1, 2}, {0.5, 0.5, 0.5}, {0, 0, 0}};
-  EXPECT_FALSE(clustered_trend(sample, 1));
+  EXPECT_FALSE(clustered_trend_test(sample, 1));
   sample.property = {0.1, 0.2, 0.3};
   sample.values = {2, 2, 2};
-  EXPECT_FALSE(clustered_trend(sample, 1));
+  EXPECT_FALSE(clustered_trend_test(sample, 1));
   sample.units[2] = 7;
-  EXPECT_TRUE(contains(refusal([&] { clustered_trend(sample, 1); }), "no unit 7 among 3"));
+  EXPECT_TRUE(contains(refusal([&] { clustered_trend_test(sample, 1); }), "no unit 7 among 3"));
   sample.clusters.pop_back();
-  EXPECT_TRUE(contains(refusal([&] { clustered_trend(sample, 1); }), "each of its 3 values"));
+  EXPECT_TRUE(contains(refusal([&] { clustered_trend_test(sample, 1); }), "each of its 3 values"));
 }
 
 }  // namespace

@@ -69,7 +69,7 @@ Shares shares_of(const CrossedStudy& study, double margin) {
     const auto found = crossed_difference(crossed_sample(study, random));
     if (!found) continue;
     shares.found += found->p_value < 0.05 ? 1.0 / kStudies : 0.0;
-    shares.equivalent += equivalence_p(*found, margin) < 0.05 ? 1.0 / kStudies : 0.0;
+    shares.equivalent += equivalence_p_value(*found, margin) < 0.05 ? 1.0 / kStudies : 0.0;
     shares.held +=
         found->interval->low <= study.difference && study.difference <= found->interval->high
             ? 1.0 / kStudies
@@ -91,7 +91,7 @@ TEST(CrossedDifference, IsTheDifferenceOfTheMeans) {
   EXPECT_NEAR(found->scatter, 0.5, 1e-12) << "blocks are half a metre off, points do not count";
   EXPECT_NEAR(found->design_effect, 4.0, 1e-9)
       << "each block's two runs are one, and two means were fitted to four blocks";
-  EXPECT_NEAR(found->freedom, 2.0, 1e-9) << "points make no difference";
+  EXPECT_NEAR(found->degrees_of_freedom, 2.0, 1e-9) << "points make no difference";
 }
 
 // The level of 5 %, over 2,000 studies without a difference (known to 0.5 %), and that of the
@@ -120,10 +120,10 @@ TEST(CrossedDifference, PowerIsAsPredicted) {
     study.difference = difference;
     // Degrees of freedom as a study of the kind has them.
     Random random(9);
-    double freedom = 0.0;
+    double degrees_of_freedom = 0.0;
     for (int i = 0; i < 50; ++i)
-      freedom += crossed_difference(crossed_sample(study, random))->freedom;
-    const double predicted = chance_to_find(difference, study.standard_error(), freedom / 50.0);
+      degrees_of_freedom += crossed_difference(crossed_sample(study, random))->degrees_of_freedom;
+    const double predicted = test_power(difference, study.standard_error(), degrees_of_freedom / 50.0);
     EXPECT_NEAR(shares_of(study, 1.0).found, predicted, 0.03) << difference;
   }
 }
@@ -131,7 +131,7 @@ TEST(CrossedDifference, PowerIsAsPredicted) {
 TEST(CrossedDifference, ValuesNeededFindTheDifferenceInFourOfFiveStudies) {
   // Independent runs of many blocks: the design effect is one.
   const double difference = 1.0, scatter = 2.0;
-  const double needed = values_needed(difference, scatter, 1.0);
+  const double needed = required_sample_size(difference, scatter, 1.0);
   EXPECT_NEAR(needed, 4.0 * 4.0 * std::pow(1.959964 + 0.841621, 2.0), 1e-3);
   CrossedStudy study;
   study.units = static_cast<std::uint32_t>(needed) / 2 * 2;
@@ -141,10 +141,10 @@ TEST(CrossedDifference, ValuesNeededFindTheDifferenceInFourOfFiveStudies) {
   study.of_half = 0.0;
   study.of_run = scatter;
   study.difference = difference;
-  EXPECT_NEAR(shares_of(study, 1.0).found, kUsualPower, 0.03);
-  EXPECT_NEAR(chance_to_find(smallest_found(0.7, 12.0), 0.7, 12.0), kUsualPower, 1e-6);
-  EXPECT_EQ(smallest_found(0.0, 12.0), 0.0);
-  EXPECT_NEAR(chance_to_find(0.0, 1.0, 8.0), 0.05, 1e-9);
+  EXPECT_NEAR(shares_of(study, 1.0).found, kDefaultPower, 0.03);
+  EXPECT_NEAR(test_power(minimum_detectable_difference(0.7, 12.0), 0.7, 12.0), kDefaultPower, 1e-6);
+  EXPECT_EQ(minimum_detectable_difference(0.0, 12.0), 0.0);
+  EXPECT_NEAR(test_power(0.0, 1.0, 8.0), 0.05, 1e-9);
 }
 
 TEST(CrossedDifference, IsNoneWithoutTwoUnitsInEachGroup) {

@@ -111,7 +111,7 @@ TEST_P(BothKernels, LeaveOneOutIsWhatARefitSays) {
   const MatrixXd places = even_places(2, 14);
   VectorXd values = values_at(places);
   values[3] += 0.2;
-  const GaussianProcessShape shape{VectorXd::Constant(2, 0.6), 0.02};
+  const GaussianProcessHyperparameters shape{VectorXd::Constant(2, 0.6), 0.02};
   const GaussianProcess process(places, values, shape, kernel());
   const GaussianProcess::LeaveOneOut left = process.leave_one_out();
   for (Eigen::Index out = 0; out < 14; ++out) {
@@ -142,7 +142,7 @@ TEST_P(BothKernels, NoShapeNearbyIsLikelier) {
   const GaussianProcess best(places, values, options());
   for (const double factor : {0.9, 1.1}) {
     for (Eigen::Index i = 0; i < 3; ++i) {
-      GaussianProcessShape shape = best.shape();
+      GaussianProcessHyperparameters shape = best.shape();
       (i < 2 ? shape.lengths[i] : shape.nugget) *= factor;
       EXPECT_LE(weighed(GaussianProcess(places, values, shape, kernel())), weighed(best) + 1e-3);
     }

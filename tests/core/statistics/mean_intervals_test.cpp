@@ -46,7 +46,7 @@ TEST(WelchDifference, OfGroupsOfEqualSizeAndSpreadIsThatOfPooledOnes) {
   const double error = std::sqrt(2.0), t = 10.0 / error;
   EXPECT_DOUBLE_EQ(found.estimate, -10.0);
   EXPECT_NEAR(found.standard_error, error, 1e-12);
-  EXPECT_NEAR(found.freedom, 2.0, 1e-12);
+  EXPECT_NEAR(found.degrees_of_freedom, 2.0, 1e-12);
   EXPECT_NEAR(found.interval->low, -10.0 - kWithTwo * error, 1e-8);
   EXPECT_NEAR(found.interval->high, -10.0 + kWithTwo * error, 1e-8);
   EXPECT_NEAR(*found.p_value, 1.0 - t / std::sqrt(2.0 + t * t), 1e-12);
@@ -55,7 +55,7 @@ TEST(WelchDifference, OfGroupsOfEqualSizeAndSpreadIsThatOfPooledOnes) {
 TEST(WelchDifference, HasTheDegreesOfFreedomOfTheGroupThatScatters) {
   const Contrast found = welch_difference(of({5.0, 5.0, 5.0, 5.0, 5.0}), of({1.0, 4.0, 7.0}));
   ASSERT_TRUE(found.interval);
-  EXPECT_NEAR(found.freedom, 2.0, 1e-12);
+  EXPECT_NEAR(found.degrees_of_freedom, 2.0, 1e-12);
   EXPECT_NEAR(found.interval->high - found.interval->low, 2.0 * kWithTwo * std::sqrt(3.0), 1e-8);
 }
 

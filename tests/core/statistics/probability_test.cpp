@@ -36,7 +36,7 @@ TEST(Probability, NormalQuantilesAreTheInverse) {
   EXPECT_NEAR(normal_quantile(0.975), 1.959963984540054, 1e-12);
   EXPECT_EQ(normal_quantile(0.5), 0.0);
   for (const double p : {1e-12, 0.01, 0.3, 0.9999}) {
-    EXPECT_NEAR(normal_below(normal_quantile(p)) / p, 1.0, 1e-9);
+    EXPECT_NEAR(normal_cdf(normal_quantile(p)) / p, 1.0, 1e-9);
   }
 }
 
@@ -44,11 +44,11 @@ TEST(ChiSquaredAbove, EqualsItsFiniteSums) {
   for (int freedom = 1; freedom <= 40; ++freedom) {
     for (const double x : {1e-6, 0.01, 0.5, 1.0, 3.0, 9.9, 20.0, 41.0, 80.0, 200.0}) {
       const double expected = chi_squared_by_sum(x, freedom);
-      EXPECT_NEAR(chi_squared_above(x, freedom), expected, 1e-12 + 1e-11 * expected)
+      EXPECT_NEAR(chi_squared_upper_tail(x, freedom), expected, 1e-12 + 1e-11 * expected)
           << x << ", " << freedom;
     }
   }
-  EXPECT_EQ(chi_squared_above(0.0, 3), 1.0);
+  EXPECT_EQ(chi_squared_upper_tail(0.0, 3), 1.0);
 }
 
 // Upper 5 % and 1 % points as every table prints them.
@@ -66,7 +66,7 @@ TEST(ChiSquaredAbove, HitsThePrintedPoints) {
                                       {11.344867, 3, 0.01},
                                       {21.665994, 9, 0.01},
                                       {36.415029, 24, 0.05}}) {
-    EXPECT_NEAR(chi_squared_above(x, freedom), p, 1e-7) << x;
+    EXPECT_NEAR(chi_squared_upper_tail(x, freedom), p, 1e-7) << x;
   }
 }
 
@@ -74,27 +74,27 @@ TEST(ChiSquaredAbove, HitsThePrintedPoints) {
 TEST(StudentBeyond, EqualsItsClosedForms) {
   for (const double t : {1e-9, 0.1, 0.7, 1.0, 2.0, 5.0, 40.0, 1e4}) {
     // Boost takes an arcsine close to 1 here: 8e-12 off at t = 1e-9.
-    EXPECT_NEAR(student_beyond(t, 1), 1.0 - 2.0 / kPi * std::atan(t), t < 1e-6 ? 1e-11 : 1e-13);
-    EXPECT_NEAR(student_beyond(t, 2), 1.0 - t / std::sqrt(2.0 + t * t), 1e-13);
+    EXPECT_NEAR(student_two_sided_tail(t, 1), 1.0 - 2.0 / kPi * std::atan(t), t < 1e-6 ? 1e-11 : 1e-13);
+    EXPECT_NEAR(student_two_sided_tail(t, 2), 1.0 - t / std::sqrt(2.0 + t * t), 1e-13);
     const double s = t / std::sqrt(4.0 + t * t);
-    EXPECT_NEAR(student_beyond(t, 4), 1.0 - s * (1.0 + 0.5 * (1.0 - s * s)), 1e-13);
-    EXPECT_EQ(student_beyond(-t, 7), student_beyond(t, 7));
+    EXPECT_NEAR(student_two_sided_tail(t, 4), 1.0 - s * (1.0 + 0.5 * (1.0 - s * s)), 1e-13);
+    EXPECT_EQ(student_two_sided_tail(-t, 7), student_two_sided_tail(t, 7));
   }
-  EXPECT_EQ(student_beyond(0.0, 5), 1.0);
-  EXPECT_EQ(student_beyond(INFINITY, 5), 0.0);
+  EXPECT_EQ(student_two_sided_tail(0.0, 5), 1.0);
+  EXPECT_EQ(student_two_sided_tail(INFINITY, 5), 0.0);
 }
 
 TEST(StudentBeyond, HitsThePrintedPointsAndTendsToTheNormal) {
-  EXPECT_NEAR(student_beyond(2.228139, 10), 0.05, 1e-7);
-  EXPECT_NEAR(student_beyond(3.169273, 10), 0.01, 1e-7);
-  EXPECT_NEAR(student_beyond(2.042272, 30), 0.05, 1e-7);
-  EXPECT_NEAR(student_beyond(1.959964, 1e9), 0.05, 1e-7);
+  EXPECT_NEAR(student_two_sided_tail(2.228139, 10), 0.05, 1e-7);
+  EXPECT_NEAR(student_two_sided_tail(3.169273, 10), 0.01, 1e-7);
+  EXPECT_NEAR(student_two_sided_tail(2.042272, 30), 0.05, 1e-7);
+  EXPECT_NEAR(student_two_sided_tail(1.959964, 1e9), 0.05, 1e-7);
 }
 
 TEST(NormalBelow, HitsThePrintedPoints) {
-  EXPECT_NEAR(normal_below(1.959963984540054), 0.975, 1e-15);
-  EXPECT_NEAR(normal_below(-1.6448536269514722), 0.05, 1e-15);
-  EXPECT_EQ(normal_below(0.0), 0.5);
+  EXPECT_NEAR(normal_cdf(1.959963984540054), 0.975, 1e-15);
+  EXPECT_NEAR(normal_cdf(-1.6448536269514722), 0.05, 1e-15);
+  EXPECT_EQ(normal_cdf(0.0), 0.5);
 }
 
 // Each of the two series, summed far, where the other is used.
@@ -105,14 +105,14 @@ TEST(KolmogorovAbove, BothSeriesAgreeAndHitThePrintedPoints) {
       alternating += (k % 2 ? 2.0 : -2.0) * std::exp(-2.0 * k * k * x * x);
       theta += std::exp(-(2.0 * k - 1) * (2.0 * k - 1) * kPi * kPi / (8.0 * x * x));
     }
-    EXPECT_NEAR(kolmogorov_above(x), alternating, 1e-12) << x;
-    EXPECT_NEAR(kolmogorov_above(x), 1.0 - std::sqrt(2.0 * kPi) / x * theta, 1e-12) << x;
+    EXPECT_NEAR(kolmogorov_upper_tail(x), alternating, 1e-12) << x;
+    EXPECT_NEAR(kolmogorov_upper_tail(x), 1.0 - std::sqrt(2.0 * kPi) / x * theta, 1e-12) << x;
   }
-  EXPECT_NEAR(kolmogorov_above(1.3580986), 0.05, 1e-7);
-  EXPECT_NEAR(kolmogorov_above(1.6276236), 0.01, 1e-7);
-  EXPECT_NEAR(kolmogorov_above(1.2238479), 0.10, 1e-7);
-  EXPECT_EQ(kolmogorov_above(0.0), 1.0);
-  EXPECT_NEAR(kolmogorov_above(0.05), 1.0, 1e-15);
+  EXPECT_NEAR(kolmogorov_upper_tail(1.3580986), 0.05, 1e-7);
+  EXPECT_NEAR(kolmogorov_upper_tail(1.6276236), 0.01, 1e-7);
+  EXPECT_NEAR(kolmogorov_upper_tail(1.2238479), 0.10, 1e-7);
+  EXPECT_EQ(kolmogorov_upper_tail(0.0), 1.0);
+  EXPECT_NEAR(kolmogorov_upper_tail(0.05), 1.0, 1e-15);
 }
 
 }  // namespace

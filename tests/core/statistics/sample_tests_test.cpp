@@ -54,7 +54,7 @@ TEST(TwoSampleKs, EqualsTheCountOverAllDealsAlsoWithTies) {
     const std::uint64_t different = trial % 2 ? 4 : 1'000'000;  // ties in every second trial
     for (std::uint64_t i = 0; i < m; ++i) a.push_back(static_cast<double>(random.below(different)));
     for (std::uint64_t i = 0; i < n; ++i) b.push_back(static_cast<double>(random.below(different)));
-    const auto test = two_sample_ks(a, b);
+    const auto test = two_sample_ks_test(a, b);
     ASSERT_TRUE(test);
     EXPECT_TRUE(test->exact);
     EXPECT_NEAR(test->statistic, largest_distance(a, b), 1e-15);
@@ -78,7 +78,7 @@ TEST(TwoSampleKs, OfEqualSamplesFollowsGnedenkoAndKorolyuk) {
                     std::exp(2.0 * std::lgamma(n + 1.0) - std::lgamma(n - j * k + 1.0) -
                              std::lgamma(n + j * k + 1.0));
       }
-      const auto test = two_sample_ks(a, b);
+      const auto test = two_sample_ks_test(a, b);
       EXPECT_NEAR(test->statistic, static_cast<double>(k) / n, 1e-12);
       EXPECT_NEAR(test->p_value, expected, 1e-9) << n << ", " << k;
     }
@@ -89,25 +89,25 @@ TEST(TwoSampleKs, OfLargeSamplesTakesKolmogorovsLimit) {
   Values a, b;
   for (int i = 0; i < 5000; ++i) a.push_back(i);
   for (int i = 0; i < 5000; ++i) b.push_back(i + 150.5);
-  const auto test = two_sample_ks(a, b);
+  const auto test = two_sample_ks_test(a, b);
   EXPECT_FALSE(test->exact);
   EXPECT_NEAR(test->statistic, 151.0 / 5000.0, 1e-15);
-  EXPECT_NEAR(test->p_value, kolmogorov_above(151.0 / 5000.0 * std::sqrt(2500.0)), 1e-15);
+  EXPECT_NEAR(test->p_value, kolmogorov_upper_tail(151.0 / 5000.0 * std::sqrt(2500.0)), 1e-15);
 }
 
 TEST(TwoSampleKs, KnowsNothingOfAnEmptySampleAndSeesNoneInEqualOnes) {
-  EXPECT_FALSE(two_sample_ks({}, Values{1.0}));
-  EXPECT_EQ(two_sample_ks(Values{1, 2, 3}, Values{3, 2, 1})->p_value, 1.0);
+  EXPECT_FALSE(two_sample_ks_test({}, Values{1.0}));
+  EXPECT_EQ(two_sample_ks_test(Values{1, 2, 3}, Values{3, 2, 1})->p_value, 1.0);
 }
 
 TEST(Ranks, TiesShareTheMean) { EXPECT_EQ(ranks(Values{3, 1, 3, 2, 3}), (Values{4, 1, 4, 2, 4})); }
 
 // Without ties rho = 1 - 6 sum d^2/(n (n^2 - 1)); for n = 4 the 24 orders give P(rho = 1) = 1/24.
 TEST(Spearman, OfFourPairsCountsAllOrders) {
-  const auto all = spearman(Values{1, 2, 3, 4}, Values{10, 20, 30, 40});
+  const auto all = spearman_test(Values{1, 2, 3, 4}, Values{10, 20, 30, 40});
   EXPECT_DOUBLE_EQ(all->statistic, 1.0);
   EXPECT_NEAR(all->p_value, 2.0 / 24.0, 1e-15);
-  const auto most = spearman(Values{1, 2, 3, 4}, Values{1, 2, 4, 3});
+  const auto most = spearman_test(Values{1, 2, 3, 4}, Values{1, 2, 4, 3});
   EXPECT_NEAR(most->statistic, 0.8, 1e-15);       // sum d^2 = 2
   EXPECT_NEAR(most->p_value, 8.0 / 24.0, 1e-15);  // 1 + 3 orders at either end
 }
@@ -120,14 +120,14 @@ TEST(Spearman, BeyondNinePairsFollowsStudent) {
     x.push_back(random.normal());
     y.push_back(0.3 * x.back() + random.normal());
   }
-  const auto test = spearman(x, y);
+  const auto test = spearman_test(x, y);
   EXPECT_FALSE(test->exact);
   const Values rank_x = ranks(x), rank_y = ranks(y);
   double squares = 0.0;
   for (int i = 0; i < 200; ++i) squares += (rank_x[i] - rank_y[i]) * (rank_x[i] - rank_y[i]);
   const double rho = 1.0 - 6.0 * squares / (200.0 * (200.0 * 200.0 - 1.0));
   EXPECT_NEAR(test->statistic, rho, 1e-12);
-  EXPECT_NEAR(test->p_value, student_beyond(rho * std::sqrt(198.0 / (1.0 - rho * rho)), 198),
+  EXPECT_NEAR(test->p_value, student_two_sided_tail(rho * std::sqrt(198.0 / (1.0 - rho * rho)), 198),
               1e-12);
   // Among samples without a relation one in twenty is below 5 %.
   int rejected = 0;
@@ -137,37 +137,37 @@ TEST(Spearman, BeyondNinePairsFollowsStudent) {
       u.push_back(random.normal());
       v.push_back(random.normal());
     }
-    rejected += spearman(u, v)->p_value < 0.05;
+    rejected += spearman_test(u, v)->p_value < 0.05;
   }
   EXPECT_NEAR(rejected, 20, 15);  // 3.4 standard deviations
 }
 
 TEST(Spearman, NeedsThreePairsThatVary) {
-  EXPECT_FALSE(spearman(Values{1, 2}, Values{1, 2}));
-  EXPECT_FALSE(spearman(Values{1, 2, 3}, Values{1, 1, 1}));
+  EXPECT_FALSE(spearman_test(Values{1, 2}, Values{1, 2}));
+  EXPECT_FALSE(spearman_test(Values{1, 2, 3}, Values{1, 1, 1}));
 }
 
 using Counts = std::vector<std::size_t>;
 
 // 2 x 2: n (ad - bc)^2 / products of the sums; p is the normal's two tails beyond its root.
 TEST(SameClasses, OfTwoClassesIsTheTextbookFormula) {
-  const auto test = same_classes(Counts{43, 46}, Counts{30, 70}, 1);
+  const auto test = chi_squared_test(Counts{43, 46}, Counts{30, 70}, 1);
   const double n = 189.0, difference = 43.0 * 70.0 - 46.0 * 30.0;
   const double expected = n * difference * difference / (89.0 * 100.0 * 73.0 * 116.0);
   EXPECT_NEAR(test->chi_squared, expected, 1e-12);
-  EXPECT_EQ(test->freedom, 1u);
+  EXPECT_EQ(test->degrees_of_freedom, 1u);
   EXPECT_EQ(test->draws, 0u);
   EXPECT_NEAR(test->p_value, std::erfc(std::sqrt(expected / 2.0)), 1e-12);
   EXPECT_NEAR(test->smallest_expected, 73.0 * 89.0 / 189.0, 1e-12);
 }
 
 TEST(SameClasses, ClassesOfNeitherSampleAreLeftOut) {
-  const auto with = same_classes(Counts{20, 0, 30, 25}, Counts{30, 0, 20, 25}, 1);
-  const auto without = same_classes(Counts{20, 30, 25}, Counts{30, 20, 25}, 1);
-  EXPECT_EQ(with->freedom, 2u);
+  const auto with = chi_squared_test(Counts{20, 0, 30, 25}, Counts{30, 0, 20, 25}, 1);
+  const auto without = chi_squared_test(Counts{20, 30, 25}, Counts{30, 20, 25}, 1);
+  EXPECT_EQ(with->degrees_of_freedom, 2u);
   EXPECT_EQ(with->chi_squared, without->chi_squared);
-  EXPECT_FALSE(same_classes(Counts{5, 0}, Counts{7, 0}, 1));
-  EXPECT_FALSE(same_classes(Counts{5, 2}, Counts{0, 0}, 1));
+  EXPECT_FALSE(chi_squared_test(Counts{5, 0}, Counts{7, 0}, 1));
+  EXPECT_FALSE(chi_squared_test(Counts{5, 2}, Counts{0, 0}, 1));
 }
 
 /// p of a 2 x k table: the hypergeometric chances of all tables at least as extreme.
@@ -218,7 +218,7 @@ TEST(SameClasses, RareClassesAreJudgedByRandomTables) {
                              {Counts{9, 2, 0, 1}, Counts{3, 3, 4, 2}},
                              {Counts{40, 3}, Counts{35, 12}},
                              {Counts{3, 3, 3}, Counts{3, 3, 3}}}) {
-    const auto test = same_classes(a, b, 5, 40'000);
+    const auto test = chi_squared_test(a, b, 5, 40'000);
     EXPECT_LT(test->smallest_expected, 7.3);
     const double p = std::min(1.0, p_of_all_tables(a, b));
     if (test->smallest_expected < 5.0) {
@@ -228,11 +228,11 @@ TEST(SameClasses, RareClassesAreJudgedByRandomTables) {
   }
   // A rare class among a million blocks costs no more.
   const auto large =
-      same_classes(Counts{500'000, 499'998, 2}, Counts{400'000, 400'000, 4}, 5, 2000);
+      chi_squared_test(Counts{500'000, 499'998, 2}, Counts{400'000, 400'000, 4}, 5, 2000);
   EXPECT_EQ(large->draws, 2000u);
   EXPECT_GT(large->p_value, 0.2);
-  EXPECT_EQ(same_classes(Counts{6, 1, 3}, Counts{2, 5, 4}, 5)->p_value,
-            same_classes(Counts{6, 1, 3}, Counts{2, 5, 4}, 5)->p_value);
+  EXPECT_EQ(chi_squared_test(Counts{6, 1, 3}, Counts{2, 5, 4}, 5)->p_value,
+            chi_squared_test(Counts{6, 1, 3}, Counts{2, 5, 4}, 5)->p_value);
 }
 
 }  // namespace

@@ -34,7 +34,7 @@ TEST(SobolSequence, BeginsAsPublished) {
 
 // Sobol's property A, which a wrong direction number of any dimension breaks.
 TEST(SobolSequence, EveryHalvedCubeHasOnePoint) {
-  for (const std::size_t dimensions : {std::size_t{3}, std::size_t{12}, kMostSobolDimensions}) {
+  for (const std::size_t dimensions : {std::size_t{3}, std::size_t{12}, kMaxSobolDimensions}) {
     SobolSequence sequence(dimensions);
     const std::size_t count = std::size_t{1} << dimensions;
     std::vector<bool> seen(count, false);
@@ -52,8 +52,8 @@ TEST(SobolSequence, EveryHalvedCubeHasOnePoint) {
 TEST(SobolSequence, ScrambledCoordinatesAreAsEven) {
   constexpr std::size_t kCount = 256;
   for (const std::uint64_t seed : {1u, 2u, 77u}) {
-    const auto points = points_of(SobolSequence(kMostSobolDimensions, seed), kCount);
-    for (std::size_t d = 0; d < kMostSobolDimensions; ++d) {
+    const auto points = points_of(SobolSequence(kMaxSobolDimensions, seed), kCount);
+    for (std::size_t d = 0; d < kMaxSobolDimensions; ++d) {
       std::set<int> parts;
       for (const auto& point : points) parts.insert(static_cast<int>(point[d] * kCount));
       EXPECT_EQ(parts.size(), kCount) << "dimension " << d;

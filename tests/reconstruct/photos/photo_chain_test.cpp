@@ -22,7 +22,7 @@ TEST(PhotoChain, TheRenderedRockIsPlacedScaledAndMeasured) {
   std::cout << "scale " << 100.0 * (scale - 1.0) << " %\n";
   EXPECT_NEAR(scale, 1.0, 0.001);
   const RockBlock rock(scan);
-  EXPECT_TRUE(inspect(rock.block.scan.mesh).closed());
+  EXPECT_TRUE(inspect_mesh(rock.block.scan.mesh).is_closed());
   for (const int axis : {0, 2}) EXPECT_LT(std::abs(rock.extents[axis]), 0.005) << axis;
   const Underside& underside = *rock.block.underside;
   EXPECT_LE(underside.lower_volume, rock.true_volume);
@@ -43,7 +43,7 @@ TEST(PhotoChain, TheRealBouldersPhotosGiveAClosedBlockWithoutAScale) {
   const PhotoScan scan = photo_scan(photos, options);
   EXPECT_FALSE(scan.metric);
   const FieldBlock block = field_blocks(scan.cloud.points, "boulder").front();
-  EXPECT_TRUE(inspect(block.scan.mesh).closed());
+  EXPECT_TRUE(inspect_mesh(block.scan.mesh).is_closed());
 }
 
 }  // namespace

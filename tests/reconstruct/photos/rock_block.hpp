@@ -36,7 +36,7 @@ struct RockBlock {
     extents = relative((along.high - along.low) / to_truth.scale, box.lengths);
     std::cout << "L, I, S " << 100.0 * sides.transpose() << " %, along the true ones "
               << 100.0 * extents.transpose() << " %, volume " << block.underside->lower_volume
-              << " " << block.underside->best_volume << " " << block.underside->upper_volume.value()
+              << " " << block.underside->estimated_volume << " " << block.underside->upper_volume.value()
               << " of " << true_volume << "\n";
   }
 

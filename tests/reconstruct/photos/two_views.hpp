@@ -29,7 +29,7 @@ struct TwoViews {
   Vec3 in_camera(int i, const Vec3& p) const { return rotation[i] * (p - centre[i]); }
 };
 
-inline std::string text(double value) { return with_digits(value, 17); }
+inline std::string text(double value) { return format_significant(value, 17); }
 
 /// Expects pixels, given with the first pixel's centre at (half, half), of both photos.
 inline void expect_pixels(const PhotoModel& model, double half,

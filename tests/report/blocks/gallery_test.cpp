@@ -39,8 +39,8 @@ TEST(Gallery, HasACardWithItsNumbersForEveryBlock) {
 
 TEST(Gallery, ItsFolderIsKnown) {
   const FolderKind kind = gallery_folder_kind();
-  EXPECT_TRUE(kind.owns("gallery.html"));
-  EXPECT_FALSE(kind.owns("report.html"));
+  EXPECT_TRUE(kind.is_own_file("gallery.html"));
+  EXPECT_FALSE(kind.is_own_file("report.html"));
   const ScratchFolder folder;
   const Block block = filled_block("one");
   const Block* const one = &block;

@@ -42,7 +42,7 @@ TEST(Turntable, HoldsBlockScanAndBoxWhereTheyAre) {
   const Block block = scanned_block();
   const Json data = Json::parse(turntable_json(block));
   const double step = double(data["size"]) / 32767.0;
-  const TriangleMesh skin = skin_mesh(block.body, 2);
+  const TriangleMesh skin = rounded_surface_mesh(block.body, 2);
   const std::vector<Vec3> corners = places(data["block"], data);
   ASSERT_EQ(corners.size(), skin.vertices.size());
   for (std::size_t i = 0; i < corners.size(); ++i) {
@@ -60,7 +60,7 @@ TEST(Turntable, HoldsBlockScanAndBoxWhereTheyAre) {
 TEST(Turntable, HasTheDistanceOfEveryCornerFromTheScan) {
   const Block block = scanned_block();
   const Json deviation = Json::parse(turntable_json(block))["deviation"];
-  const TriangleMesh skin = skin_mesh(block.body, 2);
+  const TriangleMesh skin = rounded_surface_mesh(block.body, 2);
   const auto pieces = packed_numbers<std::uint8_t>(deviation["pieces"]);
   const auto shares = packed_numbers<std::int8_t>(deviation["shares"]);
   ASSERT_EQ(pieces.size(), skin.triangles.size());

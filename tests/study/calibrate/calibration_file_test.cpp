@@ -77,7 +77,7 @@ TEST_F(CalibrationFile, InterruptedGoesOnToTheSameBits) {
   std::size_t before = 0;
   CalibrateOptions options;
   options.resume = true;
-  options.progress = [&](const ProgressStep& step) { before = step.before; };
+  options.progress = [&](const ProgressUpdate& step) { before = step.before; };
   EXPECT_EQ(run(options).posterior.draws, whole.posterior.draws);
   EXPECT_EQ(simulated, 21u);
   EXPECT_EQ(before, 11u);
@@ -93,7 +93,7 @@ TEST_F(CalibrationFile, ShardsJoinedAreTheWhole) {
     options.shard = {i, 3};
     const auto part = folder / ("part" + std::to_string(i) + ".h5");
     std::size_t total = 0;
-    options.progress = [&](const ProgressStep& step) { total = step.total; };
+    options.progress = [&](const ProgressUpdate& step) { total = step.total; };
     calibrate_with(simulator, made.study, part, options);
     EXPECT_EQ(simulated, i == 1 ? 12u : 10u);  // 16 members at two sites
     EXPECT_EQ(total, simulated);

@@ -115,8 +115,8 @@ TEST(TomlTable, RefusesAKeyByTheMessageOfWhatItsValueIsUsedFor) {
                   "unit", []() -> int { throw InputError("`unit` is old"); }, "x: ");
             }),
             "a.toml:1: [t] unit = \"ell\": x: unit is old");
-  table.refuse_if_there("moss", "is not for this");
-  EXPECT_EQ(refusal([&] { table.refuse_if_there("unit", "is not for this"); }),
+  table.refuse_if_present("moss", "is not for this");
+  EXPECT_EQ(refusal([&] { table.refuse_if_present("unit", "is not for this"); }),
             "a.toml:1: [t] unit = \"ell\": is not for this");
   EXPECT_EQ(refusal([&] {
               table.refuse(

@@ -274,7 +274,7 @@ TEST_F(CampaignContent, SobolEnsembleFillsTheLawsEvenly) {
     const GroundParameterSet& group = plan.header.ground_sets[32 + member];
     friction.insert(static_cast<int>((set.zones[0].friction - 0.3) / 0.2 * 32));
     rolling.insert(
-        static_cast<int>(normal_below((set.zones[1].rolling_friction - 0.3) / 0.05) * 32));
+        static_cast<int>(normal_cdf((set.zones[1].rolling_friction - 0.3) / 0.05) * 32));
     of_group.insert(static_cast<int>((group.zones[0].friction - 0.1) / 0.1 * 32));
     EXPECT_EQ(group.zones[1].rolling_friction, set.zones[1].rolling_friction);
   }

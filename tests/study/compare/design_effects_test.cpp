@@ -53,14 +53,14 @@ TEST(DesignEffects, AreTheSharesOfWhatTheRunoutIsMadeOf) {
   EXPECT_EQ(runout.outcome, "runout");
   EXPECT_NEAR(runout.mean, 20.0, 1e-9);
   const double total = 9.0 + 16.0 * 2.0 / 3.0 + 100.0;
-  EXPECT_NEAR(runout.shares.factors[0].of_design, 9.0 / total, 1e-9);
-  EXPECT_NEAR(runout.shares.factors[1].of_design, 16.0 * 2.0 / 3.0 / total, 1e-9);
-  EXPECT_NEAR(runout.shares.factors[2].of_design, 100.0 / total, 1e-9);
+  EXPECT_NEAR(runout.shares.factors[0].design_fraction, 9.0 / total, 1e-9);
+  EXPECT_NEAR(runout.shares.factors[1].design_fraction, 16.0 * 2.0 / 3.0 / total, 1e-9);
+  EXPECT_NEAR(runout.shares.factors[2].design_fraction, 100.0 / total, 1e-9);
   // Who passes is decided by the point alone; nobody passes B2; nobody leaves the line.
   const OutcomeEffects& passing = effects.outcomes.back();
   EXPECT_EQ(passing.outcome, "passing B<1>");
   EXPECT_NEAR(passing.mean, 0.5, 1e-12);
-  EXPECT_NEAR(passing.shares.factors[2].of_design, 1.0, 1e-12);
+  EXPECT_NEAR(passing.shares.factors[2].design_fraction, 1.0, 1e-12);
   for (const OutcomeEffects& outcome : effects.outcomes) EXPECT_NE(outcome.outcome, "passing B2");
 }
 
@@ -95,7 +95,7 @@ TEST(DesignEffects, FormAndMassAreTwoFactorsWhereEachBlockHasEachMass) {
   ASSERT_EQ(effects.factors.size(), 4u) << effects.refusal;
   EXPECT_EQ(effects.factors[0].name, "form");
   EXPECT_EQ(effects.factors[1].name, "mass");
-  EXPECT_NEAR(effects.outcomes.at(0).shares.factors[1].of_design, 0.0, 1e-12);
+  EXPECT_NEAR(effects.outcomes.at(0).shares.factors[1].design_fraction, 0.0, 1e-12);
 }
 
 TEST(DesignEffects, OfWhatIsNoFullDesignAreEstimates) {
@@ -106,8 +106,8 @@ TEST(DesignEffects, OfWhatIsNoFullDesignAreEstimates) {
   EXPECT_EQ(effects.refusal, "");
   EXPECT_TRUE(contains(effects.estimated, "11 runs are not every combination once"));
   EXPECT_TRUE(contains(effects.estimated, "block 2, orientation 3, release point 2: 12"));
-  const VarianceShares& runout = effects.outcomes.at(0).shares;
-  EXPECT_TRUE(std::isnan(runout.factors[2].of_design));
+  const VarianceDecomposition& runout = effects.outcomes.at(0).shares;
+  EXPECT_TRUE(std::isnan(runout.factors[2].design_fraction));
   // The points: 200 of 9 x 2 + 16 + 200, of the population.
   EXPECT_NEAR(runout.factors[2].estimate, 200.0 / 234.0, 0.05);
   CampaignResults twice = factorial_results();

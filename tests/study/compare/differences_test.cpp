@@ -201,13 +201,13 @@ TEST(Differences, AreSaidInASentence) {
   const Comparison comparison = compared(synthetic_results(5, -6.0));
   const Difference& runout = between_classes(comparison, "runout_m");
   const Interval& interval = runout.interval.value();
-  const int decimals = decimals_known(interval, 4);
+  const int decimals = known_decimals(interval, 4);
   EXPECT_EQ(in_words(runout, comparison),
-            "runout: class compact " + with_digits(runout.first_mean, 3) +
-                " m on average, class elongated " + with_digits(runout.second_mean, 3) + " m; " +
-                with_decimals(runout.first_mean - runout.second_mean, decimals) + " m more (" +
-                with_decimals(interval.low, decimals) + " to " +
-                with_decimals(interval.high, decimals) + " m)");
+            "runout: class compact " + format_significant(runout.first_mean, 3) +
+                " m on average, class elongated " + format_significant(runout.second_mean, 3) + " m; " +
+                format_decimals(runout.first_mean - runout.second_mean, decimals) + " m more (" +
+                format_decimals(interval.low, decimals) + " to " +
+                format_decimals(interval.high, decimals) + " m)");
   const Comparison same = compared(synthetic_results(5, 0.0));
   EXPECT_TRUE(in_words(between_classes(same, "runout_m"), same)
                   .ends_with(", which can be chance among 4 differences"));
@@ -217,9 +217,9 @@ TEST(Differences, AreSaidInASentence) {
   std::swap(back.first_mean, back.second_mean);
   back.estimate = -runout.estimate;
   back.interval = Interval{-interval.high, -interval.low};
-  EXPECT_EQ(describe_difference(back), with_decimals(runout.first_mean - runout.second_mean, decimals) +
-                                    " m less (" + with_decimals(interval.low, decimals) + " to " +
-                                    with_decimals(interval.high, decimals) + " m)");
+  EXPECT_EQ(describe_difference(back), format_decimals(runout.first_mean - runout.second_mean, decimals) +
+                                    " m less (" + format_decimals(interval.low, decimals) + " to " +
+                                    format_decimals(interval.high, decimals) + " m)");
 }
 
 TEST(Differences, NameTheirQuantitiesForReaders) {

@@ -104,15 +104,15 @@ TEST(RealisationFigures, AreDistinguishedWhereTheIntervalAndTheCorrectedTestSayS
     return named(compare_deposit_quantities(all), "toe_distance_m");
   };
   const DepositQuantityDifference clear = compared_lengths({20.0, 21.0, 22.0, 21.0}, {10.0, 11.0, 12.0});
-  EXPECT_EQ(clear.verdict(), Verdict::kMoreThanChance);
+  EXPECT_EQ(clear.verdict(), Verdict::kSignificant);
   EXPECT_EQ(in_words(clear), "distance L from crest to toe: file 1 21.00 m, file 2 11.00 m; " +
                                  describe_difference(clear) + ", from 4 and 3 realisations");
   EXPECT_TRUE(contains(describe_difference(clear), "m more (")) << describe_difference(clear);
   const DepositQuantityDifference open = compared_lengths({20.0, 22.0}, {13.0, 15.0});
-  EXPECT_EQ(open.verdict(), Verdict::kOneOfMany) << *open.p_holm;
+  EXPECT_EQ(open.verdict(), Verdict::kInsignificantAfterCorrection) << *open.p_holm;
   EXPECT_TRUE(contains(in_words(open), "; one of 3 differences can be as large by chance"));
   const DepositQuantityDifference none = compared_lengths({20.0, 22.0}, {20.5, 22.5});
-  EXPECT_EQ(none.verdict(), Verdict::kCanBeChance);
+  EXPECT_EQ(none.verdict(), Verdict::kInsignificant);
   EXPECT_TRUE(contains(describe_difference(none), "m less (")) << describe_difference(none);
   EXPECT_TRUE(in_words(none).ends_with("; not distinguished"));
   const DepositQuantityDifference single = compared_lengths({20.0, 22.0}, {10.0});

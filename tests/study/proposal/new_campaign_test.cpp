@@ -62,7 +62,7 @@ TEST_P(SlopesFacing, GetReleasesAboveAndABarrierAtTheFoot) {
   const FacingSlope slope{.facing = GetParam() * kRadiansPerDegree};
   write_slope(folder / "slope.asc", slope);
   const Terrain terrain = terrain_of(folder / "slope.asc");
-  const ProposedLines places = propose_release_and_barrier(terrain, terrain_surface(terrain), 1.0);
+  const ProposedLines places = propose_release_and_barrier(terrain, make_terrain_surface(terrain), 1.0);
   EXPECT_EQ(places.release_points, 5u);
   expect_sensible(places, terrain, slope);
 }
@@ -76,7 +76,7 @@ TEST(NewCampaign, ASlopeWithoutAFootHasTheBarrierOnTheGround) {
   const FacingSlope slope{.facing = 0.5, .slope = 33.0 * kRadiansPerDegree, .foot = 2.0};
   write_slope(folder / "slope.asc", slope);
   const Terrain terrain = terrain_of(folder / "slope.asc");
-  const ProposedLines places = propose_release_and_barrier(terrain, terrain_surface(terrain), 0.8);
+  const ProposedLines places = propose_release_and_barrier(terrain, make_terrain_surface(terrain), 0.8);
   const Vec3 centre = 0.5 * (places.barrier.from + places.barrier.to);
   EXPECT_NO_THROW(check_over_ground(terrain, std::vector<Vec3>{centre}, "barrier"));
   EXPECT_GT(places.distance, 40.0);
@@ -92,7 +92,7 @@ TEST(NewCampaign, MapCoordinatesChangeNothingElse) {
   write_slope(folder / "near.asc", slope);
   const auto places_on = [&](const std::string& name) {
     const Terrain terrain = terrain_of(folder / name);
-    return propose_release_and_barrier(terrain, terrain_surface(terrain), 1.0);
+    return propose_release_and_barrier(terrain, make_terrain_surface(terrain), 1.0);
   };
   const ProposedLines far = places_on("far.asc"), near = places_on("near.asc");
   EXPECT_LT((plan(far.releases.from) - plan(near.releases.from) - offset).norm(), 1e-3);

@@ -17,7 +17,7 @@ TEST_F(CampaignRun, EveryRunIsStoredWithItsCrossingsAndTrajectory) {
   const CampaignPlan plan = prepared();
   const fs::path target = *folder_ / "all.h5";
   std::size_t calls = 0;
-  run_campaign(plan, target, {.threads = 2, .progress = [&](const ProgressStep& step) {
+  run_campaign(plan, target, {.threads = 2, .progress = [&](const ProgressUpdate& step) {
                                 EXPECT_EQ(step.done, ++calls);
                                 EXPECT_EQ(step.total, 12u);
                               }});
@@ -57,7 +57,7 @@ TEST_F(CampaignRun, ResultsDoNotDependOnThreadsOrInterruptions) {
   // Stopped twice from outside, and torn at its end.
   struct Stop {};
   for (int stop = 0; stop < 2; ++stop) {
-    const auto quit = [](const ProgressStep& step) {
+    const auto quit = [](const ProgressUpdate& step) {
       if (step.done % 4 == 0) throw Stop{};
     };
     EXPECT_THROW(
@@ -70,7 +70,7 @@ TEST_F(CampaignRun, ResultsDoNotDependOnThreadsOrInterruptions) {
   }
   std::size_t runs = 0;
   run_campaign(plan, *folder_ / "cut.h5",
-               {.threads = 2, .resume = true, .progress = [&](const ProgressStep&) { ++runs; }});
+               {.threads = 2, .resume = true, .progress = [&](const ProgressUpdate&) { ++runs; }});
   EXPECT_LT(runs, 12u);
   expect_equal_results(*folder_ / "one.h5", *folder_ / "cut.h5");
   EXPECT_FALSE(fs::exists(journal_path(*folder_ / "cut.h5")));
@@ -93,7 +93,7 @@ TEST_F(CampaignRun, RunThatFailsIsStoredWithItsReason) {
 TEST_F(CampaignRun, TargetThatCantBeWrittenIsRefusedBeforeAnythingRuns) {
   const CampaignPlan plan = prepared();
   fs::create_directory(*folder_ / "folder.h5");
-  const auto ran = [](const ProgressStep&) { FAIL() << "a run was done"; };
+  const auto ran = [](const ProgressUpdate&) { FAIL() << "a run was done"; };
   EXPECT_THROW(run_campaign(plan, *folder_ / "folder.h5", {.progress = ran}), InputError);
   EXPECT_THROW(run_campaign(plan, *folder_ / "turns.txt/r.h5", {.progress = ran}), InputError);
 }
@@ -103,7 +103,7 @@ TEST_F(CampaignRun, FinishedResultsAreKeptUntilReplaceAndNotRunAgain) {
   const fs::path target = *folder_ / "finished.h5";
   run_campaign(plan, target, {.threads = 2});
   const std::string first = read_text_file(target);
-  const auto none = [](const ProgressStep&) { FAIL() << "a run was done"; };
+  const auto none = [](const ProgressUpdate&) { FAIL() << "a run was done"; };
   EXPECT_THROW(run_campaign(plan, target, {.progress = none}), InputError);
   run_campaign(plan, target, {.resume = true, .progress = none});
   const CampaignPlan other = prepared(with("max_time_s = 6", "max_time_s = 5"));

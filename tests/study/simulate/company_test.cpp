@@ -76,7 +76,7 @@ class Company : public CampaignRun {
       crossings += run.crossings.size();
       impacts += run.impacts.size();
       const Vec3 start = results.frame.map(record.start.position);
-      const std::string name = with_digits(start.y(), 6) + " " + with_digits(start.z(), 6) + " " +
+      const std::string name = format_significant(start.y(), 6) + " " + format_significant(start.z(), 6) + " " +
                                std::to_string(record.orientation) + " " +
                                std::to_string(results.ground_sets[record.ground_set].member);
       run.record.run = run.record.block = run.record.point = run.record.ground_set = 0;
@@ -152,7 +152,7 @@ TEST_F(Company, OtherMembersOfAnEnsembleChangeNothing) {
     drawn.insert(restitution);
     const Runs own = runs_of(
         "slab", of("\"slab\"", with("energy_restitution = 0.1",
-                                    "energy_restitution = " + with_digits(restitution, 17))));
+                                    "energy_restitution = " + format_significant(restitution, 17))));
     for (const auto& [name, bytes] : own) {
       std::string of_member = name;
       of_member.back() = static_cast<char>('0' + set.member);

@@ -44,7 +44,7 @@ TEST(CoveredCells, BoundEveryPointOfARoundedRock) {
       cells[{cell.i, cell.j}] = cell;
     }
     double reached = -1e300, bound = -1e300;
-    const TriangleMesh skin = transformed(skin_mesh(body.shape, 6), place);
+    const TriangleMesh skin = transformed(rounded_surface_mesh(body.shape, 6), place);
     for (const TriangleMesh::Triangle& triangle : skin.triangles) {
       for (int sample = 0; sample < 20; ++sample) {
         const double a = random.uniform(), b = random.uniform() * (1.0 - a);

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <set>
 
-#include "library/mass_blocks.hpp"
+#include "library/rock_mass_blocks.hpp"
 #include "study/compare/realisation_deposits.hpp"
 #include "study/simulate/memory_need.hpp"
 #include "tests/study/campaign_run.hpp"
@@ -192,11 +192,12 @@ TEST_F(MassCampaign, ReleasesBlocksInPlace) {
   const double dip = std::atan(0.6);
   mass = transformed(mass, Pose{Vec3(-3.0, 0.0, 1.8) + 0.8 * Vec3(std::sin(dip), 0, std::cos(dip)),
                                 Quat(Eigen::AngleAxisd(dip, Vec3::UnitY()))});
-  MassBlockOptions options;
+  RockMassOptions options;
   for (const char* set : {"59/270/1", "90/0/0.9", "31/90/0.8"}) {
-    options.joints.push_back(read_joint_set(set));
+    options.joints.push_back(parse_joint_set(set));
   }
-  const MassBlocks made = blocks_of_mass(mass, {"mass.ply", std::string(64, '0'), "", ""}, options);
+  const RockMassBlocks made =
+      cut_rock_mass(mass, {"mass.ply", std::string(64, '0'), "", ""}, options);
   BlockLibrary library;
   for (const Block& block : made.blocks) library.add(block);
   library.write(*folder_ / "insitu.h5");
@@ -233,7 +234,8 @@ TEST_F(MassCampaign, ReleasesBlocksInPlace) {
           "[mass] in_place: 1 pair of blocks overlap, the most cube and slab, by 0.3 m");
   // A mass that reaches into the ground.
   for (Vec3& vertex : mass.vertices) vertex.z() -= 0.5;
-  const MassBlocks deep = blocks_of_mass(mass, {"mass.ply", std::string(64, '0'), "", ""}, options);
+  const RockMassBlocks deep =
+      cut_rock_mass(mass, {"mass.ply", std::string(64, '0'), "", ""}, options);
   BlockLibrary other;
   for (const Block& block : deep.blocks) other.add(block);
   other.write(*folder_ / "deep.h5");

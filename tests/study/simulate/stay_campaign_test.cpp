@@ -91,7 +91,7 @@ TEST_F(StayCampaign, IsTheSameOnThreadsInShardsAndAfterAnInterruption) {
   const CampaignPlan plan = prepared(text());
   expect_same(whole, run_in_shards(plan, 2));
   EXPECT_EQ(read_results(*folder_ / "part1.h5").runs.size(), 4u);  // whole realisations
-  const auto quit = [](const ProgressStep& step) {
+  const auto quit = [](const ProgressUpdate& step) {
     if (step.done >= 2) throw SimulationError("stopped");
   };
   EXPECT_THROW(run_campaign(plan, *folder_ / "cut.h5", {.threads = 1, .progress = quit}),
@@ -106,7 +106,7 @@ TEST_F(StayCampaign, EndsWithinARealisation) {
   slow = replaced_once(slow, "[contact.blocks]", "[contact]\ntime_step_s = 1e-8\n[contact.blocks]");
   const CampaignPlan plan = prepared(slow);
   std::string heard;
-  const auto quit = [&](const ProgressStep& step) {
+  const auto quit = [&](const ProgressUpdate& step) {
     heard = step.what;
     EXPECT_EQ(step.done, 0u);
     throw SimulationError("stopped");
@@ -132,7 +132,7 @@ TEST_F(StayCampaign, GoesOnFromWhereItWasEndedWithinARealisation) {
   const std::filesystem::path file = *folder_ / "ended.h5";
   const std::filesystem::path checkpoint = file.string() + ".part.1";
   std::string heard;
-  const auto quit = [&](const ProgressStep& step) {
+  const auto quit = [&](const ProgressUpdate& step) {
     heard = step.what;
     if (step.done == 0) throw SimulationError("stopped");
   };
@@ -167,7 +167,7 @@ TEST_F(StayCampaign, KeepsACheckpointNowAndThen) {
   const CampaignPlan plan = prepared(text());
   const std::filesystem::path file = *folder_ / "kept.h5";
   std::set<std::string> seen;
-  const auto look = [&](const ProgressStep&) {
+  const auto look = [&](const ProgressUpdate&) {
     for (const auto& entry : std::filesystem::directory_iterator(file.parent_path())) {
       const std::string name = entry.path().filename().string();
       if (name.starts_with("kept.h5.part.")) seen.insert(name);

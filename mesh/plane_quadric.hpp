@@ -1,0 +1,38 @@
+#pragma once
+/// The point that lies best on several planes.
+#include <Eigen/Eigenvalues>
+
+#include "core/types.hpp"
+
+namespace clast {
+
+/// Weighted planes given by unit normal and distance from a chosen start point, and the shortest
+/// step from there to their least-squares meeting point. Directions in which the planes hardly
+/// differ (singular values under `kCut` of the largest) are left alone, so that coplanar faces
+/// give a step along their normal and faces along a ridge one across it.
+class PlaneQuadric {
+ public:
+  void add(const Vec3& normal, double distance, double weight) {
+    matrix_ += weight * normal * normal.transpose();
+    side_ += weight * distance * normal;
+  }
+
+  Vec3 step() const {
+    const Eigen::SelfAdjointEigenSolver<Mat3> solver(matrix_);
+    const Vec3 values = solver.eigenvalues();
+    Vec3 result = Vec3::Zero();
+    for (int i = 0; i < 3; ++i) {
+      if (values[i] <= 0.0 || values[i] < kCut * kCut * values[2]) continue;
+      const Vec3 direction = solver.eigenvectors().col(i);
+      result += direction.dot(side_) / values[i] * direction;
+    }
+    return result;
+  }
+
+ private:
+  static constexpr double kCut = 0.15;
+  Mat3 matrix_ = Mat3::Zero();
+  Vec3 side_ = Vec3::Zero();
+};
+
+}  // namespace clast

@@ -1,0 +1,135 @@
+#include "pipeline/fewest_vertices.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "core/error.hpp"
+#include "reconstruct/simplify.hpp"
+
+namespace clast {
+namespace {
+
+/// More vertices than the last make a simulation slow for little. Trials start at the middle
+/// number.
+constexpr std::size_t kFewestVertices = 8, kFirstVertices = 120, kMostVertices = 2000;
+/// The search ends when a tenth fewer vertices are known not to do.
+constexpr double kRefinement = 1.1;
+constexpr double kLargestLeap = 2.5;  ///< from one number of vertices to the next
+/// A corner of a cube loses 0.73 radii, one of a tetrahedron 2: 0.0025 of S keeps even that.
+constexpr int kRadiusHalvings = 3;
+
+/// Every trial starts from the largest count, so that a large scan is simplified once. A scan that
+/// can't be simplified to that one may still lose its flaws on the way to a smaller one.
+TriangleMesh simplify_for_trials(const TriangleMesh& scan) {
+  try {
+    return simplified(scan, {.target_vertices = kMostVertices});
+  } catch (const GeometryError&) {
+    return scan;
+  }
+}
+
+double distance_ratio(const Block& block, const BlockOptions& options) {
+  return std::max(block.deviation.hausdorff / (options.tolerance * block.box.lengths[0]),
+                  block.deviation.moments_relative / kMomentsTolerance);
+}
+
+}  // namespace
+
+FewestVerticesSearch::FewestVerticesSearch(const std::string& id, const ScanSurface& scan,
+                                           const BlockSource& source)
+    : id_(id), scan_(scan), source_(source), fine_(simplify_for_trials(scan.mesh())) {}
+
+Block FewestVerticesSearch::lightest(const BlockOptions& options, bool radius_given) {
+  BlockOptions try_vertex_count = options;
+  for (int halving = 0; halving <= kRadiusHalvings; ++halving) {
+    if (std::optional<Block> block = found(try_vertex_count)) {
+      Block lightest = with_accurate_mass(std::move(*block), try_vertex_count);
+      if (halving > 0) {
+        lightest.warnings.push_back(
+            "the radius is " + format_rounded(100.0 * try_vertex_count.radius_share, 3) +
+            " % of S: with " + format_rounded(200.0 * try_vertex_count.radius_share, 3) +
+            " % no block was within the tolerance");
+      }
+      return lightest;
+    }
+    if (radius_given) break;
+    try_vertex_count.radius_share /= 2.0;
+  }
+  Block kept = nearest_block(options);
+  kept.warnings.push_back("no block of up to " + std::to_string(kMostVertices) +
+                          " vertices is within the tolerance of this scan; this is the nearest");
+  return kept;
+}
+
+std::optional<Block> FewestVerticesSearch::found(const BlockOptions& options) {
+  std::optional<Block> lightest;
+  const std::size_t most = std::min(kMostVertices, fine_.vertices.size());
+  std::size_t enough = most + 1, too_few = std::min(kFewestVertices, most) - 1;
+  std::size_t count = std::min(kFirstVertices, most);
+  while (too_few < count && count < enough) {
+    std::optional<Block> block = try_vertex_count(count, options);
+    double ratio = kLargestLeap;  // how much too far, as well as it is known
+    if (block) ratio = distance_ratio(*block, options);
+    if (block && is_within_tolerance(*block, options)) {
+      enough = count;
+      lightest = std::move(block);
+    } else {
+      too_few = count;
+      if (block) keep_nearest(std::move(*block));
+    }
+    const auto low = static_cast<double>(too_few), high = static_cast<double>(enough);
+    if (enough > most) {  // distances fall about as 1 over the number of vertices
+      const double leap = std::clamp(ratio, 1.0 + kRefinement / 4.0, kLargestLeap);
+      count = std::max(count + 1, std::min(most, static_cast<std::size_t>(low * leap)));
+    } else if (too_few < kFewestVertices) {
+      count = std::max(kFewestVertices, static_cast<std::size_t>(high / 2.0));
+      if (count == enough) break;
+    } else {
+      if (high <= kRefinement * low) break;
+      count = static_cast<std::size_t>(std::sqrt(low * high));
+    }
+  }
+  return lightest;
+}
+
+std::optional<Block> FewestVerticesSearch::try_vertex_count(std::size_t count,
+                                                            const BlockOptions& options) {
+  try {
+    // Volumes to a millionth take longer than a fit, and are wanted once.
+    BlockOptions quick = options;
+    quick.accuracy = std::max(options.accuracy, BlockOptions().accuracy);
+    quick.advise = refusal_.empty();  // the first refusal is the one that is reported
+    return make_block(id_, simplified(fine_, {.target_vertices = count}), scan_,
+                      source_with_vertices(count), quick);
+  } catch (const GeometryError& error) {
+    if (refusal_.empty()) refusal_ = error.what();
+    return std::nullopt;
+  }
+}
+
+Block FewestVerticesSearch::nearest_block(const BlockOptions& options) {
+  if (!nearest_) throw GeometryError(refusal_);
+  BlockOptions as_tried = options;
+  as_tried.radius = nearest_->body.radius;
+  return with_accurate_mass(std::move(*nearest_), as_tried);
+}
+
+Block FewestVerticesSearch::with_accurate_mass(Block block, const BlockOptions& options) const {
+  if (options.accuracy >= BlockOptions().accuracy) return block;
+  return make_block(id_, block.surface, scan_, source_with_vertices(block.surface.vertices.size()),
+                    options);
+}
+
+BlockSource FewestVerticesSearch::source_with_vertices(std::size_t count) const {
+  BlockSource source = source_;
+  source.options += " vertices=" + std::to_string(count);
+  return source;
+}
+
+void FewestVerticesSearch::keep_nearest(Block block) {
+  if (nearest_ && nearest_->deviation.hausdorff <= block.deviation.hausdorff) return;
+  nearest_ = std::move(block);
+}
+
+}  // namespace clast
