@@ -121,7 +121,7 @@ std::string barrier_ends(const BarrierLine& barrier) {
 }
 
 std::string barrier_charts(const Comparison& comparison, std::size_t line) {
-  const std::vector<const Crossing*> first = parse_counted_direction(comparison, line);
+  const std::vector<const Crossing*> first = find_counted_crossings(comparison, line);
   const auto chart = [&](const std::string& title, const std::string& label, auto value) {
     return draw_plotly_chart({title, label, "share of crossings", true},
                         make_cumulative_traces(make_value_series(comparison, GroupKind::kGarcia,
@@ -171,7 +171,7 @@ std::string format_barrier_section(const ComparisonAnalyses& analyses) {
   std::string charts, figures;
   for (std::size_t line = 0; line < comparison.lines.size(); ++line) {
     const BarrierLine& barrier = comparison.lines[line];
-    const std::vector<const Crossing*> first = parse_counted_direction(comparison, line);
+    const std::vector<const Crossing*> first = find_counted_crossings(comparison, line);
     const bool any = std::any_of(first.begin(), first.end(), [](auto* one) { return one; });
     html += describe_crossings(comparison, passages, line);
     if (any)

@@ -1,6 +1,5 @@
 #pragma once
-/// What a comparison says, for a reader of its first lines: a few numbers with their intervals, and
-/// whether the data support them.
+/// Key results of a comparison: the few numbers, with intervals, that a report shows first.
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -10,96 +9,101 @@
 
 namespace clast {
 
-/// Where the runs of a group come to rest. Here and below `interval` is the 95 % interval; where
-/// the ground is drawn more than once (`FileSummary::draws`) it is the range over the draws instead,
-/// as `range_of_draw_means`.
+/// Runout of a group of runs. Intervals in this header have a level of 95 %; if the ground is drawn
+/// more than once (`FileSummary::draws`), they are ranges over the draws (`range_of_draw_means`)
+/// instead.
 struct RunoutEstimate {
-  std::size_t group = 0;  ///< into Comparison::groups
-  std::size_t started = 0;
-  std::size_t at_rest = 0;
-  double mean = 0.0;                 ///< of the runs at rest, m
-  std::optional<Interval> interval;  ///< of the mean, m; none of one realisation
-  double median = 0.0;               ///< half of the runs at rest stop before, m
-  double p95 = 0.0;                  ///< 95 % of the runs at rest stop before, m
-  double farthest = 0.0;             ///< m
+  std::size_t group = 0;             ///< index into Comparison::groups
+  std::size_t started = 0;           ///< number of runs
+  std::size_t at_rest = 0;           ///< number of runs that came to rest
+  double mean = 0.0;                 ///< mean runout of the runs at rest, m
+  std::optional<Interval> interval;  ///< of the mean, m; empty for a single realisation
+  double median = 0.0;               ///< runout of the runs at rest, m
+  double p95 = 0.0;                  ///< 95th percentile of the runout of the runs at rest, m
+  double farthest = 0.0;             ///< largest runout, m
 
-  /// Enough runs came to rest for their mean to stand for the group.
+  /// True if at least three runs, and at least half of all, came to rest, so that their mean
+  /// describes the group.
   bool stands() const { return at_rest >= 3 && 2 * at_rest >= started; }
 };
 
-/// Which of two groups runs farther.
+/// Difference in mean runout between two groups.
 struct RunoutContrast {
-  std::size_t farther = 0;  ///< into Comparison::groups: the one with the larger mean
-  std::size_t nearer = 0;
-  /// Too few where few runs, or less than half of a group, came to rest.
+  std::size_t farther = 0;  ///< index into Comparison::groups of the group with the larger mean
+  std::size_t nearer = 0;   ///< index of the other group
+  /// `kTooFewValues` if fewer than three runs, or less than half of a group, came to rest.
   Verdict verdict = Verdict::kTooFewValues;
-  double gap = 0.0;                  ///< mean of `farther` less that of `nearer`, m
+  double gap = 0.0;                  ///< between the first two classes
   std::optional<Interval> interval;  ///< m; none of one realisation
-  /// The medians differ far less than the means: some blocks of `farther` run on, most do not.
+  /// True if the difference is due to a few long runouts: the medians differ by less than
+  /// `kGapOfFew` of the difference of the means.
   bool of_few = false;
 };
 
-/// How many runs of a group pass a barrier, and how strongly.
+/// Passing probability of a group at a barrier, and the intensity of its passages.
 struct CrossingEstimate {
   std::size_t group = 0;
   std::size_t started = 0;
   std::size_t crossed = 0;
   double share = 0.0;
   std::optional<Interval> interval;  ///< of the share; none of one realisation
-  /// What 95 % of the passages stay below; from few of them, the largest.
-  double energy = 0.0;  ///< J
-  double speed = 0.0;   ///< m/s
-  double height = 0.0;  ///< of the centre above the ground, m
-  double top = 0.0;     ///< as `BarrierGroupStatistics::top`, m
-  bool largest = false;
+  /// 95th percentiles over the passages; the largest values if `largest` is true.
+  double energy = 0.0;          ///< J
+  double speed = 0.0;           ///< m/s
+  double height = 0.0;          ///< of the centre of mass above the ground, m
+  double top = 0.0;             ///< as `BarrierGroupStatistics::top`, m
+  bool largest = false;         ///< true if there are fewer than `kFewestPassages` passages
   double largest_energy = 0.0;  ///< of all passages, J
   double largest_top = 0.0;     ///< m
-  /// Ranges of `energy`, `speed` and `top` over the draws of the ground that have passages; none of
-  /// one draw.
+  /// Ranges of `energy`, `speed` and `top` over the ground draws with passages; empty for a single
+  /// draw.
   std::optional<Interval> energy_range, speed_range, top_range;
 };
 
-/// One barrier.
+/// Passages at one barrier.
 struct BarrierSummary {
-  std::size_t line = 0;  ///< into Comparison::lines
+  std::size_t line = 0;  ///< index into Comparison::lines
   CrossingEstimate all;
-  std::vector<CrossingEstimate> classes;  ///< those of Garcia that occur, if more than one
+  std::vector<CrossingEstimate> classes;  ///< Garcia classes that occur
 };
 
-/// What is said of the runs of one file, or of all of them.
+/// Key results of one file, or of all files together.
 struct FileSummary {
-  std::optional<std::uint32_t> file;
+  std::optional<std::uint32_t> file;  ///< index into Comparison::results; empty: all files
   StopCounts stops;
   RunoutEstimate all;
-  std::vector<RunoutEstimate> classes;    ///< those of Garcia that occur
-  std::optional<RunoutContrast> gap;         ///< between the first two classes
-  std::vector<BarrierSummary> passages;  ///< the last that is passed on the way down comes first
-  /// Independent places, or realisations, behind the intervals.
+  std::vector<RunoutEstimate> classes;   ///< those of Garcia that occur
+  std::optional<RunoutContrast> gap;     ///< between the first two classes
+  std::vector<BarrierSummary> passages;  ///< by barrier, the last one on the way down first
+  /// Number of independent clusters (release points or realisations) behind the intervals.
   std::size_t clusters = 0;
-  bool of_realisations = false;
-  std::size_t draws = 0;   ///< of the ground, where it is drawn more than once; else 0
-  std::size_t blocks = 0;  ///< of the library
-  /// Places or realisations have other blocks, so that the intervals speak of more blocks than
-  /// those that ran. Else they cover runs of these blocks only.
+  bool of_realisations = false;  ///< true if the clusters are realisations
+  std::size_t draws = 0;         ///< ground draws, if there is more than one; else 0
+  std::size_t blocks = 0;        ///< number of blocks of the library
+  /// True if clusters have different blocks, so that the intervals include the sampling of blocks.
+  /// If false, the intervals hold for these blocks only.
   bool samples_blocks = false;
 };
 
+/// Key results of a comparison.
 struct KeyResults {
-  /// One for all files where each class has files of its own, else one for each file.
+  /// A single entry if each class has files of its own; otherwise one entry per file.
   std::vector<FileSummary> statements;
-  /// Between two files with the same release points.
+  /// Runout difference between the two files, if exactly two files with equal release points are
+  /// compared.
   std::optional<RunoutContrast> files;
 
-  /// Ground is drawn more than once in a statement.
+  /// True if any entry has more than one ground draw.
   bool has_draws() const;
 };
 
-/// Medians that differ by less than this share of the gap of the means leave it to few runs.
+/// Upper limit of (difference of medians) / (difference of means) for `of_few`.
 inline constexpr double kGapOfFew = 0.25;
 
-/// Passages from which on 95 % of them mean something.
+/// Minimum number of passages for a 95th percentile.
 inline constexpr std::size_t kFewestPassages = 20;
 
+/// Computes the key results of a comparison.
 KeyResults answer(const Comparison& comparison);
 
 }  // namespace clast

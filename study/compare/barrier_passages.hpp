@@ -1,7 +1,6 @@
 #pragma once
-/// What passes a barrier against time, realisation by realisation of blocks that stay: a fence that
-/// stops many blocks has to take what comes together. Each run counts once, at the crossing that
-/// counts at the barrier, as in the statistics of barriers.
+/// Barrier passages against time, for each realisation of persistent blocks. Each run counts once,
+/// at the crossing that the barrier statistics count.
 #include <cmath>
 #include <functional>
 #include <vector>
@@ -11,51 +10,53 @@
 
 namespace clast {
 
-/// What passes within a time as long as this counts as together, s; a convention.
+/// Length of the time window in which passages load a barrier together, s; a convention.
 inline constexpr double kPassageWindow = 1.0;
 
-/// The passage of a block.
+/// Passage of one block at a barrier.
 struct BlockCrossing {
-  std::size_t row = 0;  ///< into Comparison::rows
+  std::size_t row = 0;  ///< index into Comparison::rows
   double time = 0.0;    ///< since the first block of the realisation was released, s
-  double mass = 0.0;    ///< of the block, kg
-  double volume = 0.0;  ///< of the block, m^3
-  double energy = 0.0;  ///< translational and rotational, J
+  double mass = 0.0;    ///< kg
+  double volume = 0.0;  ///< m^3
+  double energy = 0.0;  ///< translational plus rotational kinetic energy, J
 };
 
-/// A sum over passages.
+/// Contribution of one passage to a sum, such as its mass.
 using CrossingValue = std::function<double(const BlockCrossing&)>;
 
-/// The most that passes within `kPassageWindow`.
+/// Largest sum over the passages of any window of the given length.
 struct WindowMaximum {
   double value = 0.0;
-  double from = NAN;  ///< passage that the first such window begins with, s
+  double from = NAN;  ///< time of the first passage of that window, s
 };
+/// Finds the window of length `window` (s) with the largest sum of `value`.
 /// @param passages  in order of time
 WindowMaximum find_window_maximum(const std::vector<BlockCrossing>& passages, double window,
-                           const CrossingValue& value);
+                                  const CrossingValue& value);
 
-/// The passages of one barrier in one realisation.
+/// Passages of one realisation at one barrier.
 struct RealisationCrossings {
-  std::size_t line = 0;  ///< into Comparison::lines
+  std::size_t line = 0;  ///< index into Comparison::lines
   std::uint32_t file = 0;
-  std::uint32_t realisation = 0;       ///< from 0
-  std::size_t blocks = 0;              ///< released
+  std::uint32_t realisation = 0;        ///< from 0
+  std::size_t blocks = 0;               ///< number of released blocks
   std::vector<BlockCrossing> passages;  ///< in order of time
   WindowMaximum most_blocks, most_mass, most_energy;
-  double largest_energy = 0.0;  ///< of a block, J
+  double largest_energy = 0.0;  ///< largest energy of a single block, J
 
   double sum(const CrossingValue& value) const;
   double first() const { return passages.empty() ? NAN : passages.front().time; }
   double last() const { return passages.empty() ? NAN : passages.back().time; }
 };
 
-/// By barrier, file and realisation; of files that have the barrier, those without a passage too.
+/// Collects the passages, ordered by barrier, file and realisation. Realisations without a passage
+/// are included for files that have the barrier.
 std::vector<RealisationCrossings> collect_barrier_crossings(const Comparison& comparison);
 
-/// What has passed until a time, from 0 to the last passage.
+/// Computes the cumulative sum of `value` against time, from 0 to the last passage.
 /// @param realisations  of one barrier and file
-/// @return empty where nothing passed
+/// @return empty if there is no passage
 RealisationCurve passage_curve(const std::vector<const RealisationCrossings*>& realisations,
                                const CrossingValue& value);
 

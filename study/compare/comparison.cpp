@@ -253,7 +253,7 @@ DepositStatistics deposits_of(const Group& group, const std::vector<RunRow>& row
 
 }  // namespace
 
-std::vector<const Crossing*> parse_counted_direction(const Comparison& comparison, std::size_t line) {
+std::vector<const Crossing*> find_counted_crossings(const Comparison& comparison, std::size_t line) {
   std::vector<const Crossing*> found(comparison.rows.size(), nullptr);
   for (const BarrierCrossing& crossing : comparison.crossings) {
     if (crossing.counted && crossing.barrier == line) found[crossing.row] = crossing.crossing;

@@ -1,5 +1,5 @@
 #pragma once
-/// Runs of one or more campaigns side by side, by block and by shape class.
+/// Comparison of the runs of one or more campaigns, by block and by shape class.
 #include <cstdint>
 #include <filesystem>
 #include <map>
@@ -15,81 +15,85 @@
 
 namespace clast {
 
-/// One row of runs.csv. Positions are on the map.
+/// One run of a comparison: a row of runs.csv. Positions are map coordinates.
 struct RunRow {
-  std::uint32_t file = 0;  ///< which results file
+  std::uint32_t file =
+      0;  ///< index into Comparison::results, if the group belongs to one file only
   const RunRecord* record = nullptr;
   const BlockSummary* block = nullptr;
   Vec3 start = Vec3::Zero();
   Vec3 stop = Vec3::Zero();
-  double runout = 0.0;   ///< m, along downslope
-  double lateral = 0.0;  ///< rad, + to the right looking downslope
+  double runout = 0.0;   ///< distance along the downslope direction, m
+  double lateral = 0.0;  ///< lateral angle, rad; positive to the right looking downslope
 };
 
-/// By what the runs of a group belong together.
+/// Criterion by which runs are grouped.
 enum class GroupKind { kAll, kBlock, kGarcia, kSneedFolk, kColumn };
 
-/// Runs of a group: "all", one block ("block SP1A"), or one class ("class compact",
-/// "sneed-folk VE"). With several results files every group comes once over all files and once per
-/// file ("file 1: block SP1A"; files are numbered from 1 in the order they were given).
+/// Group of runs: "all", one block ("block SP1A"), or one class ("class compact", "sneed-folk VE").
+/// With several results files, each group exists once over all files and once per file ("file 1:
+/// block SP1A"; files are numbered from 1 in the given order).
 struct Group {
-  std::string name;
+  std::string
+      name;  ///< with suffix " (file 2)" if lines of one name differ, " (in)" or " (out)" for rings
   GroupKind kind = GroupKind::kAll;
-  std::string key;                    ///< block id, class name or value; empty for all
-  std::string column;                 ///< of kColumn: what was asked for
+  std::string key;                    ///< block id, class name or column value; empty for "all"
+  std::string column;                 ///< name of the column, if `kind` is kColumn
   std::optional<std::uint32_t> file;  ///< index, when the group is of one file only
-  std::vector<std::size_t> rows;      ///< into Comparison::rows
+  std::vector<std::size_t> rows;      ///< indices into Comparison::rows
 };
 
-/// A barrier on the map. The same name and line in several files is one barrier; a ring is two, of
-/// entries and of exits.
+/// Barrier line in map coordinates. Equal name and line in several files are one barrier; a ring is
+/// two barriers, one for entries and one for exits.
 struct BarrierLine {
   enum class Counts { kEither, kForward, kEntries, kExits };
   std::string name;  ///< made unique by " (file 2)" where lines differ; of a ring with " (in)" or
                      ///< " (out)"
   std::vector<Vec2> through;         ///< map, m
-  std::vector<std::uint32_t> files;  ///< that have it
+  std::vector<std::uint32_t> files;  ///< files that contain the barrier
   Counts counts = Counts::kEither;
 
-  /// "forward" or "backward"; of a ring "in" or "out".
+  /// Direction of a crossing: "forward" or "backward"; for rings "in" or "out".
   std::string direction(const Crossing& crossing) const;
-  /// What counts: "either", "forward", "in" or "out".
+  /// Counted direction: "either", "forward", "in" or "out".
   std::string counted_direction() const;
-  /// A crossing that way.
-  bool counted(const Crossing& crossing) const;
+  /// True if the crossing has the counted direction.
+  bool counted(const Crossing& crossing) const;  ///< `BarrierLine::counted_direction`
   bool is_in(std::uint32_t file) const;
   bool of_ring() const { return counts == Counts::kEntries || counts == Counts::kExits; }
 };
 
-/// One row of crossings.csv.
+/// One crossing of a barrier: a row of crossings.csv.
 struct BarrierCrossing {
   const Crossing* crossing = nullptr;
-  std::size_t row = 0;           ///< into Comparison::rows
-  std::size_t barrier = 0;       ///< into Comparison::lines
+  std::size_t row = 0;           ///< index into Comparison::rows
+  std::size_t barrier = 0;       ///< index into Comparison::lines
   Vec3 position = Vec3::Zero();  ///< map, m
   bool counted = false;          ///< this run's first crossing of this barrier, the way it counts
 };
 
-/// Runs of one group at one barrier. Summaries are over counted crossings.
+/// Statistics of one group at one barrier, over the counted crossings.
 struct BarrierGroupStatistics {
   std::string barrier;
   std::string group;
   std::string counted;          ///< as `BarrierLine::counted_direction`
-  std::size_t line = 0;         ///< into Comparison::lines
-  std::size_t group_index = 0;  ///< into Comparison::groups
-  std::size_t started = 0;      ///< runs of the group, in files with the barrier, that did not fail
-  std::size_t crossed = 0;
-  std::size_t backward = 0;  ///< runs that passed backward first, counted or not; of a ring none
+  std::size_t line = 0;         ///< index into Comparison::lines
+  std::size_t group_index = 0;  ///< index into Comparison::groups
+  std::size_t started = 0;      ///< number of runs without error, in files that contain the barrier
+  std::size_t crossed = 0;      ///< number of runs with a counted crossing
+  std::size_t backward = 0;  ///< runs whose first crossing is backward, counted or not; 0 for rings
   double probability = 0.0;
-  /// 95 %, of the probability, as `clustered_proportion_interval`; none of one realisation.
+  /// 95 % interval of the probability (`clustered_proportion_interval`); empty for a single
+  /// realisation.
   std::optional<Interval> interval;
   Summary height, clearance, speed;  ///< m, m, m/s
-  Summary top;  ///< no skin point is higher above that ground, m: height and farthest skin point
+  Summary top;  ///< upper bound of the height of any surface point above the ground, m: centre
+                ///< height plus largest radius
   Summary translational, rotational, total;  ///< J
   Summary rotation_rate;                     ///< rad/s
 };
 
-/// How runs ended.
+/// Number of runs by stop reason.
 struct StopCounts {
   std::size_t rest = 0;
   std::size_t left_terrain = 0;
@@ -97,7 +101,7 @@ struct StopCounts {
   std::size_t error = 0;
 };
 
-/// Where the runs of a group came to rest. Runs that ended otherwise are counted only.
+/// Runout statistics of the runs of a group that came to rest; other runs are only counted.
 struct DepositStatistics {
   std::size_t started = 0;
   StopCounts stops;
@@ -106,19 +110,20 @@ struct DepositStatistics {
   Vec3 mean_stop = Vec3::Zero();  ///< map, m
 };
 
-/// Runs with the same number depend on each other: those of a realisation, where blocks stay, else
-/// those from one release point, which share its ground.
+/// Returns the cluster of a run. Runs of one cluster are statistically dependent: the runs of one
+/// realisation if blocks are persistent, otherwise the runs of one release point, which share its
+/// ground.
 std::uint32_t find_cluster(const CampaignResults& results, const RunRecord& run);
 
-/// Those clusters, numbered over all files.
+/// Numbers the clusters of `find_cluster` over all files.
 class RunClustering {
  public:
   explicit RunClustering(const std::vector<CampaignResults>& results) : results_(results) {}
 
   std::uint32_t of(const RunRow& row);
   std::size_t count() const { return numbers_.size(); }
-  /// True if blocks that stay are among the runs, of one realisation only. They depend on each
-  /// other, so that nothing is known of chance: neither an interval nor a test can be given.
+  /// True if the runs include persistent blocks of a single realisation. They depend on each other,
+  /// so that neither intervals nor tests are possible.
   bool has_single_realisation() const { return realisations_ == 1; }
 
  private:
@@ -127,67 +132,69 @@ class RunClustering {
   std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> numbers_;
 };
 
-/// Name of the release set of a point; empty where there is one set.
+/// Returns the name of the release set of a point; empty if there is only one set.
 const std::string& find_release_set(const CampaignResults& results, std::uint32_t point);
 
-/// A warning that could turn an answer round.
+/// Warning that could reverse a result.
 struct ComparisonWarning {
-  std::string brief;               ///< a sentence
-  std::vector<std::string> texts;  ///< the warnings in full
+  std::string brief;               ///< one sentence
+  std::vector<std::string> texts;  ///< full texts of the warnings
 };
 
-/// Everything the tables and the report are made from. Rows point into `results`: moved, not
-/// copied.
+/// Runs, groups and statistics from which tables and reports are made. Rows point into `results`: a
+/// comparison can be moved but not copied.
 struct Comparison {
   Comparison() = default;
   Comparison(Comparison&&) = default;
   Comparison& operator=(Comparison&&) = default;
 
   std::vector<CampaignResults> results;
-  Vec2 downslope = Vec2::UnitX();  ///< unit; as asked for, else along the mean release-to-stop line
+  Vec2 downslope =
+      Vec2::UnitX();  ///< unit vector; as requested, or along the mean line from release to stop
   bool downslope_asked = false;
   std::vector<RunRow> rows;  ///< in order of file and run
   std::vector<Group> groups;
-  std::vector<DepositStatistics> deposits;  ///< of every group
+  std::vector<DepositStatistics> deposits;  ///< one entry per group
   std::vector<BarrierLine> lines;
   std::vector<BarrierCrossing> crossings;  ///< in order of file, run and time
   std::vector<BarrierGroupStatistics>
-      barriers;  ///< by barrier, then group; groups that never met it left out
+      barriers;  ///< by barrier, then group; groups without a crossing are omitted
   std::vector<Difference> differences;
-  std::optional<MeasuredStops> measured;
-  std::optional<double> margin;       ///< as asked for
-  std::vector<std::string> warnings;  ///< for example "mass differs between classes"
-  std::vector<ComparisonWarning> cautions;      ///< of the warnings
+  std::optional<MeasuredStops> measured;    ///< table of stops observed in the field
+  std::optional<double> margin;             ///< equivalence margin of runout differences, m
+  std::vector<std::string> warnings;        ///< for example "mass differs between classes"
+  std::vector<ComparisonWarning> cautions;  ///< warnings that could reverse a result
 };
 
-/// The crossing of a barrier that counts, for each row of the comparison; null where a run has
+/// Returns, for each row of the comparison, its counted crossing of a barrier; null if the run has
 /// none.
-std::vector<const Crossing*> parse_counted_direction(const Comparison& comparison, std::size_t line);
+std::vector<const Crossing*> find_counted_crossings(const Comparison& comparison, std::size_t line);
 
-/// What to compare beyond blocks and classes.
+/// Options of a comparison.
 struct CompareOptions {
-  std::vector<std::string> by;  ///< columns of `run_columns` whose values make groups
+  std::vector<std::string> by;  ///< columns of `run_columns` whose values define groups
   std::optional<std::filesystem::path> measured;  ///< table of stops seen in the field
   std::optional<double> margin;  ///< differences in runout up to this do not matter, m
 
   void check() const;  ///< throws InputError naming the margin that is not positive
 };
 
-/// @throws InputError  no runs; results on terrains with different map frames or asking for
-///                     different downslope directions; records that do not fit together (a damaged
-///                     file); a column that there is not; measured stops that can't be read
+/// Groups the runs and computes all statistics.
+/// @throws InputError  if there are no runs, terrains have different map frames, downslope
+///                     directions differ, records are inconsistent (a damaged file), a column does
+///                     not exist, or the measured stops cannot be read
 Comparison compare(std::vector<CampaignResults> results, const CompareOptions& options = {});
 
-/// How much of the energy that a run dissipates is lost or gained where contacts or weights change;
-/// none when it dissipates nothing.
+/// Returns the energy lost or gained by changes of contacts and of contact weights, as a fraction
+/// of the dissipated energy; empty if nothing was dissipated.
 std::optional<double> reassigned_energy_fraction(const EnergyLedger& energy);
-/// Runs above this share are warned of. It acts like that much more or less friction, which surveys
-/// rarely know to 10 %; a few per cent are the price of contacts that begin and end, in most runs.
+/// Limit of `reassigned_energy_fraction` above which a warning is given. The effect equals that of
+/// as much more or less friction, which surveys rarely know to 10 %; most runs have a few per cent,
+/// due to contacts that begin and end.
 inline constexpr double kNotableReassigned = 0.1;
 
-/// Adds what a reader of the tables must know to `warnings` and `cautions`: unfinished or lost
-/// runs, unequal masses, poor energy balance. What the campaign asked for is no warning. Called by
-/// `compare`.
+/// Adds warnings about failed or lost runs, unequal masses and poor energy balance to `warnings`
+/// and `cautions`. Settings that the campaign requested are not reported. Called by `compare`.
 void add_warnings(Comparison& comparison);
 
 }  // namespace clast

@@ -1,6 +1,5 @@
 #pragma once
-/// The analyses of a comparison, each computed when it is first asked for and then kept: tables,
-/// pages, maps and sentences take them from here.
+/// Cache of the analyses of a comparison; each is computed at its first use.
 #include <mutex>
 #include <optional>
 #include <vector>
@@ -20,11 +19,11 @@
 
 namespace clast {
 
-/// May be used from several threads at once.
+/// Computes the analyses of a comparison once each, for tables, pages, maps and texts. Thread-safe.
 class ComparisonAnalyses {
  public:
-  /// Implicit, so that a comparison can be passed where a single analysis of it is read.
-  /// @param comparison  lives longer than the analyses and does not change
+  /// Implicit, so that a `Comparison` can be passed to functions that need one analysis.
+  /// @param comparison  must outlive this object and stay unchanged
   ComparisonAnalyses(const Comparison& comparison) : comparison_(comparison) {}
 
   const Comparison& comparison() const { return comparison_; }
@@ -33,10 +32,18 @@ class ComparisonAnalyses {
   const std::vector<RealisationCrossings>& passages() const {
     return kept(passages_, collect_barrier_crossings);
   }
-  const std::vector<DesignEffects>& effects() const { return kept(effects_, compute_design_effects); }
-  const std::vector<ParameterEffect>& ensemble() const { return kept(ensemble_, compute_ensemble_effects); }
-  const std::vector<OutcomeByShape>& forms() const { return kept(forms_, compute_outcomes_by_shape); }
-  const std::vector<DepositMobility>& mobility() const { return kept(mobility_, compute_mass_mobility); }
+  const std::vector<DesignEffects>& effects() const {
+    return kept(effects_, compute_design_effects);
+  }
+  const std::vector<ParameterEffect>& ensemble() const {
+    return kept(ensemble_, compute_ensemble_effects);
+  }
+  const std::vector<OutcomeByShape>& forms() const {
+    return kept(forms_, compute_outcomes_by_shape);
+  }
+  const std::vector<DepositMobility>& mobility() const {
+    return kept(mobility_, compute_mass_mobility);
+  }
   const MapRasterSet& paths() const { return kept(paths_, compute_path_rasters); }
   const std::vector<ProfileBin>& profiles() const { return kept(profiles_, clast::profiles); }
   const DepositResults& deposits() const { return kept(deposits_, measure_deposits); }
@@ -44,8 +51,9 @@ class ComparisonAnalyses {
     return kept(energies_, collect_realisation_energies);
   }
   const DepositQuantityComparison& figures() const {
-    return kept(figures_,
-                [this](const Comparison&) { return compare_deposit_quantities(deposits().realisations); });
+    return kept(figures_, [this](const Comparison&) {
+      return compare_deposit_quantities(deposits().realisations);
+    });
   }
   const std::vector<ShapeTrends>& trends() const { return kept(trends_, compute_shape_trends); }
 

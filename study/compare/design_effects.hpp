@@ -1,7 +1,6 @@
 #pragma once
-/// What share of the variance of an outcome is due to the block's form and mass, the orientation at
-/// release, the release point and the drawn ground: exactly of campaigns that run every
-/// combination, else as an estimate.
+/// Variance decomposition of outcomes by block form, mass, release orientation, release point and
+/// ground draw: exact for full factorial designs, estimated otherwise.
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -11,38 +10,40 @@
 
 namespace clast {
 
-/// A factor of the campaign with two levels or more.
+/// Factor of the design with at least two levels.
 struct DesignFactor {
   std::string name;  ///< "form", "mass", "block", "orientation", "release point", "ground"
   std::size_t levels = 0;
 };
 
+/// Variance decomposition of one outcome.
 struct OutcomeEffects {
   /// "runout", "lateral angle", "largest energy" (of the centre's motion), or "passing BARRIER".
   std::string outcome;
-  std::string unit;              ///< "m", "rad", "J"; empty: a share of runs
-  double mean = 0.0;             ///< over all runs
+  std::string unit;              ///< "m", "rad", "J"; empty for a proportion of runs
+  double mean = 0.0;             ///< mean of all runs
   double deviation = 0.0;        ///< standard deviation of the runs
   VarianceDecomposition shares;  ///< factors in the order of `DesignEffects::factors`
 };
 
-/// Of one results file.
+/// Design effects of one results file.
 struct DesignEffects {
   std::uint32_t file = 0;
-  std::string refusal;  ///< why there are no effects; empty: there are
-  /// Not every combination was run once: shares are those of a mixed model, `design_fraction` is
-  /// not a number. What is missing; empty: the design is full.
+  std::string refusal;  ///< reason why no effects were computed; empty otherwise
+  /// Reason why the fractions are estimated by a mixed model; empty for a full factorial design. If
+  /// not empty, `design_fraction` is NaN.
   std::string estimated;
   std::vector<DesignFactor> factors;
   std::vector<OutcomeEffects> outcomes;
 };
 
-/// For every file of the comparison. Blocks are form and mass where each block of the library has
-/// each mass (to 0.5 %), form alone where all have one mass, and else one factor, "block". Where a
-/// combination is missing or comes twice, and where orientations are drawn anew for each point and
-/// thus are no factor, shares are estimated (core/statistics/decompose_unbalanced_variance.hpp). A
-/// campaign in which blocks stay and one with nothing but one level have no effects, and `refusal`
-/// says why. A run counts where it ended, also if it left the terrain.
+/// Computes the design effects of each file. Block effects are split into form and mass if each
+/// library block has each mass (to 0.5 %); into form alone if all blocks have one mass; otherwise
+/// the factor is "block". Fractions are estimated (core/statistics/unbalanced_variance.hpp) if
+/// combinations are missing or repeated, or if orientations are drawn independently for each point
+/// and so are not a factor. Campaigns with persistent blocks, or with a single level of every
+/// factor, have no effects; `refusal` gives the reason. Runs that left the terrain count with their
+/// last position.
 std::vector<DesignEffects> compute_design_effects(const Comparison& comparison);
 
 }  // namespace clast

@@ -45,7 +45,7 @@ std::vector<ComparedQuantity> quantities(const Comparison& comparison) {
       of_row("max_speed_m_s", StopReason::kError,
              [](const RunRow& row) { return row.record->result.max_speed; })};
   for (std::size_t line = 0; line < comparison.lines.size(); ++line) {
-    const std::vector<const Crossing*> first = parse_counted_direction(comparison, line);
+    const std::vector<const Crossing*> first = find_counted_crossings(comparison, line);
     const auto at_line = [&](const char* name, double (*value)(const Crossing&)) {
       all.push_back({comparison.lines[line].name + " " + name,
                      [first, value](std::size_t row) -> std::optional<double> {

@@ -1,5 +1,5 @@
 #pragma once
-/// What the runs of each form of a campaign came to.
+/// Outcomes by block form.
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -9,25 +9,26 @@
 
 namespace clast {
 
-/// What the runs of one form came to.
+/// Mean outcome of the runs of one block form.
 struct ShapeOutcome {
-  std::string form;  ///< block of the library
+  std::string form;  ///< id of the library block
   Axes axes;
-  bool made = false;  ///< stretched to this form (`clast vary`), not a scanned block
+  bool made = false;  ///< true for forms made by `clast vary`, false for scanned blocks
   std::size_t runs = 0;
   double mean = 0.0;
-  double deviation = 0.0;  ///< standard deviation of the runs
+  double deviation = 0.0;  ///< standard deviation over the runs
 };
 
-/// One outcome of a file with six forms or more.
+/// One outcome by form, for a file with at least six forms.
 struct OutcomeByShape {
   std::uint32_t file = 0;
   std::string outcome;  ///< "runout", "lateral angle", "largest energy", or "passing BARRIER"
   std::string unit;
-  std::vector<ShapeOutcome> forms;  ///< by name
+  std::vector<ShapeOutcome> forms;  ///< ordered by name
 };
 
-/// Over all runs of each form, where they ended; none of files whose blocks stay.
+/// Computes the outcomes by form over all runs, which count with their last position. Empty for
+/// files with persistent blocks.
 std::vector<OutcomeByShape> compute_outcomes_by_shape(const Comparison& comparison);
 
 }  // namespace clast

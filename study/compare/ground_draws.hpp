@@ -1,5 +1,5 @@
 #pragma once
-/// Runs by draw of uncertain ground, and the range of an outcome over the draws.
+/// Grouping of runs by ground draw, and ranges over the draws.
 #include <cstdint>
 #include <vector>
 
@@ -7,23 +7,23 @@
 
 namespace clast {
 
-/// Runs of one member of the ensemble of a file.
+/// Runs of one ensemble member of a file.
 struct GroundDrawRows {
   std::uint32_t file = 0;
   std::uint32_t member = 0;
-  std::vector<std::size_t> rows;  ///< into Comparison::rows
+  std::vector<std::size_t> rows;  ///< indices into Comparison::rows
 };
 
-/// By file, then member. Empty where no run is of a file whose ground is drawn more than once.
+/// Groups rows by file, then ensemble member. Empty if no file has more than one ground draw.
 std::vector<GroundDrawRows> group_rows_by_draw(const Comparison& comparison,
-                                     const std::vector<std::size_t>& rows);
+                                               const std::vector<std::size_t>& rows);
 
-/// From so many draws on, a range leaves out one draw of ten.
+/// Minimum number of draws for a 5th-to-95th percentile range.
 inline constexpr std::size_t kDrawsForTenths = 20;
 
-/// The range of a value over draws: nine draws of ten lie in it (the 5th to the 95th percentile),
-/// below `kDrawsForTenths` all of them.
-/// @param values  of each draw, at least one
+/// Returns the 5th to 95th percentile of values over ground draws, or their minimum and maximum if
+/// there are fewer than `kDrawsForTenths`.
+/// @param values  one per draw, not empty
 Interval range_of_draw_means(std::vector<double> values);
 
 }  // namespace clast

@@ -1,5 +1,5 @@
 #pragma once
-/// Values on a grid of square cells of the map.
+/// Raster layers on a grid of square cells in map coordinates.
 #include <cstdint>
 #include <string>
 #include <utility>
@@ -9,30 +9,32 @@
 
 namespace clast {
 
-/// A value for every cell of a map.
+/// One raster layer: a value per cell.
 struct RasterLayer {
   std::string name;          ///< "E_95"
-  std::string meaning;       ///< with its unit
-  std::vector<float> value;  ///< row by row from the top (largest y); NaN: none
+  std::string meaning;       ///< description with unit
+  std::vector<float> value;  ///< row-major from the top (largest y); NaN: no value
 };
 
-using MapCell = std::pair<std::int64_t, std::int64_t>;  ///< row and column from the map's origin
+using MapCell =
+    std::pair<std::int64_t, std::int64_t>;  ///< row and column, counted from the map's origin
 
+/// Raster layers that share one grid.
 struct MapRasterSet {
-  Vec2 corner = Vec2::Zero();  ///< lowest x and y of the map, m, a multiple of `cell`
-  double cell = 1.0;           ///< m
+  Vec2 corner = Vec2::Zero();  ///< minimum x and y of the grid, m, a multiple of `cell`
+  double cell = 1.0;           ///< side length of a cell, m
   std::uint32_t columns = 0;
   std::uint32_t rows = 0;
   std::vector<RasterLayer> layers;
 
-  /// Where the values of a layer hold that of a cell.
+  /// Returns the index of a cell into `RasterLayer::value`.
   std::size_t index(const MapCell& place) const;
 };
 
-/// The smallest grid that holds all cells, with these layers, without a value yet.
+/// Makes the smallest grid that contains all cells; layer values are NaN.
 /// @param cells  not empty
-/// @param width  of a cell, m
+/// @param width  side length of a cell, m
 MapRasterSet rasterize_cells(const std::vector<MapCell>& cells, double width,
-                        std::vector<RasterLayer> layers);
+                             std::vector<RasterLayer> layers);
 
 }  // namespace clast

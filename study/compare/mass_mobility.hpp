@@ -1,6 +1,5 @@
 #pragma once
-/// How far blocks go that stay together, against the same blocks alone: where files of both are
-/// compared.
+/// Mobility of multi-block releases, compared with single blocks.
 #include <cmath>
 #include <cstdint>
 #include <optional>
@@ -13,40 +12,40 @@
 
 namespace clast {
 
-/// Blocks that lie in realisations of one file, against runs of another whose blocks had the
-/// terrain to themselves. Runouts are of blocks that came to rest, along downslope from the start
-/// of each.
+/// Runout of persistent blocks in the realisations of one file, compared with single-block runs of
+/// another file. Runouts are those of blocks at rest, along the downslope direction from each
+/// start.
 struct DepositMobility {
-  std::uint32_t file = 0;   ///< of realisations
-  std::uint32_t alone = 0;  ///< file of single runs
+  std::uint32_t file = 0;   ///< index of the file with realisations
+  std::uint32_t alone = 0;  ///< index of the file with single-block runs
   std::string group;        ///< "all", or "class compact"
-  std::size_t blocks = 0;   ///< in all realisations
-  std::size_t runs = 0;     ///< of single blocks
-  Summary together_runout;  ///< over realisations, of the mean of each, m
-  Summary
-      alone_runout;     ///< over release points, of the mean of each, m; over the runs of one point
-  Contrast difference;  ///< together less alone, m; as `welch_difference`
-  Summary together_toe;       ///< over realisations, of the largest runout, m
-  double starts_apart = 0.0;  ///< distance in plan of the mean starts of both, m
-  double mass_ratio = 1.0;    ///< mean mass of the blocks together over that of those alone
-  double alone_toe = NAN;     ///< expected largest of as many single runs as realisations have, m
+  std::size_t blocks = 0;   ///< over all realisations
+  std::size_t runs = 0;     ///< number of single-block runs
+  Summary together_runout;  ///< mean runout of each realisation, over the realisations, m
+  Summary alone_runout;  ///< mean runout of each release point, over the points, m; over the runs
+                         ///< if there is one point
+  Contrast difference;   ///< together minus alone, m (`welch_difference`)
+  Summary together_toe;  ///< largest runout of each realisation, over the realisations, m
+  double starts_apart = 0.0;  ///< horizontal distance between the mean starts, m
+  double mass_ratio = 1.0;    ///< mean block mass together over mean block mass alone
+  double alone_toe =
+      NAN;  ///< expected largest runout of as many single runs as a realisation has blocks, m
 };
 
-/// Mean starts up to this distance are the same place, m.
+/// Maximum distance between mean starts that count as equal, m.
 inline constexpr double kSameStart = 5.0;
-/// Mean masses that differ by up to this share are the same.
+/// Maximum relative difference of mean masses that count as equal.
 inline constexpr double kSameMass = 0.01;
 
-/// The expected largest of `count` draws with replacement out of `values`: the sum of x_i ((i/N)^n
-/// -
-/// ((i - 1)/N)^n) over the N values in rising order.
+/// Returns the expected maximum of `count` draws with replacement from `values`: the sum of x_i
+/// ((i/N)^n - ((i-1)/N)^n) over the N ascending values.
 /// @param values  not empty
-/// @param count   positive, not necessarily whole
+/// @param count  positive, not necessarily an integer
 double expected_largest(std::span<const double> values, double count);
 
-/// Every file of realisations against every file of single runs, over the blocks of the library
-/// that both have; of all blocks and of each class (compact, elongated). Groups without a block at
-/// rest in either are left out.
+/// Computes the mobility for each pair of a file with realisations and a file with single runs,
+/// over their common library blocks: for all blocks and for each class (compact, elongated). Groups
+/// without a block at rest in either file are omitted.
 std::vector<DepositMobility> compute_mass_mobility(const Comparison& comparison);
 
 }  // namespace clast

@@ -1,5 +1,5 @@
 #pragma once
-/// Observed stops, surveyed in the field, against simulated ones.
+/// Comparison of observed and simulated stop positions.
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -12,68 +12,71 @@ namespace clast {
 
 struct Comparison;
 
-/// A block found in the field.
+/// Stop position of a block observed in the field.
 struct MeasuredStop {
-  Vec2 place = Vec2::Zero();  ///< map, m
-  std::optional<Vec2> start;  ///< where it was released; none: the mean of all release points
-  std::string block;          ///< empty when not known
-  std::string shape;          ///< compact or elongated, or empty
-  double runout = 0.0;        ///< m, along downslope
-  double lateral = 0.0;       ///< rad
+  Vec2 place = Vec2::Zero();  ///< map coordinates, m
+  std::optional<Vec2> start;  ///< release position; empty: the mean of all release points
+  std::string block;          ///< block id; empty if unknown
+  std::string shape;          ///< "compact", "elongated" or empty
+  double runout = 0.0;        ///< ascending, m
+  double lateral = 0.0;       ///< of the observed stops, m and rad
 };
 
-/// The values that a quarter, a half and three quarters of a sample lie below.
+/// Quartiles of a sample.
 struct Quartiles {
   double low = 0.0;
   double median = 0.0;
   double high = 0.0;
 };
 
-/// Shares of a sample of stops that lie before a runout, with 95 % intervals of each; without them
-/// where all stops are of one realisation.
+/// Empirical distribution of runouts with pointwise 95 % intervals; without intervals if all stops
+/// belong to one realisation.
 struct StopCurve {
-  std::vector<double> runout;  ///< m, rising
-  std::vector<double> share, low, high;
+  std::vector<double> runout;            ///< m, rising
+  std::vector<double> share, low, high;  ///< fraction of stops up to `runout`, with its bounds
 };
 
-/// Measured stops of a group against the simulated deposits of the same group.
+/// Observed stops of a group, compared with the simulated deposits of the same group.
 struct MeasuredGroup {
-  std::size_t group = 0;  ///< into Comparison::groups
-  std::size_t measured = 0;
-  std::size_t simulated = 0;      ///< runs of the group that came to rest
+  std::size_t group = 0;          ///< index into Comparison::groups
+  std::size_t measured = 0;       ///< number of observed stops
+  std::size_t simulated = 0;      ///< number of simulated runs at rest
   Summary runout, lateral;        ///< measured, m and rad
-  Quartiles quartiles;            ///< of the measured runouts, m
-  double simulated_runout = 0.0;  ///< mean, m
+  Quartiles quartiles;            ///< of the observed runouts, m
+  double simulated_runout = 0.0;  ///< mean of the simulated runouts, m
   Quartiles simulated_quartiles;
-  /// Measured less simulated median, m. The test is that of the distance of the distributions,
-  /// corrected for all groups; there is none where the runs are of one realisation.
+  /// Observed minus simulated median, m. Tested by the Kolmogorov-Smirnov distance, corrected over
+  /// all groups; untested if the runs belong to one realisation.
   Contrast medians;
-  double cliffs_delta = 0.0;  ///< measured against simulated runout
+  double cliffs_delta = 0.0;  ///< of the observed against the simulated runouts
   double ks_distance = 0.0;
-  std::optional<Interval> ks_interval;  ///< 95 %, of the distance; none of one realisation
+  std::optional<Interval>
+      ks_interval;  ///< 95 % interval of `ks_distance`; empty for a single realisation
   StopCurve curve, simulated_curve;
 };
 
-/// Fewer stops of a group say too little.
+/// Minimum number of observed stops of a group.
 inline constexpr std::size_t kFewestMeasured = 5;
 
-/// How field and simulation go together: more than chance where the interval of the medians
-/// excludes zero, whatever the test says.
+/// Returns the verdict on the agreement of observed and simulated runouts: significant if the
+/// interval of the medians excludes zero, whatever the test's p-value.
 Verdict judge_agreement(const MeasuredGroup& group);
 
+/// Observed stops of a file and their comparison by group.
 struct MeasuredStops {
   std::filesystem::path file;
   std::string sha256;
   std::vector<MeasuredStop> stops;
-  std::vector<MeasuredGroup> groups;  ///< all, then blocks and shapes that the table names
+  std::vector<MeasuredGroup> groups;  ///< "all", then the blocks and shapes named in the table
 };
 
-/// Reads a table with columns x and y (m, map, z up), and optionally start_x and start_y, block and
-/// shape. Names may end in a unit: x_m.
-/// @throws InputError  no such file, no such columns, a place that is no number, no row
+/// Reads a table of stops with columns x and y (map coordinates, m), and optionally start_x and
+/// start_y, block and shape. Column names may end in a unit, such as x_m.
+/// @throws InputError  if the file or a column is missing, a coordinate is not a number, or there
+///                     is no row
 MeasuredStops read_measured_stops(const std::filesystem::path& file);
 
-/// Runouts along the comparison's downslope direction, and the groups.
+/// Computes the runouts along the comparison's downslope direction, and the groups.
 void compare_stops(const Comparison& comparison, MeasuredStops& measured);
 
 }  // namespace clast

@@ -1,5 +1,5 @@
 #pragma once
-/// What came out of a campaign, over all runs.
+/// Counts of stop reasons and quality measures over all runs of a campaign.
 #include <array>
 #include <cstddef>
 #include <filesystem>
@@ -11,28 +11,31 @@
 
 namespace clast {
 
+/// Stop reasons in the order of `StopReasonCounts::reasons`.
 inline constexpr std::array<StopReason, 4> kStopReasons = {
     StopReason::kRest, StopReason::kLeftTerrain, StopReason::kMaxTime, StopReason::kError};
 
+/// Counts of stop reasons and worst values over the runs.
 struct StopReasonCounts {
-  std::array<std::size_t, 4> reasons = {};  ///< runs by `kStopReasons`
+  std::array<std::size_t, 4> reasons = {};  ///< number of runs, by `kStopReasons`
   std::size_t below_ground = 0;
-  std::optional<double> largest_energy_error;  ///< none where contacts are not known
-  std::size_t reassigned = 0;                  ///< runs above `kNotableReassigned`
+  std::optional<double> largest_energy_error;  ///< empty if contacts were not recorded
+  std::size_t reassigned = 0;                  ///< number of runs above `kNotableReassigned`
   std::optional<double> largest_reassigned;
   std::string first_error;
 
   std::size_t errors() const { return reasons.back(); }
 };
 
+/// Counts the stop reasons of all runs.
 StopReasonCounts count_stop_reasons(const CampaignResults& results);
 
-/// What must be known of the runs, in sentences.
+/// Returns warnings about failed and implausible runs, one sentence each.
 std::vector<std::string> describe_failed_runs(const StopReasonCounts& outcome);
 
-/// All runs are kept, but a campaign with failed ones has failed.
-/// @param file  that holds the results
-/// @throws SimulationError  any run ended with an error
+/// Throws if any run failed; the results file is complete all the same.
+/// @param file  results file, for the message
+/// @throws SimulationError  if any run ended with an error
 void check_outcome(const CampaignResults& results, const std::filesystem::path& file);
 
 }  // namespace clast

@@ -1,14 +1,14 @@
 #pragma once
-/// Where runs pass, cell by cell of a map.
+/// Rasters of passage counts, energy, height and speed along the paths of runs.
 #include "study/compare/comparison.hpp"
 #include "study/compare/map_rasters.hpp"
 
 namespace clast {
 
-/// Reach probability, passages, energy (mean, p95, max), passing height (p95) and velocity (max).
-/// Each run counts once in every cell that the path of its centre crosses, with its largest value
-/// there, read from its stored trajectory; without trajectories there are no cells. A cell is about
-/// a four-hundredth of the longer side, a round number of metres, and at least 0.5 m.
+/// Computes the layers reach probability, passages, energy (mean, p95, max), passing height (p95)
+/// and velocity (max). Each run counts once in each cell crossed by its centre, with its largest
+/// value there; empty without stored trajectories. The cell size is about 1/400 of the longer side,
+/// rounded, and at least 0.5 m.
 MapRasterSet compute_path_rasters(const Comparison& comparison);
 
 }  // namespace clast

@@ -1,5 +1,5 @@
 #pragma once
-/// The way of a run over the ground, in steps short enough for maps and profiles.
+/// Sampling of stored trajectories at short steps, for maps and profiles.
 #include <functional>
 
 #include "dem/surface/terrain_surface.hpp"
@@ -7,23 +7,24 @@
 
 namespace clast {
 
-/// A run at one place of its way. Local frame.
+/// State of a run at one point of its trajectory, in the local frame.
 struct PathSample {
-  Vec3 position = Vec3::Zero();  ///< of the centre, m
+  Vec3 position = Vec3::Zero();  ///< of the centre of mass, m
   double speed = 0.0;            ///< m/s
-  double energy = 0.0;           ///< translational and rotational, J
-  double height = 0.0;           ///< of the centre above the ground under it, m; NaN off the survey
+  double energy = 0.0;           ///< translational plus rotational kinetic energy, J
+  double height = 0.0;           ///< of the centre above the ground, m; NaN outside the terrain
 };
 
-/// Visits a stored trajectory at its frames and between them, no farther apart in plan than
-/// `spacing`. Between frames the centre moves on the cubic that their places and velocities give
-/// (exact in flight), and velocity and rotational energy change evenly.
-/// @param block  of the run, for its energies
+/// Visits the stored frames of a trajectory and points between them, at most `step` apart
+/// horizontally. Between frames, the position follows the cubic Hermite spline of the stored
+/// positions and velocities (exact in free flight); velocity and rotational energy are interpolated
+/// linearly.
+/// @param block  gives mass and inertia for the energies
 /// @param step  m, positive
 void walk(const Trajectory& trajectory, const BlockSummary& block, const TerrainSurface& ground,
           double step, const std::function<void(const PathSample&)>& visit);
 
-/// Visits every stored trajectory of a comparison, in order of its rows.
+/// Visits each stored trajectory of a comparison, in the order of its rows.
 void for_each_trajectory(
     const Comparison& comparison,
     const std::function<void(std::size_t row, const Trajectory&, const TerrainSurface&)>& visit);

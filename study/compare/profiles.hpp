@@ -1,5 +1,5 @@
 #pragma once
-/// How groups of runs fare along the slope: energy, speed and height against distance.
+/// Energy, speed and height of groups of runs against distance along the slope.
 #include <string>
 #include <vector>
 
@@ -7,26 +7,27 @@
 
 namespace clast {
 
-/// Runs of a group that came by at a distance. Each run counts once in a bin, with its largest
-/// value there.
+/// Statistics of the runs of a group within one distance bin. Each run counts once, with its
+/// largest value in the bin.
 struct ProfileBin {
-  std::size_t group = 0;  ///< into Comparison::groups
-  double from = 0.0;      ///< m along downslope from the run's own release point
-  double to = 0.0;
+  std::size_t group = 0;  ///< index into Comparison::groups
+  double from = 0.0;      ///< start of the bin, m along downslope from the run's release point
+  double to = 0.0;        ///< end of the bin, m
   std::size_t runs = 0;
   Summary energy;  ///< J
   Summary speed;   ///< m/s
   Summary height;  ///< of the centre above the ground, m: the envelope of passing heights
-  Vec2 place = Vec2::Zero();  ///< map, m: mean of the runs' mean places here, the mean path
+  Vec2 place =
+      Vec2::Zero();  ///< mean path: mean of the runs' mean positions in the bin, map coordinates, m
 };
 
-/// By group, then distance; from the stored trajectories, so empty where there are none. Bins are
-/// about a fiftieth of the longest runout and at least 0.5 m, a round number of metres.
+/// Computes the bins by group, then distance; empty without stored trajectories. Bins have about
+/// 1/50 of the longest runout, rounded, and at least 0.5 m.
 std::vector<ProfileBin> profiles(const Comparison& comparison);
 
-/// Where a barrier would meet the least energy while it still meets blocks: beyond the first peak
-/// of energy, of the bins that at least half of the `started` runs of a group come by, the one with
-/// the smallest 95th percentile. None where there is no such bin.
+/// Returns the bin in which a barrier would meet the least energy: the one with the smallest 95th
+/// percentile beyond the first energy peak, among bins passed by at least half of the `started`
+/// runs of a group. Null if there is none.
 const ProfileBin* least_energy_place(const std::vector<ProfileBin>& bins, std::size_t group,
                                      std::size_t started);
 

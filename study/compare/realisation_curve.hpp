@@ -1,11 +1,11 @@
 #pragma once
-/// A figure against time, over realisations of blocks that stay.
+/// Quantity against time: mean, minimum and maximum over the realisations.
 #include <vector>
 
 namespace clast {
 
 struct RealisationCurve {
-  std::vector<double> time;  ///< s, since the first block was released
+  std::vector<double> time;  ///< since the release of the first block, s
   std::vector<double> mean, least, most;
 };
 

@@ -1,6 +1,5 @@
 #pragma once
-/// What blocks that stay leave behind, realisation by realisation: where they lie, how far the mass
-/// of them came, how high they are piled.
+/// Deposits of persistent blocks in each realisation: positions, runout and thickness.
 #include <optional>
 #include <vector>
 
@@ -10,48 +9,51 @@
 
 namespace clast {
 
-/// Did the block of a run among others stay where it came to rest?
+/// True if the block of a run came to rest and was not removed.
 bool is_in_deposit(const Comparison& comparison, const RunRow& row);
 
-/// Blocks of one realisation. Places are of centres of mass, on the map; "that lie there" are
-/// blocks that came to rest and were not removed.
+/// Deposit of one realisation. Positions are those of centres of mass, in map coordinates;
+/// deposited blocks are those at rest that were not removed.
 struct DepositMeasures {
   std::uint32_t file = 0;         ///< index into Comparison::results
   std::uint32_t realisation = 0;  ///< from 0
-  std::size_t blocks = 0;
-  std::size_t lying = 0;         ///< that lie there
-  std::size_t left_terrain = 0;  ///< that left the terrain
-  double mass = 0.0;             ///< of the blocks that lie there, kg
-  double volume = 0.0;           ///< likewise, without the space between them, m^3
-  /// Centre of mass of the blocks that lie there, at their starts and now; not a number where none
-  /// lies there, like all that follows.
+  std::size_t blocks = 0;         ///< number of released blocks
+  std::size_t lying = 0;          ///< number of deposited blocks
+  std::size_t left_terrain = 0;   ///< number of blocks that left the terrain
+  double mass = 0.0;              ///< of the deposited blocks, kg
+  double volume = 0.0;            ///< solid volume of the deposited blocks, without voids, m^3
+  /// Centre of mass of the deposited blocks at their starts and at rest. All following members are
+  /// NaN if no block is deposited.
   Vec3 first_centre = Vec3::Constant(NAN);
   Vec3 centre = Vec3::Constant(NAN);
-  Vec3 crest = Vec3::Constant(NAN);  ///< the highest start of all blocks
-  Vec3 toe = Vec3::Constant(NAN);    ///< the stop farthest from the crest in plan
-  double area = NAN;                 ///< that blocks lie on, in plan, m^2
-  double bulk_volume = NAN;          ///< between ground and the top of the blocks, m^3
-  double thickness = NAN;            ///< most height of a block's top above the ground, m
+  Vec3 crest = Vec3::Constant(NAN);  ///< highest start of all blocks
+  Vec3 toe = Vec3::Constant(NAN);    ///< stop position farthest from the crest, horizontally
+  double area = NAN;                 ///< covered area in plan, m^2
+  double bulk_volume = NAN;          ///< volume between ground and block tops, m^3
+  double thickness = NAN;            ///< largest height of a block top above the ground, m
   // Of all blocks where a rock mass started, held or settled; not a number for blocks that were
   // released one after the other.
-  double first_volume = NAN;       ///< without the space between them, m^3
-  double first_bulk_volume = NAN;  ///< between ground and the top of the blocks, m^3
-  /// What its energy was dissipated by; none where the results do not know.
+  double first_volume = NAN;       ///< solid volume, without voids, m^3
+  double first_bulk_volume = NAN;  ///< volume between ground and block tops, m^3
+  /// Dissipation by mechanism; empty if the results do not contain it.
   std::optional<EnergyFractions> energy;
 };
 
-/// Drop over distance in plan, H/L.
+/// Returns the height-length ratio H/L: drop over horizontal distance.
 /// @cite heim1932
 double height_length_ratio(const Vec3& from, const Vec3& to);
 
+/// Deposits of all realisations of a comparison.
 struct DepositResults {
-  std::vector<DepositMeasures> realisations;  ///< by file; none where no block stayed
-  /// Thickness of the deposit, mean over all realisations and largest, and the share of
-  /// realisations with a block there. A cell is at most a third of the mean S, a round number.
+  std::vector<DepositMeasures> realisations;  ///< by file; empty without persistent blocks
+  /// Layers: deposit thickness, mean and largest over the realisations, and the fraction of
+  /// realisations with a block in the cell. The cell size is at most a third of the mean S,
+  /// rounded.
   MapRasterSet rasters;
 };
 
-/// Tops are those of the blocks' skins over the middle of each cell.
+/// Measures the deposits of all realisations. Block tops are the heights of the block surfaces over
+/// the centre of each cell.
 DepositResults measure_deposits(const Comparison& comparison);
 
 }  // namespace clast

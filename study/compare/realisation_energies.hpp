@@ -1,5 +1,5 @@
 #pragma once
-/// Where the energy of blocks that stay goes, realisation by realisation and against time.
+/// Energy balance of persistent blocks in each realisation, and against time.
 #include <cmath>
 #include <cstdint>
 #include <functional>
@@ -10,32 +10,34 @@
 
 namespace clast {
 
-/// Energies of all blocks of one realisation.
+/// Energies of all blocks of one realisation against time.
 struct RealisationEnergies {
   std::uint32_t file = 0;             ///< index into Comparison::results
   std::uint32_t realisation = 0;      ///< from 0
-  std::vector<EnergySample> samples;  ///< one at least, in order of time
+  std::vector<EnergySample> samples;  ///< in order of time, not empty
 };
 
-/// By file and realisation; none of older results and other engines.
+/// Collects the energies by file and realisation. Empty for results of older versions and of other
+/// engines.
 std::vector<RealisationEnergies> collect_realisation_energies(const Comparison& comparison);
 
-/// A figure of an instant.
+/// Quantity computed from the energies at one time.
 using EnergyValue = std::function<double(const EnergySample&)>;
 
-/// The figure at equal steps of time until the last realisation rests, linear between samples; a
-/// realisation that rests keeps its last value.
-/// @param realisations  with the samples asked for
-/// @return empty without realisations, or where they take no time
+/// Computes a quantity at equal time steps until the last realisation comes to rest, linear between
+/// samples; after its rest a realisation keeps its last value.
+/// @param realisations  with energy samples
+/// @return empty without realisations, or if their duration is zero
 RealisationCurve compute_energy_curve(const std::vector<const RealisationEnergies*>& realisations,
-                              const EnergyValue& value);
+                                      const EnergyValue& value);
 
-/// What the energy of one realisation was dissipated by until its end, as shares.
+/// Dissipated energy of one realisation by mechanism, as fractions of the total.
 struct EnergyFractions {
   Dissipation on_ground, between_blocks;
-  double largest_kinetic = NAN;  ///< of all blocks together, at any sample, J
+  double largest_kinetic = NAN;  ///< largest total kinetic energy of all samples, J
 };
-/// @return all not a number but `largest_kinetic` where nothing was dissipated
+/// Computes the dissipation fractions of one realisation.
+/// @return all NaN except `largest_kinetic` if nothing was dissipated
 EnergyFractions compute_energy_fractions(const std::vector<EnergySample>& samples);
 
 }  // namespace clast

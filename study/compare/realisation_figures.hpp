@@ -1,7 +1,6 @@
 #pragma once
-/// The figures of what blocks that stay leave behind, over the realisations of each file, and how
-/// far the files differ. Realisations are independent of each other, so a figure has as many values
-/// as there are realisations with a deposit.
+/// Deposit quantities over the realisations of each file, and their differences between files.
+/// Realisations are independent, so each realisation with a deposit gives one value.
 #include <cmath>
 #include <cstdint>
 #include <functional>
@@ -14,39 +13,45 @@
 
 namespace clast {
 
-/// A figure of a realisation.
+/// Quantity of a deposit, such as its area.
 struct DepositQuantity {
-  std::string name;  ///< with its unit: "toe_distance_m"
-  std::string unit;  ///< "m"; empty for counts and shares
+  std::string name;  ///< with unit, such as "toe_distance_m"
+  std::string unit;  ///< such as "m"; empty for counts and fractions
   std::string words;
-  int decimals = 2;                                        ///< that are worth printing
-  std::function<double(const DepositMeasures&)> value;  ///< not finite: there is none
+  int decimals = 2;                                     ///< number of printed decimals
+  std::function<double(const DepositMeasures&)> value;  ///< not finite if undefined
   Interval possible = {-INFINITY, INFINITY};
 };
-/// Blocks at rest, volume, centre of mass, crest to toe, area, bulk volume, thickness.
+/// Returns the deposit quantities: blocks at rest, volume, centre of mass, crest to toe, area, bulk
+/// volume, thickness.
 const std::vector<DepositQuantity>& deposit_quantities();
 
-/// A figure over the realisations of a file.
+/// One deposit quantity over the realisations of one file.
 struct DepositQuantitySummary {
   std::uint32_t file = 0;  ///< index into Comparison::results
   std::size_t figure = 0;  ///< index into `deposit_quantities`
-  Summary summary;         ///< its count is that of realisations with the figure
+  Summary summary;         ///< over the realisations with a value
   double least = NAN;
-  std::optional<Interval> interval;  ///< 95 %, of the mean; as `mean_interval`
+  std::optional<Interval> interval;  ///< 95 % interval of the mean (`mean_interval`)
 };
 
-/// A figure of one file less that of another, as `welch_difference`; corrected for all that are
-/// tested.
+/// Difference of a deposit quantity between two files (`welch_difference`), corrected for the
+/// number of tests.
 struct DepositQuantityDifference : Contrast {
   DepositQuantitySummary first;
   DepositQuantitySummary second;
 };
 
+/// Deposit quantities of all files and their differences.
 struct DepositQuantityComparison {
-  std::vector<DepositQuantitySummary> files;  ///< by file, then figure; figures without a value left out
-  /// Of each pair of files, in the order of figures; none with more than `kMostGroups` files.
+  std::vector<DepositQuantitySummary>
+      files;  ///< by file, then quantity; quantities without a value are omitted
+  /// Differences of each pair of files, in the order of the quantities; empty if there are more
+  /// than `kMostGroups` files.
   std::vector<DepositQuantityDifference> differences;
 };
-DepositQuantityComparison compare_deposit_quantities(const std::vector<DepositMeasures>& realisations);
+/// Summarises the deposit quantities by file and compares all pairs of files.
+DepositQuantityComparison compare_deposit_quantities(
+    const std::vector<DepositMeasures>& realisations);
 
 }  // namespace clast

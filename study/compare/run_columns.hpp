@@ -1,5 +1,5 @@
 #pragma once
-/// The columns of the table of runs, and groups of runs by their values.
+/// Columns of runs.csv, and groups of runs by column values.
 #include <string>
 
 #include "core/files/table.hpp"
@@ -7,7 +7,7 @@
 
 namespace clast {
 
-/// A row of a table of a comparison: it points to an item, and knows the comparison around it.
+/// Row of a comparison table: an item together with the comparison that contains it.
 template <class Item>
 struct ComparisonRow {
   const Comparison& comparison;
@@ -17,14 +17,15 @@ struct ComparisonRow {
   const Item* operator->() const { return &item; }
 };
 
-/// In the order of runs.csv.
+/// Returns the columns of runs.csv in their order.
 const TableColumns<ComparisonRow<RunRow>>& run_columns();
 
-/// Adds a group for every value of a column, over all files, in rising order; numbers with more
-/// than `kMostValues` values are divided at their quartiles: "mass_kg 120 to 250".
-/// @throws InputError  no such column; the message lists them
+/// Adds one group per value of a column, over all files, in ascending order. Numeric columns with
+/// more than `kMostValues` values are divided at their quartiles: "mass_kg 120 to 250".
+/// @throws InputError  if the column does not exist; the message lists the columns
 void append_column_groups(Comparison& comparison, const std::string& column);
 
+/// Maximum number of groups of a numeric column.
 inline constexpr std::size_t kMostValues = 8;
 
 }  // namespace clast

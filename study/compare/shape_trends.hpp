@@ -1,6 +1,6 @@
 #pragma once
-/// Do outcomes rise or fall with elongation, flatness, convexity, rounding and mass of the blocks,
-/// is what they do too little to matter, and how many runs would it take to know?
+/// Trends of outcomes with elongation, flatness, convexity, rounding and mass of the blocks, with
+/// equivalence tests and required sample sizes.
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -12,35 +12,38 @@
 
 namespace clast {
 
-/// One outcome against one property of the blocks.
+/// Trend of one outcome with one block property.
 struct ShapeTrend {
   std::string outcome;   ///< "runout", "lateral angle", "largest energy", or "passing BARRIER"
-  std::string unit;      ///< "m", "rad", "J"; empty: a share of runs
+  std::string unit;      ///< "m", "rad", "J"; empty for a proportion of runs
   std::string property;  ///< "I/L", "S/L", "convexity", "rounding", "mass"
   std::size_t blocks = 0;
   std::size_t runs = 0;
-  TestResult trend;          ///< rank correlation, as `clustered_trend_test`
-  double corrected_p = 1.0;  ///< of the trend, over all properties of the outcome (Holm)
-  double limit = 0.0;        ///< property of the blocks between the lower and the upper half
-  /// Upper half of the blocks less the lower one.
+  TestResult trend;  ///< rank correlation (`clustered_trend_test`)
+  double corrected_p =
+      1.0;  ///< p-value of the trend, Holm-corrected over the properties of the outcome
+  double limit =
+      0.0;  ///< value of the property that separates the lower and the upper half of the blocks
+  /// Mean outcome of the upper half of the blocks minus that of the lower half.
   CrossedDifference halves;
-  double smallest = 0.0;  ///< difference that a campaign like this finds in 80 % of cases
-  /// Of the runout, where a margin was given: as `equivalence_p_value`, and the runs that find a
-  /// difference of the margin.
+  double smallest = 0.0;  ///< minimum detectable difference of this design at 80 % power
+  /// Only for the runout, if a margin is given: the p-value of the equivalence test
+  /// (`equivalence_p_value`) and the number of runs needed to detect a difference as large as the
+  /// margin.
   std::optional<double> equivalence;
   std::optional<double> runs_needed;
 };
 
-/// Of one results file.
+/// Trends of one results file.
 struct ShapeTrends {
   std::uint32_t file = 0;
-  std::vector<ShapeTrend> trends;  ///< by outcome, then property; empty where there is nothing
+  std::vector<ShapeTrend> trends;  ///< by outcome, then property; may be empty
 };
 
-/// For every file with four blocks or more, whether or not every combination was run; none where
-/// blocks stay. Rounding is the Minkowski radius over S. Properties that differ by less than a
-/// hundredth over all blocks are left out. Where each block of the library comes in several masses,
-/// masses are compared within blocks of the library, and forms over all masses.
+/// Computes the trends of each file with at least four blocks; also for incomplete designs, but not
+/// for persistent blocks. Rounding is the Minkowski radius over S. Properties that vary by less
+/// than 0.01 over all blocks are omitted. If each library block occurs with several masses, masses
+/// are compared within blocks, and forms over all masses.
 std::vector<ShapeTrends> compute_shape_trends(const Comparison& comparison);
 
 }  // namespace clast

@@ -1,5 +1,5 @@
 #pragma once
-/// The barrier part of a comparison.
+/// Barrier statistics of a comparison.
 #include <vector>
 
 #include "study/compare/comparison.hpp"
@@ -13,13 +13,14 @@ struct BarrierComparison {
   std::vector<BarrierGroupStatistics> groups;
 };
 
-/// @throws InputError  a crossing of a run or barrier that is not in its file
+/// Computes barrier lines, crossings and statistics.
+/// @throws InputError  if a crossing refers to a run or barrier that its file does not contain
 BarrierComparison compare_barriers(const std::vector<CampaignResults>& results,
                                    const std::vector<RunRow>& rows,
                                    const std::vector<Group>& groups);
 
-/// What passes a barrier in each draw of the ground; draws whose runs never met it left out.
-std::vector<BarrierGroupStatistics> barrier_groups_by_draw(const Comparison& comparison, std::size_t line,
-                                           const std::vector<GroundDrawRows>& draws);
+/// Computes the barrier statistics of each ground draw; draws without a crossing are omitted.
+std::vector<BarrierGroupStatistics> barrier_groups_by_draw(
+    const Comparison& comparison, std::size_t line, const std::vector<GroundDrawRows>& draws);
 
 }  // namespace clast::study_detail

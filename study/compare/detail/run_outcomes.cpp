@@ -33,7 +33,7 @@ std::vector<RunOutcome> collect_run_outcomes(const Comparison& comparison, std::
   for (std::size_t line = 0; line < comparison.lines.size(); ++line) {
     const BarrierLine& barrier = comparison.lines[line];
     if (!barrier.is_in(file)) continue;
-    const std::vector<const Crossing*> crossings = parse_counted_direction(comparison, line);
+    const std::vector<const Crossing*> crossings = find_counted_crossings(comparison, line);
     RunOutcome outcome{"passing " + barrier.name, "", {}};
     for (const RunRow* row : rows) {
       const auto index = static_cast<std::size_t>(row - comparison.rows.data());

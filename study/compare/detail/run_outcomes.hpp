@@ -1,5 +1,5 @@
 #pragma once
-/// What runs of a results file came to, as one list of values for each outcome.
+/// Outcomes of the runs of a results file, one list of values per outcome.
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -8,23 +8,25 @@
 
 namespace clast::study_detail {
 
-/// Values of all runs of a file, in their order.
+/// One outcome of all runs of a file, in the order of the runs.
 struct RunOutcome {
   std::string name;  ///< "runout", "lateral angle", "largest energy", or "passing BARRIER"
-  std::string unit;  ///< "m", "rad", "J"; empty: 1 for a run that passed, else 0
+  std::string unit;  ///< "m", "rad", "J"; empty: indicator, 1 for a run that passed, otherwise 0
   std::vector<double> values;
 };
 
 std::vector<const RunRow*> select_rows_of_file(const Comparison& comparison, std::uint32_t file);
 
-/// A run counts where it ended, also if it left the terrain. The runout is first.
+/// Collects the outcomes of runs, runout first. Runs that left the terrain count with their last
+/// position.
 /// @param rows  of the file
 std::vector<RunOutcome> collect_run_outcomes(const Comparison& comparison, std::uint32_t file,
-                                     const std::vector<const RunRow*>& rows);
+                                             const std::vector<const RunRow*>& rows);
 
-/// The masses of the blocks that fell, in rising order, each more than 0.5 % above the one before.
+/// Returns the distinct block masses in ascending order; masses within 0.5 % of the previous one
+/// are merged.
 std::vector<double> find_distinct_masses(const std::vector<const RunRow*>& rows);
-/// Which of them a mass is: the number of those not above it.
+/// Returns the level of a mass: the number of distinct masses not above it.
 std::size_t find_mass_level(const std::vector<double>& masses, double mass);
 
 }  // namespace clast::study_detail
