@@ -23,7 +23,7 @@ constexpr int kRadiusHalvings = 3;
 /// can't be simplified to that one may still lose its flaws on the way to a smaller one.
 TriangleMesh simplify_for_trials(const TriangleMesh& scan) {
   try {
-    return simplified(scan, {.target_vertices = kMostVertices});
+    return simplify_mesh(scan, {.target_vertices = kMostVertices});
   } catch (const GeometryError&) {
     return scan;
   }
@@ -100,7 +100,7 @@ std::optional<Block> FewestVerticesSearch::try_vertex_count(std::size_t count,
     BlockOptions quick = options;
     quick.accuracy = std::max(options.accuracy, BlockOptions().accuracy);
     quick.advise = refusal_.empty();  // the first refusal is the one that is reported
-    return make_block(id_, simplified(fine_, {.target_vertices = count}), scan_,
+    return make_block(id_, simplify_mesh(fine_, {.target_vertices = count}), scan_,
                       source_with_vertices(count), quick);
   } catch (const GeometryError& error) {
     if (refusal_.empty()) refusal_ = error.what();

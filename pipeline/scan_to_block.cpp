@@ -69,7 +69,7 @@ Block make_scan_block(FieldBlock& found, const std::string& id, BlockSource sour
     block = make_block(id, scan.mesh, surface, std::move(source), options.block);
   } else if (options.vertices) {
     callbacks.begin("simplifying " + id);
-    const TriangleMesh light = simplified(scan.mesh, {.target_vertices = *options.vertices});
+    const TriangleMesh light = simplify_mesh(scan.mesh, {.target_vertices = *options.vertices});
     callbacks.begin("measuring " + id);
     source.options += " vertices=" + std::to_string(*options.vertices);
     block = make_block(id, light, surface, std::move(source), options.block);
@@ -106,7 +106,7 @@ FieldScanOptions reading_options(const ScanToBlockOptions& options) {
 
 ScanOptions core_options(const ScanToBlockOptions& options) {
   ScanOptions as_it_is = options.scan;
-  as_it_is.repair.invent = false;  // every vertex of a core is meant
+  as_it_is.repair.fill_missing = false;  // every vertex of a core is meant
   return as_it_is;
 }
 
@@ -143,9 +143,9 @@ ReadScan clean_any_mesh(const TriangleMesh& raw, const std::string& name,
   if (options.block.core) {
     found.blocks.push_back({clean_scan(raw, name, core_options(options)), {}, {}});
   } else if (raw.triangles.empty()) {
-    found.blocks = field_blocks(raw.vertices, name, reading);
+    found.blocks = extract_field_blocks(raw.vertices, name, reading);
   } else {
-    found.blocks = field_blocks(raw, name, reading);
+    found.blocks = extract_field_blocks(raw, name, reading);
   }
   found.raw = raw;
   return {std::move(found), {}};
@@ -183,7 +183,7 @@ std::vector<Block> make_blocks(ReadScan& read, const std::string& id, BlockSourc
 }  // namespace
 
 std::string scan_digest(const std::filesystem::path& path) {
-  return std::filesystem::is_directory(path) ? photo_set_digest(path) : sha256_of_file(path);
+  return std::filesystem::is_directory(path) ? compute_photo_digest(path) : sha256_of_file(path);
 }
 
 void ScanToBlockOptions::check() const {

@@ -116,7 +116,7 @@ Block make_shape_block(const ShpShape& shape, const std::filesystem::path& path,
     ScanToBlockOptions taken = options;
     taken.block.core = true;
     taken.block.radius = radius_of(shape, options);
-    taken.scan.repair.invent = false;
+    taken.scan.repair.fill_missing = false;
     BlockSource source{to_utf8(path.string()), sha256_of_file(path),
                        format_scale_record(options) +
                            " up=" + resolve_up_axis(options.scan.up, path) + " shape=" + shape.name,

@@ -132,7 +132,7 @@ class Experiment {
     const auto job = [&](const ProgressCallback& report) {
       const double stretch = static_cast<double>(kStepsTogether) * settings_.stiffness.time_step;
       do {
-        reason = world.run_until(std::min(end, world.time() + stretch));
+        reason = world.run_until_rest(std::min(end, world.time() + stretch));
         report(progress_at(world.time() - begin, duration));
       } while (reason == StopReason::kMaxTime && world.time() < end);
     };
@@ -179,18 +179,18 @@ class Experiment {
 
   py::dict contacts(std::size_t body) {
     World& world = started();
-    const Touch touch = world.touch(checked(body));
+    const ContactSummary touch = world.touch(checked(body));
     return py::dict("points"_a = touch.points, "overlap_m"_a = touch.overlap,
                     "force_n"_a = to_array(world.contact_force(body)),
-                    "blocks"_a = world.touched_bodies(body));
+                    "blocks"_a = world.touching_bodies(body));
   }
 
   py::dict energy() {
-    const EnergyLedger ledger = started().energy();
-    return py::dict("energy_initial_j"_a = ledger.initial, "energy_final_j"_a = ledger.final,
-                    "energy_normal_j"_a = ledger.normal, "energy_friction_j"_a = ledger.friction,
-                    "energy_rolling_j"_a = ledger.rolling,
-                    "energy_reassigned_j"_a = ledger.reassigned, "energy_error"_a = ledger.error);
+    const EnergyBalance balance = started().energy();
+    return py::dict("energy_initial_j"_a = balance.initial, "energy_final_j"_a = balance.final,
+                    "energy_normal_j"_a = balance.normal, "energy_friction_j"_a = balance.friction,
+                    "energy_rolling_j"_a = balance.rolling,
+                    "energy_reassigned_j"_a = balance.reassigned, "energy_error"_a = balance.error);
   }
 
   py::dict contact() {
@@ -213,8 +213,8 @@ class Experiment {
     std::optional<std::string> law, weights;
     given.take("law", law);
     given.take("weights", weights);
-    if (law) settings_.law = contact_law(*law);
-    if (weights) settings_.weights = contact_weights(*weights);
+    if (law) settings_.law = parse_contact_law(*law);
+    if (weights) settings_.weights = parse_contact_weighting(*weights);
     given.take("gravity_m_s2", settings_.gravity);
     given.take("rest_energy_j_kg", settings_.rest_energy);
     given.take("rest_duration_s", settings_.rest_duration);

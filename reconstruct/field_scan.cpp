@@ -48,22 +48,22 @@ void FieldScanOptions::check() const {
   surface.check();
 }
 
-std::vector<FieldBlock> field_blocks(const TriangleMesh& raw, const std::string& name,
+std::vector<FieldBlock> extract_field_blocks(const TriangleMesh& raw, const std::string& name,
                                      const FieldScanOptions& options) {
   options.check();
-  return reconstruct_detail::mesh_blocks(raw, name, options);
+  return reconstruct_detail::extract_mesh_blocks(raw, name, options);
 }
 
-std::vector<FieldBlock> field_blocks(const std::vector<Vec3>& points, const std::string& name,
+std::vector<FieldBlock> extract_field_blocks(const std::vector<Vec3>& points, const std::string& name,
                                      const FieldScanOptions& options) {
   options.check();
-  return reconstruct_detail::cloud_blocks(points, name, options);
+  return reconstruct_detail::extract_cloud_blocks(points, name, options);
 }
 
 FieldScan read_field_scan(const std::filesystem::path& path, const FieldScanOptions& as_given) {
   as_given.check();
   FieldScanOptions options = as_given;
-  options.scan = options_for(path, as_given.scan);
+  options.scan = resolve_options(path, as_given.scan);
   FieldScan scan;
   CloudSummary summary;
   if (is_cloud(path)) {
@@ -81,9 +81,9 @@ FieldScan read_field_scan(const std::filesystem::path& path, const FieldScanOpti
   }
   const std::vector<std::string> system_notes =
       check_cloud_system(path, summary, bounds(scan.raw), options.scan);
-  const std::string note = reconstruct_detail::digits_note(scan.raw, path, options.scan.unit);
-  scan.blocks = scan.raw.triangles.empty() ? field_blocks(scan.raw.vertices, path.string(), options)
-                                           : field_blocks(scan.raw, path.string(), options);
+  const std::string note = reconstruct_detail::check_coordinate_digits(scan.raw, path, options.scan.unit);
+  scan.blocks = scan.raw.triangles.empty() ? extract_field_blocks(scan.raw.vertices, path.string(), options)
+                                           : extract_field_blocks(scan.raw, path.string(), options);
   for (FieldBlock& block : scan.blocks) {
     std::vector<std::string>& notes = block.scan.notes;
     if (!note.empty()) notes.push_back(note);

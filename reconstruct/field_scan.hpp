@@ -22,7 +22,7 @@ struct FieldScanOptions {
   bool split = false;                ///< every block on the ground; else the one near the middle
   CloudSurfaceOptions surface = {};  ///< how points become one
   /// Space that was looked through, in the file's coordinates; none: nothing is known of that.
-  const SeenThrough* through = nullptr;
+  const FreeSpaceGrid* free_space = nullptr;
 
   void check() const;  ///< throws what its members throw
 };
@@ -52,9 +52,9 @@ struct FieldScan {
 FieldScan read_field_scan(const std::filesystem::path& path, const FieldScanOptions& options = {});
 
 /// The same of a mesh or of points in memory; `name` is used in messages.
-std::vector<FieldBlock> field_blocks(const TriangleMesh& raw, const std::string& name,
+std::vector<FieldBlock> extract_field_blocks(const TriangleMesh& raw, const std::string& name,
                                      const FieldScanOptions& options = {});
-std::vector<FieldBlock> field_blocks(const std::vector<Vec3>& points, const std::string& name,
+std::vector<FieldBlock> extract_field_blocks(const std::vector<Vec3>& points, const std::string& name,
                                      const FieldScanOptions& options = {});
 
 }  // namespace clast

@@ -20,7 +20,7 @@ void ScanOptions::check() const {
   repair.check();
 }
 
-ScanOptions options_for(const std::filesystem::path& file, ScanOptions options) {
+ScanOptions resolve_options(const std::filesystem::path& file, ScanOptions options) {
   options.up = resolve_up_axis(options.up, file);
   return options;
 }
@@ -28,30 +28,30 @@ ScanOptions options_for(const std::filesystem::path& file, ScanOptions options) 
 Scan read_scan(const std::filesystem::path& path, const ScanOptions& options) {
   options.check();
   const TriangleMesh raw = read_mesh(path);
-  const std::string note = reconstruct_detail::digits_note(raw, path, options.unit);
-  Scan scan = clean_scan(raw, path.string(), options_for(path, options));
+  const std::string note = reconstruct_detail::check_coordinate_digits(raw, path, options.unit);
+  Scan scan = clean_scan(raw, path.string(), resolve_options(path, options));
   if (!note.empty()) scan.notes.push_back(note);
   return scan;
 }
 
 Scan clean_scan(const TriangleMesh& raw, const std::string& name, const ScanOptions& options,
-                const std::optional<Pose>& turn) {
+                const std::optional<Pose>& upright_pose) {
   options.check();
   const bool y_up = options.up == "y";
   TriangleMesh mesh = raw;
   for (Vec3& vertex : mesh.vertices) {
     vertex *= options.unit;
     if (y_up) vertex = y_up_to_z_up(vertex);
-    if (turn) vertex = *turn * vertex;
+    if (upright_pose) vertex = *upright_pose * vertex;
   }
   RepairOptions repair = options.repair;
   repair.reported_place = [&](const Vec3& there) -> Vec3 {
-    const Vec3 metres = turn ? turn->inverse() * there : there;
+    const Vec3 metres = upright_pose ? upright_pose->inverse() * there : there;
     return (y_up ? z_up_to_y_up(metres) : metres) / options.unit;
   };
   return with_error_context(name, [&]() -> Scan {
     RepairedMesh result = repair_mesh(mesh, repair);
-    std::vector<std::string> notes = repair_notes(result.report);
+    std::vector<std::string> notes = describe_repairs(result.report);
     return {std::move(result.mesh), std::move(result.report), std::move(notes)};
   });
 }

@@ -34,7 +34,7 @@ void visit_fields(const ScanOptions& options, Visit&& visit) {
 }
 
 /// The options with the `up` that "auto" stands for in this file. Without a file it stands for z.
-ScanOptions options_for(const std::filesystem::path& file, ScanOptions options);
+ScanOptions resolve_options(const std::filesystem::path& file, ScanOptions options);
 
 /// A scan that became a closed mesh, and what was done to it.
 struct Scan {
@@ -53,6 +53,6 @@ Scan read_scan(const std::filesystem::path& path, const ScanOptions& options = {
 /// @param turn  of the metres, z up: applied before the repair, so that the surface returned is the
 ///              one that was verified (turning it afterwards rounds every vertex anew)
 Scan clean_scan(const TriangleMesh& raw, const std::string& name, const ScanOptions& options = {},
-                const std::optional<Pose>& turn = {});
+                const std::optional<Pose>& upright_pose = {});
 
 }  // namespace clast

@@ -26,23 +26,23 @@ constexpr double kFewer[] = {1.0, 0.95, 0.9, 0.85, 0.8, 0.75, 0.7, 0.65, 0.6, 0.
 constexpr double kRefilledAt[] = {1.0, 1.25, 1.5, 2.0, 3.0, 4.0, 0.8, 0.6, 0.45};
 constexpr double kMost = 4.0;
 /// So many times the vertices a simplified mesh may have once what crosses was filled anew.
-constexpr double kMostRefill = 2.0;
+constexpr double kMaxRefill = 2.0;
 /// And so much of its volume may change: the body that is made of it is scaled to the scan's.
 constexpr double kRefillVolume = 0.01;
 /// Triangles at one vertex of a surface that is simplified within seconds.
-constexpr std::uint32_t kMostAround = 500;
+constexpr std::uint32_t kMaxAround = 500;
 
 /// The last way: what still crosses is cut out and filled anew, which closes a tunnel that is too
 /// narrow for the number of vertices. None where that doesn't help, or changes more than a sliver.
 std::optional<TriangleMesh> refilled(const TriangleMesh& mesh, const Vec3& origin) {
   const std::vector<std::uint32_t> component = triangle_components(mesh);
   if (*std::max_element(component.begin(), component.end()) > 0) return std::nullopt;
-  const TriangleMesh start = reconstruct_detail::on_grid(mesh, origin);
-  std::optional<reconstruct_detail::FreedSurface> freed =
-      reconstruct_detail::free_of_crossings(start, origin);
+  const TriangleMesh start = reconstruct_detail::snapped_to_grid(mesh, origin);
+  std::optional<reconstruct_detail::CrossingFreeSurface> freed =
+      reconstruct_detail::repair_crossings(start, origin);
   if (!freed || freed->wrap_bias ||
       static_cast<double>(freed->mesh.vertices.size()) >
-          kMostRefill * static_cast<double>(mesh.vertices.size())) {
+          kMaxRefill * static_cast<double>(mesh.vertices.size())) {
     return std::nullopt;
   }
   const double volume = signed_volume(start);
@@ -59,7 +59,7 @@ void refuse_wide_fan(const TriangleMesh& mesh) {
     for (const std::uint32_t v : t) ++around[v];
   }
   const auto most = std::max_element(around.begin(), around.end());
-  if (*most <= kMostAround) return;
+  if (*most <= kMaxAround) return;
   throw GeometryError(
       std::to_string(*most) + " triangles meet at one vertex, near " +
       format_point(mesh.vertices[static_cast<std::size_t>(most - around.begin())]) +
@@ -77,7 +77,7 @@ void SimplifyOptions::check() const {
   }
 }
 
-TriangleMesh simplified(const TriangleMesh& mesh, const SimplifyOptions& options) {
+TriangleMesh simplify_mesh(const TriangleMesh& mesh, const SimplifyOptions& options) {
   options.check();
   const MeshReport report = inspect_mesh(mesh);
   if (!report.is_closed() || !report.is_oriented() || report.pinched_vertices > 0) {

@@ -23,6 +23,6 @@ struct SimplifyOptions {
 ///                        simplified mesh crosses itself all the same; the message says how many
 ///                        vertices are enough, if that was found
 /// @cite lindstrom1998
-TriangleMesh simplified(const TriangleMesh& mesh, const SimplifyOptions& options = {});
+TriangleMesh simplify_mesh(const TriangleMesh& mesh, const SimplifyOptions& options = {});
 
 }  // namespace clast

@@ -9,7 +9,7 @@
 #include "core/number_text.hpp"
 #include "core/printable.hpp"
 #include "core/utf8.hpp"
-#include "reconstruct/photos/photo_evidence.hpp"
+#include "reconstruct/photos/photo_summary.hpp"
 #include "report/json/block_json.hpp"
 #include "report/scans/json/photo_json.hpp"
 #include "report/text/block_text.hpp"
@@ -37,9 +37,9 @@ BatchPrinter::BatchPrinter(std::size_t scans, const BatchOptions& options,
 }
 
 void BatchPrinter::made(const Block& block, const BlockOrigin& origin) {
-  std::optional<PhotoEvidence> evidence;
+  std::optional<PhotoSummary> evidence;
   if (origin.photos != nullptr && (report_ || json_)) {
-    evidence = photo_evidence(*origin.photos, *origin.found, origin.up);
+    evidence = summarise_photos(*origin.photos, *origin.found, origin.up);
     Json photos = photo_json(*origin.photos, *evidence);
     const std::lock_guard lock(mutex_);
     photos_[block.id] = std::move(photos);
@@ -130,8 +130,8 @@ void BatchPrinter::print_end(const BatchResult& result) const {
               << " skipped, in the library already with the same file and options\n";
   }
   if (made_.empty()) return;
-  std::cout << library << ": " << format_count(made_.size(), "block") << " written, " << result.blocks
-            << " in all\n";
+  std::cout << library << ": " << format_count(made_.size(), "block") << " written, "
+            << result.blocks << " in all\n";
 }
 
 }  // namespace clast

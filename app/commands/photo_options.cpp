@@ -110,7 +110,7 @@ void add_photo_options(CLI::App& command, PhotoArgs& args) {
       ->check(within(kMarkerSide))
       ->type_name("M")
       ->group(kGroup);
-  std::vector<std::string> dictionaries = marker_dictionaries();
+  std::vector<std::string> dictionaries = marker_dictionary_names();
   dictionaries.insert(dictionaries.begin(), {"auto", "none"});
   command.add_option("--markers", options.markers.dictionary, "Kind of the markers")
       ->check(CLI::IsMember(dictionaries))

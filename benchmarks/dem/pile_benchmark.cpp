@@ -31,9 +31,9 @@ void blocks_falling_into_a_pile(benchmark::State& state) {
   World world =
       falling_pile(terrain, static_cast<std::size_t>(state.range(0)),
                    static_cast<int>(state.range(1)), static_cast<unsigned>(state.range(2)));
-  world.run_until(1.2);
+  world.run_until_rest(1.2);
   const WorldStatistics before = world.statistics();
-  for (auto _ : state) world.run_until(world.time() + 0.025);
+  for (auto _ : state) world.run_until_rest(world.time() + 0.025);
   const WorldStatistics after = world.statistics();
   const auto steps = static_cast<double>(after.steps - before.steps);
   const auto pair_steps = static_cast<double>(after.pair_steps - before.pair_steps);
@@ -62,10 +62,10 @@ BENCHMARK(blocks_falling_into_a_pile)
 void block_beside_a_pile_at_rest(benchmark::State& state) {
   const TerrainSurface terrain = ground(bowl());
   World world = falling_pile(terrain, static_cast<std::size_t>(state.range(0)), 2, 1);
-  world.run_until(60.0);
+  world.run_until_rest(60.0);
   const WorldStatistics before = world.statistics();
   world.add_body(0, at({7.0, 0.0, 0.15 * 49.0 + 0.9}));
-  for (auto _ : state) world.run_to(world.time() + 0.6);
+  for (auto _ : state) world.run_to_time(world.time() + 0.6);
   const WorldStatistics after = world.statistics();
   state.counters["s_per_step"] =
       benchmark::Counter(static_cast<double>(after.steps - before.steps),
@@ -86,9 +86,9 @@ void layers_falling_onto_a_plane(benchmark::State& state) {
   const double sides = std::sqrt(static_cast<double>(blocks) / 14.0);
   const TerrainSurface terrain = ground(plane_mesh(0.75 * sides + 12.0, 40));
   World world = falling_pile(terrain, blocks, 2, 1, static_cast<std::size_t>(std::lround(sides)));
-  world.run_until(0.9);
+  world.run_until_rest(0.9);
   const WorldStatistics before = world.statistics();
-  for (auto _ : state) world.run_until(world.time() + 0.01);
+  for (auto _ : state) world.run_until_rest(world.time() + 0.01);
   const WorldStatistics after = world.statistics();
   const auto steps = static_cast<double>(after.steps - before.steps);
   const auto touching = static_cast<double>(after.pair_steps - before.pair_steps) / steps;

@@ -50,7 +50,7 @@ void rock_on_a_rough_slope(benchmark::State& state) {
           simulate_release(terrain, kTestedZones, body, tested_start(i), settings);
       ends.push_back(result.final_state);
       simulated += result.duration;
-      steps += result.contact_steps + result.flight_pieces;
+      steps += result.contact_steps + result.flight_segments;
     }
   }
   state.counters["s_per_step"] = per_run(static_cast<double>(steps));

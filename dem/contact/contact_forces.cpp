@@ -11,7 +11,7 @@ namespace {
 
 /// A contact may continue another on other features when it is closer than this share of the
 /// block's smallest side.
-constexpr double kNearShare = 0.03;
+constexpr double kNearFraction = 0.03;
 /// A list of contacts may have room for half as many more as it holds, or for this many in all.
 constexpr std::size_t kFewContacts = 2;
 
@@ -21,12 +21,12 @@ bool is_event(const NormalResponse& response) {
 
 /// Adds what the law does inside the step beyond the scheme's own forces.
 void add_law_event(ContactLoad& load, const NormalResponse& response, const Contact& contact,
-                   const PairMotion& motion) {
-  if (!load.event) load.event = std::make_unique<EventLoad>();
-  EventLoad& event = *load.event;
+                   const RelativeMotion& motion) {
+  if (!load.event) load.event = std::make_unique<EventImpulse>();
+  EventImpulse& event = *load.event;
   const Vec3& normal = contact.point.normal;
-  const Vec3 arm = contact.place - motion.block.world_from_body.translation;
-  const Vec3 arm_of_other = contact.place - motion.other.world_from_body.translation;
+  const Vec3 arm = contact.position - motion.block.world_from_body.translation;
+  const Vec3 arm_of_other = contact.position - motion.other.world_from_body.translation;
   const Vec3 impulse = contact.weight * response.impulse * normal;
   event.impulse += impulse;
   event.angular_impulse += arm.cross(impulse);
@@ -40,7 +40,7 @@ void add_law_event(ContactLoad& load, const NormalResponse& response, const Cont
 
 }  // namespace
 
-ContactForces::Action::Action(const ContactLoad& load, const PairMotion& motion)
+ContactForces::PairWrench::PairWrench(const ContactLoad& load, const RelativeMotion& motion)
     : force(load.force),
       torque(load.torque),
       torque_on_other(load.torque + (motion.block.world_from_body.translation -
@@ -49,26 +49,26 @@ ContactForces::Action::Action(const ContactLoad& load, const PairMotion& motion)
       centre(motion.block.world_from_body.translation),
       centre_of_other(motion.other.world_from_body.translation) {}
 
-double ContactForces::Action::power_at(const PairMotion& motion) const {
+double ContactForces::PairWrench::power_over_previous_step(const RelativeMotion& motion) const {
   return torque_on_other.dot(motion.other.angular_velocity) -
          torque.dot(motion.block.angular_velocity) -
          force.dot(motion.block.velocity - motion.other.velocity);
 }
 
-double ContactForces::Action::power_from(const PairMotion& motion) const {
+double ContactForces::PairWrench::power_over_next_step(const RelativeMotion& motion) const {
   // Events may have shifted the bodies since.
   const Vec3 arm = centre - motion.block.begin_position;
   const Vec3 arm_of_other = centre_of_other - motion.other.begin_position;
-  return power_at(motion) + arm_of_other.cross(force).dot(motion.other.angular_velocity) -
+  return power_over_previous_step(motion) + arm_of_other.cross(force).dot(motion.other.angular_velocity) -
          arm.cross(force).dot(motion.block.angular_velocity);
 }
 
-ContactForces::ContactForces(const ContactRules& rules, const BlockSurface& block, double size)
-    : rules_(rules),
+ContactForces::ContactForces(const ContactModel& model, const BlockSurface& block, double size)
+    : model_(model),
       block_(block.features),
-      near_(kNearShare * size),
-      patches_(block, rules.weights) {
-  if (rules.drags) drag_ = std::make_unique<ScarDrag>(rules.drag_strength, block);
+      near_(kNearFraction * size),
+      patches_(block, model.weights) {
+  if (model.has_scar_drag) drag_ = std::make_unique<ScarDrag>(model.drag_factors, block);
 }
 
 ContactForces::Scratch& ContactForces::scratch() {
@@ -77,50 +77,50 @@ ContactForces::Scratch& ContactForces::scratch() {
 }
 
 ContactLoad ContactForces::update(const std::vector<ContactPoint>& points, const BodyMotion& block,
-                                  const BodyMotion& other, double duration, EnergyLedger& ledger) {
+                                  const BodyMotion& other, double duration, EnergyBalance& energy_balance) {
   if (points.empty() && contacts_.empty()) return {};
-  const PairMotion motion(block, other, duration);
-  return rules_.with_laws(
-      [&](const auto& laws) { return apply(laws, points, motion, scratch(), ledger); });
+  const RelativeMotion motion(block, other, duration);
+  return model_.visit_laws(
+      [&](const auto& laws) { return apply_law(laws, points, motion, scratch(), energy_balance); });
 }
 
 template <NormalLaw Law>
-ContactLoad ContactForces::apply(const std::vector<Law>& laws,
-                                 const std::vector<ContactPoint>& points, const PairMotion& motion,
-                                 Scratch& scratch, EnergyLedger& ledger) {
+ContactLoad ContactForces::apply_law(const std::vector<Law>& laws,
+                                 const std::vector<ContactPoint>& points, const RelativeMotion& motion,
+                                 Scratch& scratch, EnergyBalance& energy_balance) {
   std::vector<Contact>& now = scratch.now;
   ContactHistory& history = scratch.history;
-  history.match(points, contacts_, near_);
-  distribute(points, motion, now);
+  history.match_contacts(points, contacts_, near_);
+  assign_weights(points, motion, now);
   history.transfer_springs(now, contacts_, patches_);
-  if constexpr (Law::kNeedsEffectiveMass) find_effective_masses(motion, scratch);
-  if constexpr (Law::kIsPlastic) spread_forces(scratch);
+  if constexpr (Law::kNeedsEffectiveMass) compute_effective_masses(motion, scratch);
+  if constexpr (Law::kIsPlastic) initialise_new_forces(scratch);
 
-  if (rules_.slip_grows && contacts_.empty() && !now.empty()) forget_slip(now.front().zone);
+  if (model_.has_slip_dependent_friction && contacts_.empty() && !now.empty()) decay_slip(now.front().zone);
 
   ContactLoad load;
-  ledger.reassigned += 0.5 * motion.duration * acted_.power_from(motion);
+  energy_balance.reassigned += 0.5 * motion.duration * last_wrench_.power_over_next_step(motion);
   for (std::size_t i = 0; i < now.size(); ++i) {
-    load_contact(now[i], history.previous(i, contacts_), laws[now[i].zone], motion, load, ledger);
+    compute_contact_load(now[i], history.previous(i, contacts_), laws[now[i].zone], motion, load, energy_balance);
   }
-  acted_ = Action(load, motion);
-  load.torque_on_other = -acted_.torque_on_other;
-  ledger.reassigned += 0.5 * motion.duration * acted_.power_at(motion);
+  last_wrench_ = PairWrench(load, motion);
+  load.torque_on_other = -last_wrench_.torque_on_other;
+  energy_balance.reassigned += 0.5 * motion.duration * last_wrench_.power_over_previous_step(motion);
   for (std::size_t j = 0; j < contacts_.size(); ++j) {
-    if (history.continues(j)) continue;
-    end_contact(contacts_[j], laws[contacts_[j].zone], motion, load, ledger);
+    if (history.is_continued(j)) continue;
+    end_contact(contacts_[j], laws[contacts_[j].zone], motion, load, energy_balance);
   }
-  keep(now);
-  if (rules_.slip_grows) add_slip();
-  if (drag_) add_drag(motion, load, ledger);
+  store_contacts(now);
+  if (model_.has_slip_dependent_friction) accumulate_slip();
+  if (drag_) add_drag(motion, load, energy_balance);
   if (load.event && motion.other.inverse_mass == 0.0) {
-    shift_overlaps(laws, *load.event, motion.block, ledger);
+    update_overlaps(laws, *load.event, motion.block, energy_balance);
   }
-  find_deepest();
+  find_deepest_contact();
   return load;
 }
 
-void ContactForces::keep(std::vector<Contact>& now) {
+void ContactForces::store_contacts(std::vector<Contact>& now) {
   const std::size_t room = std::max(kFewContacts, now.size() + now.size() / 2);
   if (now.capacity() <= room) {
     contacts_.swap(now);
@@ -131,42 +131,42 @@ void ContactForces::keep(std::vector<Contact>& now) {
   }
 }
 
-void ContactForces::distribute(const std::vector<ContactPoint>& points, const PairMotion& motion,
+void ContactForces::assign_weights(const std::vector<ContactPoint>& points, const RelativeMotion& motion,
                                std::vector<Contact>& now) {
   const std::span<const double> weights =
-      patches_.share(points, motion.block.world_from_body.rotation);
+      patches_.compute_weights(points, motion.block.world_from_body.rotation);
   now.clear();
   now.reserve(points.size());
   for (std::size_t i = 0; i < points.size(); ++i) {
-    now.emplace_back(points[i], rules_.zone_of(points[i].ground_face), weights[i]);
+    now.emplace_back(points[i], model_.zone_of(points[i].ground_face), weights[i]);
   }
 }
 
-void ContactForces::find_effective_masses(const PairMotion& motion, Scratch& scratch) const {
-  auto& [now, history, patch_action] = scratch;
+void ContactForces::compute_effective_masses(const RelativeMotion& motion, Scratch& scratch) const {
+  auto& [now, history, patch_wrenches] = scratch;
   // The unit force of a patch acts through all its points: how easily that moves both bodies.
   const BodyMotion &block = motion.block, &other = motion.other;
-  patch_action.assign(now.size(), {});
+  patch_wrenches.assign(now.size(), {});
   for (std::size_t i = 0; i < now.size(); ++i) {
     const Contact& contact = now[i];
     const Vec3 force = contact.weight * contact.point.normal;
-    PatchAction& action = patch_action[patches_.patch_of(i)];
+    PatchWrench& action = patch_wrenches[patches_.patch_of(i)];
     action.force += force;
-    action.torque += (contact.place - block.world_from_body.translation).cross(force);
-    action.torque_on_other += (contact.place - other.world_from_body.translation).cross(force);
+    action.torque += (contact.position - block.world_from_body.translation).cross(force);
+    action.torque_on_other += (contact.position - other.world_from_body.translation).cross(force);
   }
   for (std::size_t i = 0; i < now.size(); ++i) {
-    const PatchAction& action = patch_action[patches_.patch_of(i)];
+    const PatchWrench& action = patch_wrenches[patches_.patch_of(i)];
     const double mobility =
         (block.inverse_mass + other.inverse_mass) * action.force.squaredNorm() +
-        action.torque.dot(block.inverse_inertia_times(action.torque)) +
-        action.torque_on_other.dot(other.inverse_inertia_times(action.torque_on_other));
+        action.torque.dot(block.apply_inverse_inertia(action.torque)) +
+        action.torque_on_other.dot(other.apply_inverse_inertia(action.torque_on_other));
     now[i].effective_mass = mobility > 0.0 ? 1.0 / mobility : 0.0;
   }
 }
 
-void ContactForces::spread_forces(Scratch& scratch) const {
-  auto& [now, history, patch_action] = scratch;
+void ContactForces::initialise_new_forces(Scratch& scratch) const {
+  auto& [now, history, patch_wrenches] = scratch;
   for (std::size_t i = 0; i < now.size(); ++i) {
     if (history.previous(i, contacts_)) continue;
     double force = 0.0, weight = 0.0;
@@ -181,154 +181,154 @@ void ContactForces::spread_forces(Scratch& scratch) const {
 }
 
 template <NormalLaw Law>
-void ContactForces::load_contact(Contact& contact, const Contact* previous, const Law& law,
-                                 const PairMotion& motion, ContactLoad& load,
-                                 EnergyLedger& ledger) {
-  const GroundParameters& ground = rules_.zones[contact.zone];
-  const Slip slip(contact, motion);
+void ContactForces::compute_contact_load(Contact& contact, const Contact* previous, const Law& law,
+                                 const RelativeMotion& motion, ContactLoad& load,
+                                 EnergyBalance& energy_balance) {
+  const GroundParameters& ground = model_.zones[contact.zone];
+  const ContactKinematics kinematics(contact, motion);
   const double w = contact.weight;
-  Past past =
-      previous ? past_of(contact, *previous, motion) : past_of_new(contact, slip, law, motion);
+  StepStart start =
+      previous ? step_start_of_continued(contact, *previous, motion) : step_start_of_new(contact, kinematics, law, motion);
   if constexpr (Law::kIsPlastic) {
     // On ground that unloads otherwise the force goes on, and with it the dent that it stands for.
     if (previous && previous->zone != contact.zone && previous->normal > 0.0) {
-      past.normal = law.initial_state(past.path.before, 0.0, 0.0, previous->normal);
+      start.normal = law.initial_state(start.path.before, 0.0, 0.0, previous->normal);
     }
-    if (rules_.soil && !previous && past.continuous) {
-      past.normal.dent = rules_.soil->dent(contact.place, contact.zone);
+    if (model_.soil && !previous && start.continuous) {
+      start.normal.residual_indentation = model_.soil->residual_indentation(contact.position, contact.zone);
     }
   }
 
-  const NormalResponse response = normal_response(contact, past, law);
+  const NormalResponse response = normal_response(contact, start, law);
   contact.normal = response.force;
-  contact.dent = response.dent;
+  contact.residual_indentation = response.residual_indentation;
   const SpringResponse sliding =
-      friction(contact, slip, rules_.stiffness.tangential, motion.duration,
-               rules_.slip_grows ? ground.friction_after(slip_) : ground.friction);
-  const SpringResponse rolling = rolling_resistance(contact, slip, rules_.rolling[contact.zone],
+      friction(contact, kinematics, model_.stiffness.tangential, motion.duration,
+               model_.has_slip_dependent_friction ? ground.slip_dependent_friction(slip_) : ground.friction);
+  const SpringResponse rolling = rolling_resistance(contact, kinematics, model_.rolling[contact.zone],
                                                     motion, ground.rolling_friction);
-  if (rules_.slip_grows) {
+  if (model_.has_slip_dependent_friction) {
     const Vec3 trial =
-        contact.tangential - rules_.stiffness.tangential * motion.duration * slip.sliding;
+        contact.tangential - model_.stiffness.tangential * motion.duration * kinematics.sliding;
     slipped_ +=
-        w * rules_.tangential_give * std::max(0.0, trial.norm() - std::sqrt(sliding.squared));
+        w * model_.tangential_compliance * std::max(0.0, trial.norm() - std::sqrt(sliding.squared_norm));
   }
   contact.tangential = sliding.load;
   contact.rolling = rolling.load;
 
   // Eq. 6: the loads of a point count by its weight.
   const double drop = law.force_drop(contact.point.overlap, contact.normal);
-  const double share = slip.closing > 0.0 ? 1.0 : law.unloading_ratio(rules_.stiffness.normal);
+  const double restored_ratio = kinematics.approach_speed > 0.0 ? 1.0 : law.unloading_ratio(model_.stiffness.normal);
   load.impact += 0.5 * w *
-                 (share * slip.closing * slip.closing +
-                  drop * drop * motion.block.inverse_mass / rules_.stiffness.normal);
+                 (restored_ratio * kinematics.approach_speed * kinematics.approach_speed +
+                  drop * drop * motion.block.inverse_mass / model_.stiffness.normal);
   const Vec3 force = w * (contact.normal * contact.point.normal + contact.tangential);
   load.force += force;
-  load.torque += slip.arm.cross(force) + w * contact.rolling;
-  if (past.continuous && is_event(response)) add_law_event(load, response, contact, motion);
+  load.torque += kinematics.arm.cross(force) + w * contact.rolling;
+  if (start.continuous && is_event(response)) add_law_event(load, response, contact, motion);
 
   // With the mean weight of the step. What the forces took beyond these losses and what is stored,
   // because weights, zones, normals or the contacts changed, is booked apart.
-  const double mean_weight = 0.5 * (past.weight + w);
-  const double stored_by_normal = law.stored_energy(contact.point.overlap, contact.dent);
+  const double mean_weight = 0.5 * (start.weight + w);
+  const double stored_by_normal = law.stored_energy(contact.point.overlap, contact.residual_indentation);
   const double by_normal =
       mean_weight * (response.work - stored_by_normal +
-                     law.stored_energy(std::max(0.0, past.path.before), past.normal.dent));
-  const double by_friction = mean_weight * rules_.tangential_give * sliding.loss;
-  const double by_rolling = mean_weight * rules_.rolling_give[contact.zone] * rolling.loss;
+                     law.stored_energy(std::max(0.0, start.path.before), start.normal.residual_indentation));
+  const double by_friction = mean_weight * model_.tangential_compliance * sliding.loss;
+  const double by_rolling = mean_weight * model_.rolling_compliance[contact.zone] * rolling.loss;
   contact.stored =
-      w * (stored_by_normal + 0.5 * (sliding.squared * rules_.tangential_give +
-                                     rolling.squared * rules_.rolling_give[contact.zone]));
-  ledger.normal += by_normal;
-  ledger.friction += by_friction;
-  ledger.rolling += by_rolling;
-  ledger.reassigned -= by_normal + by_friction + by_rolling + (contact.stored - past.stored);
+      w * (stored_by_normal + 0.5 * (sliding.squared_norm * model_.tangential_compliance +
+                                     rolling.squared_norm * model_.rolling_compliance[contact.zone]));
+  energy_balance.normal += by_normal;
+  energy_balance.friction += by_friction;
+  energy_balance.rolling += by_rolling;
+  energy_balance.reassigned -= by_normal + by_friction + by_rolling + (contact.stored - start.stored);
 }
 
 template <NormalLaw Law>
-void ContactForces::end_contact(const Contact& contact, const Law& law, const PairMotion& motion,
-                                ContactLoad& load, EnergyLedger& ledger) const {
+void ContactForces::end_contact(const Contact& contact, const Law& law, const RelativeMotion& motion,
+                                ContactLoad& load, EnergyBalance& energy_balance) const {
   const double duration = motion.duration, w = contact.weight;
   const Vec3& n = contact.point.normal;
-  const Vec3 velocity = motion.velocity_from(contact.place);
+  const Vec3 velocity = motion.velocity_of_start_point(contact.position);
   const double overlap = contact.point.overlap;
   const OverlapPath path{duration, overlap, overlap - velocity.dot(n) * duration,
-                         -motion.begin_velocity_at(contact.place).dot(n)};
+                         -motion.start_velocity_at(contact.position).dot(n)};
   double own = 0.0;
   if (path.after <= 0.0) {  // parted; else it slid off and its law never came to an end
     const NormalResponse response =
-        law.integrate(path, {contact.normal, contact.dent}, contact.effective_mass);
+        law.integrate(path, {contact.normal, contact.residual_indentation}, contact.effective_mass);
     if (is_event(response)) add_law_event(load, response, contact, motion);
-    const double by_normal = w * (response.work + law.stored_energy(overlap, contact.dent));
+    const double by_normal = w * (response.work + law.stored_energy(overlap, contact.residual_indentation));
     const double by_friction =
-        end_of_spring(w, rules_.tangential_give, contact.tangential, velocity, duration);
+        ended_spring_loss(w, model_.tangential_compliance, contact.tangential, velocity, duration);
     const double by_rolling =
-        end_of_spring(w, rules_.rolling_give[contact.zone], contact.rolling, motion.spin, duration);
-    ledger.normal += by_normal;
-    ledger.friction += by_friction;
-    ledger.rolling += by_rolling;
+        ended_spring_loss(w, model_.rolling_compliance[contact.zone], contact.rolling, motion.spin, duration);
+    energy_balance.normal += by_normal;
+    energy_balance.friction += by_friction;
+    energy_balance.rolling += by_rolling;
     own = by_normal + by_friction + by_rolling;
   }
-  ledger.reassigned += contact.stored - own;
+  energy_balance.reassigned += contact.stored - own;
 }
 
 template <NormalLaw Law>
-void ContactForces::shift_overlaps(const std::vector<Law>& laws, const EventLoad& event,
-                                   const BodyMotion& block, EnergyLedger& ledger) {
+void ContactForces::update_overlaps(const std::vector<Law>& laws, const EventImpulse& event,
+                                   const BodyMotion& block, EnergyBalance& energy_balance) {
   const Vec3 shift = block.inverse_mass * event.moment;
-  const Vec3 turn = block.inverse_inertia_times(event.angular_moment);
+  const Vec3 turn = block.apply_inverse_inertia(event.angular_moment);
   for (Contact& contact : contacts_) {
-    const Vec3 moved = shift + turn.cross(contact.place - block.world_from_body.translation);
+    const Vec3 moved = shift + turn.cross(contact.position - block.world_from_body.translation);
     const double before = contact.stored;
     const double overlap = contact.point.overlap;
     contact.point.overlap = std::max(0.0, overlap - moved.dot(contact.point.normal));
     // The force stays, and with it what is pressed beyond the dent.
-    if constexpr (Law::kIsPlastic) contact.dent += contact.point.overlap - overlap;
-    contact.stored = stored_in(contact, laws[contact.zone]);
-    ledger.reassigned -= contact.stored - before;
+    if constexpr (Law::kIsPlastic) contact.residual_indentation += contact.point.overlap - overlap;
+    contact.stored = contact_stored_energy(contact, laws[contact.zone]);
+    energy_balance.reassigned -= contact.stored - before;
   }
 }
 
 template <NormalLaw Law>
-double ContactForces::stored_in(const Contact& contact, const Law& law) const {
+double ContactForces::contact_stored_energy(const Contact& contact, const Law& law) const {
   return contact.weight *
-         (law.stored_energy(contact.point.overlap, contact.dent) +
-          0.5 * (contact.tangential.squaredNorm() * rules_.tangential_give +
-                 contact.rolling.squaredNorm() * rules_.rolling_give[contact.zone]));
+         (law.stored_energy(contact.point.overlap, contact.residual_indentation) +
+          0.5 * (contact.tangential.squaredNorm() * model_.tangential_compliance +
+                 contact.rolling.squaredNorm() * model_.rolling_compliance[contact.zone]));
 }
 
-void ContactForces::forget_slip(std::uint16_t zone) {
-  const double memory = rules_.zones[zone].slip_memory;
-  slip_ = memory > 0.0 ? slip_ * std::exp(-apart_ / memory) : 0.0;
-  apart_ = 0.0;
+void ContactForces::decay_slip(std::uint16_t zone) {
+  const double memory = model_.zones[zone].slip_memory;
+  slip_ = memory > 0.0 ? slip_ * std::exp(-contactless_time_ / memory) : 0.0;
+  contactless_time_ = 0.0;
 }
 
-void ContactForces::add_slip() {
+void ContactForces::accumulate_slip() {
   const double total = weight();
   if (total > 0.0) slip_ += slipped_ / total;
   slipped_ = 0.0;
 }
 
-void ContactForces::add_drag(const PairMotion& motion, ContactLoad& load, EnergyLedger& ledger) {
+void ContactForces::add_drag(const RelativeMotion& motion, ContactLoad& load, EnergyBalance& energy_balance) {
   double lost = 0.0;
   const Vec3 force = drag_->update(contacts_, motion, lost);
-  ledger.friction += lost;
+  energy_balance.friction += lost;
   if (contacts_.empty()) return;
   load.force += force;
-  load.torque += (drag_->place() - motion.block.world_from_body.translation).cross(force);
-  load.torque_on_other -= (drag_->place() - motion.other.world_from_body.translation).cross(force);
+  load.torque += (drag_->application_point() - motion.block.world_from_body.translation).cross(force);
+  load.torque_on_other -= (drag_->application_point() - motion.other.world_from_body.translation).cross(force);
 }
 
-double ContactForces::mobility(std::span<const double> of_vertices) const {
+double ContactForces::mobility(std::span<const double> vertex_mobilities) const {
   double sum = 0.0;
   for (const Contact& contact : contacts_) {
     const std::uint32_t feature = contact.point.block_feature;
     const auto largest = [&](const auto& vertices) {
       double most = 0.0;
-      for (const std::uint32_t vertex : vertices) most = std::max(most, of_vertices[vertex]);
+      for (const std::uint32_t vertex : vertices) most = std::max(most, vertex_mobilities[vertex]);
       return most;
     };
-    sum += contact.weight * (contact.point.kind == ContactKind::kVertexGround ? of_vertices[feature]
+    sum += contact.weight * (contact.point.kind == ContactKind::kVertexGround ? vertex_mobilities[feature]
                              : contact.point.kind == ContactKind::kFaceVertex
                                  ? largest(block_.faces[feature].vertices)
                                  : largest(block_.edges[feature].vertices));
@@ -342,8 +342,8 @@ double ContactForces::weight() const {
   return sum;
 }
 
-void ContactForces::leave_dents_in(SoilMemory& soil) const {
-  for (const Contact& contact : contacts_) soil.press(contact.place, contact.zone, contact.dent);
+void ContactForces::store_indentations(SoilMemory& soil) const {
+  for (const Contact& contact : contacts_) soil.add_indentation(contact.position, contact.zone, contact.residual_indentation);
 }
 
 double ContactForces::stored_energy() const {
@@ -352,17 +352,17 @@ double ContactForces::stored_energy() const {
   return sum;
 }
 
-void ContactForces::find_deepest() {
+void ContactForces::find_deepest_contact() {
   deepest_ = 0;
   for (std::size_t i = 1; i < contacts_.size(); ++i) {
     if (contacts_[i].point.overlap > contacts_[deepest_].point.overlap) deepest_ = i;
   }
 }
 
-std::optional<ContactForces::Deepest> ContactForces::deepest() const {
+std::optional<ContactForces::DeepestContact> ContactForces::deepest_contact() const {
   if (contacts_.empty()) return std::nullopt;
   const Contact& contact = contacts_[deepest_];
-  return Deepest{static_cast<std::uint32_t>(contacts_.size()), contact.point.overlap, contact.place,
+  return DeepestContact{static_cast<std::uint32_t>(contacts_.size()), contact.point.overlap, contact.position,
                  contact.zone};
 }
 
@@ -377,15 +377,15 @@ double ContactForces::settled_depth() {
   return depth.empty() ? 0.0 : *std::max_element(depth.begin(), depth.end());
 }
 
-bool ContactForces::keeps_dents() const {
-  return rules_.with_laws([]<NormalLaw Law>(const std::vector<Law>&) { return Law::kIsPlastic; });
+bool ContactForces::is_plastic() const {
+  return model_.visit_laws([]<NormalLaw Law>(const std::vector<Law>&) { return Law::kIsPlastic; });
 }
 
-double ContactForces::rest_stiffness() const {
-  return rules_.with_laws([&](const auto& laws) {
-    double smallest = rules_.stiffness.normal;
+double ContactForces::static_stiffness() const {
+  return model_.visit_laws([&](const auto& laws) {
+    double smallest = model_.stiffness.normal;
     for (const Contact& contact : contacts_) {
-      smallest = std::min(smallest, laws[contact.zone].rest_stiffness());
+      smallest = std::min(smallest, laws[contact.zone].static_stiffness());
     }
     return smallest;
   });

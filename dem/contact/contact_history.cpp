@@ -21,20 +21,20 @@ Vec3 turned_into_plane(const Vec3& vector, const Vec3& before, const Vec3& norma
 
 }  // namespace
 
-void ContactHistory::match(const std::vector<ContactPoint>& points,
-                           const std::vector<Contact>& before, double near) {
+void ContactHistory::match_contacts(const std::vector<ContactPoint>& points,
+                           const std::vector<Contact>& before, double max_distance) {
   previous_of_.assign(points.size(), -1);
-  continues_.assign(before.size(), 0);
+  continued_.assign(before.size(), 0);
   if (match_features(points, before) == points.size()) return;
   // The same block feature on the next ground feature, or the same ground feature under the next
   // block feature; then whatever continues at the same place.
-  match_related(points, before, [](const ContactPoint& a, const ContactPoint& b) {
+  match_by_relation(points, before, [](const ContactPoint& a, const ContactPoint& b) {
     return a.kind == b.kind &&
            (a.block_feature == b.block_feature ||
             (a.kind != ContactKind::kVertexGround && a.ground_feature == b.ground_feature));
   });
-  match_related(points, before, [&](const ContactPoint& a, const ContactPoint& b) {
-    return (a.foot - b.foot).squaredNorm() < near * near;
+  match_by_relation(points, before, [&](const ContactPoint& a, const ContactPoint& b) {
+    return (a.foot - b.foot).squaredNorm() < max_distance * max_distance;
   });
 }
 
@@ -48,11 +48,11 @@ std::size_t ContactHistory::match_features(const std::vector<ContactPoint>& poin
       const std::size_t j = next++;
       const ContactPoint& a = points[i];
       const ContactPoint& b = before[j].point;
-      if (continues_[j] || a.kind != b.kind || a.block_feature != b.block_feature ||
+      if (continued_[j] || a.kind != b.kind || a.block_feature != b.block_feature ||
           a.ground_feature != b.ground_feature || a.normal.dot(b.normal) < kContinuesCosine) {
         continue;
       }
-      link(i, j);
+      link_contacts(i, j);
       ++found;
       break;
     }
@@ -61,27 +61,27 @@ std::size_t ContactHistory::match_features(const std::vector<ContactPoint>& poin
 }
 
 template <class Related>
-void ContactHistory::match_related(const std::vector<ContactPoint>& points,
+void ContactHistory::match_by_relation(const std::vector<ContactPoint>& points,
                                    const std::vector<Contact>& before, const Related& related) {
   for (std::size_t i = 0; i < points.size(); ++i) {
     if (previous_of_[i] >= 0) continue;
     std::optional<std::size_t> best;
     double best_cosine = kContinuesCosine;
     for (std::size_t j = 0; j < before.size(); ++j) {
-      if (continues_[j] || !related(points[i], before[j].point)) continue;
+      if (continued_[j] || !related(points[i], before[j].point)) continue;
       const double cosine = points[i].normal.dot(before[j].point.normal);
       if (cosine > best_cosine) {
         best_cosine = cosine;
         best = j;
       }
     }
-    if (best) link(i, *best);
+    if (best) link_contacts(i, *best);
   }
 }
 
 void ContactHistory::transfer_springs(std::vector<Contact>& now, const std::vector<Contact>& before,
                                       const ContactPatches& patches) {
-  transfers_.assign(now.size(), {});
+  spring_transfers_.assign(now.size(), {});
   gained_.resize(now.size());
   for (std::size_t i = 0; i < now.size(); ++i) {
     Contact& contact = now[i];
@@ -93,7 +93,7 @@ void ContactHistory::transfer_springs(std::vector<Contact>& now, const std::vect
       more -= previous->weight;
     }
     gained_[i] = more;
-    Transfer& transfer = transfers_[patches.patch_of(i)];
+    SpringTransfer& transfer = spring_transfers_[patches.patch_of(i)];
     if (more > 0.0) {
       transfer.gained += more;
     } else {
@@ -105,7 +105,7 @@ void ContactHistory::transfer_springs(std::vector<Contact>& now, const std::vect
   for (std::size_t i = 0; i < now.size(); ++i) {
     const double more = gained_[i];
     if (!(more > 0.0)) continue;
-    const Transfer& transfer = transfers_[patches.patch_of(i)];
+    const SpringTransfer& transfer = spring_transfers_[patches.patch_of(i)];
     if (!(transfer.lost > 0.0)) continue;
     Contact& contact = now[i];
     // What more is gained than lost keeps the point's own springs.

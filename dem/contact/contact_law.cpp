@@ -19,7 +19,7 @@ void for_each_law(const Visit& visit) {
 
 }  // namespace
 
-ContactLaw contact_law(const std::string& name) {
+ContactLaw parse_contact_law(const std::string& name) {
   std::optional<ContactLaw> found;
   std::string known;
   for_each_law([&](const auto& law) {
@@ -40,24 +40,24 @@ std::vector<std::string> contact_law_names() {
   return names;
 }
 
-ContactWeights contact_weights(const std::string& name) {
-  if (name == "patch") return ContactWeights::kPatch;
-  if (name == "overlap") return ContactWeights::kOverlap;
-  if (name == "count") return ContactWeights::kCount;
-  if (name == "none") return ContactWeights::kNone;
+ContactWeighting parse_contact_weighting(const std::string& name) {
+  if (name == "patch") return ContactWeighting::kPatch;
+  if (name == "overlap") return ContactWeighting::kOverlap;
+  if (name == "count") return ContactWeighting::kCount;
+  if (name == "none") return ContactWeighting::kNone;
   throw InputError("contact weights \"" + name +
                    "\" are unknown; use patch, overlap, count or none");
 }
 
-std::string name_of(ContactWeights weights) {
+std::string name_of(ContactWeighting weights) {
   switch (weights) {
-    case ContactWeights::kPatch:
+    case ContactWeighting::kPatch:
       return "patch";
-    case ContactWeights::kOverlap:
+    case ContactWeighting::kOverlap:
       return "overlap";
-    case ContactWeights::kCount:
+    case ContactWeighting::kCount:
       return "count";
-    case ContactWeights::kNone:
+    case ContactWeighting::kNone:
       return "none";
   }
   return "patch";

@@ -17,18 +17,18 @@ namespace clast {
 /// The normal laws to choose from; friction and rolling resistance are the same under all of them.
 /// Another law is one struct that is a `NormalLaw`, in a file of its own, named here.
 template <NormalLaw... Laws>
-using OneOf = std::variant<Laws...>;
-using ContactLaw = OneOf<EnergyRestitutionLaw, SpringDashpotLaw, ElastoplasticLaw>;
+using LawVariant = std::variant<Laws...>;
+using ContactLaw = LawVariant<EnergyRestitutionLaw, SpringDashpotLaw, ElastoplasticLaw>;
 
 /// A law by name, "energy-restitution", "spring-dashpot" or "elastoplastic".
 /// @throws InputError  unknown name; the message lists the laws
-ContactLaw contact_law(const std::string& name);
+ContactLaw parse_contact_law(const std::string& name);
 std::string name_of(const ContactLaw& law);
 /// Names of all laws, in the order of the variant.
 std::vector<std::string> contact_law_names();
 
 /// How contact stiffness is shared among the points of one block.
-enum class ContactWeights {
+enum class ContactWeighting {
   kPatch,    ///< by overlap within each contact patch; each patch carries the law once
   kOverlap,  ///< by overlap among all points of the block (Eq. 8)
   kCount,    ///< equally among all points of the block (Eq. 7)
@@ -36,8 +36,8 @@ enum class ContactWeights {
 };
 
 /// @throws InputError  unknown name; the message lists patch, overlap, count, none
-ContactWeights contact_weights(const std::string& name);
-std::string name_of(ContactWeights weights);
+ContactWeighting parse_contact_weighting(const std::string& name);
+std::string name_of(ContactWeighting weights);
 
 /// Stiffnesses and the time steps that they require.
 struct ContactStiffness {
@@ -47,7 +47,7 @@ struct ContactStiffness {
   double time_step = 0.0;   ///< resolves an impact, s
   /// Resolves what goes on between impacts, s: a contact of the block's most mobile point. Below
   /// `time_step`: all steps have that length.
-  double longest_step = 0.0;
+  double max_time_step = 0.0;
 };
 
 }  // namespace clast

@@ -37,19 +37,19 @@ class LastOnJoint {
  public:
   void begin(const SurfaceFeatures& block) {
     ++round_;
-    const std::size_t joints = block.faces.size() + block.edges.size();
-    if (noted_.size() < joints) noted_.resize(joints);
+    const std::size_t groups = block.faces.size() + block.edges.size();
+    if (noted_.size() < groups) noted_.resize(groups);
   }
   /// @return  what was noted before; kNoFeature: nothing
-  std::uint32_t note(std::uint32_t joint, std::uint32_t number) {
-    const Noted before = std::exchange(noted_[joint], {round_, number});
-    return before.round == round_ ? before.number : kNoFeature;
+  std::uint32_t note(std::uint32_t group, std::uint32_t index) {
+    const Noted before = std::exchange(noted_[group], {round_, index});
+    return before.round == round_ ? before.index : kNoFeature;
   }
 
  private:
   struct Noted {
     std::uint64_t round = 0;
-    std::uint32_t number = 0;
+    std::uint32_t index = 0;
   };
   std::vector<Noted> noted_;
   std::uint64_t round_ = 0;
@@ -57,7 +57,7 @@ class LastOnJoint {
 
 /// Scratch of one call, shared by all pairs of a thread.
 struct Scratch {
-  std::vector<double> share, patch_overlap;
+  std::vector<double> point_weights, patch_overlap;
   std::vector<Vec3> normals_in_body;
   LastOnJoint last_on_joint;
 };
@@ -68,47 +68,47 @@ Scratch& scratch() {
 
 }  // namespace
 
-std::span<const double> ContactPatches::share(const std::vector<ContactPoint>& points,
+std::span<const double> ContactPatches::compute_weights(const std::vector<ContactPoint>& points,
                                               const Quat& orientation) {
   const std::size_t count = points.size();
-  std::vector<double>&share = scratch().share, &patch_overlap = scratch().patch_overlap;
+  std::vector<double>&point_weights = scratch().point_weights, &patch_overlap = scratch().patch_overlap;
   if (count < 2) {  // by whatever rule
     patch_.assign(count, 0);
-    share.assign(count, 1.0);
+    point_weights.assign(count, 1.0);
     features_.clear();
-    return share;
+    return point_weights;
   }
-  share.assign(count, weights_ == ContactWeights::kCount ? 1.0 / static_cast<double>(count) : 1.0);
-  if (weights_ == ContactWeights::kPatch) {
-    join(points, orientation);
+  point_weights.assign(count, weights_ == ContactWeighting::kCount ? 1.0 / static_cast<double>(count) : 1.0);
+  if (weights_ == ContactWeighting::kPatch) {
+    find_patches(points, orientation);
   } else {
     patch_.assign(count, 0);
-    if (weights_ == ContactWeights::kNone) std::iota(patch_.begin(), patch_.end(), 0u);
-    if (weights_ != ContactWeights::kOverlap) return share;
+    if (weights_ == ContactWeighting::kNone) std::iota(patch_.begin(), patch_.end(), 0u);
+    if (weights_ != ContactWeighting::kOverlap) return point_weights;
   }
   patch_overlap.assign(count, 0.0);
   for (std::size_t i = 0; i < count; ++i) patch_overlap[patch_[i]] += points[i].overlap;
-  for (std::size_t i = 0; i < count; ++i) share[i] = points[i].overlap / patch_overlap[patch_[i]];
-  return share;
+  for (std::size_t i = 0; i < count; ++i) point_weights[i] = points[i].overlap / patch_overlap[patch_[i]];
+  return point_weights;
 }
 
-std::span<const std::uint32_t> ContactPatches::joints_of(
+std::span<const std::uint32_t> ContactPatches::groups_of(
     const ContactPoint& point, std::array<std::uint32_t, 3>& buffer) const {
-  if (point.kind == ContactKind::kVertexGround) return joints_.at(point.block_feature);
+  if (point.kind == ContactKind::kVertexGround) return groups_.at(point.block_feature);
   if (point.kind == ContactKind::kFaceVertex) {
-    buffer[0] = joints_.plane_of_face[point.block_feature];
+    buffer[0] = groups_.group_of_face[point.block_feature];
     return {buffer.data(), 1};
   }
   const SurfaceEdge& edge = block_.edges[point.block_feature];
   std::size_t count = 0;
-  buffer[count++] = joints_.line_of_edge[point.block_feature];
+  buffer[count++] = groups_.group_of_edge[point.block_feature];
   for (const std::uint32_t face : edge.faces) {
-    if (face != kNoFeature) buffer[count++] = joints_.plane_of_face[face];
+    if (face != kNoFeature) buffer[count++] = groups_.group_of_face[face];
   }
   return {buffer.data(), count};
 }
 
-bool ContactPatches::same_features(const std::vector<ContactPoint>& points) const {
+bool ContactPatches::has_same_features(const std::vector<ContactPoint>& points) const {
   if (points.size() != features_.size()) return false;
   for (std::size_t i = 0; i < points.size(); ++i) {
     if (features_[i] != std::pair(points[i].kind, points[i].block_feature)) return false;
@@ -116,11 +116,11 @@ bool ContactPatches::same_features(const std::vector<ContactPoint>& points) cons
   return true;
 }
 
-void ContactPatches::list_links(const std::vector<ContactPoint>& points) {
+void ContactPatches::list_candidate_links(const std::vector<ContactPoint>& points) {
   features_.clear();
   links_.clear();
-  if (on_joint_.empty()) on_joint_.shrink_to_fit();  // not asked for since the last change
-  on_joint_.clear();
+  if (group_points_.empty()) group_points_.shrink_to_fit();  // not asked for since the last change
+  group_points_.clear();
   patch_.resize(points.size());
   LastOnJoint& last = scratch().last_on_joint;
   last.begin(block_);
@@ -129,20 +129,20 @@ void ContactPatches::list_links(const std::vector<ContactPoint>& points) {
   for (std::uint32_t i = 0; i < points.size(); ++i) {
     features_.emplace_back(points[i].kind, points[i].block_feature);
     std::uint32_t patch = i;
-    for (const std::uint32_t joint : joints_of(points[i], buffer)) {
-      const std::uint32_t earlier = last.note(joint, i);
+    for (const std::uint32_t group : groups_of(points[i], buffer)) {
+      const std::uint32_t earlier = last.note(group, i);
       if (earlier == kNoFeature) continue;
-      const std::uint32_t other = patch_so_far(earlier);
+      const std::uint32_t other = find_patch_root(earlier);
       if (other == patch) continue;
-      links_.push_back({i, earlier, joint});
+      links_.push_back({i, earlier, group});
       patch = patch_[std::max(patch, other)] = std::min(patch, other);
     }
   }
 }
 
-void ContactPatches::join(const std::vector<ContactPoint>& points, const Quat& orientation) {
-  const bool same_links = same_features(points);
-  if (!same_links) list_links(points);
+void ContactPatches::find_patches(const std::vector<ContactPoint>& points, const Quat& orientation) {
+  const bool same_links = has_same_features(points);
+  if (!same_links) list_candidate_links(points);
   std::vector<Vec3>& normals_in_body = scratch().normals_in_body;
   const Mat3 body_from_world = orientation.toRotationMatrix().transpose();
   normals_in_body.resize(points.size());
@@ -150,67 +150,67 @@ void ContactPatches::join(const std::vector<ContactPoint>& points, const Quat& o
     const bool same = i > 0 && points[i].normal == points[i - 1].normal;
     normals_in_body[i] = same ? normals_in_body[i - 1] : Vec3(body_from_world * points[i].normal);
   }
-  const auto may_join = [&](const Link& link) { return joins(link, points, normals_in_body); };
-  if (same_links && all_joined_ && std::all_of(links_.begin(), links_.end(), may_join)) return;
+  const auto may_join = [&](const PointLink& link) { return is_linked(link, points, normals_in_body); };
+  if (same_links && all_linked_ && std::all_of(links_.begin(), links_.end(), may_join)) return;
   std::iota(patch_.begin(), patch_.end(), 0u);
-  all_joined_ = true;
-  for (const Link& link : links_) {
+  all_linked_ = true;
+  for (const PointLink& link : links_) {
     if (may_join(link)) {
-      unite(link.point, link.earlier);
+      merge_patches(link.point, link.earlier);
     } else {
-      all_joined_ = false;
+      all_linked_ = false;
     }
   }
-  if (!all_joined_) join_any(points, normals_in_body);
+  if (!all_linked_) link_remaining_points(points, normals_in_body);
   for (std::uint32_t& patch : patch_) patch = patch_[patch];
 }
 
-void ContactPatches::list_joints(const std::vector<ContactPoint>& points) {
+void ContactPatches::list_group_points(const std::vector<ContactPoint>& points) {
   LastOnJoint& last = scratch().last_on_joint;
   last.begin(block_);
   std::array<std::uint32_t, 3> buffer;
   for (std::uint32_t i = 0; i < points.size(); ++i) {
-    for (const std::uint32_t joint : joints_of(points[i], buffer)) {
-      const auto entry = static_cast<std::uint32_t>(on_joint_.size());
-      on_joint_.push_back({i, joint, last.note(joint, entry)});
+    for (const std::uint32_t group : groups_of(points[i], buffer)) {
+      const auto entry = static_cast<std::uint32_t>(group_points_.size());
+      group_points_.push_back({i, group, last.note(group, entry)});
     }
   }
-  trim(on_joint_);
+  shrink_capacity(group_points_);
 }
 
-void ContactPatches::join_any(const std::vector<ContactPoint>& points,
+void ContactPatches::link_remaining_points(const std::vector<ContactPoint>& points,
                               std::span<const Vec3> normals_in_body) {
-  if (on_joint_.empty()) list_joints(points);
-  for (const OnJoint& on : on_joint_) {
-    for (std::uint32_t j = on.before; j != kNoFeature; j = on_joint_[j].before) {
-      const std::uint32_t earlier = on_joint_[j].point;
-      if (patch_so_far(on.point) != patch_so_far(earlier) &&
-          joins({on.point, earlier, on.joint}, points, normals_in_body)) {
-        unite(on.point, earlier);
+  if (group_points_.empty()) list_group_points(points);
+  for (const GroupPoint& on : group_points_) {
+    for (std::uint32_t j = on.before; j != kNoFeature; j = group_points_[j].before) {
+      const std::uint32_t earlier = group_points_[j].point;
+      if (find_patch_root(on.point) != find_patch_root(earlier) &&
+          is_linked({on.point, earlier, on.group}, points, normals_in_body)) {
+        merge_patches(on.point, earlier);
       }
     }
   }
 }
 
-bool ContactPatches::joins(const Link& link, const std::vector<ContactPoint>& points,
+bool ContactPatches::is_linked(const PointLink& link, const std::vector<ContactPoint>& points,
                            std::span<const Vec3> normals_in_body) const {
   const ContactPoint &point = points[link.point], &earlier = points[link.earlier];
-  if (is_wall(link.joint, normals_in_body[link.point])) return false;
+  if (is_side_wall(link.group, normals_in_body[link.point])) return false;
   return on_one_face(point, earlier) ||
-         (!is_wall(link.joint, normals_in_body[link.earlier]) && smooth_between(point, earlier));
+         (!is_side_wall(link.group, normals_in_body[link.earlier]) && smooth_between(point, earlier));
 }
 
-void ContactPatches::unite(std::uint32_t point, std::uint32_t other) {
-  const std::uint32_t a = patch_so_far(point), b = patch_so_far(other);
+void ContactPatches::merge_patches(std::uint32_t point, std::uint32_t other) {
+  const std::uint32_t a = find_patch_root(point), b = find_patch_root(other);
   patch_[std::max(a, b)] = std::min(a, b);
 }
 
-bool ContactPatches::is_wall(std::uint32_t joint, const Vec3& normal_in_body) const {
-  return joint < block_.faces.size() &&
-         block_.faces[joint].normal.dot(normal_in_body) > -kFacingCosine;
+bool ContactPatches::is_side_wall(std::uint32_t group, const Vec3& normal_in_body) const {
+  return group < block_.faces.size() &&
+         block_.faces[group].normal.dot(normal_in_body) > -kFacingCosine;
 }
 
-std::uint32_t ContactPatches::patch_so_far(std::uint32_t point) {
+std::uint32_t ContactPatches::find_patch_root(std::uint32_t point) {
   while (patch_[point] != point) point = patch_[point] = patch_[patch_[point]];
   return point;
 }

@@ -10,14 +10,14 @@ constexpr double kOnLine = 1e-5;
 /// When the overlap is at `level`, between two times of a monotonic piece that straddles it.
 double time_at(const OverlapPath& path, double level, double from, double to) {
   return OverlapPath{path.duration, path.before - level, path.after - level, path.rate}
-      .zero_between(from, to);
+      .zero_crossing(from, to);
 }
 
 /// The law followed along monotonic pieces of a path.
 class Follower {
  public:
-  Follower(const ElastoplasticLaw& law, const OverlapPath& path, const NormalState& past)
-      : law_(law), path_(path), integral_(path, past.force), force_(past.force), dent_(past.dent) {}
+  Follower(const ElastoplasticLaw& law, const OverlapPath& path, const NormalState& state)
+      : law_(law), path_(path), integral_(path, state.force), force_(state.force), residual_indentation_(state.residual_indentation) {}
 
   void follow(double from, double to) {
     if (!(to > from)) return;
@@ -26,32 +26,32 @@ class Follower {
   }
 
   NormalResponse response() const {
-    NormalResponse response = integral_.ending_with(force_);
-    response.dent = dent_;
+    NormalResponse response = integral_.response(force_);
+    response.residual_indentation = residual_indentation_;
     return response;
   }
 
  private:
   void grow(double from, double to, double first, double last) {
     if (!(force_ > 0.0)) {  // through the dent, or the air, to where it touches
-      const double touch = std::max(dent_, 0.0);
+      const double touch = std::max(residual_indentation_, 0.0);
       if (last <= touch) return;
       if (first < touch) {
         from = time_at(path_, touch, from, to);
         first = touch;
       }
     }
-    const double yield = law_.loading;
-    if (force_ < yield * first * (1.0 - kOnLine) && law_.reloading > yield) {
+    const double yield = law_.loading_stiffness;
+    if (force_ < yield * first * (1.0 - kOnLine) && law_.reloading_stiffness > yield) {
       // To where the rising force meets the line of first loading.
-      const double meet = (law_.reloading * first - force_) / (law_.reloading - yield);
+      const double meet = (law_.reloading_stiffness * first - force_) / (law_.reloading_stiffness - yield);
       const double until = meet < last ? time_at(path_, meet, from, to) : to;
-      press(from, until, first, std::min(meet, last), law_.reloading);
+      press(from, until, first, std::min(meet, last), law_.reloading_stiffness);
       from = until;
       first = std::min(meet, last);
     }
     if (last > first) press(from, to, first, last, yield);
-    dent_ = std::max(dent_, last - force_ / law_.unloading);
+    residual_indentation_ = std::max(residual_indentation_, last - force_ / law_.unloading_stiffness);
   }
 
   /// From the force at `first`, by a stiffness.
@@ -63,54 +63,54 @@ class Follower {
   }
 
   void shrink(double from, double to, double first, double last) {
-    if (first > dent_ && force_ > 0.0) {
-      const double until = last < dent_ ? time_at(path_, dent_, from, to) : to;
+    if (first > residual_indentation_ && force_ > 0.0) {
+      const double until = last < residual_indentation_ ? time_at(path_, residual_indentation_, from, to) : to;
       integral_.add(from, until,
-                    [&](double time) { return law_.unloading * (path_.at(time) - dent_); });
+                    [&](double time) { return law_.unloading_stiffness * (path_.at(time) - residual_indentation_); });
     }
-    force_ = force_ > 0.0 ? law_.unloading * std::max(0.0, last - dent_) : 0.0;
+    force_ = force_ > 0.0 ? law_.unloading_stiffness * std::max(0.0, last - residual_indentation_) : 0.0;
   }
 
   const ElastoplasticLaw& law_;
   const OverlapPath& path_;
   PathIntegral integral_;
-  double force_, dent_;
+  double force_, residual_indentation_;
 };
 
 }  // namespace
 
 ElastoplasticLaw ElastoplasticLaw::on_ground(double stiffness, const GroundParameters& ground) {
-  const double unloading = stiffness / ground.energy_restitution;
-  const double reloading = ground.energy_restitution < 1.0 ? kReloading * unloading : unloading;
-  return {stiffness, unloading, reloading};
+  const double unloading_stiffness = stiffness / ground.energy_restitution;
+  const double reloading_stiffness = ground.energy_restitution < 1.0 ? kReloading * unloading_stiffness : unloading_stiffness;
+  return {stiffness, unloading_stiffness, reloading_stiffness};
 }
 
-NormalResponse ElastoplasticLaw::integrate(const OverlapPath& path, const NormalState& past,
+NormalResponse ElastoplasticLaw::integrate(const OverlapPath& path, const NormalState& state,
                                            double /*effective_mass*/) const {
-  const double force = past.force, dent = past.dent;
+  const double force = state.force, residual_indentation = state.residual_indentation;
   const double deeper = path.after - path.before;
   const auto smooth = [&](double end, double new_dent) {
     return NormalResponse{end, 0.5 * (force + end) * deeper, 0.0, 0.0, new_dent};
   };
-  const double turn = path.turn();
-  if (turn == path.duration) {  // mostly all of the step is on one line
-    const bool growing = path.rate > 0.0 || (path.rate == 0.0 && path.bend() > 0.0);
+  const double reversal_time = path.reversal_time();
+  if (reversal_time == path.duration) {  // mostly all of the step is on one line
+    const bool growing = path.rate > 0.0 || (path.rate == 0.0 && path.quadratic_coefficient() > 0.0);
     if (growing && force > 0.0) {
-      const bool yields = force >= loading * path.before * (1.0 - kOnLine);
-      const double end = force + (yields ? loading : reloading) * deeper;
-      if (yields || end <= loading * path.after) {
-        return smooth(end, std::max(dent, path.after - end / unloading));
+      const bool yields = force >= loading_stiffness * path.before * (1.0 - kOnLine);
+      const double end = force + (yields ? loading_stiffness : reloading_stiffness) * deeper;
+      if (yields || end <= loading_stiffness * path.after) {
+        return smooth(end, std::max(residual_indentation, path.after - end / unloading_stiffness));
       }
-    } else if (!growing && path.after >= dent && force > 0.0) {
-      const double start = unloading * (path.before - dent);
+    } else if (!growing && path.after >= residual_indentation && force > 0.0) {
+      const double start = unloading_stiffness * (path.before - residual_indentation);
       if (std::abs(force - start) <= kOnLine * force) {
-        return smooth(unloading * (path.after - dent), dent);
+        return smooth(unloading_stiffness * (path.after - residual_indentation), residual_indentation);
       }
     }
   }
-  Follower follower(*this, path, past);
-  follower.follow(0.0, turn);
-  follower.follow(turn, path.duration);
+  Follower follower(*this, path, state);
+  follower.follow(0.0, reversal_time);
+  follower.follow(reversal_time, path.duration);
   return follower.response();
 }
 

@@ -32,13 +32,13 @@ struct GroundParameters {
   /// k_r on this ground, N m/rad.
   /// @param normal   k_n, N/m
   /// @param without  k_r where the ground states no length, N m/rad
-  double rolling_stiffness(double normal, double without) const {
-    return rolling_length > 0.0 ? normal * rolling_length * rolling_length : without;
+  double rolling_stiffness(double normal, double default_stiffness) const {
+    return rolling_length > 0.0 ? normal * rolling_length * rolling_length : default_stiffness;
   }
 
   /// mu after sliding so far.
   /// @param slip  m
-  double friction_after(double slip) const {
+  double slip_dependent_friction(double slip) const {
     if (!(slip_growth > 0.0)) return friction;
     return friction_min + (friction - friction_min) * std::atan(slip_growth * slip) * (2.0 / kPi);
   }

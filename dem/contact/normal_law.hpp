@@ -9,7 +9,7 @@ namespace clast {
 
 /// A law of the normal force at the contacts on one ground zone. It holds its coefficients; the
 /// state of a contact, `NormalState`, belongs to the contact. All forces are per unit of weight
-/// (`ContactWeights`), N; overlaps and the residual indentation h_p are in metres.
+/// (`ContactWeighting`), N; overlaps and the residual indentation h_p are in metres.
 ///
 /// - `kName`: its name in campaign files.
 /// - `kNeedsEffectiveMass`: true if `integrate` uses the effective mass of the contact, kg.
@@ -20,7 +20,7 @@ namespace clast {
 ///   mean force of its contact patch, N.
 /// - `integrate(path, state, effective_mass)`: the response to the path of the overlap over a step.
 /// - `stored_energy(overlap, h_p)`: elastic energy, J.
-/// - `rest_stiffness()`: the force of a body at rest over its overlap, N/m.
+/// - `static_stiffness()`: the force of a body at rest over its overlap, N/m.
 /// - `highest_frequency(w)`: the fastest rate of a contact whose spring alone has the frequency w,
 ///   rad/s. The time step follows from it.
 /// - `force_drop(overlap, force)`: by how much the force falls when loading turns to unloading, N.
@@ -28,18 +28,18 @@ namespace clast {
 ///   can still return.
 template <class Law>
 concept NormalLaw = requires(const Law& law, const GroundParameters& ground,
-                             const OverlapPath& path, const NormalState& state, double number) {
+                             const OverlapPath& path, const NormalState& state, double x) {
   { Law::kName } -> std::convertible_to<const char*>;
   { Law::kNeedsEffectiveMass } -> std::convertible_to<bool>;
   { Law::kIsPlastic } -> std::convertible_to<bool>;
-  { Law::on_ground(number, ground) } -> std::same_as<Law>;
-  { law.initial_state(number, number, number, number) } -> std::same_as<NormalState>;
-  { law.integrate(path, state, number) } -> std::same_as<NormalResponse>;
-  { law.stored_energy(number, number) } -> std::same_as<double>;
-  { law.rest_stiffness() } -> std::same_as<double>;
-  { law.highest_frequency(number) } -> std::same_as<double>;
-  { law.force_drop(number, number) } -> std::same_as<double>;
-  { law.unloading_ratio(number) } -> std::same_as<double>;
+  { Law::on_ground(x, ground) } -> std::same_as<Law>;
+  { law.initial_state(x, x, x, x) } -> std::same_as<NormalState>;
+  { law.integrate(path, state, x) } -> std::same_as<NormalResponse>;
+  { law.stored_energy(x, x) } -> std::same_as<double>;
+  { law.static_stiffness() } -> std::same_as<double>;
+  { law.highest_frequency(x) } -> std::same_as<double>;
+  { law.force_drop(x, x) } -> std::same_as<double>;
+  { law.unloading_ratio(x) } -> std::same_as<double>;
 };
 
 }  // namespace clast

@@ -13,20 +13,20 @@ struct OverlapPath {
   double after = 0.0;     ///< at the end, m
   double rate = 0.0;      ///< at the beginning, m/s; positive: getting deeper
 
-  double bend() const {
+  double quadratic_coefficient() const {
     return duration > 0.0 ? (after - before - rate * duration) / (duration * duration) : 0.0;
   }
-  double at(double time) const { return before + time * (rate + time * bend()); }
-  double rate_at(double time) const { return rate + 2.0 * time * bend(); }
+  double at(double time) const { return before + time * (rate + time * quadratic_coefficient()); }
+  double rate_at(double time) const { return rate + 2.0 * time * quadratic_coefficient(); }
   /// When the overlap turns from growing to shrinking or back; the end when it does not.
-  double turn() const {
+  double reversal_time() const {
     const double end_rate_times_duration = 2.0 * (after - before) - rate * duration;
     if (!(rate * end_rate_times_duration < 0.0)) return duration;
-    return std::min(-0.5 * rate / bend(), duration);
+    return std::min(-0.5 * rate / quadratic_coefficient(), duration);
   }
   /// When the overlap is zero, between two times of a monotonic piece that straddles it.
-  double zero_between(double from, double to) const {
-    const double b = bend();
+  double zero_crossing(double from, double to) const {
+    const double b = quadratic_coefficient();
     const double root = std::sqrt(std::max(0.0, rate * rate - 4.0 * b * before));
     const double q = -0.5 * (rate + (rate >= 0.0 ? root : -root));
     const double one = q != 0.0 ? before / q : from;
@@ -40,7 +40,7 @@ struct OverlapPath {
 /// What a law knows of a contact when a step begins.
 struct NormalState {
   double force = 0.0;  ///< N
-  double dent = 0.0;   ///< part of the overlap that stays, m; only under a law that keeps one
+  double residual_indentation = 0.0;   ///< part of the overlap that stays, m; only under a law that keeps one
 };
 
 /// The response of a law to a path, per unit of weight.
@@ -54,7 +54,7 @@ struct NormalResponse {
   double work = 0.0;     ///< taken from the bodies along the path, J
   double impulse = 0.0;  ///< integral of the force, less the mean of both ends times the step, N s
   double moment = 0.0;   ///< integral of force times time left, less that of the first force, N s^2
-  double dent = 0.0;     ///< at the end, m
+  double residual_indentation = 0.0;     ///< at the end, m
 };
 
 /// Integrals of a force along a path, piece by piece.
@@ -67,16 +67,16 @@ class PathIntegral {
   template <class Force>
   void add(double from, double to, const Force& force) {
     const double middle = 0.5 * (from + to), half = 0.5 * (to - from);
-    for (const double place : {-0.5773502691896257, 0.5773502691896257}) {
-      const double time = middle + place * half;
-      const double share = half * force(time);
-      impulse_ += share;
-      moment_ += share * (path_.duration - time);
-      work_ += share * path_.rate_at(time);
+    for (const double node : {-0.5773502691896257, 0.5773502691896257}) {
+      const double time = middle + node * half;
+      const double weighted_force = half * force(time);
+      impulse_ += weighted_force;
+      moment_ += weighted_force * (path_.duration - time);
+      work_ += weighted_force * path_.rate_at(time);
     }
   }
   /// The response when the path ends with this force.
-  NormalResponse ending_with(double force) const {
+  NormalResponse response(double force) const {
     const double step = path_.duration;
     return {force, work_, impulse_ - 0.5 * step * (first_force_ + force),
             moment_ - 0.5 * step * step * first_force_};

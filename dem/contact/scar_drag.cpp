@@ -8,13 +8,13 @@ namespace clast::dem_detail {
 namespace {
 
 /// Of a ball whose lowest point is `depth` below the plane: a segment of its circle.
-EmbeddedFront embedded_ball(const Vec3& centre, double radius, double depth, const Vec3& up) {
+EmbeddedFrontalArea embedded_ball(const Vec3& centre, double radius, double depth, const Vec3& up) {
   if (!(depth > 0.0)) return {};
   const double half = std::acos(std::max(-1.0, 1.0 - depth / radius));
-  const double sine = std::sin(half), share = half - sine * std::cos(half);
-  if (!(share > 0.0)) return {};
-  const double below = 2.0 / 3.0 * radius * sine * sine * sine / share;
-  return {radius * radius * share, centre - below * up};
+  const double sine = std::sin(half), fraction = half - sine * std::cos(half);
+  if (!(fraction > 0.0)) return {};
+  const double below = 2.0 / 3.0 * radius * sine * sine * sine / fraction;
+  return {radius * radius * fraction, centre - below * up};
 }
 
 /// The part of a triangle below height 0.
@@ -29,8 +29,8 @@ Below part_below(const std::array<Vec3, 3>& corners, const std::array<double, 3>
     const std::size_t j = (i + 1) % 3;
     if (heights[i] < 0.0) kept[count++] = corners[i];
     if ((heights[i] < 0.0) != (heights[j] < 0.0)) {
-      const double share = heights[i] / (heights[i] - heights[j]);
-      kept[count++] = corners[i] + share * (corners[j] - corners[i]);
+      const double fraction = heights[i] / (heights[i] - heights[j]);
+      kept[count++] = corners[i] + fraction * (corners[j] - corners[i]);
     }
   }
   Below below;
@@ -44,7 +44,7 @@ Below part_below(const std::array<Vec3, 3>& corners, const std::array<double, 3>
 
 }  // namespace
 
-EmbeddedFront embedded_front(const SurfaceFeatures& block, double radius, const Vec3& ground,
+EmbeddedFrontalArea embedded_frontal_area(const SurfaceFeatures& block, double radius, const Vec3& ground,
                              const Vec3& up, const Vec3& direction) {
   const auto height = [&](const Vec3& point) { return up.dot(point - ground) - radius; };
   if (block.faces.empty()) {
@@ -53,7 +53,7 @@ EmbeddedFront embedded_front(const SurfaceFeatures& block, double radius, const 
                          [&](const Vec3& a, const Vec3& b) { return up.dot(a) < up.dot(b); });
     return embedded_ball(*lowest, radius, -height(*lowest), up);
   }
-  EmbeddedFront front;
+  EmbeddedFrontalArea front;
   Vec3 moment = Vec3::Zero();
   for (const SurfaceFace& face : block.faces) {
     const double facing = face.normal.dot(direction);
@@ -73,25 +73,25 @@ EmbeddedFront embedded_front(const SurfaceFeatures& block, double radius, const 
   return front;
 }
 
-Vec3 ScarDrag::update(const std::vector<Contact>& contacts, const PairMotion& motion,
+Vec3 ScarDrag::update(const std::vector<Contact>& contacts, const RelativeMotion& motion,
                       double& lost) {
-  lost = -0.5 * motion.duration * force_.dot(motion.velocity_from(place_));
-  force_ = force_at(contacts, motion);
-  lost -= 0.5 * motion.duration * force_.dot(motion.velocity_at(place_));
+  lost = -0.5 * motion.duration * force_.dot(motion.velocity_of_start_point(position_));
+  force_ = drag_force(contacts, motion);
+  lost -= 0.5 * motion.duration * force_.dot(motion.velocity_at(position_));
   return force_;
 }
 
-Vec3 ScarDrag::force_at(const std::vector<Contact>& contacts, const PairMotion& motion) {
+Vec3 ScarDrag::drag_force(const std::vector<Contact>& contacts, const RelativeMotion& motion) {
   // The ground as the mean plane of all contacts.
-  double weight = 0.0, strength = 0.0;
+  double weight = 0.0, drag_factors = 0.0;
   Vec3 up = Vec3::Zero(), foot = Vec3::Zero();
   for (const Contact& contact : contacts) {
     weight += contact.weight;
-    strength += contact.weight * strength_[contact.zone];
+    drag_factors += contact.weight * drag_factors_[contact.zone];
     up += contact.weight * contact.point.normal;
     foot += contact.weight * contact.point.foot;
   }
-  if (!(weight > 0.0 && strength > 0.0 && up.squaredNorm() > 0.0)) return Vec3::Zero();
+  if (!(weight > 0.0 && drag_factors > 0.0 && up.squaredNorm() > 0.0)) return Vec3::Zero();
   up.normalize();
   foot /= weight;
   const auto along = [&](const Vec3& at) {
@@ -103,12 +103,12 @@ Vec3 ScarDrag::force_at(const std::vector<Contact>& contacts, const PairMotion& 
   if (!(speed > 0.0)) return Vec3::Zero();
   const Pose& pose = motion.block.world_from_body;
   const Quat into_body = pose.rotation.conjugate();
-  const EmbeddedFront front =
-      embedded_front(block_.features, block_.radius, into_body * (foot - pose.translation),
+  const EmbeddedFrontalArea front =
+      embedded_frontal_area(block_.features, block_.radius, into_body * (foot - pose.translation),
                      into_body * up, into_body * Vec3(slip / speed));
-  place_ = pose * front.centre;
-  const Vec3 through = along(place_);
-  return -(strength / weight) * front.area * through.norm() * through;
+  position_ = pose * front.centre;
+  const Vec3 through = along(position_);
+  return -(drag_factors / weight) * front.area * through.norm() * through;
 }
 
 }  // namespace clast::dem_detail

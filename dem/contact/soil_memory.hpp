@@ -22,17 +22,17 @@ class SoilMemory {
   bool empty() const { return depth_.empty(); }
 
   /// @return below the surface along its normal, m; 0 where nothing is remembered
-  double dent(const Vec3& place, std::uint16_t zone) const;
-  void press(const Vec3& place, std::uint16_t zone, double dent);
+  double residual_indentation(const Vec3& position, std::uint16_t zone) const;
+  void add_indentation(const Vec3& position, std::uint16_t zone, double residual_indentation);
   /// Takes over all dents of the other, and leaves it without.
-  void take(SoilMemory& other);
+  void merge(SoilMemory& other);
   template <class Bytes>
   void serialize(Bytes& bytes) {
     bytes(depth_);
   }
 
  private:
-  std::uint64_t cell(const Vec3& place, std::uint16_t zone) const;
+  std::uint64_t cell(const Vec3& position, std::uint16_t zone) const;
 
   std::vector<double> widths_;  ///< of cells by zone, m; 0: it does not remember
   std::unordered_map<std::uint64_t, double> depth_;

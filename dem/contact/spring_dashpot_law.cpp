@@ -39,10 +39,10 @@ double SpringDashpotLaw::highest_frequency(double frequency) const {
   return frequency * (over > 0.0 ? damping_ratio + std::sqrt(over) : 1.0);
 }
 
-NormalResponse SpringDashpotLaw::integrate(const OverlapPath& path, const NormalState& past,
+NormalResponse SpringDashpotLaw::integrate(const OverlapPath& path, const NormalState& state,
                                            double effective_mass) const {
-  const double force = past.force;
-  const double c = damping(effective_mass);
+  const double force = state.force;
+  const double c = damping_coefficient(effective_mass);
   const double step = path.duration;
   const auto law = [&](double time) { return stiffness * path.at(time) + c * path.rate_at(time); };
   const double end = path.after > 0.0 ? law(step) : 0.0;
@@ -50,13 +50,13 @@ NormalResponse SpringDashpotLaw::integrate(const OverlapPath& path, const Normal
     // Smooth all along: the parabola gives the work, the scheme's own mean the impulse.
     PathIntegral integral(path, force);
     integral.add(0.0, step, law);
-    return {end, integral.ending_with(end).work, 0.0, 0.0};
+    return {end, integral.response(end).work, 0.0, 0.0};
   }
 
   PathIntegral integral(path, force);
   if (path.before <= 0.0 && path.after > 0.0 && force == 0.0) {
     // Starts inside: the path knows nothing yet of the braking by the dashpot.
-    const double touch = path.zero_between(path.turn() < step ? path.turn() : 0.0, step);
+    const double touch = path.zero_crossing(path.reversal_time() < step ? path.reversal_time() : 0.0, step);
     const double rate = path.rate_at(touch);
     const double brake = c / effective_mass;
     const auto braked = [&](double time) {
@@ -65,10 +65,10 @@ NormalResponse SpringDashpotLaw::integrate(const OverlapPath& path, const Normal
                       stiffness * path.at(time) + c * (path.rate_at(time) - brake * rate * since));
     };
     integral.add(touch, step, braked);
-    return integral.ending_with(braked(step));
+    return integral.response(braked(step));
   }
   // Ends or begins to press inside: the force is a parabola in time, taken piece by piece.
-  const double turn = path.turn();
+  const double reversal_time = path.reversal_time();
   const auto follow = [&](double from, double to) {
     if (!(to > from)) return;
     const double first = law(from), last = law(to);
@@ -84,9 +84,9 @@ NormalResponse SpringDashpotLaw::integrate(const OverlapPath& path, const Normal
     }
     first > 0.0 ? integral.add(from, pressing, law) : integral.add(pressing, to, law);
   };
-  follow(0.0, turn);
-  follow(turn, step);
-  return integral.ending_with(std::max(0.0, end));
+  follow(0.0, reversal_time);
+  follow(reversal_time, step);
+  return integral.response(std::max(0.0, end));
 }
 
 }  // namespace clast

@@ -18,23 +18,23 @@ struct SpringDashpotLaw {
 
   static SpringDashpotLaw on_ground(double stiffness, const GroundParameters& ground);
 
-  double rest_stiffness() const { return stiffness; }
+  double static_stiffness() const { return stiffness; }
   double stored_energy(double overlap, double /*dent*/) const {
     return 0.5 * stiffness * overlap * overlap;
   }
   NormalState initial_state(double overlap, double rate, double effective_mass,
-                            double /*of_patch*/) const {
-    return {std::max(0.0, stiffness * overlap + damping(effective_mass) * rate), 0.0};
+                            double /*patch_force*/) const {
+    return {std::max(0.0, stiffness * overlap + damping_coefficient(effective_mass) * rate), 0.0};
   }
   /// The fastest rate, rad/s, of a contact whose spring alone has the given frequency.
   double highest_frequency(double frequency) const;
   double force_drop(double overlap, double force) const { return force - stiffness * overlap; }
   double unloading_ratio(double of) const { return stiffness / of; }
 
-  NormalResponse integrate(const OverlapPath& path, const NormalState& past,
+  NormalResponse integrate(const OverlapPath& path, const NormalState& state,
                            double effective_mass) const;
 
-  double damping(double effective_mass) const {
+  double damping_coefficient(double effective_mass) const {
     return 2.0 * damping_ratio * std::sqrt(stiffness * effective_mass);
   }
 };

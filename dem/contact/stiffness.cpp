@@ -11,22 +11,22 @@ namespace {
 
 /// Settled depth that `auto` allows: 2 cm, or 2 % of S for small blocks.
 constexpr double kSettledDepth = 0.02;
-constexpr double kSettledDepthShare = 0.02;
+constexpr double kSettledDepthFraction = 0.02;
 /// Deepest impact allowed, share of S.
-constexpr double kImpactDepthShare = 0.25;
+constexpr double kImpactDepthFraction = 0.25;
 /// Time step times the highest contact frequency, in impacts and between them. Explicit stepping is
 /// stable below 2 (docs/theory.md, Time step).
 constexpr double kImpactStep = 0.2, kMassImpactStep = 0.4;
-constexpr double kLongestStep = 0.4;
+constexpr double kMaxStep = 0.4;
 constexpr double kUnstableProduct = 2.0;
 /// Share of the smallest S that a block may travel in one step.
-constexpr double kTravelShare = 0.25;
+constexpr double kDisplacementFraction = 0.25;
 /// Arm of the rolling spring, share of S: k_r = k_t (S/2)^2 winds up over the same slip as k_t.
-constexpr double kRollingArmShare = 0.5;
+constexpr double kRollingArmFraction = 0.5;
 /// Share of k_n that carries a block at rest below which `auto` warns of what it costs.
-constexpr double kCostlyRestShare = 1e-3;
+constexpr double kCostlyRestFraction = 1e-3;
 /// What such a ground is compared with: the e_n^2 of the paper's zones.
-constexpr double kUsualRestShare = 0.01;
+constexpr double kUsualRestFraction = 0.01;
 
 /// The most demanding of all bodies in every respect.
 struct Demand {
@@ -36,13 +36,13 @@ struct Demand {
   double smallest_side = 1e300;
 };
 
-Demand demand_of(std::span<const ContactBody> bodies, const ContactGround& ground, double fastest,
+Demand demand_of(std::span<const BodyRequirements> bodies, const GroundRequirements& ground, double fastest,
                  double gravity) {
   Demand demand;
-  for (const ContactBody& body : bodies) {
-    const double depth = std::min(kSettledDepth, kSettledDepthShare * body.smallest_side);
-    const double deepest = kImpactDepthShare * body.smallest_side;
-    demand.normal = std::max({demand.normal, body.mass * gravity / (ground.rest_share * depth),
+  for (const BodyRequirements& body : bodies) {
+    const double depth = std::min(kSettledDepth, kSettledDepthFraction * body.smallest_side);
+    const double deepest = kImpactDepthFraction * body.smallest_side;
+    demand.normal = std::max({demand.normal, body.mass * gravity / (ground.static_stiffness_ratio * depth),
                               body.mass * fastest * fastest / (deepest * deepest)});
     demand.mobility = std::max(demand.mobility, body.mobility);
     demand.smallest_moment = std::min(demand.smallest_moment, body.smallest_moment);
@@ -53,17 +53,17 @@ Demand demand_of(std::span<const ContactBody> bodies, const ContactGround& groun
 
 /// Sets the depths that the chosen stiffness leads to.
 /// @returns  the largest settled depth as a share of its body's S
-double find_depths(StiffnessChoice& choice, std::span<const ContactBody> bodies,
-                   const ContactGround& ground, double fastest, double gravity) {
+double find_depths(StiffnessChoice& choice, std::span<const BodyRequirements> bodies,
+                   const GroundRequirements& ground, double fastest, double gravity) {
   const double normal = choice.stiffness.normal;
   double deepest_share = 0.0;
-  for (const ContactBody& body : bodies) {
+  for (const BodyRequirements& body : bodies) {
     // m v^2/2 + m g h = k h^2/2
     const double weight = body.mass * gravity;
     const double impact =
         (weight + std::sqrt(weight * weight + normal * body.mass * fastest * fastest)) / normal;
     const double settled =
-        std::max(weight / (normal * ground.rest_share), ground.dent_share * impact);
+        std::max(weight / (normal * ground.static_stiffness_ratio), ground.residual_indentation_ratio * impact);
     choice.settled_depth = std::max(choice.settled_depth, settled);
     choice.impact_depth = std::max(choice.impact_depth, impact);
     deepest_share = std::max(deepest_share, settled / body.smallest_side);
@@ -80,20 +80,20 @@ std::string softness_warning(const StiffnessChoice& choice, double automatic,
          format_significant(choice.impact_depth, 3) + " m deep";
 }
 
-std::string cost_warning(const ContactStiffness& chosen, double rest_share) {
-  return "energy_restitution = " + format_significant(rest_share, 3) +
+std::string cost_warning(const ContactStiffness& chosen, double static_stiffness_ratio) {
+  return "energy_restitution = " + format_significant(static_stiffness_ratio, 3) +
          " lets blocks rest on that share of k_n only, so \"auto\" takes k_n = " +
          format_significant(chosen.normal, 3) + " N/m and steps of " + format_significant(chosen.time_step, 3) +
-         " s: " + format_significant(std::sqrt(kUsualRestShare / rest_share), 3) +
+         " s: " + format_significant(std::sqrt(kUsualRestFraction / static_stiffness_ratio), 3) +
          " times the work of 0.01";
 }
 
-std::string stiff_unloading_warning(const ContactStiffness& chosen, const ContactGround& ground) {
-  const double restitution = 1.0 - ground.dent_share;
+std::string stiff_unloading_warning(const ContactStiffness& chosen, const GroundRequirements& ground) {
+  const double restitution = 1.0 - ground.residual_indentation_ratio;
   return "energy_restitution = " + format_significant(restitution, 3) +
          " makes the ground unload 1/energy_restitution times as stiff as it loads, in steps of " +
          format_significant(chosen.time_step, 3) +
-         " s: " + format_significant(std::sqrt(kUsualRestShare / restitution), 3) +
+         " s: " + format_significant(std::sqrt(kUsualRestFraction / restitution), 3) +
          " times the work of 0.01";
 }
 
@@ -116,32 +116,32 @@ std::vector<double> vertex_mobilities(const RigidBody& body) {
   return mobilities;
 }
 
-ContactBody contact_body(const RigidBody& body) {
+BodyRequirements body_requirements(const RigidBody& body) {
   const std::vector<double> mobilities = vertex_mobilities(body);
   return {body.mass, body.smallest_side, body.moments.minCoeff(),
           *std::max_element(mobilities.begin(), mobilities.end())};
 }
 
-void ContactGround::include(const ContactGround& other) {
-  rest_share = std::min(rest_share, other.rest_share);
+void GroundRequirements::include(const GroundRequirements& other) {
+  static_stiffness_ratio = std::min(static_stiffness_ratio, other.static_stiffness_ratio);
   rate = std::max(rate, other.rate);
   rolling_length = std::max(rolling_length, other.rolling_length);
-  every_length_stated = every_length_stated && other.every_length_stated;
-  dent_share = std::max(dent_share, other.dent_share);
+  all_rolling_lengths_stated = all_rolling_lengths_stated && other.all_rolling_lengths_stated;
+  residual_indentation_ratio = std::max(residual_indentation_ratio, other.residual_indentation_ratio);
 }
 
-ContactGround contact_ground(std::span<const GroundParameters> zones, const ContactLaw& law) {
+GroundRequirements ground_requirements(std::span<const GroundParameters> zones, const ContactLaw& law) {
   if (zones.empty()) {
     throw SimulationError(
         "stiffness: there is no ground zone to choose it for; give the parameters of one");
   }
-  ContactGround ground;
+  GroundRequirements ground;
   std::visit(
       [&]<NormalLaw Law>(const Law&) {
         for (const GroundParameters& zone : zones) {
           // The law's result for a stiffness of 1 N/m and a frequency of 1 rad/s.
           const Law unit = Law::on_ground(1.0, zone);
-          ground.include({unit.rest_stiffness(), unit.highest_frequency(1.0), zone.rolling_length,
+          ground.include({unit.static_stiffness(), unit.highest_frequency(1.0), zone.rolling_length,
                           zone.rolling_length > 0.0,
                           Law::kIsPlastic ? 1.0 - zone.energy_restitution : 0.0});
         }
@@ -153,12 +153,12 @@ ContactGround contact_ground(std::span<const GroundParameters> zones, const Cont
 StiffnessChoice choose_stiffness(std::span<const RigidBody> bodies,
                                  std::span<const GroundParameters> zones, double fastest,
                                  double gravity, const StiffnessOptions& options) {
-  std::vector<ContactBody> asked;
-  for (const RigidBody& body : bodies) asked.push_back(contact_body(body));
-  return choose_stiffness(asked, contact_ground(zones, options.law), fastest, gravity, options);
+  std::vector<BodyRequirements> asked;
+  for (const RigidBody& body : bodies) asked.push_back(body_requirements(body));
+  return choose_stiffness(asked, ground_requirements(zones, options.law), fastest, gravity, options);
 }
 
-StiffnessChoice choose_stiffness(std::span<const ContactBody> bodies, const ContactGround& ground,
+StiffnessChoice choose_stiffness(std::span<const BodyRequirements> bodies, const GroundRequirements& ground,
                                  double fastest, double gravity, const StiffnessOptions& options) {
   if (bodies.empty()) {
     throw SimulationError("stiffness: there is no block to choose it for; give one");
@@ -168,23 +168,23 @@ StiffnessChoice choose_stiffness(std::span<const ContactBody> bodies, const Cont
   ContactStiffness& chosen = choice.stiffness;
   chosen.normal = options.normal.value_or(demand.normal);
   // The elastic stiffness of the ground: that of unloading, where an impact leaves a dent.
-  chosen.tangential = options.tangential.value_or(chosen.normal / (1.0 - ground.dent_share));
-  const double arm = kRollingArmShare * demand.smallest_side;
+  chosen.tangential = options.tangential.value_or(chosen.normal / (1.0 - ground.residual_indentation_ratio));
+  const double arm = kRollingArmFraction * demand.smallest_side;
   chosen.rolling = options.rolling.value_or(chosen.tangential * arm * arm);
   const double stiffest_rolling =
-      std::max(ground.every_length_stated ? 0.0 : chosen.rolling,
+      std::max(ground.all_rolling_lengths_stated ? 0.0 : chosen.rolling,
                chosen.normal * ground.rolling_length * ground.rolling_length);
   const double frequency = std::max(ground.rate * std::sqrt(chosen.normal * demand.mobility),
                                     std::sqrt(std::max(chosen.tangential * demand.mobility,
                                                        stiffest_rolling / demand.smallest_moment)));
   // A step in contact may not carry a block past the ground, however soft that is.
-  const double travel = fastest > 0.0 ? kTravelShare * demand.smallest_side / fastest : 1e300;
+  const double displacement = fastest > 0.0 ? kDisplacementFraction * demand.smallest_side / fastest : 1e300;
   const double impact_step = options.mass ? kMassImpactStep : kImpactStep;
-  const double resolved = std::min(impact_step / frequency, travel);
+  const double resolved = std::min(impact_step / frequency, displacement);
   chosen.time_step = options.time_step.value_or(resolved);
   // Half of what may be travelled: contacts that are hard to move allow twice this step.
-  if (!options.time_step) chosen.longest_step = std::min(kLongestStep / frequency, 0.5 * travel);
-  const double most = std::min(kUnstableProduct / frequency, travel);
+  if (!options.time_step) chosen.max_time_step = std::min(kMaxStep / frequency, 0.5 * displacement);
+  const double most = std::min(kUnstableProduct / frequency, displacement);
   if (chosen.time_step > most) {
     throw SimulationError(
         "time step " + format_significant(chosen.time_step, 3) + " s is too long: beyond " +
@@ -196,10 +196,10 @@ StiffnessChoice choose_stiffness(std::span<const ContactBody> bodies, const Cont
   if (chosen.normal < 0.999 * demand.normal) {
     choice.warnings.push_back(softness_warning(choice, demand.normal, deepest_share));
   }
-  if (!options.normal && ground.rest_share < kCostlyRestShare) {
-    choice.warnings.push_back(cost_warning(chosen, ground.rest_share));
+  if (!options.normal && ground.static_stiffness_ratio < kCostlyRestFraction) {
+    choice.warnings.push_back(cost_warning(chosen, ground.static_stiffness_ratio));
   }
-  if (1.0 - ground.dent_share < kCostlyRestShare) {
+  if (1.0 - ground.residual_indentation_ratio < kCostlyRestFraction) {
     choice.warnings.push_back(stiff_unloading_warning(chosen, ground));
   }
   if (chosen.time_step * frequency > 0.5) {

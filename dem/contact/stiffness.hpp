@@ -27,25 +27,25 @@ struct StiffnessOptions {
 std::vector<double> vertex_mobilities(const RigidBody& body);
 
 /// What a body requires of its contacts, computed once: the mobility needs all its points.
-struct ContactBody {
+struct BodyRequirements {
   double mass = 0.0;             ///< kg
   double smallest_side = 0.0;    ///< S, m
   double smallest_moment = 0.0;  ///< kg m^2
   double mobility = 0.0;         ///< largest of any point of the surface, 1/kg
 };
-ContactBody contact_body(const RigidBody& body);
+BodyRequirements body_requirements(const RigidBody& body);
 
 /// What the most demanding ground zone requires under a law.
-struct ContactGround {
-  double rest_share = 1.0;          ///< of k_n that carries a body at rest: e_n^2, or 1 by law
+struct GroundRequirements {
+  double static_stiffness_ratio = 1.0;          ///< of k_n that carries a body at rest: e_n^2, or 1 by law
   double rate = 1.0;                ///< fastest rate of a contact over its spring's frequency
   double rolling_length = 0.0;      ///< largest stated, m; 0: none
-  bool every_length_stated = true;  ///< no zone has the k_r of the contacts
-  double dent_share = 0.0;          ///< of the depth of an impact that stays, by law
+  bool all_rolling_lengths_stated = true;  ///< no zone has the k_r of the contacts
+  double residual_indentation_ratio = 0.0;          ///< of the depth of an impact that stays, by law
 
-  void include(const ContactGround& other);  ///< the more demanding of both in every respect
+  void include(const GroundRequirements& other);  ///< the more demanding of both in every respect
 };
-ContactGround contact_ground(std::span<const GroundParameters> zones, const ContactLaw& law);
+GroundRequirements ground_requirements(std::span<const GroundParameters> zones, const ContactLaw& law);
 
 /// A choice of stiffness, with warnings about what a user's own value leads to.
 struct StiffnessChoice {
@@ -66,7 +66,7 @@ struct StiffnessChoice {
 /// @param fastest  speed no block can exceed: from release heights and the lowest ground, m/s
 /// @throws SimulationError  nothing to choose for, or a time step of the user's beyond the limit of
 ///                          stability or a quarter of S at `fastest`
-StiffnessChoice choose_stiffness(std::span<const ContactBody> bodies, const ContactGround& ground,
+StiffnessChoice choose_stiffness(std::span<const BodyRequirements> bodies, const GroundRequirements& ground,
                                  double fastest, double gravity,
                                  const StiffnessOptions& options = {});
 StiffnessChoice choose_stiffness(std::span<const RigidBody> bodies,

@@ -22,14 +22,14 @@ struct BodyMotion {
     return velocity + angular_velocity.cross(point - world_from_body.translation);
   }
   /// The mean velocity of what was at `point` when the step began.
-  Vec3 velocity_from(const Vec3& point) const {
+  Vec3 velocity_of_start_point(const Vec3& point) const {
     return velocity + angular_velocity.cross(point - begin_position);
   }
-  Vec3 begin_velocity_at(const Vec3& point) const {
+  Vec3 start_velocity_at(const Vec3& point) const {
     return begin_velocity + begin_angular_velocity.cross(point - begin_position);
   }
   /// False for what stood still all the step, as the ground does.
-  bool moves() const {
+  bool is_moving() const {
     return !(velocity.isZero(0.0) && angular_velocity.isZero(0.0) && begin_velocity.isZero(0.0) &&
              begin_angular_velocity.isZero(0.0));
   }
@@ -39,41 +39,41 @@ struct BodyMotion {
           begin_angular_velocity, inverse_mass, inverse_moments);
   }
   /// In world axes.
-  Vec3 inverse_inertia_times(const Vec3& torque) const {
+  Vec3 apply_inverse_inertia(const Vec3& torque) const {
     const Vec3 in_body = world_from_body.rotation.conjugate() * torque;
     return world_from_body.rotation * Vec3(inverse_moments.cwiseProduct(in_body));
   }
 };
 
 /// How the block of a pair moved against the other body over a step.
-struct PairMotion {
-  PairMotion(const BodyMotion& of_block, const BodyMotion& of_other, double step)
+struct RelativeMotion {
+  RelativeMotion(const BodyMotion& of_block, const BodyMotion& of_other, double step)
       : block(of_block),
         other(of_other),
         duration(step),
         spin(of_block.angular_velocity - of_other.angular_velocity),
-        other_moves(of_other.moves()) {}
+        other_is_moving(of_other.is_moving()) {}
 
   /// Mean velocities of what is at a place when the step ends ...
-  Vec3 velocity_at(const Vec3& place) const {
-    return other_moves ? Vec3(block.velocity_at(place) - other.velocity_at(place))
-                       : block.velocity_at(place);
+  Vec3 velocity_at(const Vec3& position) const {
+    return other_is_moving ? Vec3(block.velocity_at(position) - other.velocity_at(position))
+                       : block.velocity_at(position);
   }
   /// ... and of what was there when it began.
-  Vec3 velocity_from(const Vec3& place) const {
-    return other_moves ? Vec3(block.velocity_from(place) - other.velocity_from(place))
-                       : block.velocity_from(place);
+  Vec3 velocity_of_start_point(const Vec3& position) const {
+    return other_is_moving ? Vec3(block.velocity_of_start_point(position) - other.velocity_of_start_point(position))
+                       : block.velocity_of_start_point(position);
   }
-  Vec3 begin_velocity_at(const Vec3& place) const {
-    return other_moves ? Vec3(block.begin_velocity_at(place) - other.begin_velocity_at(place))
-                       : block.begin_velocity_at(place);
+  Vec3 start_velocity_at(const Vec3& position) const {
+    return other_is_moving ? Vec3(block.start_velocity_at(position) - other.start_velocity_at(position))
+                       : block.start_velocity_at(position);
   }
 
   const BodyMotion& block;
   const BodyMotion& other;
   double duration;  ///< s
   Vec3 spin;        ///< mean, rad/s
-  bool other_moves;
+  bool other_is_moving;
 };
 
 }  // namespace clast::dem_detail

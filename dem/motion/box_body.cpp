@@ -2,7 +2,7 @@
 
 namespace clast {
 
-RigidBody box_body(const Vec3& sides, double radius, double mass) {
+RigidBody make_box_body(const Vec3& sides, double radius, double mass) {
   TriangleMesh mesh;
   for (int i = 0; i < 8; ++i) {
     mesh.vertices.emplace_back((i & 1 ? 0.5 : -0.5) * sides.x(), (i & 2 ? 0.5 : -0.5) * sides.y(),

@@ -8,6 +8,6 @@ namespace clast {
 /// @param sides   of the core, m
 /// @param radius  that the core is rounded with, m; 0: sharp
 /// @param mass    kg, taken to fill the core evenly
-RigidBody box_body(const Vec3& sides, double radius, double mass);
+RigidBody make_box_body(const Vec3& sides, double radius, double mass);
 
 }  // namespace clast

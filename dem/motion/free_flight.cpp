@@ -13,7 +13,7 @@ constexpr double kSmallTurn = 0.003;
 
 }  // namespace
 
-double time_over(double distance, double speed, double acceleration) {
+double min_travel_time(double distance, double speed, double acceleration) {
   if (!(distance > 0.0)) return 0.0;
   // From distance = speed t + acceleration t^2/2, in the form that keeps its digits.
   return 2.0 * distance / (speed + std::sqrt(speed * speed + 2.0 * acceleration * distance));
@@ -24,7 +24,7 @@ FreeFlight::FreeFlight(const RigidBody& body, const RigidState& begin, double gr
       begin_(begin),
       gravity_(gravity),
       momentum_(angular_momentum(body.moments, begin.orientation, begin.angular_velocity)),
-      top_spin_(std::sqrt(2.0 * rotational_energy(body, begin) / body.moments.minCoeff())),
+      max_angular_speed_(std::sqrt(2.0 * rotational_energy(body, begin) / body.moments.minCoeff())),
       last_orientation_(begin.orientation) {}
 
 RigidState FreeFlight::after(double duration) {
@@ -32,9 +32,9 @@ RigidState FreeFlight::after(double duration) {
   state.position += duration * begin_.velocity;
   state.position.z() -= 0.5 * gravity_ * duration * duration;
   state.velocity.z() -= gravity_ * duration;
-  if (top_spin_ * std::abs(duration - last_time_) < kSmallTurn) {
+  if (max_angular_speed_ * std::abs(duration - last_time_) < kSmallTurn) {
     state.orientation =
-        freely_turned(body_.moments, last_orientation_, momentum_, duration - last_time_);
+        integrate_free_rotation(body_.moments, last_orientation_, momentum_, duration - last_time_);
   } else {
     if (!rotation_) rotation_.emplace(body_.moments, begin_.orientation, momentum_);
     state.orientation = rotation_->after(duration);

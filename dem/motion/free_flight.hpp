@@ -9,7 +9,7 @@ namespace clast::dem_detail {
 
 /// How long something needs at least for a distance, s, that is no faster than `speed` and gains
 /// no more than `acceleration`.
-double time_over(double distance, double speed, double acceleration);
+double min_travel_time(double distance, double speed, double acceleration);
 
 /// A flight from one instant on: ballistic centre, torque-free rotation. Any instant of it costs
 /// the same. The body must outlive it.
@@ -21,14 +21,14 @@ class FreeFlight {
   RigidState after(double duration);
   const RigidState& begin() const { return begin_; }
   /// The spin never exceeds this, rad/s: the energy, all in the smallest moment.
-  double top_spin() const { return top_spin_; }
+  double max_angular_speed() const { return max_angular_speed_; }
 
  private:
   const RigidBody& body_;
   RigidState begin_;
   double gravity_;
   Vec3 momentum_;
-  double top_spin_;
+  double max_angular_speed_;
   double last_time_ = 0.0;
   Quat last_orientation_;
   std::optional<FreeRotation> rotation_;  ///< set up when the first turn needs it

@@ -13,7 +13,7 @@ namespace {
 /// Mobilities that differ by less than this share are the same.
 constexpr double kSameMoments = 1e-14;
 /// Smallest complement of k^2: closer to the separatrix than rounding resolves.
-constexpr double kSmallestComplement = 1e-30;
+constexpr double kMinComplement = 1e-30;
 /// Both of the momentum's shares off the middle axis below this: near the unstable rest point of
 /// its orbit the amplitude is too inaccurate, and the turn is stepped.
 constexpr double kUnstableAmplitude = 1e-5;
@@ -168,10 +168,10 @@ FreeRotation::FreeRotation(const Vec3& moments, const Quat& orientation, const V
   pole_ = axes[0];
   middle_ = axes[1];
   other_ = axes[2];
-  set_orbit(mobility, in_body, size, about_smallest ? 1.0 : -1.0, std::abs(decider));
+  set_polhode(mobility, in_body, size, about_smallest ? 1.0 : -1.0, std::abs(decider));
 }
 
-void FreeRotation::set_orbit(const Vec3& mobility, const Vec3& in_body, double size, double sign,
+void FreeRotation::set_polhode(const Vec3& mobility, const Vec3& in_body, double size, double sign,
                              double decider) {
   // Differences of mobility from the pole's: all positive with this sign.
   const double to_middle = sign * (mobility[pole_] - mobility[middle_]);
@@ -186,7 +186,7 @@ void FreeRotation::set_orbit(const Vec3& mobility, const Vec3& in_body, double s
     steady_rate_ = size * mobility[middle_];
     return;
   }
-  complement_ = std::clamp(to_other * decider / (z * to_middle), kSmallestComplement, 1.0);
+  complement_ = std::clamp(to_other * decider / (z * to_middle), kMinComplement, 1.0);
   modulus_ = 1.0 - complement_;
   characteristic_ = beyond / to_middle;
   side_ = in_body[pole_] < 0.0 ? -1.0 : 1.0;
@@ -194,7 +194,7 @@ void FreeRotation::set_orbit(const Vec3& mobility, const Vec3& in_body, double s
   sense_ = right_handed ? 1.0 : -1.0;
   // Euler's equations for pole, middle, other have the signs of a right-handed triad of mobilities;
   // a left-handed triad or mobilities in rising order run the orbit the other way.
-  pace_ = side_ * sign * sense_ * size * std::sqrt(z * to_middle);
+  argument_rate_ = side_ * sign * sense_ * size * std::sqrt(z * to_middle);
   precession_ = size * mobility[pole_];
   nutation_ = sign * size * to_other;
   along_pole_ = std::sqrt(z / to_other);
@@ -208,11 +208,11 @@ void FreeRotation::set_orbit(const Vec3& mobility, const Vec3& in_body, double s
   half_turn_integral_ =
       2.0 * (carlson_f(0.0, complement_, 1.0) -
              characteristic_ / 3.0 * carlson_j(0.0, complement_, 1.0, 1.0 + characteristic_));
-  first_integral_ = third_kind(first_amplitude_);
-  first_frame_ = frame_at(first_amplitude_);
+  first_integral_ = third_kind_integral(first_amplitude_);
+  first_frame_ = momentum_frame_at(first_amplitude_);
 }
 
-double FreeRotation::third_kind(double amplitude) const {
+double FreeRotation::third_kind_integral(double amplitude) const {
   const double half_turns = std::round(amplitude / kPi);
   const double rest = amplitude - half_turns * kPi;
   const double s = std::sin(rest), c = std::cos(rest);
@@ -223,7 +223,7 @@ double FreeRotation::third_kind(double amplitude) const {
   return half_turns * half_turn_integral_ + incomplete;
 }
 
-Mat3 FreeRotation::frame_at(double amplitude) const {
+Mat3 FreeRotation::momentum_frame_at(double amplitude) const {
   const double s = std::sin(amplitude), c = std::cos(amplitude);
   const double along = side_ * along_pole_ * std::sqrt(complement_ + modulus_ * c * c);
   const double across = std::hypot(spread_middle_ * s, spread_other_ * c);
@@ -243,14 +243,14 @@ Mat3 FreeRotation::frame_at(double amplitude) const {
 
 Quat FreeRotation::after(double duration) const {
   if (steady_) {
-    return (turn_of(steady_rate_ * duration * direction_) * orientation_).normalized();
+    return (rotation_from_vector(steady_rate_ * duration * direction_) * orientation_).normalized();
   }
-  if (stepped_) return freely_turned(moments_, orientation_, momentum_, duration);
-  const double amplitude = jacobi_amplitude(first_argument_ + pace_ * duration, complement_);
+  if (stepped_) return integrate_free_rotation(moments_, orientation_, momentum_, duration);
+  const double amplitude = jacobi_amplitude(first_argument_ + argument_rate_ * duration, complement_);
   const double precessed =
-      precession_ * duration - nutation_ / pace_ * (third_kind(amplitude) - first_integral_);
-  const Mat3 turned = first_frame_ * frame_at(amplitude).transpose();
-  return (turn_of(precessed * direction_) * orientation_ * Quat(turned)).normalized();
+      precession_ * duration - nutation_ / argument_rate_ * (third_kind_integral(amplitude) - first_integral_);
+  const Mat3 turned = first_frame_ * momentum_frame_at(amplitude).transpose();
+  return (rotation_from_vector(precessed * direction_) * orientation_ * Quat(turned)).normalized();
 }
 
 }  // namespace clast::dem_detail

@@ -20,11 +20,11 @@ class FreeRotation {
   /// Sets what the closed form needs, once the axes are known.
   /// @param in_body  unit momentum along the body axes
   /// @param sign     makes all differences of mobility from the pole's positive
-  void set_orbit(const Vec3& mobility, const Vec3& in_body, double size, double sign,
+  void set_polhode(const Vec3& mobility, const Vec3& in_body, double size, double sign,
                  double decider);
   /// Columns in body axes: the momentum, the pole's azimuth about it, and their product.
-  Mat3 frame_at(double amplitude) const;
-  double third_kind(double amplitude) const;
+  Mat3 momentum_frame_at(double amplitude) const;
+  double third_kind_integral(double amplitude) const;
 
   Vec3 moments_;
   Quat orientation_;
@@ -39,7 +39,7 @@ class FreeRotation {
   int pole_ = 0, middle_ = 1, other_ = 2;
   double sense_ = 1.0;           ///< +1 when pole, middle, other are right-handed
   double side_ = 1.0;            ///< sign of the momentum along the pole
-  double pace_ = 0.0;            ///< d(argument of the elliptic functions)/dt, rad/s
+  double argument_rate_ = 0.0;            ///< d(argument of the elliptic functions)/dt, rad/s
   double modulus_ = 0.0;         ///< k^2
   double complement_ = 1.0;      ///< 1 - k^2
   double characteristic_ = 0.0;  ///< nu: the precession's integrand is 1/(1 + nu sn^2)

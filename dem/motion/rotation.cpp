@@ -26,18 +26,18 @@ Eigen::Vector4d rate(const Vec3& moments, const Eigen::Vector4d& coefficients,
 
 }  // namespace
 
-Quat turn_of(const Vec3& rotation) {
+Quat rotation_from_vector(const Vec3& rotation) {
   const double squared = 0.25 * rotation.squaredNorm();
-  double cosine, share;
+  double cosine, half_sinc;
   if (squared < kSmallHalfSquared) {
     cosine = 1.0 - squared * (1.0 / 2.0 - squared * (1.0 / 24.0 - squared * (1.0 / 720.0)));
-    share = 0.5 - squared * (1.0 / 12.0 - squared * (1.0 / 240.0 - squared * (1.0 / 10080.0)));
+    half_sinc = 0.5 - squared * (1.0 / 12.0 - squared * (1.0 / 240.0 - squared * (1.0 / 10080.0)));
   } else {
     const double half = std::sqrt(squared);
     cosine = std::cos(half);
-    share = 0.5 * std::sin(half) / half;
+    half_sinc = 0.5 * std::sin(half) / half;
   }
-  const Vec3 axis = share * rotation;
+  const Vec3 axis = half_sinc * rotation;
   return {cosine, axis.x(), axis.y(), axis.z()};
 }
 
@@ -50,16 +50,16 @@ Vec3 angular_velocity(const Vec3& moments, const Quat& orientation, const Vec3& 
   return orientation * body_spin(moments, orientation, momentum);
 }
 
-StepTurn turned_one_step(const Vec3& moments, const Quat& orientation, const Vec3& momentum,
+RotationStep integrate_rotation_step(const Vec3& moments, const Quat& orientation, const Vec3& momentum,
                          double step) {
   const Vec3 first = body_spin(moments, orientation, momentum);
-  const Quat middle = orientation * turn_of(0.5 * step * first);
+  const Quat middle = orientation * rotation_from_vector(0.5 * step * first);
   const Vec3 spin = body_spin(moments, middle, momentum);
-  const Quat turned = (orientation * turn_of(step * spin)).normalized();
+  const Quat turned = (orientation * rotation_from_vector(step * spin)).normalized();
   return {turned, 0.5 * (orientation * first + angular_velocity(moments, turned, momentum))};
 }
 
-Quat freely_turned(const Vec3& moments, const Quat& orientation, const Vec3& momentum,
+Quat integrate_free_rotation(const Vec3& moments, const Quat& orientation, const Vec3& momentum,
                    double duration) {
   const double fastest = momentum.norm() / moments.minCoeff();
   const double steps = std::max(1.0, std::ceil(fastest * std::abs(duration) / kFlightTurn));

@@ -9,21 +9,21 @@ Vec3 angular_momentum(const Vec3& moments, const Quat& orientation, const Vec3& 
 Vec3 angular_velocity(const Vec3& moments, const Quat& orientation, const Vec3& momentum);
 
 /// The turn by a rotation vector, rad.
-Quat turn_of(const Vec3& rotation);
+Quat rotation_from_vector(const Vec3& rotation);
 
-struct StepTurn {
+struct RotationStep {
   Quat orientation;       ///< world_from_body at the end
   Vec3 angular_velocity;  ///< mean of both ends, rad/s, world axes
 };
 
 /// One short step at constant momentum, second order and reversible to third (explicit midpoint on
 /// the rotation group).
-StepTurn turned_one_step(const Vec3& moments, const Quat& orientation, const Vec3& momentum,
+RotationStep integrate_rotation_step(const Vec3& moments, const Quat& orientation, const Vec3& momentum,
                          double step);
 
 /// A torque-free turn by fourth-order Runge-Kutta in steps of at most 0.003 rad, good to about
 /// 1e-12 rad per radian: where `FreeRotation` has no closed form.
-Quat freely_turned(const Vec3& moments, const Quat& orientation, const Vec3& momentum,
+Quat integrate_free_rotation(const Vec3& moments, const Quat& orientation, const Vec3& momentum,
                    double duration);
 
 }  // namespace clast::dem_detail

@@ -26,15 +26,15 @@ class BroadPhase {
   /// spheres.
   /// @param slack  how far spheres may be apart to be listed, m; above 0
   /// @param moved  those that may have moved since the last call; none given: all
-  bool refresh(std::span<const BoundingSphere> spheres, double slack,
+  bool update_pairs(std::span<const BoundingSphere> spheres, double slack,
                std::optional<std::span<const std::uint32_t>> moved = {});
 
   /// How far a body may move on before the list may miss a pair of it, m; 0 before there is a list.
-  double way_left(std::size_t body, const Vec3& centre, double slack) const {
+  double remaining_displacement(std::size_t body, const Vec3& centre, double slack) const {
     return body < centres_.size() ? 0.5 * slack - (centre - centres_[body]).norm() : 0.0;
   }
 
-  /// Sorted; holds at least every pair of spheres that overlaps at the last `refresh`.
+  /// Sorted; holds at least every pair of spheres that overlaps at the last `update_pairs`.
   const std::vector<Pair>& pairs() const { return pairs_; }
   template <class Bytes>
   void serialize(Bytes& bytes) {

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "dem/search/contact_search.hpp"
-#include "dem/search/pierced_depth.hpp"
+#include "dem/search/edge_penetration.hpp"
+#include "dem/search/terrain_narrow_phase.hpp"
 #include "dem/surface/terrain_impl.hpp"
 
 namespace clast {
@@ -22,15 +22,15 @@ GroundOverlap::GroundOverlap(const TerrainSurface& terrain, const RigidBody& bod
     : impl_(std::make_unique<Impl>(terrain, body)) {}
 GroundOverlap::~GroundOverlap() = default;
 
-double GroundOverlap::deepest(const RigidState& state) const {
+double GroundOverlap::max_overlap(const RigidState& state) const {
   const auto& [ground, body, surface] = *impl_;
   if (!ground.nearest(state.position, body.bounding_radius() + ground.radius)) return 0.0;
-  ContactSearch search(ground, surface, body.size());
+  TerrainNarrowPhase search(ground, surface, body.size());
   double deepest = 0.0;
-  for (const ContactPoint& contact : search.contacts(state.world_from_body(), 0.0)) {
+  for (const ContactPoint& contact : search.find_contacts(state.world_from_body(), 0.0)) {
     deepest = std::max(deepest, contact.overlap);
   }
-  return std::max(deepest, pierced_depth(ground, surface, state.world_from_body()));
+  return std::max(deepest, edge_penetration_depth(ground, surface, state.world_from_body()));
 }
 
 }  // namespace clast

@@ -17,7 +17,7 @@ class GroundOverlap {
 
   /// Largest overlap of any contact with the ground's skin, m; 0 when clear of it, and also when
   /// buried so deep that nothing reaches the surface.
-  double deepest(const RigidState& state) const;
+  double max_overlap(const RigidState& state) const;
 
  private:
   struct Impl;

@@ -10,69 +10,69 @@ namespace clast::dem_detail {
 
 /// How far a part of a block has moved against its ground, summed from visit to visit, m: bounds
 /// for all of its points.
-struct Way {
-  double across = 0.0;  ///< along the axis, up or down
-  double along = 0.0;   ///< perpendicular to it
-  double whole = 0.0;
+struct Displacement {
+  double axial = 0.0;  ///< along the axis, up or down
+  double transverse = 0.0;   ///< perpendicular to it
+  double total = 0.0;
 
-  Way operator+(const Way& more) const {
-    return {across + more.across, along + more.along, whole + more.whole};
+  Displacement operator+(const Displacement& more) const {
+    return {axial + more.axial, transverse + more.transverse, total + more.total};
   }
   template <class Bytes>
   void serialize(Bytes& bytes) {
-    bytes(across, along, whole);
+    bytes(axial, transverse, total);
   }
 };
 
 /// Not measured again before both ways, each times its number, add up to `until`.
-struct Asleep {
-  double per_across = 0.0, per_along = 0.0;  ///< 1/m
+struct SeparationBound {
+  double per_axial = 0.0, per_transverse = 0.0;  ///< 1/m
   double until = -1.0;
 
   /// What is left of 1; not above 0 when due.
-  double left(const Way& way) const {
-    return until - per_across * way.across - per_along * way.along;
+  double remaining(const Displacement& displacement) const {
+    return until - per_axial * displacement.axial - per_transverse * displacement.transverse;
   }
-  bool due(const Way& way) const { return !(left(way) > 0.0); }
+  bool is_expired(const Displacement& displacement) const { return !(remaining(displacement) > 0.0); }
   template <class Bytes>
   void serialize(Bytes& bytes) {
-    bytes(per_across, per_along, until);
+    bytes(per_axial, per_transverse, until);
   }
 };
 
 /// What keeps one or many apart from here on: |w.axis|/d and |w x axis|/d, the largest of each.
-struct Separation {
-  double per_across = 0.0, per_along = 0.0;  ///< 1/m
+struct SeparationRates {
+  double per_axial = 0.0, per_transverse = 0.0;  ///< 1/m
 
-  void include(const Separation& other) {
-    per_across = std::max(per_across, other.per_across);
-    per_along = std::max(per_along, other.per_along);
+  void include(const SeparationRates& other) {
+    per_axial = std::max(per_axial, other.per_axial);
+    per_transverse = std::max(per_transverse, other.per_transverse);
   }
-  double sum() const { return per_across + per_along; }
-  Asleep asleep(const Way& way) const {
-    return {per_across, per_along, 1.0 + per_across * way.across + per_along * way.along};
+  double sum() const { return per_axial + per_transverse; }
+  SeparationBound separation_bound(const Displacement& displacement) const {
+    return {per_axial, per_transverse, 1.0 + per_axial * displacement.axial + per_transverse * displacement.transverse};
   }
 };
 
 /// Until the first of many that sleep may be due.
-class FirstDue {
+class EarliestExpiry {
  public:
-  explicit FirstDue(const Way& way) : way_(way) {}
-  void include(const Asleep& one) {
-    const double left = one.left(way_);
-    due_ = due_ || !(left > 0.0);
-    if (due_) return;
+  explicit EarliestExpiry(const Displacement& displacement) : displacement_(displacement) {}
+  void include(const SeparationBound& one) {
+    const double remaining = one.remaining(displacement_);
+    expired_ = expired_ || !(remaining > 0.0);
+    if (expired_) return;
     // Most of many are bounded by those before, which takes no division.
-    Separation& all = separation_;
-    if (one.per_across > all.per_across * left) all.per_across = one.per_across / left;
-    if (one.per_along > all.per_along * left) all.per_along = one.per_along / left;
+    SeparationRates& all = separation_;
+    if (one.per_axial > all.per_axial * remaining) all.per_axial = one.per_axial / remaining;
+    if (one.per_transverse > all.per_transverse * remaining) all.per_transverse = one.per_transverse / remaining;
   }
-  Asleep asleep() const { return due_ ? Asleep() : separation_.asleep(way_); }
+  SeparationBound separation_bound() const { return expired_ ? SeparationBound() : separation_.separation_bound(displacement_); }
 
  private:
-  const Way& way_;
-  Separation separation_;
-  bool due_ = false;
+  const Displacement& displacement_;
+  SeparationRates separation_;
+  bool expired_ = false;
 };
 
 }  // namespace clast::dem_detail

@@ -33,16 +33,16 @@ void check_zones(const TerrainSurface& terrain, std::span<const GroundParameters
                         std::to_string(zones.size()) + "; give them for each zone");
 }
 
-void check_start(const TerrainSurface& terrain, const Vec3& place, const std::string& name) {
-  if (!terrain.covers(place.x(), place.y())) {
-    throw SimulationError(name + " starts at (" + format_significant(place.x(), 9) + ", " +
-                          format_significant(place.y(), 9) +
+void check_start(const TerrainSurface& terrain, const Vec3& position, const std::string& name) {
+  if (!terrain.covers(position.x(), position.y())) {
+    throw SimulationError(name + " starts at (" + format_significant(position.x(), 9) + ", " +
+                          format_significant(position.y(), 9) +
                           "), which is not on the terrain; move it onto the ground");
   }
-  const std::optional<double> ground = terrain.height(place.x(), place.y(), place.z());
-  if (ground && place.z() < *ground) {
+  const std::optional<double> ground = terrain.height(position.x(), position.y(), position.z());
+  if (ground && position.z() < *ground) {
     throw SimulationError(name + " starts below the ground, " +
-                          format_significant(*ground - place.z(), 6) + " m deep; raise it");
+                          format_significant(*ground - position.z(), 6) + " m deep; raise it");
   }
 }
 

@@ -12,7 +12,7 @@ namespace clast {
 struct MotionSettings {
   ContactStiffness stiffness;  ///< of all contacts
   ContactLaw law;              ///< likewise; energy-restitution unless chosen otherwise
-  ContactWeights weights = ContactWeights::kPatch;
+  ContactWeighting weights = ContactWeighting::kPatch;
   double gravity = 9.81;        ///< m/s^2, along -z
   double rest_energy = 2e-4;    ///< J/kg: v^2/2 + w.J.w/(2 m) below this ...
   double rest_duration = 0.5;   ///< ... for so long, s, with a contact throughout, is rest
@@ -26,6 +26,6 @@ void check_zones(const TerrainSurface& terrain, std::span<const GroundParameters
 
 /// @param name  what starts there, for messages
 /// @throws SimulationError  the place is not above or on the terrain
-void check_start(const TerrainSurface& terrain, const Vec3& place, const std::string& name);
+void check_start(const TerrainSurface& terrain, const Vec3& position, const std::string& name);
 
 }  // namespace clast

@@ -37,30 +37,30 @@ std::vector<GroundParameters> all_kinds_of_ground() {
   return {slope, {0.2, 0.5, 0.3}};
 }
 
-RigidState tumbling(const Vec3& place) {
+RigidState tumbling(const Vec3& position) {
   RigidState state;
-  state.position = place;
+  state.position = position;
   state.orientation = Quat(0.8, 0.3, -0.2, 0.4).normalized();
   state.velocity = {3.0, 0.4, -2.0};
   state.angular_velocity = {0.5, 4.0, -1.0};
   return state;
 }
 
-void add_numbers(std::string& text, const std::vector<double>& numbers) {
-  for (const double number : numbers) text += format_significant(number, kDigits) + " ";
+void add_numbers(std::string& text, const std::vector<double>& values) {
+  for (const double number : values) text += format_significant(number, kDigits) + " ";
   text += "\n";
 }
 
 void add_state(std::string& text, const RigidState& state) {
-  std::vector<double> numbers(state.position.begin(), state.position.end());
-  numbers.insert(numbers.end(), state.velocity.begin(), state.velocity.end());
-  numbers.insert(numbers.end(), state.angular_velocity.begin(), state.angular_velocity.end());
-  add_numbers(text, numbers);
+  std::vector<double> values(state.position.begin(), state.position.end());
+  values.insert(values.end(), state.velocity.begin(), state.velocity.end());
+  values.insert(values.end(), state.angular_velocity.begin(), state.angular_velocity.end());
+  add_numbers(text, values);
 }
 
 void add_stiffness(std::string& text, const ContactStiffness& stiffness) {
   add_numbers(text, {stiffness.normal, stiffness.tangential, stiffness.rolling, stiffness.time_step,
-                     stiffness.longest_step});
+                     stiffness.max_time_step});
 }
 
 ContactStiffness stiffness_of(std::span<const RigidBody> bodies,
@@ -74,15 +74,15 @@ ContactStiffness stiffness_of(std::span<const RigidBody> bodies,
 
 }  // namespace
 
-std::string standard_motions(double gravity) {
+std::string simulate_reference_motions(double gravity) {
   const TerrainSurface terrain = slope_and_flat();
   std::vector<GroundParameters> zones = all_kinds_of_ground();
-  const std::vector<RigidBody> bodies = {box_body({0.9, 0.6, 0.4}, 0.04, 600.0),
-                                         box_body({0.5, 0.5, 0.3}, 0.04, 200.0)};
+  const std::vector<RigidBody> bodies = {make_box_body({0.9, 0.6, 0.4}, 0.04, 600.0),
+                                         make_box_body({0.5, 0.5, 0.3}, 0.04, 200.0)};
   std::string text;
   for (const std::string& law : contact_law_names()) {
     ReleaseSettings settings;
-    settings.law = contact_law(law);
+    settings.law = parse_contact_law(law);
     settings.gravity = gravity;
     settings.max_time = 0.9;
     settings.stiffness =
@@ -105,18 +105,18 @@ std::string standard_motions(double gravity) {
   RigidState second = tumbling({0.2, 0.5, 1.5});
   second.velocity.x() = -1.0;
   world.add_body(1, second);
-  world.run_until(0.6);
+  world.run_until_rest(0.6);
   add_stiffness(text, together.stiffness);
   for (std::size_t body = 0; body < world.body_count(); ++body) add_state(text, world.state(body));
   return text;
 }
 
 const std::string& physics_digest() {
-  static const std::string digest = sha256(standard_motions());
+  static const std::string digest = sha256(simulate_reference_motions());
   return digest;
 }
 
-std::string physics_difference(const std::string& stored, const std::string& now) {
+std::string describe_physics_difference(const std::string& stored, const std::string& now) {
   constexpr std::size_t kShown = 10;
   if (stored.empty() || now.empty() || stored == now) return "";
   return "blocks move differently in this clast (physics digest " + stored.substr(0, kShown) +

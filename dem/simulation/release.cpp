@@ -7,12 +7,12 @@
 #include "core/error.hpp"
 #include "core/number_text.hpp"
 #include "dem/contact/contact_forces.hpp"
-#include "dem/contact/impact_balance.hpp"
+#include "dem/contact/impact_energy_correction.hpp"
 #include "dem/contact/stiffness.hpp"
 #include "dem/motion/free_flight.hpp"
-#include "dem/motion/moving_body.hpp"
-#include "dem/search/contact_search.hpp"
-#include "dem/search/pierced_depth.hpp"
+#include "dem/motion/rigid_body_integrator.hpp"
+#include "dem/search/edge_penetration.hpp"
+#include "dem/search/terrain_narrow_phase.hpp"
 #include "dem/simulation/detail/time_step.hpp"
 #include "dem/surface/terrain_impl.hpp"
 
@@ -44,17 +44,17 @@ class Release {
         search_(terrain.impl().surface, surface_, body.size()),
         rules_(zones, terrain.impl().zones, settings.stiffness, settings.weights, settings.law),
         forces_(rules_, surface_, body.size()),
-        moving_(body, start),
+        integrator_(body, start),
         mobilities_(vertex_mobilities(body)),
         largest_mobility_(*std::max_element(mobilities_.begin(), mobilities_.end())),
         radius_(body.bounding_radius()) {}
 
   ReleaseResult run() {
-    update_contacts(moving_.motion(), 0.0);
+    update_contacts(integrator_.motion(), 0.0);
     result_.energy = {};
     result_.energy.initial = energy();
-    if (std::any_of(zones_.begin(), zones_.end(), ImpactBalance::is_for)) {
-      balance_.emplace(result_.energy.initial);
+    if (std::any_of(zones_.begin(), zones_.end(), ImpactEnergyCorrection::applies_to)) {
+      impact_correction_.emplace(result_.energy.initial);
     }
     while (true) {
       if (const std::optional<StopReason> reason = stop_reason()) {
@@ -62,7 +62,7 @@ class Release {
         break;
       }
       if (forces_.empty()) {
-        fly();
+        advance_flight();
       } else {
         step();
       }
@@ -72,15 +72,17 @@ class Release {
   }
 
   double start_overlap() {
-    update_contacts(moving_.motion(), 0.0);
-    return std::max(forces_.max_overlap(), pierced_depth(terrain_.impl().surface, surface_,
-                                                         moving_.state().world_from_body()));
+    update_contacts(integrator_.motion(), 0.0);
+    return std::max(forces_.max_overlap(),
+                    edge_penetration_depth(terrain_.impl().surface, surface_,
+                                           integrator_.state().world_from_body()));
   }
 
  private:
   std::optional<StopReason> stop_reason() {
-    if (!moving_.finite()) {
-      result_.message = "the motion is not finite any more at " + format_significant(time_, 6) + " s";
+    if (!integrator_.is_finite()) {
+      result_.message =
+          "the motion is not finite any more at " + format_significant(time_, 6) + " s";
       return StopReason::kError;
     }
     if (left_) return StopReason::kLeftTerrain;
@@ -92,39 +94,41 @@ class Release {
   /// How long the block flies without contact: the time in which no point of it can travel farther
   /// than the nearest thing it might touch.
   double safe_time() {
-    const double spin = flight_->top_spin(), g = settings_.gravity;
+    const double spin = flight_->max_angular_speed(), g = settings_.gravity;
     // Of a point that turns with the body: centripetal, and from the change of the spin (Euler).
     const double uneven = body_.moments.maxCoeff() / body_.moments.minCoeff();
-    return search_.safe_time({.velocity = moving_.state().velocity,
-                              .spin = moving_.state().angular_velocity,
-                              .turning = uneven * spin * spin,
-                              .acceleration = g + uneven * spin * spin * radius_,
-                              .top_speed = moving_.state().velocity.norm() + spin * radius_,
-                              .gravity = g},
-                             longest_step());
+    return search_.safe_time(
+        {.velocity = integrator_.state().velocity,
+         .spin = integrator_.state().angular_velocity,
+         .turning = uneven * spin * spin,
+         .acceleration = g + uneven * spin * spin * radius_,
+         .max_point_speed = integrator_.state().velocity.norm() + spin * radius_,
+         .gravity = g},
+        max_time_step());
   }
 
   /// Moves to another time of the flight and searches for contacts there.
   const std::vector<ContactPoint>& look_at(double flown) {
     const double g = settings_.gravity, time = std::abs(flown - flown_);
-    travel_ += (moving_.state().velocity.norm() + flight_->top_spin() * radius_) * time +
-               0.5 * g * time * time;
+    displacement_ +=
+        (integrator_.state().velocity.norm() + flight_->max_angular_speed() * radius_) * time +
+        0.5 * g * time * time;
     flown_ = flown;
-    moving_.place(flight_->after(flown));
-    return search_.contacts(moving_.state().world_from_body(), travel_);
+    integrator_.set_state(flight_->after(flown));
+    return search_.find_contacts(integrator_.state().world_from_body(), displacement_);
   }
 
   /// Flies as far as no contact can come, at least the longest step, and never beyond the first
   /// touch.
-  void fly() {
-    const RigidState begin = moving_.state();
+  void advance_flight() {
+    const RigidState begin = integrator_.state();
     if (!flight_) {
       flight_.emplace(body_, begin, settings_.gravity);
       flown_ = 0.0;
     }
     const double before = flown_;
     double end =
-        before + std::min(std::max(safe_time(), longest_step()), settings_.max_time - time_);
+        before + std::min(std::max(safe_time(), max_time_step()), settings_.max_time - time_);
     const auto inside = [&](double flown) {
       const RigidState& from = flight_->begin();
       return terrain_.covers(from.position.x() + flown * from.velocity.x(),
@@ -144,15 +148,15 @@ class Release {
       left_ = left_ && !inside(flown_);
     }
     const double duration = flown_ - before;
-    forces_.wait(duration);
+    forces_.advance_time(duration);
     const double middle_speed =
         (begin.velocity - Vec3(0.0, 0.0, 0.5 * settings_.gravity * duration)).norm();
     result_.path_length +=
         duration / 6.0 *
-        (begin.velocity.norm() + 4.0 * middle_speed + moving_.state().velocity.norm());
+        (begin.velocity.norm() + 4.0 * middle_speed + integrator_.state().velocity.norm());
     resting_ = 0.0;
-    ++result_.flight_pieces;
-    update_contacts(moving_.motion(), 0.0);
+    ++result_.flight_segments;
+    update_contacts(integrator_.motion(), 0.0);
     step_length_ = 0.0;
     advance(begin, duration, true);
   }
@@ -163,7 +167,7 @@ class Release {
   void land(double clear) {
     double touching = flown_, look_farther = kLandingTime;
     const std::vector<ContactPoint>* contacts =
-        &search_.contacts(moving_.state().world_from_body(), travel_);
+        &search_.find_contacts(integrator_.state().world_from_body(), displacement_);
     while (touching - clear > kLandingTime) {
       double next = 0.5 * (clear + touching);
       if (!contacts->empty()) {
@@ -183,7 +187,7 @@ class Release {
 
   /// How long ago the deepest of the contacts began, to first order, s.
   double time_since_touch(const std::vector<ContactPoint>& contacts) const {
-    const BodyMotion motion = moving_.motion();
+    const BodyMotion motion = integrator_.motion();
     double longest = 0.0;
     for (const ContactPoint& contact : contacts) {
       const double closing = -motion.velocity_at(contact.point()).dot(contact.normal);
@@ -192,62 +196,63 @@ class Release {
     return longest;
   }
 
-  double longest_step() const {
-    return std::max(settings_.stiffness.time_step, settings_.stiffness.longest_step);
+  double max_time_step() const {
+    return std::max(settings_.stiffness.time_step, settings_.stiffness.max_time_step);
   }
 
   /// What the present contacts need, s.
   double needed_step() const {
     const ContactStiffness& contact = settings_.stiffness;
-    if (!has_longer_steps(contact)) return contact.time_step;
-    const double specific = std::max(moving_.kinetic_energy() / body_.mass, settings_.rest_energy);
-    return step_of_contacts(contact, forces_.mobility(mobilities_) / largest_mobility_,
-                            is_impact(load_.impact, specific));
+    if (!allows_longer_steps(contact)) return contact.time_step;
+    const double specific =
+        std::max(integrator_.kinetic_energy() / body_.mass, settings_.rest_energy);
+    return contact_time_step(contact, forces_.mobility(mobilities_) / largest_mobility_,
+                             is_impact(load_.impact, specific));
   }
 
   void step() {
     flight_.reset();
-    const RigidState begin = moving_.state();
+    const RigidState begin = integrator_.state();
     const Vec3 gravity(0.0, 0.0, -settings_.gravity);
     const double dt = std::min(needed_step(), settings_.max_time - time_);
     if (dt != step_length_) {
       // What Verlet steps conserve depends on their length.
       const auto kick = [&](double length) {
-        return moving_.first_kick(length, load_.force, load_.torque, gravity);
+        return integrator_.verlet_start_loss(length, load_.force, load_.torque, gravity);
       };
       result_.energy.reassigned += kick(dt) - kick(step_length_);
       step_length_ = dt;
     }
-    if (balance_) {
-      balance_->touch(zones_[forces_.deepest()->zone]);
-      balance_->add_load(0.5 * dt, load_);
+    if (impact_correction_) {
+      impact_correction_->touch(zones_[forces_.deepest_contact()->zone]);
+      impact_correction_->add_contact_load(0.5 * dt, load_);
     }
-    const BodyMotion motion = moving_.begin_step(dt, load_.force, load_.torque, gravity);
-    travel_ += dt * moving_.top_speed();
+    const BodyMotion motion = integrator_.begin_step(dt, load_.force, load_.torque, gravity);
+    displacement_ += dt * integrator_.max_point_speed();
     result_.path_length += dt * motion.velocity.norm();
     update_contacts(motion, dt);
-    if (balance_) balance_->add_load(0.5 * dt, load_);
-    moving_.end_step(dt, load_.force, load_.torque, gravity);
+    if (impact_correction_) impact_correction_->add_contact_load(0.5 * dt, load_);
+    integrator_.end_step(dt, load_.force, load_.torque, gravity);
     if (load_.event) {
-      const EventLoad& event = *load_.event;
-      result_.energy.reassigned -= moving_.correct(event.impulse, event.angular_impulse,
-                                                   event.moment, event.angular_moment, gravity);
-      travel_ += moving_.corrected_by();
-      if (balance_) balance_->add_event(event);
+      const EventImpulse& event = *load_.event;
+      result_.energy.reassigned -= integrator_.apply_event_impulse(
+          event.impulse, event.angular_impulse, event.moment, event.angular_moment, gravity);
+      displacement_ += integrator_.correction_displacement();
+      if (impact_correction_) impact_correction_->add_event_impulse(event);
     }
-    if (balance_ && forces_.empty()) end_impact();
+    if (impact_correction_ && forces_.empty()) end_impact();
     ++result_.contact_steps;
 
-    const double specific = moving_.kinetic_energy() / body_.mass;
+    const double specific = integrator_.kinetic_energy() / body_.mass;
     resting_ = !forces_.empty() && specific < settings_.rest_energy ? resting_ + dt : 0.0;
-    const Vec3& position = moving_.state().position;
+    const Vec3& position = integrator_.state().position;
     if (!terrain_.covers(position.x(), position.y())) left_ = true;
     advance(begin, dt, false);
   }
 
   /// Ends a balanced impact and records the energy that its correction and its steps reassigned.
   void end_impact() {
-    if (!balance_->end(moving_, energy() + dissipated_by_law())) return;
+    if (!impact_correction_->end(integrator_, energy() + dissipated_by_law())) return;
     result_.energy.reassigned = result_.energy.initial - energy() - dissipated_by_law();
   }
 
@@ -258,7 +263,8 @@ class Release {
   /// The energy at the end. What a balanced impact in progress has still to give or take is stored
   /// in its contacts.
   double final_energy() {
-    const std::optional<double> due = balance_ ? balance_->due() : std::nullopt;
+    const std::optional<double> due =
+        impact_correction_ ? impact_correction_->expected_energy() : std::nullopt;
     if (!due) return energy();
     result_.energy.reassigned = result_.energy.initial - *due;
     return *due - dissipated_by_law();
@@ -266,46 +272,48 @@ class Release {
 
   void update_contacts(const BodyMotion& motion, double dt) {
     const bool flying = forces_.empty();
-    load_ = forces_.update(search_.contacts(motion.world_from_body, travel_), motion, {}, dt,
-                           result_.energy);
+    load_ = forces_.update(search_.find_contacts(motion.world_from_body, displacement_), motion, {},
+                           dt, result_.energy);
     if (flying && !forces_.empty() && time_ > 0.0) ++result_.impacts;
     result_.max_penetration = std::max(result_.max_penetration, forces_.max_overlap());
   }
 
   void advance(const RigidState& begin, double duration, bool flight) {
     const double end_time = time_ + duration;
-    const bool to_be_balanced = balance_ && balance_->due();
+    const bool correction_pending = impact_correction_ && impact_correction_->expected_energy();
     double& fastest = result_.max_speed;
     if (!to_be_balanced_) fastest = std::max(fastest, begin.velocity.norm());
-    if (!to_be_balanced) fastest = std::max(fastest, moving_.state().velocity.norm());
-    to_be_balanced_ = to_be_balanced;
+    if (!correction_pending) fastest = std::max(fastest, integrator_.state().velocity.norm());
+    to_be_balanced_ = correction_pending;
     if (observe_) {
-      observe_({time_, end_time, begin, moving_.state(), flight, touch(), to_be_balanced});
+      observe_({time_, end_time, begin, integrator_.state(), flight, touch(), correction_pending});
     }
     time_ = end_time;
   }
 
-  Touch touch() const {
-    const std::optional<ContactForces::Deepest> deepest = forces_.deepest();
+  ContactSummary touch() const {
+    const std::optional<ContactForces::DeepestContact> deepest = forces_.deepest_contact();
     if (!deepest) return {};
-    return {deepest->points, deepest->overlap, deepest->place, deepest->zone};
+    return {deepest->points, deepest->overlap, deepest->position, deepest->zone};
   }
 
   double energy() const {
-    return moving_.kinetic_energy() +
-           body_.mass * settings_.gravity * moving_.state().position.z() + forces_.stored_energy();
+    return integrator_.kinetic_energy() +
+           body_.mass * settings_.gravity * integrator_.state().position.z() +
+           forces_.stored_energy();
   }
 
   void finish() {
     result_.duration = time_;
-    result_.final_state = moving_.state();
-    const Vec3& place = moving_.state().position;
+    result_.final_state = integrator_.state();
+    const Vec3& position = integrator_.state().position;
     result_.settled_penetration = forces_.max_overlap();
-    EnergyLedger& ledger = result_.energy;
+    EnergyBalance& energy_balance = result_.energy;
     // The potential counts from the end height, so that the scale does not depend on the datum.
-    ledger.close(final_energy(), ledger.initial - body_.mass * settings_.gravity * place.z());
-    const std::optional<double> ground = terrain_.height(place.x(), place.y(), place.z());
-    result_.below_ground = (ground && place.z() < *ground) ||
+    energy_balance.close(final_energy(),
+                         energy_balance.initial - body_.mass * settings_.gravity * position.z());
+    const std::optional<double> ground = terrain_.height(position.x(), position.y(), position.z());
+    result_.below_ground = (ground && position.z() < *ground) ||
                            (result_.stop_reason == StopReason::kRest &&
                             forces_.settled_depth() > kSettledSlack * deepest_rest());
   }
@@ -314,8 +322,8 @@ class Release {
   /// took all the energy there was.
   double deepest_rest() const {
     const double weight = body_.mass * settings_.gravity;
-    if (!forces_.keeps_dents()) return weight / forces_.rest_stiffness();
-    const double drop = result_.energy.initial - weight * moving_.state().position.z();
+    if (!forces_.is_plastic()) return weight / forces_.static_stiffness();
+    const double drop = result_.energy.initial - weight * integrator_.state().position.z();
     return std::sqrt(2.0 * std::max(0.0, drop) / settings_.stiffness.normal);
   }
 
@@ -325,20 +333,20 @@ class Release {
   const ReleaseSettings& settings_;
   const MotionObserver& observe_;
   BlockSurface surface_;
-  ContactSearch search_;
-  ContactRules rules_;
+  TerrainNarrowPhase search_;
+  ContactModel rules_;
   ContactForces forces_;
-  MovingBody moving_;
+  RigidBodyIntegrator integrator_;
   std::vector<double> mobilities_;  ///< of the block's vertices, 1/kg
   double largest_mobility_;
   double radius_;
   ContactLoad load_;
-  std::optional<ImpactBalance> balance_;  ///< on terrain that has ground for it
-  bool to_be_balanced_ = false;           ///< the state: see `MotionStep`
-  std::optional<FreeFlight> flight_;      ///< the one in progress
-  double flown_ = 0.0;                    ///< time since it began, s
+  std::optional<ImpactEnergyCorrection> impact_correction_;  ///< on terrain that has ground for it
+  bool to_be_balanced_ = false;                              ///< the state: see `MotionStep`
+  std::optional<FreeFlight> flight_;                         ///< the one in progress
+  double flown_ = 0.0;                                       ///< time since it began, s
   double time_ = 0.0;
-  double travel_ = 0.0;
+  double displacement_ = 0.0;
   double step_length_ = 0.0;  ///< of the last step, 0 in flight, s
   double resting_ = 0.0;
   bool left_ = false;
@@ -368,19 +376,20 @@ void ReleaseSettings::check() const {
   }
 }
 
-RigidState state_at(const RigidBody& body, const MotionStep& step, double time, double gravity) {
+RigidState interpolate_state(const RigidBody& body, const MotionStep& step, double time,
+                             double gravity) {
   if (step.flight) return free_flight(body, step.begin, time - step.begin_time, gravity);
   const double duration = step.end_time - step.begin_time;
-  const double share = duration > 0.0 ? (time - step.begin_time) / duration : 1.0;
-  const double s2 = share * share, s3 = s2 * share;
+  const double fraction = duration > 0.0 ? (time - step.begin_time) / duration : 1.0;
+  const double s2 = fraction * fraction, s3 = s2 * fraction;
   RigidState state;
   state.position = (2 * s3 - 3 * s2 + 1) * step.begin.position +
-                   (s3 - 2 * s2 + share) * duration * step.begin.velocity +
+                   (s3 - 2 * s2 + fraction) * duration * step.begin.velocity +
                    (3 * s2 - 2 * s3) * step.end.position + (s3 - s2) * duration * step.end.velocity;
-  state.velocity = (1.0 - share) * step.begin.velocity + share * step.end.velocity;
-  state.orientation = step.begin.orientation.slerp(share, step.end.orientation);
+  state.velocity = (1.0 - fraction) * step.begin.velocity + fraction * step.end.velocity;
+  state.orientation = step.begin.orientation.slerp(fraction, step.end.orientation);
   state.angular_velocity =
-      (1.0 - share) * step.begin.angular_velocity + share * step.end.angular_velocity;
+      (1.0 - fraction) * step.begin.angular_velocity + fraction * step.end.angular_velocity;
   return state;
 }
 

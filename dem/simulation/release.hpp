@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "dem/contact/energy_ledger.hpp"
+#include "dem/contact/energy_balance.hpp"
 #include "dem/motion/rigid_body.hpp"
 #include "dem/simulation/motion_settings.hpp"
 
@@ -26,11 +26,11 @@ struct ReleaseSettings : MotionSettings {
 };
 
 /// The contacts of an instant, summed up.
-struct Touch {
-  std::uint32_t points = 0;   ///< contact points; 0 in flight, where the rest means nothing
-  double overlap = 0.0;       ///< of the deepest, m
-  Vec3 place = Vec3::Zero();  ///< of the deepest
-  std::uint16_t zone = 0;     ///< of the ground there
+struct ContactSummary {
+  std::uint32_t points = 0;      ///< contact points; 0 in flight, where the rest means nothing
+  double overlap = 0.0;          ///< of the deepest, m
+  Vec3 position = Vec3::Zero();  ///< of the deepest
+  std::uint16_t zone = 0;        ///< of the ground there
 };
 
 /// The motion between two instants, passed to observers in order of time.
@@ -42,14 +42,15 @@ struct MotionStep {
   /// No contact: `free_flight` gives every state between exactly. A step of a body of a world is a
   /// flight when nothing touches the body as it begins; what touches it within acts in it already.
   bool flight = false;
-  Touch touch;  ///< at the end; a flight that ends by a touch has one
+  ContactSummary touch;  ///< at the end; a flight that ends by a touch has one
   /// The velocities at the end are those within an impact that is balanced when it ends
   /// (docs/theory.md, Weights and energy); they can be too large until then.
-  bool to_be_balanced = false;
+  bool correction_pending = false;
 };
 
 /// The state inside a step: exact in flight, interpolated (cubic centre, steady turn) else.
-RigidState state_at(const RigidBody& body, const MotionStep& step, double time, double gravity);
+RigidState interpolate_state(const RigidBody& body, const MotionStep& step, double time,
+                             double gravity);
 
 using MotionObserver = std::function<void(const MotionStep&)>;
 
@@ -64,15 +65,15 @@ struct ReleaseResult {
   double max_penetration = 0.0;      ///< largest overlap of any contact, m
   double settled_penetration = 0.0;  ///< largest overlap at the end, m
   bool below_ground = false;         ///< as docs/theory.md defines it
-  EnergyLedger energy;
+  EnergyBalance energy;
   std::uint64_t contact_steps = 0;
-  std::uint64_t flight_pieces = 0;  ///< parts of flights between two contact searches
-  std::uint64_t impacts = 0;        ///< flights ended by a contact
+  std::uint64_t flight_segments = 0;  ///< parts of flights between two contact searches
+  std::uint64_t impacts = 0;          ///< flights ended by a contact
 
   template <class Bytes>
   void serialize(Bytes& bytes) {
     bytes(stop_reason, message, duration, final_state, path_length, max_speed, max_penetration,
-          settled_penetration, below_ground, energy, contact_steps, flight_pieces, impacts);
+          settled_penetration, below_ground, energy, contact_steps, flight_segments, impacts);
   }
 };
 

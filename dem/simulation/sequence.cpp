@@ -10,13 +10,13 @@
 #include "core/byte_archive.hpp"
 #include "core/error.hpp"
 #include "core/number_text.hpp"
+#include "dem/simulation/detail/block_recorder.hpp"
 #include "dem/simulation/detail/release_schedule.hpp"
-#include "dem/simulation/detail/watched_block.hpp"
 
 namespace clast {
 
+using dem_detail::BlockRecorder;
 using dem_detail::ReleaseSchedule;
-using dem_detail::WatchedBlock;
 
 namespace {
 
@@ -45,8 +45,8 @@ class Sequence {
 
   std::vector<SequenceResult> run() {
     const std::size_t together = settings_.at_once ? blocks_.size() : 1;
-    while (phase_ != Phase::kFinished || watched_.size() < blocks_.size()) {
-      if (phase_ == Phase::kFinished) add_blocks(watched_.size(), watched_.size() + together);
+    while (phase_ != Phase::kFinished || recorders_.size() < blocks_.size()) {
+      if (phase_ == Phase::kFinished) add_blocks(recorders_.size(), recorders_.size() + together);
       finish_release();
     }
     std::vector<SequenceResult> results;
@@ -65,7 +65,7 @@ class Sequence {
 
   template <class Bytes>
   void serialize(Bytes& bytes) {
-    bytes(phase_, changes_done_, energy_before_, watched_, forms_, released_at_, newest_, begin_,
+    bytes(phase_, changes_done_, energy_before_, recorders_, walls_, released_at_, newest_, begin_,
           energy_intervals_);
   }
 
@@ -79,12 +79,12 @@ class Sequence {
     for (bool raised = true; raised;) {
       raised = false;
       for (std::size_t other = 0; other < world_.body_count(); ++other) {
-        if (world_.gone(other)) continue;
-        const Vec3& place = world_.state(other).position;
+        if (world_.is_inactive(other)) continue;
+        const Vec3& position = world_.state(other).position;
         const double apart = radius + body_of(other).bounding_radius();
-        const double squared = apart * apart - (place - start).head<2>().squaredNorm();
-        if (squared <= 0.0 || std::abs(height - place.z()) >= std::sqrt(squared)) continue;
-        const double clear = place.z() + std::sqrt(squared);
+        const double squared = apart * apart - (position - start).head<2>().squaredNorm();
+        if (squared <= 0.0 || std::abs(height - position.z()) >= std::sqrt(squared)) continue;
+        const double clear = position.z() + std::sqrt(squared);
         raised |= clear > height;
         height = std::max(height, clear);
       }
@@ -98,11 +98,11 @@ class Sequence {
     released_at_ = world_.time();
     for (std::size_t block = first; block < end; ++block) add(block);
     newest_ = first;
-    for (const SequenceForm& form : settings_.forms) {
-      forms_.push_back(world_.add_form(form.shape, form.place, form.first, form.end));
+    for (const SequenceForm& wall : settings_.confining_walls) {
+      walls_.push_back(world_.add_confining_wall(wall.shape, wall.position, wall.first, wall.end));
     }
     phase_ = Phase::kSettling;
-    if (forms_.empty()) {
+    if (walls_.empty()) {
       begin_release();
     } else {
       count_released();
@@ -119,7 +119,8 @@ class Sequence {
 
   void observe_blocks() {
     if (phase_ == Phase::kSettling) return;
-    world_.observe([this](std::size_t block, const MotionStep& step) { see(block, step); });
+    world_.set_observer(
+        [this](std::size_t block, const MotionStep& step) { record_step(block, step); });
   }
 
   /// Runs until all blocks that lie there rest.
@@ -127,34 +128,36 @@ class Sequence {
     if (phase_ == Phase::kSettling) settle();
     const double last = released_at_ + release_held();
     do {
-      world_.run_until(last + settings_.max_time, after_step());
+      world_.run_until_rest(last + settings_.max_time, after_step());
     } while (clear_zones());
     take_energy();
-    const EnergyLedger energy = of_release(energy_before_, world_.energy());
-    for (std::size_t block = newest_; block < watched_.size(); ++block) {
-      SequenceResult& result = watched_[block].result;
+    const EnergyBalance energy = of_release(energy_before_, world_.energy());
+    for (std::size_t block = newest_; block < recorders_.size(); ++block) {
+      SequenceResult& result = recorders_[block].result;
       result.release.duration = world_.time() - released_at_;
       result.release.energy = energy;
-      result.blocks_hit = static_cast<std::uint32_t>(watched_[block].hit.size());
-      watched_[block].first_rest = world_.state(block).position;
+      result.blocks_hit = static_cast<std::uint32_t>(recorders_[block].hit_blocks.size());
+      recorders_[block].first_rest = world_.state(block).position;
     }
     phase_ = Phase::kFinished;
   }
 
   /// Lets the blocks that forms hold come to rest.
   void settle() {
-    world_.run_until(settings_.settle_time, after_step());
+    world_.run_until_rest(settings_.settle_time, after_step());
     refuse_settled(true, [&](std::size_t block) {
-      return world_.gone(block) ||
-             std::any_of(settings_.forms.begin(), settings_.forms.end(), [&](const auto& form) {
-               const Vec3 inwards = form.place.orientation * Vec3::UnitX();
-               const Vec3 way = world_.state(block).position - form.place.position;
-               return block >= form.first && block < form.end && inwards.dot(way) <= 0.0;
-             });
+      return world_.is_inactive(block) ||
+             std::any_of(
+                 settings_.confining_walls.begin(), settings_.confining_walls.end(),
+                 [&](const auto& wall) {
+                   const Vec3 inwards = wall.position.orientation * Vec3::UnitX();
+                   const Vec3 from_wall = world_.state(block).position - wall.position.position;
+                   return block >= wall.first && block < wall.end && inwards.dot(from_wall) <= 0.0;
+                 });
     });
-    refuse_settled(false, [&](std::size_t block) { return !world_.resting(block); });
+    refuse_settled(false, [&](std::size_t block) { return !world_.is_resting(block); });
     for (std::size_t block = 0; block < blocks_.size(); ++block) {
-      if (schedule_.settles(block)) watched_[block].result.settled = world_.state(block);
+      if (schedule_.is_confined(block)) recorders_[block].result.settled = world_.state(block);
     }
     energy_before_ = world_.energy();
     released_at_ = world_.time();
@@ -165,7 +168,7 @@ class Sequence {
   void refuse_settled(bool left, const std::function<bool(std::size_t)>& is_bad) const {
     std::size_t all = 0, bad = 0, first = 0;
     for (std::size_t block = 0; block < blocks_.size(); ++block) {
-      if (!schedule_.settles(block)) continue;
+      if (!schedule_.is_confined(block)) continue;
       ++all;
       if (is_bad(block) && bad++ == 0) first = block;
     }
@@ -187,20 +190,20 @@ class Sequence {
       std::vector<std::size_t> freed, removed;
     };
     std::map<double, Change> changes;  // by time since the first release
-    for (std::size_t block = newest_; block < watched_.size(); ++block) {
-      if (schedule_.is_held(block)) changes[blocks_[block].held].freed.push_back(block);
+    for (std::size_t block = newest_; block < recorders_.size(); ++block) {
+      if (schedule_.starts_fixed(block)) changes[blocks_[block].held].freed.push_back(block);
     }
-    for (std::size_t form = 0; form < forms_.size(); ++form) {
-      changes[settings_.forms[form].removed_at].removed.push_back(forms_[form]);
+    for (std::size_t wall = 0; wall < walls_.size(); ++wall) {
+      changes[settings_.confining_walls[wall].removed_at].removed.push_back(walls_[wall]);
     }
     if (phase_ == Phase::kHeld) {
       auto next = std::next(changes.begin(), static_cast<std::ptrdiff_t>(changes_done_));
       for (; next != changes.end(); ++next, ++changes_done_) {
         const auto& [time, change] = *next;
-        world_.run_to(released_at_ + time, after_step());
-        if (!change.freed.empty()) world_.free_bodies(change.freed);
+        world_.run_to_time(released_at_ + time, after_step());
+        if (!change.freed.empty()) world_.release_bodies(change.freed);
         count_released();
-        for (const std::size_t form : change.removed) world_.remove_body(form);
+        for (const std::size_t wall : change.removed) world_.remove_body(wall);
         take_energy();
       }
       phase_ = Phase::kMoving;
@@ -230,14 +233,14 @@ class Sequence {
   }
 
   bool is_released(std::size_t block) const {
-    return settling() ? schedule_.settles(block) : !world_.fixed(block);
+    return settling() ? schedule_.is_confined(block) : !world_.is_fixed(block);
   }
 
   /// Counts the released blocks only when their number changes, since progress is reported after
   /// every step.
   void count_released() {
     released_ = 0;
-    for (std::size_t block = 0; block < watched_.size(); ++block) {
+    for (std::size_t block = 0; block < recorders_.size(); ++block) {
       if (is_released(block)) ++released_;
     }
   }
@@ -247,8 +250,8 @@ class Sequence {
   SequenceProgress progress() {
     const auto resting = [this] {
       std::size_t count = 0;
-      for (std::size_t block = 0; block < watched_.size(); ++block) {
-        if (is_released(block) && (world_.gone(block) || world_.resting(block))) ++count;
+      for (std::size_t block = 0; block < recorders_.size(); ++block) {
+        if (is_released(block) && (world_.is_inactive(block) || world_.is_resting(block))) ++count;
       }
       return count;
     };
@@ -260,7 +263,7 @@ class Sequence {
   }
 
   void add(std::size_t block) {
-    SequenceResult& result = watched_.emplace_back().result;
+    SequenceResult& result = recorders_.emplace_back().result;
     RigidState start = blocks_[block].start;
     if (!settings_.at_once) {
       const double height = clear_height(body_of(block), start.position);
@@ -268,17 +271,18 @@ class Sequence {
       start.position.z() = height;
     }
     result.released_at = settings_.at_once ? schedule_.release_time(block) : released_at_;
-    world_.add_body(blocks_[block].shape, start, schedule_.is_held(block));
+    world_.add_body(blocks_[block].shape, start, schedule_.starts_fixed(block));
   }
 
   /// Removes the blocks that rest where blocks are cleared away.
   /// @return  were there any?
   bool clear_zones() {
     bool any = false;
-    for (std::size_t block = 0; block < watched_.size(); ++block) {
-      if (world_.gone(block) || !world_.resting(block) || !lies_in_cleared_zone(block)) continue;
-      watched_[block].result.release.settled_penetration = world_.touch(block).overlap;
-      watched_[block].result.removed_at = world_.time();
+    for (std::size_t block = 0; block < recorders_.size(); ++block) {
+      if (world_.is_inactive(block) || !world_.is_resting(block) || !lies_in_cleared_zone(block))
+        continue;
+      recorders_[block].result.release.settled_penetration = world_.touch(block).overlap;
+      recorders_[block].result.removed_at = world_.time();
       world_.remove_body(block);
       any = true;
     }
@@ -288,55 +292,56 @@ class Sequence {
   bool lies_in_cleared_zone(std::size_t block) const {
     const std::vector<std::uint16_t>& cleared = settings_.cleared_zones;
     if (cleared.empty()) return false;
-    const Vec3& place = world_.state(block).position;
-    const std::optional<std::uint16_t> zone = terrain_.zone(place.x(), place.y(), place.z());
+    const Vec3& position = world_.state(block).position;
+    const std::optional<std::uint16_t> zone =
+        terrain_.zone(position.x(), position.y(), position.z());
     return zone && std::find(cleared.begin(), cleared.end(), *zone) != cleared.end();
   }
 
   /// What happened to the energy of all blocks between two balances.
-  EnergyLedger of_release(const EnergyLedger& before, const EnergyLedger& after) const {
-    EnergyLedger part;
+  EnergyBalance of_release(const EnergyBalance& before, const EnergyBalance& after) const {
+    EnergyBalance part;
     part.initial = before.final + (after.initial - before.initial);
     part.normal = after.normal - before.normal;
     part.friction = after.friction - before.friction;
     part.rolling = after.rolling - before.rolling;
     part.reassigned = after.reassigned - before.reassigned;
     double potential = 0.0;
-    for (std::size_t i = 0; i < watched_.size(); ++i) {
+    for (std::size_t i = 0; i < recorders_.size(); ++i) {
       potential += body_of(i).mass * settings_.world.gravity * world_.state(i).position.z();
     }
     part.close(after.final, part.initial - potential);
     return part;
   }
 
-  void see(std::size_t block, const MotionStep& step) {
-    WatchedBlock& watched = watched_[block];
-    watched.see(step);
-    if (block >= newest_ && watched.touching) {
-      std::vector<std::size_t> touched = world_.touched_bodies(block);
+  void record_step(std::size_t block, const MotionStep& step) {
+    BlockRecorder& recorder = recorders_[block];
+    recorder.record_step(step);
+    if (block >= newest_ && recorder.touching) {
+      std::vector<std::size_t> touched = world_.touching_bodies(block);
       std::erase_if(touched, [&](std::size_t other) { return other >= blocks_.size(); });  // forms
-      watched.note_hits(touched);
+      recorder.record_hits(touched);
     }
     if (!observers_.motion) return;
     MotionStep since_release = step;
-    const double release = settings_.at_once ? released_at_ : watched.result.released_at;
+    const double release = settings_.at_once ? released_at_ : recorder.result.released_at;
     since_release.begin_time -= release;
     since_release.end_time -= release;
     observers_.motion(block, since_release);
   }
 
   SequenceResult finished(std::size_t block) const {
-    SequenceResult result = watched_[block].result;
+    SequenceResult result = recorders_[block].result;
     ReleaseResult& release = result.release;
     release.final_state = world_.state(block);
     if (!result.removed_at) release.settled_penetration = world_.touch(block).overlap;
-    release.stop_reason = world_.left_terrain(block)                   ? StopReason::kLeftTerrain
-                          : result.removed_at || world_.resting(block) ? StopReason::kRest
-                                                                       : StopReason::kMaxTime;
-    const Vec3& place = release.final_state.position;
-    const std::optional<double> ground = terrain_.height(place.x(), place.y(), place.z());
-    release.below_ground = ground && place.z() < *ground;
-    result.moved_later = (place - watched_[block].first_rest).norm();
+    release.stop_reason = world_.left_terrain(block)                      ? StopReason::kLeftTerrain
+                          : result.removed_at || world_.is_resting(block) ? StopReason::kRest
+                                                                          : StopReason::kMaxTime;
+    const Vec3& position = release.final_state.position;
+    const std::optional<double> ground = terrain_.height(position.x(), position.y(), position.z());
+    release.below_ground = ground && position.z() < *ground;
+    result.later_displacement = (position - recorders_[block].first_rest).norm();
     return result;
   }
 
@@ -347,13 +352,13 @@ class Sequence {
   const SequenceObservers& observers_;
   ReleaseSchedule schedule_;
   World world_;
-  std::vector<WatchedBlock> watched_;
-  std::vector<std::size_t> forms_;  ///< their numbers as bodies
+  std::vector<BlockRecorder> recorders_;
+  std::vector<std::size_t> walls_;  ///< their numbers as bodies
   double released_at_ = 0.0;        ///< when the newest blocks were, s
   std::size_t newest_ = 0;          ///< the first of them
   Phase phase_ = Phase::kFinished;
   std::size_t changes_done_ = 0;   ///< of what is held, in order of time
-  EnergyLedger energy_before_;     ///< just before the newest blocks were released
+  EnergyBalance energy_before_;    ///< just before the newest blocks were released
   std::size_t released_ = 0;       ///< blocks, so far
   EnergySample begin_;             ///< at the first release
   double energy_intervals_ = 0.0;  ///< that have passed since then at the last sample
@@ -373,7 +378,7 @@ void SequenceSettings::check() const {
   if (!(settle_time > 0.0)) {
     throw InputError("settle_time = " + format_significant(settle_time, 6) + "; must be above 0");
   }
-  if (!forms.empty() && !at_once) {
+  if (!confining_walls.empty() && !at_once) {
     throw InputError("forms hold blocks that are released at once; give at_once too");
   }
 }

@@ -26,7 +26,7 @@ struct SequenceBlock {
 /// else passes through it.
 struct SequenceForm {
   std::size_t shape = 0;           ///< index into the shapes
-  RigidState place;                ///< its x axis points to the blocks that it holds
+  RigidState position;                ///< its x axis points to the blocks that it holds
   std::size_t first = 0, end = 0;  ///< these blocks
   double removed_at = 0.0;         ///< since the first release, s
 };
@@ -47,7 +47,7 @@ struct SequenceSettings {
   /// Of blocks at once: what they hold settles by gravity before the first release, while all other
   /// blocks are held. Times and energies count from then on, and a block is released when the first
   /// of its forms is removed.
-  std::vector<SequenceForm> forms;
+  std::vector<SequenceForm> confining_walls;
   double settle_time = 20.0;  ///< s, that what settles must rest after
 
   void check() const;  ///< throws InputError naming the field and its value
@@ -58,11 +58,11 @@ class SettlingError : public SimulationError {
  public:
   SettlingError(const std::string& message, std::size_t first_block, std::size_t of_blocks,
                 bool left)
-      : SimulationError(message), block(first_block), count(of_blocks), left_form(left) {}
+      : SimulationError(message), block(first_block), count(of_blocks), left_wall(left) {}
 
   std::size_t block = 0;   ///< the first of them
   std::size_t count = 0;   ///< how many do not
-  bool left_form = false;  ///< they left their forms; else they still moved after `settle_time`
+  bool left_wall = false;  ///< they left their forms; else they still moved after `settle_time`
 };
 
 /// What became of a block of a sequence.
@@ -77,13 +77,13 @@ struct SequenceResult {
   /// clear of the bounding spheres of all blocks that lie there.
   double raised = 0.0;
   std::optional<RigidState> settled;  ///< of a block that settled: where it was then
-  double moved_later = 0.0;           ///< from the end of its own release to its last place, m
+  double later_displacement = 0.0;           ///< from the end of its own release to its last place, m
   std::optional<double> removed_at;   ///< since the first block was released, s; none: it stayed
   std::uint32_t blocks_hit = 0;       ///< other blocks that it touched during its own release
 
   template <class Bytes>
   void serialize(Bytes& bytes) {
-    bytes(release, released_at, raised, settled, moved_later, removed_at, blocks_hit);
+    bytes(release, released_at, raised, settled, later_displacement, removed_at, blocks_hit);
   }
 };
 

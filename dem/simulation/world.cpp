@@ -30,7 +30,7 @@ struct World::Impl : WorldMotion {
 void WorldSettings::check() const {
   MotionSettings::check();
   between_bodies.check("between bodies");
-  on_forms.check("on forms");
+  on_confining_walls.check("on forms");
   const auto require = [](bool fine, const char* name, double value, const char* range) {
     if (fine) return;
     throw InputError(std::string(name) + " = " + format_significant(value, 6) + "; must be " + range);
@@ -50,7 +50,7 @@ World::World(std::vector<RigidBody> shapes, const WorldSettings& settings,
 World::~World() = default;
 World::World(World&&) noexcept = default;
 
-void World::observe(BodyObserver observer) { impl_->observe(std::move(observer)); }
+void World::set_observer(BodyObserver observer) { impl_->set_observer(std::move(observer)); }
 
 std::size_t World::add_body(std::size_t shape, const RigidState& state, bool fixed) {
   const std::string name = name_of_body(body_count());
@@ -73,11 +73,11 @@ std::size_t World::add_body(std::size_t shape, const RigidState& state, bool fix
   return body_count() - 1;
 }
 
-std::size_t World::add_form(std::size_t shape, const RigidState& state, std::size_t first,
+std::size_t World::add_confining_wall(std::size_t shape, const RigidState& state, std::size_t first,
                             std::size_t end) {
-  const std::size_t form = add_body(shape, state, true);
-  impl_->hold(form, {first, end});
-  return form;
+  const std::size_t wall = add_body(shape, state, true);
+  impl_->set_confined_bodies(wall, {first, end});
+  return wall;
 }
 
 void World::remove_body(std::size_t body) {
@@ -88,15 +88,15 @@ void World::remove_body(std::size_t body) {
   impl_->remove(body);
 }
 
-void World::free_bodies(std::span<const std::size_t> bodies) {
+void World::release_bodies(std::span<const std::size_t> bodies) {
   for (const std::size_t body : bodies) {
     const std::string name = name_of_body(body);
     if (body >= body_count()) {
       throw SimulationError("there is no " + name + " to free, only " +
                             std::to_string(body_count()) + " bodies");
     }
-    if (!fixed(body) || gone(body)) {
-      throw SimulationError(name + (gone(body) ? " is gone" : " moves already") +
+    if (!is_fixed(body) || is_inactive(body)) {
+      throw SimulationError(name + (is_inactive(body) ? " is gone" : " moves already") +
                             "; only fixed bodies that are there can be freed");
     }
     if (impl_->terrain()) check_start(*impl_->terrain(), state(body).position, name);
@@ -106,12 +106,12 @@ void World::free_bodies(std::span<const std::size_t> bodies) {
 
 void World::step() { impl_->advance(1e300); }
 
-StopReason World::run_until(double time, const std::function<void()>& after_step) {
+StopReason World::run_until_rest(double time, const std::function<void()>& after_step) {
   const std::vector<WorldBody>& bodies = impl_->bodies();
   const auto all_rest = [&] {
-    const std::span<const std::uint32_t> moving = impl_->moving();
+    const std::span<const std::uint32_t> moving = impl_->moving_bodies();
     return std::all_of(moving.begin(), moving.end(),
-                       [&](std::uint32_t i) { return impl_->resting(bodies[i]); });
+                       [&](std::uint32_t i) { return impl_->is_resting(bodies[i]); });
   };
   while (!all_rest()) {
     const double left = time - impl_->time();
@@ -120,14 +120,14 @@ StopReason World::run_until(double time, const std::function<void()>& after_step
     if (after_step) after_step();
   }
   const bool any_here = std::any_of(bodies.begin(), bodies.end(),
-                                    [](const WorldBody& body) { return !body.still(); });
+                                    [](const WorldBody& body) { return !body.is_immobile(); });
   return any_here ? StopReason::kRest : StopReason::kLeftTerrain;
 }
 
-void World::run_to(double time, const std::function<void()>& after_step) {
+void World::run_to_time(double time, const std::function<void()>& after_step) {
   for (double left; (left = time - impl_->time()) > 0.0;) {
-    if (impl_->moving().empty()) {
-      impl_->wait(left);
+    if (impl_->moving_bodies().empty()) {
+      impl_->advance_time(left);
     } else {
       impl_->advance(left);
     }
@@ -140,26 +140,26 @@ std::size_t World::body_count() const { return impl_->bodies().size(); }
 const RigidState& World::state(std::size_t body) const {
   return impl_->bodies().at(body).moving.state();
 }
-bool World::fixed(std::size_t body) const { return impl_->bodies().at(body).fixed; }
-bool World::resting(std::size_t body) const {
+bool World::is_fixed(std::size_t body) const { return impl_->bodies().at(body).fixed; }
+bool World::is_resting(std::size_t body) const {
   const WorldBody& asked = impl_->bodies().at(body);
   return asked.fixed || asked.asleep || asked.resting >= impl_->settings().rest_duration;
 }
-bool World::asleep(std::size_t body) const { return impl_->bodies().at(body).asleep; }
-bool World::gone(std::size_t body) const { return impl_->bodies().at(body).gone; }
+bool World::is_asleep(std::size_t body) const { return impl_->bodies().at(body).asleep; }
+bool World::is_inactive(std::size_t body) const { return impl_->bodies().at(body).gone; }
 bool World::left_terrain(std::size_t body) const {
   const WorldBody& asked = impl_->bodies().at(body);
   return asked.gone && asked.off_terrain;
 }
 Vec3 World::contact_force(std::size_t body) const { return impl_->bodies().at(body).force; }
-Touch World::touch(std::size_t body) const { return impl_->touch(body); }
+ContactSummary World::touch(std::size_t body) const { return impl_->touch(body); }
 
-std::vector<std::size_t> World::touched_bodies(std::size_t body) const {
+std::vector<std::size_t> World::touching_bodies(std::size_t body) const {
   std::vector<std::size_t> touched;
-  if (!impl_->prepared(body)) return touched;
+  if (!impl_->is_prepared(body)) return touched;
   for (const std::uint32_t e : impl_->pairs().of(body)) {
-    const ContactPair& pair = impl_->pairs().all()[e];
-    if (!pair.loads || pair.reference == ContactPair::kTerrain || !pair.contacts->touching()) {
+    const ContactPair& pair = impl_->pairs().all_pairs()[e];
+    if (!pair.has_load || pair.reference == ContactPair::kTerrain || !pair.contacts->is_touching()) {
       continue;
     }
     touched.push_back(pair.block == body ? pair.reference : pair.block);
@@ -169,7 +169,7 @@ std::vector<std::size_t> World::touched_bodies(std::size_t body) const {
 }
 
 double World::overlap(std::size_t body, std::size_t other) const {
-  for (const ContactPair& pair : impl_->pairs().all()) {
+  for (const ContactPair& pair : impl_->pairs().all_pairs()) {
     if ((pair.block == body && pair.reference == other) ||
         (pair.block == other && pair.reference == body)) {
       return pair.contacts->max_overlap();
@@ -198,20 +198,20 @@ Vec3 World::angular_momentum() const {
   return sum;
 }
 
-EnergyLedger World::energy() const { return impl_->energy(); }
+EnergyBalance World::energy() const { return impl_->energy(); }
 EnergySample World::energy_sample() const { return impl_->energy_sample(); }
 
 WorldStatistics World::statistics() const {
   WorldStatistics statistics;
   statistics.steps = impl_->steps();
-  statistics.broad_phases = impl_->pairs().broad_phases();
+  statistics.broad_phase_count = impl_->pairs().broad_phase_count();
   statistics.sleeping_bodies = impl_->sleeping_count();
   for (const WorldBody& body : impl_->bodies()) statistics.pair_steps += body.pair_steps;
-  for (const ContactPair& pair : impl_->pairs().all()) {
+  for (const ContactPair& pair : impl_->pairs().all_pairs()) {
     ++statistics.near_pairs;
-    if (pair.contacts->near()) ++statistics.searched_pairs;
-    if (ContactPairs::is_active(pair, impl_->bodies())) ++statistics.active_pairs;
-    if (pair.contacts->touching()) ++statistics.touching_pairs;
+    if (pair.contacts->has_narrow_phase()) ++statistics.searched_pairs;
+    if (ContactPairTable::is_active(pair, impl_->bodies())) ++statistics.active_pairs;
+    if (pair.contacts->is_touching()) ++statistics.touching_pairs;
     statistics.contact_points += pair.contacts->contact_count();
     statistics.max_overlap = std::max(statistics.max_overlap, pair.contacts->max_overlap());
   }

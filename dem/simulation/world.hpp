@@ -18,7 +18,7 @@ class ByteWriter;
 /// Everything about a world that is not bodies or terrain.
 struct WorldSettings : MotionSettings {
   GroundParameters between_bodies;             ///< what two bodies do to each other
-  GroundParameters on_forms{.friction = 0.0};  ///< what a form and a body that it holds do
+  GroundParameters on_confining_walls{.friction = 0.0};  ///< what a form and a body that it holds do
   /// A body stays where it is when it was in contact and had less than ten times `rest_energy` for
   /// twice `sleep_duration`, s, and its mean places in the first and the second half differ by no
   /// more than this share of S. It falls asleep when all that touches it stays too: it is at rest
@@ -34,7 +34,7 @@ struct WorldSettings : MotionSettings {
 /// Counts of bodies' contacts, now and over the run.
 struct WorldStatistics {
   std::uint64_t steps = 0;
-  std::uint64_t broad_phases = 0;  ///< how often near bodies were searched again
+  std::uint64_t broad_phase_count = 0;  ///< how often near bodies were searched again
   std::uint64_t pair_steps = 0;    ///< touching pairs, summed over the steps
   std::size_t near_pairs = 0;  ///< now, of the broad phase: bounding spheres overlap or soon might
   std::size_t searched_pairs = 0;  ///< now, of the narrow phase: near enough to search for contacts
@@ -67,15 +67,15 @@ class World {
   World(World&&) noexcept;
 
   /// Has every step seen from now on, for each body that takes part in it. Times are the world's.
-  void observe(BodyObserver observer);
+  void set_observer(BodyObserver observer);
 
   /// Numbers bodies from 0 in the order they come.
   /// @throws SimulationError  no such shape, a state that is not finite, or a start off the terrain
   std::size_t add_body(std::size_t shape, const RigidState& state, bool fixed = false);
   /// Adds a form: a fixed body that holds others while they settle. Nothing but the bodies from
-  /// `first` to before `end` touches it, with the parameters `on_forms`. It has the next number.
+  /// `first` to before `end` touches it, with the parameters `on_confining_walls`. It has the next number.
   /// @throws SimulationError  as `add_body`
-  std::size_t add_form(std::size_t shape, const RigidState& state, std::size_t first,
+  std::size_t add_confining_wall(std::size_t shape, const RigidState& state, std::size_t first,
                        std::size_t end);
   /// Takes a body away, fixed or not. It keeps its number and the state it had, with that state's
   /// energy; what it touched is woken, and does not count as resting.
@@ -86,39 +86,39 @@ class World {
   /// @throws SimulationError  no such body, or one that is not fixed or that is gone; off the
   ///                          terrain or below it; deeper in the ground, or in a body that did not
   ///                          move either, than a start may be
-  void free_bodies(std::span<const std::size_t> bodies);
+  void release_bodies(std::span<const std::size_t> bodies);
 
   /// One step: of `stiffness.time_step` while there is an impact and before one may begin, else up
-  /// to twice `stiffness.longest_step`, or as far as all bodies fly freely.
+  /// to twice `stiffness.max_time_step`, or as far as all bodies fly freely.
   /// @throws SimulationError  a body starts inside another or inside the ground deeper than
   ///                          allowed, or its motion is not finite any more; names the body
   void step();
   /// Steps until every body rests or is gone (kRest; kLeftTerrain when all that could move are
   /// gone), or `time` is reached (kMaxTime).
   /// @param after_step  called after every step
-  StopReason run_until(double time, const std::function<void()>& after_step = {});
+  StopReason run_until_rest(double time, const std::function<void()>& after_step = {});
   /// Steps until `time` is reached, whether bodies rest or not.
-  void run_to(double time, const std::function<void()>& after_step = {});
+  void run_to_time(double time, const std::function<void()>& after_step = {});
 
   double time() const;  ///< s
   std::size_t body_count() const;
   const RigidState& state(std::size_t body) const;
-  bool fixed(std::size_t body) const;
+  bool is_fixed(std::size_t body) const;
   /// At rest as `rest_energy` and `rest_duration` define it. A fixed body is.
-  bool resting(std::size_t body) const;
+  bool is_resting(std::size_t body) const;
   /// Left out of the motion until something touches it (`WorldSettings::sleep_drift`).
-  bool asleep(std::size_t body) const;
+  bool is_asleep(std::size_t body) const;
   /// Out of the motion: it left the terrain, or was removed.
-  bool gone(std::size_t body) const;
+  bool is_inactive(std::size_t body) const;
   /// Its centre passed the border of the terrain: it stays there, gone.
   bool left_terrain(std::size_t body) const;
   /// Force of all contacts on the body, N, world axes.
   Vec3 contact_force(std::size_t body) const;
   /// All contacts of the body now. Their zone is that of the ground it touches; where it touches
   /// only bodies, of the ground below the deepest contact, 0 without any.
-  Touch touch(std::size_t body) const;
+  ContactSummary touch(std::size_t body) const;
   /// Bodies that it touches now, ascending.
-  std::vector<std::size_t> touched_bodies(std::size_t body) const;
+  std::vector<std::size_t> touching_bodies(std::size_t body) const;
   /// Largest overlap of the two bodies now, m; 0 when they don't touch.
   double overlap(std::size_t body, std::size_t other) const;
 
@@ -126,7 +126,7 @@ class World {
   Vec3 linear_momentum() const;
   Vec3 angular_momentum() const;
   /// Balance since the first body came. A body added later brings its energy to `initial`.
-  EnergyLedger energy() const;
+  EnergyBalance energy() const;
   /// The energy now, and what has become of the rest.
   EnergySample energy_sample() const;
   WorldStatistics statistics() const;

@@ -13,7 +13,7 @@ namespace {
 /// Parts per square root of the vertex count.
 constexpr double kPartsPerRoot = 2.0;
 /// Smaller parts cost more than they save.
-constexpr std::size_t kSmallestPart = 16;
+constexpr std::size_t kMinPartFeatures = 16;
 
 /// A member of a part: a vertex (radius 0) or a side.
 struct Item {
@@ -24,11 +24,11 @@ struct Item {
 std::vector<Item> items_of(const SurfaceFeatures& block) {
   std::vector<Item> items;
   for (std::uint32_t v = 0; v < block.vertices.size(); ++v) {
-    if (block.pointed[v]) items.push_back({{v, false, block.vertices[v], 0.0}, true});
+    if (block.is_pointed_vertex[v]) items.push_back({{v, false, block.vertices[v], 0.0}, true});
   }
   for (std::uint32_t e = 0; e < block.edges.size(); ++e) {
     const SurfaceEdge& edge = block.edges[e];
-    if (!edge.convex()) continue;
+    if (!edge.is_convex()) continue;
     const auto [a, b] = edge.vertices;
     const Vec3 middle = 0.5 * (block.vertices[a] + block.vertices[b]);
     items.push_back({{e, false, middle, (block.vertices[a] - middle).norm()}, false});
@@ -89,14 +89,14 @@ void cut(BlockParts& made, const std::vector<Item>& items, std::span<std::uint32
 
 }  // namespace
 
-BlockParts block_parts(const SurfaceFeatures& block) {
+BlockParts partition_block(const SurfaceFeatures& block) {
   const std::vector<Item> items = items_of(block);
   std::vector<std::uint32_t> members(items.size());
   std::iota(members.begin(), members.end(), 0u);
   const double parts = kPartsPerRoot * std::sqrt(static_cast<double>(block.vertices.size()));
-  const auto share = static_cast<std::size_t>(static_cast<double>(items.size()) / parts);
+  const auto part_count = static_cast<std::size_t>(static_cast<double>(items.size()) / parts);
   BlockParts made;
-  if (!items.empty()) cut(made, items, members, std::max(kSmallestPart, share));
+  if (!items.empty()) cut(made, items, members, std::max(kMinPartFeatures, part_count));
   return made;
 }
 

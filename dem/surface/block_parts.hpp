@@ -33,6 +33,6 @@ struct BlockParts {
 
 /// Halves the features across their longest extent until about 2 sqrt(vertices) parts are left:
 /// then looking over the parts and looking into the few near the ground cost about the same.
-BlockParts block_parts(const SurfaceFeatures& block);
+BlockParts partition_block(const SurfaceFeatures& block);
 
 }  // namespace clast::dem_detail

@@ -6,23 +6,23 @@
 
 namespace clast::dem_detail {
 
-EdgeArc::EdgeArc(const SurfaceFeatures& surface, const SurfaceEdge& edge)
-    : slack(arc_slack(surface, edge)), any(edge.faces[1] == kNoFeature) {
+EdgeNormalArc::EdgeNormalArc(const SurfaceFeatures& surface, const SurfaceEdge& edge)
+    : slack(normal_arc_slack(surface, edge)), any(edge.faces[1] == kNoFeature) {
   if (any) return;
   first = surface.faces[edge.faces[0]].normal;
   second = surface.faces[edge.faces[1]].normal;
 }
 
 BlockSurface::BlockSurface(const SpheroPolyhedron& body)
-    : IndexedSurface(indexed_surface(body)),
-      parts(block_parts(features)),
-      joints(block_joints(features)) {
+    : IndexedSurface(index_surface(body)),
+      parts(partition_block(features)),
+      groups(group_features(features)) {
   for (std::uint32_t f = 0; f < features.faces.size(); ++f) {
-    local_faces.push_back(local_face(features, f));
+    local_faces.push_back(make_local_face(features, f));
   }
   for (const SurfaceEdge& edge : features.edges) arcs.emplace_back(features, edge);
   for (std::uint32_t v = 0; v < features.vertices.size(); ++v) {
-    cone_slacks.push_back(cone_slack(features, v));
+    cone_slacks.push_back(normal_cone_slack(features, v));
     bounding_radius = std::max(bounding_radius, features.vertices[v].norm());
   }
   bounding_radius += radius;

@@ -23,7 +23,7 @@ bool within_arc(const SurfaceFeatures& surface, const SurfaceEdge& edge, const V
   for (std::size_t i = 0; i < 2; ++i) {
     if (edge.faces[i] == kNoFeature) return true;
     const SurfaceFace& face = surface.faces[edge.faces[i]];
-    if (direction.dot(into_face(face, edge.direction, edge.along[i])) > slack) return false;
+    if (direction.dot(inward_direction(face, edge.direction, edge.along[i])) > slack) return false;
   }
   return true;
 }
@@ -31,7 +31,7 @@ bool within_arc(const SurfaceFeatures& surface, const SurfaceEdge& edge, const V
 bool within_cone(const SurfaceFeatures& surface, std::uint32_t vertex, const Vec3& direction,
                  double slack) {
   for (const std::uint32_t e : surface.edges_at(vertex)) {
-    if (direction.dot(surface.ray(e, vertex)) > slack) return false;
+    if (direction.dot(surface.edge_direction_from(e, vertex)) > slack) return false;
   }
   // At the bottom of a pit all edges rise away from a direction into the solid, too. The
   // angle-weighted normal distinguishes the two without exception (Baerentzen & Aanaes 2005).
@@ -40,44 +40,44 @@ bool within_cone(const SurfaceFeatures& surface, std::uint32_t vertex, const Vec
 
 }  // namespace
 
-bool in_arc(const SurfaceFeatures& surface, const SurfaceEdge& edge, const Vec3& direction) {
+bool is_in_normal_arc(const SurfaceFeatures& surface, const SurfaceEdge& edge, const Vec3& direction) {
   return within_arc(surface, edge, direction, kConeSlack);
 }
 
-double arc_slack(const SurfaceFeatures& surface, const SurfaceEdge& edge) {
-  if (edge.kind != EdgeKind::kRidge) return kConeSlack;
+double normal_arc_slack(const SurfaceFeatures& surface, const SurfaceEdge& edge) {
+  if (edge.kind != EdgeKind::kConvex) return kConeSlack;
   return kConeSlack +
          give_of(surface.faces[edge.faces[0]].normal, surface.faces[edge.faces[1]].normal);
 }
 
-bool near_arc(const SurfaceFeatures& surface, const SurfaceEdge& edge, const Vec3& direction) {
-  if (in_arc(surface, edge, direction)) return true;
-  if (edge.kind != EdgeKind::kRidge ||
+bool is_near_normal_arc(const SurfaceFeatures& surface, const SurfaceEdge& edge, const Vec3& direction) {
+  if (is_in_normal_arc(surface, edge, direction)) return true;
+  if (edge.kind != EdgeKind::kConvex ||
       !within_arc(surface, edge, direction, kConeSlack + kMostGive)) {
     return false;
   }
-  return within_arc(surface, edge, direction, arc_slack(surface, edge));
+  return within_arc(surface, edge, direction, normal_arc_slack(surface, edge));
 }
 
-bool in_cone(const SurfaceFeatures& surface, std::uint32_t vertex, const Vec3& direction) {
+bool is_in_normal_cone(const SurfaceFeatures& surface, std::uint32_t vertex, const Vec3& direction) {
   return within_cone(surface, vertex, direction, kConeSlack);
 }
 
-double cone_slack(const SurfaceFeatures& surface, std::uint32_t vertex) {
-  double give = 0.0;
+double normal_cone_slack(const SurfaceFeatures& surface, std::uint32_t vertex) {
+  double extra_slack = 0.0;
   for (const std::uint32_t e : surface.edges_at(vertex)) {
     for (const std::uint32_t f : surface.edges[e].faces) {
       if (f == kNoFeature) continue;
-      give = std::max(give, 2.0 * give_of(surface.vertex_normals[vertex], surface.faces[f].normal));
+      extra_slack = std::max(extra_slack, 2.0 * give_of(surface.vertex_normals[vertex], surface.faces[f].normal));
     }
   }
-  return kConeSlack + give;
+  return kConeSlack + extra_slack;
 }
 
-bool near_cone(const SurfaceFeatures& surface, std::uint32_t vertex, const Vec3& direction) {
-  if (in_cone(surface, vertex, direction)) return true;
+bool is_near_normal_cone(const SurfaceFeatures& surface, std::uint32_t vertex, const Vec3& direction) {
+  if (is_in_normal_cone(surface, vertex, direction)) return true;
   if (!within_cone(surface, vertex, direction, kConeSlack + 2.0 * kMostGive)) return false;
-  return within_cone(surface, vertex, direction, cone_slack(surface, vertex));
+  return within_cone(surface, vertex, direction, normal_cone_slack(surface, vertex));
 }
 
 }  // namespace clast::dem_detail

@@ -8,20 +8,20 @@ namespace clast::dem_detail {
 
 /// True when `direction` points out of the solid at the edge: within the arc between the normals
 /// of its faces (to 1e-9).
-bool in_arc(const SurfaceFeatures& surface, const SurfaceEdge& edge, const Vec3& direction);
+bool is_in_normal_arc(const SurfaceFeatures& surface, const SurfaceEdge& edge, const Vec3& direction);
 /// The same, and beyond it 3 degrees where the edge's faces stand at a right angle and nothing
 /// where they are smooth. Where a flat face of one body lies partly over another, the edges that
 /// bound the overlap then carry their share whichever way the two are tilted a little.
-bool near_arc(const SurfaceFeatures& surface, const SurfaceEdge& edge, const Vec3& direction);
+bool is_near_normal_arc(const SurfaceFeatures& surface, const SurfaceEdge& edge, const Vec3& direction);
 
-/// How far beyond the arc or the cone `near_arc` and `near_cone` go, a sine.
-double arc_slack(const SurfaceFeatures& surface, const SurfaceEdge& edge);
-double cone_slack(const SurfaceFeatures& surface, std::uint32_t vertex);
+/// How far beyond the arc or the cone `is_near_normal_arc` and `is_near_normal_cone` go, a sine.
+double normal_arc_slack(const SurfaceFeatures& surface, const SurfaceEdge& edge);
+double normal_cone_slack(const SurfaceFeatures& surface, std::uint32_t vertex);
 
 /// True when no edge leaving the vertex rises along `direction`, and it points out of the solid: it
 /// lies in the normal cone.
-bool in_cone(const SurfaceFeatures& surface, std::uint32_t vertex, const Vec3& direction);
+bool is_in_normal_cone(const SurfaceFeatures& surface, std::uint32_t vertex, const Vec3& direction);
 /// The same with such a slack, from the largest angle between the vertex's faces and its normal.
-bool near_cone(const SurfaceFeatures& surface, std::uint32_t vertex, const Vec3& direction);
+bool is_near_normal_cone(const SurfaceFeatures& surface, std::uint32_t vertex, const Vec3& direction);
 
 }  // namespace clast::dem_detail

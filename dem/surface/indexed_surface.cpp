@@ -9,25 +9,25 @@ namespace {
 
 /// Faces per cell that the grid aims at; two are what a regular grid of squares has.
 constexpr double kFacesPerCell = 2.0;
-constexpr double kMostCells = 4e7;
+constexpr double kMaxCells = 4e7;
 
 }  // namespace
 
 NearestPoint nearest_on_face(const SurfaceFeatures& surface, std::uint32_t face,
                              const Vec3& query) {
-  NearestPoint nearest = foot_on_face(surface, face, query);
-  find_side(surface, query, nearest);
+  NearestPoint nearest = project_onto_face(surface, face, query);
+  determine_side(surface, query, nearest);
   return nearest;
 }
 
-void find_side(const SurfaceFeatures& surface, const Vec3& query, NearestPoint& foot) {
+void determine_side(const SurfaceFeatures& surface, const Vec3& query, NearestPoint& foot) {
   if (foot.within_face) return;
   foot.normal = foot.edge != kNoFeature ? surface.edge_normal(surface.edges[foot.edge])
                                         : surface.vertex_normals[foot.vertex];
   foot.distance = std::copysign(foot.distance, foot.normal.dot(query - foot.point));
 }
 
-NearestPoint foot_on_face(const SurfaceFeatures& surface, std::uint32_t face, const Vec3& query) {
+NearestPoint project_onto_face(const SurfaceFeatures& surface, std::uint32_t face, const Vec3& query) {
   const SurfaceFace& f = surface.faces[face];
   const Vec3& origin = surface.vertices[f.vertices[0]];
   const double height = f.normal.dot(query - origin);
@@ -82,7 +82,7 @@ PlanGrid::PlanGrid(const SurfaceFeatures& surface) {
   Bounds extent;
   for (const Vec3& vertex : surface.vertices) extent.include(vertex);
   const Vec2 span = (extent.high - extent.low).head<2>().cwiseMax(1e-9);
-  const double cells = std::clamp(surface.faces.size() / kFacesPerCell, 1.0, kMostCells);
+  const double cells = std::clamp(surface.faces.size() / kFacesPerCell, 1.0, kMaxCells);
   size_ = std::max(std::sqrt(span.x() * span.y() / cells), std::max(span.x(), span.y()) / 30000.0);
   corner_ = extent.low.head<2>();
   columns_ = static_cast<int>(span.x() / size_) + 1;
@@ -116,7 +116,7 @@ PlanGrid::PlanGrid(const SurfaceFeatures& surface) {
   faces_.resize(offsets_[count]);
   std::vector<std::uint32_t> next(offsets_.begin(), offsets_.end() - 1);
   for (std::uint32_t f = 0; f < surface.faces.size(); ++f) {
-    const Range cells_hit = face_range(surface.faces[f]).first;
+    const CellRange cells_hit = face_range(surface.faces[f]).first;
     for (int row = cells_hit.first_row; row <= cells_hit.last_row; ++row) {
       for (int column = cells_hit.first_column; column <= cells_hit.last_column; ++column) {
         faces_[next[static_cast<std::size_t>(row) * columns_ + column]++] = f;
@@ -125,7 +125,7 @@ PlanGrid::PlanGrid(const SurfaceFeatures& surface) {
   }
 }
 
-PlanGrid::Range PlanGrid::range(double x_low, double x_high, double y_low, double y_high) const {
+PlanGrid::CellRange PlanGrid::range(double x_low, double x_high, double y_low, double y_high) const {
   const auto clamp_low = [&](double value, double corner, int count) {
     const double cell = std::floor((value - corner) / size_);
     return cell < 0.0 ? 0 : cell >= count ? count : static_cast<int>(cell);
@@ -155,7 +155,7 @@ std::optional<NearestPoint> IndexedSurface::nearest(const Vec3& query, double re
     const Vec3& c = features.vertices[face.vertices[2]];
     const Vec3 below = a.cwiseMin(b).cwiseMin(c) - query, above = query - a.cwiseMax(b).cwiseMax(c);
     if (below.cwiseMax(above).cwiseMax(0.0).squaredNorm() > limit * limit) return;
-    const NearestPoint candidate = foot_on_face(features, f, query);
+    const NearestPoint candidate = project_onto_face(features, f, query);
     const double distance = std::abs(candidate.distance);
     // Ties go to the smaller face number, so that the order of visits does not matter.
     if (distance < limit || (distance == limit && (!best || f < best->face))) {
@@ -170,13 +170,13 @@ std::optional<NearestPoint> IndexedSurface::nearest(const Vec3& query, double re
   };
   if (guess != kNoFeature) measure(guess);
   // Rings of cells around the query; a ring k cells away is at least k - 1 cells distant.
-  const PlanGrid::Range all = grid.range(-1e300, 1e300, -1e300, 1e300);
-  const PlanGrid::Range home = grid.range(query.x(), query.x(), query.y(), query.y());
+  const PlanGrid::CellRange all = grid.range(-1e300, 1e300, -1e300, 1e300);
+  const PlanGrid::CellRange home = grid.range(query.x(), query.x(), query.y(), query.y());
   const int home_column = std::clamp(home.first_column, all.first_column, all.last_column);
   const int home_row = std::clamp(home.first_row, all.first_row, all.last_row);
   const int last_ring = std::max(grid.columns(), grid.rows());
   for (int ring = 0; ring <= last_ring; ++ring) {
-    const PlanGrid::Range window =
+    const PlanGrid::CellRange window =
         grid.range(query.x() - limit, query.x() + limit, query.y() - limit, query.y() + limit);
     const int left = home_column - ring, right = home_column + ring;
     const int front = home_row - ring, back = home_row + ring;
@@ -198,12 +198,12 @@ std::optional<NearestPoint> IndexedSurface::nearest(const Vec3& query, double re
       }
     }
   }
-  if (best) find_side(features, query, *best);
+  if (best) determine_side(features, query, *best);
   return best;
 }
 
 double IndexedSurface::height_clearance(const Vec3& query, double reach) const {
-  const PlanGrid::Range window =
+  const PlanGrid::CellRange window =
       grid.range(query.x() - reach, query.x() + reach, query.y() - reach, query.y() + reach);
   double clearance = reach;
   for (int row = window.first_row; row <= window.last_row; ++row) {
@@ -215,11 +215,11 @@ double IndexedSurface::height_clearance(const Vec3& query, double reach) const {
   return std::max(clearance, 0.0);
 }
 
-std::vector<std::uint32_t> IndexedSurface::faces_near(const Bounds& box, double reach) const {
+std::vector<std::uint32_t> IndexedSurface::find_faces_near(const Bounds& box, double reach) const {
   std::vector<std::uint32_t> found;
   const Vec3 low = box.low.array() - reach;
   const Vec3 high = box.high.array() + reach;
-  const PlanGrid::Range window = grid.range(low.x(), high.x(), low.y(), high.y());
+  const PlanGrid::CellRange window = grid.range(low.x(), high.x(), low.y(), high.y());
   for (int row = window.first_row; row <= window.last_row; ++row) {
     for (int column = window.first_column; column <= window.last_column; ++column) {
       const PlanGrid::Cell cell = grid.cell(column, row);
@@ -240,10 +240,10 @@ std::vector<std::uint32_t> IndexedSurface::faces_near(const Bounds& box, double 
   return found;
 }
 
-IndexedSurface indexed_surface(const TriangleMesh& mesh, double radius,
+IndexedSurface index_surface(const TriangleMesh& mesh, double radius,
                                std::span<const std::array<std::uint32_t, 2>> wires) {
   IndexedSurface surface;
-  surface.features = surface_features(mesh, wires);
+  surface.features = extract_surface_features(mesh, wires);
   surface.radius = radius;
   for (const Vec3& vertex : mesh.vertices) surface.extent.include(vertex);
   surface.face_of_vertex.assign(mesh.vertices.size(), 0);
@@ -256,10 +256,10 @@ IndexedSurface indexed_surface(const TriangleMesh& mesh, double radius,
   return surface;
 }
 
-IndexedSurface indexed_surface(const SpheroPolyhedron& body) {
+IndexedSurface index_surface(const SpheroPolyhedron& body) {
   const bool wire = body.faces.empty();
   IndexedSurface surface =
-      indexed_surface(core_mesh(body), body.radius,
+      index_surface(core_mesh(body), body.radius,
                       wire ? std::span(body.edges) : std::span<const SpheroPolyhedron::Edge>());
   surface.of_block = true;
   return surface;

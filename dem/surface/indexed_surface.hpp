@@ -29,8 +29,8 @@ bool on_border(const SurfaceFeatures& surface, const NearestPoint& nearest);
 NearestPoint nearest_on_face(const SurfaceFeatures& surface, std::uint32_t face, const Vec3& query);
 /// The same in two steps, for those who look at many faces: first the point, without the side that
 /// the query lies on when that is no foot within the face, then the side.
-NearestPoint foot_on_face(const SurfaceFeatures& surface, std::uint32_t face, const Vec3& query);
-void find_side(const SurfaceFeatures& surface, const Vec3& query, NearestPoint& foot);
+NearestPoint project_onto_face(const SurfaceFeatures& surface, std::uint32_t face, const Vec3& query);
+void determine_side(const SurfaceFeatures& surface, const Vec3& query, NearestPoint& foot);
 
 /// Plan grid: every cell lists the faces whose bounds reach into it, with their height range.
 class PlanGrid {
@@ -45,10 +45,10 @@ class PlanGrid {
   };
   /// Cell range [first, last] that covers the plan interval, clamped to the grid; empty (first >
   /// last) when outside.
-  struct Range {
+  struct CellRange {
     int first_column, last_column, first_row, last_row;
   };
-  Range range(double x_low, double x_high, double y_low, double y_high) const;
+  CellRange range(double x_low, double x_high, double y_low, double y_high) const;
   Cell cell(int column, int row) const;
   /// Top of the height range of a cell, m; -infinity where it lists no face.
   double high(int column, int row) const {
@@ -89,14 +89,14 @@ struct IndexedSurface {
   /// they give none. Cheap, for points well above the ground.
   double height_clearance(const Vec3& query, double reach) const;
   /// Faces whose bounds come within `reach` of the box, sorted.
-  std::vector<std::uint32_t> faces_near(const Bounds& box, double reach) const;
+  std::vector<std::uint32_t> find_faces_near(const Bounds& box, double reach) const;
 };
 
 /// @param wires  edges that belong to no triangle (capsules), as vertex pairs
 /// @throws GeometryError  a triangle without area, or an edge with three or more triangles
-IndexedSurface indexed_surface(const TriangleMesh& mesh, double radius,
+IndexedSurface index_surface(const TriangleMesh& mesh, double radius,
                                std::span<const std::array<std::uint32_t, 2>> wires = {});
 /// The surface of a block, in the frame of its core.
-IndexedSurface indexed_surface(const SpheroPolyhedron& body);
+IndexedSurface index_surface(const SpheroPolyhedron& body);
 
 }  // namespace clast::dem_detail

@@ -7,42 +7,42 @@
 
 namespace clast::dem_detail {
 
-LocalFaces::Face local_face(const SurfaceFeatures& features, std::uint32_t number) {
-  const SurfaceFace& face = features.faces[number];
+LocalFaces::Face make_local_face(const SurfaceFeatures& features, std::uint32_t index) {
+  const SurfaceFace& face = features.faces[index];
   const Vec3& a = features.vertices[face.vertices[0]];
   const Vec3& b = features.vertices[face.vertices[1]];
   const Vec3& c = features.vertices[face.vertices[2]];
   const Vec3 middle = (a + b + c) / 3.0;
   const double radius = std::sqrt(std::max(
       {(a - middle).squaredNorm(), (b - middle).squaredNorm(), (c - middle).squaredNorm()}));
-  return {face.normal, face.normal.dot(a), middle, radius, number};
+  return {face.normal, face.normal.dot(a), middle, radius, index};
 }
 
 void LocalGround::gather(const IndexedSurface& ground, const Vec3& centre, double reach) {
   const SurfaceFeatures& features = ground.features;
   faces.clear();
   edges.clear();
-  corners.clear();
+  pointed_vertices.clear();
   Bounds box;
   box.include(centre);
-  for (const std::uint32_t f : ground.faces_near(box, reach)) {
-    const Face found = local_face(features, f);
+  for (const std::uint32_t f : ground.find_faces_near(box, reach)) {
+    const Face found = make_local_face(features, f);
     if ((centre - found.middle).norm() > reach + found.radius) continue;
     faces.push_back(found);
     const SurfaceFace& face = features.faces[f];
     for (int k = 0; k < 3; ++k) {
-      if (features.edges[face.edges[k]].convex()) edges.push_back(face.edges[k]);
-      if (features.pointed[face.vertices[k]]) corners.push_back(face.vertices[k]);
+      if (features.edges[face.edges[k]].is_convex()) edges.push_back(face.edges[k]);
+      if (features.is_pointed_vertex[face.vertices[k]]) pointed_vertices.push_back(face.vertices[k]);
     }
   }
-  const auto each_once = [](std::vector<std::uint32_t>& numbers) {
-    std::sort(numbers.begin(), numbers.end());
-    numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
+  const auto each_once = [](std::vector<std::uint32_t>& indices) {
+    std::sort(indices.begin(), indices.end());
+    indices.erase(std::unique(indices.begin(), indices.end()), indices.end());
   };
   each_once(edges);
-  each_once(corners);
-  trim(faces, edges, corners);
-  fit_plane(features);
+  each_once(pointed_vertices);
+  shrink_capacity(faces, edges, pointed_vertices);
+  fit_bounding_plane(features);
 }
 
 void LocalFaces::gather(const SurfaceFeatures& features, const LocalFaces& from, const Vec3& centre,
@@ -52,11 +52,11 @@ void LocalFaces::gather(const SurfaceFeatures& features, const LocalFaces& from,
     const double near = reach + face.radius;
     if ((centre - face.middle).squaredNorm() <= near * near) faces.push_back(face);
   }
-  trim(faces);
-  fit_plane(features);
+  shrink_capacity(faces);
+  fit_bounding_plane(features);
 }
 
-void LocalFaces::fit_plane(const SurfaceFeatures& features) {
+void LocalFaces::fit_bounding_plane(const SurfaceFeatures& features) {
   Vec3 sum = Vec3::Zero();
   for (const Face& face : faces) sum += face.normal;
   const double length = sum.norm();
@@ -69,15 +69,15 @@ void LocalFaces::fit_plane(const SurfaceFeatures& features) {
   }
 }
 
-LocalFaces::Nearest LocalFaces::nearest(const SurfaceFeatures& features, const Vec3& query,
+LocalFaces::NearestFace LocalFaces::nearest(const SurfaceFeatures& features, const Vec3& query,
                                         double limit, double beyond, std::uint32_t guess) const {
-  return nearest_of(faces, features, query, limit, beyond, guess);
+  return find_nearest_face(faces, features, query, limit, beyond, guess);
 }
 
-LocalFaces::Nearest nearest_of(std::span<const LocalFaces::Face> faces,
+LocalFaces::NearestFace find_nearest_face(std::span<const LocalFaces::Face> faces,
                                const SurfaceFeatures& features, const Vec3& query, double limit,
                                double beyond, std::uint32_t guess) {
-  LocalFaces::Nearest found;
+  LocalFaces::NearestFace found;
   found.nearest.distance = 1e300;
   found.second = limit;
   const auto measure = [&](std::uint32_t i) {
@@ -87,7 +87,7 @@ LocalFaces::Nearest nearest_of(std::span<const LocalFaces::Face> faces,
     if (std::abs(face.normal.dot(query) - face.offset) > distinguished) return;
     const double near = distinguished + face.radius;
     if ((query - face.middle).squaredNorm() > near * near) return;
-    const NearestPoint candidate = foot_on_face(features, face.face, query);
+    const NearestPoint candidate = project_onto_face(features, face.face, query);
     const double distance = std::abs(candidate.distance);
     // Ties go to the smaller face number, so that the order of looking does not matter.
     const bool nearer =
@@ -103,7 +103,7 @@ LocalFaces::Nearest nearest_of(std::span<const LocalFaces::Face> faces,
     if (i != guess) measure(i);
   }
   found.second = std::min(found.second, std::abs(found.nearest.distance) + beyond);
-  if (found.nearest.face != kNoFeature) find_side(features, query, found.nearest);
+  if (found.nearest.face != kNoFeature) determine_side(features, query, found.nearest);
   return found;
 }
 

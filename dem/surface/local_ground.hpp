@@ -9,7 +9,7 @@
 namespace clast::dem_detail {
 
 /// A plane that no ground of some region rises above: bounds the distance to all of it at once.
-struct GroundPlane {
+struct BoundingPlane {
   Vec3 normal = Vec3::UnitZ();  ///< mean of the faces' normals
   double top = -1e300;          ///< largest normal . point on the ground, m
 
@@ -35,7 +35,7 @@ struct LocalFaces {
     }
   };
   std::vector<Face> faces;
-  GroundPlane plane;  ///< over all of them
+  BoundingPlane plane;  ///< over all of them
 
   template <class Bytes>
   void serialize(Bytes& bytes) {
@@ -46,28 +46,28 @@ struct LocalFaces {
   void gather(const SurfaceFeatures& features, const LocalFaces& from, const Vec3& centre,
               double reach);
 
-  struct Nearest {
+  struct NearestFace {
     NearestPoint nearest;     ///< distance 1e300 when nothing is within the limit
     double second = 0.0;      ///< all other faces are at least this far, m
     std::uint32_t entry = 0;  ///< of `faces`
   };
-  /// As `nearest_of` all its faces.
-  Nearest nearest(const SurfaceFeatures& features, const Vec3& query, double limit, double beyond,
+  /// As `find_nearest_face` all its faces.
+  NearestFace nearest(const SurfaceFeatures& features, const Vec3& query, double limit, double beyond,
                   std::uint32_t guess) const;
 
  protected:
-  void fit_plane(const SurfaceFeatures& features);
+  void fit_bounding_plane(const SurfaceFeatures& features);
 };
 
 /// All of the ground near a block, ordered by number.
 struct LocalGround : LocalFaces {
   std::vector<std::uint32_t> edges;    ///< convex ones
-  std::vector<std::uint32_t> corners;  ///< pointed vertices
+  std::vector<std::uint32_t> pointed_vertices;  ///< pointed vertices
 
   template <class Bytes>
   void serialize(Bytes& bytes) {
     LocalFaces::serialize(bytes);
-    bytes(edges, corners);
+    bytes(edges, pointed_vertices);
   }
 
   /// Gathers everything within `reach` of the point.
@@ -75,13 +75,13 @@ struct LocalGround : LocalFaces {
 };
 
 /// A face as lists of the ground hold it.
-LocalFaces::Face local_face(const SurfaceFeatures& features, std::uint32_t face);
+LocalFaces::Face make_local_face(const SurfaceFeatures& features, std::uint32_t face);
 
 /// Nearest point of some faces of a surface to `query`.
 /// @param limit   m: what is farther does not matter
 /// @param beyond  m: how much farther than the nearest other faces are measured
 /// @param guess   entry of a face that may be near: the answer is the same, but sooner found
-LocalFaces::Nearest nearest_of(std::span<const LocalFaces::Face> faces,
+LocalFaces::NearestFace find_nearest_face(std::span<const LocalFaces::Face> faces,
                                const SurfaceFeatures& features, const Vec3& query, double limit,
                                double beyond, std::uint32_t guess);
 

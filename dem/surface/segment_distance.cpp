@@ -13,13 +13,13 @@ constexpr double kHalfPi = 0.5 * std::numbers::pi;
 
 }  // namespace
 
-ClosestOnSegments closest_on_segments(const Segment& a, const Segment& b) {
+SegmentDistance closest_points(const Segment& a, const Segment& b) {
   const Vec3 apart = a.start - b.start;
   const double cosine = a.direction.dot(b.direction);
   const double sine_squared = 1.0 - cosine * cosine;
   const double along_a = a.direction.dot(apart);
   const double along_b = b.direction.dot(apart);
-  ClosestOnSegments closest;
+  SegmentDistance closest;
   if (sine_squared > kParallel) {
     closest.sine = std::sqrt(sine_squared);
     closest.line_first = (cosine * along_b - along_a) / sine_squared;
@@ -38,13 +38,13 @@ ClosestOnSegments closest_on_segments(const Segment& a, const Segment& b) {
   return closest;
 }
 
-double way_to_crossing(const ClosestOnSegments& closest, const Segment& a, const Segment& b,
+double displacement_to_crossing(const SegmentDistance& closest, const Segment& a, const Segment& b,
                        const Vec3& centre, double radius) {
   // A segment that ends before the other's line stays on its side of the plane of that line and the
   // common normal. The plane turns about the line, faster than the body by up to pi/2 over the
   // sine.
   const double turning = kHalfPi / (radius * closest.sine);
-  const auto way_of = [&](double beyond, const Segment& of, double line, const Segment& other,
+  const auto displacement_of = [&](double beyond, const Segment& of, double line, const Segment& other,
                           double moving) {
     if (!(beyond > 0.0)) return 0.0;
     const Vec3 out = of.at(line < 0.0 ? 0.0 : of.length) - other.start;
@@ -57,9 +57,9 @@ double way_to_crossing(const ClosestOnSegments& closest, const Segment& a, const
   // Seen from the body, what is farther from its centre than `radius` moves farther.
   const Vec3 end = b.at(closest.line_second < 0.0 ? 0.0 : b.length);
   const double moving = std::max(1.0, (end - centre).norm() / radius);
-  const double way = std::max(way_of(first_beyond, a, closest.line_first, b, 1.0),
-                              way_of(second_beyond, b, closest.line_second, a, moving));
-  return std::min(way, closest.sine * radius);
+  const double displacement = std::max(displacement_of(first_beyond, a, closest.line_first, b, 1.0),
+                              displacement_of(second_beyond, b, closest.line_second, a, moving));
+  return std::min(displacement, closest.sine * radius);
 }
 
 }  // namespace clast::dem_detail

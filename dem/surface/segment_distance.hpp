@@ -11,13 +11,13 @@ struct Segment {
   Vec3 direction = Vec3::UnitX();  ///< unit
   double length = 0.0;             ///< m
 
-  Vec3 at(double along) const { return start + along * direction; }
+  Vec3 at(double parameter) const { return start + parameter * direction; }
   Vec3 nearest(const Vec3& point) const {
     return at(std::clamp(direction.dot(point - start), 0.0, length));
   }
 };
 
-struct ClosestOnSegments {
+struct SegmentDistance {
   double first = 0.0;           ///< along the first segment, m
   double second = 0.0;          ///< along the second, m
   Vec3 between = Vec3::Zero();  ///< from the point on the second to the one on the first
@@ -27,13 +27,13 @@ struct ClosestOnSegments {
   double sine = 0.0;
 };
 
-ClosestOnSegments closest_on_segments(const Segment& a, const Segment& b);
+SegmentDistance closest_points(const Segment& a, const Segment& b);
 
 /// How far a body may move that carries the first segment before the two cross, m; 0 where that is
 /// not known. Its way counts as the shift of its centre and `radius` times the chord of its turn
 /// together (docs/theory.md, Contact search).
 /// @param closest  of these two, not crossing
-double way_to_crossing(const ClosestOnSegments& closest, const Segment& a, const Segment& b,
+double displacement_to_crossing(const SegmentDistance& closest, const Segment& a, const Segment& b,
                        const Vec3& centre, double radius);
 
 }  // namespace clast::dem_detail

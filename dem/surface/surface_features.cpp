@@ -33,8 +33,8 @@ void make_faces(SurfaceFeatures& surface, const TriangleMesh& mesh) {
 
 EdgeKind kind_of(const SurfaceFace& first, const SurfaceFace& second, const Vec3& into_second) {
   const double rise = first.normal.dot(into_second);
-  if (rise > kFlatSine) return EdgeKind::kValley;
-  if (rise < -kFlatSine || first.normal.dot(second.normal) < 0.0) return EdgeKind::kRidge;
+  if (rise > kFlatSine) return EdgeKind::kReflex;
+  if (rise < -kFlatSine || first.normal.dot(second.normal) < 0.0) return EdgeKind::kConvex;
   return EdgeKind::kFlat;
 }
 
@@ -62,7 +62,7 @@ void add_edge(SurfaceFeatures& surface, std::span<const HalfEdge> sides) {
   if (sides.size() == 2) {
     const SurfaceFace& second = surface.faces[edge.faces[1]];
     edge.kind = kind_of(surface.faces[edge.faces[0]], second,
-                        into_face(second, edge.direction, edge.along[1]));
+                        inward_direction(second, edge.direction, edge.along[1]));
   }
   surface.edges.push_back(edge);
 }
@@ -103,21 +103,21 @@ void index_edges(SurfaceFeatures& surface) {
 }
 
 void find_pointed(SurfaceFeatures& surface) {
-  surface.pointed.assign(surface.vertices.size(), 0);
+  surface.is_pointed_vertex.assign(surface.vertices.size(), 0);
   for (std::uint32_t v = 0; v < surface.vertices.size(); ++v) {
     const std::span<const std::uint32_t> edges = surface.edges_at(v);
-    bool convex = edges.empty();  // a lone ball
+    bool is_convex = edges.empty();  // a lone ball
     std::array<std::uint32_t, 2> sharp{};
     std::size_t sharp_count = 0;
     for (const std::uint32_t e : edges) {
-      convex = convex || surface.edges[e].convex();
+      is_convex = is_convex || surface.edges[e].is_convex();
       if (surface.edges[e].kind == EdgeKind::kFlat) continue;
       if (sharp_count < 2) sharp[sharp_count] = e;
       ++sharp_count;
     }
     const bool goes_on =
-        sharp_count == 2 && straight_on(surface.ray(sharp[0], v), surface.ray(sharp[1], v));
-    surface.pointed[v] = convex && !goes_on;
+        sharp_count == 2 && are_collinear(surface.edge_direction_from(sharp[0], v), surface.edge_direction_from(sharp[1], v));
+    surface.is_pointed_vertex[v] = is_convex && !goes_on;
   }
 }
 
@@ -139,7 +139,7 @@ void make_vertex_normals(SurfaceFeatures& surface) {
 
 }  // namespace
 
-SurfaceFeatures surface_features(const TriangleMesh& mesh,
+SurfaceFeatures extract_surface_features(const TriangleMesh& mesh,
                                  std::span<const std::array<std::uint32_t, 2>> wires) {
   SurfaceFeatures surface;
   surface.vertices = mesh.vertices;
@@ -161,7 +161,7 @@ Vec3 SurfaceFeatures::edge_normal(const SurfaceEdge& edge) const {
   return length > kFlatSine ? Vec3(sum / length) : first;
 }
 
-double depth_in_face(const SurfaceFeatures& surface, const SurfaceFace& face, const Vec3& point) {
+double distance_inside_face(const SurfaceFeatures& surface, const SurfaceFace& face, const Vec3& point) {
   double depth = 1e300;
   for (int k = 0; k < 3; ++k) {
     const Vec3& corner = surface.vertices[face.vertices[k]];
@@ -173,7 +173,7 @@ double depth_in_face(const SurfaceFeatures& surface, const SurfaceFace& face, co
   return depth;
 }
 
-bool straight_on(const Vec3& first_ray, const Vec3& second_ray) {
+bool are_collinear(const Vec3& first_ray, const Vec3& second_ray) {
   return first_ray.cross(second_ray).norm() < kFlatSine && first_ray.dot(second_ray) < 0.0;
 }
 

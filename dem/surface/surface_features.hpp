@@ -14,8 +14,8 @@ inline constexpr std::uint32_t kNoFeature = 0xffffffffu;
 
 enum class EdgeKind : std::uint8_t {
   kFlat,    ///< both faces in one plane: never in contact by itself
-  kRidge,   ///< convex: the solid falls away on both sides
-  kValley,  ///< reflex: nothing can reach it before its faces
+  kConvex,   ///< convex: the solid falls away on both sides
+  kReflex,  ///< reflex: nothing can reach it before its faces
   kBorder,  ///< one face only
   kWire,    ///< no face: an edge of a capsule
 };
@@ -35,7 +35,7 @@ struct SurfaceEdge {
   std::array<bool, 2> along = {true, false};  ///< either face runs from the first vertex to the
                                               ///< second
 
-  bool convex() const { return kind != EdgeKind::kFlat && kind != EdgeKind::kValley; }
+  bool is_convex() const { return kind != EdgeKind::kFlat && kind != EdgeKind::kReflex; }
 };
 
 /// A whole surface. To keep large terrains small, what follows from these in a few operations is
@@ -45,7 +45,7 @@ struct SurfaceFeatures {
   std::vector<SurfaceFace> faces;
   std::vector<SurfaceEdge> edges;
   std::vector<Vec3> vertex_normals;   ///< angle-weighted, unit (Baerentzen & Aanaes 2005)
-  std::vector<std::uint8_t> pointed;  ///< vertices that can be touched: a convex edge ends
+  std::vector<std::uint8_t> is_pointed_vertex;  ///< vertices that can be touched: a convex edge ends
                                       ///< there and does not go straight on
   std::vector<std::uint32_t>
       edge_offsets;  ///< edges at vertex v: edges_at_vertex[edge_offsets[v] ..]
@@ -56,7 +56,7 @@ struct SurfaceFeatures {
             edges_at_vertex.data() + edge_offsets[vertex + 1]};
   }
   /// Unit direction in which an edge leaves one of its vertices.
-  Vec3 ray(std::uint32_t edge, std::uint32_t vertex) const {
+  Vec3 edge_direction_from(std::uint32_t edge, std::uint32_t vertex) const {
     const SurfaceEdge& e = edges[edge];
     return e.vertices[0] == vertex ? e.direction : Vec3(-e.direction);
   }
@@ -69,20 +69,20 @@ struct SurfaceFeatures {
 
 /// @param wires  edges that belong to no triangle (capsules), as vertex pairs
 /// @throws GeometryError  a triangle without area, or an edge with three or more triangles
-SurfaceFeatures surface_features(const TriangleMesh& mesh,
+SurfaceFeatures extract_surface_features(const TriangleMesh& mesh,
                                  std::span<const std::array<std::uint32_t, 2>> wires = {});
 
 /// How far inside the face the foot of the point on its plane lies, m; -1 when outside.
-double depth_in_face(const SurfaceFeatures& surface, const SurfaceFace& face, const Vec3& point);
+double distance_inside_face(const SurfaceFeatures& surface, const SurfaceFace& face, const Vec3& point);
 
 /// The direction in the plane of a face that is perpendicular to its edge and points into the face;
 /// unit if `edge_direction` is.
 /// @param along  true if the face runs along the direction of the edge, `SurfaceEdge::along`
-inline Vec3 into_face(const SurfaceFace& face, const Vec3& edge_direction, bool along) {
+inline Vec3 inward_direction(const SurfaceFace& face, const Vec3& edge_direction, bool along) {
   return along ? face.normal.cross(edge_direction) : edge_direction.cross(face.normal);
 }
 
 /// True when two edges that leave a vertex along these rays go straight on into each other.
-bool straight_on(const Vec3& first_ray, const Vec3& second_ray);
+bool are_collinear(const Vec3& first_ray, const Vec3& second_ray);
 
 }  // namespace clast::dem_detail

@@ -7,12 +7,12 @@ namespace clast {
 
 struct TerrainSurface::Impl {
   /// A place on the skin.
-  struct Spot {
+  struct SurfacePoint {
     double height;       ///< z, m
     std::uint32_t face;  ///< number of its triangle
   };
   /// As `TerrainSurface::height`.
-  std::optional<Spot> spot(double x, double y, double z_near) const;
+  std::optional<SurfacePoint> find_surface_point(double x, double y, double z_near) const;
 
   TriangleMesh mesh;
   dem_detail::IndexedSurface surface;

@@ -44,7 +44,7 @@ TerrainSurface::TerrainSurface(TriangleMesh mesh, std::vector<std::uint16_t> zon
   if (!(radius >= 0.0 && std::isfinite(radius))) {
     throw InputError("terrain: radius = " + format_significant(radius, 6) + "; must be 0 or more");
   }
-  impl_->surface = indexed_surface(mesh, radius);
+  impl_->surface = index_surface(mesh, radius);
   impl_->mesh = std::move(mesh);
   impl_->zone_count = static_cast<std::uint16_t>(*std::max_element(zones.begin(), zones.end()) + 1);
   impl_->zones = std::move(zones);
@@ -58,10 +58,10 @@ double TerrainSurface::radius() const { return impl_->surface.radius; }
 std::uint16_t TerrainSurface::zone_count() const { return impl_->zone_count; }
 const Bounds& TerrainSurface::extent() const { return impl_->surface.extent; }
 
-std::optional<TerrainSurface::Impl::Spot> TerrainSurface::Impl::spot(double x, double y,
+std::optional<TerrainSurface::Impl::SurfacePoint> TerrainSurface::Impl::find_surface_point(double x, double y,
                                                                      double z_near) const {
-  std::optional<Spot> best;
-  const PlanGrid::Range home = surface.grid.range(x, x, y, y);
+  std::optional<SurfacePoint> best;
+  const PlanGrid::CellRange home = surface.grid.range(x, x, y, y);
   for (int row = home.first_row; row <= home.last_row; ++row) {
     for (int column = home.first_column; column <= home.last_column; ++column) {
       for (const std::uint32_t f : surface.grid.cell(column, row).faces) {
@@ -78,17 +78,17 @@ std::optional<TerrainSurface::Impl::Spot> TerrainSurface::Impl::spot(double x, d
 }
 
 std::optional<double> TerrainSurface::height(double x, double y, double z_near) const {
-  const std::optional<Impl::Spot> spot = impl_->spot(x, y, z_near);
-  return spot ? std::optional(spot->height) : std::nullopt;
+  const std::optional<Impl::SurfacePoint> find_surface_point = impl_->find_surface_point(x, y, z_near);
+  return find_surface_point ? std::optional(find_surface_point->height) : std::nullopt;
 }
 
 std::optional<std::uint16_t> TerrainSurface::zone(double x, double y, double z_near) const {
-  const std::optional<Impl::Spot> spot = impl_->spot(x, y, z_near);
-  return spot ? std::optional(impl_->zones[spot->face]) : std::nullopt;
+  const std::optional<Impl::SurfacePoint> find_surface_point = impl_->find_surface_point(x, y, z_near);
+  return find_surface_point ? std::optional(impl_->zones[find_surface_point->face]) : std::nullopt;
 }
 
 bool TerrainSurface::covers(double x, double y) const {
-  const PlanGrid::Range home = impl_->surface.grid.range(x, x, y, y);
+  const PlanGrid::CellRange home = impl_->surface.grid.range(x, x, y, y);
   for (int row = home.first_row; row <= home.last_row; ++row) {
     for (int column = home.first_column; column <= home.last_column; ++column) {
       for (const std::uint32_t f : impl_->surface.grid.cell(column, row).faces) {

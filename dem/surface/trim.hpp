@@ -6,7 +6,7 @@ namespace clast::dem_detail {
 
 /// Frees spare capacity beyond half the size.
 template <class... T>
-void trim(std::vector<T>&... lists) {
+void shrink_capacity(std::vector<T>&... lists) {
   const auto trim_one = [](auto& list) {
     if (list.capacity() > list.size() + list.size() / 2) list.shrink_to_fit();
   };

@@ -22,7 +22,7 @@ PhotographedBlocks reconstruct_photographs(const std::filesystem::path& folder,
   PhotoScanOptions photos = options.photos;
   if (options.scale_points || reading.scan.unit != 1.0) photos.metres_per_unit = reading.scan.unit;
   PhotoScan scan =
-      photo_scan(folder, photos, [&](const std::string& what) { callbacks.begin(what, true); });
+      reconstruct_from_photos(folder, photos, [&](const std::string& what) { callbacks.begin(what, true); });
   if (!scan.metric && options.block.mass) {
     throw InputError(folder.string() +
                      ": `mass` needs a scale, and these photos have none; give `bars` or "
@@ -30,12 +30,12 @@ PhotographedBlocks reconstruct_photographs(const std::filesystem::path& folder,
   }
   reading.scan.unit = 1.0;
   reading.surface.cell = kPhotoCell;
-  reading.through = &scan.cloud.through;
+  reading.free_space = &scan.cloud.free_space;
   callbacks.begin("finding the surface in " + std::to_string(scan.cloud.points.size()) + " points",
                   true);
   FieldScan found;
   try {
-    found.blocks = field_blocks(scan.cloud.points, folder.string(), reading);
+    found.blocks = extract_field_blocks(scan.cloud.points, folder.string(), reading);
   } catch (const Error& error) {  // mostly for want of photos, which points don't know
     throw GeometryError(std::string(error.what()) +
                         ". The points come from photos: " + scan.notes.front() +

@@ -40,7 +40,7 @@ Cloud::Ptr local_cloud(std::span<const Vec3> points) { return cloud_about(points
 
 }  // namespace
 
-std::vector<std::uint32_t> without_outliers(std::span<const Vec3> points, int neighbours,
+std::vector<std::uint32_t> find_inliers(std::span<const Vec3> points, int neighbours,
                                             double deviations) {
   pcl::StatisticalOutlierRemoval<pcl::PointXYZ> filter;
   filter.setInputCloud(local_cloud(points));
@@ -48,9 +48,9 @@ std::vector<std::uint32_t> without_outliers(std::span<const Vec3> points, int ne
   filter.setStddevMulThresh(deviations);
   pcl::Indices kept;
   filter.filter(kept);
-  std::vector<std::uint32_t> numbers(kept.begin(), kept.end());
-  std::sort(numbers.begin(), numbers.end());
-  return numbers;
+  std::vector<std::uint32_t> inliers(kept.begin(), kept.end());
+  std::sort(inliers.begin(), inliers.end());
+  return inliers;
 }
 
 std::vector<Vec3> decimated(std::span<const Vec3> points, double cell) {
@@ -69,13 +69,13 @@ std::vector<Vec3> decimated(std::span<const Vec3> points, double cell) {
   return result;
 }
 
-std::vector<std::vector<std::uint32_t>> clusters(std::span<const Vec3> points, double reach,
-                                                 std::size_t fewest) {
+std::vector<std::vector<std::uint32_t>> find_clusters(std::span<const Vec3> points, double reach,
+                                                 std::size_t min_points) {
   const Cloud::Ptr cloud = local_cloud(points);
   pcl::EuclideanClusterExtraction<pcl::PointXYZ> extraction;
   const pcl::search::KdTree<pcl::PointXYZ>::Ptr tree(new pcl::search::KdTree<pcl::PointXYZ>);
   extraction.setClusterTolerance(reach);
-  extraction.setMinClusterSize(static_cast<pcl::uindex_t>(fewest));
+  extraction.setMinClusterSize(static_cast<pcl::uindex_t>(min_points));
   extraction.setSearchMethod(tree);
   extraction.setInputCloud(cloud);
   std::vector<pcl::PointIndices> found;
@@ -91,7 +91,7 @@ std::vector<std::vector<std::uint32_t>> clusters(std::span<const Vec3> points, d
   return sets;
 }
 
-std::vector<Vec3> plane_normals(std::span<const Vec3> points, int neighbours) {
+std::vector<Vec3> estimate_normals(std::span<const Vec3> points, int neighbours) {
   pcl::NormalEstimation<pcl::PointXYZ, pcl::Normal> estimation;
   const pcl::search::KdTree<pcl::PointXYZ>::Ptr tree(new pcl::search::KdTree<pcl::PointXYZ>);
   estimation.setInputCloud(local_cloud(points));
@@ -108,34 +108,34 @@ std::vector<Vec3> plane_normals(std::span<const Vec3> points, int neighbours) {
   return normals;
 }
 
-struct NearestPoints::Impl {
+struct PointTree::Impl {
   Vec3 origin;
   pcl::KdTreeFLANN<pcl::PointXYZ> tree;
 };
 
-NearestPoints::NearestPoints(std::span<const Vec3> points) : impl_(std::make_unique<Impl>()) {
+PointTree::PointTree(std::span<const Vec3> points) : impl_(std::make_unique<Impl>()) {
   impl_->origin = middle(points);
   impl_->tree.setInputCloud(cloud_about(points, impl_->origin));
 }
 
-NearestPoints::~NearestPoints() = default;
+PointTree::~PointTree() = default;
 
-std::vector<NearestPoints::Near> NearestPoints::nearest(const Vec3& place, int count) const {
-  const Eigen::Vector3f local = (place - impl_->origin).cast<float>();
+std::vector<PointTree::Neighbour> PointTree::nearest(const Vec3& position, int count) const {
+  const Eigen::Vector3f local = (position - impl_->origin).cast<float>();
   pcl::Indices found;
   std::vector<float> squares;
   impl_->tree.nearestKSearch(pcl::PointXYZ(local.x(), local.y(), local.z()), count, found, squares);
-  std::vector<Near> near(found.size());
+  std::vector<Neighbour> near(found.size());
   for (std::size_t i = 0; i < found.size(); ++i) {
     near[i] = {static_cast<std::uint32_t>(found[i]), std::sqrt(static_cast<double>(squares[i]))};
   }
   return near;
 }
 
-double spacing(std::span<const Vec3> points) {
+double mean_spacing(std::span<const Vec3> points) {
   if (points.size() < 2) return 0.0;
   constexpr std::size_t kSamples = 2000;
-  const NearestPoints tree(points);
+  const PointTree tree(points);
   const std::size_t step = std::max<std::size_t>(1, points.size() / kSamples);
   double sum = 0.0;
   std::size_t count = 0;

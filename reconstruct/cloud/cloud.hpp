@@ -13,32 +13,32 @@ namespace clast::reconstruct_detail {
 /// Numbers of the points that are no outliers: those whose mean distance to their `neighbours`
 /// nearest is at most `deviations` standard deviations above the mean of all. In order.
 /// @cite rusu2008
-std::vector<std::uint32_t> without_outliers(std::span<const Vec3> points, int neighbours,
+std::vector<std::uint32_t> find_inliers(std::span<const Vec3> points, int neighbours,
                                             double deviations);
 
 /// One point for each cube of side `cell` that holds some: their mean. m
 std::vector<Vec3> decimated(std::span<const Vec3> points, double cell);
 
 /// Sets of points that are linked by steps of at most `reach`, the largest first; sets of fewer
-/// than `fewest` are left out.
-std::vector<std::vector<std::uint32_t>> clusters(std::span<const Vec3> points, double reach,
-                                                 std::size_t fewest);
+/// than `min_points` are left out.
+std::vector<std::vector<std::uint32_t>> find_clusters(std::span<const Vec3> points, double reach,
+                                                 std::size_t min_points);
 
 /// Unit normals of the planes through the `neighbours` nearest, of either sign.
-std::vector<Vec3> plane_normals(std::span<const Vec3> points, int neighbours);
+std::vector<Vec3> estimate_normals(std::span<const Vec3> points, int neighbours);
 
 /// Nearest points, by a k-d tree.
-class NearestPoints {
+class PointTree {
  public:
-  explicit NearestPoints(std::span<const Vec3> points);
-  ~NearestPoints();
+  explicit PointTree(std::span<const Vec3> points);
+  ~PointTree();
 
-  struct Near {
+  struct Neighbour {
     std::uint32_t point;
     double distance;  ///< m
   };
   /// The `count` nearest, nearest first; fewer where there are fewer.
-  std::vector<Near> nearest(const Vec3& place, int count) const;
+  std::vector<Neighbour> nearest(const Vec3& position, int count) const;
 
  private:
   struct Impl;
@@ -46,6 +46,6 @@ class NearestPoints {
 };
 
 /// Mean distance of a point to its nearest, over up to 2000 points spread over the list. m
-double spacing(std::span<const Vec3> points);
+double mean_spacing(std::span<const Vec3> points);
 
 }  // namespace clast::reconstruct_detail

@@ -16,36 +16,38 @@
 #include "mesh/sub_mesh.hpp"
 #include "mesh/triangle_tree.hpp"
 #include "reconstruct/cloud/cloud.hpp"
-#include "reconstruct/cloud/detail/cloud_margin.hpp"
 #include "reconstruct/cloud/detail/cloud_normals.hpp"
+#include "reconstruct/cloud/detail/cloud_uncertainty.hpp"
 #include "reconstruct/cloud/detail/local_surface.hpp"
+#include "reconstruct/cloud/detail/observed_surface.hpp"
 #include "reconstruct/cloud/detail/poisson.hpp"
-#include "reconstruct/cloud/detail/seen_surface.hpp"
 #include "reconstruct/cloud/outliers.hpp"
 #include "reconstruct/repair/components.hpp"
-#include "reconstruct/repair/touching_sheets.hpp"
+#include "reconstruct/repair/non_manifold_split.hpp"
 
 namespace clast {
 
 namespace {
 
 constexpr double kClean = 0.05;  ///< noise over the distance of points that does not matter
-using reconstruct_detail::Propagation;
+using reconstruct_detail::NormalPropagation;
 
 /// A way to normals that face outward.
 struct NormalsBy {
   int neighbours = 0;
-  Propagation propagation = Propagation::kAlike;
+  NormalPropagation propagation = NormalPropagation::kParallel;
 };
 
 /// Of averaged points and of others: what to try first.
-constexpr std::array<NormalsBy, 4> kManyFirst = {{{18}, {10}, {30}, {10, Propagation::kAlongArcs}}};
-constexpr std::array<NormalsBy, 4> kFewFirst = {{{10}, {10, Propagation::kAlongArcs}, {18}, {30}}};
+constexpr std::array<NormalsBy, 4> kManyFirst = {
+    {{18}, {10}, {30}, {10, NormalPropagation::kCircularArc}}};
+constexpr std::array<NormalsBy, 4> kFewFirst = {
+    {{10}, {10, NormalPropagation::kCircularArc}, {18}, {30}}};
 /// Share of touching edges and of missed points for a surface through well-oriented points.
 constexpr double kGood = 5e-4;
 /// A point is missed where the surface is so many spacings away; where missed points stand for more
 /// than this share of the area, the surface found is not that of the block.
-constexpr double kMissed = 1.5, kMostMissed = 0.01;
+constexpr double kMissed = 1.5, kMaxMissed = 0.01;
 constexpr int kSurfaceRounds = 3;      ///< of surface and normals
 constexpr double kCellSpacings = 2.0;  ///< a cell holds about four points at least
 /// Points that lie closer about a plane than this share of their diagonal bound no body.
@@ -53,7 +55,7 @@ constexpr double kFlatCloud = 1e-3;
 
 /// The volume is uncertain by so many times what halves of the points lack, by so many times what
 /// the halves differ by, and by this share of the noise on all of the area.
-constexpr double kSafety = 2.5, kScatters = 2.0, kNoiseShare = 0.25;
+constexpr double kSafety = 2.5, kScatters = 2.0, kNoiseFraction = 0.25;
 /// Standard deviations of the noise by which each end of each side may be off.
 constexpr double kExtremes = 2.0;
 constexpr std::uint64_t kSeed = 1;
@@ -89,9 +91,9 @@ struct Body {
   TriangleMesh surface;  ///< its vertices are the points
   std::size_t off = 0;   ///< points left out, which lay off the surface
   double noise = 0.0;    ///< standard deviation that was smoothed away, m
-  std::unique_ptr<reconstruct_detail::Indicator> indicator;  ///< that gave the surface
-  std::vector<double> spacings;                              ///< of the points, m
-  reconstruct_detail::SeenSurface seen;  ///< which part of the surface the points explain
+  std::unique_ptr<reconstruct_detail::IndicatorFunction> indicator;  ///< that gave the surface
+  std::vector<double> spacings;                                      ///< of the points, m
+  reconstruct_detail::ObservedSurface observed;  ///< which part of the surface the points explain
 };
 
 [[noreturn]] void refuse_no_surface(std::size_t points) {
@@ -104,9 +106,10 @@ struct Body {
 /// @param spacings  of points without noise, to take in thin parts; else empty
 void find_surface(Body& body, std::span<const double> spacings = {}) {
   for (int round = 0; round < kSurfaceRounds; ++round) {
-    body.indicator = std::make_unique<reconstruct_detail::Indicator>(body.points, body.normals);
+    body.indicator =
+        std::make_unique<reconstruct_detail::IndicatorFunction>(body.points, body.normals);
     if (!body.indicator->found()) refuse_no_surface(body.points.size());
-    body.surface = reconstruct_detail::surface_between(body.points, *body.indicator, spacings);
+    body.surface = reconstruct_detail::extract_surface(body.points, *body.indicator, spacings);
     if (body.surface.triangles.empty()) refuse_no_surface(body.points.size());
     if (reconstruct_detail::correct_normals(body.normals, body.surface) == 0) return;
   }
@@ -114,8 +117,9 @@ void find_surface(Body& body, std::span<const double> spacings = {}) {
 
 /// Leaves out the points that lie off the surface.
 void remove_off_surface(Body& body) {
-  const reconstruct_detail::LocalSurface local(body.points, body.normals);
-  const std::vector<bool> off = local.off_surface(reconstruct_detail::local_spacings(body.points));
+  const reconstruct_detail::MovingLeastSquares local(body.points, body.normals);
+  const std::vector<bool> off =
+      local.find_off_surface_points(reconstruct_detail::compute_local_spacings(body.points));
   Body kept;
   for (std::size_t i = 0; i < body.points.size(); ++i) {
     if (off[i]) continue;
@@ -128,10 +132,10 @@ void remove_off_surface(Body& body) {
 
 /// Removes noise that is visible between neighbours, and with it real roughness of that size.
 void smooth(Body& body) {
-  const reconstruct_detail::LocalSurface local(body.points, body.normals);
+  const reconstruct_detail::MovingLeastSquares local(body.points, body.normals);
   const double noise = local.noise();
-  if (noise < kClean * reconstruct_detail::spacing(body.points)) return;
-  std::vector<Vec3> points = local.smoothed(noise);
+  if (noise < kClean * reconstruct_detail::mean_spacing(body.points)) return;
+  std::vector<Vec3> points = local.smoothed_points(noise);
   body.points = std::move(points);
   body.noise = noise;
 }
@@ -146,15 +150,15 @@ double touching_share(const TriangleMesh& surface) {
 /// Points that the surface misses.
 struct Missed {
   std::size_t count = 0;
-  double share = 0.0;  ///< of the area that all points stand for
-  Vec3 place = Vec3::Zero();
+  double fraction = 0.0;  ///< of the area that all points stand for
+  Vec3 position = Vec3::Zero();
 };
 
 /// @param points  all, also those that were left out: where the surface is not the block's, these
 ///                are many and lie far apart
 Missed missed_points(const TriangleMesh& surface, std::span<const Vec3> points) {
   const TriangleTree tree(surface);
-  const std::vector<double> spacings = reconstruct_detail::local_spacings(points);
+  const std::vector<double> spacings = reconstruct_detail::compute_local_spacings(points);
   Missed missed;
   double all = 0.0, area = 0.0, largest = 0.0;
   for (std::size_t i = 0; i < points.size(); ++i) {
@@ -165,17 +169,17 @@ Missed missed_points(const TriangleMesh& surface, std::span<const Vec3> points) 
     area += own;
     if (own <= largest) continue;
     largest = own;
-    missed.place = points[i];
+    missed.position = points[i];
   }
-  missed.share = area / all;
+  missed.fraction = area / all;
   return missed;
 }
 
 /// How much of the surface the points do not explain, as a share of its area.
 double unseen_share(const Body& body) {
   double area = 0.0;
-  for (std::size_t t = 0; t < body.seen.seen.size(); ++t) {
-    if (!body.seen.seen[t]) area += triangle_area(body.surface, body.surface.triangles[t]);
+  for (std::size_t t = 0; t < body.observed.observed.size(); ++t) {
+    if (!body.observed.observed[t]) area += triangle_area(body.surface, body.surface.triangles[t]);
   }
   return area / surface_area(body.surface);
 }
@@ -188,17 +192,17 @@ Body body_through(const std::vector<Vec3>& points, std::span<const NormalsBy> wa
   Missed missed;
   double least = std::numeric_limits<double>::infinity();
   for (const NormalsBy& way : ways) {
-    std::vector<Vec3> normals = reconstruct_detail::plane_normals(points, way.neighbours);
-    reconstruct_detail::turn_outward(normals, points, way.propagation);
+    std::vector<Vec3> normals = reconstruct_detail::estimate_normals(points, way.neighbours);
+    reconstruct_detail::orient_outward(normals, points, way.propagation);
     Body body{points, std::move(normals), {}, 0, 0.0, {}, {}, {}};
     find_surface(body);
     remove_off_surface(body);
     smooth(body);
-    body.spacings = reconstruct_detail::local_spacings(body.points);
+    body.spacings = reconstruct_detail::compute_local_spacings(body.points);
     find_surface(body, body.spacings);
-    body.seen = reconstruct_detail::seen_surface(body.surface, body.spacings, trim);
+    body.observed = reconstruct_detail::find_observed_surface(body.surface, body.spacings, trim);
     const Missed left = missed_points(body.surface, points);
-    const double defects = touching_share(body.surface) + left.share;
+    const double defects = touching_share(body.surface) + left.fraction;
     // Where normals are wrong the surface may also span what it should follow.
     const double worse = defects + unseen_share(body);
     if (worse >= least) continue;
@@ -207,11 +211,12 @@ Body body_through(const std::vector<Vec3>& points, std::span<const NormalsBy> wa
     best = std::move(body);
     if (defects <= kGood) break;
   }
-  if (missed.share > kMostMissed) {
+  if (missed.fraction > kMaxMissed) {
     throw GeometryError(
         "the surface misses " + std::to_string(missed.count) + " of the " +
-        std::to_string(points.size()) + " points, " + format_significant(100.0 * missed.share, 2) +
-        " % of the area they cover, near " + place(missed.place) +
+        std::to_string(points.size()) + " points, " +
+        format_significant(100.0 * missed.fraction, 2) + " % of the area they cover, near " +
+        position(missed.position) +
         ": they belong to a second body that touches this one, or are too far apart "
         "for the thickness of the block; crop the cloud to one body, or scan it more "
         "densely there");
@@ -222,34 +227,36 @@ Body body_through(const std::vector<Vec3>& points, std::span<const NormalsBy> wa
 /// Adds to a margin how far the volume is uncertain. What triangles cut off between points, on
 /// edges as on rounds, is to first order inversely proportional to the number of points: surfaces
 /// through halves of them, drawn at random, lack as much again [richardson1911].
-void add_volumes(SurfaceMargin& margin, const Body& body) {
+void add_volumes(SurfaceUncertainty& uncertainty, const Body& body) {
   Random random(kSeed);
   std::array<std::vector<Vec3>, 2> halves;
   for (const Vec3& p : body.points) halves[random.below(2)].push_back(p);
   const double whole = signed_volume(body.surface);
   std::array<double, 2> less{};
   for (std::size_t k = 0; k < 2; ++k) {
-    const TriangleMesh surface = reconstruct_detail::surface_between(
-        halves[k], *body.indicator, reconstruct_detail::local_spacings(halves[k]));
+    const TriangleMesh surface = reconstruct_detail::extract_surface(
+        halves[k], *body.indicator, reconstruct_detail::compute_local_spacings(halves[k]));
     less[k] = whole - signed_volume(surface);
   }
   const double mean = 0.5 * (less[0] + less[1]), apart = 0.5 * std::abs(less[0] - less[1]);
-  const double rough = kNoiseShare * body.noise * surface_area(body.surface);
-  margin.extremes = kExtremes * body.noise;
-  margin.volume_above = kSafety * std::max(0.0, mean) + kScatters * apart + rough;
-  margin.volume_below = kSafety * std::max(0.0, -mean) + kScatters * apart + rough;
+  const double rough = kNoiseFraction * body.noise * surface_area(body.surface);
+  uncertainty.extent_error = kExtremes * body.noise;
+  uncertainty.volume_above = kSafety * std::max(0.0, mean) + kScatters * apart + rough;
+  uncertainty.volume_below = kSafety * std::max(0.0, -mean) + kScatters * apart + rough;
 }
 
 /// The largest component of what was seen; no triangles where nothing was.
 TriangleMesh seen_part(const Body& body) {
   // Parted while it is closed: an edge of which both sheets lose a side would join the wrong ones.
   TriangleMesh closed = body.surface;
-  const std::vector<std::uint32_t> source = reconstruct_detail::cut_touching_edges(closed).source;
-  std::vector<bool> seen;
-  for (const std::uint32_t t : source) seen.push_back(body.seen.seen[t]);
-  TriangleMesh open = extract_triangles(closed, seen);
-  reconstruct_detail::split_pinched_vertices(open);
-  std::vector<reconstruct_detail::Component> components = reconstruct_detail::components_of(open);
+  const std::vector<std::uint32_t> source =
+      reconstruct_detail::split_non_manifold_edges(closed).source;
+  std::vector<bool> observed;
+  for (const std::uint32_t t : source) observed.push_back(body.observed.observed[t]);
+  TriangleMesh open = extract_triangles(closed, observed);
+  reconstruct_detail::split_non_manifold_vertices(open);
+  std::vector<reconstruct_detail::Component> components =
+      reconstruct_detail::connected_components(open);
   return components.empty() ? TriangleMesh() : std::move(components.front().mesh);
 }
 
@@ -258,39 +265,41 @@ TriangleMesh seen_part(const Body& body) {
 void CloudSurfaceOptions::check() const {
   const auto require = [](bool fine, const char* name, double value, const char* range) {
     if (fine) return;
-    throw InputError(std::string(name) + " = " + format_significant(value, 4) + "; must be " + range);
+    throw InputError(std::string(name) + " = " + format_significant(value, 4) + "; must be " +
+                     range);
   };
   require(cell > 0.0 && cell <= 0.1, "cell", cell, "above 0 and at most 0.1");
   require(trim > 0.0, "trim", trim, "above 0");
 }
 
-CloudSurface cloud_surface(std::span<const Vec3> points, const CloudSurfaceOptions& options) {
+CloudSurface fit_cloud_surface(std::span<const Vec3> points, const CloudSurfaceOptions& options) {
   options.check();
-  if (points.size() < options.fewest) {
+  if (points.size() < options.min_points) {
     throw InputError(std::to_string(points.size()) + " points are too few for a block; at least " +
-                     std::to_string(options.fewest) + " are needed");
+                     std::to_string(options.min_points) + " are needed");
   }
   Bounds box;
   for (const Vec3& p : points) box.include(p);
   refuse_flat(points, box.diagonal());
   const double cell = options.cell * box.diagonal();
-  const bool dense = cell > kCellSpacings * reconstruct_detail::spacing(points);
+  const bool dense = cell > kCellSpacings * reconstruct_detail::mean_spacing(points);
   const Body body = body_through(
       dense ? reconstruct_detail::decimated(points, cell)
             : std::vector<Vec3>(points.begin(), points.end()),
       dense ? std::span<const NormalsBy>(kManyFirst) : std::span<const NormalsBy>(kFewFirst),
       options.trim);
-  const reconstruct_detail::SeenSurface& seen = body.seen;
+  const reconstruct_detail::ObservedSurface& observed = body.observed;
   TriangleMesh open = seen_part(body);
   if (open.triangles.empty()) {
     throw GeometryError("the surface found does not follow the " + std::to_string(points.size()) +
                         " points; check that all lie on the surface of one block, and clean the "
                         "cloud in CloudCompare");
   }
-  SurfaceMargin margin =
-      reconstruct_detail::cloud_margin(body.surface, {body.normals, body.spacings, body.noise});
-  add_volumes(margin, body);
-  return {std::move(open), std::move(margin), body.off, seen.gaps, seen.gap_share, seen.gap_place};
+  SurfaceUncertainty uncertainty = reconstruct_detail::compute_surface_uncertainty(
+      body.surface, {body.normals, body.spacings, body.noise});
+  add_volumes(uncertainty, body);
+  return {std::move(open), std::move(uncertainty), body.off,
+          observed.gaps,   observed.gap_fraction,  observed.gap_position};
 }
 
 }  // namespace clast

@@ -4,7 +4,7 @@
 #include <span>
 
 #include "mesh/triangle_mesh.hpp"
-#include "reconstruct/cloud/surface_margin.hpp"
+#include "reconstruct/cloud/surface_uncertainty.hpp"
 
 namespace clast {
 
@@ -16,7 +16,7 @@ struct CloudSurfaceOptions {
   /// Where a hole ends: the radius of a ball that touches the surface and no point, in spacings of
   /// the points around it.
   double trim = 1.5;
-  std::size_t fewest = 500;  ///< fewer points make no block
+  std::size_t min_points = 500;  ///< fewer points make no block
 
   void check() const;  ///< throws InputError naming the field and its value
 };
@@ -25,12 +25,12 @@ struct CloudSurfaceOptions {
 struct CloudSurface {
   /// An oriented 2-manifold in one component, outward; closed where points are all around. m
   TriangleMesh mesh;
-  SurfaceMargin margin;      ///< what the points leave open of the part that was seen
-  std::size_t outliers = 0;  ///< points left out because they lie off the surface
+  SurfaceUncertainty uncertainty;  ///< what the points leave open of the part that was seen
+  std::size_t outliers = 0;        ///< points left out because they lie off the surface
   /// Places where points are missing, each with less than 0.5 % of the area: filled.
   std::size_t gaps = 0;
-  double gap_share = 0.0;         ///< of the area
-  Vec3 gap_place = Vec3::Zero();  ///< in the largest gap, m
+  double gap_fraction = 0.0;         ///< of the area
+  Vec3 gap_position = Vec3::Zero();  ///< in the largest gap, m
 };
 
 /// Turns normals outward from neighbour to neighbour [hoppe1992], solves for the indicator of
@@ -42,6 +42,7 @@ struct CloudSurface {
 /// @throws InputError     too few points
 /// @throws GeometryError  the points lie in a plane or on a line, or no surface was found
 /// @cite hoppe1992 @cite kazhdan2006 @cite levin2004 @cite amenta1999 @cite richardson1911
-CloudSurface cloud_surface(std::span<const Vec3> points, const CloudSurfaceOptions& options = {});
+CloudSurface fit_cloud_surface(std::span<const Vec3> points,
+                               const CloudSurfaceOptions& options = {});
 
 }  // namespace clast

@@ -32,7 +32,7 @@ TriangleMesh without_ears(TriangleMesh mesh) {
 
 }  // namespace
 
-std::vector<Vec3> points_over(const TriangleMesh& mesh) {
+std::vector<Vec3> sample_surface_points(const TriangleMesh& mesh) {
   Random random(1);
   std::vector<Vec3> points;
   const double each = surface_area(mesh) / kSurfacePoints;
@@ -48,7 +48,7 @@ std::vector<Vec3> points_over(const TriangleMesh& mesh) {
   return points;
 }
 
-std::vector<Component> components_nearest_to(const TriangleMesh& sheet, const NearestPoints& tree,
+std::vector<Component> extract_nearest_components(const TriangleMesh& sheet, const PointTree& tree,
                                              std::span<const std::uint32_t> block) {
   std::vector<bool> on_block;
   for (const std::uint32_t i : block) {
@@ -67,7 +67,7 @@ std::vector<Component> components_nearest_to(const TriangleMesh& sheet, const Ne
   }
   const TriangleMesh rock = extract_triangles(sheet, keep);
   if (rock.triangles.empty()) return {};
-  return components_of(without_ears(rock));
+  return connected_components(without_ears(rock));
 }
 
 }  // namespace clast::reconstruct_detail

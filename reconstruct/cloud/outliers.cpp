@@ -60,7 +60,7 @@ PlaneOf plane_of(std::span<const Vec3> points) {
 
 }  // namespace
 
-std::vector<Vec3> without_repeats(std::span<const Vec3> points) {
+std::vector<Vec3> remove_duplicate_points(std::span<const Vec3> points) {
   std::vector<std::uint32_t> order(points.size());
   std::iota(order.begin(), order.end(), 0u);
   const auto less = [&](std::uint32_t a, std::uint32_t b) {
@@ -79,8 +79,8 @@ std::vector<Vec3> without_repeats(std::span<const Vec3> points) {
   return once;
 }
 
-std::vector<double> local_spacings(std::span<const Vec3> points) {
-  const NearestPoints tree(points);
+std::vector<double> compute_local_spacings(std::span<const Vec3> points) {
+  const PointTree tree(points);
   std::vector<double> spacings;
   spacings.reserve(points.size());
   for (const Vec3& p : points) {
@@ -101,36 +101,36 @@ class Isolation {
   bool is_suspect(std::uint32_t point) const {
     if (spacings_[point] > kIsolated * usual_) return true;
     const auto near = tree_.nearest(points_[point], kSuspectNeighbours);
-    return std::any_of(near.begin(), near.end(), [&](const NearestPoints::Near& n) {
+    return std::any_of(near.begin(), near.end(), [&](const PointTree::Neighbour& n) {
       return spacings_[point] > kIsolated * spacings_[n.point];
     });
   }
 
   bool is_outlier(std::uint32_t point) const {
-    const std::vector<NearestPoints::Near> around = tree_.nearest(points_[point], kAround);
+    const std::vector<PointTree::Neighbour> around = tree_.nearest(points_[point], kAround);
     const double spacing = kSpacingOfSixth * around[kSixth].distance;  // others may be gone
     return is_scattered(point, spacing, around) || is_off(point, spacing, around);
   }
 
  private:
-  PlaneOf plane_without(std::uint32_t left_out, std::span<const NearestPoints::Near> near) const {
+  PlaneOf plane_without(std::uint32_t left_out, std::span<const PointTree::Neighbour> near) const {
     std::vector<Vec3> others;
-    for (const NearestPoints::Near& n : near) {
+    for (const PointTree::Neighbour& n : near) {
       if (n.point != left_out) others.push_back(points_[n.point]);
     }
     return plane_of(others);
   }
 
   bool is_scattered(std::uint32_t point, double spacing,
-                    std::span<const NearestPoints::Near> around) const {
+                    std::span<const PointTree::Neighbour> around) const {
     if (spacing < kScattered * usual_) return false;
     const PlaneOf plane = plane_without(point, around.first(kPlaneNeighbours));
     return plane.across > kThick * plane.along;
   }
 
-  bool is_off(std::uint32_t point, double own, std::span<const NearestPoints::Near> around) const {
+  bool is_off(std::uint32_t point, double own, std::span<const PointTree::Neighbour> around) const {
     int witnesses = 0, off = 0;
-    for (const NearestPoints::Near& near : around) {
+    for (const PointTree::Neighbour& near : around) {
       const double spacing = spacings_[near.point];
       if (near.point == point || !(own > kIsolated * spacing)) continue;
       const PlaneOf plane =
@@ -144,18 +144,18 @@ class Isolation {
   }
 
   std::vector<Vec3> points_;
-  NearestPoints tree_;
+  PointTree tree_;
   std::vector<double> spacings_;
   double usual_;  ///< spacing, m
 };
 
 }  // namespace
 
-std::vector<std::uint32_t> without_isolated(std::span<const Vec3> points) {
+std::vector<std::uint32_t> find_non_isolated_points(std::span<const Vec3> points) {
   std::vector<std::uint32_t> kept(points.size());
   std::iota(kept.begin(), kept.end(), 0u);
   if (points.size() <= kPlaneNeighbours) return kept;
-  const std::vector<double> spacings = local_spacings(points);
+  const std::vector<double> spacings = compute_local_spacings(points);
   const double usual = upper_median(spacings);
   std::vector<bool> suspect(points.size(), true);
   for (int round = 0; round < kOutlierRounds && kept.size() > kPlaneNeighbours; ++round) {

@@ -24,8 +24,8 @@ bool meet(const Bounds& a, const Bounds& b) {
 
 }  // namespace
 
-NearAndFar near_and_far(std::span<const Vec3> points) {
-  NearAndFar result;
+SeparatedPoints separate_far_points(std::span<const Vec3> points) {
+  SeparatedPoints result;
   result.near.assign(points.begin(), points.end());
   Bounds box;
   for (const Vec3& p : points) box.include(p);
@@ -33,12 +33,12 @@ NearAndFar near_and_far(std::span<const Vec3> points) {
   if (points.empty() || !(cell > 0.0)) return result;
   const std::vector<Vec3> sparse = decimated(points, cell);
   if (sparse.size() < 8) return result;
-  std::vector<double> spacings = local_spacings(sparse);
+  std::vector<double> spacings = compute_local_spacings(sparse);
   const auto sparsest = spacings.begin() + static_cast<std::ptrdiff_t>(
                                                kThinnestSet * static_cast<double>(spacings.size()));
   std::nth_element(spacings.begin(), sparsest, spacings.end());
   const double reach = std::max(kSetReach * cell, kSetSpacings * *sparsest);
-  const std::vector<std::vector<std::uint32_t>> sets = clusters(sparse, reach, 1);
+  const std::vector<std::vector<std::uint32_t>> sets = find_clusters(sparse, reach, 1);
   if (sets.size() < 2) return result;
 
   Bounds around;
@@ -55,12 +55,12 @@ NearAndFar near_and_far(std::span<const Vec3> points) {
     for (const std::uint32_t i : sets[s]) is_far[i] = true;
     if (any) continue;  // the largest far set comes first
     any = true;
-    result.far_share = static_cast<double>(sets[s].size()) / static_cast<double>(sets[0].size());
-    result.far_place = sparse[sets[s].front()];
+    result.far_area_ratio = static_cast<double>(sets[s].size()) / static_cast<double>(sets[0].size());
+    result.far_position = sparse[sets[s].front()];
   }
   if (!any) return result;
   result.near.clear();
-  const NearestPoints tree(sparse);
+  const PointTree tree(sparse);
   for (const Vec3& p : points) {
     if (is_far[tree.nearest(p, 1).front().point]) {
       ++result.far;

@@ -109,7 +109,7 @@ class SeamSearch {
                       [&](const Neck& other) { return is_beside(neck, other); })) {
         continue;
       }
-      turn(neck);
+      optimise_orientation(neck);
       tried.push_back(neck);
       refine(neck);
       if (best && neck.ratio >= best->ratio) continue;
@@ -179,7 +179,7 @@ class SeamSearch {
   }
 
   /// Turns the plane to where the section is narrowest against the body on both sides.
-  void turn(Neck& neck) const {
+  void optimise_orientation(Neck& neck) const {
     const Vec3 first = neck.normal;
     for (double angle = kFirstTurn; angle > kLastTurn; angle *= 0.5) {
       for (bool turned = true; turned;) {
@@ -331,6 +331,6 @@ class SeamSearch {
 
 }  // namespace
 
-std::optional<BodySeam> find_seam(const TriangleMesh& closed) { return SeamSearch(closed).run(); }
+std::optional<BodySeam> find_body_seam(const TriangleMesh& closed) { return SeamSearch(closed).run(); }
 
 }  // namespace clast::reconstruct_detail

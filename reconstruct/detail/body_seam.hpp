@@ -9,7 +9,7 @@ namespace clast::reconstruct_detail {
 
 /// A plane section that divides a body into two, m.
 struct BodySeam {
-  Vec3 place = Vec3::Zero();      ///< centroid of the section
+  Vec3 position = Vec3::Zero();      ///< centroid of the section
   double width = 0.0;             ///< square root of the area of the section
   double smaller_fraction = 0.0;  ///< of the volume, on the side that has less
   double ratio = 0.0;  ///< area of the section over the smaller of the largest ones beside it
@@ -23,6 +23,6 @@ struct BodySeam {
 ///
 /// @param closed  outward
 /// @returns none if there is no such plane
-std::optional<BodySeam> find_seam(const TriangleMesh& closed);
+std::optional<BodySeam> find_body_seam(const TriangleMesh& closed);
 
 }  // namespace clast::reconstruct_detail

@@ -13,16 +13,16 @@
 #include "core/files/up_axis.hpp"
 #include "core/number_text.hpp"
 #include "mesh/triangle_neighbours.hpp"
-#include "reconstruct/detail/doubtful_form.hpp"
+#include "reconstruct/detail/shape_anomalies.hpp"
 #include "reconstruct/repair/holes.hpp"
-#include "reconstruct/underside/stated_bounds.hpp"
+#include "reconstruct/underside/noted_bounds.hpp"
 #include "shapes/oriented_box.hpp"
 
 namespace clast::reconstruct_detail {
 
 namespace {
 
-constexpr double kSmallestHole = 1e-9;  ///< of the area: every hole is closed and reported
+constexpr double kMinHoleArea = 1e-9;  ///< of the area: every hole is closed and reported
 /// An open scan of which less than this share is filled in was closed by other means before.
 constexpr double kHardlyOpen = 0.01;
 constexpr double kNotedTilt = 1.0;  ///< degrees; a turn by less is not noted
@@ -69,7 +69,7 @@ FieldBlock with_doubt(FieldBlock block) {
 bool was_changed(const RepairReport& report) {
   return !report.wrap_bias && (report.filled_fraction > 0.0 || !report.doubled.empty() ||
                                report.find(DefectKind::kSpike) != nullptr ||
-                               report.find(DefectKind::kCrossing) != nullptr);
+                               report.find(DefectKind::kSelfIntersection) != nullptr);
 }
 
 /// By the volume that the surface would have with its largest hole filled flat.
@@ -94,10 +94,10 @@ bool turn_open_mesh_outward(TriangleMesh& open) {
 }
 
 /// The report of the same surface turned over.
-void swap_sides(RepairReport& report) {
+void flip_orientation(RepairReport& report) {
   std::swap(report.volume_below, report.volume_above);
   for (FilledHole& hole : report.holes) std::swap(hole.volume_below, hole.volume_above);
-  for (DoubledSurface& copy : report.doubled) {
+  for (DuplicateSurface& copy : report.doubled) {
     copy.offset = -copy.offset;
     copy.volume_change = -copy.volume_change;
   }
@@ -106,13 +106,13 @@ void swap_sides(RepairReport& report) {
 /// Closes what is no unseen side. Of a cloud, holes are where points are missing: only the mouth of
 /// a pocket is small.
 std::vector<FilledHole> close_small_holes(OpenBlock& open, const std::string& name) {
-  if (open.margin != nullptr) return close_by_fans(open.surface, kFanEdges);
+  if (open.uncertainty != nullptr) return fill_with_fans(open.surface, kFanEdges);
   return with_error_context(name, [&] { return fill_holes(open.surface, false); });
 }
 
 /// What was scanned, where the surface has other parts too; null where it has not.
 std::unique_ptr<const ScannedSurface> scanned_part(const OpenBlock& open) {
-  if (open.margin != nullptr) {
+  if (open.uncertainty != nullptr) {
     return std::make_unique<ScannedSurface>(std::span<const Vec3>(open.surface.vertices));
   }
   if (was_changed(open.repaired)) return std::make_unique<ScannedSurface>(*open.raw);
@@ -120,12 +120,13 @@ std::unique_ptr<const ScannedSurface> scanned_part(const OpenBlock& open) {
 }
 
 std::optional<Underside> close_unseen_side(const OpenBlock& open, const ScannedSurface* scanned,
-                                           const std::string& name, const SeenThrough* through,
+                                           const std::string& name, const FreeSpaceGrid* free_space,
                                            double unit) {
   UndersideOptions closing{
-      .ground = open.ground, .smallest_share = kSmallestHole, .through = through};
-  if (scanned) closing.was_seen = [&](const Vec3& place) { return scanned->holds(place); };
-  closing.margin = open.margin;
+      .ground = open.ground, .smallest_share = kMinHoleArea, .free_space = free_space};
+  if (scanned)
+    closing.is_observed = [&](const Vec3& position) { return scanned->contains(position); };
+  closing.uncertainty = open.uncertainty;
   closing.unit = unit;
   return with_error_context(name, [&] { return close_underside(open.surface, closing); });
 }
@@ -168,12 +169,12 @@ std::string format_file_place(const Vec3& point, const FieldBlock& block,
       10.0, std::floor(std::log10(1e-3 * bounds(block.scan.mesh).diagonal() / options.unit)));
   const Vec3 upright = block.block_from_file.inverse() * point;
   const Vec3 in_file = (options.up == "y" ? z_up_to_y_up(upright) : upright) / options.unit;
-  return place(((in_file / digit).array().round() * digit + 0.0).matrix());  // no "-0"
+  return position(((in_file / digit).array().round() * digit + 0.0).matrix());  // no "-0"
 }
 
 /// States the bounds of a block without an unseen side, if they are worth it.
-void state_bounds(FieldBlock& block, const ClosedScan& closed) {
-  const std::optional<StatedBounds> bounds = closed_bounds(closed, block.scan.report);
+void add_bounds(FieldBlock& block, const ClosedScan& closed) {
+  const std::optional<NotedBounds> bounds = bracket_closed_scan(closed, block.scan.report);
   if (!bounds) return;
   block.bounds = *bounds;
   block.scan.notes.insert(block.scan.notes.end(), bounds->notes.begin(), bounds->notes.end());
@@ -206,23 +207,23 @@ void leave_out_neighbour(FieldBlock& block, const Plane& seam, double fraction) 
 ///                   refused
 void judge_form(FieldBlock& block, const std::string& name, const ScanOptions& options,
                 bool on_ground) {
-  const auto file_place = [&](const Vec3& point) {
+  const auto format_file_position = [&](const Vec3& point) {
     return format_file_place(point, block, options);
   };
-  for (const FormDoubt& doubt : find_form_doubts(block.scan.mesh)) {
-    if (!on_ground || doubt.kind != FormDoubt::Kind::kSeam) {
-      block.scan.notes.push_back(format_form_doubt(doubt, file_place));
+  for (const ShapeAnomaly& anomaly : find_shape_anomalies(block.scan.mesh)) {
+    if (!on_ground || anomaly.kind != ShapeAnomaly::Kind::kSeam) {
+      block.scan.notes.push_back(format_shape_anomaly(anomaly, format_file_position));
       continue;
     }
-    const std::string seam = " in a seam " + format_significant(doubt.size, 2) + " m wide near " +
-                             file_place(doubt.place);
-    const std::string share = format_significant(100.0 * doubt.fraction, 2) + " % of the volume";
-    if (doubt.fraction > kSmallNeighbour) {
+    const std::string seam = " in a seam " + format_significant(anomaly.size, 2) + " m wide near " +
+                             format_file_position(anomaly.position);
+    const std::string share = format_significant(100.0 * anomaly.fraction, 2) + " % of the volume";
+    if (anomaly.fraction > kSmallNeighbour) {
       throw GeometryError(name + ": two bodies that touch" + seam + ", the smaller with " + share +
                           ": crop the scan to one of them; if it is one rock with a narrow "
                           "middle, crop the ground off the scan and give `find_ground = false`");
     }
-    leave_out_neighbour(block, *doubt.seam, doubt.fraction);
+    leave_out_neighbour(block, *anomaly.seam, anomaly.fraction);
     block.scan.notes.push_back("a smaller body with " + share + " touches this one" + seam +
                                "; the lower bounds are those without it: crop it off the scan to "
                                "narrow the bounds");
@@ -233,32 +234,33 @@ void judge_form(FieldBlock& block, const std::string& name, const ScanOptions& o
 
 FieldBlock close_block(OpenBlock open, const std::string& name, const FieldScanOptions& field) {
   const ScanOptions& options = field.scan;
-  if (turn_open_mesh_outward(open.surface)) swap_sides(open.repaired);
+  if (turn_open_mesh_outward(open.surface)) flip_orientation(open.repaired);
   const std::vector<FilledHole> filled = close_small_holes(open, name);
-  open.repaired =
-      with_fillings(std::move(open.repaired), filled, surface_area(open.surface), options.unit);
+  open.repaired = report_with_fillings(std::move(open.repaired), filled, surface_area(open.surface),
+                                       options.unit);
   const std::unique_ptr<const ScannedSurface> scanned = scanned_part(open);
   std::optional<Underside> side =
-      close_unseen_side(open, scanned.get(), name, field.through, options.unit);
-  std::optional<Pose> turn;
-  if (open.ground && !field.up_given) turn = upright(open, options);
-  FieldBlock block{clean_scan(side ? side->best : open.surface, name, options, turn), {}, {}};
-  if (turn) block.block_from_file = *turn;
+      close_unseen_side(open, scanned.get(), name, field.free_space, options.unit);
+  std::optional<Pose> upright_pose;
+  if (open.ground && !field.up_given) upright_pose = upright(open, options);
+  FieldBlock block{
+      clean_scan(side ? side->best : open.surface, name, options, upright_pose), {}, {}};
+  if (upright_pose) block.block_from_file = *upright_pose;
   RepairReport& report = block.scan.report;
-  report = joined(std::move(open.repaired), std::move(report));
+  report = merged(std::move(open.repaired), std::move(report));
   std::vector<std::string>& notes = block.scan.notes;
-  notes = repair_notes(report);
+  notes = describe_repairs(report);
   notes.insert(notes.begin(), open.notes.begin(), open.notes.end());
   if (!side) {
-    state_bounds(block, {open.surface, options.unit, scanned.get(), open.margin});
+    add_bounds(block, {open.surface, options.unit, scanned.get(), open.uncertainty});
   }
-  if (turn) note_tilt(turn->rotation, notes);
+  if (upright_pose) note_tilt(upright_pose->rotation, notes);
   if (side) {
     notes.insert(notes.end(), side->notes.begin(), side->notes.end());
     block.underside = moved(std::move(*side), options.unit, [&](const Vec3& p) {
       return block.block_from_file * in_metres(p, options);
     });
-    block.bounds = underside_bounds(*block.underside, report);
+    block.bounds = bracket_underside(*block.underside, report);
   }
   judge_form(block, name, options, open.ground.has_value());
   return with_doubt(std::move(block));
@@ -270,20 +272,20 @@ FieldBlock clean_block(const TriangleMesh& raw, const std::string& name,
   if (was_changed(block.scan.report)) {
     const ScannedSurface scanned(raw);
     const TriangleMesh closed = in_file_units(block.scan.mesh, field.scan);
-    state_bounds(block, {closed, field.scan.unit, &scanned, nullptr});
+    add_bounds(block, {closed, field.scan.unit, &scanned, nullptr});
   }
   judge_form(block, name, field.scan, false);
   return with_doubt(std::move(block));
 }
 
-RepairReport with_fillings(RepairReport report, const std::vector<FilledHole>& fillings,
-                           double area, double unit) {
+RepairReport report_with_fillings(RepairReport report, const std::vector<FilledHole>& fillings,
+                                  double area, double unit) {
   if (fillings.empty()) return report;
   RepairReport filled;
   double share = 0.0;
   for (FilledHole hole : fillings) {
-    hole.area_share = hole.area / area;
-    share += hole.area_share;
+    hole.area_fraction = hole.area / area;
+    share += hole.area_fraction;
     hole.perimeter *= unit;
     hole.radius *= unit;
     hole.area *= unit * unit;
@@ -291,20 +293,20 @@ RepairReport with_fillings(RepairReport report, const std::vector<FilledHole>& f
     hole.volume_above *= unit * unit * unit;
     filled.volume_below += hole.volume_below;
     filled.volume_above += hole.volume_above;
-    filled.filled_fraction += hole.area_share;
+    filled.filled_fraction += hole.area_fraction;
     filled.holes.push_back(hole);
   }
   std::stable_sort(filled.holes.begin(), filled.holes.end(),
                    [](const FilledHole& a, const FilledHole& b) { return a.area > b.area; });
   filled.defects.push_back(
       {DefectKind::kHole, fillings.size(), share, filled.holes[0].radius, filled.holes[0].centre});
-  return joined(std::move(report), std::move(filled));
+  return merged(std::move(report), std::move(filled));
 }
 
-bool all_within_reach(const std::vector<Vec3>& points, double unit) {
+bool are_coordinates_valid(const std::vector<Vec3>& points, double unit) {
   return std::all_of(points.begin(), points.end(), [&](const Vec3& p) {
-    return p.allFinite() && p.cwiseAbs().maxCoeff() * unit <= kLargestCoordinate &&
-           p.cwiseAbs().maxCoeff() <= kLargestCoordinate;
+    return p.allFinite() && p.cwiseAbs().maxCoeff() * unit <= kMaxCoordinate &&
+           p.cwiseAbs().maxCoeff() <= kMaxCoordinate;
   });
 }
 

@@ -9,7 +9,7 @@
 namespace clast::reconstruct_detail {
 
 /// A part beside the largest with more than this share of its area is no scrap.
-inline constexpr double kScrapArea = 0.1;
+inline constexpr double kFragmentArea = 0.1;
 
 /// The surface of one block as it was taken from a scan, in units and axes of the file.
 struct OpenBlock {
@@ -18,7 +18,7 @@ struct OpenBlock {
   Vec3 centre = Vec3::Zero();             ///< of its box, where it stands on a ground
   const TriangleMesh* raw = nullptr;      ///< the mesh as read; null: a cloud
   RepairReport repaired = {};             ///< what was repaired so far, in metres; empty: a cloud
-  const SurfaceMargin* margin = nullptr;  ///< of the surface of a cloud; null: a mesh
+  const SurfaceUncertainty* uncertainty = nullptr;  ///< of the surface of a cloud; null: a mesh
   std::vector<std::string> notes = {};    ///< so far
 };
 
@@ -37,10 +37,10 @@ FieldBlock clean_block(const TriangleMesh& raw, const std::string& name,
 /// @param fillings  in the file's units
 /// @param area      of the surface with them, in the file's units
 /// @param unit      metres per unit of the file
-RepairReport with_fillings(RepairReport report, const std::vector<FilledHole>& fillings,
+RepairReport report_with_fillings(RepairReport report, const std::vector<FilledHole>& fillings,
                            double area, double unit);
 
-/// Is every point finite, and nearer to the origin than `kLargestCoordinate` in any unit?
-bool all_within_reach(const std::vector<Vec3>& points, double unit);
+/// Is every point finite, and nearer to the origin than `kMaxCoordinate` in any unit?
+bool are_coordinates_valid(const std::vector<Vec3>& points, double unit);
 
 }  // namespace clast::reconstruct_detail

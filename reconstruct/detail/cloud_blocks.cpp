@@ -9,33 +9,33 @@
 #include "reconstruct/cloud/cloud.hpp"
 #include "reconstruct/cloud/outliers.hpp"
 #include "reconstruct/cloud/separate_sets.hpp"
-#include "reconstruct/detail/choose_standing.hpp"
+#include "reconstruct/detail/choose_blocks_on_ground.hpp"
 #include "reconstruct/detail/close_block.hpp"
 
 namespace clast::reconstruct_detail {
 
 namespace {
 
-constexpr std::size_t kFewestPoints = 500;  ///< of a cloud
+constexpr std::size_t kMinPoints = 500;  ///< of a cloud
 
 void refuse_unusable(const std::vector<Vec3>& points, const std::string& name, double unit) {
-  if (!all_within_reach(points, unit)) {
+  if (!are_coordinates_valid(points, unit)) {
     throw InputError(name + ": a point is not finite or farther than " +
-                     format_significant(kLargestCoordinate, 3) +
+                     format_significant(kMaxCoordinate, 3) +
                      " m from the origin: the file is damaged, or its unit is wrong");
   }
-  if (points.size() < kFewestPoints) {
+  if (points.size() < kMinPoints) {
     throw InputError(name + ": no block: " + std::to_string(points.size()) +
                      " points are too few for one; a scan of a block has " +
-                     std::to_string(kFewestPoints) + " at least");
+                     std::to_string(kMinPoints) + " at least");
   }
 }
 
 /// The points without repeats and outliers; notes how many these are.
 std::vector<Vec3> clean_points(const std::vector<Vec3>& raw, std::vector<std::string>& notes) {
   std::vector<Vec3> points;
-  const std::vector<Vec3> once = without_repeats(raw);
-  for (const std::uint32_t i : without_isolated(once)) points.push_back(once[i]);
+  const std::vector<Vec3> once = remove_duplicate_points(raw);
+  for (const std::uint32_t i : find_non_isolated_points(once)) points.push_back(once[i]);
   notes.push_back("made from " + std::to_string(raw.size()) + " points, " +
                   std::to_string(once.size() - points.size()) + " of them outliers");
   if (once.size() < raw.size()) {
@@ -46,11 +46,11 @@ std::vector<Vec3> clean_points(const std::vector<Vec3>& raw, std::vector<std::st
 }
 
 /// A ground would join what stands on it: without one, far sets are not of one block.
-void refuse_separate_sets(const NearAndFar& found, const std::string& name) {
-  if (found.far_share <= kScrapArea) return;
+void refuse_separate_sets(const SeparatedPoints& found, const std::string& name) {
+  if (found.far_area_ratio <= kFragmentArea) return;
   throw GeometryError(name + ": separate sets of points, the second with about " +
-                      std::to_string(std::lround(100.0 * found.far_share)) +
-                      " % of the area of the first, near " + format_point(found.far_place) +
+                      std::to_string(std::lround(100.0 * found.far_area_ratio)) +
+                      " % of the area of the first, near " + format_point(found.far_position) +
                       "; save each block to a file of its own, or delete what does not belong "
                       "to it");
 }
@@ -59,7 +59,7 @@ void refuse_separate_sets(const NearAndFar& found, const std::string& name) {
 CloudSurface surface_of(const std::vector<Vec3>& points, const std::string& name,
                         const CloudSurfaceOptions& options, std::vector<std::string>& notes) {
   return with_error_context(name, [&] {
-    CloudSurface surface = cloud_surface(points, options);
+    CloudSurface surface = fit_cloud_surface(points, options);
     if (surface.outliers > 0) {
       notes.push_back(std::to_string(surface.outliers) +
                       " more points left out as outliers off the surface of their neighbours");
@@ -67,41 +67,42 @@ CloudSurface surface_of(const std::vector<Vec3>& points, const std::string& name
     if (surface.gaps > 0) {
       notes.push_back(std::to_string(surface.gaps) + (surface.gaps == 1 ? " gap" : " gaps") +
                       " between the points filled, " +
-                      format_significant(100.0 * surface.gap_share, 2) +
-                      " % of the surface, the largest near " + format_point(surface.gap_place));
+                      format_significant(100.0 * surface.gap_fraction, 2) +
+                      " % of the surface, the largest near " + format_point(surface.gap_position));
     }
     return surface;
   });
 }
 
 /// A block scanned without the ground around it.
-FieldBlock block_alone(NearAndFar sets, std::vector<std::string> notes, const std::string& name,
-                       const FieldScanOptions& options) {
+FieldBlock block_alone(SeparatedPoints sets, std::vector<std::string> notes,
+                       const std::string& name, const FieldScanOptions& options) {
   if (sets.far > 0) {
     notes.push_back(std::to_string(sets.far) +
                     " points far from the block were left out, some near " +
-                    format_point(sets.far_place));
+                    format_point(sets.far_position));
   }
   CloudSurface surface = surface_of(sets.near, name, options.surface, notes);
-  return close_block(
-      {.surface = std::move(surface.mesh), .margin = &surface.margin, .notes = std::move(notes)},
-      name, options);
+  return close_block({.surface = std::move(surface.mesh),
+                      .uncertainty = &surface.uncertainty,
+                      .notes = std::move(notes)},
+                     name, options);
 }
 
 }  // namespace
 
-std::vector<FieldBlock> cloud_blocks(const std::vector<Vec3>& raw, const std::string& name,
-                                     const FieldScanOptions& options) {
+std::vector<FieldBlock> extract_cloud_blocks(const std::vector<Vec3>& raw, const std::string& name,
+                                             const FieldScanOptions& options) {
   refuse_unusable(raw, name, options.scan.unit);
   std::vector<std::string> notes;
   const std::vector<Vec3> points = clean_points(raw, notes);
-  NearAndFar sets = near_and_far(points);
+  SeparatedPoints sets = separate_far_points(points);
   refuse_separate_sets(sets, name);
   std::optional<Ground> ground;
   if (options.find_ground) ground = find_ground(points);
   if (!ground) return {block_alone(std::move(sets), std::move(notes), name, options)};
 
-  const ChosenBlocks chosen = choose_standing(points, *ground, name, options.split);
+  const ChosenBlocks chosen = choose_blocks_on_ground(points, *ground, name, options.split);
   notes.insert(notes.end(), chosen.notes.begin(), chosen.notes.end());
   std::vector<FieldBlock> blocks;
   for (const ChosenBlock& block : chosen.blocks) {
@@ -110,7 +111,7 @@ std::vector<FieldBlock> cloud_blocks(const std::vector<Vec3>& raw, const std::st
     blocks.push_back(close_block({.surface = std::move(surface.mesh),
                                   .ground = block.ground,
                                   .centre = block.centre,
-                                  .margin = &surface.margin,
+                                  .uncertainty = &surface.uncertainty,
                                   .notes = notes},
                                  name, options));
     std::vector<std::string>& all = blocks.back().scan.notes;

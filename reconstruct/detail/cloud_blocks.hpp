@@ -13,7 +13,7 @@ namespace clast::reconstruct_detail {
 /// @throws InputError     a point out of reach; too few points
 /// @throws GeometryError  separate sets without a ground, only ground, and what `close_block`
 /// throws
-std::vector<FieldBlock> cloud_blocks(const std::vector<Vec3>& raw, const std::string& name,
+std::vector<FieldBlock> extract_cloud_blocks(const std::vector<Vec3>& raw, const std::string& name,
                                      const FieldScanOptions& options);
 
 }  // namespace clast::reconstruct_detail

@@ -9,16 +9,16 @@
 #include "mesh/weld.hpp"
 #include "reconstruct/cloud/cloud.hpp"
 #include "reconstruct/cloud/cut_out.hpp"
-#include "reconstruct/detail/choose_standing.hpp"
+#include "reconstruct/detail/choose_blocks_on_ground.hpp"
 #include "reconstruct/detail/close_block.hpp"
 #include "reconstruct/repair/components.hpp"
 #include "reconstruct/repair/hole_loops.hpp"
 #include "reconstruct/repair/holes.hpp"
-#include "reconstruct/repair/ragged_holes.hpp"
+#include "reconstruct/repair/missing_faces.hpp"
+#include "reconstruct/repair/non_manifold_split.hpp"
 #include "reconstruct/repair/soup.hpp"
 #include "reconstruct/repair/spikes.hpp"
 #include "reconstruct/repair/surface_copy.hpp"
-#include "reconstruct/repair/touching_sheets.hpp"
 
 namespace clast::reconstruct_detail {
 
@@ -32,7 +32,7 @@ struct OpenSheet {
 
 /// None when cleaning alone does, or has to say what is wrong.
 std::optional<OpenSheet> open_sheet(const TriangleMesh& raw, const ScanOptions& options) {
-  if (!all_within_reach(raw.vertices, options.unit)) return std::nullopt;
+  if (!are_coordinates_valid(raw.vertices, options.unit)) return std::nullopt;
   const double tolerance = options.repair.weld_tolerance * bounds(raw).diagonal();
   TriangleMesh mesh = weld_vertices(raw, tolerance);
   RepairReport report;
@@ -42,57 +42,58 @@ std::optional<OpenSheet> open_sheet(const TriangleMesh& raw, const ScanOptions& 
                         std::optional<Vec3> where = {}, double size = 0.0) {
     if (count > 0) report.defects.push_back({kind, count, dropped / area, size, where});
   };
-  const auto note_change = [&](DefectKind kind, const Change& change) {
-    note(kind, change.count, change.area, change.place);
+  const auto note_change = [&](DefectKind kind, const RepairChange& change) {
+    note(kind, change.count, change.area, change.position);
   };
-  note(DefectKind::kNearVertices, weld_vertices(raw, 0.0).vertices.size() - mesh.vertices.size(), 0.0, {},
-       tolerance * options.unit);
-  note(DefectKind::kNoArea, raw.triangles.size() - mesh.triangles.size());
-  const SoupRepair repair = repair_soup(mesh, kFinArea);
+  note(DefectKind::kNearVertices, weld_vertices(raw, 0.0).vertices.size() - mesh.vertices.size(),
+       0.0, {}, tolerance * options.unit);
+  note(DefectKind::kDegenerate, raw.triangles.size() - mesh.triangles.size());
+  const SoupRepairResult repair = repair_soup(mesh, kFinArea);
   if (mesh.triangles.empty() || !repair.orientation.orientable) return std::nullopt;
-  note_change(DefectKind::kFolded, repair.folded);
+  note_change(DefectKind::kFoldedPair, repair.folded);
   note_change(DefectKind::kFin, repair.fins);
-  note_change(DefectKind::kTouchingEdge, repair.touching);
-  const std::size_t turned = repair.orientation.turned + turn_hanging_scraps(mesh);
+  note_change(DefectKind::kNonManifoldEdge, repair.touching);
+  const std::size_t turned = repair.orientation.turned + orient_vertex_attached_fragments(mesh);
   if (turned > 0) {
-    note(DefectKind::kMixedWinding, turned, 0.0, mesh.vertices[repair.orientation.first]);
+    note(DefectKind::kInconsistentOrientation, turned, 0.0,
+         mesh.vertices[repair.orientation.first]);
   }
-  const std::vector<FilledHole> ragged = close_ragged_holes(mesh);
+  const std::vector<FilledHole> ragged = retriangulate_missing_faces(mesh);
   if (inspect_mesh(mesh).is_closed()) return std::nullopt;
-  note_change(DefectKind::kPinchedVertex, split_pinched_vertices(mesh));
-  const Spikes spikes = flatten_spikes(mesh);
-  note(DefectKind::kSpike, spikes.count, 0.0, spikes.place, spikes.highest * options.unit);
-  report = with_fillings(std::move(report), ragged, surface_area(mesh), options.unit);
+  note_change(DefectKind::kNonManifoldVertex, split_non_manifold_vertices(mesh));
+  const SpikeSummary spikes = flatten_spikes(mesh);
+  note(DefectKind::kSpike, spikes.count, 0.0, spikes.position, spikes.highest * options.unit);
+  report = report_with_fillings(std::move(report), ragged, surface_area(mesh), options.unit);
   return OpenSheet{std::move(mesh), std::move(report)};
 }
 
 /// Notes a copy of the surface that is dropped.
-void note_copy(RepairReport& report, DoubledSurface doubled, const Component& component,
+void note_copy(RepairReport& report, DuplicateSurface doubled, const Component& component,
                double first_area, double unit) {
   doubled.offset *= unit;
   doubled.distance *= unit;
   doubled.volume_change *= unit * unit * unit;
-  doubled.kept_volume *= unit * unit * unit;
+  doubled.retained_volume *= unit * unit * unit;
   report.volume_below = std::max(report.volume_below, -doubled.volume_change);
   report.volume_above = std::max(report.volume_above, doubled.volume_change);
   report.doubled.push_back(doubled);
-  report.defects.push_back(
-      {DefectKind::kDoubleSheet, 1, component.area / first_area, 0.0, component.mesh.vertices[0]});
+  report.defects.push_back({DefectKind::kDuplicateSheet, 1, component.area / first_area, 0.0,
+                            component.mesh.vertices[0]});
 }
 
 /// Drops copies of the first component, once that is the best of them, and notes them.
 /// @returns whether that component is closed and nothing but copies and scraps is beside it: repair
 /// does the rest
 bool drop_copies(std::vector<Component>& components, RepairReport& report, double unit) {
-  put_best_copy_first(components);
+  move_best_copy_first(components);
   const TriangleMesh& first = components[0].mesh;
   const double diagonal = bounds(first).diagonal();
   const TriangleTree tree(first);
   bool others = false;
   std::vector<Component> kept;
   for (std::size_t i = 1; i < components.size(); ++i) {
-    const bool scrap = components[i].area < kScrapArea * components[0].area;
-    const auto copy = scrap ? std::nullopt : copy_of_surface(components[i].mesh, tree, diagonal);
+    const bool scrap = components[i].area < kFragmentArea * components[0].area;
+    const auto copy = scrap ? std::nullopt : match_surface_copy(components[i].mesh, tree, diagonal);
     others |= !scrap && !copy;
     if (copy) {
       note_copy(report, describe_copy(*copy, components[i], first, tree), components[i],
@@ -112,7 +113,7 @@ bool has_only_small_holes(const TriangleMesh& sheet) {
   for (const std::vector<std::uint32_t>& loop : boundary_loops(sheet)) {
     std::vector<Vec3> border;
     for (const std::uint32_t v : loop) border.push_back(sheet.vertices[v]);
-    if (is_unseen_side(border, area)) return false;
+    if (is_unobserved_side(border, area)) return false;
   }
   return true;
 }
@@ -120,25 +121,26 @@ bool has_only_small_holes(const TriangleMesh& sheet) {
 /// Of the components of what stands at one place the first is the block. Said where another is no
 /// scrap.
 std::string left_out(const std::vector<Component>& components) {
-  if (components.size() < 2 || components[1].area <= kScrapArea * components[0].area) return "";
+  if (components.size() < 2 || components[1].area <= kFragmentArea * components[0].area) return "";
   return "another component of the scan that stands close to this block, with " +
-         format_significant(100.0 * components[1].area / components[0].area, 3) + " % of its area, near " +
-         place(components[1].mesh.vertices[0]) +
+         format_significant(100.0 * components[1].area / components[0].area, 3) +
+         " % of its area, near " + position(components[1].mesh.vertices[0]) +
          ", was left out; to have both, save each to a file of its own";
 }
 
 std::vector<FieldBlock> blocks_on_ground(const OpenSheet& sheet, const TriangleMesh& raw,
                                          const std::vector<Vec3>& points, const Ground& ground,
                                          const std::string& name, const FieldScanOptions& options) {
-  const ChosenBlocks chosen = choose_standing(points, ground, name, options.split);
-  const NearestPoints tree(points);
+  const ChosenBlocks chosen = choose_blocks_on_ground(points, ground, name, options.split);
+  const PointTree tree(points);
   std::vector<FieldBlock> blocks;
   for (const ChosenBlock& block : chosen.blocks) {
-    std::vector<Component> components = components_nearest_to(sheet.mesh, tree, block.numbers);
-    if (components.empty()) refuse_bare_ground(name, 1.0);
+    std::vector<Component> components =
+        extract_nearest_components(sheet.mesh, tree, block.point_indices);
+    if (components.empty()) throw_bare_ground(name, 1.0);
     const std::string others = left_out(components);
     TriangleMesh rock = std::move(components.front().mesh);
-    split_pinched_vertices(rock);
+    split_non_manifold_vertices(rock);
     blocks.push_back(close_block({.surface = std::move(rock),
                                   .ground = block.ground,
                                   .centre = block.centre,
@@ -153,11 +155,11 @@ std::vector<FieldBlock> blocks_on_ground(const OpenSheet& sheet, const TriangleM
 
 }  // namespace
 
-std::vector<FieldBlock> mesh_blocks(const TriangleMesh& raw, const std::string& name,
-                                    const FieldScanOptions& options) {
+std::vector<FieldBlock> extract_mesh_blocks(const TriangleMesh& raw, const std::string& name,
+                                            const FieldScanOptions& options) {
   std::optional<OpenSheet> sheet = open_sheet(raw, options.scan);
   if (!sheet) return {clean_block(raw, name, options)};
-  std::vector<Component> components = components_of(sheet->mesh);
+  std::vector<Component> components = connected_components(sheet->mesh);
   if (drop_copies(components, sheet->repaired, options.scan.unit)) {
     return {clean_block(raw, name, options)};
   }
@@ -167,14 +169,14 @@ std::vector<FieldBlock> mesh_blocks(const TriangleMesh& raw, const std::string& 
       sheet->mesh = merged(std::move(sheet->mesh), component.mesh);
   }
   if (options.find_ground && !has_only_small_holes(sheet->mesh)) {
-    const std::vector<Vec3> points = points_over(sheet->mesh);
+    const std::vector<Vec3> points = sample_surface_points(sheet->mesh);
     if (const std::optional<Ground> ground = find_ground(points)) {
       return blocks_on_ground(*sheet, raw, points, *ground, name, options);
     }
   }
   double scraps = 0.0;
   for (std::size_t i = 1; i < components.size(); ++i) {
-    if (components[i].area > kScrapArea * components[0].area) {
+    if (components[i].area > kFragmentArea * components[0].area) {
       return {clean_block(raw, name, options)};  // says what is wrong
     }
     scraps += components[i].area / surface_area(sheet->mesh);

@@ -11,7 +11,7 @@ namespace clast::reconstruct_detail {
 /// copies and scraps are dropped, the ground is removed where there is one, and each block closed.
 /// @param name  of the scan, for messages
 /// @throws GeometryError  only ground, and what `clean_block` and `close_block` throw
-std::vector<FieldBlock> mesh_blocks(const TriangleMesh& raw, const std::string& name,
+std::vector<FieldBlock> extract_mesh_blocks(const TriangleMesh& raw, const std::string& name,
                                     const FieldScanOptions& options);
 
 }  // namespace clast::reconstruct_detail

@@ -36,8 +36,8 @@ bool is_multiple(double value, double step) {
 
 }  // namespace
 
-std::optional<CoordinateStep> coordinate_step(const TriangleMesh& mesh) {
-  CoordinateStep coarsest;
+std::optional<CoordinateResolution> find_coordinate_resolution(const TriangleMesh& mesh) {
+  CoordinateResolution coarsest;
   for (int axis = 0; axis < 3; ++axis) {
     double largest = 0.0;
     bool floats = true;
@@ -59,26 +59,26 @@ std::optional<CoordinateStep> coordinate_step(const TriangleMesh& mesh) {
   return coarsest.step > 0.0 ? std::optional(coarsest) : std::nullopt;
 }
 
-std::string digits_note(const TriangleMesh& mesh, const std::filesystem::path& path, double unit) {
+std::string check_coordinate_digits(const TriangleMesh& mesh, const std::filesystem::path& path, double unit) {
   const std::string extension = lower_case_extension(path);
   const bool keeps_floats =
       extension == ".stl" || extension == ".glb" || extension == ".gltf" || extension == ".3ds";
   if (!keeps_floats && mesh.vertices.size() < kNoChance) return "";
-  const std::optional<CoordinateStep> found = coordinate_step(mesh);
+  const std::optional<CoordinateResolution> found = find_coordinate_resolution(mesh);
   if (!found) return "";
   const double diagonal = bounds(mesh).diagonal();
   if (!(diagonal > 0.0)) return "";  // one point has no shape to lose
-  const double share = found->step / diagonal;
-  if (!(share > kDigitsLost)) return "";
+  const double fraction = found->step / diagonal;
+  if (!(fraction > kDigitsLost)) return "";
   const std::string text = "precision was lost in the file itself: its coordinates reach " +
                            format_significant(found->largest, 9) + " and are kept in steps of " +
                            format_significant(found->step * unit, 3) + " m, " +
-                           format_significant(100.0 * share, 3) + " % of the scan's diagonal of " +
+                           format_significant(100.0 * fraction, 3) + " % of the scan's diagonal of " +
                            format_significant(diagonal * unit, 3) + " m";
   const std::string advice =
       "; export it again with a local origin (CloudCompare: accept the global shift when loading) "
       "or as PLY with doubles";
-  if (share <= kShapeLost) return text + advice;
+  if (fraction <= kShapeLost) return text + advice;
   throw InputError(path.string() + ": " + text + ", so that its shape is lost" + advice);
 }
 

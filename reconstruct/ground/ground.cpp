@@ -12,7 +12,7 @@
 #include "core/random.hpp"
 #include "core/statistics/statistics.hpp"
 #include "reconstruct/cloud/cloud.hpp"
-#include "reconstruct/ground/detail/height_grid.hpp"
+#include "reconstruct/ground/detail/thin_plate_grid.hpp"
 
 namespace clast {
 
@@ -22,15 +22,15 @@ namespace {
 /// stand for. Of the diagonal.
 constexpr double kGroundDecimationCell = 1.0 / 150.0;
 /// A ground has at least this share of the decimated points,
-constexpr double kLeastShare = 0.1;
+constexpr double kMinGroundFraction = 0.1;
 /// no more than this share lies below it,
-constexpr double kMostBelow = 0.1;
+constexpr double kMaxBelow = 0.1;
 /// and what of it is seen beside the things above has this share of their plan area at least. A
 /// flat side of a stone has nothing beside it.
-constexpr double kLeastBeside = 0.3;
+constexpr double kMinBeside = 0.3;
 /// It is seen on so many of eight sides of the largest thing: of a flat top whose walls go down
 /// from its border, nothing is.
-constexpr int kFewestSides = 3;
+constexpr int kMinSides = 3;
 constexpr int kGridNodes = 32;      ///< of the local surface, along its longer side
 constexpr double kStiffness = 1.0;  ///< of the local surface: it averages over about two cells
 constexpr int kGroundFits = 8;      ///< of the local surface, each to a narrower band
@@ -156,10 +156,10 @@ int sides_with_more(const std::vector<PlanCell>& patch, const std::set<PlanCell>
 /// Is a good part of what lies on the plane seen beside and around what is above it?
 bool goes_on_around(std::span<const Vec3> points, const Plane& plane, double tolerance,
                     double cell) {
-  const Quat turn = Quat::FromTwoVectors(plane.normal, Vec3::UnitZ());
+  const Quat rotation = Quat::FromTwoVectors(plane.normal, Vec3::UnitZ());
   std::set<PlanCell> on, above;
   for (const Vec3& p : points) {
-    const Vec3 flat = turn * p;
+    const Vec3 flat = rotation * p;
     const PlanCell at(std::lround(flat.x() / cell), std::lround(flat.y() / cell));
     const double height = plane.height(p);
     if (height > 3.0 * tolerance) above.insert(at);
@@ -168,18 +168,18 @@ bool goes_on_around(std::span<const Vec3> points, const Plane& plane, double tol
   if (above.empty()) return true;
   const auto beside =
       std::count_if(on.begin(), on.end(), [&](const PlanCell& at) { return !above.contains(at); });
-  return static_cast<double>(beside) > kLeastBeside * static_cast<double>(above.size()) &&
-         sides_with_more(largest_patch(above), on) >= kFewestSides;
+  return static_cast<double>(beside) > kMinBeside * static_cast<double>(above.size()) &&
+         sides_with_more(largest_patch(above), on) >= kMinSides;
 }
 
 }  // namespace
 
 struct Ground::Surface {
-  Quat turn;    ///< source axes to those of the plane
-  Vec3 origin;  ///< of these, in source axes
-  reconstruct_detail::HeightGrid grid;
+  Quat rotation;  ///< source axes to those of the plane
+  Vec3 origin;    ///< of these, in source axes
+  reconstruct_detail::ThinPlateGrid grid;
 
-  Vec3 flat(const Vec3& point) const { return turn * (point - origin); }
+  Vec3 flat(const Vec3& point) const { return rotation * (point - origin); }
   double at(const Vec3& point) const { return grid.at(flat(point).head<2>()); }
 };
 
@@ -193,7 +193,7 @@ double Ground::height(const Vec3& point) const {
   return surface_->flat(point).z() - surface_->at(point);
 }
 
-Plane Ground::plane_below(const Vec3& point, double size) const {
+Plane Ground::tangent_plane_below(const Vec3& point, double size) const {
   const Surface& s = *surface_;
   const Vec2 at = s.flat(point).head<2>();
   const double d = 0.5 * size;
@@ -201,8 +201,8 @@ Plane Ground::plane_below(const Vec3& point, double size) const {
   const Vec3 normal =
       Vec3(height(-d, 0) - height(d, 0), height(0, -d) - height(0, d), 2.0 * d).normalized();
   const double mean = 0.25 * (height(-d, 0) + height(d, 0) + height(0, -d) + height(0, d));
-  const Vec3 foot = s.origin + s.turn.conjugate() * Vec3(at.x(), at.y(), mean);
-  const Vec3 up = s.turn.conjugate() * normal;
+  const Vec3 foot = s.origin + s.rotation.conjugate() * Vec3(at.x(), at.y(), mean);
+  const Vec3 up = s.rotation.conjugate() * normal;
   return {up, up.dot(foot)};
 }
 
@@ -254,27 +254,28 @@ std::optional<Ground> find_ground(std::span<const Vec3> points, const GroundOpti
   const double tolerance = options.tolerance * diagonal;
   const Plane plane = consensus_plane(sparse, tolerance, options);
   const Sides sides = sides_of(sparse, plane, tolerance);
-  const auto share = [&](std::size_t count) {
+  const auto fraction = [&](std::size_t count) {
     return static_cast<double>(count) / static_cast<double>(sparse.size());
   };
-  if (share(sides.on) < kLeastShare || share(sides.below) > kMostBelow) return std::nullopt;
+  if (fraction(sides.on) < kMinGroundFraction || fraction(sides.below) > kMaxBelow)
+    return std::nullopt;
   if (!goes_on_around(sparse, plane, tolerance, 3.0 * kGroundDecimationCell * diagonal)) {
     return std::nullopt;
   }
 
-  const Quat turn = Quat::FromTwoVectors(plane.normal, Vec3::UnitZ());
+  const Quat rotation = Quat::FromTwoVectors(plane.normal, Vec3::UnitZ());
   const Vec3 origin =
       plane.normal * plane.distance +
       (Mat3::Identity() - plane.normal * plane.normal.transpose()) * (0.5 * (box.low + box.high));
   std::vector<Vec3> flat;
   Eigen::AlignedBox2d extent;
   for (const Vec3& p : sparse) {
-    flat.push_back(turn * (p - origin));
+    flat.push_back(rotation * (p - origin));
     extent.extend(Vec2(flat.back().head<2>()));
   }
   // To a narrower band each time: walls leave it, and slow undulations come in.
   std::vector<Vec3> held;
-  std::optional<reconstruct_detail::HeightGrid> grid;
+  std::optional<reconstruct_detail::ThinPlateGrid> grid;
   double band = 2.0 * tolerance, roughness = 0.0;
   for (int fit = 0; fit < kGroundFits; ++fit) {
     held.clear();
@@ -288,7 +289,7 @@ std::optional<Ground> find_ground(std::span<const Vec3> points, const GroundOpti
     roughness = kDeviationOfMad * upper_median(std::move(off));
     band = std::max(kBand * roughness, kNarrowing * band);
   }
-  auto surface = std::make_unique<const Ground::Surface>(Ground::Surface{turn, origin, *grid});
+  auto surface = std::make_unique<const Ground::Surface>(Ground::Surface{rotation, origin, *grid});
   roughness = roughness_of(points, *surface, tolerance);
   return Ground(plane, std::move(surface), roughness);
 }

@@ -35,7 +35,7 @@ class Ground {
   double height(const Vec3& point) const;
   /// The plane that touches the local surface where it passes below `point`, over a reach of
   /// `size`.
-  Plane plane_below(const Vec3& point, double size) const;
+  Plane tangent_plane_below(const Vec3& point, double size) const;
 
  private:
   Plane plane_;

@@ -32,7 +32,7 @@ void CharucoBoard::check() const {
                      " squares need " + std::to_string(columns * rows / 2) +
                      " markers, but the dictionary " + dictionary + " has " + std::to_string(size));
   }
-  if (rows % 2 == 0 && !photos_detail::knows_pattern(older_pattern)) {
+  if (rows % 2 == 0 && !photos_detail::supports_pattern(older_pattern)) {
     throw InputError("ChArUco board: with an even number of rows (" + std::to_string(rows) +
                      ") boards of OpenCV before 4.6 and of later versions differ, and clast was "
                      "built with OpenCV " +
@@ -43,34 +43,34 @@ void CharucoBoard::check() const {
   }
 }
 
-std::vector<BoardCorner> found_board_corners(const PhotoModel& model, const CharucoBoard& board,
+std::vector<BoardCorner> find_board_corners(const PhotoModel& model, const CharucoBoard& board,
                                              const MarkerOptions& options) {
   options.check();
   board.check();
-  const photos_detail::SingleThreaded guard;
-  std::vector<std::vector<photos_detail::CornerInPhoto>> seen(model.photos.size());
+  const photos_detail::SingleThreadedOpenCv guard;
+  std::vector<std::vector<photos_detail::DetectedCorner>> detected(model.photos.size());
   parallel_for(model.photos.size(), options.threads, [&](std::size_t i) {
     const cv::Mat grey = photos_detail::read_grey_photo(model.photos[i].file);
-    seen[i] = photos_detail::charuco_corners_in(grey, board);
+    detected[i] = photos_detail::detect_charuco_corners(grey, board);
     const double to_original =
         static_cast<double>(model.lenses[model.photos[i].lens].width) / grey.cols;
-    for (photos_detail::CornerInPhoto& corner : seen[i]) {
+    for (photos_detail::DetectedCorner& corner : detected[i]) {
       corner.pixel = to_original * (corner.pixel + Vec2(0.5, 0.5)) - Vec2(0.5, 0.5);
     }
   });
-  std::vector<std::vector<photos_detail::Sighting>> sightings(
+  std::vector<std::vector<photos_detail::ImageObservation>> observations(
       static_cast<std::size_t>((board.columns - 1) * (board.rows - 1)));
-  for (std::size_t i = 0; i < seen.size(); ++i) {
-    for (const photos_detail::CornerInPhoto& corner : seen[i]) {
-      sightings[static_cast<std::size_t>(corner.number)].push_back({i, corner.pixel});
+  for (std::size_t i = 0; i < detected.size(); ++i) {
+    for (const photos_detail::DetectedCorner& corner : detected[i]) {
+      observations[static_cast<std::size_t>(corner.index)].push_back({i, corner.pixel});
     }
   }
   std::vector<BoardCorner> found;
-  for (std::size_t number = 0; number < sightings.size(); ++number) {
+  for (std::size_t index = 0; index < observations.size(); ++index) {
     const auto corner =
-        photos_detail::triangulated(model, sightings[number], options.largest_error);
+        photos_detail::triangulate(model, observations[index], options.largest_error);
     if (!corner || corner->agreeing < options.fewest_photos) continue;
-    found.push_back({static_cast<int>(number), corner->place, corner->agreeing,
+    found.push_back({static_cast<int>(index), corner->position, corner->agreeing,
                      std::sqrt(corner->squared_error / static_cast<double>(corner->agreeing))});
   }
   return found;

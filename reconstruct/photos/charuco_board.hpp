@@ -38,8 +38,8 @@ void visit_fields(const CharucoBoard& options, Visit&& visit) {
 
 /// A corner that several photos agree on.
 struct BoardCorner {
-  int number = 0;
-  Vec3 place = Vec3::Zero();  ///< in the frame of the model
+  int index = 0;
+  Vec3 position = Vec3::Zero();  ///< in the frame of the model
   std::size_t photos = 0;     ///< that show it, outliers left out
   double error = 0.0;         ///< root mean square distance in photos, px
 };
@@ -49,7 +49,7 @@ struct BoardCorner {
 /// a marker.
 /// @param model    with files
 /// @param options  the dictionary is the board's
-std::vector<BoardCorner> found_board_corners(const PhotoModel& model, const CharucoBoard& board,
+std::vector<BoardCorner> find_board_corners(const PhotoModel& model, const CharucoBoard& board,
                                              const MarkerOptions& options = {});
 
 }  // namespace clast

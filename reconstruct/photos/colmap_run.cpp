@@ -23,10 +23,10 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr std::size_t kFewestMatchedPhotos = 3;
+constexpr std::size_t kMinMatchedPhotos = 3;
 constexpr std::size_t kToldLines = 3;
 /// A second group of this many photos is reported: it is a ring or a side of its own.
-constexpr std::size_t kFewestOfGroup = 3;
+constexpr std::size_t kMinGroupSize = 3;
 const char* const kAdvice = "take one every 10-15 degrees";
 
 /// Last lines of a log that say something.
@@ -110,14 +110,14 @@ class ColmapJob {
     step(what, "sequential_matcher", words);
   }
   /// Groups of photos that hang together, the largest first.
-  std::vector<PhotoModel> place(std::size_t count) {
+  std::vector<PhotoModel> solve_poses(std::size_t count) {
     const bool placed =
         try_step("COLMAP: placing " + std::to_string(count) + " cameras", "mapper",
                  {"--image_path", photos_.string(), "--output_path", (work_ / "sparse").string(),
                   "--Mapper.ba_refine_principal_point", "0"});
     std::vector<PhotoModel> groups;
     for (const auto& entry : fs::directory_iterator(work_ / "sparse")) {
-      if (!holds_photo_model(entry.path())) continue;
+      if (!contains_photo_model(entry.path())) continue;
       groups.push_back(read_photo_model(entry.path()));
       folders_.push_back(entry.path());
     }
@@ -152,11 +152,11 @@ class ColmapJob {
  private:
   /// Masks by the names that COLMAP looks for: a.jpg.png of a.jpg.
   fs::path plain_masks(const std::vector<fs::path>& files) const {
-    const std::vector<fs::path> masks = masks_of(files, options_.masks);
+    const std::vector<fs::path> masks = find_masks(files, options_.masks);
     for (std::size_t i = 0; i < files.size(); ++i) {
       const fs::path target = work_ / "masks" / (fs::relative(files[i], photos_).string() + ".png");
       fs::create_directories(target.parent_path());
-      photos_detail::write_plain_mask(masks[i], target);
+      photos_detail::write_binary_mask(masks[i], target);
     }
     return work_ / "masks";
   }
@@ -209,15 +209,15 @@ void judge(const std::vector<PhotoModel>& groups, std::size_t count, const Colma
                      kAdvice + ", all round the block");
   }
   const std::size_t placed = groups.front().photos.size();
-  const double share = static_cast<double>(placed) / static_cast<double>(count);
+  const double fraction = static_cast<double>(placed) / static_cast<double>(count);
   std::size_t large = 0;
   std::string sizes;
   for (const PhotoModel& group : groups) {
-    if (group.photos.size() < kFewestOfGroup) continue;
+    if (group.photos.size() < kMinGroupSize) continue;
     ++large;
     sizes += (sizes.empty() ? "" : " and ") + std::to_string(group.photos.size());
   }
-  if (share >= options.least_share) return;
+  if (fraction >= options.least_share) return;
   if (large > 1) {
     throw InputError("the " + all + " fall into " + std::to_string(large) + " separate groups (" +
                      sizes +
@@ -233,7 +233,7 @@ void judge(const std::vector<PhotoModel>& groups, std::size_t count, const Colma
 
 /// A folder of masks may lie in that of the photos.
 std::vector<fs::path> photos_beside_masks(const fs::path& folder, const fs::path& masks) {
-  std::vector<fs::path> files = photos_in(folder);
+  std::vector<fs::path> files = find_photos(folder);
   if (masks.empty()) return files;
   const fs::path apart = fs::weakly_canonical(masks);
   std::erase_if(files, [&](const fs::path& file) {
@@ -264,34 +264,34 @@ fs::path default_photo_cache() {
   return fs::temp_directory_path() / "clast-photos";
 }
 
-std::string photo_set_digest(const fs::path& folder) {
+std::string compute_photo_digest(const fs::path& folder) {
   std::string text;
-  for (const fs::path& file : photos_in(folder)) {
+  for (const fs::path& file : find_photos(folder)) {
     text += fs::relative(file, folder).generic_string() + " " + sha256_of_file(file) + "\n";
   }
   return sha256(text);
 }
 
-PhotoModel colmap_cameras(const fs::path& folder, const ColmapOptions& options,
+PhotoModel run_colmap(const fs::path& folder, const ColmapOptions& options,
                           const std::function<void(const std::string&)>& stage) {
   options.check();
   const std::vector<fs::path> files = photos_beside_masks(folder, options.masks);
-  if (files.size() < kFewestMatchedPhotos) {
+  if (files.size() < kMinMatchedPhotos) {
     throw InputError(folder.string() + ": " + std::to_string(files.size()) +
                      " photos are too few for a block; take 30 to 60 all round it, " +
                      "one every 10-15 degrees");
   }
-  const std::string masks = options.masks.empty() ? "" : photo_set_digest(options.masks);
+  const std::string masks = options.masks.empty() ? "" : compute_photo_digest(options.masks);
   const std::string key =
-      photo_set_digest(folder) + masks + " " + std::to_string(options.features) + " " +
+      compute_photo_digest(folder) + masks + " " + std::to_string(options.features) + " " +
       std::to_string(options.most_pixels) + " " + std::to_string(options.exhaustive_up_to);
   const fs::path cache = options.cache.empty() ? default_photo_cache() : options.cache;
   const fs::path kept = cache / sha256(key).substr(0, 32);
   const auto finished = [&](PhotoModel model) {
-    model.unplaced = files.size() - model.photos.size();
-    return with_files(std::move(model), folder);
+    model.photos_without_pose = files.size() - model.photos.size();
+    return locate_photo_files(std::move(model), folder);
   };
-  if (holds_photo_model(kept)) {
+  if (contains_photo_model(kept)) {
     PhotoModel model = read_photo_model(kept);
     judge({model}, files.size(), options);
     return finished(std::move(model));
@@ -306,7 +306,7 @@ PhotoModel colmap_cameras(const fs::path& folder, const ColmapOptions& options,
   job.find_features(files);
   const bool all_pairs = files.size() <= options.exhaustive_up_to;
   job.match(all_pairs, files.size());
-  std::vector<PhotoModel> groups = job.place(files.size());
+  std::vector<PhotoModel> groups = job.solve_poses(files.size());
   judge(groups, files.size(), options);
   job.keep(kept);
   return finished(std::move(groups.front()));

@@ -13,7 +13,7 @@ struct ColmapOptions {
   std::string program = "colmap";  ///< a path, or a name that is looked up in PATH
   /// Folder that keeps models by the content of their photos; empty: `default_photo_cache`.
   std::filesystem::path cache = {};
-  /// Folder of masks, as `masks_of` takes them, or empty. Features are found in what is white.
+  /// Folder of masks, as `find_masks` takes them, or empty. Features are found in what is white.
   std::filesystem::path masks = {};
   double seconds = 3600.0;            ///< each of its steps may take so long
   int features = 4000;                ///< looked for in each photo
@@ -45,7 +45,7 @@ std::filesystem::path default_photo_cache();
 
 /// Name of a set of photos: a digest of their names and their content.
 /// @throws InputError  a file can't be read
-std::string photo_set_digest(const std::filesystem::path& folder);
+std::string compute_photo_digest(const std::filesystem::path& folder);
 
 /// Finds features, matches them, and places the cameras, on the processor alone and without a
 /// display; what was found for the same photos before is taken from the cache. COLMAP matches with
@@ -54,11 +54,11 @@ std::string photo_set_digest(const std::filesystem::path& folder);
 ///
 /// The largest group of photos that hang together is returned, with files.
 /// @param stage  called with what is being done
-/// @throws InputError  what `masks_of` throws; colmap isn't installed (names the package); fewer
+/// @throws InputError  what `find_masks` throws; colmap isn't installed (names the package); fewer
 ///                     than three photos; the photos don't hang together, or only in groups; it
 ///                     failed or took too long
 /// @cite schoenberger2016
-PhotoModel colmap_cameras(const std::filesystem::path& folder, const ColmapOptions& options = {},
+PhotoModel run_colmap(const std::filesystem::path& folder, const ColmapOptions& options = {},
                           const std::function<void(const std::string&)>& stage = {});
 
 }  // namespace clast

@@ -8,7 +8,7 @@
 #include "core/error.hpp"
 #include "core/number_text.hpp"
 #include "core/parallel.hpp"
-#include "reconstruct/photos/detail/looked_through.hpp"
+#include "reconstruct/photos/detail/free_space_carving.hpp"
 #include "reconstruct/photos/detail/photo_image.hpp"
 #include "reconstruct/photos/detail/rectified_pair.hpp"
 #include "reconstruct/photos/photo_masks.hpp"
@@ -18,20 +18,20 @@ namespace clast {
 
 namespace {
 
-using photos_detail::kNoShift;
-using photos_detail::kShiftUnit;
-using photos_detail::PairDepths;
-using View = photos_detail::PairView;
+using photos_detail::DisparityMap;
+using photos_detail::kDisparityScale;
+using photos_detail::kNoDisparity;
+using View = photos_detail::PairProjection;
 
 /// Pairs that look in directions farther apart see different sides.
 constexpr double kSameSide = 0.5;  ///< cosine
 /// A pair that has seen something this many pixels behind a point has looked through it.
-constexpr double kSeenThrough = 3.0;  ///< times the tolerance
-constexpr std::size_t kFewestDensePoints = 2000;
+constexpr double kSeeThroughTolerance = 3.0;  ///< times the tolerance
+constexpr std::size_t kMinDensePoints = 2000;
 constexpr std::size_t kAtATime = 8;  ///< pairs that are fused before their points are added
 
 struct Fused {
-  Vec3 place;
+  Vec3 position;
   cv::Vec3b colour;
 };
 
@@ -44,30 +44,31 @@ std::vector<Fused> fused(const std::vector<View>& views, std::size_t own,
     if (j != own && views[j].direction.dot(view.direction) > kSameSide) others.push_back(&views[j]);
   }
   const photos_detail::Rectification& r = view.depths->view;
-  const double through = kSeenThrough * options.tolerance;
+  const double through = kSeeThroughTolerance * options.tolerance;
   std::vector<Fused> points;
   agreed = cv::Mat::zeros(r.height, r.width, CV_8U);
   for (int v = 0; v < r.height; ++v) {
-    const auto* row = view.depths->shift.ptr<short>(v);
+    const auto* row = view.depths->disparity.ptr<short>(v);
     for (int u = 0; u < r.width; ++u) {
-      if (row[u] == kNoShift) continue;
-      const Vec3 place = r.point(u, v, row[u] / kShiftUnit);
-      Vec3 sum = place;
+      if (row[u] == kNoDisparity) continue;
+      const Vec3 position = r.point(u, v, row[u] / kDisparityScale);
+      Vec3 sum = position;
       std::size_t agree = 1, against = 0;
       for (const View* other : others) {
-        const Vec3 q = other->matrix * (place - other->left);
+        const Vec3 q = other->matrix * (position - other->left);
         if (!(q.z() > 0.0)) continue;
         const double inverse = 1.0 / q.z();
         const int x = static_cast<int>(q.x() * inverse + 0.5);
         const int y = static_cast<int>(q.y() * inverse + 0.5);
-        const cv::Mat& shift = other->depths->shift;
-        if (x < 0 || y < 0 || x >= shift.cols || y >= shift.rows) continue;
-        const short known = shift.at<short>(y, x);
-        if (known == kNoShift) continue;
-        const double expected = other->f_base * inverse - other->offset;
-        const double nearer = expected - known / kShiftUnit;
+        const cv::Mat& disparity = other->depths->disparity;
+        if (x < 0 || y < 0 || x >= disparity.cols || y >= disparity.rows) continue;
+        const short known = disparity.at<short>(y, x);
+        if (known == kNoDisparity) continue;
+        const double expected = other->focal_baseline * inverse - other->offset;
+        const double nearer = expected - known / kDisparityScale;
         if (std::abs(nearer) <= options.tolerance) {
-          sum += other->depths->view.point(q.x() * inverse, q.y() * inverse, known / kShiftUnit);
+          sum +=
+              other->depths->view.point(q.x() * inverse, q.y() * inverse, known / kDisparityScale);
           ++agree;
         } else if (nearer > through) {
           ++against;
@@ -87,14 +88,14 @@ class Cells {
   Cells(const Vec3& origin, double side) : origin_(origin), side_(side) {}
 
   void add(const Fused& point) {
-    const Vec3 at = (point.place - origin_) / side_;
+    const Vec3 at = (point.position - origin_) / side_;
     std::uint64_t key = 0;
     for (int axis = 0; axis < 3; ++axis) {
       const auto step = static_cast<std::int64_t>(std::floor(at[axis])) + kHalf;
       key = (key << kBits) | (static_cast<std::uint64_t>(step) & (2 * kHalf - 1));
     }
     Cell& cell = cells_[key];
-    cell.place += point.place;
+    cell.position += point.position;
     for (int c = 0; c < 3; ++c) cell.colour[c] += point.colour[c];
     ++cell.count;
   }
@@ -105,7 +106,7 @@ class Cells {
     std::sort(keys.begin(), keys.end());
     for (const std::uint64_t key : keys) {
       const Cell& cell = cells_.at(key);
-      cloud.points.push_back(cell.place / static_cast<double>(cell.count));
+      cloud.points.push_back(cell.position / static_cast<double>(cell.count));
       std::array<std::uint8_t, 3> colour{};
       for (std::size_t c = 0; c < 3; ++c) {
         colour[c] = static_cast<std::uint8_t>(cell.colour[2 - c] / cell.count);
@@ -118,7 +119,7 @@ class Cells {
   static constexpr int kBits = 21;
   static constexpr std::int64_t kHalf = std::int64_t{1} << (kBits - 1);
   struct Cell {
-    Vec3 place = Vec3::Zero();
+    Vec3 position = Vec3::Zero();
     std::uint32_t colour[3] = {0, 0, 0};
     std::uint32_t count = 0;
   };
@@ -132,11 +133,11 @@ std::vector<std::filesystem::path> chosen_masks(const PhotoModel& model,
   if (folder.empty()) return {};
   std::vector<std::filesystem::path> files;
   for (const Photo& photo : model.photos) files.push_back(photo.file);
-  return masks_of(files, folder);
+  return find_masks(files, folder);
 }
 
 void skip_blurred(const PhotoModel& model, const DenseOptions& options, DenseCloud& cloud) {
-  const std::vector<Sharpness> sharpness = sharpness_of(model, cloud.region, options.threads);
+  const std::vector<Sharpness> sharpness = measure_sharpness(model, cloud.region, options.threads);
   std::string names;
   for (std::size_t i = 0; i < sharpness.size(); ++i) {
     if (!sharpness[i].blurred) continue;
@@ -153,7 +154,8 @@ void DenseOptions::check() const {
   pairs.check();
   const auto require = [](bool fine, const char* name, double value, const char* range) {
     if (fine) return;
-    throw InputError(std::string(name) + " = " + format_significant(value, 5) + "; must be " + range);
+    throw InputError(std::string(name) + " = " + format_significant(value, 5) + "; must be " +
+                     range);
   };
   require(most_pixels >= 100 && most_pixels <= 10000, "most_pixels", most_pixels,
           "from 100 to 10000");
@@ -163,29 +165,29 @@ void DenseOptions::check() const {
   require(cell > 0.0 && cell <= 100.0, "cell", cell, "above 0 and at most 100");
 }
 
-DenseCloud dense_cloud(const PhotoModel& model, const DenseOptions& options,
-                       const std::function<void(std::size_t, std::size_t)>& progress) {
+DenseCloud compute_dense_cloud(const PhotoModel& model, const DenseOptions& options,
+                               const std::function<void(std::size_t, std::size_t)>& progress) {
   options.check();
-  const photos_detail::SingleThreaded guard;
+  const photos_detail::SingleThreadedOpenCv guard;
   DenseCloud cloud;
-  cloud.region = region_of(model);
+  cloud.region = find_photo_region(model);
   const std::vector<std::filesystem::path> masks = chosen_masks(model, options.masks);
   if (options.skip_blurred) skip_blurred(model, options, cloud);
   cloud.pairs = stereo_pairs(model, cloud.region, cloud.blurred, options.pairs);
 
   const std::size_t count = cloud.pairs.size();
-  std::vector<PairDepths> depths(count);
+  std::vector<DisparityMap> depths(count);
   std::mutex mutex;
   std::size_t done = 0;
   parallel_for(count, options.threads, [&](std::size_t i) {
-    depths[i] =
-        photos_detail::pair_depths(model, cloud.pairs[i], cloud.region, options.most_pixels, masks);
+    depths[i] = photos_detail::match_stereo_pair(model, cloud.pairs[i], cloud.region,
+                                                 options.most_pixels, masks);
     const std::lock_guard lock(mutex);
     if (progress) progress(++done, count + count / 4);
   });
   std::vector<View> views;
   std::vector<double> widths;  // of a pixel on the block
-  for (const PairDepths& pair : depths) {
+  for (const DisparityMap& pair : depths) {
     views.emplace_back(pair);
     widths.push_back((cloud.region.centre - pair.view.left).norm() / pair.view.f);
   }
@@ -204,9 +206,9 @@ DenseCloud dense_cloud(const PhotoModel& model, const DenseOptions& options,
     if (progress) progress(count + (first + points.size()) / 4, count + count / 4);
   }
   cells.flush_batch(cloud);
-  cloud.through = photos_detail::looked_through(views, agreed, cloud.region, options.tolerance,
-                                                options.threads);
-  if (cloud.points.size() < kFewestDensePoints) {
+  cloud.through = photos_detail::carve_free_space(views, agreed, cloud.region, options.tolerance,
+                                                  options.threads);
+  if (cloud.points.size() < kMinDensePoints) {
     throw InputError("the photos agree on " + std::to_string(cloud.points.size()) +
                      " points only, from " + std::to_string(count) +
                      " pairs: too few for a surface. They are blurred, without texture, or too "

@@ -9,18 +9,18 @@
 
 #include "core/fields.hpp"
 #include "reconstruct/photos/stereo_pairs.hpp"
-#include "reconstruct/underside/seen_through.hpp"
+#include "reconstruct/underside/free_space_grid.hpp"
 
 namespace clast {
 
 struct DenseOptions {
-  PairOptions pairs = {};
+  StereoPairOptions pairs = {};
   int most_pixels = 1100;    ///< sides of the compared parts of photos; larger ones are reduced
   std::size_t agreeing = 3;  ///< depths from as many pairs must meet in a point
   double tolerance = 1.0;    ///< px, by which they may differ
   double cell = 1.7;         ///< one point per cube of this many pixels' width on the block
   bool skip_blurred = true;
-  /// Folder of masks, as `masks_of` takes them, or empty.
+  /// Folder of masks, as `find_masks` takes them, or empty.
   std::filesystem::path masks = {};
   unsigned threads = 0;  ///< 0: one per core; the results are the same for any number
 
@@ -44,7 +44,7 @@ void visit_fields(const DenseOptions& options, Visit&& visit) {
 struct DenseCloud {
   std::vector<Vec3> points;                          ///< in the frame and units of the model
   std::vector<std::array<std::uint8_t, 3>> colours;  ///< red, green, blue
-  SeenThrough through;  ///< space of the region that photos looked through
+  FreeSpaceGrid free_space;  ///< space of the region that photos looked through
   PhotoRegion region;
   std::vector<StereoPair> pairs;
   std::vector<std::size_t> blurred;  ///< numbers of photos that were skipped
@@ -57,7 +57,7 @@ struct DenseCloud {
 /// @param model     with files
 /// @param progress  called with what was done of what there is to do, from one thread at a time
 /// @throws InputError  what `stereo_pairs` throws; masks that are missing; photos that don't agree
-DenseCloud dense_cloud(const PhotoModel& model, const DenseOptions& options = {},
-                       const std::function<void(std::size_t, std::size_t)>& progress = {});
+DenseCloud compute_dense_cloud(const PhotoModel& model, const DenseOptions& options = {},
+                               const std::function<void(std::size_t, std::size_t)>& progress = {});
 
 }  // namespace clast

@@ -14,11 +14,11 @@ constexpr int kNewtonSteps = 50;
 constexpr double kNewtonEnd = 1e-12;  ///< of the tangent of an angle
 
 struct Distorted {
-  Vec2 place;
+  Vec2 position;
   Eigen::Matrix2d slope;  ///< derivative by the undistorted place
 };
 
-Distorted distorted(const Lens& lens, const Vec2& p) {
+Distorted distorted(const CameraIntrinsics& lens, const Vec2& p) {
   const auto& k = lens.radial;
   const auto& d = lens.divisor;
   const double a = p.x(), b = p.y(), r2 = p.squaredNorm();
@@ -29,7 +29,7 @@ Distorted distorted(const Lens& lens, const Vec2& p) {
   const double g = above / below;
   const double g_slope = (above_slope - g * below_slope) / below;  // by r^2
   Distorted result;
-  result.place = {g * a + 2.0 * lens.p1 * a * b + lens.p2 * (r2 + 2.0 * a * a),
+  result.position = {g * a + 2.0 * lens.p1 * a * b + lens.p2 * (r2 + 2.0 * a * a),
                   g * b + lens.p1 * (r2 + 2.0 * b * b) + 2.0 * lens.p2 * a * b};
   const double cross = 2.0 * a * b * g_slope + 2.0 * lens.p1 * a + 2.0 * lens.p2 * b;
   result.slope << g + 2.0 * a * a * g_slope + 2.0 * lens.p1 * b + 6.0 * lens.p2 * a, cross, cross,
@@ -39,7 +39,7 @@ Distorted distorted(const Lens& lens, const Vec2& p) {
 
 }  // namespace
 
-void Lens::check() const {
+void CameraIntrinsics::check() const {
   const auto refuse = [](const std::string& what, double value) {
     throw InputError("camera: " + what + " = " + format_significant(value, 6) +
                      " is not of a lens; check the camera model");
@@ -59,7 +59,7 @@ void Lens::check() const {
   }
 }
 
-std::optional<Vec2> projected(const Lens& lens, const Vec3& in_camera) {
+std::optional<Vec2> project(const CameraIntrinsics& lens, const Vec3& in_camera) {
   if (!(in_camera.z() > 0.0)) return std::nullopt;
   Vec2 p(in_camera.x() / in_camera.z(), in_camera.y() / in_camera.z());
   if (lens.fisheye) {
@@ -68,11 +68,11 @@ std::optional<Vec2> projected(const Lens& lens, const Vec3& in_camera) {
   }
   const Distorted there = distorted(lens, p);
   if (!(there.slope.determinant() > 0.0 && there.slope.trace() > 0.0)) return std::nullopt;
-  const Vec2& q = there.place;
+  const Vec2& q = there.position;
   return Vec2(lens.fx * q.x() + lens.skew * q.y() + lens.cx, lens.fy * q.y() + lens.cy);
 }
 
-std::optional<Vec3> direction_at(const Lens& lens, const Vec2& pixel) {
+std::optional<Vec3> unproject(const CameraIntrinsics& lens, const Vec2& pixel) {
   const double y = (pixel.y() - lens.cy) / lens.fy;
   const Vec2 target((pixel.x() - lens.cx - lens.skew * y) / lens.fx, y);
   Vec2 p = target;
@@ -81,7 +81,7 @@ std::optional<Vec3> direction_at(const Lens& lens, const Vec2& pixel) {
     const Distorted there = distorted(lens, p);
     const double det = there.slope.determinant();
     if (!(det > 0.0)) return std::nullopt;
-    const Vec2 miss = target - there.place;
+    const Vec2 miss = target - there.position;
     const Vec2 move((there.slope(1, 1) * miss.x() - there.slope(0, 1) * miss.y()) / det,
                     (there.slope(0, 0) * miss.y() - there.slope(1, 0) * miss.x()) / det);
     p += move;
@@ -96,7 +96,7 @@ std::optional<Vec3> direction_at(const Lens& lens, const Vec2& pixel) {
   return Vec3(p.x(), p.y(), 1.0);
 }
 
-Lens resized(const Lens& lens, int width, int height) {
+CameraIntrinsics resized(const CameraIntrinsics& lens, int width, int height) {
   if (width == lens.width && height == lens.height) return lens;
   const double factor = static_cast<double>(width) / lens.width;
   if (std::abs(factor * lens.height - height) > 1.0 + factor) {
@@ -106,7 +106,7 @@ Lens resized(const Lens& lens, int width, int height) {
                      "; give the photos that the model was made of, neither cut nor turned");
   }
   const double factor_y = static_cast<double>(height) / lens.height;
-  Lens result = lens;
+  CameraIntrinsics result = lens;
   result.width = width;
   result.height = height;
   result.fx *= factor;

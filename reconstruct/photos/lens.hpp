@@ -20,7 +20,7 @@ namespace clast {
 ///     a' = g a + 2 p1 a b + p2 (r^2 + 2 a^2),   u = fx a' + skew b' + cx
 ///     b' = g b + p1 (r^2 + 2 b^2) + 2 p2 a b,   v = fy b' + cy
 /// @cite brown1966
-struct Lens {
+struct CameraIntrinsics {
   int width = 0;  ///< px
   int height = 0;
   double fx = 0.0, fy = 0.0;        ///< focal length, px
@@ -37,14 +37,14 @@ struct Lens {
 
 /// Where a point in the camera's frame is seen; it may be outside the photo. None: it lies behind
 /// the camera, or so far to the side that the distortion turns back.
-std::optional<Vec2> projected(const Lens& lens, const Vec3& in_camera);
+std::optional<Vec2> project(const CameraIntrinsics& lens, const Vec3& in_camera);
 
 /// The direction (x / z, y / z, 1) that is seen at a pixel, to 1e-9 px. None: the distortion has no
 /// inverse there.
-std::optional<Vec3> direction_at(const Lens& lens, const Vec2& pixel);
+std::optional<Vec3> unproject(const CameraIntrinsics& lens, const Vec2& pixel);
 
 /// The same lens for photos that were made smaller or larger.
 /// @throws InputError  the sides don't change by one factor (within a pixel)
-Lens resized(const Lens& lens, int width, int height);
+CameraIntrinsics resized(const CameraIntrinsics& lens, int width, int height);
 
 }  // namespace clast

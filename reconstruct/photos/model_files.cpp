@@ -51,7 +51,7 @@ PhotoModel read_at(const fs::path& path) {
 
 }  // namespace
 
-bool holds_photo_model(const fs::path& folder) { return !model_at(folder).empty(); }
+bool contains_photo_model(const fs::path& folder) { return !model_at(folder).empty(); }
 
 PhotoModel read_photo_model(const fs::path& path) {
   std::error_code code;
@@ -66,7 +66,7 @@ PhotoModel read_photo_model(const fs::path& path) {
   }
   if (!fs::is_directory(found, code)) check_input_file(found);
   try {
-    PhotoModel model = photos_detail::in_order_of_names(read_at(found));
+    PhotoModel model = photos_detail::sorted_by_name(read_at(found));
     model.check();
     return model;
   } catch (const InputError& error) {
@@ -79,15 +79,15 @@ PhotoModel read_photo_model(const fs::path& path) {
 
 namespace photos_detail {
 
-PhotoModel in_order_of_names(PhotoModel model) {
-  std::vector<std::uint32_t> order(model.photos.size()), number(model.photos.size());
+PhotoModel sorted_by_name(PhotoModel model) {
+  std::vector<std::uint32_t> order(model.photos.size()), new_index(model.photos.size());
   std::iota(order.begin(), order.end(), 0u);
   std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
     return model.photos[a].name < model.photos[b].name;
   });
   std::vector<Photo> photos;
   for (std::uint32_t i = 0; i < order.size(); ++i) {
-    number[order[i]] = i;
+    new_index[order[i]] = i;
     photos.push_back(std::move(model.photos[order[i]]));
     if (i > 0 && photos[i].name == photos[i - 1].name) {
       throw InputError("photo " + photos[i].name + " stands twice in the model");
@@ -96,8 +96,8 @@ PhotoModel in_order_of_names(PhotoModel model) {
   model.photos = std::move(photos);
   for (SparsePoint& point : model.points) {
     for (std::uint32_t& photo : point.photos) {
-      if (photo >= number.size()) throw InputError("a point names a photo that isn't there");
-      photo = number[photo];
+      if (photo >= new_index.size()) throw InputError("a point names a photo that isn't there");
+      photo = new_index[photo];
     }
     std::sort(point.photos.begin(), point.photos.end());
     point.photos.erase(std::unique(point.photos.begin(), point.photos.end()), point.photos.end());
@@ -105,7 +105,7 @@ PhotoModel in_order_of_names(PhotoModel model) {
   return model;
 }
 
-Quat rotation_from(const Mat3& matrix, const std::string& what) {
+Quat rotation_from_matrix(const Mat3& matrix, const std::string& what) {
   if (!matrix.allFinite() || (matrix * matrix.transpose() - Mat3::Identity()).norm() > 1e-3 ||
       matrix.determinant() < 0.0) {
     throw InputError(what + ": its rotation is none");

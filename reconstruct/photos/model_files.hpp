@@ -17,6 +17,6 @@ namespace clast {
 PhotoModel read_photo_model(const std::filesystem::path& path);
 
 /// Whether a folder holds a model that `read_photo_model` would read.
-bool holds_photo_model(const std::filesystem::path& folder);
+bool contains_photo_model(const std::filesystem::path& folder);
 
 }  // namespace clast

@@ -20,11 +20,11 @@ namespace {
 /// Photos that "auto" tries every dictionary on.
 constexpr std::size_t kTriedPhotos = 8;
 /// Fewer sightings in those are chance: what looks like a marker on a rock.
-constexpr std::size_t kFewestSightings = 3;
+constexpr std::size_t kMinSightings = 3;
 
-using photos_detail::MarkerInPhoto;
+using photos_detail::DetectedMarker;
 
-Lens lens_for(const PhotoModel& model, std::size_t photo, const cv::Mat& image) {
+CameraIntrinsics lens_for(const PhotoModel& model, std::size_t photo, const cv::Mat& image) {
   const Photo& p = model.photos[photo];
   return with_error_context("photo " + p.name,
                             [&] { return resized(model.lenses[p.lens], image.cols, image.rows); });
@@ -33,17 +33,17 @@ Lens lens_for(const PhotoModel& model, std::size_t photo, const cv::Mat& image) 
 /// The dictionary with the most markers on some photos; empty when none has enough.
 std::string likely_dictionary(const PhotoModel& model, unsigned threads) {
   const std::size_t tried = std::min(kTriedPhotos, model.photos.size());
-  const std::vector<std::string>& names = photos_detail::dictionary_names();
+  const std::vector<std::string>& names = photos_detail::common_dictionary_names();
   std::vector<std::vector<std::size_t>> counts(tried, std::vector<std::size_t>(names.size()));
   parallel_for(tried, threads, [&](std::size_t i) {
     const cv::Mat grey =
         photos_detail::read_grey_photo(model.photos[i * model.photos.size() / tried].file);
     for (std::size_t k = 0; k < names.size(); ++k) {
-      counts[i][k] = photos_detail::markers_in(grey, names[k]).size();
+      counts[i][k] = photos_detail::detect_markers(grey, names[k]).size();
     }
   });
   std::string best;
-  std::size_t most = kFewestSightings - 1;
+  std::size_t most = kMinSightings - 1;
   for (std::size_t k = 0; k < names.size(); ++k) {
     std::size_t sum = 0;
     for (std::size_t i = 0; i < tried; ++i) sum += counts[i][k];
@@ -57,21 +57,21 @@ std::string likely_dictionary(const PhotoModel& model, unsigned threads) {
 
 /// The marker where the photos that agree see it; none where too few do.
 /// @param seen  by photo
-std::optional<FoundMarker> placed(const PhotoModel& model,
-                                  const std::vector<std::vector<MarkerInPhoto>>& seen, int id,
+std::optional<LocatedMarker> placed(const PhotoModel& model,
+                                  const std::vector<std::vector<DetectedMarker>>& detected, int id,
                                   const MarkerOptions& options) {
-  FoundMarker marker{id, {}, model.photos.size(), 0.0};
+  LocatedMarker marker{id, {}, model.photos.size(), 0.0};
   double squares = 0.0, count = 0.0;
   for (std::size_t k = 0; k < 4; ++k) {
-    std::vector<photos_detail::Sighting> sightings;
-    for (std::size_t i = 0; i < seen.size(); ++i) {
-      for (const MarkerInPhoto& one : seen[i]) {
-        if (one.id == id) sightings.push_back({i, one.corners[k]});
+    std::vector<photos_detail::ImageObservation> observations;
+    for (std::size_t i = 0; i < detected.size(); ++i) {
+      for (const DetectedMarker& one : detected[i]) {
+        if (one.id == id) observations.push_back({i, one.corners[k]});
       }
     }
-    const auto corner = photos_detail::triangulated(model, sightings, options.largest_error);
+    const auto corner = photos_detail::triangulate(model, observations, options.largest_error);
     if (!corner || corner->agreeing < options.fewest_photos) return std::nullopt;
-    marker.corners[k] = corner->place;
+    marker.corners[k] = corner->position;
     marker.photos = std::min(marker.photos, corner->agreeing);
     squares += corner->squared_error;
     count += static_cast<double>(corner->agreeing);
@@ -83,7 +83,7 @@ std::optional<FoundMarker> placed(const PhotoModel& model,
 }  // namespace
 
 void MarkerOptions::check() const {
-  if (dictionary != "auto" && dictionary != "none") photos_detail::dictionary_number(dictionary);
+  if (dictionary != "auto" && dictionary != "none") photos_detail::opencv_dictionary(dictionary);
   if (fewest_photos < 2) throw InputError("fewest_photos must be 2 at least");
   if (!(largest_error > 0.0 && largest_error < 100.0)) {
     throw InputError("largest_error = " + format_significant(largest_error, 4) +
@@ -91,48 +91,48 @@ void MarkerOptions::check() const {
   }
 }
 
-Vec3 FoundMarker::centre() const {
+Vec3 LocatedMarker::centre() const {
   return 0.25 * (corners[0] + corners[1] + corners[2] + corners[3]);
 }
 
-double FoundMarker::side() const {
+double LocatedMarker::side() const {
   double sum = 0.0;
   for (std::size_t k = 0; k < 4; ++k) sum += (corners[k] - corners[(k + 1) % 4]).norm();
   return 0.25 * sum;
 }
 
-std::vector<std::string> marker_dictionaries() { return photos_detail::dictionary_names(); }
+std::vector<std::string> marker_dictionary_names() { return photos_detail::common_dictionary_names(); }
 
-MarkerSearch search_markers(const PhotoModel& model, const MarkerOptions& options) {
+MarkerSearchResult search_markers(const PhotoModel& model, const MarkerOptions& options) {
   options.check();
-  MarkerSearch search;
+  MarkerSearchResult search;
   if (options.dictionary == "none" || model.photos.empty()) return search;
-  const photos_detail::SingleThreaded guard;
+  const photos_detail::SingleThreadedOpenCv guard;
   const std::string dictionary =
       options.dictionary == "auto" ? likely_dictionary(model, options.threads) : options.dictionary;
   if (dictionary.empty()) return search;
   search.dictionary = dictionary;
-  std::vector<std::vector<MarkerInPhoto>> seen(model.photos.size());
+  std::vector<std::vector<DetectedMarker>> detected(model.photos.size());
   parallel_for(model.photos.size(), options.threads, [&](std::size_t i) {
     const cv::Mat grey = photos_detail::read_grey_photo(model.photos[i].file);
-    const Lens lens = lens_for(model, i, grey);
-    const Lens& original = model.lenses[model.photos[i].lens];
+    const CameraIntrinsics lens = lens_for(model, i, grey);
+    const CameraIntrinsics& original = model.lenses[model.photos[i].lens];
     const double to_original = static_cast<double>(original.width) / lens.width;
-    for (const MarkerInPhoto& raw : photos_detail::markers_in(grey, dictionary)) {
-      std::optional<MarkerInPhoto> fine = photos_detail::with_edge_corners(raw, grey, lens);
+    for (const DetectedMarker& raw : photos_detail::detect_markers(grey, dictionary)) {
+      std::optional<DetectedMarker> fine = photos_detail::refine_marker_corners(raw, grey, lens);
       if (!fine) continue;
       for (Vec2& corner : fine->corners) {
         corner = to_original * (corner + Vec2(0.5, 0.5)) - Vec2(0.5, 0.5);
       }
-      seen[i].push_back(*fine);
+      detected[i].push_back(*fine);
     }
   });
   std::map<int, std::size_t> photos_of;
-  for (const auto& markers : seen) {
-    for (const MarkerInPhoto& marker : markers) ++photos_of[marker.id];
+  for (const auto& markers : detected) {
+    for (const DetectedMarker& marker : markers) ++photos_of[marker.id];
   }
   for (const auto& [id, photos] : photos_of) {
-    if (std::optional<FoundMarker> marker = placed(model, seen, id, options)) {
+    if (std::optional<LocatedMarker> marker = placed(model, detected, id, options)) {
       search.markers.push_back(*marker);
     } else {
       search.missed.push_back({id, photos});

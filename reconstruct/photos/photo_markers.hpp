@@ -31,7 +31,7 @@ void visit_fields(const MarkerOptions& options, Visit&& visit) {
 }
 
 /// A marker that several photos agree on.
-struct FoundMarker {
+struct LocatedMarker {
   int id = 0;
   std::array<Vec3, 4> corners{};  ///< clockwise from the top left, in the frame of the model
   std::size_t photos = 0;         ///< that show it, outliers left out
@@ -42,19 +42,19 @@ struct FoundMarker {
 };
 
 /// A marker that too few photos agree on to say where it is.
-struct MissedMarker {
+struct UnlocatedMarker {
   int id = 0;
   std::size_t photos = 0;  ///< that show it with clear edges
 };
 
-struct MarkerSearch {
+struct MarkerSearchResult {
   std::string dictionary;            ///< empty: nothing was looked for, or nothing found
-  std::vector<FoundMarker> markers;  ///< in order of ids
-  std::vector<MissedMarker> missed;  ///< in order of ids
+  std::vector<LocatedMarker> markers;  ///< in order of ids
+  std::vector<UnlocatedMarker> missed;  ///< in order of ids
 };
 
 /// Names that `MarkerOptions::dictionary` takes, "auto" and "none" apart.
-std::vector<std::string> marker_dictionaries();
+std::vector<std::string> marker_dictionary_names();
 
 /// Finds markers and triangulates their corners, in order of ids.
 ///
@@ -65,6 +65,6 @@ std::vector<std::string> marker_dictionaries();
 /// squares over those.
 /// @param model  with files
 /// @cite garrido2014
-MarkerSearch search_markers(const PhotoModel& model, const MarkerOptions& options = {});
+MarkerSearchResult search_markers(const PhotoModel& model, const MarkerOptions& options = {});
 
 }  // namespace clast

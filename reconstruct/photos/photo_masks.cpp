@@ -27,19 +27,19 @@ void check_mask(const fs::path& file, const fs::path& photo) {
   }
   double darkest = 0.0, brightest = 0.0;
   cv::minMaxLoc(mask, &darkest, &brightest);
-  if (brightest >= photos_detail::kMaskWhite) return;
+  if (brightest >= photos_detail::kMaskThreshold) return;
   throw InputError("mask " + file.string() + " is all black (its brightest pixel is " +
                    std::to_string(static_cast<int>(brightest)) + ", and " +
-                   std::to_string(photos_detail::kMaskWhite) +
+                   std::to_string(photos_detail::kMaskThreshold) +
                    " to 255 counts as white): nothing of its photo would be used. Draw it anew, or "
                    "take the photo away");
 }
 
 }  // namespace
 
-std::vector<fs::path> masks_of(const std::vector<fs::path>& photos, const fs::path& folder) {
+std::vector<fs::path> find_masks(const std::vector<fs::path>& photos, const fs::path& folder) {
   std::map<std::string, fs::path> by_stem;
-  for (const fs::path& file : photos_in(folder)) by_stem[file.stem().string()] = file;
+  for (const fs::path& file : find_photos(folder)) by_stem[file.stem().string()] = file;
   std::vector<fs::path> masks;
   for (const fs::path& photo : photos) {
     fs::path found;

@@ -10,7 +10,7 @@ namespace clast {
 /// @param folder  of masks
 /// @throws InputError  masks that are missing, of another size than their photos, or all black; by
 ///                     name
-std::vector<std::filesystem::path> masks_of(const std::vector<std::filesystem::path>& photos,
+std::vector<std::filesystem::path> find_masks(const std::vector<std::filesystem::path>& photos,
                                             const std::filesystem::path& folder);
 
 }  // namespace clast

@@ -34,7 +34,7 @@ std::string file_name(const std::string& path) { return path.substr(path.find_la
 }  // namespace
 
 void PhotoModel::check() const {
-  for (const Lens& lens : lenses) lens.check();
+  for (const CameraIntrinsics& lens : lenses) lens.check();
   for (const Photo& photo : photos) {
     if (photo.lens >= lenses.size()) {
       throw InputError("photo " + photo.name + " names a camera that the model doesn't hold");
@@ -47,33 +47,33 @@ void PhotoModel::check() const {
   for (const SparsePoint& point : points) {
     const bool known = std::all_of(point.photos.begin(), point.photos.end(),
                                    [&](std::uint32_t photo) { return photo < photos.size(); });
-    if (!point.place.allFinite() || !known) {
+    if (!point.position.allFinite() || !known) {
       throw InputError("a sparse point has no finite place, or names a photo that isn't there");
     }
   }
 }
 
-std::optional<Vec2> seen_at(const PhotoModel& model, std::size_t photo, const Vec3& point) {
+std::optional<Vec2> project_into_photo(const PhotoModel& model, std::size_t photo, const Vec3& point) {
   const Photo& p = model.photos[photo];
-  return projected(model.lenses[p.lens], p.camera_from_world * point);
+  return project(model.lenses[p.lens], p.camera_from_world * point);
 }
 
 PhotoModel scaled(PhotoModel model, double factor) {
   for (Photo& photo : model.photos) photo.camera_from_world.translation *= factor;
-  for (SparsePoint& point : model.points) point.place *= factor;
+  for (SparsePoint& point : model.points) point.position *= factor;
   return model;
 }
 
-std::vector<fs::path> photos_in(const fs::path& folder) {
+std::vector<fs::path> find_photos(const fs::path& folder) {
   static const std::set<std::string> kPhotos = {".jpg", ".jpeg", ".png", ".tif", ".tiff", ".bmp"};
   std::vector<fs::path> found;
   std::error_code code;
   for (fs::recursive_directory_iterator entry(folder, code), end; !code && entry != end;
        entry.increment(code)) {
-    std::error_code unseen;
+    std::error_code ignored;
     const bool hidden = entry->path().filename().string().starts_with(".");
-    if (hidden && entry->is_directory(unseen)) entry.disable_recursion_pending();
-    if (!hidden && entry->is_regular_file(unseen) &&
+    if (hidden && entry->is_directory(ignored)) entry.disable_recursion_pending();
+    if (!hidden && entry->is_regular_file(ignored) &&
         kPhotos.contains(lower_case_extension(entry->path()))) {
       found.push_back(entry->path());
     }
@@ -83,9 +83,9 @@ std::vector<fs::path> photos_in(const fs::path& folder) {
   return found;
 }
 
-PhotoModel with_files(PhotoModel model, const fs::path& folder) {
+PhotoModel locate_photo_files(PhotoModel model, const fs::path& folder) {
   std::multimap<std::string, fs::path> by_name, by_stem;
-  for (const fs::path& file : photos_in(folder)) {
+  for (const fs::path& file : find_photos(folder)) {
     by_name.emplace(file.filename().string(), file);
     by_stem.emplace(file.stem().string(), file);
   }

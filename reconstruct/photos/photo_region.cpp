@@ -8,29 +8,29 @@
 #include "core/error.hpp"
 #include "core/statistics/statistics.hpp"
 #include "reconstruct/cloud/cloud.hpp"
+#include "reconstruct/ground/blocks_on_ground.hpp"
 #include "reconstruct/ground/ground.hpp"
-#include "reconstruct/ground/standing_blocks.hpp"
 
 namespace clast {
 
 namespace {
 
-constexpr std::size_t kFewestSparsePoints =
-    300;  ///< sparse points, for a ground and a block among them
-constexpr std::size_t kFewestRegionViews = 3;  ///< that a sparse point was seen in
-constexpr int kNeighbours = 12;                ///< of the test for outliers
+constexpr std::size_t kMinSparsePoints =
+    300;                                    ///< sparse points, for a ground and a block among them
+constexpr std::size_t kMinRegionViews = 3;  ///< that a sparse point was seen in
+constexpr int kNeighbours = 12;             ///< of the test for outliers
 constexpr double kDeviations = 1.5;
 /// Distance of the block's farthest points from its middle times this: sparse points end a little
 /// short of the rock, and the ground is wanted on all sides.
 constexpr double kRegionMargin = 1.15;
-constexpr double kFarthestShare = 0.995;  ///< of the block's points; the rest may be strays
+constexpr double kFarthestFraction = 0.995;  ///< of the block's points; the rest may be strays
 /// Of what a photo holds: a block that fills it, with the ground about it.
 constexpr double kFilled = 0.8;
 /// How far from the middle sparse points are looked at, as shares of the cameras' distance: the
 /// nearest ground is the one wanted, but of a large block little of it may be near.
 constexpr std::array<double, 3> kForegrounds = {0.8, 3.0, 10.0};
 /// Without a ground the ball holds this share of the points in the foreground,
-constexpr double kHeldShare = 0.9;
+constexpr double kRetainedFraction = 0.9;
 /// and has at most this share of the cameras' distance.
 constexpr double kLargest = 0.6;
 
@@ -51,9 +51,9 @@ Vec3 looked_at(const PhotoModel& model) {
                      " cameras look along parallel lines, not at one block: take photos all "
                      "round it");
   }
-  const Vec3 place = sum.ldlt().solve(right);
+  const Vec3 position = sum.ldlt().solve(right);
   for (const Photo& photo : model.photos) {
-    if ((photo.camera_from_world * place).z() > 0.0) return place;
+    if ((photo.camera_from_world * position).z() > 0.0) return position;
   }
   throw InputError(
       "the cameras look away from each other and not at one block: take photos all round it");
@@ -65,20 +65,19 @@ std::optional<PhotoRegion> standing_region(const PhotoModel& model, const Vec3& 
                                            double reach, double most_aside) {
   std::vector<Vec3> near;
   for (const SparsePoint& point : model.points) {
-    const bool known = point.photos.size() >= kFewestRegionViews;
-    if (known && (point.place - middle).norm() < reach) near.push_back(point.place);
+    const bool known = point.photos.size() >= kMinRegionViews;
+    if (known && (point.position - middle).norm() < reach) near.push_back(point.position);
   }
-  if (near.size() < kFewestSparsePoints) return std::nullopt;
+  if (near.size() < kMinSparsePoints) return std::nullopt;
   std::vector<Vec3> points;
-  for (const std::uint32_t i :
-       reconstruct_detail::without_outliers(near, kNeighbours, kDeviations)) {
+  for (const std::uint32_t i : reconstruct_detail::find_inliers(near, kNeighbours, kDeviations)) {
     points.push_back(near[i]);
   }
   const std::optional<Ground> ground = find_ground(points);
   if (!ground) return std::nullopt;
-  const StandingBlocks standing = standing_blocks(points, *ground);
+  const BlocksOnGround standing = find_blocks_on_ground(points, *ground);
   if (standing.blocks.empty()) return std::nullopt;
-  const StandingBlock& block = standing.blocks[standing.central];
+  const BlockOnGround& block = standing.blocks[standing.central];
   Bounds box;
   for (const std::uint32_t i : block.points) box.include(points[i]);
   const Vec3 centre = 0.5 * (box.low + box.high);
@@ -87,14 +86,14 @@ std::optional<PhotoRegion> standing_region(const PhotoModel& model, const Vec3& 
   std::sort(distances.begin(), distances.end());
   const double radius =
       kRegionMargin * distances[static_cast<std::size_t>(
-                          kFarthestShare * static_cast<double>(distances.size() - 1))];
+                          kFarthestFraction * static_cast<double>(distances.size() - 1))];
   if ((centre - middle).norm() > radius + most_aside) return std::nullopt;
   return PhotoRegion{centre, radius, true};
 }
 
 }  // namespace
 
-PhotoRegion region_of(const PhotoModel& model) {
+PhotoRegion find_photo_region(const PhotoModel& model) {
   if (model.photos.size() < 2) {
     throw InputError(std::to_string(model.photos.size()) +
                      " photos with a camera are too few; a block needs 20 at least, all round it");
@@ -102,7 +101,7 @@ PhotoRegion region_of(const PhotoModel& model) {
   const Vec3 middle = looked_at(model);
   std::vector<double> distances, reaches;
   for (const Photo& photo : model.photos) {
-    const Lens& lens = model.lenses[photo.lens];
+    const CameraIntrinsics& lens = model.lenses[photo.lens];
     const double distance = (photo.centre() - middle).norm();
     distances.push_back(distance);
     const double half = 0.5 * std::min(lens.width / lens.fx, lens.height / lens.fy);
@@ -110,24 +109,25 @@ PhotoRegion region_of(const PhotoModel& model) {
   }
   const double away = upper_median(distances);
   PhotoRegion region{middle, kFilled * upper_median(reaches), false};
-  for (const double share : kForegrounds) {
-    if (const auto found = standing_region(model, middle, share * away, 0.2 * away)) return *found;
+  for (const double fraction : kForegrounds) {
+    if (const auto found = standing_region(model, middle, fraction * away, 0.2 * away))
+      return *found;
   }
   std::vector<double> known;
   for (const SparsePoint& point : model.points) {
-    const double distance = (point.place - middle).norm();
-    if (point.photos.size() >= kFewestRegionViews && distance < kForegrounds[0] * away) {
+    const double distance = (point.position - middle).norm();
+    if (point.photos.size() >= kMinRegionViews && distance < kForegrounds[0] * away) {
       known.push_back(distance);
     }
   }
-  if (known.size() < kFewestSparsePoints) return region;
+  if (known.size() < kMinSparsePoints) return region;
   std::sort(known.begin(), known.end());
   const double held =
-      known[static_cast<std::size_t>(kHeldShare * static_cast<double>(known.size()))];
+      known[static_cast<std::size_t>(kRetainedFraction * static_cast<double>(known.size()))];
   return {middle, std::min(kRegionMargin * held, kLargest * away), false};
 }
 
-double angle_between(const PhotoModel& model, const PhotoRegion& region, std::size_t first,
+double viewing_angle(const PhotoModel& model, const PhotoRegion& region, std::size_t first,
                      std::size_t second) {
   const Vec3 a = model.photos[first].centre() - region.centre;
   const Vec3 b = model.photos[second].centre() - region.centre;

@@ -15,10 +15,10 @@ struct PhotoRegion {
 /// in any cloud. Where these show no ground, the ball about the place that the cameras look at that
 /// most photos hold whole.
 /// @throws InputError  fewer than two photos, or cameras that don't look at one place
-PhotoRegion region_of(const PhotoModel& model);
+PhotoRegion find_photo_region(const PhotoModel& model);
 
 /// The angle between two photos at the region's centre, rad.
-double angle_between(const PhotoModel& model, const PhotoRegion& region, std::size_t first,
+double viewing_angle(const PhotoModel& model, const PhotoRegion& region, std::size_t first,
                      std::size_t second);
 
 }  // namespace clast

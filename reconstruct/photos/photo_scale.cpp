@@ -11,9 +11,9 @@ namespace clast {
 
 namespace {
 
-const FoundMarker& marker_of(const std::vector<FoundMarker>& markers, int id) {
+const LocatedMarker& marker_of(const std::vector<LocatedMarker>& markers, int id) {
   std::string known;
-  for (const FoundMarker& marker : markers) {
+  for (const LocatedMarker& marker : markers) {
     if (marker.id == id) return marker;
     known += (known.empty() ? "" : ", ") + std::to_string(marker.id);
   }
@@ -22,7 +22,7 @@ const FoundMarker& marker_of(const std::vector<FoundMarker>& markers, int id) {
                    ". A marker must be seen whole, sharp and with a white margin in 3 photos");
 }
 
-std::string in_percent(double share) { return format_significant(100.0 * share, 2) + " %"; }
+std::string in_percent(double fraction) { return format_significant(100.0 * fraction, 2) + " %"; }
 
 double median(std::vector<double> values) {
   std::sort(values.begin(), values.end());
@@ -47,16 +47,16 @@ std::optional<double> side_of_markers(const ScaleOptions& options) {
 }
 
 /// Bars, and all of a board.
-BoardLengths known_distances(const std::vector<FoundMarker>& markers, const ScaleOptions& options,
+BoardLengths known_distances(const std::vector<LocatedMarker>& markers, const ScaleOptions& options,
                              const std::vector<BoardCorner>& corners) {
   BoardLengths known;
   if (options.board && options.board->charuco) {
-    known = lengths_of_charuco(*options.board->charuco, corners, options.largest_disagreement);
+    known = measure_charuco_lengths(*options.board->charuco, corners, options.largest_disagreement);
   } else if (options.board) {
-    known = lengths_of_markers(*options.board, markers, options.largest_disagreement);
+    known = measure_marker_lengths(*options.board, markers, options.largest_disagreement);
   }
   for (const ScaleBar& bar : options.bars) {
-    const FoundMarker &a = marker_of(markers, bar.first), &b = marker_of(markers, bar.second);
+    const LocatedMarker &a = marker_of(markers, bar.first), &b = marker_of(markers, bar.second);
     known.lengths.push_back(
         {"markers " + std::to_string(bar.first) + " and " + std::to_string(bar.second),
          bar.length,
@@ -66,7 +66,7 @@ BoardLengths known_distances(const std::vector<FoundMarker>& markers, const Scal
   return known;
 }
 
-[[noreturn]] void refuse_without_length(const std::vector<FoundMarker>& markers,
+[[noreturn]] void refuse_without_length(const std::vector<LocatedMarker>& markers,
                                         const ScaleOptions& options) {
   if (options.board) {
     throw InputError("board: " + std::to_string(markers.size()) +
@@ -123,10 +123,10 @@ void compare_measures(PhotoScale& scale, std::size_t used, double most) {
 }
 
 /// The markers' sides by the distances between them, against the side that was given.
-void check_sides(PhotoScale& scale, const std::vector<FoundMarker>& markers, double side,
+void check_sides(PhotoScale& scale, const std::vector<LocatedMarker>& markers, double side,
                  double most) {
   double sides = 0.0;
-  for (const FoundMarker& marker : markers) sides += marker.side();
+  for (const LocatedMarker& marker : markers) sides += marker.side();
   scale.side_check =
       scale.metres_per_unit * sides / static_cast<double>(markers.size()) / side - 1.0;
   if (std::abs(*scale.side_check) <= most) return;
@@ -160,7 +160,7 @@ void ScaleOptions::check() const {
   }
 }
 
-PhotoScale scale_from_markers(const std::vector<FoundMarker>& markers, const ScaleOptions& options,
+PhotoScale estimate_scale_from_markers(const std::vector<LocatedMarker>& markers, const ScaleOptions& options,
                               const std::vector<BoardCorner>& corners) {
   options.check();
   PhotoScale scale;
@@ -170,7 +170,7 @@ PhotoScale scale_from_markers(const std::vector<FoundMarker>& markers, const Sca
   if (!options.board || !options.board->charuco) scale.misplaced = std::move(misplaced);
   scale.from_bars = !lengths.empty();
   if (!scale.from_bars && side) {
-    for (const FoundMarker& marker : markers) {
+    for (const LocatedMarker& marker : markers) {
       lengths.push_back({"marker " + std::to_string(marker.id), *side, marker.side(), {marker.id}});
     }
   }

@@ -72,7 +72,7 @@ struct PhotoScale {
 /// @param corners  of the ChArUco board, where `options` have one
 /// @throws InputError  no distances and no side are given; a bar names a marker that was not found;
 ///                     sizes contradict each other
-PhotoScale scale_from_markers(const std::vector<FoundMarker>& markers, const ScaleOptions& options,
+PhotoScale estimate_scale_from_markers(const std::vector<LocatedMarker>& markers, const ScaleOptions& options,
                               const std::vector<BoardCorner>& corners = {});
 
 }  // namespace clast

@@ -14,21 +14,21 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr std::size_t kFewestPhotos = 3;
+constexpr std::size_t kMinPhotos = 3;
 constexpr double kToldDifference = 0.005;  ///< between markers and the model's own metres
 
 std::size_t photos_directly_in(const fs::path& folder) {
   std::size_t count = 0;
   std::error_code code;
   if (!fs::is_directory(folder, code)) return 0;
-  for (const fs::path& file : photos_in(folder)) count += file.parent_path() == folder ? 1 : 0;
+  for (const fs::path& file : find_photos(folder)) count += file.parent_path() == folder ? 1 : 0;
   return count;
 }
 
 /// Where the photos of a folder are.
 fs::path folder_of_photos(const fs::path& folder) {
-  const bool inside = photos_directly_in(folder) < kFewestPhotos &&
-                      photos_directly_in(folder / "images") >= kFewestPhotos;
+  const bool inside = photos_directly_in(folder) < kMinPhotos &&
+                      photos_directly_in(folder / "images") >= kMinPhotos;
   return inside ? folder / "images" : folder;
 }
 
@@ -40,7 +40,7 @@ std::vector<std::string> names_without_camera(const PhotoModel& model, const fs:
     folders.insert(photo.file.parent_path());
   }
   std::vector<std::string> names;
-  for (const fs::path& file : photos_in(photos)) {
+  for (const fs::path& file : find_photos(photos)) {
     if (folders.contains(file.parent_path()) && !placed.contains(file)) {
       names.push_back(file.filename().string());
     }
@@ -61,17 +61,17 @@ std::string scale_words(const PhotoScale& scale, const std::string& source) {
 PhotoModel find_cameras(const fs::path& folder, const fs::path& photos,
                         const PhotoScanOptions& options,
                         const std::function<void(const std::string&)>& stage) {
-  for (const fs::path& place : {options.model, folder}) {
-    if (place.empty() || (place == folder && !holds_photo_model(folder))) continue;
-    PhotoModel model = read_photo_model(place);
+  for (const fs::path& position : {options.model, folder}) {
+    if (position.empty() || (position == folder && !contains_photo_model(folder))) continue;
+    PhotoModel model = read_photo_model(position);
     if (model.photos.empty()) {
-      throw InputError(place.string() + ": none of its photos has a camera; align them first");
+      throw InputError(position.string() + ": none of its photos has a camera; align them first");
     }
-    return with_files(std::move(model), photos);
+    return locate_photo_files(std::move(model), photos);
   }
   ColmapOptions colmap = options.colmap;
   colmap.masks = options.dense.masks;
-  return colmap_cameras(photos, colmap, stage);
+  return run_colmap(photos, colmap, stage);
 }
 
 /// Searches the photos for markers and board, and gives `scan` the scale by them.
@@ -83,8 +83,8 @@ void set_scale_by_markers(PhotoScan& scan, const PhotoScanOptions& options) {
   if (!charuco || sizes.marker_side || !sizes.bars.empty()) {
     scan.markers = search_markers(scan.model, markers);
   }
-  if (charuco) scan.corners = found_board_corners(scan.model, *sizes.board->charuco, markers);
-  scan.scale = scale_from_markers(scan.markers.markers, sizes, scan.corners);
+  if (charuco) scan.corners = find_board_corners(scan.model, *sizes.board->charuco, markers);
+  scan.scale = estimate_scale_from_markers(scan.markers.markers, sizes, scan.corners);
   scan.scale_source = charuco                 ? "ChArUco board"
                       : sizes.board           ? "board"
                       : scan.scale->from_bars ? "distances of markers"
@@ -131,11 +131,11 @@ void PhotoScanOptions::check() const {
 }
 
 bool is_photo_folder(const fs::path& folder) {
-  return photos_directly_in(folder) >= kFewestPhotos ||
-         photos_directly_in(folder / "images") >= kFewestPhotos;
+  return photos_directly_in(folder) >= kMinPhotos ||
+         photos_directly_in(folder / "images") >= kMinPhotos;
 }
 
-PhotoScan photo_scan(const fs::path& folder, const PhotoScanOptions& options,
+PhotoScan reconstruct_from_photos(const fs::path& folder, const PhotoScanOptions& options,
                      const std::function<void(const std::string&)>& stage) {
   options.check();
   const auto begin = [&](const std::string& what) {
@@ -144,7 +144,7 @@ PhotoScan photo_scan(const fs::path& folder, const PhotoScanOptions& options,
   PhotoScan scan;
   scan.model = find_cameras(folder, folder_of_photos(folder), options, stage);
   scan.without_camera = names_without_camera(scan.model, folder_of_photos(folder));
-  const std::size_t all = scan.model.photos.size() + scan.model.unplaced;
+  const std::size_t all = scan.model.photos.size() + scan.model.photos_without_pose;
   scan.notes.push_back("cameras of " + std::to_string(scan.model.photos.size()) + " of " +
                        std::to_string(all) + " photos, by " + scan.model.source);
   const ScaleOptions& sizes = options.scale;
@@ -157,12 +157,12 @@ PhotoScan photo_scan(const fs::path& folder, const PhotoScanOptions& options,
     factor = scale_without_markers(scan, options);
   }
   scan.model = scaled(std::move(scan.model), factor);
-  for (FoundMarker& marker : scan.markers.markers) {
+  for (LocatedMarker& marker : scan.markers.markers) {
     for (Vec3& corner : marker.corners) corner *= factor;
   }
-  for (BoardCorner& corner : scan.corners) corner.place *= factor;
+  for (BoardCorner& corner : scan.corners) corner.position *= factor;
   begin("comparing photos");
-  scan.cloud = dense_cloud(scan.model, options.dense);
+  scan.cloud = compute_dense_cloud(scan.model, options.dense);
   scan.notes.insert(scan.notes.end(), scan.cloud.notes.begin(), scan.cloud.notes.end());
   return scan;
 }

@@ -43,7 +43,7 @@ void visit_fields(const PhotoScanOptions& options, Visit&& visit) {
 /// A photographed block as points, with what a report tells of it.
 struct PhotoScan {
   PhotoModel model;                         ///< in metres where `metric`
-  MarkerSearch markers;                     ///< places in the frame of `model`
+  MarkerSearchResult markers;                     ///< places in the frame of `model`
   std::vector<BoardCorner> corners;         ///< of a ChArUco board, in the frame of `model`
   std::optional<PhotoScale> scale;          ///< from markers or a board
   std::vector<std::string> without_camera;  ///< names of files beside the photos, sorted
@@ -58,7 +58,7 @@ struct PhotoScan {
 /// @param folder  of photos, or one that holds them in `images`
 /// @param stage   called with what is being done
 /// @throws InputError  what the steps throw; no scale, where that isn't allowed
-PhotoScan photo_scan(const std::filesystem::path& folder, const PhotoScanOptions& options = {},
+PhotoScan reconstruct_from_photos(const std::filesystem::path& folder, const PhotoScanOptions& options = {},
                      const std::function<void(const std::string&)>& stage = {});
 
 /// Whether a folder is one block's photos: it, or `images` in it, holds some.

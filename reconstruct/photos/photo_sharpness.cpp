@@ -19,14 +19,14 @@ constexpr double kSigma = 1.5;  ///< px, of the smoothing
 cv::Rect about_block(const PhotoModel& model, std::size_t i, const PhotoRegion& region,
                      const cv::Mat& image) {
   const cv::Rect all(0, 0, image.cols, image.rows);
-  const std::optional<Vec2> seen = seen_at(model, i, region.centre);
-  if (!seen) return all;
-  const Lens& lens = model.lenses[model.photos[i].lens];
+  const std::optional<Vec2> projection = project_into_photo(model, i, region.centre);
+  if (!projection) return all;
+  const CameraIntrinsics& lens = model.lenses[model.photos[i].lens];
   const double factor = static_cast<double>(image.cols) / lens.width;
   const double depth = (model.photos[i].camera_from_world * region.centre).z();
   const int half = static_cast<int>(0.6 * factor * lens.fx * region.radius / depth);
-  const cv::Rect part(static_cast<int>(seen->x() * factor) - half,
-                      static_cast<int>(seen->y() * factor) - half, 2 * half, 2 * half);
+  const cv::Rect part(static_cast<int>(projection->x() * factor) - half,
+                      static_cast<int>(projection->y() * factor) - half, 2 * half, 2 * half);
   const cv::Rect inside = part & all;
   return inside.area() > 1000 ? inside : all;
 }
@@ -55,9 +55,9 @@ double detail_of(const cv::Mat& grey) {
 
 }  // namespace
 
-std::vector<Sharpness> sharpness_of(const PhotoModel& model, const PhotoRegion& region,
+std::vector<Sharpness> measure_sharpness(const PhotoModel& model, const PhotoRegion& region,
                                     unsigned threads) {
-  const photos_detail::SingleThreaded guard;
+  const photos_detail::SingleThreadedOpenCv guard;
   std::vector<double> kept(model.photos.size());
   parallel_for(model.photos.size(), threads, [&](std::size_t i) {
     cv::Mat grey = photos_detail::read_grey_photo(model.photos[i].file);

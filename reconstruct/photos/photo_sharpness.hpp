@@ -19,7 +19,7 @@ inline constexpr double kBlurred = 0.25;
 /// block, along the direction where that is least: a photo that was smooth already loses nothing.
 /// Independent of light, and nearly of what is seen.
 /// @param model  with files
-std::vector<Sharpness> sharpness_of(const PhotoModel& model, const PhotoRegion& region,
+std::vector<Sharpness> measure_sharpness(const PhotoModel& model, const PhotoRegion& region,
                                     unsigned threads = 1);
 
 }  // namespace clast

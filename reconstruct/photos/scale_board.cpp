@@ -134,14 +134,14 @@ void ScaleBoard::check() const {
   }
 }
 
-BoardLengths lengths_of_markers(const ScaleBoard& board, const std::vector<FoundMarker>& markers,
+BoardLengths measure_marker_lengths(const ScaleBoard& board, const std::vector<LocatedMarker>& markers,
                                 double largest_disagreement) {
   BoardLengths result;
   std::vector<BoardPoint> points;
   std::string missing;
   for (const BoardMarker& known : board.markers) {
     const auto found = std::find_if(markers.begin(), markers.end(),
-                                    [&](const FoundMarker& one) { return one.id == known.id; });
+                                    [&](const LocatedMarker& one) { return one.id == known.id; });
     if (found == markers.end()) {
       missing += (missing.empty() ? "" : ", ") + std::to_string(known.id);
     } else {
@@ -168,28 +168,28 @@ BoardLengths lengths_of_markers(const ScaleBoard& board, const std::vector<Found
   return result;
 }
 
-BoardLengths lengths_of_charuco(const CharucoBoard& board, const std::vector<BoardCorner>& corners,
+BoardLengths measure_charuco_lengths(const CharucoBoard& board, const std::vector<BoardCorner>& corners,
                                 double largest_disagreement) {
   BoardLengths result;
   std::vector<BoardPoint> points;
   const int wide = board.columns - 1;
   for (const BoardCorner& corner : corners) {
-    const Vec3 place(corner.number % wide, corner.number / wide, 0.0);
-    points.push_back({corner.number, "corner " + std::to_string(corner.number),
-                      board.square * place, corner.place});
+    const Vec3 position(corner.index % wide, corner.index / wide, 0.0);
+    points.push_back({corner.index, "corner " + std::to_string(corner.index),
+                      board.square * position, corner.position});
   }
   const AlikePoints kept = alike(std::move(points), largest_disagreement);
   result.notes.insert(result.notes.end(), kept.notes.begin(), kept.notes.end());
   result.misplaced = kept.misplaced;
-  const auto add = [&](const std::string& name, int axis, int number) {
+  const auto add = [&](const std::string& name, int axis, int index) {
     const BoardPoint *first = nullptr, *last = nullptr;
     for (const BoardPoint& point : kept.points) {
-      if (std::lround(point.metres[axis] / board.square) != number) continue;
+      if (std::lround(point.metres[axis] / board.square) != index) continue;
       if (!first) first = &point;
       last = &point;
     }
     if (first == last) return;
-    result.lengths.push_back(between(name + " " + std::to_string(number + 1) + " of the board, " +
+    result.lengths.push_back(between(name + " " + std::to_string(index + 1) + " of the board, " +
                                          first->name + " to " + last->name,
                                      *first, *last));
   };

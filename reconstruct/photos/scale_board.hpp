@@ -66,13 +66,13 @@ struct BoardLengths {
 /// rest is most alike is left out and named, and again, as long as three and more than half remain.
 /// @throws InputError  the rest is not alike either: with three markers nobody can tell which is
 ///                     wrong
-BoardLengths lengths_of_markers(const ScaleBoard& board, const std::vector<FoundMarker>& markers,
+BoardLengths measure_marker_lengths(const ScaleBoard& board, const std::vector<LocatedMarker>& markers,
                                 double largest_disagreement);
 
 /// The lengths of the rows and columns of a ChArUco board, from the first to the last corner found
 /// in each. Corners that disagree are left out as markers are.
 /// @throws InputError  as above; no two corners in a row or a column
-BoardLengths lengths_of_charuco(const CharucoBoard& board, const std::vector<BoardCorner>& corners,
+BoardLengths measure_charuco_lengths(const CharucoBoard& board, const std::vector<BoardCorner>& corners,
                                 double largest_disagreement);
 
 }  // namespace clast

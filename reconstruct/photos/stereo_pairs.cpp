@@ -24,10 +24,10 @@ std::vector<std::size_t> usable_photos(const PhotoModel& model, const PhotoRegio
   std::vector<std::size_t> usable;
   for (std::size_t i = 0; i < model.photos.size(); ++i) {
     if (std::binary_search(left_out.begin(), left_out.end(), i)) continue;
-    const Lens& lens = model.lenses[model.photos[i].lens];
-    const std::optional<Vec2> seen = seen_at(model, i, region.centre);
-    const bool inside = seen && seen->x() > 0.0 && seen->y() > 0.0 && seen->x() < lens.width &&
-                        seen->y() < lens.height;
+    const CameraIntrinsics& lens = model.lenses[model.photos[i].lens];
+    const std::optional<Vec2> projection = project_into_photo(model, i, region.centre);
+    const bool inside = projection && projection->x() > 0.0 && projection->y() > 0.0 && projection->x() < lens.width &&
+                        projection->y() < lens.height;
     // From inside the ball there is no picture of the block.
     if (inside && (model.photos[i].centre() - region.centre).norm() > 1.2 * region.radius) {
       usable.push_back(i);
@@ -44,11 +44,11 @@ struct Candidates {
 
 Candidates candidates(const PhotoModel& model, const PhotoRegion& region,
                       const std::vector<std::size_t>& usable, std::size_t photo,
-                      const PairOptions& options) {
+                      const StereoPairOptions& options) {
   Candidates result;
   for (const std::size_t j : usable) {
     if (j == photo) continue;
-    const double angle = angle_between(model, region, photo, j);
+    const double angle = viewing_angle(model, region, photo, j);
     if (angle >= options.least_angle) result.smallest = std::min(result.smallest, angle);
     if (angle < options.least_angle || angle > options.largest_angle) continue;
     result.partners.push_back(
@@ -98,7 +98,7 @@ std::vector<std::size_t> choose_partners(const std::vector<Partner>& partners, s
 
 }  // namespace
 
-void PairOptions::check() const {
+void StereoPairOptions::check() const {
   if (!(least_angle > 0.0 && least_angle <= best_angle && best_angle <= largest_angle &&
         largest_angle < 0.5 * kPi)) {
     throw InputError("angles between photos must be 0 < least <= best <= largest < 90 degrees");
@@ -110,7 +110,7 @@ void PairOptions::check() const {
 
 std::vector<StereoPair> stereo_pairs(const PhotoModel& model, const PhotoRegion& region,
                                      const std::vector<std::size_t>& left_out,
-                                     const PairOptions& options) {
+                                     const StereoPairOptions& options) {
   options.check();
   const std::vector<std::size_t> usable = usable_photos(model, region, left_out);
   std::set<std::pair<std::size_t, std::size_t>> chosen;
@@ -126,7 +126,7 @@ std::vector<StereoPair> stereo_pairs(const PhotoModel& model, const PhotoRegion&
     refuse_few_pairs(chosen.size(), usable.size(), nearest);
   }
   std::vector<StereoPair> pairs;
-  for (const auto& [i, j] : chosen) pairs.push_back({i, j, angle_between(model, region, i, j)});
+  for (const auto& [i, j] : chosen) pairs.push_back({i, j, viewing_angle(model, region, i, j)});
   return pairs;
 }
 

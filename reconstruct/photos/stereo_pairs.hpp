@@ -16,7 +16,7 @@ struct StereoPair {
 };
 
 /// Neighbours: far enough apart to give a depth, near enough to look alike. Angles in rad.
-struct PairOptions {
+struct StereoPairOptions {
   double least_angle = 6.0 * kRadiansPerDegree;
   double best_angle = 15.0 * kRadiansPerDegree;
   double largest_angle = 32.0 * kRadiansPerDegree;
@@ -28,7 +28,7 @@ struct PairOptions {
 };
 
 template <class Visit>
-void visit_fields(const PairOptions& options, Visit&& visit) {
+void visit_fields(const StereoPairOptions& options, Visit&& visit) {
   const auto& [least_angle, best_angle, largest_angle, partners, fewest_pairs] = options;
   visit("least_angle", least_angle);
   visit("best_angle", best_angle);
@@ -43,6 +43,6 @@ void visit_fields(const PairOptions& options, Visit&& visit) {
 /// @throws InputError  too few pairs: says how far the photos are apart
 std::vector<StereoPair> stereo_pairs(const PhotoModel& model, const PhotoRegion& region,
                                      const std::vector<std::size_t>& left_out = {},
-                                     const PairOptions& options = {});
+                                     const StereoPairOptions& options = {});
 
 }  // namespace clast

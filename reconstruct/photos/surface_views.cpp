@@ -80,15 +80,15 @@ class DepthBuffer {
 
 /// 1 for every triangle that the photo sees.
 std::vector<std::uint8_t> seen_in(const TriangleMesh& surface, const PhotoModel& model,
-                                  std::size_t number, const Pose& block_from_model) {
-  const Photo& photo = model.photos[number];
-  const Lens& lens = model.lenses[photo.lens];
+                                  std::size_t index, const Pose& block_from_model) {
+  const Photo& photo = model.photos[index];
+  const CameraIntrinsics& lens = model.lenses[photo.lens];
   const Pose camera_from_block = photo.camera_from_world * block_from_model.inverse();
   std::vector<Vec3> places;
   std::vector<std::optional<Vec2>> pixels;
   for (const Vec3& vertex : surface.vertices) {
     places.push_back(camera_from_block * vertex);
-    std::optional<Vec2> pixel = projected(lens, places.back());
+    std::optional<Vec2> pixel = project(lens, places.back());
     const bool inside = pixel && pixel->minCoeff() >= -0.5 && pixel->x() <= lens.width - 0.5 &&
                         pixel->y() <= lens.height - 0.5;
     pixels.push_back(inside ? pixel : std::nullopt);
@@ -98,58 +98,58 @@ std::vector<std::uint8_t> seen_in(const TriangleMesh& surface, const PhotoModel&
     if (depths.has(triangle)) depths.draw(triangle);
   }
   const double tolerance = kBehind * bounds(surface).diagonal();
-  std::vector<std::uint8_t> seen(surface.triangles.size());
-  for (std::size_t i = 0; i < seen.size(); ++i) {
+  std::vector<std::uint8_t> visible(surface.triangles.size());
+  for (std::size_t i = 0; i < visible.size(); ++i) {
     const auto& t = surface.triangles[i];
     const Vec3 &a = places[t[0]], &b = places[t[1]], &c = places[t[2]];
     const Vec3 normal = (b - a).cross(c - a), middle = (a + b + c) / 3.0;
     const bool turned = -normal.dot(middle) > kGrazing * normal.norm() * middle.norm();
-    seen[i] = turned && depths.has(t) && depths.shows(t, tolerance) ? 1 : 0;
+    visible[i] = turned && depths.has(t) && depths.shows(t, tolerance) ? 1 : 0;
   }
-  return seen;
+  return visible;
 }
 
 }  // namespace
 
-SurfaceViews surface_views(const TriangleMesh& surface, const PhotoScan& scan,
+SurfaceViews count_surface_views(const TriangleMesh& surface, const PhotoScan& scan,
                            const Pose& block_from_model, unsigned threads) {
   const std::size_t count = scan.model.photos.size();
   std::vector<bool> compared(count);
   for (const StereoPair& pair : scan.cloud.pairs)
     compared[pair.first] = compared[pair.second] = true;
-  std::vector<std::vector<std::uint8_t>> seen(count);
+  std::vector<std::vector<std::uint8_t>> visible(count);
   parallel_for(count, threads, [&](std::size_t i) {
-    if (compared[i]) seen[i] = seen_in(surface, scan.model, i, block_from_model);
+    if (compared[i]) visible[i] = seen_in(surface, scan.model, i, block_from_model);
   });
   SurfaceViews views;
   views.photos.assign(surface.triangles.size(), 0);
   views.pairs = views.photos;
-  for (const auto& photo : seen) {
+  for (const auto& photo : visible) {
     for (std::size_t t = 0; t < photo.size(); ++t) {
       views.photos[t] = static_cast<std::uint16_t>(views.photos[t] + photo[t]);
     }
   }
   for (const StereoPair& pair : scan.cloud.pairs) {
     for (std::size_t t = 0; t < views.pairs.size(); ++t) {
-      const int both = seen[pair.first][t] & seen[pair.second][t];
+      const int both = visible[pair.first][t] & visible[pair.second][t];
       views.pairs[t] = static_cast<std::uint16_t>(views.pairs[t] + both);
     }
   }
   return views;
 }
 
-double share_seen(const TriangleMesh& surface, const std::vector<std::uint16_t>& counts,
-                  std::uint16_t least) {
-  double all = 0.0, seen = 0.0;
+double observed_fraction(const TriangleMesh& surface, const std::vector<std::uint16_t>& counts,
+                  std::uint16_t min_views) {
+  double all = 0.0, visible = 0.0;
   for (std::size_t i = 0; i < counts.size(); ++i) {
     const auto& [a, b, c] = surface.triangles[i];
     const double area = (surface.vertices[b] - surface.vertices[a])
                             .cross(surface.vertices[c] - surface.vertices[a])
                             .norm();
     all += area;
-    if (counts[i] >= least) seen += area;
+    if (counts[i] >= min_views) visible += area;
   }
-  return all > 0.0 ? seen / all : 0.0;
+  return all > 0.0 ? visible / all : 0.0;
 }
 
 }  // namespace clast

@@ -19,12 +19,12 @@ struct SurfaceViews {
 /// @param surface           closed, outward
 /// @param block_from_model  to the frame of the surface from that of the cameras
 /// @param threads           0: one per core; the results are the same for any number
-SurfaceViews surface_views(const TriangleMesh& surface, const PhotoScan& scan,
+SurfaceViews count_surface_views(const TriangleMesh& surface, const PhotoScan& scan,
                            const Pose& block_from_model, unsigned threads = 0);
 
 /// Share of the surface's area whose triangles have at least so many.
 /// @param counts  of each triangle
-double share_seen(const TriangleMesh& surface, const std::vector<std::uint16_t>& counts,
-                  std::uint16_t least);
+double observed_fraction(const TriangleMesh& surface, const std::vector<std::uint16_t>& counts,
+                  std::uint16_t min_views);
 
 }  // namespace clast

@@ -15,7 +15,7 @@ constexpr double kTouching = 1e-6;
 
 }  // namespace
 
-std::vector<Component> components_of(const TriangleMesh& mesh) {
+std::vector<Component> connected_components(const TriangleMesh& mesh) {
   const std::vector<std::uint32_t> number_of = triangle_components(mesh);
   std::vector<std::vector<TriangleMesh::Triangle>> groups;
   for (std::size_t t = 0; t < number_of.size(); ++t) {
@@ -28,7 +28,7 @@ std::vector<Component> components_of(const TriangleMesh& mesh) {
     return components;
   }
   // One table of numbers for all components: a soup may have as many as triangles.
-  std::vector<std::uint32_t> number(mesh.vertices.size());
+  std::vector<std::uint32_t> new_index(mesh.vertices.size());
   std::vector<std::size_t> stamp(mesh.vertices.size(), groups.size());
   for (std::size_t g = 0; g < groups.size(); ++g) {
     Component component;
@@ -42,11 +42,11 @@ std::vector<Component> components_of(const TriangleMesh& mesh) {
     }
     std::sort(used.begin(), used.end());
     for (const std::uint32_t v : used) {
-      number[v] = static_cast<std::uint32_t>(component.mesh.vertices.size());
+      new_index[v] = static_cast<std::uint32_t>(component.mesh.vertices.size());
       component.mesh.vertices.push_back(mesh.vertices[v]);
     }
     for (const TriangleMesh::Triangle& t : groups[g]) {
-      component.mesh.triangles.push_back({number[t[0]], number[t[1]], number[t[2]]});
+      component.mesh.triangles.push_back({new_index[t[0]], new_index[t[1]], new_index[t[2]]});
     }
     component.area = surface_area(component.mesh);
     components.push_back(std::move(component));
@@ -73,7 +73,7 @@ bool encloses(const TriangleMesh& closed, const Vec3& point) {
   return std::abs(half_angles) > kPi;
 }
 
-bool lies_inside(const TriangleMesh& component, const TriangleMesh& block,
+bool is_inside_block(const TriangleMesh& component, const TriangleMesh& block,
                  const TriangleTree& tree) {
   // The winding number means nothing on the surface itself, so the point farthest from it is asked.
   Vec3 farthest = component.vertices[0];
@@ -97,7 +97,7 @@ bool lies_inside(const TriangleMesh& component, const TriangleMesh& block,
   });
 }
 
-bool lies_on(const TriangleMesh& component, const TriangleTree& tree, double distance) {
+bool is_on_surface(const TriangleMesh& component, const TriangleTree& tree, double distance) {
   std::uint32_t hint = 0;
   return std::all_of(component.vertices.begin(), component.vertices.end(), [&](const Vec3& vertex) {
     const TriangleTree::Closest found = tree.closest(vertex, hint);

@@ -13,7 +13,7 @@ struct Component {
 };
 
 /// Components connected over edges, largest area first, without unused vertices.
-std::vector<Component> components_of(const TriangleMesh& mesh);
+std::vector<Component> connected_components(const TriangleMesh& mesh);
 
 /// True if the closed surface encloses `point`, by its winding number: for either orientation, and
 /// any point that does not lie on the surface.
@@ -22,10 +22,10 @@ bool encloses(const TriangleMesh& closed, const Vec3& point);
 /// True if every vertex of the component lies inside the block or touches it from inside. A second
 /// block that overlaps the first has some outside; one that touches it has its middle outside.
 /// @param tree  of `block`, which is closed and faces either way
-bool lies_inside(const TriangleMesh& component, const TriangleMesh& block,
+bool is_inside_block(const TriangleMesh& component, const TriangleMesh& block,
                  const TriangleTree& tree);
 
 /// Is every vertex of the component within `distance` of the surface of the tree?
-bool lies_on(const TriangleMesh& component, const TriangleTree& tree, double distance);
+bool is_on_surface(const TriangleMesh& component, const TriangleTree& tree, double distance);
 
 }  // namespace clast::reconstruct_detail

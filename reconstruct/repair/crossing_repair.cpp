@@ -11,7 +11,7 @@
 #include "reconstruct/repair/detail/crossings.hpp"
 #include "reconstruct/repair/detail/wrap.hpp"
 #include "reconstruct/repair/holes.hpp"
-#include "reconstruct/repair/touching_sheets.hpp"
+#include "reconstruct/repair/non_manifold_split.hpp"
 
 namespace clast::reconstruct_detail {
 
@@ -32,17 +32,17 @@ class CrossingRepair {
   CrossingRepair(TriangleMesh mesh, const Vec3& origin)
       : mesh_(std::move(mesh)), origin_(origin), volume_(std::abs(signed_volume(mesh_))) {}
 
-  std::optional<FreedSurface> free_surface() {
-    if (auto free = by_parting()) return FreedSurface{std::move(*free), {}};
-    if (auto free = by_smoothing()) return FreedSurface{std::move(*free), {}};
-    if (auto free = by_cutting()) return FreedSurface{std::move(*free), {}};
+  std::optional<CrossingFreeSurface> free_surface() {
+    if (auto free = by_parting()) return CrossingFreeSurface{std::move(*free), {}};
+    if (auto free = by_smoothing()) return CrossingFreeSurface{std::move(*free), {}};
+    if (auto free = by_cutting()) return CrossingFreeSurface{std::move(*free), {}};
     return by_wrapping();
   }
 
  private:
   /// `mesh` when it is what is wanted, and its volume is about that of the surface.
   std::optional<TriangleMesh> if_sound(TriangleMesh mesh, double change) const {
-    mesh = on_grid(std::move(mesh), origin_);
+    mesh = snapped_to_grid(std::move(mesh), origin_);
     const MeshReport report = inspect_mesh(mesh);
     if (!report.is_closed() || !report.is_oriented() || report.pinched_vertices > 0 ||
         report.components != 1) {
@@ -60,7 +60,7 @@ class CrossingRepair {
   std::optional<TriangleMesh> by_parting() {
     const bool inward = signed_volume(mesh_) < 0.0;
     if (inward) flip_orientation(mesh_);
-    part_touching_vertices(mesh_, kPartedBy * bounds(mesh_).diagonal());
+    separate_touching_vertices(mesh_, kPartedBy * bounds(mesh_).diagonal());
     if (inward) flip_orientation(mesh_);
     return if_sound(mesh_, kCrossingVolume);
   }
@@ -93,9 +93,9 @@ class CrossingRepair {
       }
       std::erase_if(trial.triangles, touched);
       if (trial.triangles.empty()) return std::nullopt;
-      trial = std::move(components_of(trial).front().mesh);
-      split_pinched_vertices(trial);
-      close_by_fans(trial, kFanEdges);
+      trial = std::move(connected_components(trial).front().mesh);
+      split_non_manifold_vertices(trial);
+      fill_with_fans(trial, kFanEdges);
       if (inspect_mesh(trial).boundary_edges > 0) fill_holes(trial);
       if (!inspect_mesh(trial).is_closed()) return std::nullopt;
       if (auto sound = if_sound(trial, kCrossingVolume)) return sound;
@@ -103,11 +103,11 @@ class CrossingRepair {
     return std::nullopt;
   }
 
-  std::optional<FreedSurface> by_wrapping() const {
-    const TriangleMesh coarse = wrapped(mesh_, kCoarseWrap);
+  std::optional<CrossingFreeSurface> by_wrapping() const {
+    const TriangleMesh coarse = wrap_surface(mesh_, kCoarseWrap);
     const double coarse_ratio = std::abs(signed_volume(coarse)) / volume_;
     if (!(std::abs(coarse_ratio - 1.0) <= kCoarseWrapVolume)) return std::nullopt;
-    std::optional<TriangleMesh> sound = if_sound(wrapped(mesh_, kFineWrap), kWrapVolume);
+    std::optional<TriangleMesh> sound = if_sound(wrap_surface(mesh_, kFineWrap), kWrapVolume);
     if (!sound) return std::nullopt;
     const double ratio = signed_volume(*sound) / volume_;
     const Bounds box = bounds(*sound);
@@ -115,7 +115,7 @@ class CrossingRepair {
     for (Vec3& v : sound->vertices) v = middle + (v - middle) / std::cbrt(ratio);
     sound = if_sound(std::move(*sound), kCrossingVolume);
     if (!sound) return std::nullopt;
-    return FreedSurface{std::move(*sound), ratio - 1.0};
+    return CrossingFreeSurface{std::move(*sound), ratio - 1.0};
   }
 
   TriangleMesh mesh_;
@@ -125,7 +125,7 @@ class CrossingRepair {
 
 }  // namespace
 
-TriangleMesh on_grid(TriangleMesh mesh, const Vec3& origin) {
+TriangleMesh snapped_to_grid(TriangleMesh mesh, const Vec3& origin) {
   for (Vec3& v : mesh.vertices) {
     const Vec3 there = v + origin;
     v = there - origin;
@@ -133,7 +133,7 @@ TriangleMesh on_grid(TriangleMesh mesh, const Vec3& origin) {
   return mesh;
 }
 
-std::optional<FreedSurface> free_of_crossings(const TriangleMesh& mesh, const Vec3& origin) {
+std::optional<CrossingFreeSurface> repair_crossings(const TriangleMesh& mesh, const Vec3& origin) {
   return CrossingRepair(mesh, origin).free_surface();
 }
 

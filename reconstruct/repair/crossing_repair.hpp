@@ -12,10 +12,10 @@ inline constexpr double kCrossingVolume = 0.02;
 
 /// Moves vertices that were computed about a local `origin` to where they will lie when that is
 /// added again: rounded only then, triangles that just missed each other may cross.
-TriangleMesh on_grid(TriangleMesh mesh, const Vec3& origin);
+TriangleMesh snapped_to_grid(TriangleMesh mesh, const Vec3& origin);
 
 /// A surface that was freed of its crossings.
-struct FreedSurface {
+struct CrossingFreeSurface {
   TriangleMesh mesh;
   /// Set where only a wrap gave one: relative volume it had too much before it was scaled back.
   std::optional<double> wrap_bias;
@@ -24,11 +24,11 @@ struct FreedSurface {
 /// Sheets that touch are parted by a hair's breadth; else triangles that cross are smoothed, or cut
 /// out with more and more rings around them and filled anew; else the surface is wrapped, and the
 /// wrap is scaled back to its volume.
-/// @param mesh    closed, oriented 2-manifold of one component, already `on_grid`
+/// @param mesh    closed, oriented 2-manifold of one component, already `snapped_to_grid`
 /// @param origin  of its coordinates; the result is on the same grid
 /// @return closed, oriented, of one component, without crossings, its volume within
 /// `kCrossingVolume`;
 ///         none where no way gave such a surface
-std::optional<FreedSurface> free_of_crossings(const TriangleMesh& mesh, const Vec3& origin);
+std::optional<CrossingFreeSurface> repair_crossings(const TriangleMesh& mesh, const Vec3& origin);
 
 }  // namespace clast::reconstruct_detail

@@ -70,10 +70,10 @@ std::vector<OpenFan> in_order(const TriangleMesh& mesh, std::uint32_t vertex,
     for (const std::uint32_t t : triangles_of[i]) {
       const Triangle& corners = mesh.triangles[t];
       const int k = corners[0] == vertex ? 0 : corners[1] == vertex ? 1 : 2;
-      double turn = angle_to(corners[(k + 2) % 3]) - angle_to(corners[(k + 1) % 3]);
-      if (turn < -kPi) turn += 2.0 * kPi;
-      if (turn > kPi) turn -= 2.0 * kPi;
-      fans[i].extent += turn;
+      double angle_step = angle_to(corners[(k + 2) % 3]) - angle_to(corners[(k + 1) % 3]);
+      if (angle_step < -kPi) angle_step += 2.0 * kPi;
+      if (angle_step > kPi) angle_step -= 2.0 * kPi;
+      fans[i].extent += angle_step;
     }
     if (fans[i].extent <= 0.0) return {};
   }
@@ -167,7 +167,7 @@ std::vector<std::uint32_t> followers(const TriangleMesh& mesh, const std::vector
 
 }  // namespace
 
-std::size_t turn_hanging_scraps(TriangleMesh& mesh) {
+std::size_t orient_vertex_attached_fragments(TriangleMesh& mesh) {
   const std::vector<std::uint32_t> component = triangle_components(mesh);
   const std::uint32_t count =
       component.empty() ? 0 : *std::max_element(component.begin(), component.end()) + 1;
@@ -220,7 +220,7 @@ std::size_t turn_hanging_scraps(TriangleMesh& mesh) {
   return turned;
 }
 
-std::vector<std::vector<std::uint32_t>> hole_loops(const TriangleMesh& mesh) {
+std::vector<std::vector<std::uint32_t>> find_hole_loops(const TriangleMesh& mesh) {
   const std::vector<HalfEdge> sorted = sorted_half_edges(mesh);
   const std::vector<std::uint32_t> fans = corner_fans(mesh, sorted);
   const std::vector<BorderSide> sides = border_sides(sorted, fans);

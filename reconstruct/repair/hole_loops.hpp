@@ -11,7 +11,7 @@ namespace clast::reconstruct_detail {
 /// Flips fragments that are attached at single vertices and face the opposite way to most of the
 /// surface they are attached to. Returns the number of triangles that were flipped.
 /// @param mesh  no edge of more than two triangles, neighbours over edges agree
-std::size_t turn_hanging_scraps(TriangleMesh& mesh);
+std::size_t orient_vertex_attached_fragments(TriangleMesh& mesh);
 
 /// The border of each hole, in the direction that a filling triangle needs.
 ///
@@ -20,6 +20,6 @@ std::size_t turn_hanging_scraps(TriangleMesh& mesh);
 /// are missing beside each other, and may pass a vertex more than once. Where fans overlap, two
 /// sheets touch: there a border stays with its fan, as if the vertex was split.
 /// @param mesh  no edge of more than two triangles, neighbours over edges agree
-std::vector<std::vector<std::uint32_t>> hole_loops(const TriangleMesh& mesh);
+std::vector<std::vector<std::uint32_t>> find_hole_loops(const TriangleMesh& mesh);
 
 }  // namespace clast::reconstruct_detail

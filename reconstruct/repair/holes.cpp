@@ -34,14 +34,14 @@ using Face = mesh_detail::CgalMesh::Face_index;
 using Vertex = mesh_detail::CgalMesh::Vertex_index;
 
 /// Above this many border edges the search of all triangulations, cubic in them, takes minutes.
-constexpr std::size_t kMostForAllTriangulations = 400;
-/// See `is_unseen_side`: of a ball, a gap of 1 % of the surface leaves 0.03 % of the volume open,
+constexpr std::size_t kMaxForAllTriangulations = 400;
+/// See `is_unobserved_side`: of a ball, a gap of 1 % of the surface leaves 0.03 % of the volume open,
 /// one of 5 % leaves 0.7 %.
-constexpr double kUnseenShare = 0.05, kSmallestUnseenShare = 0.01;
-constexpr double kUnseenWidth = 3.0;  ///< in mean sides of the border
+constexpr double kUnobservedFraction = 0.05, kMinUnobservedFraction = 0.01;
+constexpr double kUnobservedWidth = 3.0;  ///< in mean sides of the border
 /// A filling deviates from a membrane by this share of the hole's width at most: a cap of a ball
 /// with a tenth of its surface does by a third, one with a seventh by this.
-constexpr double kMostBulge = 0.5;
+constexpr double kMaxBulge = 0.5;
 
 /// The fan over `loop` from its corner `apex`.
 std::vector<Triangle> fan(const std::vector<std::uint32_t>& loop, std::size_t apex) {
@@ -132,7 +132,7 @@ double bulge(mesh_detail::CgalMesh& mesh, const std::vector<Face>& patch,
              const std::vector<Vertex>& added, const FilledHole& hole) {
   const std::vector<Vec3> membrane = fair(mesh, added, 0, points_of(mesh, added));
   const double membrane_volume = sixfold_volume(mesh, patch, hole.centre);
-  const double limit = kMostBulge * 2.0 * area_of(mesh, patch) / hole.perimeter;
+  const double limit = kMaxBulge * 2.0 * area_of(mesh, patch) / hole.perimeter;
   std::vector<Vec3> bulged = fair(mesh, added, 1, membrane);
   double highest = 0.0;
   for (std::size_t i = 0; i < added.size(); ++i) {
@@ -163,12 +163,12 @@ std::vector<Vec3> normals_beyond(const mesh_detail::CgalMesh& mesh, Halfedge bor
 /// @param points  of the border
 void fill(mesh_detail::CgalMesh& mesh, Halfedge border, const std::vector<Vec3>& points,
           FilledHole& hole) {
-  const TangentCones cones = tangent_cones(points, normals_beyond(mesh, border));
+  const TangentConeVolumes cones = tangent_cone_volumes(points, normals_beyond(mesh, border));
   std::vector<Face> patch, more;
   std::vector<Vertex> added;
   Processing::triangulate_hole(
       mesh, border, std::back_inserter(patch),
-      CGAL::parameters::do_not_use_cubic_algorithm(hole.border_edges > kMostForAllTriangulations));
+      CGAL::parameters::do_not_use_cubic_algorithm(hole.border_edges > kMaxForAllTriangulations));
   if (patch.empty()) {
     if (hole.border_edges < 3) return;
     added.push_back(star_over(mesh, border));
@@ -188,7 +188,7 @@ void fill(mesh_detail::CgalMesh& mesh, Halfedge border, const std::vector<Vec3>&
 
 }  // namespace
 
-bool is_unseen_side(const std::vector<Vec3>& border, double seen_area) {
+bool is_unobserved_side(const std::vector<Vec3>& border, double seen_area) {
   Vec3 doubled = Vec3::Zero();
   double around = 0.0;
   for (std::size_t i = 0; i < border.size(); ++i) {
@@ -196,9 +196,9 @@ bool is_unseen_side(const std::vector<Vec3>& border, double seen_area) {
     doubled += (border[i] - border[0]).cross(next - border[0]);
     around += (next - border[i]).norm();
   }
-  const double flat = 0.5 * doubled.norm(), share = flat / (seen_area + flat);
+  const double flat = 0.5 * doubled.norm(), fraction = flat / (seen_area + flat);
   const double sides_wide = 2.0 * flat * static_cast<double>(border.size()) / (around * around);
-  return share > kUnseenShare || (share > kSmallestUnseenShare && sides_wide > kUnseenWidth);
+  return fraction > kUnobservedFraction || (fraction > kMinUnobservedFraction && sides_wide > kUnobservedWidth);
 }
 
 FilledHole measure_hole(const std::vector<Vec3>& border) {
@@ -213,11 +213,11 @@ FilledHole measure_hole(const std::vector<Vec3>& border) {
   return hole;
 }
 
-std::vector<FilledHole> close_by_fans(TriangleMesh& mesh, std::size_t most_edges) {
+std::vector<FilledHole> fill_with_fans(TriangleMesh& mesh, std::size_t max_edges) {
   std::vector<FilledHole> filled;
   std::vector<std::vector<std::uint32_t>> loops = boundary_loops(mesh);
   std::erase_if(loops,
-                [&](const auto& loop) { return loop.size() > most_edges || loop.size() < 3; });
+                [&](const auto& loop) { return loop.size() > max_edges || loop.size() < 3; });
   if (loops.empty()) return filled;
   std::set<EdgeKey> edges;
   for (const HalfEdge& side : sorted_half_edges(mesh)) edges.insert({side.low, side.high});
@@ -250,7 +250,7 @@ std::vector<FilledHole> close_by_fans(TriangleMesh& mesh, std::size_t most_edges
   return filled;
 }
 
-std::vector<FilledHole> fill_holes(TriangleMesh& mesh, bool unseen_sides) {
+std::vector<FilledHole> fill_holes(TriangleMesh& mesh, bool fill_unobserved_sides) {
   const double area = surface_area(mesh);
   mesh_detail::CgalMesh work = mesh_detail::to_cgal(mesh);
   std::vector<Halfedge> starts;
@@ -262,7 +262,7 @@ std::vector<FilledHole> fill_holes(TriangleMesh& mesh, bool unseen_sides) {
       border.push_back(point_of(work, v));
     }
     FilledHole hole = measure_hole(border);
-    if (!unseen_sides && is_unseen_side(border, area)) continue;
+    if (!fill_unobserved_sides && is_unobserved_side(border, area)) continue;
     try {
       fill(work, start, border, hole);
     } catch (const CGAL::Failure_exception&) {  // met something that it takes for impossible

@@ -16,20 +16,20 @@
 #include "reconstruct/repair/detail/unsound_surface.hpp"
 #include "reconstruct/repair/hole_loops.hpp"
 #include "reconstruct/repair/holes.hpp"
-#include "reconstruct/repair/ragged_holes.hpp"
+#include "reconstruct/repair/missing_faces.hpp"
+#include "reconstruct/repair/non_manifold_split.hpp"
 #include "reconstruct/repair/soup.hpp"
 #include "reconstruct/repair/spikes.hpp"
 #include "reconstruct/repair/surface_copy.hpp"
-#include "reconstruct/repair/touching_sheets.hpp"
 
 namespace clast {
 
 namespace {
 
-using reconstruct_detail::Change;
 using reconstruct_detail::Component;
+using reconstruct_detail::RepairChange;
 using reconstruct_detail::RepairLog;
-using reconstruct_detail::Spikes;
+using reconstruct_detail::SpikeSummary;
 
 /// Welds tried on an open surface, as multiples of the tolerance, while each halves its borders.
 constexpr double kWelds[] = {1.0, 10.0, 100.0};
@@ -81,31 +81,32 @@ TriangleMesh weld_as_needed(const TriangleMesh& raw, double weld_tolerance, Repa
   }
   log.area_as_read = surface_area(mesh);
   log.note(DefectKind::kNearVertices, vertices - mesh.vertices.size(), 0.0, {}, tolerance);
-  log.note(DefectKind::kNoArea, raw.triangles.size() - mesh.triangles.size());
+  log.note(DefectKind::kDegenerate, raw.triangles.size() - mesh.triangles.size());
   return mesh;
 }
 
 /// After this every edge has one triangle or two, and neighbours face the same way.
-void repair_soup(TriangleMesh& mesh, bool invent, RepairLog& log) {
-  reconstruct_detail::SoupRepair repair;
-  if (invent) {
+void repair_soup(TriangleMesh& mesh, bool fill_missing, RepairLog& log) {
+  reconstruct_detail::SoupRepairResult repair;
+  if (fill_missing) {
     repair = reconstruct_detail::repair_soup(mesh, reconstruct_detail::kFinArea);
   } else {
-    repair.folded = reconstruct_detail::drop_opposite_pairs(mesh);
+    repair.folded = reconstruct_detail::remove_opposite_pairs(mesh);
     repair.orientation = reconstruct_detail::orient_consistently(mesh);
   }
   reconstruct_detail::check_not_empty(mesh);
   reconstruct_detail::check_orientable(mesh, repair.orientation, log);
-  log.note(DefectKind::kFolded, repair.folded);
+  log.note(DefectKind::kFoldedPair, repair.folded);
   log.note(DefectKind::kFin, repair.fins);
-  log.note(DefectKind::kTouchingEdge, repair.touching);
+  log.note(DefectKind::kNonManifoldEdge, repair.touching);
   std::size_t turned = repair.orientation.turned;
-  if (invent) {
-    turned += reconstruct_detail::turn_hanging_scraps(mesh);
-    log.report.holes = reconstruct_detail::close_ragged_holes(mesh);
+  if (fill_missing) {
+    turned += reconstruct_detail::orient_vertex_attached_fragments(mesh);
+    log.report.holes = reconstruct_detail::retriangulate_missing_faces(mesh);
   }
   if (turned > 0) {
-    log.note(DefectKind::kMixedWinding, turned, 0.0, mesh.vertices[repair.orientation.first]);
+    log.note(DefectKind::kInconsistentOrientation, turned, 0.0,
+             mesh.vertices[repair.orientation.first]);
   }
 }
 
@@ -113,33 +114,33 @@ void fill_remaining_holes(TriangleMesh& mesh, const TriangleMesh& welded_mesh,
                           const RepairOptions& options, RepairLog& log) {
   std::vector<FilledHole>& holes = log.report.holes;
   for (const FilledHole& hole :
-       reconstruct_detail::close_by_fans(mesh, reconstruct_detail::kFanEdges)) {
+       reconstruct_detail::fill_with_fans(mesh, reconstruct_detail::kFanEdges)) {
     holes.push_back(hole);
   }
-  if (options.invent && inspect_mesh(mesh).boundary_edges > 0) {
+  if (options.fill_missing && inspect_mesh(mesh).boundary_edges > 0) {
     for (const FilledHole& hole : reconstruct_detail::fill_holes(mesh)) holes.push_back(hole);
   }
   const double area = surface_area(mesh);
   for (FilledHole& hole : holes) {
-    hole.area_share = hole.area / area;
-    log.report.filled_fraction += hole.area_share;
+    hole.area_fraction = hole.area / area;
+    log.report.filled_fraction += hole.area_fraction;
     log.report.volume_below += hole.volume_below;
     log.report.volume_above += hole.volume_above;
     reconstruct_detail::check_hole(hole, options.largest_hole, welded_mesh, log);
   }
   std::stable_sort(holes.begin(), holes.end(),
                    [](const FilledHole& a, const FilledHole& b) { return a.area > b.area; });
-  for (FilledHole& hole : holes) hole.centre = log.reported(hole.centre);
+  for (FilledHole& hole : holes) hole.centre = log.to_reported_frame(hole.centre);
 }
 
 /// Triangles that cross are replaced.
 void replace_crossings(TriangleMesh& mesh, const Vec3& origin, RepairLog& log) {
-  mesh = reconstruct_detail::on_grid(std::move(mesh), origin);
+  mesh = reconstruct_detail::snapped_to_grid(std::move(mesh), origin);
   const auto crossings = find_self_intersections(mesh);
   if (crossings.empty()) return;
   const Vec3 where = mesh.vertices[mesh.triangles[crossings[0][0]][0]];
-  std::optional<reconstruct_detail::FreedSurface> freed =
-      reconstruct_detail::free_of_crossings(mesh, origin);
+  std::optional<reconstruct_detail::CrossingFreeSurface> freed =
+      reconstruct_detail::repair_crossings(mesh, origin);
   if (!freed) {
     throw GeometryError("the surface passes through itself at " + std::to_string(crossings.size()) +
                         " pairs of triangles, the first near " + log.at(where) +
@@ -150,30 +151,32 @@ void replace_crossings(TriangleMesh& mesh, const Vec3& origin, RepairLog& log) {
   log.report.crossing_volume_change =
       std::abs(signed_volume(freed->mesh)) / std::abs(signed_volume(mesh)) - 1.0;
   log.report.wrap_bias = freed->wrap_bias;
-  log.note(DefectKind::kCrossing, crossings.size(), 0.0, where);
+  log.note(DefectKind::kSelfIntersection, crossings.size(), 0.0, where);
   mesh = std::move(freed->mesh);
 }
 
 /// The largest component becomes closed and free of crossings.
 void repair_block(TriangleMesh& mesh, const TriangleMesh& welded_mesh, const Vec3& origin,
                   const RepairOptions& options, RepairLog& log) {
-  const Change split = reconstruct_detail::split_pinched_vertices(mesh);
-  const Spikes first = options.invent ? reconstruct_detail::flatten_spikes(mesh) : Spikes{};
+  const RepairChange split = reconstruct_detail::split_non_manifold_vertices(mesh);
+  const SpikeSummary first =
+      options.fill_missing ? reconstruct_detail::flatten_spikes(mesh) : SpikeSummary{};
   fill_remaining_holes(mesh, welded_mesh, options, log);
   reconstruct_detail::check_closed(mesh, welded_mesh, log);
-  const Spikes second = options.invent ? reconstruct_detail::flatten_spikes(mesh) : Spikes{};
-  log.note(DefectKind::kPinchedVertex, split);
-  const Spikes& highest = first.highest > second.highest ? first : second;
-  log.note(DefectKind::kSpike, first.count + second.count, 0.0, highest.place, highest.highest);
+  const SpikeSummary second =
+      options.fill_missing ? reconstruct_detail::flatten_spikes(mesh) : SpikeSummary{};
+  log.note(DefectKind::kNonManifoldVertex, split);
+  const SpikeSummary& highest = first.highest > second.highest ? first : second;
+  log.note(DefectKind::kSpike, first.count + second.count, 0.0, highest.position, highest.highest);
   reconstruct_detail::check_volume(mesh);
-  if (options.invent) replace_crossings(mesh, origin, log);
+  if (options.fill_missing) replace_crossings(mesh, origin, log);
 }
 
 void turn_solid_outward(TriangleMesh& mesh, RepairLog& log) {
   if (signed_volume(mesh) > 0.0) return;
   flip_orientation(mesh);
-  log.swap_sides();
-  log.note(DefectKind::kInward, 1);
+  log.flip_orientation();
+  log.note(DefectKind::kInwardOrientation, 1);
 }
 
 void note_tunnels(const TriangleMesh& mesh, RepairLog& log) {
@@ -204,14 +207,14 @@ RepairedMesh repair_mesh(const TriangleMesh& dirty, const RepairOptions& options
   RepairLog log(origin, options.reported_place);
   const TriangleMesh welded_mesh = weld_as_needed(local, options.weld_tolerance, log);
   TriangleMesh mesh = welded_mesh;
-  repair_soup(mesh, options.invent, log);
-  std::vector<Component> components = reconstruct_detail::components_of(mesh);
-  reconstruct_detail::put_best_copy_first(components);
+  repair_soup(mesh, options.fill_missing, log);
+  std::vector<Component> components = reconstruct_detail::connected_components(mesh);
+  reconstruct_detail::move_best_copy_first(components);
   mesh = std::move(components.front().mesh);
   reconstruct_detail::check_extent(mesh);
   repair_block(mesh, welded_mesh, origin, options, log);
   turn_solid_outward(mesh, log);
-  reconstruct_detail::sort_out_components(mesh, components, options, log);
+  reconstruct_detail::remove_other_components(mesh, components, options, log);
   note_tunnels(mesh, log);
   log.finish();
   for (Vec3& v : mesh.vertices) v += origin;

@@ -15,7 +15,7 @@ struct RepairOptions {
       false;  ///< closed shells inside stay as cavities; false: rock fills them
   /// May surface be invented? False for a core, of which every vertex is meant: holes of more than
   /// four edges and edges of more than two triangles are refused then, spikes and crossings stay.
-  bool invent = true;
+  bool fill_missing = true;
   double largest_hole = 0.4;  ///< share of the repaired surface that one filling may be
   /// How places are given in messages and report, for example in the coordinates of the scan's
   /// file; empty: in those of the mesh.
@@ -26,17 +26,17 @@ struct RepairOptions {
 
 template <class Visit>
 void visit_fields(const RepairOptions& options, Visit&& visit) {
-  const auto& [weld_tolerance, keep_inner_shells, invent, largest_hole, reported_place] = options;
+  const auto& [weld_tolerance, keep_inner_shells, fill_missing, largest_hole, reported_place] = options;
   visit("weld_tolerance", weld_tolerance);
   visit("keep_inner_shells", keep_inner_shells);
-  visit("invent", invent);
+  visit("invent", fill_missing);
   visit("largest_hole", largest_hole);
   visit("reported_place", ExcludedField{reported_place});
 }
 
 /// Coordinates beyond this (m) are no place on Earth or any rock: the file is damaged. Squares and
 /// cubes of lengths stay finite below it.
-inline constexpr double kLargestCoordinate = 1e15;
+inline constexpr double kMaxCoordinate = 1e15;
 
 struct RepairedMesh {
   TriangleMesh mesh;  ///< closed, 2-manifold, outward, crosses itself nowhere; cavities inward

@@ -13,7 +13,7 @@ namespace {
 /// A share of the surface below which it isn't worth a word.
 constexpr double kWorthNoting = 1e-3;
 
-std::string in_percent(double share) { return format_significant(100.0 * share, 3) + " %"; }
+std::string in_percent(double fraction) { return format_significant(100.0 * fraction, 3) + " %"; }
 
 std::string change(double relative) {
   return std::abs(relative) < 1e-5 ? "less than 0.001 %" : in_percent(relative);
@@ -28,13 +28,13 @@ class Sentences {
     for (const Defect& defect : report_.defects) {
       if (defect.kind == DefectKind::kHole) {
         for (std::string& note : of_holes()) notes.push_back(std::move(note));
-      } else if (defect.kind == DefectKind::kDoubledShell) {
+      } else if (defect.kind == DefectKind::kDuplicateShell) {
         continue;  // one by one below
       } else {
         notes.push_back(of(defect));
       }
     }
-    for (const DoubledSurface& copy : report_.doubled) notes.push_back(of(copy));
+    for (const DuplicateSurface& copy : report_.doubled) notes.push_back(of(copy));
     if (report_.wrap_bias) {
       notes.push_back(
           "the surface could not be freed of its crossings and was wrapped anew: hollows narrower "
@@ -48,39 +48,39 @@ class Sentences {
   static std::string metres(double length) { return format_significant(length, 3) + " m"; }
 
   static std::string near(const Defect& defect) {
-    return defect.place ? " near " + place(*defect.place) : "";
+    return defect.position ? " near " + position(*defect.position) : "";
   }
 
   static std::string worth_of(const Defect& defect) {
-    if (defect.area_share < kWorthNoting) return "";
-    return ", " + in_percent(defect.area_share) + " of the surface";
+    if (defect.area_fraction < kWorthNoting) return "";
+    return ", " + in_percent(defect.area_fraction) + " of the surface";
   }
 
-  static std::string of(const DoubledSurface& copy) {
+  static std::string of(const DuplicateSurface& copy) {
     std::string text = copy.closed
                            ? "a second copy of the block's whole surface, "
-                           : "a second copy of " + in_percent(std::min(1.0, copy.area_share)) +
+                           : "a second copy of " + in_percent(std::min(1.0, copy.area_fraction)) +
                                  " of the block's surface, ";
     text += format_significant(100.0 * copy.scale, 4) + " % of its size, " + metres(copy.distance) +
             " away from it and on average " + metres(std::abs(copy.offset)) +
             (copy.offset < 0.0 ? " inside" : " outside") +
             ", was dropped: not a bubble but the same rock, scanned or stored twice and not "
             "registered. ";
-    switch (copy.kept_for) {
-      case KeptFor::kClosed:
+    switch (copy.retention_reason) {
+      case RetentionReason::kClosed:
         text += "The kept copy is closed";
         break;
-      case KeptFor::kWhole:
+      case RetentionReason::kWhole:
         text += "The kept copy covers the whole block";
         break;
-      case KeptFor::kFiner:
+      case RetentionReason::kFiner:
         text += "The kept copy has more triangles";
         break;
-      case KeptFor::kSize:
+      case RetentionReason::kSize:
         text += "Neither is more complete or finer, so the larger one was kept";
         break;
     }
-    const double volume = copy.kept_volume, change = copy.volume_change;
+    const double volume = copy.retained_volume, change = copy.volume_change;
     text += volume > 0.0
                 ? "; it has a volume of " + format_significant(volume, 4) +
                       " m3, with the other one it would be " + format_significant(volume + change, 4) +
@@ -95,22 +95,22 @@ class Sentences {
       case DefectKind::kNearVertices:
         return format_count(d.count, "vertex", "vertices") + " joined to a neighbour closer than " +
                format_significant(d.size, 4) + " m";
-      case DefectKind::kNoArea:
+      case DefectKind::kDegenerate:
         return format_count(d.count, "triangle", "triangles") + " without area or stored twice dropped";
-      case DefectKind::kFolded:
+      case DefectKind::kFoldedPair:
         return format_count(d.count, "triangle", "triangles") + " back to back with another dropped" +
                worth_of(d);
       case DefectKind::kFin:
         return format_count(d.count, "triangle that stands", "triangles that stand") +
                " on the surface or double it dropped" + worth_of(d) + ", the first" + near(d);
-      case DefectKind::kTouchingEdge:
+      case DefectKind::kNonManifoldEdge:
         return format_count(d.count, "edge", "edges") +
                " shared by more than two triangles cut apart, the first" + near(d);
-      case DefectKind::kMixedWinding:
+      case DefectKind::kInconsistentOrientation:
         return format_count(d.count, "triangle", "triangles") + " turned to agree with neighbours";
-      case DefectKind::kPinchedVertex:
+      case DefectKind::kNonManifoldVertex:
         return format_count(d.count, "vertex", "vertices") + " where the surface touches itself split";
-      case DefectKind::kDoubleSheet:
+      case DefectKind::kDuplicateSheet:
         return format_count(d.count, "sheet that lies", "sheets that lie") +
                " on the block dropped (a part scanned twice)" + worth_of(d) + ", the largest" +
                near(d);
@@ -119,22 +119,22 @@ class Sentences {
       case DefectKind::kInnerShell:
         return format_count(d.count, "inner shell", "inner shells") + " (bubbles) of " +
                format_significant(report_.inner_shell_volume, 4) + " m3 in all " +
-               (report_.inner_shells_kept ? "kept as cavities" : "dropped");
+               (report_.inner_shells_retained ? "kept as cavities" : "dropped");
       case DefectKind::kSpike:
         return format_count(d.count, "spike", "spikes") + " of up to " + metres(d.size) +
                " put back into the surface, the highest" + near(d);
-      case DefectKind::kCrossing:
+      case DefectKind::kSelfIntersection:
         return format_count(d.count, "pair", "pairs") +
                " of triangles that touched or passed through each other parted or replaced" +
                near(d) + ", which changed the volume by " + change(report_.crossing_volume_change);
-      case DefectKind::kInward:
+      case DefectKind::kInwardOrientation:
         return "the surface faced inwards and was turned";
       case DefectKind::kTunnel:
         return format_count(d.count, "tunnel goes through the block and stays",
                        "tunnels go through the block and stay") +
                " open; if the rock has none, fill in the scan what makes one";
       case DefectKind::kHole:
-      case DefectKind::kDoubledShell:
+      case DefectKind::kDuplicateShell:
         break;
     }
     return "";
@@ -166,7 +166,7 @@ class Sentences {
       notes.push_back(format_count(fillings, "hole", "holes") + " filled; the largest has " +
                       std::to_string(largest->border_edges) + " border edges, is " +
                       metres(largest->perimeter) + " round and reaches " + metres(largest->radius) +
-                      " from its middle at " + place(largest->centre));
+                      " from its middle at " + position(largest->centre));
     }
     if (report_.filled_fraction >= kWorthNoting) {
       std::string open;
@@ -178,9 +178,9 @@ class Sentences {
                       " of the surface is invented: no scan saw what fills the holes" + open);
     }
     for (const FilledHole& hole : report_.holes) {
-      if (hole.area_share <= kLargeHole) continue;
-      notes.push_back("the filling at " + place(hole.centre) + " is " +
-                      in_percent(hole.area_share) +
+      if (hole.area_fraction <= kLargeHole) continue;
+      notes.push_back("the filling at " + position(hole.centre) + " is " +
+                      in_percent(hole.area_fraction) +
                       " of the surface: a guess that volume and axes depend on; scan that side, "
                       "or check the volume by weighing (`mass` with `density`)");
     }
@@ -198,7 +198,7 @@ const Defect* RepairReport::find(DefectKind kind) const {
   return found == defects.end() ? nullptr : &*found;
 }
 
-RepairReport joined(RepairReport first, RepairReport second) {
+RepairReport merged(RepairReport first, RepairReport second) {
   if (first.as_read.triangles > 0) second.as_read = first.as_read;
   for (const Defect& defect : first.defects) {
     const auto same = std::find_if(second.defects.begin(), second.defects.end(),
@@ -208,15 +208,15 @@ RepairReport joined(RepairReport first, RepairReport second) {
       continue;
     }
     same->count += defect.count;
-    same->area_share += defect.area_share;
-    if (defect.size >= same->size && defect.place) same->place = defect.place;
+    same->area_fraction += defect.area_fraction;
+    if (defect.size >= same->size && defect.position) same->position = defect.position;
     same->size = std::max(same->size, defect.size);
   }
   std::stable_sort(second.defects.begin(), second.defects.end(),
                    [](const Defect& a, const Defect& b) { return a.kind < b.kind; });
   for (const FilledHole& hole : first.holes) {
     second.holes.push_back(hole);
-    second.filled_fraction += hole.area_share;
+    second.filled_fraction += hole.area_fraction;
   }
   second.volume_below += first.volume_below;
   second.volume_above += first.volume_above;
@@ -232,21 +232,21 @@ const char* name_of(DefectKind kind) {
   switch (kind) {
     case DefectKind::kNearVertices:
       return "vertices stored more than once, joined";
-    case DefectKind::kNoArea:
+    case DefectKind::kDegenerate:
       return "triangles without area or stored twice, dropped";
-    case DefectKind::kFolded:
+    case DefectKind::kFoldedPair:
       return "triangles back to back with another, dropped";
     case DefectKind::kFin:
       return "triangles that stand on the surface or double it, dropped";
-    case DefectKind::kTouchingEdge:
+    case DefectKind::kNonManifoldEdge:
       return "edges of more than two triangles, cut apart";
-    case DefectKind::kMixedWinding:
+    case DefectKind::kInconsistentOrientation:
       return "triangles that face the other way, turned";
-    case DefectKind::kPinchedVertex:
+    case DefectKind::kNonManifoldVertex:
       return "vertices where the surface touches itself, split";
-    case DefectKind::kDoubleSheet:
+    case DefectKind::kDuplicateSheet:
       return "sheets that lie on the block, dropped";
-    case DefectKind::kDoubledShell:
+    case DefectKind::kDuplicateShell:
       return "second copies of the whole surface, dropped";
     case DefectKind::kIsland:
       return "loose scraps, dropped";
@@ -256,9 +256,9 @@ const char* name_of(DefectKind kind) {
       return "spikes, put back into the surface";
     case DefectKind::kHole:
       return "holes, filled";
-    case DefectKind::kCrossing:
+    case DefectKind::kSelfIntersection:
       return "pairs of triangles through each other, replaced";
-    case DefectKind::kInward:
+    case DefectKind::kInwardOrientation:
       return "surface that faced inwards, turned";
     case DefectKind::kTunnel:
       return "tunnels through the block, left open";
@@ -266,7 +266,7 @@ const char* name_of(DefectKind kind) {
   return "";
 }
 
-std::vector<std::string> repair_notes(const RepairReport& report) {
+std::vector<std::string> describe_repairs(const RepairReport& report) {
   return Sentences(report).all();
 }
 

@@ -12,20 +12,20 @@ namespace clast {
 /// In the order in which they are repaired.
 enum class DefectKind {
   kNearVertices,   ///< stored more than once, a little apart: joined
-  kNoArea,         ///< triangles without area, or stored twice: dropped
-  kFolded,         ///< triangles back to back with another: dropped
+  kDegenerate,         ///< triangles without area, or stored twice: dropped
+  kFoldedPair,         ///< triangles back to back with another: dropped
   kFin,            ///< scraps that stand on the surface, or lie on it rim to rim: dropped
-  kTouchingEdge,   ///< edges of more than two triangles: cut apart
-  kMixedWinding,   ///< triangles that face the other way than their neighbours: turned
-  kPinchedVertex,  ///< vertices where the surface touches itself: split
-  kDoubleSheet,   ///< open components that lie on the block, or are copies of a part of it: dropped
-  kDoubledShell,  ///< closed copies of the whole block a little apart from it: dropped
+  kNonManifoldEdge,   ///< edges of more than two triangles: cut apart
+  kInconsistentOrientation,   ///< triangles that face the other way than their neighbours: turned
+  kNonManifoldVertex,  ///< vertices where the surface touches itself: split
+  kDuplicateSheet,   ///< open components that lie on the block, or are copies of a part of it: dropped
+  kDuplicateShell,  ///< closed copies of the whole block a little apart from it: dropped
   kIsland,        ///< components beside the block, or loose in it: dropped
   kInnerShell,    ///< closed components inside the block: dropped, or kept as cavities
   kSpike,         ///< vertices that stand out of their neighbourhood: put back
   kHole,          ///< filled
-  kCrossing,      ///< triangles that pass through others: replaced
-  kInward,        ///< the whole surface faced inwards: turned
+  kSelfIntersection,      ///< triangles that pass through others: replaced
+  kInwardOrientation,        ///< the whole surface faced inwards: turned
   kTunnel         ///< goes through the block: reported, nothing is done
 };
 
@@ -33,9 +33,9 @@ enum class DefectKind {
 struct Defect {
   DefectKind kind;
   std::size_t count = 0;    ///< vertices, edges, triangles, components or holes: what `kind` names
-  double area_share = 0.0;  ///< of the surface as read (holes: as repaired) that it covers
+  double area_fraction = 0.0;  ///< of the surface as read (holes: as repaired) that it covers
   double size = 0.0;        ///< how far apart, high or long the largest is, m; 0: has no size
-  std::optional<Vec3> place;  ///< a point of the largest one, or of the first
+  std::optional<Vec3> position;  ///< a point of the largest one, or of the first
 };
 
 /// A hole that was filled.
@@ -44,7 +44,7 @@ struct FilledHole {
   double perimeter = 0.0;   ///< m
   double radius = 0.0;      ///< from the middle of its border to the farthest point of it, m
   double area = 0.0;        ///< of the filling, m^2
-  double area_share = 0.0;  ///< of the repaired surface
+  double area_fraction = 0.0;  ///< of the repaired surface
   Vec3 centre = Vec3::Zero();
   bool fan = false;  ///< closed by triangles between its border vertices alone
   /// How much smaller or larger the volume may be here than with the filling, m^3.
@@ -52,7 +52,7 @@ struct FilledHole {
 };
 
 /// Why of two copies of a surface one was kept.
-enum class KeptFor {
+enum class RetentionReason {
   kSize,    ///< neither is more complete or finer than the other: the larger, which is heavier
   kFiner,   ///< it has more triangles
   kWhole,   ///< the other is of a part of the block only
@@ -61,15 +61,15 @@ enum class KeptFor {
 
 /// A second copy of the block's surface, or of a part of it, that was dropped: two scans, or a scan
 /// stored twice, that were not registered.
-struct DoubledSurface {
+struct DuplicateSurface {
   bool closed = false;         ///< it bounds a block by itself
-  double area_share = 0.0;     ///< of the area of the surface that was kept
+  double area_fraction = 0.0;     ///< of the area of the surface that was kept
   double offset = 0.0;         ///< mean distance from that, positive outside of it, m
   double distance = 0.0;       ///< root mean square distance from it, m
   double scale = 1.0;          ///< its size against it, as they fit best
   double volume_change = 0.0;  ///< additional volume of the block with this one, m^3
-  double kept_volume = 0.0;    ///< of the block with the one that was kept; 0: that is open, m^3
-  KeptFor kept_for = KeptFor::kSize;
+  double retained_volume = 0.0;    ///< of the block with the one that was kept; 0: that is open, m^3
+  RetentionReason retention_reason = RetentionReason::kSize;
 };
 
 /// A hole larger than this share of the repaired surface is reported by itself: its filling is a
@@ -80,14 +80,14 @@ struct RepairReport {
   MeshReport as_read;                   ///< after welding, before any other repair
   std::vector<Defect> defects;          ///< none: the surface was sound
   std::vector<FilledHole> holes;        ///< largest area first
-  std::vector<DoubledSurface> doubled;  ///< copies with 5 % of the block's area and more
+  std::vector<DuplicateSurface> doubled;  ///< copies with 5 % of the block's area and more
   double filled_fraction = 0.0;          ///< fillings over the whole repaired surface
   /// How much less or more than the volume of the repaired surface the block may have, as far as
   /// fillings and doubled surfaces leave that uncertain, m^3.
   double volume_below = 0.0, volume_above = 0.0;
   std::size_t inner_shells = 0;     ///< bubbles inside, dropped unless they were to be kept
   double inner_shell_volume = 0.0;  ///< of all of them, m^3
-  bool inner_shells_kept = false;
+  bool inner_shells_retained = false;
   /// Relative volume that replacing crossing triangles added; 0 where there were none.
   double crossing_volume_change = 0.0;
   /// Set where only a wrap gave a sound surface: relative volume it had too much before it was
@@ -99,12 +99,12 @@ struct RepairReport {
 
 /// One report of two repairs of the same surface: counts of a kind add up, the larger place stays.
 /// The surface as read is that of the first, unless nothing is known of it.
-RepairReport joined(RepairReport first, RepairReport second);
+RepairReport merged(RepairReport first, RepairReport second);
 
 /// What a kind is called in a table: "spikes put back".
 const char* name_of(DefectKind kind);
 
 /// The report as sentences, one for each repair, with counts, sizes and places.
-std::vector<std::string> repair_notes(const RepairReport& report);
+std::vector<std::string> describe_repairs(const RepairReport& report);
 
 }  // namespace clast

@@ -11,7 +11,7 @@
 #include "mesh/triangle_neighbours.hpp"
 #include "mesh/vertex_corners.hpp"
 #include "mesh/weld.hpp"
-#include "reconstruct/repair/touching_sheets.hpp"
+#include "reconstruct/repair/non_manifold_split.hpp"
 
 namespace clast::reconstruct_detail {
 
@@ -41,17 +41,17 @@ std::array<std::size_t, 2> smoothest_pair(const std::vector<Vec3>& wing) {
 }
 
 /// Removes the triangles at edges where both neighbours run the same way, where they are few.
-Change drop_disagreeing(TriangleMesh& mesh) {
+RepairChange drop_disagreeing(TriangleMesh& mesh) {
   std::vector<bool> drop(mesh.triangles.size(), false);
-  Change result;
+  RepairChange result;
   for_each_edge(sorted_half_edges(mesh), [&](std::span<const HalfEdge> sides) {
     if (sides.size() != 2 || sides[0].forward != sides[1].forward) return;
-    if (result.count++ == 0) result.place = mesh.vertices[sides[0].low];
+    if (result.count++ == 0) result.position = mesh.vertices[sides[0].low];
     for (const HalfEdge& side : sides) drop[side.triangle] = true;
   });
   const auto dropped = static_cast<double>(std::count(drop.begin(), drop.end(), true));
   if (dropped > kFewDisagree * static_cast<double>(drop.size())) return {};
-  result.area = drop_triangles(mesh, drop).area;
+  result.area = remove_triangles(mesh, drop).area;
   return result;
 }
 
@@ -77,7 +77,7 @@ FinVotes fin_votes(const TriangleMesh& mesh, double largest_share) {
   for_each_edge(sorted, [&](std::span<const HalfEdge> sides) {
     if (sides.size() < 3) return;
     const double length = (mesh.vertices[sides[0].high] - mesh.vertices[sides[0].low]).norm();
-    const std::array<std::size_t, 2> stay = smoothest_pair(wings(mesh, sides));
+    const std::array<std::size_t, 2> stay = smoothest_pair(triangle_directions(mesh, sides));
     for (std::size_t i = 0; i < sides.size(); ++i) {
       const std::uint32_t here = patch[sides[i].triangle];
       bordered[here] += length;
@@ -99,7 +99,7 @@ FinVotes fin_votes(const TriangleMesh& mesh, double largest_share) {
 }
 
 /// What was to stay in place of a dropped one stays in this round.
-Change drop_voted_out(TriangleMesh& mesh, const FinVotes& votes) {
+RepairChange drop_voted_out(TriangleMesh& mesh, const FinVotes& votes) {
   std::vector<char> fate(mesh.triangles.size(), 0);
   enum : char { kOpen, kDrop, kStay };
   for (const std::uint32_t here : votes.candidates) {
@@ -111,30 +111,31 @@ Change drop_voted_out(TriangleMesh& mesh, const FinVotes& votes) {
   }
   std::vector<bool> drop(mesh.triangles.size());
   for (std::size_t t = 0; t < drop.size(); ++t) drop[t] = fate[votes.patch[t]] == kDrop;
-  return drop_triangles(mesh, drop);
+  return remove_triangles(mesh, drop);
 }
 
 }  // namespace
 
-Change drop_triangles(TriangleMesh& mesh, const std::vector<bool>& drop) {
-  Change result;
+RepairChange remove_triangles(TriangleMesh& mesh, const std::vector<bool>& drop) {
+  RepairChange result;
   std::vector<Triangle> kept;
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
     if (!drop[t]) {
       kept.push_back(mesh.triangles[t]);
       continue;
     }
-    if (result.count++ == 0) result.place = mesh.vertices[mesh.triangles[t][0]];
+    if (result.count++ == 0) result.position = mesh.vertices[mesh.triangles[t][0]];
     result.area += triangle_area(mesh, mesh.triangles[t]);
   }
   if (result.count > 0) mesh = extract_triangles(mesh, kept);
   return result;
 }
 
-Change drop_opposite_pairs(TriangleMesh& mesh) {
+RepairChange remove_opposite_pairs(TriangleMesh& mesh) {
   std::vector<bool> second(mesh.triangles.size(), false);
   std::vector<DuplicateTriangle> pairs;
-  for (const DuplicateTriangle& copy : find_duplicate_triangles(mesh.triangles, WindingMatch::kEither)) {
+  for (const DuplicateTriangle& copy :
+       find_duplicate_triangles(mesh.triangles, WindingMatch::kEither)) {
     if (second[copy.before]) continue;  // is in a pair already
     pairs.push_back(copy);
     second[copy.again] = true;
@@ -153,22 +154,22 @@ Change drop_opposite_pairs(TriangleMesh& mesh) {
   for (const auto& [first, other] : pairs) {
     if (goes_on[first] < 2) drop[first] = true;
   }
-  return drop_triangles(mesh, drop);
+  return remove_triangles(mesh, drop);
 }
 
-Change remove_fins(TriangleMesh& mesh, double largest_share) {
-  Change result;
+RepairChange remove_fins(TriangleMesh& mesh, double largest_share) {
+  RepairChange result;
   for (int round = 0; round < kFinRounds; ++round) {
-    const Change now = drop_voted_out(mesh, fin_votes(mesh, largest_share));
+    const RepairChange now = drop_voted_out(mesh, fin_votes(mesh, largest_share));
     if (now.count == 0) break;
-    if (result.count == 0) result.place = now.place;
+    if (result.count == 0) result.position = now.position;
     result.count += now.count;
     result.area += now.area;
   }
   return result;
 }
 
-Change drop_fins_at_borders(TriangleMesh& mesh) {
+RepairChange remove_border_fins(TriangleMesh& mesh) {
   const VertexCorners around(mesh);
   const std::vector<HalfEdge> sorted = sorted_half_edges(mesh);
   std::vector<int> shared(mesh.triangles.size(), 0);
@@ -183,12 +184,12 @@ Change drop_fins_at_borders(TriangleMesh& mesh) {
                 return around.at(v).size() == 1;
               });
   }
-  return drop_triangles(mesh, drop);
+  return remove_triangles(mesh, drop);
 }
 
-Orientation orient_consistently(TriangleMesh& mesh) {
+OrientationResult orient_consistently(TriangleMesh& mesh) {
   const ConsistentOrientation facing = find_consistent_orientation(mesh, triangle_neighbours(mesh));
-  Orientation result;
+  OrientationResult result;
   result.orientable = !facing.conflict;
   result.conflict = facing.conflict.value_or(0);
   for (const std::vector<std::uint32_t>& component : facing.components) {
@@ -204,13 +205,13 @@ Orientation orient_consistently(TriangleMesh& mesh) {
   return result;
 }
 
-SoupRepair repair_soup(TriangleMesh& mesh, double largest_fin) {
-  SoupRepair repair;
-  repair.folded = drop_opposite_pairs(mesh);
+SoupRepairResult repair_soup(TriangleMesh& mesh, double max_fin_fraction) {
+  SoupRepairResult repair;
+  repair.folded = remove_opposite_pairs(mesh);
   if (mesh.triangles.empty()) return repair;
-  if (inspect_mesh(mesh).non_manifold_edges > 0) repair.fins = remove_fins(mesh, largest_fin);
+  if (inspect_mesh(mesh).non_manifold_edges > 0) repair.fins = remove_fins(mesh, max_fin_fraction);
   if (repair.fins.count > 0) {
-    const Change more = drop_fins_at_borders(mesh);
+    const RepairChange more = remove_border_fins(mesh);
     repair.fins.count += more.count;
     repair.fins.area += more.area;
   }
@@ -223,11 +224,11 @@ SoupRepair repair_soup(TriangleMesh& mesh, double largest_fin) {
     repair.orientation = orient_consistently(mesh);
   }
   if (!repair.orientation.orientable || inspect_mesh(mesh).non_manifold_edges == 0) return repair;
-  const Change cut = cut_touching_edges(mesh).cut;
-  if (repair.touching.count == 0) repair.touching.place = cut.place;
+  const RepairChange cut = split_non_manifold_edges(mesh).cut;
+  if (repair.touching.count == 0) repair.touching.position = cut.position;
   repair.touching.count += cut.count;
   repair.touching.area += cut.area;
-  const Orientation again = orient_consistently(mesh);
+  const OrientationResult again = orient_consistently(mesh);
   repair.orientation.turned += again.turned;
   repair.orientation.orientable = again.orientable;
   repair.orientation.conflict = again.conflict;

@@ -9,20 +9,20 @@
 namespace clast::reconstruct_detail {
 
 /// What one step of a repair dropped or changed.
-struct Change {
+struct RepairChange {
   std::size_t count = 0;
   double area = 0.0;          ///< of what was dropped
-  Vec3 place = Vec3::Zero();  ///< of the first; meaningless when `count` is 0
+  Vec3 position = Vec3::Zero();  ///< of the first; meaningless when `count` is 0
 };
 
 /// Drops the marked triangles, and the vertices that only they use. Counts triangles.
 /// @pre one flag for each triangle
-Change drop_triangles(TriangleMesh& mesh, const std::vector<bool>& drop);
+RepairChange remove_triangles(TriangleMesh& mesh, const std::vector<bool>& drop);
 
 /// Of two triangles with the same corners and opposite turn, one is kept where the surface goes on
 /// at both sides (stored twice, or two-sided throughout), none where it doesn't (a sliver welded
 /// flat). Counts those dropped.
-Change drop_opposite_pairs(TriangleMesh& mesh);
+RepairChange remove_opposite_pairs(TriangleMesh& mesh);
 
 /// A part of the surface that stands on the rest and has less of its area than this is a fin.
 inline constexpr double kFinArea = 0.05;
@@ -31,13 +31,13 @@ inline constexpr double kFinArea = 0.05;
 /// on less smoothly there than the rest does without them: fins, and sheets that lie on the
 /// surface. Counts triangles.
 /// @param largest_share  of the area that such a part may have
-Change remove_fins(TriangleMesh& mesh, double largest_share);
+RepairChange remove_fins(TriangleMesh& mesh, double largest_share);
 
 /// Drops triangles that meet the rest on one edge alone and have a tip of their own. In a scan that
 /// has fins elsewhere they are fins that stand on a border. Counts triangles.
-Change drop_fins_at_borders(TriangleMesh& mesh);
+RepairChange remove_border_fins(TriangleMesh& mesh);
 
-struct Orientation {
+struct OrientationResult {
   std::size_t turned = 0;  ///< triangles that were flipped
   bool orientable = true;
   std::uint32_t conflict = 0;  ///< a vertex where the sides can't agree
@@ -46,19 +46,19 @@ struct Orientation {
 
 /// Makes neighbours over edges with two triangles agree; each component keeps the turn that most of
 /// its triangles have.
-Orientation orient_consistently(TriangleMesh& mesh);
+OrientationResult orient_consistently(TriangleMesh& mesh);
 
-/// All of the above, and `cut_touching_edges`, in order.
-struct SoupRepair {
-  Change folded, fins, touching;
-  Orientation orientation;  ///< counts both rounds
+/// All of the above, and `split_non_manifold_edges`, in order.
+struct SoupRepairResult {
+  RepairChange folded, fins, touching;
+  OrientationResult orientation;  ///< counts both rounds
 };
 
 /// Where sides can't agree and few triangles face another way than a neighbour, those are
 /// removed: of two sheets that touched along an edge, each lost one there. After this every edge
 /// has one triangle or two, and neighbours face the same way; where they can't, `orientation` says
 /// so and the mesh is left half done.
-/// @param largest_fin  share of the area that a fin may have
-SoupRepair repair_soup(TriangleMesh& mesh, double largest_fin);
+/// @param max_fin_fraction  share of the area that a fin may have
+SoupRepairResult repair_soup(TriangleMesh& mesh, double max_fin_fraction);
 
 }  // namespace clast::reconstruct_detail

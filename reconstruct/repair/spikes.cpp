@@ -60,7 +60,7 @@ double typical(std::vector<double> lengths) {
 
 /// Where a vertex would lie without its spike, and how far that is.
 struct SpikeFoot {
-  Vec3 place = Vec3::Zero();
+  Vec3 position = Vec3::Zero();
   double height = 0.0;
   double radii = 0.0;  ///< height over the mean distance of the neighbours from their centroid
 };
@@ -94,7 +94,7 @@ class Surroundings {
   /// @param v  not at a border
   Vec3 centroid(std::uint32_t v) const {
     Vec3 sum = Vec3::Zero();
-    for_each_corner(v, [&](std::uint32_t c) { sum += place(next(c)); });
+    for_each_corner(v, [&](std::uint32_t c) { sum += position(next(c)); });
     return sum / static_cast<double>(degree(v));
   }
 
@@ -102,9 +102,9 @@ class Surroundings {
   std::optional<SpikeFoot> foot_of(std::uint32_t v) const {
     const std::optional<SpikeFoot> foot = at_border_[v] ? foot_at_border(v) : foot_inside(v);
     if (!foot || foot->height <= kLowest * edge_) return std::nullopt;
-    const std::optional<double> own = bend(v, mesh_.vertices[v]);
+    const std::optional<double> own = bending(v, mesh_.vertices[v]);
     if (!own) return std::nullopt;
-    const double flat = *bend(v, foot->place);
+    const double flat = *bending(v, foot->position);
     const bool shown =
         std::any_of(std::begin(kShown), std::end(kShown), [&](const Evidence& least) {
           return foot->height > least.edges * edge_ && foot->radii > least.radii &&
@@ -120,7 +120,7 @@ class Surroundings {
 
   std::uint32_t vertex(std::uint32_t c) const { return mesh_.triangles[c / 3][c % 3]; }
 
-  const Vec3& place(std::uint32_t c) const { return mesh_.vertices[vertex(c)]; }
+  const Vec3& position(std::uint32_t c) const { return mesh_.vertices[vertex(c)]; }
 
   template <class Use>
   void for_each_corner(std::uint32_t v, const Use& use) const {
@@ -129,7 +129,7 @@ class Surroundings {
 
   /// Normal, as long as the doubled area, of the triangle across from a corner.
   Vec3 beyond(std::uint32_t c) const {
-    return doubled_area(place(next(next(c))), place(next(c)), mesh_.vertices[across_[c]]);
+    return doubled_area(position(next(next(c))), position(next(c)), mesh_.vertices[across_[c]]);
   }
 
   /// The centroid of the neighbours.
@@ -137,7 +137,7 @@ class Surroundings {
     if (degree(v) < 3) return std::nullopt;
     const Vec3 middle = centroid(v);
     double radius = 0.0;
-    for_each_corner(v, [&](std::uint32_t c) { radius += (place(next(c)) - middle).norm(); });
+    for_each_corner(v, [&](std::uint32_t c) { radius += (position(next(c)) - middle).norm(); });
     radius /= static_cast<double>(degree(v));
     const double height = (mesh_.vertices[v] - middle).norm();
     return SpikeFoot{middle, height, height / radius};
@@ -151,7 +151,7 @@ class Surroundings {
       if (across_[c] == kNoIndex) return;
       normal += beyond(c);
       for (const std::uint32_t end : {next(c), next(next(c))}) {
-        near.push_back(place(end));
+        near.push_back(position(end));
         middle += near.back();
       }
     });
@@ -167,12 +167,12 @@ class Surroundings {
 
   /// The median angle by which the surface beyond the triangles at `v` bends towards them, if that
   /// vertex lies at `at`; none where there is nothing beyond.
-  std::optional<double> bend(std::uint32_t v, const Vec3& at) const {
+  std::optional<double> bending(std::uint32_t v, const Vec3& at) const {
     std::vector<double> angles;
     for_each_corner(v, [&](std::uint32_t c) {
       if (across_[c] == kNoIndex) return;
       angles.push_back(
-          angle_between(doubled_area(at, place(next(c)), place(next(next(c)))), beyond(c)));
+          angle_between(doubled_area(at, position(next(c)), position(next(next(c)))), beyond(c)));
     });
     if (angles.empty()) return std::nullopt;
     return upper_median(std::move(angles));
@@ -189,8 +189,8 @@ class Surroundings {
 
 }  // namespace
 
-Spikes flatten_spikes(TriangleMesh& mesh) {
-  Spikes result;
+SpikeSummary flatten_spikes(TriangleMesh& mesh) {
+  SpikeSummary result;
   const Surroundings around(mesh);
   std::vector<bool> moved(mesh.vertices.size(), false);
   for (int pass = 0; pass < kPasses; ++pass) {
@@ -205,9 +205,9 @@ Spikes flatten_spikes(TriangleMesh& mesh) {
       if (!foot) continue;
       if (foot->height > result.highest) {
         result.highest = foot->height;
-        result.place = mesh.vertices[v];
+        result.position = mesh.vertices[v];
       }
-      mesh.vertices[v] = foot->place;
+      mesh.vertices[v] = foot->position;
       moved[v] = true;
     }
   }

@@ -6,10 +6,10 @@
 
 namespace clast::reconstruct_detail {
 
-struct Spikes {
+struct SpikeSummary {
   std::size_t count = 0;
   double highest = 0.0;  ///< distance of the farthest from its foot
-  Vec3 place = Vec3::Zero();
+  Vec3 position = Vec3::Zero();
 };
 
 /// Moves every vertex that stands out to its foot, in a few passes, the tallest first: inside the
@@ -18,6 +18,6 @@ struct Spikes {
 /// towards the foot than towards the vertex. Corners of coarse models and tips of ridges stay: the
 /// surface around them goes on to the tip.
 /// @param mesh  neighbours over edges face the same way
-Spikes flatten_spikes(TriangleMesh& mesh);
+SpikeSummary flatten_spikes(TriangleMesh& mesh);
 
 }  // namespace clast::reconstruct_detail

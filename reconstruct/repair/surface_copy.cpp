@@ -26,8 +26,8 @@ constexpr double kSameWay = 0.3;  ///< cosine between the normals of copy and su
 /// A copy with this share of the area is one of the whole block; of two such the one with so many
 /// times the triangles is finer.
 constexpr double kCompleteCopy = 0.5, kFiner = 1.25;
-constexpr double kMostScale = 0.12;
-constexpr double kMostTurn = 0.2;  ///< rad
+constexpr double kMaxScale = 0.12;
+constexpr double kMaxTurn = 0.2;  ///< rad
 /// What holds turns and scales that nothing else decides, as of a ball or a flat patch.
 constexpr double kDamping = 1e-6;
 
@@ -35,7 +35,7 @@ using Vec7 = Eigen::Matrix<double, 7, 1>;
 using Mat7 = Eigen::Matrix<double, 7, 7>;
 
 struct Sample {
-  Vec3 place, normal;
+  Vec3 position, normal;
 };
 
 std::vector<Sample> samples_of(const TriangleMesh& component) {
@@ -65,11 +65,11 @@ std::vector<SurfaceFoot> feet_of(const std::vector<Sample>& samples, const Trian
   std::vector<SurfaceFoot> feet;
   std::uint32_t hint = 0;
   for (const Sample& sample : samples) {
-    const TriangleTree::Closest found = tree.closest(sample.place, hint);
+    const TriangleTree::Closest found = tree.closest(sample.position, hint);
     hint = found.triangle;
     const Vec3& normal = tree.face_normal(found.triangle);
     feet.push_back(
-        {normal, normal.dot(sample.place - found.point), std::sqrt(found.squared_distance)});
+        {normal, normal.dot(sample.position - found.point), std::sqrt(found.squared_distance)});
   }
   return feet;
 }
@@ -110,15 +110,15 @@ bool faces_one_way(const std::vector<Sample>& samples, const std::vector<Surface
 
 /// One step towards the surface; adds what it turns (rad) and scales by.
 void approach(std::vector<Sample>& samples, const std::vector<SurfaceFoot>& feet, double diagonal,
-              Vec3& turned, double& scale) {
+              Vec3& total_rotation, double& scale) {
   Vec3 middle = Vec3::Zero();
-  for (const Sample& s : samples) middle += s.place / static_cast<double>(samples.size());
+  for (const Sample& s : samples) middle += s.position / static_cast<double>(samples.size());
   const double limit = counted_distance(feet);
   Mat7 matrix = Mat7::Zero();
   Vec7 side = Vec7::Zero();
   for (std::size_t i = 0; i < samples.size(); ++i) {
     if (feet[i].distance > limit) continue;
-    const Vec3 arm = (samples[i].place - middle) / diagonal;
+    const Vec3 arm = (samples[i].position - middle) / diagonal;
     Vec7 row;
     row << feet[i].normal, arm.cross(feet[i].normal), arm.dot(feet[i].normal);
     matrix += row * row.transpose();
@@ -126,21 +126,21 @@ void approach(std::vector<Sample>& samples, const std::vector<SurfaceFoot>& feet
   }
   matrix += kDamping * matrix.trace() * Mat7::Identity();
   const Vec7 move = matrix.ldlt().solve(side);
-  const Vec3 turn = move.segment<3>(3);
-  const double angle = turn.norm();
+  const Vec3 rotation_vector = move.segment<3>(3);
+  const double angle = rotation_vector.norm();
   const Quat rotation =
-      angle > 0.0 ? Quat(Eigen::AngleAxisd(angle, turn / angle)) : Quat::Identity();
+      angle > 0.0 ? Quat(Eigen::AngleAxisd(angle, rotation_vector / angle)) : Quat::Identity();
   const double factor = 1.0 + std::clamp(move[6], -0.05, 0.05);
   for (Sample& s : samples) {
-    s.place = middle + diagonal * move.head<3>() + factor * (rotation * (s.place - middle));
+    s.position = middle + diagonal * move.head<3>() + factor * (rotation * (s.position - middle));
   }
-  turned += turn;
+  total_rotation += rotation_vector;
   scale *= factor;
 }
 
 }  // namespace
 
-std::optional<SurfaceCopy> copy_of_surface(const TriangleMesh& component, const TriangleTree& tree,
+std::optional<SurfaceCopy> match_surface_copy(const TriangleMesh& component, const TriangleTree& tree,
                                            double diagonal) {
   std::vector<Sample> samples = samples_of(component);
   if (samples.size() < 10) return std::nullopt;
@@ -155,20 +155,20 @@ std::optional<SurfaceCopy> copy_of_surface(const TriangleMesh& component, const 
     copy.distance += foot.distance * foot.distance / static_cast<double>(feet.size());
   }
   copy.distance = std::sqrt(copy.distance);
-  Vec3 turned = Vec3::Zero();
+  Vec3 total_rotation = Vec3::Zero();
   double scale = 1.0;
   for (int step = 0; step < kSteps; ++step) {
-    approach(samples, feet, diagonal, turned, scale);
+    approach(samples, feet, diagonal, total_rotation, scale);
     feet = feet_of(samples, tree);
   }
   copy.scale = 1.0 / scale;
-  if (std::abs(copy.scale - 1.0) > kMostScale || turned.norm() > kMostTurn) return std::nullopt;
+  if (std::abs(copy.scale - 1.0) > kMaxScale || total_rotation.norm() > kMaxTurn) return std::nullopt;
   const double left = root_mean_square(feet);
   if (left > std::max(kLeft * before, kFitsCopy * diagonal)) return std::nullopt;
   return copy;
 }
 
-void put_best_copy_first(std::vector<Component>& components) {
+void move_best_copy_first(std::vector<Component>& components) {
   const auto better = [](const Component& a, const Component& b) {
     const bool a_closed = inspect_mesh(a.mesh).closed(), b_closed = inspect_mesh(b.mesh).closed();
     if (a_closed != b_closed) return a_closed;
@@ -180,31 +180,31 @@ void put_best_copy_first(std::vector<Component>& components) {
     if (components[i].area < kCompleteCopy * components[0].area) break;
     if (!better(components[i], components[best])) continue;
     const TriangleTree tree(components[0].mesh);
-    if (copy_of_surface(components[i].mesh, tree, bounds(components[0].mesh).diagonal())) best = i;
+    if (match_surface_copy(components[i].mesh, tree, bounds(components[0].mesh).diagonal())) best = i;
   }
   std::rotate(components.begin(), components.begin() + static_cast<std::ptrdiff_t>(best),
               components.begin() + static_cast<std::ptrdiff_t>(best) + 1);
 }
 
-DoubledSurface describe_copy(const SurfaceCopy& copy, const Component& dropped,
+DuplicateSurface describe_copy(const SurfaceCopy& copy, const Component& dropped,
                              const TriangleMesh& kept, const TriangleTree& tree) {
-  DoubledSurface doubled;
+  DuplicateSurface doubled;
   doubled.closed = inspect_mesh(dropped.mesh).closed();
-  doubled.area_share = dropped.area / surface_area(kept);
+  doubled.area_fraction = dropped.area / surface_area(kept);
   doubled.offset = copy.offset;
   doubled.distance = copy.distance;
   doubled.scale = copy.scale;
   const std::size_t of_kept = kept.triangles.size(), of_copy = dropped.mesh.triangles.size();
   if (inspect_mesh(kept).closed() && !doubled.closed) {
-    doubled.kept_for = KeptFor::kClosed;
-  } else if (doubled.area_share < kCompleteCopy) {
-    doubled.kept_for = KeptFor::kWhole;
+    doubled.retention_reason = RetentionReason::kClosed;
+  } else if (doubled.area_fraction < kCompleteCopy) {
+    doubled.retention_reason = RetentionReason::kWhole;
   } else if (static_cast<double>(of_kept) > kFiner * static_cast<double>(of_copy)) {
-    doubled.kept_for = KeptFor::kFiner;
+    doubled.retention_reason = RetentionReason::kFiner;
   }
-  if (inspect_mesh(kept).closed()) doubled.kept_volume = std::abs(signed_volume(kept));
-  if (doubled.closed && doubled.kept_volume > 0.0) {
-    doubled.volume_change = std::abs(signed_volume(dropped.mesh)) - doubled.kept_volume;
+  if (inspect_mesh(kept).closed()) doubled.retained_volume = std::abs(signed_volume(kept));
+  if (doubled.closed && doubled.retained_volume > 0.0) {
+    doubled.volume_change = std::abs(signed_volume(dropped.mesh)) - doubled.retained_volume;
     return doubled;
   }
   std::uint32_t hint = 0;

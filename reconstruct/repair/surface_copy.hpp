@@ -26,18 +26,18 @@ struct SurfaceCopy {
 /// @param tree      of the surface, which faces outwards or inwards
 /// @param diagonal  of the surface, m
 /// @cite chen1992
-std::optional<SurfaceCopy> copy_of_surface(const TriangleMesh& component, const TriangleTree& tree,
+std::optional<SurfaceCopy> match_surface_copy(const TriangleMesh& component, const TriangleTree& tree,
                                            double diagonal);
 
 /// Where another component is a copy of the first and better than it, that one becomes the first: a
 /// closed one is better than an open one, and of two alike the one with a quarter more triangles.
 /// @param components  at least one, the largest first
-void put_best_copy_first(std::vector<Component>& components);
+void move_best_copy_first(std::vector<Component>& components);
 
 /// What is to be reported of a copy that is dropped: why the other was kept, and what it would
 /// change.
 /// @param kept  a surface that faces outwards, of which the tree is
-DoubledSurface describe_copy(const SurfaceCopy& copy, const Component& dropped,
+DuplicateSurface describe_copy(const SurfaceCopy& copy, const Component& dropped,
                              const TriangleMesh& kept, const TriangleTree& tree);
 
 }  // namespace clast::reconstruct_detail

@@ -13,7 +13,7 @@
 #include "reconstruct/underside/detail/hole_patch.hpp"
 #include "reconstruct/underside/detail/sections.hpp"
 #include "reconstruct/underside/detail/space_below.hpp"
-#include "reconstruct/underside/detail/unseen_bounds.hpp"
+#include "reconstruct/underside/detail/unobserved_bounds.hpp"
 
 namespace clast {
 
@@ -23,23 +23,23 @@ namespace {
 constexpr double kBracketed = 0.003;
 /// The narrowing at the rim is taken over these shares of the height that was seen: over the longer
 /// one for the largest cone below an uneven rim, over the shorter for the likeliest shape.
-constexpr double kLargestBand = 0.2, kBestBand = 0.1;
+constexpr double kMaxBand = 0.2, kBestBand = 0.1;
 /// Share of its cone that a cap fills. A ball's fills 3/4 when it is shallow and 0.6 when a fifth
 /// of the surface is unseen; where walls go straight down, any depth up to the deepest is as
 /// likely. See docs/benchmarks.md for how far off this is.
-constexpr double kBestShare = 0.6;
+constexpr double kBestFraction = 0.6;
 /// The cap of the best shape is bulge^(2/3): of a round rim, 0.6 of the cylinder around it.
 constexpr double kBestPower = 2.0 / 3.0;
-constexpr double kMostPointedBest = 3.0;  ///< ... and may rise to this power
+constexpr double kMaxPointedBest = 3.0;  ///< ... and may rise to this power
 /// Heights of the rim, as shares of it that lie lower, from which the sections are continued: under
 /// an uneven rim each stands for a part, and the largest volume counts.
-constexpr std::array<double, 3> kRimShares = {0.25, 0.5, 0.75};
+constexpr std::array<double, 3> kRimFractions = {0.25, 0.5, 0.75};
 /// The likeliest shape goes no deeper below the rim than so many times its width.
-constexpr double kDeepestBelowRim = 1.5;
+constexpr double kMaxDepthBelowRim = 1.5;
 /// A rim is uneven where its heights spread over more than this share of the whole. The sections do
 /// not say then what hangs beside them, and the best shape is put at this share between the closure
 /// and the largest cone: the median of 100 blocks of which what faces down steeply was removed.
-constexpr double kEven = 0.05, kUnevenShare = 0.35;
+constexpr double kEven = 0.05, kUnevenFraction = 0.35;
 /// A rim hangs down to the ground where it is no farther above it than the first share of the
 /// height, and does not from the second share on.
 constexpr double kAtGround = 0.02, kClearOfGround = 0.06;
@@ -49,7 +49,7 @@ constexpr double kFewHang = 0.05, kManyHang = 0.15;
 constexpr double kSunk = 0.05;
 /// A block stands on a foot where photos looked under it but for this share of its plan; where all
 /// of it meets the ground, nothing says how deep it goes.
-constexpr double kFootShare = 0.5;
+constexpr double kBaseAreaFraction = 0.5;
 /// A hole that faces within this of straight down is the ground's side.
 constexpr double kFacesDown = 0.5;  // cos 60 degrees
 constexpr int kWithdrawals = 6;     ///< halvings of a cap that meets the walls
@@ -126,7 +126,7 @@ class Closing {
     result_.open_sides = static_cast<std::size_t>(count);
     for (std::size_t i = result_.open_sides; i < rims.size(); ++i) fill(rims[i]);
     note_filled(rims.size() - result_.open_sides);
-    result_.first_invented = result_.lower.triangles.size();
+    result_.first_filling = result_.lower.triangles.size();
     for (std::size_t i = 1; i < result_.open_sides; ++i) fill(rims[i]);
     first_vertex_ = result_.lower.vertices.size();
     reconstruct_detail::HolePatch patch = fill(rims[0]);
@@ -137,13 +137,14 @@ class Closing {
   }
 
  private:
-  void refuse_sheet(const Rim& rim, double share) const {
-    if (share <= options_.largest_share) return;
+  void refuse_sheet(const Rim& rim, double fraction) const {
+    if (fraction <= options_.largest_share) return;
     throw GeometryError(
         "the largest component is the ground, or one side of a block: a sheet whose "
         "border of " +
         std::to_string(rim.loop.size()) + " edges near " +
-        format_point(result_.lower.vertices[rim.loop[0]]) + " spans " + format_significant(100.0 * share, 3) +
+        format_point(result_.lower.vertices[rim.loop[0]]) + " spans " +
+        format_significant(100.0 * fraction, 3) +
         " % of what a closed surface would have; scan the block from all sides");
   }
 
@@ -154,7 +155,8 @@ class Closing {
   }
 
   reconstruct_detail::HolePatch fill(const Rim& rim) {
-    reconstruct_detail::HolePatch patch = reconstruct_detail::fill_hole(result_.lower, rim.loop);
+    reconstruct_detail::HolePatch patch =
+        reconstruct_detail::fill_with_membrane(result_.lower, rim.loop);
     TriangleMesh& mesh = result_.lower;
     mesh.vertices.insert(mesh.vertices.end(), patch.vertices.begin(), patch.vertices.end());
     mesh.triangles.insert(mesh.triangles.end(), patch.triangles.begin(), patch.triangles.end());
@@ -172,7 +174,7 @@ class Closing {
   }
 
   void bracket(const std::vector<Rim>& rims, const reconstruct_detail::BottomClosure& closure) {
-    const reconstruct_detail::Sections sections(result_.lower, -result_.down);
+    const reconstruct_detail::LevelSections sections(result_.lower, -result_.down);
     closure_volume_ = sections.volume_above(sections.lowest());
     if (!(closure_volume_ > 0.0)) {
       throw GeometryError("the surface faces inwards, or encloses nothing once it is closed (" +
@@ -185,7 +187,7 @@ class Closing {
     bound(sections.highest());
     rim_root_ = std::sqrt(std::abs(rims[0].area.dot(result_.down)));
     guess(heights, sections, bottom, closure);
-    const double filling = area_from(result_.best, result_.first_invented);
+    const double filling = area_from(result_.best, result_.first_filling);
     result_.filled_fraction = filling / surface_area(result_.best);
   }
 
@@ -193,11 +195,11 @@ class Closing {
   std::vector<bool> closures() const {
     std::vector<bool> closure(result_.lower.triangles.size(), false);
     for (std::size_t t = 0; t < closure.size(); ++t) {
-      closure[t] = t >= result_.first_invented;
-      if (closure[t] || !options_.was_seen) continue;
+      closure[t] = t >= result_.first_filling;
+      if (closure[t] || !options_.is_observed) continue;
       const auto& [a, b, c] = result_.lower.triangles[t];
       const std::vector<Vec3>& at = result_.lower.vertices;
-      closure[t] = !options_.was_seen((at[a] + at[b] + at[c]) / 3.0);
+      closure[t] = !options_.is_observed((at[a] + at[b] + at[c]) / 3.0);
     }
     return closure;
   }
@@ -205,25 +207,26 @@ class Closing {
   /// How deep a block is buried does not follow from where the points on its flanks end. Only space
   /// that was seen to be free under it shows that it lies on the ground.
   void bound(double highest) {
-    const std::optional<reconstruct_detail::SpaceBelow> below = occupiable_space(highest);
+    const std::optional<reconstruct_detail::OccludedSpace> below = occupiable_space(highest);
     std::optional<double> bottom;
-    if (below && foot_share(*below) <= kFootShare) {
+    if (below && base_fraction(*below) <= kBaseAreaFraction) {
       bottom = options_.ground->distance - sunk_depth(highest);
     }
-    reconstruct_detail::UnseenParts parts{closures(), {}, faces_ground(), options_.margin};
+    reconstruct_detail::UnobservedParts parts{closures(), {}, faces_ground(), options_.uncertainty};
     result_.assumption = "the unseen part lies within the planes of the flanks that were seen";
     if (bottom) {
       parts.floor = Plane{options_.ground->normal, *bottom};
       const double depth = (options_.ground->distance - *bottom) / (highest - *bottom);
       result_.assumption += " and reaches into the ground by no more than " +
-                            format_significant(100.0 * std::max(0.0, depth), 2) + " % of its height";
+                            format_significant(100.0 * std::max(0.0, depth), 2) +
+                            " % of its height";
     }
-    const reconstruct_detail::UnseenBounds bounds =
-        reconstruct_detail::unseen_bounds(result_.lower, parts);
+    const reconstruct_detail::UnobservedBounds bounds =
+        reconstruct_detail::bound_unobserved_parts(result_.lower, parts);
     result_.lower_volume = bounds.lower_volume;
     result_.upper_volume = bounds.upper_volume;
     result_.sides = bounds.sides;
-    for (std::string& note : reconstruct_detail::hollow_notes(bounds.hollows, options_.unit)) {
+    for (std::string& note : reconstruct_detail::describe_hollows(bounds.hollows, options_.unit)) {
       result_.notes.push_back(std::move(note));
     }
     if (result_.upper_volume) {
@@ -234,15 +237,15 @@ class Closing {
   }
 
   /// The shape that the sections make likeliest, no larger than the upper one.
-  void guess(const std::vector<double>& heights, const reconstruct_detail::Sections& sections,
+  void guess(const std::vector<double>& heights, const reconstruct_detail::LevelSections& sections,
              double bottom, const reconstruct_detail::BottomClosure& closure) {
-    const auto quantile = [&](double share) {
-      return heights[static_cast<std::size_t>(share * static_cast<double>(heights.size() - 1))];
+    const auto quantile = [&](double fraction) {
+      return heights[static_cast<std::size_t>(fraction * static_cast<double>(heights.size() - 1))];
     };
     double largest = closure_volume_, deepest = 0.0;
     result_.estimated_volume = closure_volume_;
-    for (const double share : kRimShares) {
-      const double level = quantile(share);
+    for (const double fraction : kRimFractions) {
+      const double level = quantile(fraction);
       const Continued below = continued(sections, level, bottom);
       if (below.largest_volume > largest) {
         largest = below.largest_volume;
@@ -251,35 +254,35 @@ class Closing {
       result_.estimated_volume = std::max(result_.estimated_volume, below.estimated_volume);
     }
     const bool uneven = quantile(0.9) - quantile(0.1) > kEven * (sections.highest() - bottom);
-    if (uneven) result_.estimated_volume = std::lerp(closure_volume_, largest, kUnevenShare);
+    if (uneven) result_.estimated_volume = std::lerp(closure_volume_, largest, kUnevenFraction);
     if (result_.upper_volume) {
       result_.estimated_volume = std::min(result_.estimated_volume, *result_.upper_volume);
     }
-    settle_best(closure, deepest);
+    choose_best_closure(closure, deepest);
   }
 
   /// How deep a block that lies on the ground has sunk into it at most, m.
   double sunk_depth(double highest) const { return kSunk * (highest - options_.ground->distance); }
 
-  std::optional<reconstruct_detail::SpaceBelow> occupiable_space(double highest) const {
-    if (options_.through == nullptr || !(options_.through->side > 0.0) || !faces_ground()) {
+  std::optional<reconstruct_detail::OccludedSpace> occupiable_space(double highest) const {
+    if (options_.free_space == nullptr || !(options_.free_space->side > 0.0) || !faces_ground()) {
       return std::nullopt;
     }
-    return reconstruct_detail::space_below(result_.lower, *options_.ground, sunk_depth(highest),
-                                           *options_.through);
+    return reconstruct_detail::measure_occluded_space(result_.lower, *options_.ground,
+                                                      sunk_depth(highest), *options_.free_space);
   }
 
-  static double foot_share(const reconstruct_detail::SpaceBelow& below) {
-    return below.foot_area / below.plan_area;
+  static double base_fraction(const reconstruct_detail::OccludedSpace& below) {
+    return below.base_area / below.plan_area;
   }
 
   /// The upper volume is no larger than all that is not free space, on a foot that has sunk
   /// into the ground.
-  void look_under(const reconstruct_detail::SpaceBelow& below, double highest) {
-    const double share = foot_share(below);
-    const double hull = closure_volume_ + below.volume + below.foot_area * sunk_depth(highest);
+  void look_under(const reconstruct_detail::OccludedSpace& below, double highest) {
+    const double fraction = base_fraction(below);
+    const double hull = closure_volume_ + below.volume + below.base_area * sunk_depth(highest);
     if (hull >= *result_.upper_volume) return;
-    result_.notes.push_back("photos show " + format_significant(100.0 * (1.0 - share), 3) +
+    result_.notes.push_back("photos show " + format_significant(100.0 * (1.0 - fraction), 3) +
                             " % of its plan to be clear of the ground: that takes " +
                             format_significant(100.0 * (1.0 - hull / *result_.upper_volume), 3) +
                             " % off the largest volume");
@@ -291,7 +294,7 @@ class Closing {
     double largest_volume = 0.0, estimated_volume = 0.0;
   };
 
-  Continued continued(const reconstruct_detail::Sections& sections, double level,
+  Continued continued(const reconstruct_detail::LevelSections& sections, double level,
                       double bottom) const {
     const double height = sections.highest() - level;
     // Just above the level, where a flat filling does not count any more.
@@ -303,9 +306,9 @@ class Closing {
     const double above = sections.volume_above(level);
     // A section may go through much more of the block than what ends at the rim.
     const double rim = std::min(root, rim_root_);
-    const double deepest = std::min(level - bottom, kDeepestBelowRim * rim_root_);
-    return {above + cone_below(rim, narrowing(kLargestBand), deepest),
-            above + kBestShare * cone_below(rim, narrowing(kBestBand), deepest)};
+    const double deepest = std::min(level - bottom, kMaxDepthBelowRim * rim_root_);
+    return {above + cone_below(rim, narrowing(kMaxBand), deepest),
+            above + kBestFraction * cone_below(rim, narrowing(kBestBand), deepest)};
   }
 
   /// Ascending.
@@ -335,39 +338,41 @@ class Closing {
       hanging += std::clamp((kClearOfGround - above) / (kClearOfGround - kAtGround), 0.0, 1.0);
     }
     hanging /= static_cast<double>(rim.size());
-    const double share = std::clamp((hanging - kFewHang) / (kManyHang - kFewHang), 0.0, 1.0);
+    const double fraction = std::clamp((hanging - kFewHang) / (kManyHang - kFewHang), 0.0, 1.0);
     // Something holds it up: under an overhang it reaches the ground however far below that is.
     const double sunk = ground - kSunk * height;
-    return std::lerp(sunk, std::min(below, sunk), share);
+    return std::lerp(sunk, std::min(below, sunk), fraction);
   }
 
   /// The best shape lies on the ground. A cap under an uneven rim may meet the walls: it is made
   /// more pointed, then drawn back, until it does not.
-  void settle_best(const reconstruct_detail::BottomClosure& closure, double deepest) {
+  void choose_best_closure(const reconstruct_detail::BottomClosure& closure, double deepest) {
     const double added = result_.estimated_volume - closure_volume_;
-    reconstruct_detail::Move start = closure.holding(added, kBestPower, deepest);
-    if (faces_ground()) start = closure.lying(*options_.ground, start, added, kMostPointedBest);
+    reconstruct_detail::ClosureShape start = closure.shape_for_volume(added, kBestPower, deepest);
+    if (faces_ground())
+      start = closure.shape_touching_ground(*options_.ground, start, added, kMaxPointedBest);
     deepest = std::max(deepest, start.depth);
     const std::size_t crossings = find_self_intersections(result_.lower).size();
     const auto fits = [&] { return find_self_intersections(result_.best).size() <= crossings; };
-    for (double power = start.power; power <= kMostPointedBest; power *= 1.5) {
-      result_.best = closure.lowered(closure.holding(added, power, deepest));
+    for (double power = start.power; power <= kMaxPointedBest; power *= 1.5) {
+      result_.best = closure.lowered(closure.shape_for_volume(added, power, deepest));
       if (fits()) break;
     }
-    double share = 1.0;
+    double fraction = 1.0;
     const TriangleMesh whole = result_.best;
     for (int i = 0; i < kWithdrawals && !fits(); ++i) {
-      share = i + 1 < kWithdrawals ? 0.5 * share : 0.0;
+      fraction = i + 1 < kWithdrawals ? 0.5 * fraction : 0.0;
       for (std::size_t v = first_vertex_; v < whole.vertices.size(); ++v) {
         result_.best.vertices[v] =
-            result_.lower.vertices[v] + share * (whole.vertices[v] - result_.lower.vertices[v]);
+            result_.lower.vertices[v] + fraction * (whole.vertices[v] - result_.lower.vertices[v]);
       }
     }
-    if (share < 1.0) {
-      result_.notes.push_back("the filling was drawn back to " + format_significant(100.0 * share, 3) +
+    if (fraction < 1.0) {
+      result_.notes.push_back("the filling was drawn back to " +
+                              format_significant(100.0 * fraction, 3) +
                               " % of its depth, where it does not meet the walls");
     }
-    const reconstruct_detail::Sections sections(result_.best, -result_.down);
+    const reconstruct_detail::LevelSections sections(result_.best, -result_.down);
     result_.estimated_volume = sections.volume_above(sections.lowest());
     if (result_.upper_volume) {
       result_.estimated_volume = std::min(result_.estimated_volume, *result_.upper_volume);

@@ -9,8 +9,8 @@
 
 #include "mesh/plane.hpp"
 #include "mesh/triangle_mesh.hpp"
-#include "reconstruct/cloud/surface_margin.hpp"
-#include "reconstruct/underside/seen_through.hpp"
+#include "reconstruct/cloud/surface_uncertainty.hpp"
+#include "reconstruct/underside/free_space_grid.hpp"
 #include "shapes/volume_bracket.hpp"
 
 namespace clast {
@@ -29,13 +29,13 @@ struct UndersideOptions {
   double largest_share = 0.42;
   /// Space that was looked through, in the frame of the scan: above the ground that is given, no
   /// rock is there.
-  const SeenThrough* through = nullptr;
+  const FreeSpaceGrid* free_space = nullptr;
   /// Whether a place on the open surface was scanned; what was not is a filling of
   /// small holes. None: all of it was.
-  std::function<bool(const Vec3&)> was_seen = {};
+  std::function<bool(const Vec3&)> is_observed = {};
   double unit = 1.0;  ///< m per unit of the mesh, for the lengths of notes
   /// How well the open surface is known; null: it is exact.
-  const SurfaceMargin* margin = nullptr;
+  const SurfaceUncertainty* uncertainty = nullptr;
 
   void check() const;  ///< throws InputError naming the field and its value
 };
@@ -47,7 +47,7 @@ struct Underside : VolumeBracket {
   TriangleMesh lower;  ///< filled straight across the rims (membranes)
   TriangleMesh best;
   std::size_t open_sides = 1;      ///< holes that are bracketed, together
-  std::size_t first_invented = 0;  ///< triangles from this one on are filling, in both
+  std::size_t first_filling = 0;   ///< triangles from this one on are filling, in both
   Vec3 down = -Vec3::UnitZ();      ///< the way the filling of the largest hole faces
   Vec3 rim_centre = Vec3::Zero();  ///< of the largest hole, m
   std::size_t rim_edges = 0;

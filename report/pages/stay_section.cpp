@@ -42,8 +42,8 @@ std::vector<std::string> cells_of(const Comparison& comparison, const Group& gro
     hitting += stay->blocks_hit > 0;
     hit += stay->blocks_hit;
     removed += std::isfinite(stay->removed_at);
-    if (stay->moved_later > kMovedShare * comparison.rows[row].block->axes.S) {
-      moved.push_back(stay->moved_later);
+    if (stay->later_displacement > kMovedShare * comparison.rows[row].block->axes.S) {
+      moved.push_back(stay->later_displacement);
     }
   }
   if (runs == 0) return {};

@@ -170,7 +170,7 @@ std::string scan_sections(const Block& block, const ScanOfBlock& scan) {
   if (scan.photos != nullptr) {
     html += format_photo_section(
         *scan.photos,
-        scan.evidence ? *scan.evidence : photo_evidence(*scan.photos, *scan.found, scan.up),
+        scan.evidence ? *scan.evidence : summarise_photos(*scan.photos, *scan.found, scan.up),
         scan.found->scan.mesh);
   }
   return html;

@@ -4,7 +4,7 @@
 
 #include "library/block.hpp"
 #include "reconstruct/field_scan.hpp"
-#include "reconstruct/photos/photo_evidence.hpp"
+#include "reconstruct/photos/photo_summary.hpp"
 
 namespace clast {
 
@@ -17,8 +17,8 @@ struct ScanOfBlock {
   std::string up = "z";        ///< axis of the file that points up, found or asked for
   std::string scale = {};      ///< how the block got its size, in words; of photographs they say it
   bool density_given = false;  ///< else a weighed mass sets the density
-  const PhotoScan* photos = nullptr;        ///< of a folder of photographs, else null
-  const PhotoEvidence* evidence = nullptr;  ///< what these show; null: the page computes it
+  const PhotoScan* photos = nullptr;       ///< of a folder of photographs, else null
+  const PhotoSummary* evidence = nullptr;  ///< what these show; null: the page computes it
 };
 
 /// The page of a block, complete in itself.

@@ -64,7 +64,7 @@ std::string outline(const Plan& plan, const TriangleMesh& surface, const Vec3& m
          "\" fill=\"#d6cdbe\" stroke=\"#5b6775\" stroke-width=\"1\"/>";
 }
 
-std::string wedge(const Plan& plan, const RingGap& gap, double reach) {
+std::string wedge(const Plan& plan, const AzimuthGap& gap, double reach) {
   const Vec2 from = plan.around(gap.from, reach), to = plan.around(gap.from + gap.width, reach);
   const double radius = plan.pixel * reach;
   const Vec2 label = plan.around(gap.from + 0.5 * gap.width, 0.72 * reach);
@@ -75,12 +75,12 @@ std::string wedge(const Plan& plan, const RingGap& gap, double reach) {
                   "font-size=\"14\" text-anchor=\"middle\" fill=\"#8a5200\"");
 }
 
-std::string state_of(const CameraSeat& seat) {
+std::string state_of(const CameraPosition& seat) {
   if (seat.blurred) return "blurred, skipped";
   return seat.pairs > 0 ? "compared" : "no partner to compare with";
 }
 
-std::string mark(const Vec2& at, const CameraSeat& seat) {
+std::string mark(const Vec2& at, const CameraPosition& seat) {
   const std::string title = "<title>" + escape_html(seat.name + ": " + state_of(seat)) + "</title>";
   const std::string place = "cx=\"" + fixed(at.x(), 1) + "\" cy=\"" + fixed(at.y(), 1) + "\"";
   if (seat.blurred) {
@@ -96,17 +96,17 @@ std::string mark(const Vec2& at, const CameraSeat& seat) {
 }
 
 /// Cameras from above, about the block.
-std::string ring_plan(const PhotoEvidence& evidence, const TriangleMesh& surface,
+std::string ring_plan(const PhotoSummary& evidence, const TriangleMesh& surface,
                       const Vec3& middle) {
   double reach = 0.0;
-  const auto flat = [](const CameraSeat& seat) { return seat.distance * std::cos(seat.elevation); };
-  for (const CameraSeat& seat : evidence.ring.seats) reach = std::max(reach, flat(seat));
+  const auto flat = [](const CameraPosition& seat) { return seat.distance * std::cos(seat.elevation); };
+  for (const CameraPosition& seat : evidence.ring.cameras) reach = std::max(reach, flat(seat));
   if (reach <= 0.0) return "";
   const Plan plan{(0.5 * std::min(kPhotoPlanWidth, kPhotoPlanHeight) - kMargin) / reach};
   std::string svg = open_svg(kPhotoPlanWidth, kPhotoPlanHeight, "cameras from above");
-  for (const RingGap& gap : evidence.ring.gaps) svg += wedge(plan, gap, reach);
+  for (const AzimuthGap& gap : evidence.ring.gaps) svg += wedge(plan, gap, reach);
   svg += outline(plan, surface, middle);
-  for (const CameraSeat& seat : evidence.ring.seats) {
+  for (const CameraPosition& seat : evidence.ring.cameras) {
     svg += mark(plan.around(seat.azimuth, flat(seat)), seat);
   }
   const char* const axis = "stroke=\"#1d2733\" stroke-width=\"1.4\"";
@@ -118,14 +118,14 @@ std::string ring_plan(const PhotoEvidence& evidence, const TriangleMesh& surface
       svg + "</svg>",
       "Cameras from above, in the frame of the block. Filled: compared with others. Open: "
       "without a partner. Crossed out: blurred. Orange: no compared photo for more than " +
-          degrees(kWideGap) + ".");
+          degrees(kWideAzimuthGap) + ".");
 }
 
 std::string gap_words(const CameraRing& ring) {
   std::string text;
-  for (const RingGap& gap : ring.gaps) {
+  for (const AzimuthGap& gap : ring.gaps) {
     text += (text.empty() ? "" : "; ") + degrees(gap.width) + " from azimuth " + degrees(gap.from) +
-            ", between " + ring.seats[gap.first].name + " and " + ring.seats[gap.second].name;
+            ", between " + ring.cameras[gap.first].name + " and " + ring.cameras[gap.second].name;
   }
   return "Gaps round the block: " + text +
          ". Take photos there, one every 10 to 15 degrees, for a better surface.";
@@ -134,7 +134,7 @@ std::string gap_words(const CameraRing& ring) {
 std::string photo_table(const CameraRing& ring, const std::string& unit) {
   HtmlTable table(
       {"photo", "state", "pairs", "azimuth, deg", "elevation, deg", "distance, " + unit}, 2);
-  for (const CameraSeat& seat : ring.seats) {
+  for (const CameraPosition& seat : ring.cameras) {
     table.row({seat.name, state_of(seat), std::to_string(seat.pairs),
                fixed(seat.azimuth * kDegreesPerRadian, 1),
                fixed(seat.elevation * kDegreesPerRadian, 1), significant(seat.distance, 3)});
@@ -142,7 +142,7 @@ std::string photo_table(const CameraRing& ring, const std::string& unit) {
   return "<details><summary>Every photo</summary>" + table.html() + "</details>\n";
 }
 
-std::string coverage_map(const PhotoEvidence& evidence, const TriangleMesh& surface, bool metric) {
+std::string coverage_map(const PhotoSummary& evidence, const TriangleMesh& surface, bool metric) {
   const auto colour = [&](std::uint32_t triangle) {
     Rgb found = kViewColours[0].colour;
     for (const ViewColour& one : kViewColours) {
@@ -163,18 +163,18 @@ std::string coverage_map(const PhotoEvidence& evidence, const TriangleMesh& surf
   }
   html += "<div class=\"colours\">" + key + "</svg></div>\n";
   HtmlTable table({"seen by at least", "photos, % of the surface", "pairs, % of the surface"}, 1);
-  for (const Coverage& one : evidence.coverage) {
+  for (const ViewCoverage& one : evidence.coverage) {
     table.row(
         {std::to_string(one.least), fixed(100.0 * one.photos, 1), fixed(100.0 * one.pairs, 1)});
   }
   return html + table.html();
 }
 
-std::string marker_table(const PhotoEvidence& evidence, const std::string& unit) {
+std::string marker_table(const PhotoSummary& evidence, const std::string& unit) {
   HtmlTable table({"marker", "for the scale", "photos", "error, px", "side, " + unit}, 2);
-  for (const MarkerUse& marker : evidence.markers) {
+  for (const MarkerUsage& marker : evidence.markers) {
     const bool placed = marker.side > 0.0;
-    table.row({std::to_string(marker.id), marker.used ? "used" : marker.why,
+    table.row({std::to_string(marker.id), marker.used ? "used" : marker.reason,
                std::to_string(marker.photos), placed ? fixed(marker.error, 2) : "-",
                placed ? significant(marker.side, 5) : "-"});
   }
@@ -206,7 +206,7 @@ std::string scale_table(const PhotoScale& scale) {
          (scale.notes.empty() ? "" : format_note_box("About the scale", scale.notes));
 }
 
-std::string scale_part(const PhotoScan& scan, const PhotoEvidence& evidence,
+std::string scale_part(const PhotoScan& scan, const PhotoSummary& evidence,
                        const std::string& unit) {
   std::string html = "<h3>Scale</h3>\n";
   if (!evidence.markers.empty()) html += marker_table(evidence, unit);
@@ -231,12 +231,12 @@ std::string scale_part(const PhotoScan& scan, const PhotoEvidence& evidence,
 
 }  // namespace
 
-std::string format_photo_section(const PhotoScan& scan, const PhotoEvidence& evidence,
+std::string format_photo_section(const PhotoScan& scan, const PhotoSummary& evidence,
                                  const TriangleMesh& surface) {
   const CameraRing& ring = evidence.ring;
   const std::string unit = scan.metric ? "m" : "units";
   std::vector<std::string> blurred, alone;
-  for (const CameraSeat& seat : ring.seats) {
+  for (const CameraPosition& seat : ring.cameras) {
     if (seat.blurred) {
       blurred.push_back(seat.name);
     } else if (seat.pairs == 0) {
@@ -254,9 +254,9 @@ std::string format_photo_section(const PhotoScan& scan, const PhotoEvidence& evi
   left_out("without a camera", scan.without_camera);
   left_out("blurred and skipped", blurred);
   left_out("without a partner 6 to 32 degrees away", alone);
-  const std::size_t compared = ring.seats.size() - blurred.size() - alone.size();
+  const std::size_t compared = ring.cameras.size() - blurred.size() - alone.size();
   std::string html = paragraph(
-      format_count(ring.seats.size(), "photo") + " with a camera, by " + scan.model.source + "; " +
+      format_count(ring.cameras.size(), "photo") + " with a camera, by " + scan.model.source + "; " +
       std::to_string(compared) + " compared, in " + format_count(scan.cloud.pairs.size(), "pair") +
       ", which gave " + format_count(scan.cloud.points.size(), "point") + ".");
   if (!notes.empty()) html += format_note_box("Photos", notes);

@@ -47,7 +47,7 @@ std::string format_repair_section(const RepairReport& report, bool cloud, bool o
   std::size_t number = 0;
   for (const Defect& defect : report.defects) {
     defects.row({name_of(defect.kind), std::to_string(++number), std::to_string(defect.count),
-                 share(defect.area_share), length(defect.size),
+                 share(defect.area_fraction), length(defect.size),
                  defect.place ? place(*defect.place) : ""});
   }
   html += defects.html();
@@ -63,7 +63,7 @@ std::string format_repair_section(const RepairReport& report, bool cloud, bool o
       const FilledHole& hole = report.holes[i];
       holes.row({"H" + std::to_string(i + 1), closing(hole), std::to_string(hole.border_edges),
                  format_significant(hole.perimeter, 3), format_significant(hole.radius, 3),
-                 format_significant(hole.area, 3), share(hole.area_share), place(hole.centre)});
+                 format_significant(hole.area, 3), share(hole.area_fraction), place(hole.centre)});
     }
     html += "<h3>Holes that were filled, the largest first</h3>\n" + holes.html();
     if (report.holes.size() > kMostHoles) {

@@ -150,7 +150,7 @@ class Invented {
       : mesh_(block.scan.mesh), reach_(kNew * bounds(block.scan.mesh).diagonal()) {
     if (!raw.triangles.empty()) scanned_ = std::make_unique<TriangleTree>(raw);
     if (!block.underside) return;
-    first_ = block.underside->first_invented;
+    first_ = block.underside->first_filling;
     best_ = std::make_unique<TriangleTree>(block.underside->best);
   }
 

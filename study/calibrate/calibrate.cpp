@@ -57,7 +57,7 @@ void check_design(const fs::path& from, const StoredCalibration& stored,
     throw InputError(from.string() +
                      ": was begun with other sites, unknowns, members, inputs or program; " + next);
   }
-  const std::string physics = physics_difference(stored.physics_digest, asked.physics_digest);
+  const std::string physics = describe_physics_difference(stored.physics_digest, asked.physics_digest);
   if (physics.empty()) return;
   throw InputError(from.string() + ": " + physics +
                    " than in the one that simulated its members, " +

@@ -53,7 +53,7 @@ class MomentObserver {
     for (std::size_t i = 0; i < moments_.size(); ++i) {
       const double time = moments_[i].value;
       if (moments_[i].kind != Moment::Kind::kTime || outcomes_[i].passed()) continue;
-      if (time <= step.end_time) outcomes_[i] = at(state_at(body_, step, time, gravity_));
+      if (time <= step.end_time) outcomes_[i] = at(interpolate_state(body_, step, time, gravity_));
     }
   }
 

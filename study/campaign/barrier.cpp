@@ -49,11 +49,11 @@ std::optional<SegmentPassage> passage(const Vec2& from, const Vec2& to, const Ri
     while (after - before > kTimeTolerance) {
       const double middle = 0.5 * (before + after);
       if (middle <= before || middle >= after) break;
-      const double distance = distance_left(state_at(body, step, middle, gravity));
+      const double distance = distance_left(interpolate_state(body, step, middle, gravity));
       (is_left(distance) == is_left(begin) ? before : after) = middle;
     }
     found.time = after;
-    found.state = state_at(body, step, after, gravity);
+    found.state = interpolate_state(body, step, after, gravity);
   }
   return found;
 }
@@ -129,7 +129,7 @@ std::vector<Crossing> crossings_of_ring(const Barrier& barrier, const RigidBody&
   for (std::size_t i = 0; i < passed.size(); ++i) {
     const RigidState after =
         i + 1 < passed.size()
-            ? state_at(body, step, 0.5 * (passed[i].time + passed[i + 1].time), gravity)
+            ? interpolate_state(body, step, 0.5 * (passed[i].time + passed[i + 1].time), gravity)
             : step.end;
     if (is_inside(ring, after.position.head<2>()) == inside) continue;
     // From the left to the right is out of a ring with its inside on the left.

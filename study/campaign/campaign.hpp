@@ -161,7 +161,7 @@ struct Campaign {
   /// One at least; names differ. Those of masses have no points.
   std::vector<ReleaseSet> releases;
   std::optional<PersistentBlocksPlan> stay;  ///< none: every run has the terrain to itself
-  ContactWeights weights = ContactWeights::kPatch;
+  ContactWeighting weights = ContactWeighting::kPatch;
   StiffnessOptions stiffness;     ///< with the contact law; all else empty: auto
   std::vector<Barrier> barriers;  ///< in map coordinates
   double max_time = 60.0;         ///< s

@@ -187,7 +187,7 @@ Comparison compare(std::vector<CampaignResults> results, const CompareOptions& o
 
 /// Returns the energy lost or gained by changes of contacts and of contact weights, as a fraction
 /// of the dissipated energy; empty if nothing was dissipated.
-std::optional<double> reassigned_energy_fraction(const EnergyLedger& energy);
+std::optional<double> reassigned_energy_fraction(const EnergyBalance& energy);
 /// Limit of `reassigned_energy_fraction` above which a warning is given. The effect equals that of
 /// as much more or less friction, which surveys rarely know to 10 %; most runs have a few per cent,
 /// due to contacts that begin and end.

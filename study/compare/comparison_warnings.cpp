@@ -366,7 +366,7 @@ void warn_of_directions(Comparison& comparison) {
 
 }  // namespace
 
-std::optional<double> reassigned_energy_fraction(const EnergyLedger& energy) {
+std::optional<double> reassigned_energy_fraction(const EnergyBalance& energy) {
   const double dissipated = energy.normal + energy.friction + energy.rolling;
   // Where next to nothing is dissipated both are rounding.
   const double rounding =

@@ -42,7 +42,7 @@ void ImpactObserver::see(const MotionStep& step) {
   const double duration = step.end_time - step.begin_time;
   if (first_) update_maxima(step.begin);
   first_ = false;
-  if (!step.to_be_balanced) update_maxima(step.end);
+  if (!step.correction_pending) update_maxima(step.end);
   statistics.most_points = std::max<std::uint64_t>(statistics.most_points, step.touch.points);
   if (step.flight) {
     if (!take_off_) take_off_ = step.begin.position.head<2>();

@@ -60,7 +60,7 @@ struct PersistentBlockRecord {
   std::uint32_t run = 0;
   double released_at = 0.0;      ///< since the first block of the realisation was released, s
   double raised = 0.0;           ///< above the start that was planned, m
-  double moved_later = 0.0;      ///< by later blocks, from where it had stopped, m
+  double later_displacement = 0.0;      ///< by later blocks, from where it had stopped, m
   std::uint32_t blocks_hit = 0;  ///< other blocks that it touched during its own release
   /// When it was removed out of a cleared zone, as `released_at`; NaN: it stayed.
   double removed_at = std::numeric_limits<double>::quiet_NaN();
@@ -128,7 +128,7 @@ struct CampaignHeader {
   std::vector<GroundParameters> ground;  ///< by zone, without groups; uncertain ones in the middle
   std::vector<GroundParameterSet> ground_sets;
   ContactLaw law;
-  ContactWeights weights = ContactWeights::kPatch;
+  ContactWeighting weights = ContactWeighting::kPatch;
   std::vector<std::string> warnings;
   MapFrame frame;
   std::optional<Vec2> downslope;    ///< as asked for

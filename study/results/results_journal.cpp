@@ -118,9 +118,9 @@ std::string identity_difference(const Identity& stored, const Identity& now) {
   } else if (stored.planned != now.planned) {
     difference = std::to_string(stored.planned) + " planned runs, now there are " +
                  std::to_string(now.planned);
-  } else if (!physics_difference(stored.physics, now.physics).empty()) {
+  } else if (!describe_physics_difference(stored.physics, now.physics).empty()) {
     difference =
-        "clast " + stored.program + " too, but " + physics_difference(stored.physics, now.physics);
+        "clast " + stored.program + " too, but " + describe_physics_difference(stored.physics, now.physics);
   }
   return difference;
 }

@@ -333,8 +333,8 @@ CampaignResults read_results(const fs::path& path) {
   read_ground_sets(root.into("ground_sets"), results);
 
   const Hdf5Group contact = root.group.group("contact");
-  results.law = contact_law(contact.attribute<std::string>("law"));
-  results.weights = contact_weights(contact.attribute<std::string>("weights"));
+  results.law = parse_contact_law(contact.attribute<std::string>("law"));
+  results.weights = parse_contact_weighting(contact.attribute<std::string>("weights"));
   read_terrain_group(root.into("terrain"), results);
 
   read_rows(root.into("runs"), results.runs, common_stiffness(contact), results.has_contacts());

@@ -101,7 +101,7 @@ class RunObserver {
          ++next_frame_) {
       add(time, time >= step.end_time
                     ? step.end
-                    : state_at(body_, step, std::max(time, step.begin_time), gravity));
+                    : interpolate_state(body_, step, std::max(time, step.begin_time), gravity));
     }
   }
 
@@ -166,7 +166,7 @@ std::string not_settled(const CampaignPlan& prepared, std::span<const RunRecord>
   const std::string& name = prepared.campaign.releases[first.point].name;
   return "[mass]" + (name.empty() ? "" : " " + name) + ": " + format_count(error.count, "block") + ", " +
          prepared.header.blocks[first.block].id + " the first, " +
-         (error.left_form
+         (error.left_wall
               ? "left the faces that they settle behind; widen the polygon, or give thickness_m"
               : "still moved after settle_time_s = " + format_significant(settle_time, 6) +
                     "; raise it, or give rolling_friction or friction that lets them rest");
@@ -201,9 +201,9 @@ std::vector<StoredRun> realisation(const CampaignPlan& prepared, std::span<const
   SequenceSettings settings = sequence_settings(prepared, planned.front());
   settings.world.threads = threads;
   ConfiningWalls faces = build_confining_walls(prepared, planned);
-  for (SequenceForm& form : faces.forms) form.shape += shapes.size();
+  for (SequenceForm& form : faces.confining_walls) form.shape += shapes.size();
   shapes.insert(shapes.end(), faces.shapes.begin(), faces.shapes.end());
-  settings.forms = std::move(faces.forms);
+  settings.confining_walls = std::move(faces.confining_walls);
   for (std::size_t i = 0; i < planned.size(); ++i) {
     observers.push_back(
         std::make_unique<RunObserver>(prepared, planned[i], shapes[shape_of_run[i]]));
@@ -252,7 +252,7 @@ std::vector<StoredRun> realisation(const CampaignPlan& prepared, std::span<const
     runs.back().record.start.position.z() += result.raised;
     if (result.settled) runs.back().record.start = *result.settled;
     runs.back().stays.push_back({planned[i].run, result.released_at, result.raised,
-                                 result.moved_later, result.blocks_hit,
+                                 result.later_displacement, result.blocks_hit,
                                  result.removed_at.value_or(std::nan(""))});
   }
   runs.front().energies = std::move(energies);
@@ -277,7 +277,7 @@ void check_mass_start(const CampaignPlan& prepared, std::uint32_t first) {
   World world(shapes, settings, *prepared.surface,
               prepared.header.ground_sets[runs.front().ground_set].zones);
   for (std::size_t i = 0; i < runs.size(); ++i) world.add_body(shape_of_run[i], runs[i].start);
-  world.run_until(kInstant);
+  world.run_until_rest(kInstant);
   std::size_t overlapping = 0;
   std::pair<std::size_t, std::size_t> worst;
   double deepest = 0.0;

@@ -26,9 +26,9 @@ double fastest_speed(const RunRecord& run, const BlockSummary& block, double low
 /// The worst that the runs of a block meet.
 struct Worst {
   double fastest = 0.0;
-  ContactGround ground;
+  GroundRequirements ground;
 
-  void include(double speed, const ContactGround& other) {
+  void include(double speed, const GroundRequirements& other) {
     fastest = std::max(fastest, speed);
     ground.include(other);
   }
@@ -37,20 +37,20 @@ struct Worst {
 /// Blocks that may touch each other share one stiffness: that of the most demanding start, ground
 /// and contact between blocks of their realisation.
 std::vector<std::string> settle_together(CampaignPlan& prepared,
-                                         const std::vector<ContactBody>& bodies,
-                                         const std::vector<ContactGround>& grounds) {
+                                         const std::vector<BodyRequirements>& bodies,
+                                         const std::vector<GroundRequirements>& grounds) {
   const Campaign& campaign = prepared.campaign;
   const std::vector<MemberSettings> members = draw_member_settings(campaign);
   const std::size_t each = prepared.header.stay->blocks_each;
-  const ContactGround between =
-      contact_ground(std::span(&campaign.stay->between_blocks, 1), campaign.stiffness.law);
+  const GroundRequirements between =
+      ground_requirements(std::span(&campaign.stay->between_blocks, 1), campaign.stiffness.law);
   const double lowest = prepared.surface->extent().low.z();
   std::vector<std::string> warnings;
   for (std::size_t first = 0; first < prepared.runs.size(); first += each) {
     const std::span runs(&prepared.runs[first], each);
     Worst worst;
     worst.include(0.0, between);
-    std::vector<ContactBody> together;
+    std::vector<BodyRequirements> together;
     for (const RunRecord& run : runs) {
       worst.include(fastest_speed(run, prepared.header.blocks[run.block], lowest, campaign.gravity),
                     grounds[run.ground_set]);
@@ -81,17 +81,17 @@ std::vector<std::string> choose_run_stiffness(CampaignPlan& prepared) {
   const std::vector<MemberSettings> members = draw_member_settings(prepared.campaign);
   const double gravity = prepared.campaign.gravity;
   const double lowest = prepared.surface->extent().low.z();
-  std::vector<ContactGround> grounds;
+  std::vector<GroundRequirements> grounds;
   for (const GroundParameterSet& set : prepared.header.ground_sets) {
-    grounds.push_back(contact_ground(set.zones, prepared.campaign.stiffness.law));
+    grounds.push_back(ground_requirements(set.zones, prepared.campaign.stiffness.law));
   }
-  std::vector<ContactBody> bodies;
+  std::vector<BodyRequirements> bodies;
   for (std::size_t i = 0; i < prepared.bodies.size(); ++i) {
     const std::uint32_t first = prepared.bodies.first_equal_body(i);
-    bodies.push_back(first < i ? bodies[first] : contact_body(prepared.bodies[i]));
+    bodies.push_back(first < i ? bodies[first] : body_requirements(prepared.bodies[i]));
   }
   if (prepared.header.stay) return settle_together(prepared, bodies, grounds);
-  const auto choose = [&](std::size_t block, const ContactGround& ground, double fastest,
+  const auto choose = [&](std::size_t block, const GroundRequirements& ground, double fastest,
                           const StiffnessOptions& options) {
     return with_error_context("block " + prepared.header.blocks[block].id, [&] {
       return choose_stiffness(std::span(&bodies[block], 1), ground, fastest, gravity, options);

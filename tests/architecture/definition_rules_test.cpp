@@ -90,12 +90,12 @@ TEST(DefinitionRules, AFunctionInTwoFilesIsFoundInTheSecond) {
 
 /// Where ends are ordered that are no edge of a mesh, and where edges are known in another way yet.
 const std::set<std::string> kOrdersEnds = {
-    "mesh/half_edges.cpp",                      // is where edges are found
-    "dem/search/broad_phase.cpp",               // bodies
-    "dem/simulation/detail/contact_pairs.hpp",  // bodies
-    "classify/surface_indices.cpp",             // the same
-    "reconstruct/photos/stereo_pairs.cpp",      // photographs
-    "study/campaign/barrier_line.cpp",          // corners of a polyline
+    "mesh/half_edges.cpp",                           // is where edges are found
+    "dem/search/broad_phase.cpp",                    // bodies
+    "dem/simulation/detail/contact_pair_table.hpp",  // bodies
+    "classify/surface_indices.cpp",                  // the same
+    "reconstruct/photos/stereo_pairs.cpp",           // photographs
+    "study/campaign/barrier_line.cpp",               // corners of a polyline
 };
 
 TEST(DefinitionRules, EdgesAreFoundInOnePlace) {
@@ -148,12 +148,12 @@ TEST(DefinitionRules, WhatDefinesNoTypeOfTheNamespaceIsNotFound) {
 TEST(DefinitionRules, ATypeInTwoFilesIsFoundInTheSecond) {
   const std::string text = "namespace clast::detail {\n\nstruct HeightGrid {\n};\n}\n";
   const std::vector<SourceFile> files = {
-      source_file("reconstruct/ground/detail/height_grid.hpp", text),
+      source_file("reconstruct/ground/detail/thin_plate_grid.hpp", text),
       source_file("terrain/raw_surface.hpp", text),
       source_file("study/a.hpp", "namespace clast::study_detail {\nstruct HeightGrid {};\n}\n")};
   EXPECT_EQ(repeated_type_findings(files),
             Findings{"terrain/raw_surface.hpp:3: clast::detail::HeightGrid is defined in "
-                     "reconstruct/ground/detail/height_grid.hpp too"});
+                     "reconstruct/ground/detail/thin_plate_grid.hpp too"});
 }
 
 }  // namespace

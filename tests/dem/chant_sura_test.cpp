@@ -122,7 +122,7 @@ Throw thrown(const TerrainSurface& terrain, const RigidBody& body, RigidState st
   while (high - low > 1e-5) {
     const double middle = 0.5 * (low + high);
     start.position.z() = middle;
-    (overlap.deepest(start) > 0.0 ? low : high) = middle;
+    (overlap.max_overlap(start) > 0.0 ? low : high) = middle;
   }
   start.position.z() = high;
   FirstImpact impact;

@@ -83,14 +83,14 @@ void expect_same_motion(const MixedPile& pile) {
   World world = pile.falling();
   for (int part = 0; part < 24; ++part) {
     if (part == 10) world.remove_body(7);
-    if (part == 11) world.free_bodies(std::vector<std::size_t>{0});
+    if (part == 11) world.release_bodies(std::vector<std::size_t>{0});
     const std::string before = saved(world);
     const double end = world.time() + 0.17;
-    world.run_to(end);
+    world.run_to_time(end);
     World copy = pile.empty(1 + part % 2);
     restore(copy, before);
     ASSERT_EQ(copy.body_count(), 20u);
-    copy.run_to(end);
+    copy.run_to_time(end);
     ASSERT_EQ(copy.statistics().contact_points, world.statistics().contact_points) << part;
     ASSERT_TRUE(saved(copy) == saved(world)) << part;
   }
@@ -190,8 +190,8 @@ TEST(SequenceCheckpoint, OfBlocksThatAreHeldAndThatSettle) {
   blocks.back().start.position = {2.5, 0.2, 0.31};
   blocks.back().held = 0.4;
   // A wall that holds the first four, and goes at 0.2 s.
-  settings.forms.push_back({.shape = 1, .place = at({-1.0, 0.3, 0.0}), .first = 0, .end = 4});
-  settings.forms.back().removed_at = 0.2;
+  settings.confining_walls.push_back({.shape = 1, .position = at({-1.0, 0.3, 0.0}), .first = 0, .end = 4});
+  settings.confining_walls.back().removed_at = 0.2;
   expect_same_sequence({box(60.0, {0.5, 0.4, 0.3}, 0.02), box(1.0, {1.0, 6.0, 6.0})}, blocks,
                        settings, 400);
 }

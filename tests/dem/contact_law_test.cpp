@@ -13,10 +13,10 @@ namespace {
 constexpr double kLawStiffness = 1e6;
 
 TEST(ContactLaw, NamesGoBothWaysAndOthersAreRefused) {
-  for (const std::string& name : contact_law_names()) EXPECT_EQ(name_of(contact_law(name)), name);
+  for (const std::string& name : contact_law_names()) EXPECT_EQ(name_of(parse_contact_law(name)), name);
   EXPECT_EQ(name_of(ContactLaw()), "energy-restitution");
   try {
-    contact_law("hertz");
+    parse_contact_law("hertz");
     FAIL();
   } catch (const InputError& error) {
     EXPECT_NE(
@@ -26,8 +26,8 @@ TEST(ContactLaw, NamesGoBothWaysAndOthersAreRefused) {
 }
 
 /// A path h(t) = before + rate t + bend t^2.
-OverlapPath path(double duration, double before, double rate, double bend) {
-  return {duration, before, before + rate * duration + bend * duration * duration, rate};
+OverlapPath path(double duration, double before, double rate, double quadratic_coefficient) {
+  return {duration, before, before + rate * duration + quadratic_coefficient * duration * duration, rate};
 }
 
 /// Impulse, moment and work of a force over a path by many midpoints.
@@ -107,7 +107,7 @@ TEST(EnergyRestitution, SmoothStepsAreLeftToTheScheme) {
 
 TEST(SpringDashpot, EndOfThePushInsideTheStepIsIntegratedExactly) {
   const SpringDashpotLaw law = SpringDashpotLaw::on_ground(kLawStiffness, {0.25, 0.0, 0.0});
-  const double c = law.damping(2.0);
+  const double c = law.damping_coefficient(2.0);
   const OverlapPath ending = path(1e-3, 8e-4, -0.2, -600.0);
   const auto force = [&](double t) {
     return std::max(0.0, kLawStiffness * ending.at(t) + c * ending.rate_at(t));
@@ -146,44 +146,44 @@ ElastoplasticLaw yielding() { return ElastoplasticLaw::on_ground(kLawStiffness, 
 
 TEST(Elastoplastic, FirstLoadingThatTurnsInsideTheStepIsIntegratedExactly) {
   const OverlapPath turning = path(1e-3, 5e-3, 0.3, -500.0);  // deepest at 0.3 ms
-  const double deepest = turning.at(3e-4), dent = deepest * (1.0 - kE);
+  const double deepest = turning.at(3e-4), residual_indentation = deepest * (1.0 - kE);
   const double first = kLawStiffness * 5e-3;
   const auto force = [&](double t) {
-    return t < 3e-4 ? kLawStiffness * turning.at(t) : kUnloading * (turning.at(t) - dent);
+    return t < 3e-4 ? kLawStiffness * turning.at(t) : kUnloading * (turning.at(t) - residual_indentation);
   };
   const NormalResponse response = yielding().integrate(turning, {first, 5e-3 * (1.0 - kE)}, 0.0);
   expect_corrects(response, turning, first, summed(turning, force), force(1e-3));
-  EXPECT_NEAR(response.dent, dent, 1e-12);
+  EXPECT_NEAR(response.residual_indentation, residual_indentation, 1e-12);
 }
 
 TEST(Elastoplastic, LetsGoAtTheDentAndIsLooseAboveIt) {
-  const double dent = 3e-3;
+  const double residual_indentation = 3e-3;
   const OverlapPath rising = path(1e-3, 3.2e-3, -0.5, -10.0);
   const double first = kUnloading * 0.2e-3;
-  const NormalResponse response = yielding().integrate(rising, {first, dent}, 0.0);
+  const NormalResponse response = yielding().integrate(rising, {first, residual_indentation}, 0.0);
   expect_corrects(
       response, rising, first,
-      summed(rising, [&](double t) { return std::max(0.0, kUnloading * (rising.at(t) - dent)); }),
+      summed(rising, [&](double t) { return std::max(0.0, kUnloading * (rising.at(t) - residual_indentation)); }),
       0.0);
-  EXPECT_EQ(response.dent, dent);
-  const NormalResponse loose = yielding().integrate(path(1e-3, 1e-3, 0.5, 10.0), {0.0, dent}, 0.0);
+  EXPECT_EQ(response.residual_indentation, residual_indentation);
+  const NormalResponse loose = yielding().integrate(path(1e-3, 1e-3, 0.5, 10.0), {0.0, residual_indentation}, 0.0);
   EXPECT_EQ(loose.force, 0.0);
   EXPECT_EQ(loose.work, 0.0);
   EXPECT_EQ(loose.impulse, 0.0);
 }
 
 TEST(Elastoplastic, LoadsAgainFromTheDentUpToTheLineOfFirstLoading) {
-  const double dent = 3e-3;  // and so the deepest was at 4 mm
+  const double residual_indentation = 3e-3;  // and so the deepest was at 4 mm
   const OverlapPath falling = path(1e-3, 2.8e-3, 2.0, -50.0);
-  const double meet = kReloading * dent / (kReloading - kLawStiffness);
+  const double meet = kReloading * residual_indentation / (kReloading - kLawStiffness);
   ASSERT_LT(meet, falling.after);
   const auto force = [&](double t) {
     const double h = falling.at(t);
-    return h > meet ? kLawStiffness * h : kReloading * std::max(0.0, h - dent);
+    return h > meet ? kLawStiffness * h : kReloading * std::max(0.0, h - residual_indentation);
   };
-  const NormalResponse response = yielding().integrate(falling, {0.0, dent}, 0.0);
+  const NormalResponse response = yielding().integrate(falling, {0.0, residual_indentation}, 0.0);
   expect_corrects(response, falling, 0.0, summed(falling, force), force(1e-3));
-  EXPECT_NEAR(response.dent, falling.after * (1.0 - kE), 1e-12);
+  EXPECT_NEAR(response.residual_indentation, falling.after * (1.0 - kE), 1e-12);
 }
 
 /// Slowly up and down, without events: to 4 mm, back to 3.5, again to 5, and out. Unloading and
@@ -201,21 +201,21 @@ TEST(Elastoplastic, LosesTheAreaBetweenItsLines) {
       const NormalResponse response =
           law.integrate({1.0, overlap, next, next - overlap}, state, 0.0);
       work += response.work;
-      state = {response.force, response.dent};
+      state = {response.force, response.residual_indentation};
       overlap = next;
     }
   };
   go(4e-3);
   EXPECT_NEAR(state.force, 4e3, 1e-6);
-  EXPECT_NEAR(state.dent, 3e-3, 1e-9);
+  EXPECT_NEAR(state.residual_indentation, 3e-3, 1e-9);
   EXPECT_NEAR(work, 8.0, 1e-6);  // k_1 h^2/2
   go(3.5e-3);
   EXPECT_NEAR(state.force, 2e3, 1e-6);
-  EXPECT_NEAR(law.stored_energy(overlap, state.dent), 2e3 * 2e3 / (2.0 * kUnloading), 1e-9);
+  EXPECT_NEAR(law.stored_energy(overlap, state.residual_indentation), 2e3 * 2e3 / (2.0 * kUnloading), 1e-9);
   // From (3.5 mm, 2 kN) by k_3 = 8 kN/mm to k_1 h at 26/7 mm, and on along that.
   go(5e-3);
   EXPECT_NEAR(state.force, 5e3, 1e-6);
-  EXPECT_NEAR(state.dent, 3.75e-3, 1e-9);
+  EXPECT_NEAR(state.residual_indentation, 3.75e-3, 1e-9);
   go(0.0);
   EXPECT_EQ(state.force, 0.0);
   const double meet = 26.0 / 7.0;  // mm; forces in kN, so work in J

@@ -34,16 +34,16 @@ std::vector<ContactPoint> points_under(const RigidBody& cube, Random& random) {
 TEST(ContactPatches, DependOnNoEarlierPoints) {
   const RigidBody cube = box(1000.0, Vec3::Ones());
   const BlockSurface surface(cube.shape);
-  ContactPatches kept(surface, ContactWeights::kPatch);
+  ContactPatches kept(surface, ContactWeighting::kPatch);
   Random random(7);
   std::size_t joined = 0, apart = 0;
   std::vector<ContactPoint> points;
   for (int call = 0; call < 2000; ++call) {
     if (random.uniform() < 0.5) points = points_under(cube, random);
     const Quat turn(Eigen::AngleAxisd(random.uniform(), Vec3::UnitX()));
-    ContactPatches fresh(surface, ContactWeights::kPatch);
-    const std::span<const double> expected = fresh.share(points, turn);
-    const std::span<const double> shares = kept.share(points, turn);
+    ContactPatches fresh(surface, ContactWeighting::kPatch);
+    const std::span<const double> expected = fresh.compute_weights(points, turn);
+    const std::span<const double> shares = kept.compute_weights(points, turn);
     ASSERT_EQ(shares.size(), points.size());
     for (std::size_t i = 0; i < points.size(); ++i) {
       ASSERT_EQ(shares[i], expected[i]) << call << ", " << i;

@@ -39,8 +39,8 @@ std::pair<double, double> contact_end(const Case& which) {
 /// Error of the centre 5 ms after a unit mass at 1 m/s has left again, root mean square over steps
 /// that reach the reversal at different places, and the largest error of the energy balance.
 struct Error {
-  double place = 0.0;
-  double ledger = 0.0;
+  double position = 0.0;
+  double energy_balance = 0.0;
   double reassigned = 0.0;
 };
 Error error_at(const Case& which, double halvings) {
@@ -68,23 +68,23 @@ Error error_at(const Case& which, double halvings) {
         settings);
     const double exact = 0.1 - depth + std::sqrt(which.energy_restitution) * after;
     squares += std::pow(result.final_state.position.z() - exact, 2.0);
-    error.ledger = std::max(error.ledger, result.energy.error);
+    error.energy_balance = std::max(error.energy_balance, result.energy.error);
     error.reassigned = std::max(error.reassigned, std::abs(result.energy.reassigned));
   }
-  error.place = std::sqrt(squares / static_cast<double>(factors.size()));
+  error.position = std::sqrt(squares / static_cast<double>(factors.size()));
   return error;
 }
 
 class Convergence : public testing::TestWithParam<Case> {};
 
 TEST_P(Convergence, IsOfSecondOrderOverFourHalvings) {
-  double coarser = error_at(GetParam(), 1.0).place;
+  double coarser = error_at(GetParam(), 1.0).position;
   const double first = coarser;
   for (const double halvings : {0.5, 0.25, 0.125, 0.0625}) {
     const Error error = error_at(GetParam(), halvings);
-    EXPECT_GT(std::log2(coarser / error.place), 1.9) << "step times " << halvings;
-    EXPECT_LT(error.ledger, 1e-10);
-    coarser = error.place;
+    EXPECT_GT(std::log2(coarser / error.position), 1.9) << "step times " << halvings;
+    EXPECT_LT(error.energy_balance, 1e-10);
+    coarser = error.position;
   }
   EXPECT_LT(first, 1e-5);
 }

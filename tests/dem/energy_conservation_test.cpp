@@ -18,7 +18,7 @@ constexpr double kTime = 8.0;  // s, some ten impacts
 struct Elastic {
   ContactLaw law;
   double energy_restitution;
-  ContactWeights weights = ContactWeights::kPatch;
+  ContactWeighting weights = ContactWeighting::kPatch;
 };
 void PrintTo(const Elastic& elastic, std::ostream* out) {
   *out << name_of(elastic.law) << ", e_n^2 " << elastic.energy_restitution << ", "
@@ -83,7 +83,7 @@ Energies bounce_of(const Elastic& elastic, int kind, std::uint64_t seed, double 
   found.start = energy(start);
   simulate_release(terrain, zones, body, start, settings, [&](const MotionStep& step) {
     if (!step.flight) found.bounced = true;
-    if (!step.to_be_balanced) found.most = std::max(found.most, energy(step.end));
+    if (!step.correction_pending) found.most = std::max(found.most, energy(step.end));
     if (!step.flight || !found.bounced) return;
     found.last = energy(step.begin);
     found.most = std::max(found.most, found.last);
@@ -126,13 +126,13 @@ INSTANTIATE_TEST_SUITE_P(
                     Elastic{EnergyRestitutionLaw(), 0.8}, Elastic{SpringDashpotLaw(), 1.0},
                     Elastic{SpringDashpotLaw(), 0.99}, Elastic{ElastoplasticLaw(), 1.0},
                     Elastic{ElastoplasticLaw(), 0.99},
-                    Elastic{EnergyRestitutionLaw(), 1.0, ContactWeights::kOverlap},
-                    Elastic{EnergyRestitutionLaw(), 1.0, ContactWeights::kNone},
+                    Elastic{EnergyRestitutionLaw(), 1.0, ContactWeighting::kOverlap},
+                    Elastic{EnergyRestitutionLaw(), 1.0, ContactWeighting::kNone},
                     // Not balanced: what is dissipated is more than is gained.
                     Elastic{EnergyRestitutionLaw(), 0.5}));
 
 // A run that ends within an impact has what the impact will give back among what is stored.
-TEST(ImpactBalance, RunsThatEndWithinAnImpactKeepTheirEnergy) {
+TEST(ImpactEnergyCorrection, RunsThatEndWithinAnImpactKeepTheirEnergy) {
   const RigidBody body = box(500.0, {1.0, 0.8, 0.6});
   const TerrainSurface terrain = ground(plane_mesh(50.0, 2));
   const std::vector<GroundParameters> zones{{1.0, 0.0, 0.0}};
@@ -151,7 +151,7 @@ TEST(ImpactBalance, RunsThatEndWithinAnImpactKeepTheirEnergy) {
 }
 
 // Of two zones only impacts on the elastic one are balanced.
-TEST(ImpactBalance, LeavesOtherGroundAsItIs) {
+TEST(ImpactEnergyCorrection, LeavesOtherGroundAsItIs) {
   const RigidBody body = box(500.0, {1.0, 0.8, 0.6}, 0.02);
   const auto last_state = [&](double elsewhere) {
     TriangleMesh mesh = plane_mesh(50.0, 2);

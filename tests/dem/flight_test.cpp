@@ -14,7 +14,7 @@ namespace {
 struct Landing {
   double time = -1.0;
   RigidState state;
-  int flight_pieces = 0;
+  int flight_segments = 0;
 };
 
 Landing first_landing(const TerrainSurface& terrain, const RigidBody& body, const RigidState& start,
@@ -26,7 +26,7 @@ Landing first_landing(const TerrainSurface& terrain, const RigidBody& body, cons
                    [&](const MotionStep& step) {
                      if (landing.time >= 0.0) return;
                      if (step.flight) {
-                       ++landing.flight_pieces;
+                       ++landing.flight_segments;
                      } else {
                        landing.time = step.begin_time;
                        landing.state = step.begin;
@@ -68,7 +68,7 @@ TEST(Landing, TumblingBlocksTouchAtTheRootOfTheExactFlight) {
     }
     const Landing landing = first_landing(terrain, body, start, touching + 1e-3);
     EXPECT_NEAR(landing.time, touching, 1e-9) << "seed " << seed;
-    EXPECT_LT(landing.flight_pieces, 150) << "seed " << seed;
+    EXPECT_LT(landing.flight_segments, 150) << "seed " << seed;
   }
 }
 

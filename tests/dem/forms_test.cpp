@@ -27,23 +27,23 @@ TerrainSurface incline(double angle) {
 /// Four faces around a square about the origin, 1 m thick; the shape must be `kFaceSides`.
 const Vec3 kFaceSides(1.0, 12.0, 12.0);
 std::vector<SequenceForm> square_form(std::size_t shape, double half, std::size_t blocks) {
-  std::vector<SequenceForm> forms;
+  std::vector<SequenceForm> confining_walls;
   for (int side = 0; side < 4; ++side) {
     const double turn = side * kPi / 2.0;
     SequenceForm form;
     form.shape = shape;
-    form.place.position = -(half + 0.5) * Vec3(std::cos(turn), std::sin(turn), 0.0);
-    form.place.orientation = Quat(Eigen::AngleAxisd(turn, Vec3::UnitZ()));
+    form.position.position = -(half + 0.5) * Vec3(std::cos(turn), std::sin(turn), 0.0);
+    form.position.orientation = Quat(Eigen::AngleAxisd(turn, Vec3::UnitZ()));
     form.end = blocks;
-    forms.push_back(form);
+    confining_walls.push_back(form);
   }
-  return forms;
+  return confining_walls;
 }
 
-std::vector<std::size_t> add_forms(World& world, const std::vector<SequenceForm>& forms) {
+std::vector<std::size_t> add_forms(World& world, const std::vector<SequenceForm>& confining_walls) {
   std::vector<std::size_t> numbers;
-  for (const SequenceForm& form : forms) {
-    numbers.push_back(world.add_form(form.shape, form.place, form.first, form.end));
+  for (const SequenceForm& form : confining_walls) {
+    numbers.push_back(world.add_confining_wall(form.shape, form.position, form.first, form.end));
   }
   return numbers;
 }
@@ -84,8 +84,8 @@ TEST(Form, CarriesTheSlopingWeightOfACube) {
   start.orientation = Quat(Eigen::AngleAxisd(kAngle, Vec3::UnitY()));
   world.add_body(0, start);
   SequenceForm face = square_form(1, 0.6, 1)[2];  // the one that the cube slides onto
-  const std::size_t form = world.add_form(1, face.place, 0, 1);
-  ASSERT_EQ(world.run_until(30.0), StopReason::kRest);
+  const std::size_t form = world.add_confining_wall(1, face.position, 0, 1);
+  ASSERT_EQ(world.run_until_rest(30.0), StopReason::kRest);
   const Vec3 force = world.contact_force(form);
   const double expected = mass * kTestGravity * std::tan(kAngle);
   EXPECT_NEAR(force.x(), expected, 1e-3 * expected);
@@ -102,11 +102,11 @@ TEST(Form, CarriesTheSlopingWeightOfAHeap) {
     World world(shapes, damped(automatic_world({shapes[0]}, kRough, 6.0)), terrain, {kSmooth});
     const std::vector<RigidState> starts = loose_boxes(3, 3, 0.65, angle);
     for (const RigidState& start : starts) world.add_body(0, start);
-    const auto forms = add_forms(world, square_form(1, 1.0, starts.size()));
-    ASSERT_EQ(world.run_until(60.0), StopReason::kRest) << angle;
+    const auto confining_walls = add_forms(world, square_form(1, 1.0, starts.size()));
+    ASSERT_EQ(world.run_until_rest(60.0), StopReason::kRest) << angle;
     const double weight = mass * kTestGravity * static_cast<double>(starts.size());
     std::vector<Vec3> forces;
-    for (const std::size_t form : forms) forces.push_back(world.contact_force(form));
+    for (const std::size_t form : confining_walls) forces.push_back(world.contact_force(form));
     const Vec3 sum = forces[0] + forces[1] + forces[2] + forces[3];
     EXPECT_NEAR(sum.x(), weight * std::tan(angle), 5e-3 * weight);
     EXPECT_NEAR(sum.y(), 0.0, 5e-3 * weight);
@@ -130,8 +130,8 @@ TEST(Form, TouchesNothingButWhatItHolds) {
   World world(shapes, automatic_world({shapes[0]}, kRough, 6.0), terrain, {kRough});
   world.add_body(0, at({-0.5, 0.0, 0.21}, {2.0, 0.0, 0.0}));
   world.add_body(0, at({-0.5, 1.0, 0.21}, {2.0, 0.0, 0.0}));
-  world.add_form(1, square_form(1, 0.0, 0)[2].place, 1, 2);  // face at x = 0
-  world.run_until(0.5);
+  world.add_confining_wall(1, square_form(1, 0.0, 0)[2].position, 1, 2);  // face at x = 0
+  world.run_until_rest(0.5);
   EXPECT_GT(world.state(0).position.x(), 0.0);
   EXPECT_LT(world.state(1).position.x(), -0.19);
 }
@@ -143,12 +143,12 @@ TEST(Form, LetsWhatRestsOnItGoWhenItIsRemoved) {
   RigidState start = at({0.0, 0.0, 0.25 / std::cos(kAngle) + 1e-3});
   start.orientation = Quat(Eigen::AngleAxisd(kAngle, Vec3::UnitY()));
   world.add_body(0, start);
-  const std::size_t form = world.add_form(1, square_form(1, 0.6, 1)[2].place, 0, 1);
-  ASSERT_EQ(world.run_until(30.0), StopReason::kRest);
+  const std::size_t form = world.add_confining_wall(1, square_form(1, 0.6, 1)[2].position, 0, 1);
+  ASSERT_EQ(world.run_until_rest(30.0), StopReason::kRest);
   const double before = world.state(0).position.x(), time = world.time();
   world.remove_body(form);
-  EXPECT_FALSE(world.resting(0));
-  world.run_to(time + 1.0);
+  EXPECT_FALSE(world.is_resting(0));
+  world.run_to_time(time + 1.0);
   // Free of friction it slides g sin t^2/2 along the incline.
   EXPECT_NEAR((world.state(0).position.x() - before) / std::cos(kAngle),
               0.5 * kTestGravity * std::sin(kAngle), 0.03);
@@ -163,7 +163,7 @@ class SettledSequence : public testing::Test {
     settings_.max_time = 30.0;
     settings_.settle_time = 60.0;
     for (const RigidState& start : loose_boxes(2, 3, 0.65, 0.0)) blocks_.push_back({0, start});
-    settings_.forms = square_form(1, 0.7, blocks_.size());
+    settings_.confining_walls = square_form(1, 0.7, blocks_.size());
   }
   std::vector<SequenceResult> release(const SequenceObserver& observe = {}) const {
     return simulate_sequence(terrain_, std::vector{kRough}, shapes_, blocks_, settings_, {observe});
@@ -224,7 +224,7 @@ TEST_F(SettledSequence, BeginsWhenTheBlocksRest) {
 TEST_F(SettledSequence, HoldsOthersUntilTheirTimeAndRemovesFacesOneByOne) {
   blocks_.push_back({0, at({4.0, 0.0, 1.0}), 1.5});
   blocks_.push_back({0, at({-4.0, 0.0, 1.0})});
-  for (std::size_t i = 0; i < 4; ++i) settings_.forms[i].removed_at = 2.0 + static_cast<double>(i);
+  for (std::size_t i = 0; i < 4; ++i) settings_.confining_walls[i].removed_at = 2.0 + static_cast<double>(i);
   std::vector<double> seen(blocks_.size(), -1.0);
   const auto found = release([&](std::size_t block, const MotionStep& step) {
     if (seen[block] < 0.0) seen[block] = step.begin_time;

@@ -71,7 +71,7 @@ Path path_on(const TerrainSurface& terrain, const GroundParameters& zone, const 
         flying = step.flight;
         while (next <= step.end_time && seen <= impacts) {
           path.times.push_back(next);
-          path.states.push_back(state_at(body, step, next, settings.gravity));
+          path.states.push_back(interpolate_state(body, step, next, settings.gravity));
           next += 0.01;
         }
       });
@@ -81,12 +81,12 @@ Path path_on(const TerrainSurface& terrain, const GroundParameters& zone, const 
 void expect_same(const Path& a, const Path& b, double tolerance) {
   ASSERT_GT(a.states.size(), 10u);
   const std::size_t count = std::min(a.states.size(), b.states.size());
-  double place = 0.0, angle = 0.0;
+  double position = 0.0, angle = 0.0;
   for (std::size_t i = 0; i < count; ++i) {
-    place = std::max(place, (a.states[i].position - b.states[i].position).norm());
+    position = std::max(position, (a.states[i].position - b.states[i].position).norm());
     angle = std::max(angle, a.states[i].orientation.angularDistance(b.states[i].orientation));
   }
-  EXPECT_LT(place, tolerance);
+  EXPECT_LT(position, tolerance);
   EXPECT_LT(angle, tolerance);
 }
 

@@ -14,14 +14,14 @@ namespace {
 
 TEST(PhysicsDigest, IsTheSameAtAnyTimeAndOtherUnderOtherPhysics) {
   EXPECT_EQ(physics_digest().size(), 64u);
-  EXPECT_EQ(standard_motions(), standard_motions());
-  EXPECT_NE(standard_motions(9.81), standard_motions(9.8101));
+  EXPECT_EQ(simulate_reference_motions(), simulate_reference_motions());
+  EXPECT_NE(simulate_reference_motions(9.81), simulate_reference_motions(9.8101));
 }
 
 /// Lines of the standard motions after the name of a law, or of the world at the end.
 std::vector<std::string> lines() {
   std::vector<std::string> all;
-  std::istringstream text(standard_motions());
+  std::istringstream text(simulate_reference_motions());
   for (std::string line; std::getline(text, line);) all.push_back(line);
   return all;
 }
@@ -59,7 +59,7 @@ TEST(PhysicsDigest, TakesNextToNoTime) {
   double least = 1e300;  // s; other work on the machine only adds to it
   for (int i = 0; i < 5; ++i) {
     const std::clock_t begin = std::clock();
-    standard_motions();
+    simulate_reference_motions();
     least = std::min(least, static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC);
   }
   EXPECT_LT(least, 0.15);  // about 0.02 on a processor of 2.6 GHz; slow and busy ones may check too
@@ -67,9 +67,9 @@ TEST(PhysicsDigest, TakesNextToNoTime) {
 
 TEST(PhysicsDigest, NamesBothWhereTheyDiffer) {
   const std::string a(64, 'a'), b(64, 'b');
-  EXPECT_EQ(physics_difference(a, a), "");
-  EXPECT_EQ(physics_difference("", a), "");
-  EXPECT_EQ(physics_difference(a, b),
+  EXPECT_EQ(describe_physics_difference(a, a), "");
+  EXPECT_EQ(describe_physics_difference("", a), "");
+  EXPECT_EQ(describe_physics_difference(a, b),
             "blocks move differently in this clast (physics digest aaaaaaaaaa, here bbbbbbbbbb)");
 }
 

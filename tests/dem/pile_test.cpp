@@ -11,8 +11,8 @@ namespace {
 TEST(PileOf500, HasTheSameBitsOnTwoThreadsAndAccountsForItsEnergy) {
   const TerrainSurface terrain = ground(bowl());
   World alone = falling_pile(terrain, 500, 1, 1), together = falling_pile(terrain, 500, 1, 2);
-  alone.run_until(2.0);
-  together.run_until(2.0);
+  alone.run_until_rest(2.0);
+  together.run_until_rest(2.0);
   const WorldStatistics statistics = alone.statistics();
   EXPECT_GT(statistics.touching_pairs, 500u);
   EXPECT_LT(alone.energy().error, 0.005);
@@ -22,8 +22,8 @@ TEST(PileOf500, HasTheSameBitsOnTwoThreadsAndAccountsForItsEnergy) {
     EXPECT_EQ(alone.state(i).position, together.state(i).position);
     EXPECT_EQ(alone.state(i).orientation.coeffs(), together.state(i).orientation.coeffs());
     EXPECT_EQ(alone.state(i).velocity, together.state(i).velocity);
-    const Vec3& place = alone.state(i).position;
-    EXPECT_GT(place.z(), *terrain.height(place.x(), place.y(), place.z()));
+    const Vec3& position = alone.state(i).position;
+    EXPECT_GT(position.z(), *terrain.height(position.x(), position.y(), position.z()));
   }
   // With e_n^2 = 0.01 a contact settles to F/(k_n e_n^2): 2 % of S under one block, and chains of
   // force carry some twenty of them on one patch. Deeper than that, but not through each other.

@@ -38,7 +38,7 @@ TEST(Sequence, OfOneBlockIsItsRelease) {
   start.angular_velocity = {0.0, 2.0, 0.0};
   ReleaseSettings alone;
   alone.stiffness = settings_for(shapes).world.stiffness;
-  alone.stiffness.longest_step = 0.0;
+  alone.stiffness.max_time_step = 0.0;
   const ReleaseResult expected = simulate_release(terrain, kGround, shapes[0], start, alone);
   const ReleaseResult found = sequence(terrain, shapes, {{0, start}})[0].release;
   ASSERT_EQ(found.stop_reason, StopReason::kRest);
@@ -155,7 +155,7 @@ TEST(Sequence, BlocksReleasedAtOnePlacePileUp) {
     EXPECT_EQ(results[i].blocks_hit, i == 0 ? 0u : 1u);
     EXPECT_LT(release.energy.error, 1e-3);
   }
-  EXPECT_NEAR(results[0].moved_later, 2.0 * depth, 0.1 * depth);
+  EXPECT_NEAR(results[0].later_displacement, 2.0 * depth, 0.1 * depth);
   EXPECT_EQ(results[0].raised, 0.0);
   // Clear of the sphere around the block that lies there.
   const double diameter = 2.0 * shapes[0].bounding_radius();
@@ -189,8 +189,8 @@ TEST(Sequence, ABlockThatIsHitLaterEndsWhereItWasMovedTo) {
       sequence(terrain, shapes, {lying, thrown}, 20.0, [&](std::size_t block, const MotionStep& s) {
         if (block == 0) times.push_back(s.end_time);
       });
-  EXPECT_GT(results[0].moved_later, 0.3);
-  EXPECT_NEAR(results[0].release.final_state.position.x(), results[0].moved_later, 0.1);
+  EXPECT_GT(results[0].later_displacement, 0.3);
+  EXPECT_NEAR(results[0].release.final_state.position.x(), results[0].later_displacement, 0.1);
   EXPECT_EQ(results[0].blocks_hit, 0u);  // it was hit, after its own release
   EXPECT_EQ(results[1].blocks_hit, 1u);
   // What is seen of it goes on, by the clock of its own release.
@@ -232,7 +232,7 @@ TEST(Sequence, BlocksThatRestInAClearedZoneMakeRoomForTheNext) {
     EXPECT_EQ(results[block].release.stop_reason, StopReason::kRest);
     EXPECT_NEAR(results[block].release.final_state.position.x(), 0.6, 0.01);
     EXPECT_GT(results[block].release.settled_penetration, 0.0);
-    EXPECT_EQ(results[block].moved_later, 0.0);
+    EXPECT_EQ(results[block].later_displacement, 0.0);
   }
   EXPECT_FALSE(results[1].removed_at || results[3].removed_at);
   EXPECT_GT(results[3].raised, 0.1);
@@ -271,7 +271,7 @@ TEST(Sequence, BlocksReleasedAtOnceFallTogether) {
   EXPECT_EQ(pile[1].raised, 0.0);
   EXPECT_EQ(pile[0].blocks_hit, 1u);
   EXPECT_EQ(pile[1].blocks_hit, 1u);
-  EXPECT_EQ(pile[0].moved_later, 0.0);
+  EXPECT_EQ(pile[0].later_displacement, 0.0);
   const double depth = choose_stiffness(shapes, kGround, 6.0, 9.81).settled_depth;
   EXPECT_NEAR(pile[1].release.final_state.position.z(), 0.45, 3.5 * depth);
   for (const SequenceResult& result : pile) {

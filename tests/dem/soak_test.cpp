@@ -34,7 +34,7 @@ Outcome release(const TerrainSurface& terrain, std::uint64_t seed, bool soft) {
   start.velocity = random.uniform(0.0, 40.0) * random.direction();
   start.angular_velocity = random.uniform(0.0, 20.0) * random.direction();
   Outcome outcome{simulate_release(terrain, zones, body, start, settings)};
-  const EnergyLedger& energy = outcome.result.energy;
+  const EnergyBalance& energy = outcome.result.energy;
   if (energy.dissipated() > 0.0) outcome.reassigned = energy.reassigned / energy.dissipated();
   return outcome;
 }

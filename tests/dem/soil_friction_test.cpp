@@ -14,8 +14,8 @@
 namespace clast {
 namespace {
 
-using dem_detail::embedded_front;
-using dem_detail::EmbeddedFront;
+using dem_detail::embedded_frontal_area;
+using dem_detail::EmbeddedFrontalArea;
 
 GroundParameters growing(double friction_min, double friction, double growth, double memory = 0.0) {
   GroundParameters ground{0.5, friction, 0.0};
@@ -128,19 +128,19 @@ TEST(GrowingFriction, DoesNotGrowUnderABallThatRolls) {
 }
 
 // Box upright, on its edge and on its corner, and a ball, against their geometry.
-TEST(EmbeddedFront, IsTheAreaBelowTheGroundSeenAlongTheMotion) {
+TEST(EmbeddedFrontalArea, IsTheAreaBelowTheGroundSeenAlongTheMotion) {
   const auto front_of = [](const RigidBody& body, const Quat& turn, double ground,
                            const Vec3& direction) {
     const dem_detail::BlockSurface surface(body.shape);
     const Quat back = turn.conjugate();
-    EmbeddedFront front =
-        embedded_front(surface.features, surface.radius, back * Vec3(0.0, 0.0, ground),
+    EmbeddedFrontalArea front =
+        embedded_frontal_area(surface.features, surface.radius, back * Vec3(0.0, 0.0, ground),
                        back * Vec3::UnitZ(), back * direction);
     front.centre = turn * front.centre;
     return front;
   };
   const RigidBody body = box(1000.0, {1.0, 0.8, 0.6}, 0.0, 3);
-  const EmbeddedFront flat = front_of(body, Quat::Identity(), -0.25, Vec3::UnitX());
+  const EmbeddedFrontalArea flat = front_of(body, Quat::Identity(), -0.25, Vec3::UnitX());
   EXPECT_NEAR(flat.area, 0.8 * 0.05, 1e-12);
   EXPECT_LT((flat.centre - Vec3(0.5, 0.0, -0.275)).norm(), 1e-12);
   // Skewed, the width seen is that of both sides.
@@ -153,11 +153,11 @@ TEST(EmbeddedFront, IsTheAreaBelowTheGroundSeenAlongTheMotion) {
   EXPECT_NEAR(front_of(body, tilted, lowest + 0.1, Vec3::UnitY()).area, 0.1 * 0.1, 1e-12);
   // A rounded box counts as its core, lowered by the radius.
   const RigidBody round = box(1000.0, {1.0, 0.8, 0.6}, 0.05);
-  const EmbeddedFront rounded = front_of(round, Quat::Identity(), -0.30, Vec3::UnitX());
+  const EmbeddedFrontalArea rounded = front_of(round, Quat::Identity(), -0.30, Vec3::UnitX());
   EXPECT_NEAR(rounded.area, 0.8 * 0.05, 1e-12);
   EXPECT_NEAR(rounded.centre.z(), -0.325, 1e-12);
   // Half a ball: a half circle with its middle 4 r/(3 pi) below the centre.
-  const EmbeddedFront half = front_of(ball(1.0, 0.5), Quat::Identity(), 0.0, Vec3::UnitX());
+  const EmbeddedFrontalArea half = front_of(ball(1.0, 0.5), Quat::Identity(), 0.0, Vec3::UnitX());
   EXPECT_NEAR(half.area, 0.5 * kPi * 0.25, 1e-12);
   EXPECT_NEAR(half.centre.z(), -4.0 * 0.5 / (3.0 * kPi), 1e-12);
   EXPECT_EQ(front_of(body, Quat::Identity(), -0.31, Vec3::UnitX()).area, 0.0);
@@ -177,9 +177,9 @@ TEST(ScarDrag, SlowsASlidingBlockExponentiallyOverTheWay) {
   const ReleaseResult result =
       simulate_release(terrain, std::span(&soil, 1), body, start, settings);
   const double rate = 1.5 * 2000.0 * depth / (2.0 * 1000.0);
-  const double way = result.final_state.position.x();
-  EXPECT_NEAR(result.final_state.velocity.x(), 5.0 * std::exp(-rate * way), 0.005 * 5.0);
-  EXPECT_NEAR(way, std::log1p(rate * 5.0 * 3.0) / rate, 0.01 * way);
+  const double displacement = result.final_state.position.x();
+  EXPECT_NEAR(result.final_state.velocity.x(), 5.0 * std::exp(-rate * displacement), 0.005 * 5.0);
+  EXPECT_NEAR(displacement, std::log1p(rate * 5.0 * 3.0) / rate, 0.01 * displacement);
   EXPECT_NEAR(result.energy.friction, 12500.0 - translational_energy(body, result.final_state),
               20.0);
   EXPECT_LT(result.energy.error, 1e-3);
@@ -228,7 +228,7 @@ TEST(ScarDrag, BalancesInAWorld) {
   start.velocity = {6.0, 1.0, -3.0};
   start.angular_velocity = {0.0, 4.0, 1.0};
   world.add_body(0, start);
-  EXPECT_EQ(world.run_until(20.0), StopReason::kRest);
+  EXPECT_EQ(world.run_until_rest(20.0), StopReason::kRest);
   EXPECT_LT(world.energy().error, 2e-3);
   EXPECT_GT(world.energy().friction, 0.0);
 }

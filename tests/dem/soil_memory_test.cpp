@@ -54,21 +54,21 @@ class Range {
 
 /// What an impact of energy k_1/2 on soil with this dent keeps, and the dent that it leaves, for
 /// k_1 = 1, k_2 = 1/e and k_3 = 2 k_2.
-double kept_of(double& dent) {
+double kept_of(double& residual_indentation) {
   const double k2 = 1.0 / kRestitution, k3 = ElastoplasticLaw::kReloading * k2;
-  const double meet = k3 * dent / (k3 - 1.0);  // with the line of first loading
-  const double until_there = 0.5 * k3 * (meet - dent) * (meet - dent);
+  const double meet = k3 * residual_indentation / (k3 - 1.0);  // with the line of first loading
+  const double until_there = 0.5 * k3 * (meet - residual_indentation) * (meet - residual_indentation);
   const double deepest = std::sqrt(meet * meet + 2.0 * (0.5 - until_there));
-  dent = (1.0 - kRestitution) * deepest;
+  residual_indentation = (1.0 - kRestitution) * deepest;
   return kRestitution * deepest * deepest;
 }
 
 // Each impact at the same place goes deeper than the one before, and returns more.
 TEST(SoilMemory, HardensFromImpactToImpact) {
   Range range(0.2);
-  double dent = 0.0;
+  double residual_indentation = 0.0;
   for (int i = 0; i < 4; ++i) {
-    const double kept = kept_of(dent);
+    const double kept = kept_of(residual_indentation);
     EXPECT_NEAR(range.drop(0.05, 2.0), kept, 0.002) << "impact " << i + 1;
   }
 }
@@ -128,7 +128,7 @@ TEST(SoilMemory, IsTheSameOnAnyNumberOfThreads) {
     for (int i = 0; i < 24; ++i) {
       world.add_body(0, at({0.9 * (i % 6) - 2.2, 0.9 * (i / 6) - 1.3, 2.5}, {0.5, 0.0, -4.0}));
     }
-    world.run_until(1.0);
+    world.run_until_rest(1.0);
     ends.emplace_back();
     for (std::size_t i = 0; i < world.body_count(); ++i) {
       ends.back().push_back(world.state(i).position);
@@ -158,18 +158,18 @@ TEST(SoilMemory, KeepsTheDeepestOfEachCell) {
   const std::vector<GroundParameters> zones = {remembering(0.5), remembering(0.0)};
   dem_detail::SoilMemory soil(zones), other(zones);
   EXPECT_TRUE(soil.any());
-  soil.press({0.1, -0.1, 7.0}, 0, 0.03);
-  soil.press({0.4, -0.4, -3.0}, 0, 0.01);
-  soil.press({0.1, -0.1, 7.0}, 1, 0.5);
-  other.press({0.2, -0.2, 0.0}, 0, 0.04);
-  other.press({-0.2, -0.2, 0.0}, 0, 0.02);
-  EXPECT_EQ(soil.dent({0.49, -0.01, 0.0}, 0), 0.03);
-  EXPECT_EQ(soil.dent({0.1, -0.1, 7.0}, 1), 0.0);
-  soil.take(other);
+  soil.add_indentation({0.1, -0.1, 7.0}, 0, 0.03);
+  soil.add_indentation({0.4, -0.4, -3.0}, 0, 0.01);
+  soil.add_indentation({0.1, -0.1, 7.0}, 1, 0.5);
+  other.add_indentation({0.2, -0.2, 0.0}, 0, 0.04);
+  other.add_indentation({-0.2, -0.2, 0.0}, 0, 0.02);
+  EXPECT_EQ(soil.residual_indentation({0.49, -0.01, 0.0}, 0), 0.03);
+  EXPECT_EQ(soil.residual_indentation({0.1, -0.1, 7.0}, 1), 0.0);
+  soil.merge(other);
   EXPECT_TRUE(other.empty());
-  EXPECT_EQ(soil.dent({0.49, -0.01, 0.0}, 0), 0.04);
-  EXPECT_EQ(soil.dent({-0.01, -0.01, 0.0}, 0), 0.02);
-  EXPECT_EQ(soil.dent({0.49, 0.01, 0.0}, 0), 0.0);
+  EXPECT_EQ(soil.residual_indentation({0.49, -0.01, 0.0}, 0), 0.04);
+  EXPECT_EQ(soil.residual_indentation({-0.01, -0.01, 0.0}, 0), 0.02);
+  EXPECT_EQ(soil.residual_indentation({0.49, 0.01, 0.0}, 0), 0.0);
 }
 
 }  // namespace

@@ -13,7 +13,7 @@ namespace {
 constexpr double kStep = 1e-4, kSpringStiffness = 1e6, kDepth = 1e-3, kSlip = 4e-5;
 
 /// A cube on level ground whose lower corners are loaded as asked.
-class SpringTransfer : public testing::TestWithParam<ContactWeights> {
+class SpringTransfer : public testing::TestWithParam<ContactWeighting> {
  protected:
   SpringTransfer() {
     motion_.world_from_body = {Vec3(0.0, 0.0, 0.5 - kDepth), Quat::Identity()};
@@ -36,17 +36,17 @@ class SpringTransfer : public testing::TestWithParam<ContactWeights> {
       points.push_back(point);
     }
     motion_.velocity = motion_.begin_velocity = velocity;
-    return forces_.update(points, motion_, {}, kStep, ledger_);
+    return forces_.update(points, motion_, {}, kStep, energy_balance_);
   }
 
   RigidBody cube_ = box(1000.0, Vec3::Ones());
   BlockSurface surface_{cube_.shape};
   std::vector<GroundParameters> zones_ = {{1.0, 1e3, 0.0}};
-  ContactRules rules_{
+  ContactModel model_{
       zones_, {}, {kSpringStiffness, kSpringStiffness, kSpringStiffness, kStep}, GetParam(), {}};
-  ContactForces forces_{rules_, surface_, 1.0};
+  ContactForces forces_{model_, surface_, 1.0};
   BodyMotion motion_;
-  EnergyLedger ledger_;
+  EnergyBalance energy_balance_;
 };
 
 // One corner alone is pushed by k_t s. Others that share its load share its spring: the force on
@@ -65,8 +65,8 @@ TEST_P(SpringTransfer, ForceAndEnergyStayWhenPointsJoin) {
   EXPECT_NEAR(forces_.stored_energy(), stored, 1e-9 * stored);
 }
 INSTANTIATE_TEST_SUITE_P(Weights, SpringTransfer,
-                         testing::Values(ContactWeights::kPatch, ContactWeights::kOverlap,
-                                         ContactWeights::kCount),
+                         testing::Values(ContactWeighting::kPatch, ContactWeighting::kOverlap,
+                                         ContactWeighting::kCount),
                          [](const auto& test) { return name_of(test.param); });
 
 }  // namespace

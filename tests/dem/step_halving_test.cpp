@@ -18,7 +18,7 @@ TEST(TimeStep, HalfOfItMovesTheMeanStopByLessThanTheStandardErrorOf64Releases) {
   const ReleaseSettings whole = tested_settings(body);
   ReleaseSettings half = whole;
   half.stiffness.time_step *= 0.5;
-  half.stiffness.longest_step *= 0.5;
+  half.stiffness.max_time_step *= 0.5;
   double sum = 0.0, squares = 0.0, shift = 0.0, shift_of_64 = 0.0;
   for (int i = 0; i < kReleases; ++i) {
     const auto stop = [&](const ReleaseSettings& settings) {

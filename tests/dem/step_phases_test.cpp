@@ -60,7 +60,7 @@ Vec3 after_impact(const PhaseImpact& impact, double gap, double step, double lon
   static const TerrainSurface terrain = ground(plane_mesh(3.0, 5));
   const RigidBody body = impact.corner ? phase_rock() : ball(1.0, 0.1);
   const double k = 1e6, arm = 0.5 * body.smallest_side;
-  const double frequency = std::sqrt(k * contact_body(body).mobility);
+  const double frequency = std::sqrt(k * body_requirements(body).mobility);
   ReleaseSettings settings;
   settings.stiffness = {k, k, k * arm * arm, step / frequency, longest / frequency};
   settings.gravity = 0.0;
@@ -152,7 +152,7 @@ TEST(StepPhases, FollowAllContactsTogether) {
   const RigidBody body = box(1000.0, {1.0, 1.0, 0.3});
   const GroundParameters zone{0.01, 0.7, 0.0};
   ReleaseSettings settings = automatic(body, zone);
-  settings.weights = ContactWeights::kNone;
+  settings.weights = ContactWeighting::kNone;
   const TerrainSurface terrain = ground(plane_mesh(5.0, 3));
   RigidState start;
   start.position.z() = 0.25;
@@ -161,8 +161,8 @@ TEST(StepPhases, FollowAllContactsTogether) {
       simulate_release(terrain, std::span(&zone, 1), body, start, settings,
                        [&](const MotionStep& step) { at_rest = step.end_time - step.begin_time; });
   EXPECT_EQ(result.stop_reason, StopReason::kRest);
-  EXPECT_NEAR(at_rest, 0.5 * settings.stiffness.longest_step,
-              1e-6 * settings.stiffness.longest_step);
+  EXPECT_NEAR(at_rest, 0.5 * settings.stiffness.max_time_step,
+              1e-6 * settings.stiffness.max_time_step);
   EXPECT_LT(result.energy.error, 1e-4);
   EXPECT_LT(result.max_speed, 1.5);
 }

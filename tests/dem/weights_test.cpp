@@ -40,7 +40,7 @@ RigidBody bridge() {
 }
 
 struct Sharing {
-  ContactWeights weights;
+  ContactWeighting weights;
   double laws;  ///< how many times the full stiffness carries the bridge
 };
 void PrintTo(const Sharing& sharing, std::ostream* out) { *out << name_of(sharing.weights); }
@@ -66,10 +66,10 @@ TEST_P(RestDepth, IsThatOfTheLawsThatCarryTheBlock) {
   EXPECT_LT(result.final_state.orientation.angularDistance(Quat::Identity()), 1e-6);
 }
 INSTANTIATE_TEST_SUITE_P(Weights, RestDepth,
-                         testing::Values(Sharing{ContactWeights::kPatch, 2.0},
-                                         Sharing{ContactWeights::kOverlap, 1.0},
-                                         Sharing{ContactWeights::kCount, 1.0},
-                                         Sharing{ContactWeights::kNone, 8.0}),
+                         testing::Values(Sharing{ContactWeighting::kPatch, 2.0},
+                                         Sharing{ContactWeighting::kOverlap, 1.0},
+                                         Sharing{ContactWeighting::kCount, 1.0},
+                                         Sharing{ContactWeighting::kNone, 8.0}),
                          [](const auto& test) { return name_of(test.param.weights); });
 
 // Many small drops on flat ground: whatever way a block settles, it is not below ground.
@@ -89,7 +89,7 @@ TEST(Settling, IsNeverTakenForSinking) {
   }
 }
 
-class AnyWeights : public testing::TestWithParam<ContactWeights> {};
+class AnyWeights : public testing::TestWithParam<ContactWeighting> {};
 
 TEST_P(AnyWeights, RocksComeToRestWithTheirEnergyAccountedFor) {
   const TerrainSurface terrain = ground(rough_slope(80, 0.5, 0.45, 0.10));
@@ -109,15 +109,15 @@ TEST_P(AnyWeights, RocksComeToRestWithTheirEnergyAccountedFor) {
   }
 }
 INSTANTIATE_TEST_SUITE_P(Weights, AnyWeights,
-                         testing::Values(ContactWeights::kPatch, ContactWeights::kOverlap,
-                                         ContactWeights::kCount, ContactWeights::kNone),
+                         testing::Values(ContactWeighting::kPatch, ContactWeighting::kOverlap,
+                                         ContactWeighting::kCount, ContactWeighting::kNone),
                          [](const auto& test) { return name_of(test.param); });
 
 TEST(Weights, NamesGoBothWays) {
   for (const char* name : {"patch", "overlap", "count", "none"}) {
-    EXPECT_EQ(name_of(contact_weights(name)), name);
+    EXPECT_EQ(name_of(parse_contact_weighting(name)), name);
   }
-  EXPECT_THROW(contact_weights("fair"), InputError);
+  EXPECT_THROW(parse_contact_weighting("fair"), InputError);
 }
 
 TEST(AutoStiffness, RestsWithinTwoPercentOfTheShortestSide) {
@@ -144,7 +144,7 @@ TEST(AutoStiffness, SpringDashpotRestsOnItsSpring) {
   const double rate = (ratio + std::sqrt(ratio * ratio - 1.0)) *
                       std::sqrt(choice.stiffness.normal / 1000.0 * (1.0 + 2.5));
   EXPECT_NEAR(choice.stiffness.time_step, 0.2 / rate, 1e-3 * 0.2 / rate);
-  EXPECT_NEAR(choice.stiffness.longest_step, 0.4 / rate, 1e-3 * 0.4 / rate);
+  EXPECT_NEAR(choice.stiffness.max_time_step, 0.4 / rate, 1e-3 * 0.4 / rate);
 
   ReleaseSettings settings;
   settings.stiffness = choice.stiffness;
@@ -229,12 +229,12 @@ TEST(AutoStiffness, TimeStepFollowsTheLightestPoint) {
       choose_stiffness(std::span(&body, 1), zones, 10.0, kTestGravity, options);
   const double point_mass = 1000.0 / (1.0 + 0.75 * 6.0);
   EXPECT_NEAR(choice.stiffness.time_step, 0.2 * std::sqrt(point_mass / 1e8), 1e-11);
-  EXPECT_NEAR(choice.stiffness.longest_step, 0.4 * std::sqrt(point_mass / 1e8), 1e-11);
+  EXPECT_NEAR(choice.stiffness.max_time_step, 0.4 * std::sqrt(point_mass / 1e8), 1e-11);
   options.mass = true;
   const ContactStiffness of_mass =
       choose_stiffness(std::span(&body, 1), zones, 10.0, kTestGravity, options).stiffness;
-  EXPECT_EQ(of_mass.time_step, choice.stiffness.longest_step);
-  EXPECT_EQ(of_mass.longest_step, choice.stiffness.longest_step);
+  EXPECT_EQ(of_mass.time_step, choice.stiffness.max_time_step);
+  EXPECT_EQ(of_mass.max_time_step, choice.stiffness.max_time_step);
 }
 
 }  // namespace

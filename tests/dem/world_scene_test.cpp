@@ -40,7 +40,7 @@ Launch random_launch(std::uint64_t seed) {
   return launch;
 }
 
-class Collisions : public testing::TestWithParam<ContactWeights> {};
+class Collisions : public testing::TestWithParam<ContactWeighting> {};
 
 TEST_P(Collisions, KeepMomentumAndAccountForEnergy) {
   const std::vector<RigidBody> shapes = zoo();
@@ -71,8 +71,8 @@ TEST_P(Collisions, KeepMomentumAndAccountForEnergy) {
   EXPECT_GT(touched, 40);
 }
 INSTANTIATE_TEST_SUITE_P(Weights, Collisions,
-                         testing::Values(ContactWeights::kPatch, ContactWeights::kOverlap,
-                                         ContactWeights::kCount, ContactWeights::kNone),
+                         testing::Values(ContactWeighting::kPatch, ContactWeighting::kOverlap,
+                                         ContactWeighting::kCount, ContactWeighting::kNone),
                          [](const auto& test) { return name_of(test.param); });
 
 // Which of two bodies is the reference body follows from their shapes, not from their order.
@@ -88,8 +88,8 @@ TEST(Order, OfBodiesChangesNothing) {
       world.add_body(launch.shapes[i], launch.states[i]);
       swapped.add_body(launch.shapes[1 - i], launch.states[1 - i]);
     }
-    world.run_until(0.15);
-    swapped.run_until(0.15);
+    world.run_until_rest(0.15);
+    swapped.run_until_rest(0.15);
     for (const std::size_t i : {0u, 1u}) {
       EXPECT_LT((world.state(i).position - swapped.state(1 - i).position).norm(), 1e-12) << seed;
       EXPECT_LT((world.state(i).velocity - swapped.state(1 - i).velocity).norm(), 1e-10) << seed;
@@ -121,12 +121,12 @@ World small_pile(const TerrainSurface& terrain, unsigned threads = 1) {
 TEST(Pile, OfThreeComesToRestAndDoesNotCreep) {
   const TerrainSurface terrain = ground(plane_mesh(10.0, 20));
   World world = small_pile(terrain);
-  EXPECT_EQ(world.run_until(30.0), StopReason::kRest);
+  EXPECT_EQ(world.run_until_rest(30.0), StopReason::kRest);
   EXPECT_LT(world.energy().error, 0.005);
   double lowest = 1e300, highest = 0.0;
   std::vector<RigidState> rested;
   for (std::size_t i = 0; i < 3; ++i) {
-    EXPECT_TRUE(world.resting(i));
+    EXPECT_TRUE(world.is_resting(i));
     rested.push_back(world.state(i));
     lowest = std::min(lowest, world.state(i).position.z());
     highest = std::max(highest, world.state(i).position.z());
@@ -137,7 +137,7 @@ TEST(Pile, OfThreeComesToRestAndDoesNotCreep) {
     const Vec3 moved = world.state(i).position - rested[i].position;
     EXPECT_LT(moved.head<2>().norm(), 2e-3) << i;
     EXPECT_LT(world.state(i).orientation.angularDistance(rested[i].orientation), 5e-3) << i;
-    EXPECT_TRUE(world.resting(i));
+    EXPECT_TRUE(world.is_resting(i));
   }
   EXPECT_LT(world.energy().error, 0.005);
 }
@@ -178,10 +178,10 @@ TEST(SleepingPairs, MissNoContact) {
   any_start.start_overlap = 1e300;
   std::size_t touching = 0;
   for (int look = 0; look < 30; ++look) {
-    world.run_until(0.1 * (look + 1));
+    world.run_until_rest(0.1 * (look + 1));
     World anew(heap.shapes, any_start, terrain, heap.zones);
     for (std::size_t i = 0; i < world.body_count(); ++i) anew.add_body(i % 3, world.state(i));
-    anew.run_until(1e-9);
+    anew.run_until_rest(1e-9);
     for (std::size_t i = 0; i < world.body_count(); ++i) {
       EXPECT_NEAR(world.touch(i).overlap, anew.touch(i).overlap, 2e-5) << look << ", " << i;
       for (std::size_t other = 0; other < i; ++other) {
@@ -200,7 +200,7 @@ TEST_P(Threads, ChangeNoBit) {
   const TerrainSurface terrain = ground(rough_slope(20, 0.5, 0.2, 0.05));
   const auto run = [&](unsigned threads) {
     World world = FallingHeap(threads).world(terrain);
-    world.run_until(0.7);
+    world.run_until_rest(0.7);
     EXPECT_GT(world.statistics().pair_steps, 1000u);
     return world;
   };
@@ -230,13 +230,13 @@ TEST(OneBody, FallsAsAReleaseDoes) {
     ReleaseSettings release;
     release.stiffness = choose_stiffness(std::span(&body, 1), zones, 5.0, 9.81).stiffness;
     release.stiffness.time_step /= shortening;
-    release.stiffness.longest_step = 0.0;
+    release.stiffness.max_time_step = 0.0;
     release.max_time = 0.6;
     WorldSettings settings;
     settings.stiffness = release.stiffness;
     World world({body}, settings, terrain, zones);
     world.add_body(0, start);
-    EXPECT_EQ(world.run_until(release.max_time), StopReason::kMaxTime);
+    EXPECT_EQ(world.run_until_rest(release.max_time), StopReason::kMaxTime);
     const ReleaseResult result = simulate_release(terrain, zones, body, start, release);
     EXPECT_GT(result.impacts, 0u);
     EXPECT_LT((world.state(0).position - result.final_state.position).norm(), 1e-4);
@@ -254,7 +254,7 @@ TEST(LeavingTheTerrain, EndsTheRunOfABodyAlone) {
   World world({body}, settings, terrain, {{0.2, 0.5, 0.3}});
   world.add_body(0, at({1.0, 0, 0.3}, {6.0, 0, 0}));
   world.add_body(0, at({-1.0, 0, 0.3}));
-  EXPECT_EQ(world.run_until(20.0), StopReason::kRest);
+  EXPECT_EQ(world.run_until_rest(20.0), StopReason::kRest);
   EXPECT_TRUE(world.left_terrain(0));
   EXPECT_FALSE(world.left_terrain(1));
   EXPECT_NEAR(world.state(0).position.x(), 2.0, 0.01);
@@ -265,12 +265,12 @@ TEST(LeavingTheTerrain, LetsOthersFlyOn) {
   const TerrainSurface terrain = ground(plane_mesh(2.0, 4));
   const RigidBody body = ball(10.0, 0.2);
   WorldSettings settings = stiff_world(body, 1e6);
-  settings.stiffness.longest_step = 2.0 * settings.stiffness.time_step;
+  settings.stiffness.max_time_step = 2.0 * settings.stiffness.time_step;
   settings.gravity = 9.81;
   World world({body}, settings, terrain, {{0.2, 0.5, 0.3}});
   world.add_body(0, at({1.0, 0, 20.0}, {6.0, 0, 0}));
   world.add_body(0, at({1.0, 1.0, 20.0}, {1.0, 0, 0}));
-  EXPECT_EQ(world.run_until(20.0), StopReason::kLeftTerrain);
+  EXPECT_EQ(world.run_until_rest(20.0), StopReason::kLeftTerrain);
   EXPECT_NEAR(world.state(0).position.x(), 2.0, 0.01);
   EXPECT_NEAR(world.state(1).position.x(), 2.0, 0.01);
   EXPECT_NEAR(world.state(1).velocity.z(), -9.81, 0.1);
@@ -283,14 +283,14 @@ TEST(Newcomers, BringTheirEnergy) {
   const TerrainSurface terrain = ground(plane_mesh(2.0, 4));
   World world({body}, settings, terrain, {{0.2, 0.5, 0.3}});
   world.add_body(0, at({0, 0, 0.5}));
-  world.run_until(1.0);
+  world.run_until_rest(1.0);
   const Vec3 force = world.contact_force(0);
   const double before = world.energy().initial;
   world.add_body(0, at({0.5, 0, 1.0}, {0, 1.0, 0}));
   EXPECT_NEAR(world.energy().initial - before, 10.0 * (9.81 + 0.5), 1e-9);
-  world.run_until(world.time() + 1e-9);
+  world.run_until_rest(world.time() + 1e-9);
   EXPECT_LT((world.contact_force(0) - force).norm(), 1e-3 * force.norm());
-  world.run_until(3.0);
+  world.run_until_rest(3.0);
   EXPECT_LT(world.energy().error, 0.005);
 }
 

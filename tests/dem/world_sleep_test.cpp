@@ -42,12 +42,12 @@ TEST(Sleep, TakesAHeapOutOfTheMotionAndKeepsItsPlaces) {
   ASSERT_EQ(world.statistics().sleeping_bodies, 6u) << "at " << world.time() << " s";
   EXPECT_EQ(world.statistics().active_pairs, 0u);
   EXPECT_GT(world.statistics().touching_pairs, 5u);
-  EXPECT_EQ(world.run_until(world.time() + 1.0), StopReason::kRest);
+  EXPECT_EQ(world.run_until_rest(world.time() + 1.0), StopReason::kRest);
   std::vector<RigidState> asleep;
   for (std::size_t i = 0; i < 6; ++i) asleep.push_back(world.state(i));
   for (int step = 0; step < 2000; ++step) world.step();
   for (std::size_t i = 0; i < 6; ++i) {
-    EXPECT_TRUE(world.asleep(i) && world.resting(i));
+    EXPECT_TRUE(world.is_asleep(i) && world.is_resting(i));
     EXPECT_EQ(world.state(i).position, asleep[i].position);
     EXPECT_EQ(world.state(i).orientation.coeffs(), asleep[i].orientation.coeffs());
   }
@@ -86,9 +86,9 @@ TEST(Sleep, EndsWithEveryTouch) {
     while (world.time() < end) {
       world.step();
       for (std::size_t i = 0; i < 6; ++i) {
-        if (world.asleep(ball) || !(world.overlap(i, ball) > 0.0)) continue;
+        if (world.is_asleep(ball) || !(world.overlap(i, ball) > 0.0)) continue;
         hit = true;
-        ASSERT_FALSE(world.asleep(i)) << "poke " << poke << ", body " << i;
+        ASSERT_FALSE(world.is_asleep(i)) << "poke " << poke << ", body " << i;
       }
     }
     hits += hit;
@@ -103,18 +103,18 @@ TEST(Sleep, ChangesNoBlow) {
   const std::vector<RigidBody> shapes = {box(250.0, {0.5, 0.45, 0.35}, 0.02), ball(40.0, 0.15)};
   const auto thrown = [&](bool sleeps) {
     WorldSettings settings = automatic_world(shapes, kSleepGround[0], 8.0);
-    settings.stiffness.longest_step = 0.0;
+    settings.stiffness.max_time_step = 0.0;
     if (!sleeps) settings.sleep_drift = 0.0;
     World world(shapes, settings, terrain, kSleepGround);
     world.add_body(0, at({0.0, 0.0, 0.25}));
     while (world.time() < 4.0) world.step();
-    EXPECT_EQ(world.asleep(0), sleeps);
+    EXPECT_EQ(world.is_asleep(0), sleeps);
     const Vec3 target = world.state(0).position;
     const Vec3 direction = Vec3(0.9, 0.1, -0.1).normalized();
     world.add_body(1, at(target - direction, 8.0 * direction));
     const double dissipated = world.energy().dissipated();
     while (world.time() < 4.4) world.step();
-    EXPECT_FALSE(world.asleep(0));
+    EXPECT_FALSE(world.is_asleep(0));
     return std::pair(Vec3(world.state(0).position - target),
                      world.energy().dissipated() - dissipated);
   };
@@ -130,7 +130,7 @@ TEST(Sleep, HasTheSameBitsOnAnyNumberOfThreads) {
   const auto run = [&](unsigned threads) {
     World world = sleeping_heap(terrain, threads);
     world.add_body(2, at(world.state(0).position + Vec3(0.02, 0.05, 3.0)));
-    world.run_until(world.time() + 1.0);
+    world.run_until_rest(world.time() + 1.0);
     return world;
   };
   const World one = run(1), three = run(3);
@@ -159,7 +159,7 @@ TEST(Sleep, DoesNotComeToWhatSlides) {
   world.add_body(0, state);
   while (world.time() < 2.0) {
     world.step();
-    ASSERT_FALSE(world.asleep(0)) << world.time();
+    ASSERT_FALSE(world.is_asleep(0)) << world.time();
   }
   EXPECT_GT(world.state(0).velocity.norm(), 2.0);
 }
@@ -179,17 +179,17 @@ TEST(Sleep, EndsForWhatARemovedBodyHeld) {
     const double height = world.state(1).position.z(), begin = world.time();
     const Vec3 removed = world.state(0).position;
     world.remove_body(0);
-    EXPECT_TRUE(world.gone(0));
+    EXPECT_TRUE(world.is_inactive(0));
     EXPECT_FALSE(world.left_terrain(0));
-    EXPECT_FALSE(world.asleep(1));
-    EXPECT_TRUE(world.asleep(2));
-    EXPECT_TRUE(world.touched_bodies(1).empty());
+    EXPECT_FALSE(world.is_asleep(1));
+    EXPECT_TRUE(world.is_asleep(2));
+    EXPECT_TRUE(world.touching_bodies(1).empty());
     EXPECT_EQ(world.contact_force(1).norm(), 0.0);
     while (world.time() < begin + 0.2) world.step();
     const double time = world.time() - begin;
     EXPECT_NEAR(world.state(1).position.z(), height - 0.5 * 9.81 * time * time, 1e-6);
     EXPECT_EQ(world.state(0).position, removed);
-    EXPECT_EQ(world.run_until(20.0), StopReason::kRest);
+    EXPECT_EQ(world.run_until_rest(20.0), StopReason::kRest);
     EXPECT_NEAR(world.state(1).position.z(), 0.15, 0.01);
     EXPECT_LT(world.energy().error, 1e-3);
     world.remove_body(0);  // it is gone already

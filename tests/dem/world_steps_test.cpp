@@ -16,7 +16,7 @@ const std::vector<GroundParameters> kStepsGround = {{0.05, 0.7, 0.3}};
 /// Every step has the length of an impact's, divided by `shortening`.
 WorldSettings in_given_steps(WorldSettings settings, double shortening = 1.0) {
   settings.stiffness.time_step /= shortening;
-  settings.stiffness.longest_step = 0.0;
+  settings.stiffness.max_time_step = 0.0;
   return settings;
 }
 
@@ -30,7 +30,7 @@ TEST(WorldSteps, FlyAsFarAsNothingCanTouch) {
   start.angular_velocity = {3.0, -5.0, 1.0};
   World world({body}, settings, terrain, kStepsGround);
   std::vector<MotionStep> steps;
-  world.observe([&](std::size_t, const MotionStep& step) { steps.push_back(step); });
+  world.set_observer([&](std::size_t, const MotionStep& step) { steps.push_back(step); });
   world.add_body(0, start);
   while (world.touch(0).points == 0 && world.time() < 5.0) world.step();
   const double landing = world.time();
@@ -56,7 +56,7 @@ TEST(WorldSteps, ABodyFliesWhileOthersTouch) {
   const RigidBody body = ball(10.0, 0.2);
   World world({body}, automatic_world({body}, kStepsGround[0], 10.0), terrain, kStepsGround);
   std::array<double, 2> flown{};
-  world.observe([&](std::size_t i, const MotionStep& step) {
+  world.set_observer([&](std::size_t i, const MotionStep& step) {
     if (step.flight) flown[i] += step.end_time - step.begin_time;
   });
   world.add_body(0, at({0.0, 0.0, 0.1999}, {2.0, 0.0, 0.0}));
@@ -73,7 +73,7 @@ TEST(WorldSteps, OfAGivenLengthAreKept) {
       in_given_steps(automatic_world({tumbling()}, kStepsGround[0], 10.0));
   World world({tumbling()}, settings, terrain, kStepsGround);
   std::size_t points = 0;
-  world.observe([&](std::size_t, const MotionStep& step) {
+  world.set_observer([&](std::size_t, const MotionStep& step) {
     EXPECT_EQ(step.flight, points == 0);
     points = step.touch.points;
     EXPECT_NEAR(step.end_time - step.begin_time, settings.stiffness.time_step, 1e-12);
@@ -136,7 +136,7 @@ TEST(WorldSteps, OfABlockOnASlopeSaveWorkAndKeepTheBalance) {
     RigidState start = at({-8.0, 0.0, *terrain.height(-8.0, 0.0, 0.0) + 2.0});
     start.orientation = Random(8).rotation();
     world.add_body(0, start);
-    world.run_until(10.0);
+    world.run_until_rest(10.0);
     EXPECT_LT(world.energy().error, 0.005);
     EXPECT_LT(std::abs(world.energy().reassigned), 0.05 * world.energy().dissipated());
     return static_cast<double>(world.statistics().steps) / world.time();

@@ -53,7 +53,7 @@ TEST_P(Spheres, HeadOn) {
   EXPECT_LT(world.state(0).velocity.cross(line).norm(), 1e-9);
   EXPECT_LT(world.state(0).angular_velocity.norm(), 1e-9);
   const double reduced = second_mass / total;
-  const EnergyLedger energy = world.energy();
+  const EnergyBalance energy = world.energy();
   EXPECT_NEAR(energy.normal, 0.5 * reduced * closing * closing * (1.0 - restitution),
               0.005 * reduced * closing * closing);
 }
@@ -130,7 +130,7 @@ World stand_at_rest(const Stand& stand, double drop) {
   World world({small, large}, settings);
   world.add_body(0, at({stand.offset.x(), stand.offset.y(), kStandTouching - kStandDepth + drop}));
   world.add_body(1, at({0, 0, 0}), true);
-  EXPECT_EQ(world.run_until(20.0), StopReason::kRest);
+  EXPECT_EQ(world.run_until_rest(20.0), StopReason::kRest);
   return world;
 }
 
@@ -159,12 +159,12 @@ TEST_P(OverTheEdge, Stays) {
   EXPECT_LT((world.state(0).position.head<2>() - GetParam().offset).norm(), kStandDepth);
   EXPECT_LT(world.energy().error, 0.005);
   for (const double until = world.time() + 3.0; world.time() < until;) world.step();
-  const Vec3 place = world.state(0).position;
+  const Vec3 position = world.state(0).position;
   EXPECT_LT((world.contact_force(0) - Vec3(0, 0, kStandMass * 9.81)).norm(),
             0.01 * kStandMass * 9.81);
   EXPECT_LT(world.overlap(0, 1), 2.0 * kStandDepth);
   for (const double until = world.time() + 3.0; world.time() < until;) world.step();
-  EXPECT_LT((world.state(0).position - place).head<2>().norm(), 2e-4);
+  EXPECT_LT((world.state(0).position - position).head<2>().norm(), 2e-4);
 }
 INSTANTIATE_TEST_SUITE_P(Stands, OverTheEdge,
                          testing::Values(Stand{true, {0.2, 0.14}}, Stand{true, {0.3, 0.0}},
@@ -192,12 +192,12 @@ TEST(Elastic, SpheresKeepTheirEnergy) {
     before = touching;
   }
   EXPECT_EQ(bounces, 100);
-  const EnergyLedger energy = world.energy();
+  const EnergyBalance energy = world.energy();
   EXPECT_NEAR(energy.final, energy.initial, 1e-3 * energy.initial);
   EXPECT_NEAR(energy.initial - energy.final, energy.dissipated(), 1e-5 * energy.initial);
 }
 
-class ElasticBlocks : public testing::TestWithParam<ContactWeights> {};
+class ElasticBlocks : public testing::TestWithParam<ContactWeighting> {};
 
 TEST_P(ElasticBlocks, KeepTheirEnergyOrSayWhereItWent) {
   std::vector<RigidBody> shapes = room_slabs(0.6);
@@ -211,7 +211,7 @@ TEST_P(ElasticBlocks, KeepTheirEnergyOrSayWhereItWent) {
   world.add_body(4, at({0.2, 0, 0}, {-1.0, -2.0, 0.5}));
   add_room(world, 0, 0.6);
   // Without weights energy must stay; with them what changes must be booked.
-  const int wanted = GetParam() == ContactWeights::kNone ? 100 : 40;
+  const int wanted = GetParam() == ContactWeighting::kNone ? 100 : 40;
   int bounces = 0;
   std::size_t before = 0;
   while (bounces < wanted && world.time() < 60.0) {
@@ -221,16 +221,16 @@ TEST_P(ElasticBlocks, KeepTheirEnergyOrSayWhereItWent) {
     before = touching;
   }
   EXPECT_EQ(bounces, wanted);
-  const EnergyLedger energy = world.energy();
+  const EnergyBalance energy = world.energy();
   RecordProperty("drift", std::to_string(energy.final / energy.initial - 1.0));
-  if (GetParam() == ContactWeights::kNone) {
+  if (GetParam() == ContactWeighting::kNone) {
     EXPECT_NEAR(energy.final, energy.initial, 1e-3 * energy.initial);
   }
   EXPECT_NEAR(energy.initial - energy.final, energy.dissipated(), 1e-5 * energy.initial);
 }
 INSTANTIATE_TEST_SUITE_P(Weights, ElasticBlocks,
-                         testing::Values(ContactWeights::kPatch, ContactWeights::kOverlap,
-                                         ContactWeights::kCount, ContactWeights::kNone),
+                         testing::Values(ContactWeighting::kPatch, ContactWeighting::kOverlap,
+                                         ContactWeighting::kCount, ContactWeighting::kNone),
                          [](const auto& test) { return name_of(test.param); });
 
 }  // namespace

@@ -36,7 +36,7 @@ std::vector<Vec3> points_on(TriangleMesh body, double steepest, int count = 2000
 }
 
 TEST(CloudSurface, OfABallSeenFromAllSidesIsTheBall) {
-  const TriangleMesh surface = cloud_surface(points_on(unit_sphere(20), -1.0), kCoarse).mesh;
+  const TriangleMesh surface = fit_cloud_surface(points_on(unit_sphere(20), -1.0), kCoarse).mesh;
   const MeshReport report = inspect_mesh(surface);
   EXPECT_TRUE(report.is_closed() && report.is_oriented()) << report.summary();
   EXPECT_EQ(report.euler_characteristic, 2);
@@ -45,14 +45,14 @@ TEST(CloudSurface, OfABallSeenFromAllSidesIsTheBall) {
 
 TEST(CloudSurface, OfAConcaveRockHasItsVolume) {
   const TriangleMesh rock = rock_mesh(16, {0.5, 0.4, 0.3}, 3);
-  const TriangleMesh surface = cloud_surface(points_on(rock, -1.0), kCoarse).mesh;
+  const TriangleMesh surface = fit_cloud_surface(points_on(rock, -1.0), kCoarse).mesh;
   const double truth = solid_mass_properties(rock, 1.0).volume;
   EXPECT_NEAR(solid_mass_properties(surface, 1.0).volume, truth, 0.015 * truth);
 }
 
 TEST(CloudSurface, IsOpenWhereNoPointsAre) {
   // A cap within acos 0.6 = 53 degrees of the lowest point has a fifth of the ball.
-  const TriangleMesh surface = cloud_surface(points_on(unit_sphere(20), -0.6), kCoarse).mesh;
+  const TriangleMesh surface = fit_cloud_surface(points_on(unit_sphere(20), -0.6), kCoarse).mesh;
   const MeshReport report = inspect_mesh(surface);
   EXPECT_EQ(report.components, 1u);
   EXPECT_EQ(report.boundary_loops, 1u);
@@ -71,11 +71,11 @@ TEST(CloudSurface, IndicatorIsTheSameWhereverMemoryLies) {
     for (const double side : {-1.0, 1.0}) {
       for (int i = 0; i < kSide; ++i) {
         for (int k = 0; k < kSide; ++k) {
-          Vec3 place(side, (2.0 * i + 1.0) / kSide - 1.0, (2.0 * k + 1.0) / kSide - 1.0);
+          Vec3 position(side, (2.0 * i + 1.0) / kSide - 1.0, (2.0 * k + 1.0) / kSide - 1.0);
           Vec3 normal(side, 0.0, 0.0);
-          std::rotate(place.begin(), place.begin() + axis, place.end());
+          std::rotate(position.begin(), position.begin() + axis, position.end());
           std::rotate(normal.begin(), normal.begin() + axis, normal.end());
-          points.push_back(place);
+          points.push_back(position);
           normals.push_back(normal);
         }
       }
@@ -89,7 +89,7 @@ TEST(CloudSurface, IndicatorIsTheSameWhereverMemoryLies) {
       held.push_back(std::make_unique<char[]>(1 + random.below(run % 2 == 0 ? 500 : 50000)));
       if (random.below(3) == 0) held[random.below(held.size())].reset();
     }
-    const reconstruct_detail::Indicator indicator(points, normals);
+    const reconstruct_detail::IndicatorFunction indicator(points, normals);
     ASSERT_TRUE(indicator.found());
     values.insert(indicator.at({0.31, 0.17, 0.44}));
   }
@@ -98,9 +98,9 @@ TEST(CloudSurface, IndicatorIsTheSameWhereverMemoryLies) {
 
 TEST(CloudSurface, LiesWhereTheCloudLiesOnAMap) {
   std::vector<Vec3> points = points_on(unit_sphere(10), -1.0, 10000);
-  const TriangleMesh here = cloud_surface(points, kCoarse).mesh;
+  const TriangleMesh here = fit_cloud_surface(points, kCoarse).mesh;
   for (Vec3& p : points) p += Vec3(524288.0, 4194304.0, 1024.0);  // exact in a float of the offset
-  const TriangleMesh there = cloud_surface(points, kCoarse).mesh;
+  const TriangleMesh there = fit_cloud_surface(points, kCoarse).mesh;
   EXPECT_NEAR(solid_mass_properties(there, 1.0).volume, solid_mass_properties(here, 1.0).volume,
               0.002);
   EXPECT_LT((bounds(there).low - bounds(here).low - Vec3(524288.0, 4194304.0, 1024.0)).norm(),
@@ -111,10 +111,10 @@ TEST(CloudSurface, LiesWhereTheCloudLiesOnAMap) {
 TEST(CloudSurface, SameInputGivesTheSameBitsWhateverWasDoneBefore) {
   const std::vector<Vec3> points = points_on(rock_mesh(16, {0.5, 0.4, 0.3}, 3), -0.6, 40000);
   const CloudSurfaceOptions options{.cell = 0.012};
-  const TriangleMesh first = cloud_surface(points, options).mesh;
+  const TriangleMesh first = fit_cloud_surface(points, options).mesh;
   for (const double cell : {0.02, 0.015, 0.03}) {
-    cloud_surface(points, {.cell = cell});
-    const TriangleMesh again = cloud_surface(points, options).mesh;
+    fit_cloud_surface(points, {.cell = cell});
+    const TriangleMesh again = fit_cloud_surface(points, options).mesh;
     EXPECT_EQ(first.vertices, again.vertices) << cell;
     EXPECT_EQ(first.triangles, again.triangles) << cell;
   }
@@ -123,7 +123,7 @@ TEST(CloudSurface, SameInputGivesTheSameBitsWhateverWasDoneBefore) {
 TEST(CloudSurface, OfPointsWithoutNoiseGoesThroughThemAndNeverBeyond) {
   const TriangleMesh rock = rock_mesh(16, {0.5, 0.4, 0.05}, 3);
   const std::vector<Vec3> points = sampled_cloud(rock, {.points = 6000}, 4);
-  const CloudSurface surface = cloud_surface(points);
+  const CloudSurface surface = fit_cloud_surface(points);
   EXPECT_TRUE(inspect_mesh(surface.mesh).is_closed());
   EXPECT_EQ(surface.gaps, 0u);
   std::set<std::array<double, 3>> given;
@@ -138,7 +138,7 @@ TEST(CloudSurface, OfPointsWithoutNoiseGoesThroughThemAndNeverBeyond) {
 TEST(CloudSurface, IsClosedWhereTheDensityOnlyFalls) {
   const std::vector<Vec3> points =
       sampled_cloud(unit_sphere(20), {.points = 8000, .fall = 0.05, .step = true}, 5);
-  const CloudSurface surface = cloud_surface(points);
+  const CloudSurface surface = fit_cloud_surface(points);
   EXPECT_TRUE(inspect_mesh(surface.mesh).is_closed());
   EXPECT_NEAR(solid_mass_properties(surface.mesh, 1.0).volume, 4.0 / 3.0 * kPi, 0.02 * 4.2);
 }
@@ -147,11 +147,11 @@ TEST(CloudSurface, AGapIsFilledAndReportedWithItsPlace) {
   std::vector<Vec3> points = sampled_cloud(unit_sphere(20), {.points = 20000}, 6);
   std::erase_if(points,
                 [](const Vec3& p) { return p.z() > std::cos(0.12); });  // 0.36 % of the area
-  const CloudSurface surface = cloud_surface(points);
+  const CloudSurface surface = fit_cloud_surface(points);
   EXPECT_TRUE(inspect_mesh(surface.mesh).is_closed());
   EXPECT_EQ(surface.gaps, 1u);
-  EXPECT_NEAR(surface.gap_share, 0.0036, 0.002);
-  EXPECT_GT(surface.gap_place.z(), 0.9);
+  EXPECT_NEAR(surface.gap_fraction, 0.0036, 0.002);
+  EXPECT_GT(surface.gap_position.z(), 0.9);
 }
 
 // No point lies on the strip between the two rims of a thin edge, which is hardly wider than the
@@ -160,12 +160,12 @@ TEST(CloudSurface, TheMissingEdgeOfALensIsUnseen) {
   TriangleMesh lens = unit_sphere(24);
   for (Vec3& v : lens.vertices) v = v.cwiseProduct(Vec3(0.5, 0.5, 0.06));
   std::vector<Vec3> points = sampled_cloud(lens, {.points = 8000}, 8);
-  EXPECT_TRUE(inspect_mesh(cloud_surface(points).mesh).is_closed());
+  EXPECT_TRUE(inspect_mesh(fit_cloud_surface(points).mesh).is_closed());
   std::erase_if(points, [](const Vec3& p) { return p.x() < -0.43; });
-  const CloudSurface surface = cloud_surface(points);
+  const CloudSurface surface = fit_cloud_surface(points);
   EXPECT_TRUE(surface.gaps == 1 || !inspect_mesh(surface.mesh).is_closed());
   if (surface.gaps == 1) {
-    EXPECT_LT(surface.gap_place.x(), -0.44);
+    EXPECT_LT(surface.gap_position.x(), -0.44);
   }
 }
 
@@ -173,31 +173,31 @@ TEST(CloudSurface, PointsTooFarApartForAThinBodyAreRefused) {
   const TriangleMesh plate = rock_mesh(16, {0.5, 0.4, 0.005}, 3);
   const std::vector<Vec3> points = sampled_cloud(plate, {.points = 1000}, 4);
   EXPECT_TRUE(
-      contains(refusal<GeometryError>([&] { cloud_surface(points); }), "scan it more densely"));
+      contains(refusal<GeometryError>([&] { fit_cloud_surface(points); }), "scan it more densely"));
 }
 
 TEST(Outliers, OfACompleteCloudNoPointIsGivenUp) {
   const std::vector<Vec3> even = sampled_cloud(unit_sphere(20), {.points = 8000}, 7);
-  EXPECT_EQ(reconstruct_detail::without_isolated(even).size(), even.size());
+  EXPECT_EQ(reconstruct_detail::find_non_isolated_points(even).size(), even.size());
   // Where the density falls to a twentieth in one step, a few at the step look like outliers.
   const std::vector<Vec3> step =
       sampled_cloud(unit_sphere(20), {.points = 8000, .fall = 0.05, .step = true}, 7);
-  EXPECT_GE(reconstruct_detail::without_isolated(step).size(), step.size() - 20);
+  EXPECT_GE(reconstruct_detail::find_non_isolated_points(step).size(), step.size() - 20);
 }
 
 TEST(Outliers, PointsThatAreRepeatedCountOnce) {
   const std::vector<Vec3> once = sampled_cloud(unit_sphere(20), {.points = 2000}, 7);
   std::vector<Vec3> many;
   for (const Vec3& p : once) many.insert(many.end(), 8, p);
-  EXPECT_EQ(reconstruct_detail::without_repeats(many), once);
-  EXPECT_EQ(reconstruct_detail::without_repeats(once), once);
+  EXPECT_EQ(reconstruct_detail::remove_duplicate_points(many), once);
+  EXPECT_EQ(reconstruct_detail::remove_duplicate_points(once), once);
 }
 
 TEST(Outliers, NearlyAllThatLieOffTheSurfaceAreFound) {
   const std::vector<Vec3> points =
       sampled_cloud(unit_sphere(20), {.points = 8000, .outliers = 0.02}, 8);
   std::size_t rock = 0, off = 0;
-  for (const std::uint32_t i : reconstruct_detail::without_isolated(points)) {
+  for (const std::uint32_t i : reconstruct_detail::find_non_isolated_points(points)) {
     rock += i < 8000;
     off += i >= 8000 && std::abs(points[i].norm() - 1.0) > 0.1;  // 2.5 spacings of 0.04
   }
@@ -209,11 +209,11 @@ TEST(CloudSurface, OutliersThatAreLeftDoNotDecide) {
   const std::vector<Vec3> points =
       sampled_cloud(unit_sphere(20), {.points = 8000, .outliers = 0.02}, 8);
   std::vector<Vec3> kept;
-  for (const std::uint32_t i : reconstruct_detail::without_isolated(points)) {
+  for (const std::uint32_t i : reconstruct_detail::find_non_isolated_points(points)) {
     kept.push_back(points[i]);
   }
   ASSERT_GT(kept.size(), 8000u);
-  const CloudSurface surface = cloud_surface(kept);
+  const CloudSurface surface = fit_cloud_surface(kept);
   EXPECT_TRUE(inspect_mesh(surface.mesh).is_closed());
   EXPECT_NEAR(solid_mass_properties(surface.mesh, 1.0).volume, 4.0 / 3.0 * kPi, 0.01 * 4.2);
 }
@@ -256,9 +256,9 @@ TEST(CloudNormals, OneOutlierFarFromTheMiddleTurnsNoneInward) {
   std::vector<Vec3> points = points_on_box(sides, 2000, 1);
   points.emplace_back(0.56, 0.0, 0.09);  // nearly level with a face
   for (const double lean : {-0.2, 0.2}) {
-    std::vector<Vec3> normals = reconstruct_detail::plane_normals(points, 10);
+    std::vector<Vec3> normals = reconstruct_detail::estimate_normals(points, 10);
     normals.back() = Vec3(lean, 0.0, -1.0).normalized();
-    reconstruct_detail::turn_outward(normals, points);
+    reconstruct_detail::orient_outward(normals, points);
     EXPECT_LT(inward_share(normals, points, sides), 0.02);
   }
 }
@@ -269,9 +269,9 @@ TEST(CloudNormals, BothFacesOfAPlateFaceOutward) {
     for (std::uint64_t seed = 0; seed < 10; ++seed) {
       const Vec3 sides(1.0, 0.9, thickness);
       const std::vector<Vec3> points = points_on_box(sides, 2000, seed);
-      std::vector<Vec3> normals = reconstruct_detail::plane_normals(points, 18);
-      reconstruct_detail::turn_outward(normals, points,
-                                       reconstruct_detail::Propagation::kAlongArcs);
+      std::vector<Vec3> normals = reconstruct_detail::estimate_normals(points, 18);
+      reconstruct_detail::orient_outward(normals, points,
+                                       reconstruct_detail::NormalPropagation::kCircularArc);
       EXPECT_LT(inward_share(normals, points, sides), 0.05)
           << "thickness " << thickness << ", seed " << seed;
     }
@@ -286,7 +286,7 @@ TEST(CloudSurface, PointsJustOffAFlatFaceAreOutliers) {
   points.emplace_back(0.1, 0.1, 0.3 + 0.3 * spacing);
   points.emplace_back(-0.2, 0.15, 0.3 + 0.3 * spacing);
   points.emplace_back(0.05, -0.4 - 0.3 * spacing, 0.02);
-  const CloudSurface surface = cloud_surface(points);
+  const CloudSurface surface = fit_cloud_surface(points);
   EXPECT_GE(surface.outliers, 3u);
   EXPECT_LE(surface.outliers, 5u) << "points of the box left out";
   const Bounds box = bounds(surface.mesh);
@@ -301,7 +301,7 @@ TEST(CloudSurface, TwoOutliersBesideOneAnotherHideNeither) {
   const double spacing = std::sqrt(3.76 / 4000.0);
   points.emplace_back(0.1, 0.1, 0.3 + 1.2 * spacing);
   points.emplace_back(0.1 + 0.5 * spacing, 0.1, 0.3 + spacing);
-  const CloudSurface surface = cloud_surface(points);
+  const CloudSurface surface = fit_cloud_surface(points);
   EXPECT_GE(surface.outliers, 2u);
   EXPECT_LE(surface.outliers, 4u) << "points of the box left out";
   EXPECT_LT(bounds(surface.mesh).high.z(), 0.3 + 1e-9);
@@ -316,7 +316,7 @@ TEST(CloudSurface, PointsThatBoundNoBodyAreRefusedAsSuch) {
     line.emplace_back(x, 0.5 * x, 0.2 * x);
   }
   const auto message = [](const std::vector<Vec3>& points) {
-    return refusal<GeometryError>([&] { cloud_surface(points); });
+    return refusal<GeometryError>([&] { fit_cloud_surface(points); });
   };
   EXPECT_TRUE(contains(message(plane), "all 2000 points lie in a plane and bound no block; scan"));
   EXPECT_TRUE(contains(message(line), "all 2000 points lie on a line"));
@@ -324,12 +324,12 @@ TEST(CloudSurface, PointsThatBoundNoBodyAreRefusedAsSuch) {
 }
 
 TEST(CloudSurface, TooFewPointsAndOptionsOutOfRangeAreRefused) {
-  EXPECT_TRUE(contains(refusal([] { cloud_surface(std::vector<Vec3>(10, Vec3::Zero())); }),
+  EXPECT_TRUE(contains(refusal([] { fit_cloud_surface(std::vector<Vec3>(10, Vec3::Zero())); }),
                        "10 points are too few for a block; at least 500 are needed"));
   const std::vector<Vec3> none;
-  EXPECT_TRUE(contains(refusal([&] { cloud_surface(none, {.cell = 0.0}); }),
+  EXPECT_TRUE(contains(refusal([&] { fit_cloud_surface(none, {.cell = 0.0}); }),
                        "cell = 0; must be above 0 and at most 0.1"));
-  EXPECT_TRUE(contains(refusal([&] { cloud_surface(none, {.trim = 0.0}); }), "trim"));
+  EXPECT_TRUE(contains(refusal([&] { fit_cloud_surface(none, {.trim = 0.0}); }), "trim"));
 }
 
 }  // namespace

@@ -151,7 +151,7 @@ std::optional<std::string> fault_of(const Body& body, Kind kind, std::uint64_t s
   kind.sampling.noise *= smallest[0];
   try {
     const std::vector<Vec3> points = sampled_cloud(body.mesh, kind.sampling, seed);
-    const FieldBlock block = field_blocks(points, body.name)[0];
+    const FieldBlock block = extract_field_blocks(points, body.name)[0];
     const double found = solid_mass_properties(block.scan.mesh, 1.0).volume;
     const OrientedBox box = smallest_box(block.scan.mesh.vertices);
     const Vec3 sides = true_sides_along(box, body, kind.bars.side).value_or(smallest);
@@ -178,7 +178,7 @@ std::optional<std::string> fault_of(const Body& body, Kind kind, std::uint64_t s
 /// Every case of the given bodies and numbers of points; those beyond their bars, in words.
 void check_all(const std::vector<Body>& all, const std::vector<std::size_t>& counts,
                std::size_t most_beyond) {
-  std::size_t cases = 0, beyond = 0, unseen = 0;
+  std::size_t cases = 0, beyond = 0, unobserved = 0;
   for (const Body& body : all) {
     for (const std::size_t points : counts) {
       for (const Kind& kind : kinds(points)) {
@@ -186,16 +186,16 @@ void check_all(const std::vector<Body>& all, const std::vector<std::size_t>& cou
         const std::optional<std::string> fault = fault_of(body, kind, 3);
         if (!fault) continue;
         ++beyond;
-        unseen += fault->starts_with("a side called unseen");
+        unobserved += fault->starts_with("a side called unseen");
         std::cout << body.name << ", " << points << " points, " << kind.name << ": " << *fault
                   << std::endl;
       }
     }
   }
-  std::cout << cases << " clouds, " << beyond << " beyond their bars, " << unseen
+  std::cout << cases << " clouds, " << beyond << " beyond their bars, " << unobserved
             << " with a side called unseen\n";
   EXPECT_LE(beyond, most_beyond);
-  EXPECT_EQ(unseen, 0u);
+  EXPECT_EQ(unobserved, 0u);
 }
 
 // 300 clouds. Beyond the bars lie the plank and the needle with noise as large as a thirtieth of

@@ -31,7 +31,7 @@ TEST(DamagedShapes, AnHourglassIsWrappedAndKeepsItsVolume) {
   ASSERT_TRUE(result.report.wrap_bias);
   EXPECT_GT(*result.report.wrap_bias, 0.0);
   EXPECT_LT(*result.report.wrap_bias, 0.08);
-  EXPECT_NE(repair_notes(result.report).back().find("was wrapped anew"), std::string::npos);
+  EXPECT_NE(describe_repairs(result.report).back().find("was wrapped anew"), std::string::npos);
 }
 
 class DamagedRealRocks : public testing::TestWithParam<const char*> {};

@@ -31,18 +31,18 @@ std::string block_notes(const FieldBlock& block) {
   return text;
 }
 
-TEST(DoubledSurface, ACompleteCopyInsideOrOutsideIsNoBubble) {
+TEST(DuplicateSurface, ACompleteCopyInsideOrOutsideIsNoBubble) {
   for (const double scale : {0.95, 0.97, 0.99, 1.01, 1.03, 1.05}) {
     for (const bool inward : {false, true}) {
       SCOPED_TRACE(std::to_string(scale) + (inward ? " inward" : ""));
       const TriangleMesh copy = scaled(doubled_rock(), scale);
       const FieldBlock block =
-          field_blocks(merged(doubled_rock(), inward ? turned_over(copy) : copy), "doubled")[0];
+          extract_field_blocks(merged(doubled_rock(), inward ? turned_over(copy) : copy), "doubled")[0];
       const RepairReport& report = block.scan.report;
       ASSERT_EQ(report.doubled.size(), 1u);
       EXPECT_EQ(report.inner_shells, 0u);
       EXPECT_TRUE(report.doubled[0].closed);
-      EXPECT_EQ(report.doubled[0].kept_for, KeptFor::kSize);
+      EXPECT_EQ(report.doubled[0].retention_reason, RetentionReason::kSize);
       const double larger = solid_volume(doubled_rock()) * std::max(1.0, scale * scale * scale);
       const double smaller = solid_volume(doubled_rock()) * std::min(1.0, scale * scale * scale);
       EXPECT_NEAR(solid_volume(block.scan.mesh) / larger, 1.0, 1e-9);
@@ -56,32 +56,32 @@ TEST(DoubledSurface, ACompleteCopyInsideOrOutsideIsNoBubble) {
   }
 }
 
-TEST(DoubledSurface, AShiftedCopyIsDropped) {
+TEST(DuplicateSurface, AShiftedCopyIsDropped) {
   Random random(2);
   for (const double share : {0.01, 0.03, 0.05}) {
     TriangleMesh copy = doubled_rock();
     const Vec3 shift = share * bounds(doubled_rock()).diagonal() * random.direction();
     for (Vec3& v : copy.vertices) v += shift;
-    const FieldBlock block = field_blocks(merged(doubled_rock(), copy), "shifted")[0];
+    const FieldBlock block = extract_field_blocks(merged(doubled_rock(), copy), "shifted")[0];
     ASSERT_EQ(block.scan.report.doubled.size(), 1u);
     EXPECT_NEAR(block.scan.report.doubled[0].scale, 1.0, 0.003);
     EXPECT_NEAR(solid_volume(block.scan.mesh) / solid_volume(doubled_rock()), 1.0, 1e-9);
   }
 }
 
-TEST(DoubledSurface, TheFinerOfTwoIsKeptAndThatIsSaid) {
+TEST(DuplicateSurface, TheFinerOfTwoIsKeptAndThatIsSaid) {
   const TriangleMesh fine = rock_mesh(14, {0.5, 0.4, 0.3}, 5);
   for (const double scale : {0.97, 1.03}) {
     const FieldBlock block =
-        field_blocks(merged(scaled(doubled_rock(), scale), fine), "two scans")[0];
+        extract_field_blocks(merged(scaled(doubled_rock(), scale), fine), "two scans")[0];
     EXPECT_NEAR(solid_volume(block.scan.mesh) / solid_volume(fine), 1.0, 1e-9);
     ASSERT_EQ(block.scan.report.doubled.size(), 1u);
-    EXPECT_EQ(block.scan.report.doubled[0].kept_for, KeptFor::kFiner);
+    EXPECT_EQ(block.scan.report.doubled[0].retention_reason, RetentionReason::kFiner);
     EXPECT_TRUE(contains(block_notes(block), "The kept copy has more triangles"));
   }
 }
 
-TEST(DoubledSurface, ACopyOfAPartIsDroppedAndWhatItWouldChangeIsSaid) {
+TEST(DuplicateSurface, ACopyOfAPartIsDroppedAndWhatItWouldChangeIsSaid) {
   for (const double scale : {0.95, 0.98, 1.02, 1.05}) {
     for (const bool inward : {false, true}) {
       SCOPED_TRACE(std::to_string(scale) + (inward ? " inward" : ""));
@@ -89,13 +89,13 @@ TEST(DoubledSurface, ACopyOfAPartIsDroppedAndWhatItWouldChangeIsSaid) {
       std::erase_if(part.triangles,
                     [&](const Triangle& t) { return part.vertices[t[0]].z() < 0.05; });
       const FieldBlock block =
-          field_blocks(merged(doubled_rock(), inward ? turned_over(part) : part), "part")[0];
+          extract_field_blocks(merged(doubled_rock(), inward ? turned_over(part) : part), "part")[0];
       EXPECT_NEAR(solid_volume(block.scan.mesh) / solid_volume(doubled_rock()), 1.0, 1e-9);
       EXPECT_FALSE(block.underside);
       const RepairReport& report = block.scan.report;
       ASSERT_EQ(report.doubled.size(), 1u);
       EXPECT_FALSE(report.doubled[0].closed);
-      EXPECT_EQ(report.doubled[0].kept_for, KeptFor::kClosed);
+      EXPECT_EQ(report.doubled[0].retention_reason, RetentionReason::kClosed);
       EXPECT_EQ(report.doubled[0].offset > 0.0, scale > 1.0);
       // Seen from the middle, the layer between the two is (s^3 - 1) / 3 of what lies below it;
       // the mean distance times the area is that to the second order.
@@ -108,24 +108,24 @@ TEST(DoubledSurface, ACopyOfAPartIsDroppedAndWhatItWouldChangeIsSaid) {
 }
 
 /// Two open scans of one block on its ground: one is dropped, the unseen side is bracketed.
-TEST(DoubledSurface, OpenCopiesLeaveTheBracketOfTheUnseenSide) {
+TEST(DuplicateSurface, OpenCopiesLeaveTheBracketOfTheUnseenSide) {
   const CutBlock cut = cut_blocks(rock_mesh(12, {0.5, 0.4, 0.3}, 2), 2, 5)[0];
-  const FieldBlock alone = field_blocks(cut.open, "one")[0];
-  const FieldBlock both = field_blocks(merged(cut.open, scaled(cut.open, 0.98)), "two")[0];
+  const FieldBlock alone = extract_field_blocks(cut.open, "one")[0];
+  const FieldBlock both = extract_field_blocks(merged(cut.open, scaled(cut.open, 0.98)), "two")[0];
   ASSERT_TRUE(both.underside);
   EXPECT_NEAR(both.underside->estimated_volume / alone.underside->estimated_volume, 1.0, 1e-6);
   EXPECT_EQ(both.scan.report.doubled.size(), 1u);
 }
 
 /// A lens-shaped bubble close under the skin faces both ways.
-TEST(DoubledSurface, ABubbleStaysABubble) {
+TEST(DuplicateSurface, ABubbleStaysABubble) {
   const TriangleMesh ball = unit_sphere(16);
   for (const double depth : {0.1, 0.2, 0.9}) {
     TriangleMesh lens = unit_sphere(12);
     for (Vec3& v : lens.vertices) {
       v = Vec3(0.3 * v.x(), 0.3 * v.y(), 0.04 * v.z() + 1.0 - depth - 0.05);
     }
-    const FieldBlock block = field_blocks(merged(ball, turned_over(lens)), "bubble")[0];
+    const FieldBlock block = extract_field_blocks(merged(ball, turned_over(lens)), "bubble")[0];
     EXPECT_EQ(block.scan.report.inner_shells, 1u);
     EXPECT_TRUE(block.scan.report.doubled.empty());
   }

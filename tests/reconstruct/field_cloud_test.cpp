@@ -39,7 +39,7 @@ TEST(FieldCloud, VolumeAndAxesWithinAPercent) {
                                           .steepest = -1.0},
                                          3);
     ASSERT_EQ(scene.points.size(), 200000u);
-    const FieldBlock block = field_blocks(scene.points, name)[0];
+    const FieldBlock block = extract_field_blocks(scene.points, name)[0];
     const double truth = solid_mass_properties(body, 1.0).volume;
     const double found = solid_mass_properties(block.scan.mesh, 1.0).volume;
     const Vec3 sides = smallest_box(block.scan.mesh.vertices).lengths;
@@ -70,7 +70,7 @@ TEST(FieldCloud, ThePhonesLidarScanIsClosedAndItsScrapReported) {
   const Defect* scrap = block.scan.report.find(DefectKind::kIsland);
   ASSERT_NE(scrap, nullptr);
   EXPECT_EQ(scrap->count, 1u);
-  EXPECT_NEAR(scrap->area_share, 0.05, 0.01);
+  EXPECT_NEAR(scrap->area_fraction, 0.05, 0.01);
   const std::vector<std::string>& notes = block.scan.notes;
   EXPECT_TRUE(std::any_of(notes.begin(), notes.end(), [](const std::string& note) {
     return note.starts_with("1 loose scrap dropped");

@@ -48,7 +48,7 @@ TriangleMesh ground_mesh(const FieldGround& ground, double half, int cells) {
 
 TEST(FieldScan, AClosedMeshIsCleanedAndNothingElse) {
   const TriangleMesh rock = rock_mesh(8, {0.5, 0.4, 0.3}, 1);
-  const std::vector<FieldBlock> blocks = field_blocks(rock, "rock");
+  const std::vector<FieldBlock> blocks = extract_field_blocks(rock, "rock");
   ASSERT_EQ(blocks.size(), 1u);
   EXPECT_FALSE(blocks[0].underside.has_value());
   EXPECT_EQ(blocks[0].scan.mesh.vertices, clean_scan(rock, "rock").mesh.vertices);
@@ -56,7 +56,7 @@ TEST(FieldScan, AClosedMeshIsCleanedAndNothingElse) {
 
 TEST(FieldScan, AnOpenMeshIsClosedAsTheBestOfItsBracket) {
   const CutBlock cut = cut_blocks(rock_mesh(10, {0.5, 0.4, 0.3}, 2), 1, 5)[0];
-  const FieldBlock block = field_blocks(cut.open, "cut")[0];
+  const FieldBlock block = extract_field_blocks(cut.open, "cut")[0];
   ASSERT_TRUE(block.underside.has_value());
   EXPECT_TRUE(inspect_mesh(block.scan.mesh).is_closed());
   EXPECT_NEAR(solid_volume(block.scan.mesh), block.underside->estimated_volume, 1e-9);
@@ -71,8 +71,8 @@ TEST(FieldScan, UnitsAndAxisHoldForTheBracketToo) {
   FieldScanOptions options;
   options.scan.unit = 0.001;
   options.scan.up = "y";
-  const FieldBlock metres = field_blocks(cut.open, "cut")[0];
-  const FieldBlock from_file = field_blocks(file, "cut", options)[0];
+  const FieldBlock metres = extract_field_blocks(cut.open, "cut")[0];
+  const FieldBlock from_file = extract_field_blocks(file, "cut", options)[0];
   EXPECT_NEAR(from_file.underside->upper_volume.value(), metres.underside->upper_volume.value(),
               1e-6);
   // Axes are looked at on a grid that lies as the block does.
@@ -87,16 +87,16 @@ TEST(FieldScan, UnitsAndAxisHoldForTheBracketToo) {
 
 TEST(FieldScan, AnInwardOpenMeshIsTurned) {
   CutBlock cut = cut_blocks(rock_mesh(8, {0.5, 0.4, 0.3}, 3), 1, 6)[0];
-  const double best = field_blocks(cut.open, "cut")[0].underside->estimated_volume;
+  const double best = extract_field_blocks(cut.open, "cut")[0].underside->estimated_volume;
   for (TriangleMesh::Triangle& t : cut.open.triangles) std::swap(t[1], t[2]);
-  EXPECT_NEAR(field_blocks(cut.open, "cut")[0].underside->estimated_volume, best, 1e-6);
+  EXPECT_NEAR(extract_field_blocks(cut.open, "cut")[0].underside->estimated_volume, best, 1e-6);
 }
 
 TEST(FieldScan, GroundIsTakenAwayFromAMesh) {
   const FieldGround slope(0.2, 0.002, 0, 1.0, 3);
   const TriangleMesh rock = buried_at(turned_rock(14, {0.4, 0.3, 0.25}, 3), 0.0, 0.1, 0.1, slope);
   TriangleMesh scene = merged(rock, ground_mesh(slope, 1.2, 60));
-  const FieldBlock block = field_blocks(scene, "scene")[0];
+  const FieldBlock block = extract_field_blocks(scene, "scene")[0];
   ASSERT_TRUE(block.underside.has_value());
   EXPECT_NEAR(block.underside->estimated_volume, solid_volume(rock), 0.05 * solid_volume(rock));
   EXPECT_LT(block.underside->lower_volume, solid_volume(rock));
@@ -104,7 +104,7 @@ TEST(FieldScan, GroundIsTakenAwayFromAMesh) {
   EXPECT_LT((block.underside->down + Vec3::UnitZ()).norm(), 0.03);  // turned up from the slope
   FieldScanOptions kept;
   kept.up_given = true;
-  const FieldBlock as_it_lies = field_blocks(scene, "scene", kept)[0];
+  const FieldBlock as_it_lies = extract_field_blocks(scene, "scene", kept)[0];
   EXPECT_NEAR(as_it_lies.underside->estimated_volume, block.underside->estimated_volume, 1e-6);
   EXPECT_GT(as_it_lies.underside->down.x(), 0.1);
   EXPECT_LT((as_it_lies.scan.mesh.vertices[0] - rock.vertices[0]).norm(), 1.0);
@@ -113,7 +113,7 @@ TEST(FieldScan, GroundIsTakenAwayFromAMesh) {
 TEST(FieldScan, ASlopeIsTurnedLevelAndThatIsTold) {
   const FieldGround slope(0.2, 0.002, 0, 1.0, 3);
   const TriangleMesh rock = buried_at(turned_rock(10, {0.4, 0.3, 0.25}, 3), 0.0, 0.1, 0.1, slope);
-  const FieldBlock block = field_blocks(merged(rock, ground_mesh(slope, 1.2, 40)), "scene")[0];
+  const FieldBlock block = extract_field_blocks(merged(rock, ground_mesh(slope, 1.2, 40)), "scene")[0];
   const auto& notes = block.scan.notes;
   EXPECT_TRUE(std::any_of(notes.begin(), notes.end(), [](const std::string& note) {
     return note.starts_with("turned by 11.");  // atan 0.2 = 11.3 degrees
@@ -124,18 +124,18 @@ TEST(FieldScan, BareGroundIsRefusedAsSuch) {
   const FieldGround gravel(0.1, 0.004, 100, 1.0, 5);
   const FieldScene scene = field_scene({}, gravel, {.ground = 20000, .noise = 0.001}, 5);
   const std::string message =
-      refusal<GeometryError>([&] { field_blocks(scene.points, "slope.las"); });
+      refusal<GeometryError>([&] { extract_field_blocks(scene.points, "slope.las"); });
   EXPECT_TRUE(contains(message,
                        "slope.las: the largest component is the ground (100 % of the scan) and "
                        "nothing that rises from it is a block"));
   const std::string of_mesh =
-      refusal<GeometryError>([&] { field_blocks(ground_mesh(gravel, 1.0, 50), "slope.ply"); });
+      refusal<GeometryError>([&] { extract_field_blocks(ground_mesh(gravel, 1.0, 50), "slope.ply"); });
   EXPECT_TRUE(contains(of_mesh, "slope.ply: the largest component is the ground"));
 }
 
 TEST(FieldScan, FewPointsAreNoBlock) {
   const std::vector<Vec3> points(100, Vec3(660000.0, 5600000.0, 10.0));
-  EXPECT_EQ(refusal([&] { field_blocks(points, "points.xyz"); }),
+  EXPECT_EQ(refusal([&] { extract_field_blocks(points, "points.xyz"); }),
             "points.xyz: no block: 100 points are too few for one; a scan of a block has 500 at "
             "least");
 }
@@ -158,7 +158,7 @@ TEST(FieldScan, TwoBlocksFarApartAreNotTakenForOne) {
   const std::vector<Vec3> other = rock_points(5, 8000, {40.0, 0.0, 0.0});
   std::vector<Vec3> both = points;
   both.insert(both.end(), other.begin(), other.end());
-  const std::string message = refusal<GeometryError>([&] { field_blocks(both, "two.xyz"); });
+  const std::string message = refusal<GeometryError>([&] { extract_field_blocks(both, "two.xyz"); });
   EXPECT_TRUE(contains(message, "two.xyz: separate sets of points, the second with about "))
       << message;
   EXPECT_TRUE(contains(message, "save each block to a file of its own")) << message;
@@ -166,12 +166,12 @@ TEST(FieldScan, TwoBlocksFarApartAreNotTakenForOne) {
 
 TEST(FieldScan, PointsFarFromTheBlockAreLeftOutAndCounted) {
   const std::vector<Vec3> points = rock_points(4, 8000, Vec3::Zero());
-  const FieldBlock alone = field_blocks(points, "rock.xyz")[0];
+  const FieldBlock alone = extract_field_blocks(points, "rock.xyz")[0];
   std::vector<Vec3> with_scrap = points;
   Random random(7);
   for (int i = 0; i < 300; ++i)
     with_scrap.push_back(Vec3(3.0, 0.0, 5.0) + 0.02 * random.direction());
-  const FieldBlock block = field_blocks(with_scrap, "rock.xyz")[0];
+  const FieldBlock block = extract_field_blocks(with_scrap, "rock.xyz")[0];
   EXPECT_NEAR(solid_volume(block.scan.mesh), solid_volume(alone.scan.mesh),
               0.01 * solid_volume(alone.scan.mesh));
   EXPECT_TRUE(
@@ -187,7 +187,7 @@ TEST(FieldScan, ASecondPieceThatTouchesTheBlockIsNotLeftOutInSilence) {
                  buried_at(rock_mesh(10, {0.4, 0.3, 0.3}, 1), -0.3, 0.0, 0.08, gravel));
   scene = merged(std::move(scene),
                  buried_at(rock_mesh(10, {0.3, 0.3, 0.25}, 2), 0.3, 0.0, 0.08, gravel));
-  const std::vector<FieldBlock> blocks = field_blocks(scene, "pair");
+  const std::vector<FieldBlock> blocks = extract_field_blocks(scene, "pair");
   ASSERT_EQ(blocks.size(), 1u);
   EXPECT_TRUE(
       contains(blocks[0].scan.notes.back(), "another component of the scan that stands close"))
@@ -203,12 +203,12 @@ TEST(FieldScan, ThreeBlocksAreSplitInOrder) {
   TriangleMesh scene = ground_mesh(gravel, 2.0, 160);
   for (const TriangleMesh& rock : rocks) scene = merged(std::move(scene), rock);
   FieldScanOptions options;
-  const std::vector<FieldBlock> one = field_blocks(scene, "scene", options);
+  const std::vector<FieldBlock> one = extract_field_blocks(scene, "scene", options);
   ASSERT_EQ(one.size(), 1u);
   EXPECT_TRUE(
       contains(one[0].scan.notes[1], "3 blocks stand on the ground; the one near the middle"));
   options.split = true;
-  const std::vector<FieldBlock> all = field_blocks(scene, "scene", options);
+  const std::vector<FieldBlock> all = extract_field_blocks(scene, "scene", options);
   ASSERT_EQ(all.size(), 3u);
   const int order[3] = {1, 2, 0};
   for (int k = 0; k < 3; ++k) {
@@ -231,18 +231,18 @@ TEST(FieldScan, MendsOfAnOpenScanAreToldAsThoseOfAClosedOne) {
   open.vertices[top].z() += 0.4;
   FieldScanOptions options;
   options.find_ground = false;
-  const FieldBlock block = field_blocks(open, "open", options)[0];
+  const FieldBlock block = extract_field_blocks(open, "open", options)[0];
   const RepairReport& report = block.scan.report;
   EXPECT_EQ(report.as_read.vertices, vertices);
   EXPECT_GT(report.as_read.boundary_edges, 0u);
-  ASSERT_NE(report.find(DefectKind::kMixedWinding), nullptr);
-  EXPECT_EQ(report.find(DefectKind::kMixedWinding)->count, 1u);
-  ASSERT_NE(report.find(DefectKind::kNoArea), nullptr);
-  EXPECT_EQ(report.find(DefectKind::kNoArea)->count, 1u);
+  ASSERT_NE(report.find(DefectKind::kInconsistentOrientation), nullptr);
+  EXPECT_EQ(report.find(DefectKind::kInconsistentOrientation)->count, 1u);
+  ASSERT_NE(report.find(DefectKind::kDegenerate), nullptr);
+  EXPECT_EQ(report.find(DefectKind::kDegenerate)->count, 1u);
   const Defect* spike = report.find(DefectKind::kSpike);
   ASSERT_NE(spike, nullptr);
   EXPECT_NEAR(spike->size, 0.4, 0.1);
-  EXPECT_LT((*spike->place - open.vertices[top]).norm(), 0.45);
+  EXPECT_LT((*spike->position - open.vertices[top]).norm(), 0.45);
   EXPECT_TRUE(std::any_of(block.scan.notes.begin(), block.scan.notes.end(),
                           [](const std::string& note) { return contains(note, "spike"); }));
 }
@@ -250,7 +250,7 @@ TEST(FieldScan, MendsOfAnOpenScanAreToldAsThoseOfAClosedOne) {
 TEST(FieldScan, TheWayFromTheFileToTheBlockIsTold) {
   const FieldGround slope(0.2, 0.002, 0, 1.0, 3);
   const TriangleMesh rock = buried_at(turned_rock(10, {0.4, 0.3, 0.25}, 3), 0.0, 0.1, 0.1, slope);
-  const FieldBlock block = field_blocks(merged(rock, ground_mesh(slope, 1.2, 40)), "scene")[0];
+  const FieldBlock block = extract_field_blocks(merged(rock, ground_mesh(slope, 1.2, 40)), "scene")[0];
   Vec3 highest = rock.vertices[0];
   for (const Vec3& v : rock.vertices) {
     if (v.z() > highest.z()) highest = v;
@@ -268,7 +268,7 @@ TEST(FieldScan, AScanThatWasClosedBeforeSaysThatItsBoundsKnowLittle) {
   std::erase_if(mesh.triangles, [](const TriangleMesh::Triangle& t) {
     return t[0] == 40 || t[1] == 40 || t[2] == 40;
   });
-  const FieldBlock block = field_blocks(mesh, "rock")[0];
+  const FieldBlock block = extract_field_blocks(mesh, "rock")[0];
   EXPECT_FALSE(block.underside.has_value());  // a gap, and no unseen side
   EXPECT_GT(block.scan.report.filled_fraction, 0.0);
   EXPECT_LT(block.scan.report.filled_fraction, 0.01);
@@ -280,12 +280,12 @@ TEST(FieldScan, AScanThatWasClosedBeforeSaysThatItsBoundsKnowLittle) {
 TEST(FieldScan, CoordinatesBeyondAllReasonAreRefused) {
   TriangleMesh mesh = rock_mesh(6, {0.5, 0.4, 0.3}, 4);
   mesh.vertices[5].x() = 1e200;
-  EXPECT_TRUE(contains(refusal<GeometryError>([&] { field_blocks(mesh, "rock.ply"); }),
+  EXPECT_TRUE(contains(refusal<GeometryError>([&] { extract_field_blocks(mesh, "rock.ply"); }),
                        "rock.ply: vertex 6 lies 1e+200 m from the origin"));
   EXPECT_TRUE(contains(refusal<InputError>([&] {
                          std::vector<Vec3> points(600, Vec3(1.0, 2.0, 3.0));
                          points[77].y() = -1e200;
-                         field_blocks(points, "rock.xyz");
+                         extract_field_blocks(points, "rock.xyz");
                        }),
                        "rock.xyz: a point is not finite or farther than 1e+15 m"));
 }
@@ -311,14 +311,14 @@ TEST(FieldScan, AFileWithTooFewDigitsIsRefusedByTheWholeRouteToo) {
 }
 
 /// A ball with a radius of 0.42 m on a map, in units of so many metres.
-std::vector<Vec3> ball_on_map(double unit, const Vec2& place) {
+std::vector<Vec3> ball_on_map(double unit, const Vec2& position) {
   std::vector<Vec3> points;
   constexpr int kPoints = 3000;
   const double golden = std::acos(-1.0) * (3.0 - std::sqrt(5.0));
   for (int k = 0; k < kPoints; ++k) {
     const double z = 1.0 - 2.0 * (k + 0.5) / kPoints, r = std::sqrt(1.0 - z * z);
     const Vec3 p(r * std::cos(golden * k), r * std::sin(golden * k), z);
-    points.push_back(0.42 / unit * p + Vec3(place.x(), place.y(), 100.0));
+    points.push_back(0.42 / unit * p + Vec3(position.x(), position.y(), 100.0));
   }
   return points;
 }
@@ -327,8 +327,8 @@ std::vector<Vec3> ball_on_map(double unit, const Vec2& place) {
 TEST(FieldScan, ACloudInFeetIsRefusedOrReadInThem) {
   const ScratchFolder folder;
   const double foot = 1200.0 / 3937.0;
-  const auto write = [&](const std::vector<LasKey>& keys, double unit, const Vec2& place) {
-    write_text_file(folder / "ball.las", declared_las({.keys = keys}, ball_on_map(unit, place)));
+  const auto write = [&](const std::vector<LasKey>& keys, double unit, const Vec2& position) {
+    write_text_file(folder / "ball.las", declared_las({.keys = keys}, ball_on_map(unit, position)));
   };
   const auto refused = [&](double unit) {
     return refusal([&] { read_field_scan(folder / "ball.las", {.scan = {.unit = unit}}); });
@@ -367,9 +367,9 @@ TEST(FieldScan, ACloudInMetresIsRead) {
        {500000, 4400000}},
       {{{1024, 3}, {2048, 4978}}, {4194000, 630000}},
       {{{1024, 1}, {3072, 2154}}, {1.0, 2.0}}};
-  for (const auto& [keys, place] : metres) {
+  for (const auto& [keys, position] : metres) {
     // Too few for a block, which is said only after the lengths were checked.
-    std::vector<Vec3> points = ball_on_map(1.0, place);
+    std::vector<Vec3> points = ball_on_map(1.0, position);
     points.resize(20);
     write_text_file(folder / "ball.las", declared_las({.keys = keys}, points));
     EXPECT_TRUE(contains(refusal([&] { read_field_scan(folder / "ball.las"); }), "are too few"))

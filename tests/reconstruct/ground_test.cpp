@@ -4,7 +4,7 @@
 
 #include <iostream>
 
-#include "reconstruct/ground/standing_blocks.hpp"
+#include "reconstruct/ground/blocks_on_ground.hpp"
 #include "tests/support/field_scene.hpp"
 #include "tests/support/refusal.hpp"
 #include "tests/support/rock_mesh.hpp"
@@ -17,7 +17,7 @@ double degrees_between(const Vec3& a, const Vec3& b) {
 }
 
 /// Wrong labels of one block against the truth, as a share of all points.
-double wrong_share(const FieldScene& scene, const StandingBlock& block, int owner) {
+double wrong_share(const FieldScene& scene, const BlockOnGround& block, int owner) {
   std::vector<bool> taken(scene.points.size(), false);
   for (const std::uint32_t i : block.points) taken[i] = true;
   std::size_t wrong = 0;
@@ -79,7 +79,7 @@ TEST(Ground, LocalSurfaceFollowsAHollow) {
   ASSERT_TRUE(ground.has_value());
   for (const double x : {-0.8, -0.3, 0.2, 0.9}) {
     EXPECT_NEAR(ground->height({x, 0.4, bowl(x, 0.4)}), 0.0, 0.003) << x;
-    const Plane below = ground->plane_below({x, 0.4, 1.0}, 0.1);
+    const Plane below = ground->tangent_plane_below({x, 0.4, 1.0}, 0.1);
     EXPECT_LT(degrees_between(below.normal, Vec3(-0.1 * x, -0.04, 1.0)), 0.7) << x;
     EXPECT_NEAR(below.height({x, 0.4, bowl(x, 0.4)}), 0.0, 0.003) << x;
   }
@@ -125,13 +125,13 @@ TEST(Ground, OptionsOutOfRangeAreNamed) {
   EXPECT_TRUE(contains(refusal([] { find_ground({}, {.least_rise = 0.0}); }), "least_rise"));
 }
 
-TEST(StandingBlocks, BlockOnGravelHasHalfAPercentOfWrongPointsAtMost) {
+TEST(BlocksOnGround, BlockOnGravelHasHalfAPercentOfWrongPointsAtMost) {
   for (const std::uint64_t seed : {1u, 2u, 3u}) {
     const FieldGround gravel(0.15, 0.006, 400, 1.0, seed);
     const FieldScene scene = rock_on_slope(gravel, {.noise = 0.0007}, seed);
     const auto ground = find_ground(scene.points);
     ASSERT_TRUE(ground.has_value()) << seed;
-    const StandingBlocks standing = standing_blocks(scene.points, *ground);
+    const BlocksOnGround standing = find_blocks_on_ground(scene.points, *ground);
     ASSERT_EQ(standing.blocks.size(), 1u) << seed;
     const double wrong = wrong_share(scene, standing.blocks[0], 0);
     std::cout << "gravel " << seed << ": " << 100.0 * wrong << " % wrong\n";
@@ -139,7 +139,7 @@ TEST(StandingBlocks, BlockOnGravelHasHalfAPercentOfWrongPointsAtMost) {
   }
 }
 
-TEST(StandingBlocks, ThreeBlocksAreThreeInOrderOfX) {
+TEST(BlocksOnGround, ThreeBlocksAreThreeInOrderOfX) {
   const FieldGround gravel(0.1, 0.004, 200, 2.0, 7);
   const std::vector<TriangleMesh> rocks = {
       buried_at(rock_mesh(10, {0.3, 0.25, 0.2}, 1), 1.1, 0.2, 0.08, gravel),
@@ -149,22 +149,22 @@ TEST(StandingBlocks, ThreeBlocksAreThreeInOrderOfX) {
       rocks, gravel, {.per_block = 15000, .ground = 60000, .noise = 0.001, .half = 2.0}, 8);
   const auto ground = find_ground(scene.points);
   ASSERT_TRUE(ground.has_value());
-  const StandingBlocks standing = standing_blocks(scene.points, *ground);
+  const BlocksOnGround standing = find_blocks_on_ground(scene.points, *ground);
   ASSERT_EQ(standing.blocks.size(), 3u);
   EXPECT_LE(wrong_share(scene, standing.blocks[0], 1), 0.005);
   EXPECT_LE(wrong_share(scene, standing.blocks[1], 2), 0.005);
   EXPECT_LE(wrong_share(scene, standing.blocks[2], 0), 0.005);
   EXPECT_EQ(standing.central, 1u);  // the smallest of all, but in the middle
-  const StandingBlocks again = standing_blocks(scene.points, *find_ground(scene.points));
+  const BlocksOnGround again = find_blocks_on_ground(scene.points, *find_ground(scene.points));
   for (int k = 0; k < 3; ++k) EXPECT_EQ(again.blocks[k].points, standing.blocks[k].points);
 }
 
-TEST(StandingBlocks, BareGroundHasNone) {
+TEST(BlocksOnGround, BareGroundHasNone) {
   const FieldGround gravel(0.1, 0.005, 300, 1.0, 9);
   const FieldScene scene = field_scene({}, gravel, {.ground = 20000, .noise = 0.001}, 9);
   const auto ground = find_ground(scene.points);
   ASSERT_TRUE(ground.has_value());
-  const StandingBlocks standing = standing_blocks(scene.points, *ground);
+  const BlocksOnGround standing = find_blocks_on_ground(scene.points, *ground);
   EXPECT_TRUE(standing.blocks.empty());
   EXPECT_EQ(standing.ground.size(), scene.points.size());
 }

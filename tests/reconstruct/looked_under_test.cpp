@@ -10,7 +10,7 @@
 #include "mesh/sub_mesh.hpp"
 #include "mesh/triangle_tree.hpp"
 #include "reconstruct/repair/components.hpp"
-#include "reconstruct/repair/touching_sheets.hpp"
+#include "reconstruct/repair/non_manifold_split.hpp"
 #include "reconstruct/underside/underside.hpp"
 #include "shapes/oriented_box.hpp"
 #include "tests/support/rock_mesh.hpp"
@@ -46,15 +46,15 @@ class Photographed {
       const Vec3 middle = (body_.vertices[a] + body_.vertices[b] + body_.vertices[c]) / 3.0;
       keep[t] = middle.z() > 0.0 && seen(middle, tree_.face_normal(t), t);
     }
-    TriangleMesh mesh =
-        std::move(reconstruct_detail::components_of(extract_triangles(body_, keep)).front().mesh);
-    reconstruct_detail::split_pinched_vertices(mesh);
+    TriangleMesh mesh = std::move(
+        reconstruct_detail::connected_components(extract_triangles(body_, keep)).front().mesh);
+    reconstruct_detail::split_non_manifold_vertices(mesh);
     return mesh;
   }
   /// Cubes that are clear of rock and ground, and seen by a camera.
-  SeenThrough through() const {
+  FreeSpaceGrid free_space() const {
     const Bounds box = bounds(body_);
-    SeenThrough result;
+    FreeSpaceGrid result;
     result.side = box.diagonal() / 80.0;
     result.corner = box.low - Vec3::Constant(2.0 * result.side);
     for (int axis = 0; axis < 3; ++axis) {
@@ -64,10 +64,10 @@ class Photographed {
     result.empty.resize(result.counts[0] * result.counts[1] * result.counts[2]);
     const double near = 1.5 * result.side;
     for (std::size_t i = 0; i < result.empty.size(); ++i) {
-      const Vec3 place = result.middle(i);
-      if (place.z() < near || place.z() > 0.5 * box.high.z()) continue;
-      if (tree_.signed_distance(place) < near) continue;
-      result.empty[i] = seen(place, Vec3::Zero(), ~0u) ? 1 : 0;
+      const Vec3 position = result.middle(i);
+      if (position.z() < near || position.z() > 0.5 * box.high.z()) continue;
+      if (tree_.signed_distance(position) < near) continue;
+      result.empty[i] = seen(position, Vec3::Zero(), ~0u) ? 1 : 0;
     }
     return result;
   }
@@ -75,11 +75,11 @@ class Photographed {
   Vec3 lengths() const { return smallest_box(body_.vertices).lengths; }
 
  private:
-  bool seen(const Vec3& place, const Vec3& normal, std::uint32_t triangle) const {
+  bool seen(const Vec3& position, const Vec3& normal, std::uint32_t triangle) const {
     static const std::vector<Vec3> kCameras = cameras();
     for (const Vec3& way : kCameras) {
       const bool faces = triangle == ~0u || normal.dot(way) > kSteepest;
-      if (faces && !tree_.first_exit(place, way, triangle)) return true;
+      if (faces && !tree_.first_exit(position, way, triangle)) return true;
     }
     return false;
   }
@@ -100,9 +100,9 @@ const Plane kGround{Vec3::UnitZ(), 0.0};
 TEST(LookedUnder, ABallStandsOnItsFoot) {
   const Photographed ball(standing(unit_sphere(24), 0.02));
   const TriangleMesh open = ball.open();
-  const SeenThrough through = ball.through();
+  const FreeSpaceGrid free_space = ball.free_space();
   const Underside without = *close_underside(open, {.ground = kGround});
-  const Underside with = *close_underside(open, {.ground = kGround, .through = &through});
+  const Underside with = *close_underside(open, {.ground = kGround, .free_space = &free_space});
   std::cout << ball.volume() << ": " << *without.upper_volume << " -> " << *with.upper_volume
             << "\n";
   EXPECT_EQ(with.lower_volume, without.lower_volume);
@@ -115,10 +115,10 @@ TEST(LookedUnder, ABallStandsOnItsFoot) {
 TEST(LookedUnder, WithoutKnowledgeTheBracketStays) {
   const TriangleMesh open = Photographed(standing(unit_sphere(16), 0.02)).open();
   const Underside without = *close_underside(open, {.ground = kGround});
-  const SeenThrough none;
-  const SeenThrough far{Vec3::Constant(100.0), 0.05, {2, 2, 2}, std::vector<std::uint8_t>(8, 1)};
-  for (const SeenThrough* through : {&none, &far}) {
-    const Underside with = *close_underside(open, {.ground = kGround, .through = through});
+  const FreeSpaceGrid none;
+  const FreeSpaceGrid far{Vec3::Constant(100.0), 0.05, {2, 2, 2}, std::vector<std::uint8_t>(8, 1)};
+  for (const FreeSpaceGrid* free_space : {&none, &far}) {
+    const Underside with = *close_underside(open, {.ground = kGround, .free_space = free_space});
     EXPECT_EQ(with.upper_volume, without.upper_volume);
     EXPECT_EQ(with.estimated_volume, without.estimated_volume);
   }
@@ -148,16 +148,16 @@ TEST(LookedUnder, UndercutRocksInManyPosesKeepTheirVolumeInTheBracket) {
       const double buried = random.uniform(0.0, 0.12), foot = random.uniform(0.3, 0.8);
       const TriangleMesh turned = transformed(rock, Pose{Vec3::Zero(), random.rotation()});
       const Photographed body(standing(undercut(turned, foot), buried));
-      const SeenThrough through = body.through();
+      const FreeSpaceGrid free_space = body.free_space();
       const TriangleMesh open = body.open();
       const Underside without = *close_underside(open, {.ground = kGround});
-      const Underside with = *close_underside(open, {.ground = kGround, .through = &through});
+      const Underside with = *close_underside(open, {.ground = kGround, .free_space = &free_space});
       const double truth = body.volume();
       ASSERT_TRUE(without.upper_volume.has_value()) << seed << " " << pose;
       std::cout << 100.0 * buried << " % buried, foot " << foot << ": lower "
-                << with.lower_volume / truth << ", best " << without.estimated_volume / truth << " -> "
-                << with.estimated_volume / truth << ", upper " << *without.upper_volume / truth << " -> "
-                << *with.upper_volume / truth << "\n";
+                << with.lower_volume / truth << ", best " << without.estimated_volume / truth
+                << " -> " << with.estimated_volume / truth << ", upper "
+                << *without.upper_volume / truth << " -> " << *with.upper_volume / truth << "\n";
       ++poses;
       inside += with.upper_volume >= truth && with.lower_volume <= truth ? 1 : 0;
       EXPECT_TRUE(with.upper_volume >= truth || without.upper_volume < truth)

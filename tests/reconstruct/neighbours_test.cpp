@@ -32,7 +32,7 @@ TEST(Neighbours, ThatAreSmallLowerTheLowerBounds) {
   const double ball = 4.0 / 3.0 * kPi * 0.125;
   std::uint64_t seed = 1;
   for (const double radius : {0.1, 0.14, 0.18}) {
-    const FieldBlock block = field_blocks(balls_that_touch(radius, seed++), "balls")[0];
+    const FieldBlock block = extract_field_blocks(balls_that_touch(radius, seed++), "balls")[0];
     ASSERT_TRUE(block.bounds && block.bounds->sides) << radius;
     EXPECT_LE(block.bounds->lower_volume, ball) << radius;
     EXPECT_GE(block.bounds->upper_volume.value(), ball) << radius;
@@ -49,7 +49,7 @@ TEST(Neighbours, ThatAreLargeAreRefused) {
   std::uint64_t seed = 4;
   for (const double radius : {0.25, 0.35, 0.5}) {
     EXPECT_TRUE(contains(
-        refusal<GeometryError>([&] { field_blocks(balls_that_touch(radius, seed++), "balls"); }),
+        refusal<GeometryError>([&] { extract_field_blocks(balls_that_touch(radius, seed++), "balls"); }),
         "two bodies that touch in a seam"))
         << radius;
   }

@@ -22,7 +22,7 @@ TEST(RealBlocks, BecomeRoundedBlocksCloseToTheScan) {
     const bool porous = row["euler"] != "2";
     // Tunnels need vertices to stay open.
     const std::size_t most = porous ? 320 : 250;
-    const TriangleMesh thin = simplified(scan, {.target_vertices = most});
+    const TriangleMesh thin = simplify_mesh(scan, {.target_vertices = most});
     EXPECT_LE(thin.vertices.size(), most);
     EXPECT_TRUE(find_self_intersections(thin).empty());
     EXPECT_NEAR(enclosed_volume(thin) / enclosed_volume(scan), 1.0, 1e-3);

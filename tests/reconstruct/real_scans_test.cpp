@@ -53,7 +53,7 @@ TEST(RealScans, AreSimplifiedToAtMostTheVerticesAskedFor) {
     for (const std::size_t most : {50u, 100u, 150u}) {
       SCOPED_TRACE(std::string(file) + ", " + std::to_string(most));
       try {
-        const TriangleMesh light = simplified(scan.mesh, {.target_vertices = most});
+        const TriangleMesh light = simplify_mesh(scan.mesh, {.target_vertices = most});
         EXPECT_LE(light.vertices.size(), most);
         EXPECT_TRUE(find_self_intersections(light).empty());
         ++made;
@@ -62,7 +62,7 @@ TEST(RealScans, AreSimplifiedToAtMostTheVerticesAskedFor) {
         const std::size_t at = message.find("ask for ");
         ASSERT_NE(at, std::string::npos) << message;
         const std::size_t enough = std::stoul(message.substr(at + 8));
-        EXPECT_LE(simplified(scan.mesh, {.target_vertices = enough}).vertices.size(), enough);
+        EXPECT_LE(simplify_mesh(scan.mesh, {.target_vertices = enough}).vertices.size(), enough);
       }
     }
   }

@@ -27,8 +27,8 @@ const TriangleMesh& rock() {
   return mesh;
 }
 
-TriangleMesh at(TriangleMesh mesh, const Vec3& place) {
-  return transformed(std::move(mesh), Pose{place, Quat::Identity()});
+TriangleMesh at(TriangleMesh mesh, const Vec3& position) {
+  return transformed(std::move(mesh), Pose{position, Quat::Identity()});
 }
 
 void expect_sound(const TriangleMesh& mesh) {
@@ -74,14 +74,14 @@ TEST(Repair, AHoleInAFineMeshJoinsNoVertices) {
 }
 
 TEST(Repair, ASoundMeshKeepsEveryBitWhereverItLies) {
-  for (const Vec3& place : {Vec3(0, 0, 0), Vec3(888600.123, 6671300.456, 1234.5)}) {
-    const TriangleMesh mesh = at(rock(), place);
+  for (const Vec3& position : {Vec3(0, 0, 0), Vec3(888600.123, 6671300.456, 1234.5)}) {
+    const TriangleMesh mesh = at(rock(), position);
     const RepairedMesh result = repair_mesh(mesh);
     EXPECT_EQ(result.mesh.vertices, mesh.vertices);
     EXPECT_EQ(result.mesh.triangles, mesh.triangles);
     EXPECT_TRUE(result.report.defects.empty());
     EXPECT_EQ(result.report.filled_fraction, 0.0);
-    EXPECT_TRUE(repair_notes(result.report).empty());
+    EXPECT_TRUE(describe_repairs(result.report).empty());
   }
 }
 
@@ -98,8 +98,8 @@ TEST(Repair, AHoleInASphereIsFilledRoundAndMeasured) {
   EXPECT_NEAR(hole.perimeter, 2.0 * kPi * rim, 0.25);  // it runs in zigzags
   EXPECT_NEAR(hole.centre.z(), height, 0.02);
   // A cap's share of the sphere's area is half its height over the radius.
-  EXPECT_NEAR(hole.area_share, 0.5 * (1.0 - height), 0.01);
-  EXPECT_EQ(result.report.filled_fraction, hole.area_share);
+  EXPECT_NEAR(hole.area_fraction, 0.5 * (1.0 - height), 0.01);
+  EXPECT_EQ(result.report.filled_fraction, hole.area_fraction);
   EXPECT_NEAR(enclosed_volume(result.mesh) / enclosed_volume(sphere), 1.0, 1e-3);
   for (const Vec3& v : result.mesh.vertices) EXPECT_NEAR(v.norm(), 1.0, 0.01);
 }
@@ -109,14 +109,14 @@ TEST(Repair, AHoleOfMoreThanATenthIsToldOfByItself) {
   const RepairedMesh large = repair_mesh(beheaded(unit_sphere(16), 0.7));
   const auto notes = [](const RepairedMesh& result) {
     std::string text;
-    for (const std::string& note : repair_notes(result.report)) text += note + "\n";
+    for (const std::string& note : describe_repairs(result.report)) text += note + "\n";
     return text;
   };
   EXPECT_TRUE(contains(notes(small), "1 hole filled; the largest has "));
   EXPECT_TRUE(contains(notes(small), " % of the surface is invented: no scan saw"));
   EXPECT_FALSE(contains(notes(small), "a guess"));
   EXPECT_TRUE(contains(notes(large), " % of the surface: a guess that volume and axes depend on"));
-  EXPECT_GT(large.report.holes[0].area_share, kLargeHole);
+  EXPECT_GT(large.report.holes[0].area_fraction, kLargeHole);
 }
 
 TEST(Repair, AnOpenSheetIsRefusedAsGround) {
@@ -201,7 +201,7 @@ TEST(Repair, ASheetScannedTwiceIsDroppedLooseOrWeldedAtItsRim) {
     const RepairedMesh result = repair_mesh(dirty);
     expect_sound(result.mesh);
     EXPECT_NEAR(enclosed_volume(result.mesh) / enclosed_volume(rock()), 1.0, 1e-9);
-    EXPECT_EQ(count(result, welded_rim ? DefectKind::kFin : DefectKind::kDoubleSheet),
+    EXPECT_EQ(count(result, welded_rim ? DefectKind::kFin : DefectKind::kDuplicateSheet),
               welded_rim ? doubled : 1u);
   }
 }

@@ -16,8 +16,8 @@
 namespace clast {
 namespace {
 
-TriangleMesh moved_to(TriangleMesh mesh, const Vec3& place) {
-  return transformed(std::move(mesh), Pose{place, Quat::Identity()});
+TriangleMesh moved_to(TriangleMesh mesh, const Vec3& position) {
+  return transformed(std::move(mesh), Pose{position, Quat::Identity()});
 }
 
 TriangleMesh inverted(TriangleMesh mesh) {
@@ -120,7 +120,7 @@ TEST(Scan, ACoreWithLargerHolesIsRefusedWithTheirCountSizeAndPlace) {
   TriangleMesh box = box_mesh({1, 1, 1}, 3);
   box.triangles.resize(box.triangles.size() - 4);  // two cells: six border edges
   box.triangles.erase(box.triangles.begin());
-  const std::string message = scan_refusal(box, {.repair = {.invent = false}});
+  const std::string message = scan_refusal(box, {.repair = {.fill_missing = false}});
   EXPECT_HAS(message,
              "B017: the surface is not closed: 9 open edges in 2 holes: 6 edges and 2 m round near "
              "(1, ");
@@ -132,14 +132,14 @@ TEST(Scan, ACoreWithLargerHolesIsRefusedWithTheirCountSizeAndPlace) {
 TEST(Scan, ACoreWithNonManifoldEdgesIsRefusedWithCountAndPlace) {
   // Two cubes that share one edge, welded: four triangles on it.
   const TriangleMesh two = merged(box_mesh({1, 1, 1}), moved_to(box_mesh({1, 1, 1}), {1, 1, 0}));
-  EXPECT_HAS(scan_refusal(two, {.repair = {.invent = false}}),
+  EXPECT_HAS(scan_refusal(two, {.repair = {.fill_missing = false}}),
              "1 edge shared by more than two triangles, near (1, 1, ");
 }
 
 TEST(Scan, PlacesInMessagesAreInTheFilesOwnCoordinates) {
   TriangleMesh open = moved_to(box_mesh({1000, 1000, 1000}, 2), {888600000, 0, 0});
   open.triangles.resize(open.triangles.size() - 8);
-  EXPECT_HAS(scan_refusal(open, {.unit = 0.001, .up = "y", .repair = {.invent = false}}),
+  EXPECT_HAS(scan_refusal(open, {.unit = 0.001, .up = "y", .repair = {.fill_missing = false}}),
              "8 edges and 4 m round near (88860");
 }
 
@@ -344,7 +344,7 @@ TEST(Scan, FilesAreNamedInRefusals) {
   open.triangles.resize(30);
   write_mesh(folder / "B018.stl", open);
   try {
-    read_scan(folder / "B018.stl", {.repair = {.invent = false}});
+    read_scan(folder / "B018.stl", {.repair = {.fill_missing = false}});
     FAIL();
   } catch (const GeometryError& error) {
     EXPECT_HAS(std::string(error.what()), "B018.stl: the surface is not closed");

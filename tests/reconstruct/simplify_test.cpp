@@ -15,14 +15,14 @@ namespace {
 
 TEST(Simplify, AtOrBelowTheTargetNothingChanges) {
   for (const TriangleMesh& mesh : {tetrahedron(), box_mesh({1, 1, 1}), random_rock(1)}) {
-    const TriangleMesh same = simplified(mesh, {.target_vertices = mesh.vertices.size()});
+    const TriangleMesh same = simplify_mesh(mesh, {.target_vertices = mesh.vertices.size()});
     EXPECT_EQ(same.vertices, mesh.vertices);
     EXPECT_EQ(same.triangles, mesh.triangles);
   }
 }
 
 TEST(Simplify, SubdividedBoxBecomesItsEightCorners) {
-  const TriangleMesh thin = simplified(box_mesh({1, 2, 3}, 6), {.target_vertices = 8});
+  const TriangleMesh thin = simplify_mesh(box_mesh({1, 2, 3}, 6), {.target_vertices = 8});
   EXPECT_EQ(thin.vertices.size(), 8u);
   EXPECT_NEAR(enclosed_volume(thin), 6.0, 1e-9);
   EXPECT_NEAR(surface_area(thin), 22.0, 1e-9);
@@ -31,16 +31,16 @@ TEST(Simplify, SubdividedBoxBecomesItsEightCorners) {
 TEST(Simplify, MapCoordinatesGiveTheSameShape) {
   const Vec3 offset(888600, 6671300, 200);
   const TriangleMesh rock = random_rock(2, 4);
-  const TriangleMesh near = simplified(rock, {.target_vertices = 100});
+  const TriangleMesh near = simplify_mesh(rock, {.target_vertices = 100});
   const TriangleMesh far =
-      simplified(transformed(rock, Pose{offset, Quat::Identity()}), {.target_vertices = 100});
+      simplify_mesh(transformed(rock, Pose{offset, Quat::Identity()}), {.target_vertices = 100});
   EXPECT_EQ(far.vertices.size(), near.vertices.size());
   EXPECT_NEAR(enclosed_volume(far) / enclosed_volume(near), 1.0, 1e-3);
 }
 
 TEST(Simplify, SameInputGivesTheSameBits) {
   const TriangleMesh rock = random_rock(3, 4);
-  const TriangleMesh a = simplified(rock), b = simplified(rock);
+  const TriangleMesh a = simplify_mesh(rock), b = simplify_mesh(rock);
   EXPECT_EQ(a.vertices, b.vertices);
   EXPECT_EQ(a.triangles, b.triangles);
 }
@@ -48,8 +48,8 @@ TEST(Simplify, SameInputGivesTheSameBits) {
 TEST(Simplify, OpenMeshAndTinyTargetAreRefused) {
   TriangleMesh open = random_rock(4);
   open.triangles.pop_back();
-  EXPECT_THROW(simplified(open, {.target_vertices = 50}), GeometryError);
-  EXPECT_THROW(simplified(random_rock(4), {.target_vertices = 3}), InputError);
+  EXPECT_THROW(simplify_mesh(open, {.target_vertices = 50}), GeometryError);
+  EXPECT_THROW(simplify_mesh(random_rock(4), {.target_vertices = 3}), InputError);
 }
 
 TEST(Simplify, SurfaceThatPassesThroughItselfIsRefused) {
@@ -60,7 +60,7 @@ TEST(Simplify, SurfaceThatPassesThroughItselfIsRefused) {
   }
   EXPECT_FALSE(find_self_intersections(box).empty());
   try {
-    simplified(box, {.target_vertices = 200});
+    simplify_mesh(box, {.target_vertices = 200});
     FAIL();
   } catch (const GeometryError& error) {
     EXPECT_NE(std::string(error.what()).find("the scan also intersects itself"), std::string::npos);
@@ -96,7 +96,7 @@ TEST(Simplify, TunnelTooNarrowForTheVerticesIsClosed) {
   const TriangleMesh rock = pierced(random_rock(7, 5, 0.02), 3, 700);
   ASSERT_TRUE(find_self_intersections(rock).empty());
   ASSERT_EQ(inspect_mesh(rock).euler_characteristic, 0);
-  const TriangleMesh thin = simplified(rock, {.target_vertices = 60});
+  const TriangleMesh thin = simplify_mesh(rock, {.target_vertices = 60});
   const MeshReport report = inspect_mesh(thin);
   EXPECT_TRUE(report.is_closed() && report.is_oriented()) << report.summary();
   EXPECT_EQ(report.euler_characteristic, 2);
@@ -108,10 +108,10 @@ TEST(Simplify, TunnelTooNarrowForTheVerticesIsClosed) {
 TEST(Simplify, FansThatWouldTakeHoursAreRefused) {
   const TriangleMesh fans = spindle(2000);
   const std::string message =
-      refusal<GeometryError>([&] { simplified(fans, {.target_vertices = 100}); });
+      refusal<GeometryError>([&] { simplify_mesh(fans, {.target_vertices = 100}); });
   EXPECT_TRUE(contains(message, "2000 triangles meet at one vertex")) << message;
   EXPECT_TRUE(contains(message, "remesh")) << message;
-  EXPECT_EQ(simplified(fans, {.target_vertices = 2002}).vertices.size(), 2002u);
+  EXPECT_EQ(simplify_mesh(fans, {.target_vertices = 2002}).vertices.size(), 2002u);
 }
 
 TEST(SelfIntersection, SoundShapesHaveNoneAndAPokedBoxHasSome) {
@@ -130,7 +130,7 @@ class ThinnedRocks : public testing::TestWithParam<int> {};
 TEST_P(ThinnedRocks, AreClosedSimpleAndKeepTheVolume) {
   const TriangleMesh rock = random_rock(GetParam(), 4, 0.02);
   for (const std::size_t target : {400u, 120u, 30u}) {
-    const TriangleMesh thin = simplified(rock, {.target_vertices = target});
+    const TriangleMesh thin = simplify_mesh(rock, {.target_vertices = target});
     const MeshReport report = inspect_mesh(thin);
     EXPECT_TRUE(report.is_closed() && report.is_oriented()) << report.summary();
     EXPECT_EQ(report.euler_characteristic, 2);

@@ -31,7 +31,7 @@ struct Torn {
 
 Torn tear(const TriangleMesh& rock, double rock_volume, const Vec3& sides, double share,
           std::uint64_t seed) {
-  const FieldBlock block = field_blocks(without_triangles(rock, share, seed), "torn")[0];
+  const FieldBlock block = extract_field_blocks(without_triangles(rock, share, seed), "torn")[0];
   Torn torn;
   const double volume = solid_mass_properties(block.scan.mesh, 1.0).volume;
   const Vec3 lengths = smallest_box(block.scan.mesh.vertices).lengths;

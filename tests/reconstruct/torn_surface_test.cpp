@@ -12,7 +12,7 @@
 #include "reconstruct/repair/detail/loop_filling.hpp"
 #include "reconstruct/repair/hole_loops.hpp"
 #include "reconstruct/repair/holes.hpp"
-#include "reconstruct/repair/ragged_holes.hpp"
+#include "reconstruct/repair/missing_faces.hpp"
 #include "shapes/oriented_box.hpp"
 #include "tests/shapes/shape_samples.hpp"
 #include "tests/support/cut_blocks.hpp"
@@ -74,10 +74,10 @@ TEST(HoleLoops, TrianglesMissingAroundAVertexAreHolesOfTheirOwn) {
   TriangleMesh torn = sphere;
   for (const std::size_t k : {0u, 2u, 4u}) torn.triangles[ring[k]] = {0, 0, 0};
   std::erase_if(torn.triangles, [](const Triangle& t) { return t[0] == t[1]; });
-  const auto loops = reconstruct_detail::hole_loops(torn);
+  const auto loops = reconstruct_detail::find_hole_loops(torn);
   ASSERT_EQ(loops.size(), 3u);
   for (const auto& loop : loops) EXPECT_EQ(loop.size(), 3u);
-  EXPECT_EQ(reconstruct_detail::close_ragged_holes(torn).size(), 3u);
+  EXPECT_EQ(reconstruct_detail::retriangulate_missing_faces(torn).size(), 3u);
   expect_closed_and_sound(torn);
   EXPECT_NEAR(solid_volume(torn), solid_volume(sphere), 1e-12);
 }
@@ -101,11 +101,11 @@ TEST(HoleLoops, AScrapThatHangsAtACornerIsKeptAndTurned) {
   for (Triangle& t : torn.triangles) {
     if (t == scrap) std::swap(t[1], t[2]);
   }
-  EXPECT_EQ(reconstruct_detail::turn_hanging_scraps(torn), 1u);
-  const auto loops = reconstruct_detail::hole_loops(torn);
+  EXPECT_EQ(reconstruct_detail::orient_vertex_attached_fragments(torn), 1u);
+  const auto loops = reconstruct_detail::find_hole_loops(torn);
   ASSERT_EQ(loops.size(), 1u);
   EXPECT_EQ(std::count(loops[0].begin(), loops[0].end(), kept), 2);
-  const std::vector<FilledHole> filled = reconstruct_detail::close_ragged_holes(torn);
+  const std::vector<FilledHole> filled = reconstruct_detail::retriangulate_missing_faces(torn);
   EXPECT_EQ(filled.size(), 1u);
   expect_closed_and_sound(torn);
   EXPECT_NEAR(solid_volume(torn) / solid_volume(sphere), 1.0, 5e-3);
@@ -116,17 +116,17 @@ TEST(LoopFilling, ASquareIsBetweenItsTwoTriangulations) {
   saddle.vertices = {{0, 0, 0.2}, {1, 0, 0}, {1, 1, 0.2}, {0, 1, 0}};
   const std::vector<std::uint32_t> loop = {0, 1, 2, 3};
   const std::vector<Vec3> level(4, Vec3::UnitZ());
-  const auto filling = reconstruct_detail::fill_loop(saddle, loop, level, {});
+  const auto filling = reconstruct_detail::triangulate_loop(saddle, loop, level, {});
   ASSERT_TRUE(filling);
   // The two diagonals are a tetrahedron apart: base 1/2, height 0.4.
   EXPECT_NEAR(filling->volume_below + filling->volume_above, 0.5 * 0.4 / 3.0, 1e-12);
   // Joined by an edge already, two corners are not joined again.
-  const auto other = reconstruct_detail::fill_loop(saddle, loop, level, {{0, 2}});
+  const auto other = reconstruct_detail::triangulate_loop(saddle, loop, level, {{0, 2}});
   ASSERT_TRUE(other);
   for (const Triangle& t : other->triangles) {
     EXPECT_TRUE(std::count(t.begin(), t.end(), 1u) == 1 && std::count(t.begin(), t.end(), 3u) == 1);
   }
-  EXPECT_FALSE(reconstruct_detail::fill_loop(saddle, loop, level, {{0, 2}, {1, 3}}));
+  EXPECT_FALSE(reconstruct_detail::triangulate_loop(saddle, loop, level, {{0, 2}, {1, 3}}));
 }
 
 /// The cap of a ball lies under the cone of the tangents at its rim: A h / 3 with h the height at
@@ -143,7 +143,8 @@ TEST(LoopFilling, TangentConesHoldTheCapOfABall) {
     border.push_back(at(2.0 * kPi * i / kCorners));
     normals.push_back(at(2.0 * kPi * (i + 0.5) / kCorners));
   }
-  const reconstruct_detail::TangentCones cones = reconstruct_detail::tangent_cones(border, normals);
+  const reconstruct_detail::TangentConeVolumes cones =
+      reconstruct_detail::tangent_cone_volumes(border, normals);
   const double rim = std::sin(angle), height = rim * std::tan(angle);
   EXPECT_NEAR(cones.above, kPi * rim * rim * height / 3.0, 1e-3 * cones.above);
   EXPECT_EQ(cones.below, 0.0);
@@ -160,7 +161,7 @@ TEST(TornSurface, TheBoundsOfTheHolesAreThoseOfTheWholeWhicheverWayItFaced) {
     if (inward) {
       for (Triangle& t : torn.triangles) std::swap(t[1], t[2]);
     }
-    const FieldBlock block = field_blocks(torn, "torn")[0];
+    const FieldBlock block = extract_field_blocks(torn, "torn")[0];
     ASSERT_TRUE(block.underside.has_value());
     const RepairReport& report = block.scan.report;
     for (const FilledHole& hole : report.holes) {
@@ -179,7 +180,8 @@ TEST_P(TornRocks, ComeBackToTheLastVertexAndWithTheirVolume) {
   for (std::uint64_t seed = 0; seed < 3; ++seed) {
     SCOPED_TRACE(seed);
     const TriangleMesh rock = rough_rock_mesh(12, {0.5, 0.4, 0.3}, seed, 0.1);
-    const FieldBlock block = field_blocks(without_triangles(rock, GetParam(), seed), "torn")[0];
+    const FieldBlock block =
+        extract_field_blocks(without_triangles(rock, GetParam(), seed), "torn")[0];
     expect_closed_and_sound(block.scan.mesh);
     EXPECT_FALSE(block.underside);
     EXPECT_LT(box_error(block.scan.mesh, rock), 1e-3);
@@ -199,7 +201,8 @@ TEST(TornSurface, CoarseRocksAreBracketed) {
     for (std::uint64_t seed = 0; seed < 20; ++seed) {
       SCOPED_TRACE(std::to_string(frequency) + " " + std::to_string(seed));
       const TriangleMesh rock = rock_mesh(frequency, {0.5, 0.4, 0.3}, seed);
-      const FieldBlock block = field_blocks(without_triangles(rock, 0.15, seed), "coarse")[0];
+      const FieldBlock block =
+          extract_field_blocks(without_triangles(rock, 0.15, seed), "coarse")[0];
       ASSERT_FALSE(block.underside);
       const RepairReport& report = block.scan.report;
       EXPECT_LE(solid_volume(rock), solid_volume(block.scan.mesh) + report.volume_above + 1e-12);
@@ -212,7 +215,7 @@ TEST(TornSurface, CoarseRocksAreBracketed) {
 TEST(TornSurface, MissingVerticesAreFilledAsTheirSurroundingsSay) {
   for (const double share : {0.02, 0.06}) {
     const TriangleMesh rock = rock_mesh(16, {0.5, 0.4, 0.3}, 4);
-    const FieldBlock block = field_blocks(without_vertices(rock, share, 9), "torn")[0];
+    const FieldBlock block = extract_field_blocks(without_vertices(rock, share, 9), "torn")[0];
     expect_closed_and_sound(block.scan.mesh);
     EXPECT_FALSE(block.underside);
     EXPECT_LT(box_error(block.scan.mesh, rock), 0.005);
@@ -225,8 +228,8 @@ TEST(TornSurface, ATornBlockOnTheGroundKeepsItsUnseenSide) {
   std::size_t checked = 0;
   for (const CutBlock& cut : cut_blocks(rock_mesh(14, {0.5, 0.4, 0.3}, 2), 4, 5)) {
     if (cut.seen > 0.97) continue;
-    const FieldBlock whole = field_blocks(cut.open, "cut")[0];
-    const FieldBlock torn = field_blocks(without_triangles(cut.open, 0.1, 3), "torn")[0];
+    const FieldBlock whole = extract_field_blocks(cut.open, "cut")[0];
+    const FieldBlock torn = extract_field_blocks(without_triangles(cut.open, 0.1, 3), "torn")[0];
     ASSERT_TRUE(whole.underside && torn.underside);
     EXPECT_NEAR(torn.underside->lower_volume / whole.underside->lower_volume, 1.0, 0.01);
     EXPECT_NEAR(torn.underside->upper_volume.value() / whole.underside->upper_volume.value(), 1.0,
@@ -248,11 +251,12 @@ TEST(TornSurface, AnUnseenSideIsLargeAndWide) {
   const auto seen_area = [](double radius, double share) {
     return kPi * radius * radius * (1.0 / share - 1.0);
   };
-  EXPECT_TRUE(reconstruct_detail::is_unseen_side(round_border(60, 1.0), seen_area(1.0, 0.02)));
-  EXPECT_FALSE(reconstruct_detail::is_unseen_side(round_border(60, 1.0), seen_area(1.0, 0.005)));
+  EXPECT_TRUE(reconstruct_detail::is_unobserved_side(round_border(60, 1.0), seen_area(1.0, 0.02)));
+  EXPECT_FALSE(
+      reconstruct_detail::is_unobserved_side(round_border(60, 1.0), seen_area(1.0, 0.005)));
   // 12 sides round: two triangles wide.
-  EXPECT_FALSE(reconstruct_detail::is_unseen_side(round_border(12, 1.0), seen_area(1.0, 0.02)));
-  EXPECT_TRUE(reconstruct_detail::is_unseen_side(round_border(12, 1.0), seen_area(1.0, 0.06)));
+  EXPECT_FALSE(reconstruct_detail::is_unobserved_side(round_border(12, 1.0), seen_area(1.0, 0.02)));
+  EXPECT_TRUE(reconstruct_detail::is_unobserved_side(round_border(12, 1.0), seen_area(1.0, 0.06)));
 }
 
 }  // namespace

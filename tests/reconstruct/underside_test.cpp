@@ -9,7 +9,7 @@
 #include "mesh/self_intersection.hpp"
 #include "mesh/sub_mesh.hpp"
 #include "reconstruct/repair/components.hpp"
-#include "reconstruct/repair/touching_sheets.hpp"
+#include "reconstruct/repair/non_manifold_split.hpp"
 #include "shapes/oriented_box.hpp"
 #include "tests/support/cut_blocks.hpp"
 #include "tests/support/odd_bodies.hpp"
@@ -147,20 +147,20 @@ TEST(Underside, TheRangeHoldsABallHoweverDeepItIsBuried) {
 // The wall of a tunnel was not seen: what is between its mouths may be empty.
 TEST(Underside, ATunnelWhoseWallWasNotSeenLeavesTheLowerBound) {
   for (const double thick : {0.12, 0.15, 0.2}) {
-    for (const double unseen : {40.0, 60.0, 75.0}) {
-      const TriangleMesh open = torus_without_inner_wall(0.3, thick, unseen);
+    for (const double unobserved : {40.0, 60.0, 75.0}) {
+      const TriangleMesh open = torus_without_inner_wall(0.3, thick, unobserved);
       const std::optional<Underside> side = close_underside(open, {});
       ASSERT_TRUE(side);
       const double whole = 2.0 * kPi * kPi * 0.3 * thick * thick;
-      EXPECT_LE(side->lower_volume, 0.99 * whole) << thick << ", " << unseen;
-      EXPECT_GE(side->lower_volume, 0.5 * whole) << thick << ", " << unseen;
+      EXPECT_LE(side->lower_volume, 0.99 * whole) << thick << ", " << unobserved;
+      EXPECT_GE(side->lower_volume, 0.5 * whole) << thick << ", " << unobserved;
       if (side->upper_volume) {
         EXPECT_GE(*side->upper_volume, 0.99 * whole);
       }
       EXPECT_TRUE(
           std::any_of(side->notes.begin(), side->notes.end(),
                       [](const std::string& note) { return contains(note, "a tunnel may join"); }))
-          << thick << ", " << unseen;
+          << thick << ", " << unobserved;
     }
   }
 }
@@ -212,7 +212,7 @@ TEST(Underside, BothShapesAreClosedAndKeepWhatWasSeen) {
       EXPECT_TRUE(std::equal(block.open.triangles.begin(), block.open.triangles.end(),
                              mesh->triangles.begin()));
     }
-    EXPECT_EQ(side.first_invented, block.open.triangles.size());
+    EXPECT_EQ(side.first_filling, block.open.triangles.size());
     EXPECT_GE(solid_volume(side.lower), side.lower_volume);
     EXPECT_NEAR(solid_volume(side.best), side.estimated_volume, 1e-9);
     EXPECT_TRUE(find_self_intersections(side.best).empty());
@@ -272,8 +272,9 @@ TriangleMesh without_overhangs(const TriangleMesh& body, double steepest) {
     const Vec3 normal = (q - p).cross(r - p).normalized();
     keep[t] = normal.z() > -steepest || (p.z() + q.z() + r.z()) / 3.0 > middle;
   }
-  TriangleMesh seen = reconstruct_detail::components_of(extract_triangles(body, keep)).front().mesh;
-  reconstruct_detail::split_pinched_vertices(seen);
+  TriangleMesh seen =
+      reconstruct_detail::connected_components(extract_triangles(body, keep)).front().mesh;
+  reconstruct_detail::split_non_manifold_vertices(seen);
   return seen;
 }
 
@@ -298,8 +299,8 @@ TEST(Underside, UndercutBlocksAreInsideTheBracket) {
       inside += below <= 0.0 && above <= 0.0;
       worst_miss = std::max({worst_miss, below, above});
       worst_best = std::max(worst_best, std::abs(side.estimated_volume / truth - 1.0));
-      const double unseen = 1.0 - surface_area(seen) / surface_area(body);
-      least_told = std::min(least_told, side.filled_fraction / unseen);
+      const double unobserved = 1.0 - surface_area(seen) / surface_area(body);
+      least_told = std::min(least_told, side.filled_fraction / unobserved);
     }
   }
   std::cout << inside << " of " << count << " inside, worst miss " << worst_miss

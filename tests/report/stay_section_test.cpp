@@ -23,9 +23,9 @@ TEST(StaySection, SaysHowBlocksWereInEachOthersWay) {
   results.planned_runs = 6;
   for (std::uint32_t run = 0; run < 6; ++run) results.stays.push_back({.run = run});
   const double side = results.blocks[results.runs[2].block].axes.S;
-  results.stays[2].moved_later = 0.09 * side;  // its contacts yielded
-  results.stays[3].moved_later = 2.5;
-  results.stays[4].moved_later = 1.25;
+  results.stays[2].later_displacement = 0.09 * side;  // its contacts yielded
+  results.stays[3].later_displacement = 2.5;
+  results.stays[4].later_displacement = 1.25;
   results.stays[4].blocks_hit = 2;
   results.stays[5].blocks_hit = 1;
   results.stays[5].removed_at = 12.0;

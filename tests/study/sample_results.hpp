@@ -48,7 +48,7 @@ inline CampaignResults sample_header() {
   header.ground[0].soil_memory = 0.2;
   header.ground_sets = {{"", 0, header.ground}, {"hard", 1, {{0.02, 0.6, 0.3}, {0.05, 0.2, 0.1}}}};
   header.law = SpringDashpotLaw{};
-  header.weights = ContactWeights::kOverlap;
+  header.weights = ContactWeighting::kOverlap;
   header.warnings = {"mind the gap"};
   header.downslope = Vec2(1.0, 0.25);
   header.terrain.surface.vertices = {{0, 0, 0}, {1, 0, 0.5}, {1, 1, 0.25}, {0, 1, 0}};

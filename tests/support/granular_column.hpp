@@ -64,7 +64,7 @@ inline Collapse collapse_column(const ColumnScene& scene) {
   options.law = scene.law;
   options.mass = true;
   options.normal = scene.stiffness_factor * middle_mass * kGravity * scene.aspect * result.radius /
-                   (0.01 * contact_ground(zones, scene.law).rest_share);
+                   (0.01 * ground_requirements(zones, scene.law).static_stiffness_ratio);
   WorldSettings settings;
   settings.law = scene.law;
   settings.between_bodies = zones[0];

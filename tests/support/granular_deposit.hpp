@@ -17,7 +17,7 @@ using BodyShapes = std::vector<const RigidBody*>;
 inline BlockNumbers moving_blocks(const World& world) {
   BlockNumbers blocks;
   for (std::size_t i = 0; i < world.body_count(); ++i) {
-    if (!world.fixed(i) && !world.gone(i)) blocks.push_back(i);
+    if (!world.is_fixed(i) && !world.is_inactive(i)) blocks.push_back(i);
   }
   return blocks;
 }

@@ -125,13 +125,13 @@ inline Heap heap_on_disc(const HeapScene& scene) {
   StiffnessOptions options;
   options.mass = true;
   options.normal = scene.stiffness_factor * shapes[2].mass * kGravity * radius /
-                   (0.01 * contact_ground(zones, ContactLaw()).rest_share);
+                   (0.01 * ground_requirements(zones, ContactLaw()).static_stiffness_ratio);
   WorldSettings settings;
   settings.between_bodies = zones[0];
   settings.stiffness =
       choose_stiffness(shapes, zones, std::sqrt(2.0 * kGravity * top), kGravity, options).stiffness;
   settings.stiffness.time_step *= scene.step_factor;
-  settings.stiffness.longest_step *= scene.step_factor;
+  settings.stiffness.max_time_step *= scene.step_factor;
   const RingWall ring(radius, -1.0, top, 4);
   shapes.push_back(ring.slab);
   World world(shapes, settings);

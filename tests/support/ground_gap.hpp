@@ -5,8 +5,8 @@
 #include <set>
 #include <vector>
 
-#include "dem/search/contact_search.hpp"
 #include "dem/search/ground_overlap.hpp"
+#include "dem/search/terrain_narrow_phase.hpp"
 #include "dem/surface/segment_distance.hpp"
 #include "dem/surface/terrain_impl.hpp"
 
@@ -17,7 +17,7 @@ namespace clast {
 inline std::optional<double> ground_gap(const TerrainSurface& terrain, const RigidBody& body,
                                         const RigidState& state, double reach) {
   using namespace dem_detail;
-  const double deepest = GroundOverlap(terrain, body).deepest(state);
+  const double deepest = GroundOverlap(terrain, body).max_overlap(state);
   if (deepest > 0.0) return -deepest;
   const IndexedSurface& ground = terrain.impl().surface;
   const BlockSurface surface(body.shape);
@@ -35,7 +35,7 @@ inline std::optional<double> ground_gap(const TerrainSurface& terrain, const Rig
     }
   }
   std::set<std::uint32_t> vertices, edges;
-  for (const std::uint32_t f : ground.faces_near(box, nearest)) {
+  for (const std::uint32_t f : ground.find_faces_near(box, nearest)) {
     const SurfaceFace& face = ground.features.faces[f];
     vertices.insert(face.vertices.begin(), face.vertices.end());
     edges.insert(face.edges.begin(), face.edges.end());
@@ -50,7 +50,7 @@ inline std::optional<double> ground_gap(const TerrainSurface& terrain, const Rig
     const Vec3 along = world_from_body.rotation * edge.direction;
     for (const std::uint32_t g : edges) {
       const SurfaceEdge& other = ground.features.edges[g];
-      const ClosestOnSegments closest = closest_on_segments(
+      const SegmentDistance closest = closest_points(
           {corners[edge.vertices[0]], along, edge.length},
           {ground.features.vertices[other.vertices[0]], other.direction, other.length});
       nearest = std::min(nearest, closest.between.norm());

@@ -5,8 +5,8 @@
 namespace clast {
 
 /// A square of a side about a place, seen in twelve photos.
-inline FoundMarker made_up_marker(int id, const Vec3& centre, double side = 0.4) {
-  FoundMarker result{id, {}, 12, 0.1};
+inline LocatedMarker made_up_marker(int id, const Vec3& centre, double side = 0.4) {
+  LocatedMarker result{id, {}, 12, 0.1};
   const std::array<Vec2, 4> at = {Vec2(-0.5, 0.5), Vec2(0.5, 0.5), Vec2(0.5, -0.5),
                                   Vec2(-0.5, -0.5)};
   for (std::size_t k = 0; k < 4; ++k) {

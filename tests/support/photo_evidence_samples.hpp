@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/angle.hpp"
-#include "reconstruct/photos/photo_evidence.hpp"
+#include "reconstruct/photos/photo_summary.hpp"
 #include "tests/support/made_up_markers.hpp"
 
 namespace clast {
@@ -84,7 +84,7 @@ struct EvidenceSample {
                                        {2, {1.0, 0.4, 0.0}},
                                        {3, {0.2, 0.2, 0.0}},
                                        {5, {2.5, 2.9, 0.0}}}};
-    scan.scale = scale_from_markers(scan.markers.markers, {.board = board});
+    scan.scale = estimate_scale_from_markers(scan.markers.markers, {.board = board});
     block.scan.mesh = cubes({Vec3::Zero()});
   }
 };

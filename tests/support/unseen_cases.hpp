@@ -10,7 +10,7 @@
 #include "core/random.hpp"
 #include "mesh/sub_mesh.hpp"
 #include "reconstruct/repair/components.hpp"
-#include "reconstruct/repair/touching_sheets.hpp"
+#include "reconstruct/repair/non_manifold_split.hpp"
 #include "reconstruct/scan.hpp"
 #include "reconstruct/simplify.hpp"
 #include "reconstruct/underside/underside.hpp"
@@ -93,7 +93,7 @@ inline std::vector<NamedBody> real_bodies(std::size_t vertices) {
         "authume/blocks/SP2B.stl", "authume/blocks/SP3A.stl"}) {
     TriangleMesh mesh = read_scan(test_data(file)).mesh;
     if (mesh.vertices.size() > 2 * vertices) {
-      mesh = simplified(mesh, {.target_vertices = vertices});
+      mesh = simplify_mesh(mesh, {.target_vertices = vertices});
     }
     const double size = std::sqrt(surface_area(mesh)) / 1.5;
     bodies.push_back({std::filesystem::path(file).filename().string(), scaled(mesh, 1.0 / size)});
@@ -138,7 +138,7 @@ inline std::optional<UnseenCase> hidden(const TriangleMesh& body, const std::str
         level(kind == "plane" ? random.uniform(0.05, 0.6) : random.uniform(0.05, 0.22));
     found.open = above_level(mesh, cut);
     if (kind == "buried") found.ground = Plane{Vec3::UnitZ(), cut};
-    if (reconstruct_detail::components_of(found.open).size() != 1) return std::nullopt;
+    if (reconstruct_detail::connected_components(found.open).size() != 1) return std::nullopt;
   } else {
     std::vector<bool> keep(mesh.triangles.size(), true);
     double lowest = -1e300;
@@ -164,8 +164,9 @@ inline std::optional<UnseenCase> hidden(const TriangleMesh& body, const std::str
       keep[t] = z > lowest && !(faces_down && z < level(0.5));
     }
     if (std::find(keep.begin(), keep.end(), false) == keep.end()) return std::nullopt;
-    found.open = reconstruct_detail::components_of(extract_triangles(mesh, keep)).front().mesh;
-    reconstruct_detail::split_pinched_vertices(found.open);
+    found.open =
+        reconstruct_detail::connected_components(extract_triangles(mesh, keep)).front().mesh;
+    reconstruct_detail::split_non_manifold_vertices(found.open);
   }
   found.missing = 1.0 - surface_area(found.open) / surface_area(mesh);
   return found;

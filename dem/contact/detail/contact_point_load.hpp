@@ -18,20 +18,20 @@ inline constexpr double kSameNormal = 1.0 - 1e-12;
 inline constexpr double kExplained = 1e-6;
 
 /// Where a contact is and how the block moves there against the other body, mean over the step.
-struct Slip {
-  Slip(const Contact& contact, const PairMotion& motion)
-      : arm(contact.place - motion.block.world_from_body.translation),
-        velocity(motion.velocity_at(contact.place)),
-        closing(-velocity.dot(contact.point.normal)),
-        sliding(velocity + closing * contact.point.normal) {}
+struct ContactKinematics {
+  ContactKinematics(const Contact& contact, const RelativeMotion& motion)
+      : arm(contact.position - motion.block.world_from_body.translation),
+        velocity(motion.velocity_at(contact.position)),
+        approach_speed(-velocity.dot(contact.point.normal)),
+        sliding(velocity + approach_speed * contact.point.normal) {}
   Vec3 arm;        ///< from the centre of the block
   Vec3 velocity;   ///< m/s
-  double closing;  ///< against the normal
+  double approach_speed;  ///< against the normal
   Vec3 sliding;    ///< along the surface
 };
 
 /// What a contact brings into the step.
-struct Past {
+struct StepStart {
   OverlapPath path;  ///< of the overlap over the step
   NormalState normal = {};
   double weight = 0.0;
@@ -40,10 +40,10 @@ struct Past {
 };
 
 /// Of a contact that continues another.
-inline Past past_of(const Contact& contact, const Contact& previous, const PairMotion& motion) {
+inline StepStart step_start_of_continued(const Contact& contact, const Contact& previous, const RelativeMotion& motion) {
   const ContactPoint &point = contact.point, &point_before = previous.point;
-  Past past{.path = {motion.duration, point_before.overlap, point.overlap, 0.0},
-            .normal = {previous.normal, previous.dent},
+  StepStart start{.path = {motion.duration, point_before.overlap, point.overlap, 0.0},
+            .normal = {previous.normal, previous.residual_indentation},
             .weight = previous.weight,
             .stored = previous.stored};
   // On another feature it goes on as before only if the surface does too.
@@ -51,39 +51,39 @@ inline Past past_of(const Contact& contact, const Contact& previous, const PairM
                     point_before.block_feature == point.block_feature &&
                     (point_before.ground_feature == point.ground_feature ||
                      point_before.normal.dot(point.normal) > kSameNormal);
-  past.path.rate = same ? -motion.begin_velocity_at(previous.place).dot(point_before.normal)
-                        : (past.path.after - past.path.before) / motion.duration;
-  return past;
+  start.path.rate = same ? -motion.start_velocity_at(previous.position).dot(point_before.normal)
+                        : (start.path.after - start.path.before) / motion.duration;
+  return start;
 }
 
 /// Of a contact that continues none: it has come from as far as its speed allows; an overlap that
 /// this does not explain begins as the law lets a contact without a past begin.
 template <NormalLaw Law>
-Past past_of_new(const Contact& contact, const Slip& slip, const Law& law,
-                 const PairMotion& motion) {
+StepStart step_start_of_new(const Contact& contact, const ContactKinematics& kinematics, const Law& law,
+                 const RelativeMotion& motion) {
   const double overlap = contact.point.overlap;
-  Past past{.path = {motion.duration, overlap - slip.closing * motion.duration, overlap, 0.0},
+  StepStart start{.path = {motion.duration, overlap - kinematics.approach_speed * motion.duration, overlap, 0.0},
             .weight = contact.weight};
-  past.path.rate = -motion.begin_velocity_at(contact.place - motion.duration * slip.velocity)
+  start.path.rate = -motion.start_velocity_at(contact.position - motion.duration * kinematics.velocity)
                         .dot(contact.point.normal);
-  past.continuous = past.path.before <= kExplained * overlap;
-  if (past.continuous) {
-    past.path.before = std::min(0.0, past.path.before);
+  start.continuous = start.path.before <= kExplained * overlap;
+  if (start.continuous) {
+    start.path.before = std::min(0.0, start.path.before);
   } else {
-    past.normal =
-        law.initial_state(past.path.before, past.path.rate, contact.effective_mass, contact.normal);
+    start.normal =
+        law.initial_state(start.path.before, start.path.rate, contact.effective_mass, contact.normal);
   }
-  return past;
+  return start;
 }
 
 /// Eq. 2, or what another law has in its place.
 template <NormalLaw Law>
-NormalResponse normal_response(const Contact& contact, const Past& past, const Law& law) {
+NormalResponse normal_response(const Contact& contact, const StepStart& start, const Law& law) {
   const double mass = contact.effective_mass;
-  if (past.path.duration > 0.0) return law.integrate(past.path, past.normal, mass);
+  if (start.path.duration > 0.0) return law.integrate(start.path, start.normal, mass);
   const NormalState first =
-      law.initial_state(contact.point.overlap, past.path.rate, mass, past.normal.force);
-  return {.force = first.force, .dent = first.dent};
+      law.initial_state(contact.point.overlap, start.path.rate, mass, start.normal.force);
+  return {.force = first.force, .residual_indentation = first.residual_indentation};
 }
 
 }  // namespace clast::dem_detail

@@ -8,16 +8,16 @@
 namespace clast::dem_detail {
 
 /// Eq. 5: the rolling spring follows the spin up to mu_R l f.
-inline SpringResponse rolling_resistance(const Contact& contact, const Slip& slip, double stiffness,
-                                         const PairMotion& motion, double rolling_friction) {
+inline SpringResponse rolling_resistance(const Contact& contact, const ContactKinematics& kinematics, double stiffness,
+                                         const RelativeMotion& motion, double rolling_friction) {
   const Vec3 trial = contact.rolling - stiffness * motion.duration * motion.spin;
-  const double squared = trial.squaredNorm();
-  if (!(rolling_friction > 0.0)) return coulomb_limited(contact.rolling, trial, squared, 0.0);
+  const double squared_norm = trial.squaredNorm();
+  if (!(rolling_friction > 0.0)) return coulomb_limited(contact.rolling, trial, squared_norm, 0.0);
   // The arm l is perpendicular to the axis about which the block rolls: the length of the moment
   // times the arm is that of the product of both.
-  const double largest = rolling_friction * contact.normal * slip.arm.cross(trial).norm();
-  if (!(squared > largest)) return {trial, squared};
-  return coulomb_limited(contact.rolling, trial, squared, largest / squared);
+  const double largest = rolling_friction * contact.normal * kinematics.arm.cross(trial).norm();
+  if (!(squared_norm > largest)) return {trial, squared_norm};
+  return coulomb_limited(contact.rolling, trial, squared_norm, largest / squared_norm);
 }
 
 }  // namespace clast::dem_detail

@@ -6,21 +6,22 @@
 #include <tuple>
 #include <vector>
 
-#include "dem/search/block_contacts.hpp"
+#include "dem/search/block_narrow_phase.hpp"
 #include "dem/surface/ghost_edges.hpp"
 #include "dem/surface/trim.hpp"
 
 namespace clast::dem_detail {
 
 /// An edge or face of the block that lies low enough to touch, in the frame of the ground.
-struct PlacedSide {
-  std::uint32_t number;  ///< of BlockParts::sides
+struct TransformedSide {
+  std::uint32_t index;  ///< of BlockParts::sides
   bool is_face;
   Vec3 middle;
   double radius;
-  double lowest;   ///< of its vertices along the direction, m
-  double beyond;   ///< `depth_beyond` of it, m
-  EdgeArc arc;     ///< out of the ground, with the slack of its turn; of a face its normal, twice
+  double lowest;  ///< of its vertices along the direction, m
+  double beyond;  ///< `depth_beyond_plane` of it, m
+  EdgeNormalArc
+      arc;         ///< out of the ground, with the slack of its turn; of a face its normal, twice
   Vec3 direction;  ///< of an edge
 };
 
@@ -44,8 +45,8 @@ struct PartBetween {
 struct ListScratch {
   std::vector<double> ground_heights, block_heights;  ///< of the vertices along the direction, m
   std::vector<PartBetween> ground_parts;
-  std::vector<std::uint32_t> edges, corners;  ///< of the ground: sides and vertices
-  std::vector<PlacedSide> sides;              ///< of one part of the block
+  std::vector<std::uint32_t> edges, ground_vertices;  ///< of the ground: sides and vertices
+  std::vector<TransformedSide> sides;                 ///< of one part of the block
 
   double lowest_of_block(std::span<const std::uint32_t> vertices) const {
     double height = 1e300;
@@ -72,19 +73,19 @@ std::uint32_t farthest(const SurfaceFeatures& surface, const Vec3& direction) {
   return best;
 }
 
-bool within(const Vec3& apart, double distance) {
-  return apart.squaredNorm() <= distance * distance;
+bool within(const Vec3& separation, double distance) {
+  return separation.squaredNorm() <= distance * distance;
 }
 
 }  // namespace
 
-double BlockContacts::widen_gap() {
+double BlockNarrowPhase::improve_separating_direction() {
   Vec3 direction = direction_.isZero() ? tests_.position() : direction_;
   direction = direction.norm() > 0.0 ? direction.normalized() : Vec3(Vec3::UnitZ());
   double widest = -1e300;
   for (int i = 0; i < kTries; ++i) {
     const Vec3& of_ground = ground_.features.vertices[farthest(ground_.features, direction)];
-    const Vec3 of_block = tests_.placed(block_.features.vertices[farthest(
+    const Vec3 of_block = tests_.in_ground_frame(block_.features.vertices[farthest(
         block_.features, -(tests_.rotation().transpose() * direction))]);
     const Vec3 between = of_block - of_ground;
     const double gap = direction.dot(between);
@@ -93,31 +94,31 @@ double BlockContacts::widen_gap() {
       direction_ = direction;
     }
     const double distance = between.norm();
-    if (gap > listed_within() || !(distance > 0.0)) break;
+    if (gap > listing_distance() || !(distance > 0.0)) break;
     // Where the two are apart the way between the nearest vertices is better, else the reflection
     // about it (Chung and Wang 1996).
-    const Vec3 way = between / distance;
-    direction = gap > 0.0 ? way : (direction - 2.0 * direction.dot(way) * way).normalized();
+    const Vec3 axis = between / distance;
+    direction = gap > 0.0 ? axis : (direction - 2.0 * direction.dot(axis) * axis).normalized();
   }
   return widest;
 }
 
-void BlockContacts::make_list() {
+void BlockNarrowPhase::build_candidate_list() {
   vertices_.clear();
   faces_.clear();
   pairs_.clear();
-  list_touching_ = touching_distance();
-  const double gap = widen_gap();
-  if (gap > listed_within()) {
-    list_until_ = travel_ + gap - list_touching_;
+  list_touching_ = contact_distance();
+  const double gap = improve_separating_direction();
+  if (gap > listing_distance()) {
+    list_valid_until_ = displacement_ + gap - list_touching_;
   } else {
-    list_until_ = travel_ + margin_;
-    list_features();
+    list_valid_until_ = displacement_ + margin_;
+    collect_features();
   }
-  trim(vertices_, faces_, pairs_);
+  shrink_capacity(vertices_, faces_, pairs_);
 }
 
-void BlockContacts::list_features() {
+void BlockNarrowPhase::collect_features() {
   ListScratch& s = list_scratch();
   const Vec3 in_block = tests_.rotation().transpose() * direction_;
   const double offset = direction_.dot(tests_.position());
@@ -131,59 +132,59 @@ void BlockContacts::list_features() {
   }
   low_ = *std::min_element(s.block_heights.begin(), s.block_heights.end());
   high_ = *std::max_element(s.ground_heights.begin(), s.ground_heights.end());
-  list_ground();
-  const double room = listed_within() + kListRounding;
+  collect_ground_features();
+  const double room = listing_distance() + kListRounding;
   for (const BlockPart& part : block_.parts.parts) {
     if (in_block.dot(part.centre) + offset - part.radius > high_ + room) continue;
-    list_vertices(part);
-    list_sides(part);
+    collect_vertices(part);
+    collect_sides(part);
   }
-  std::sort(pairs_.begin(), pairs_.end(), [](const ListedPair& a, const ListedPair& b) {
+  std::sort(pairs_.begin(), pairs_.end(), [](const CandidatePair& a, const CandidatePair& b) {
     return std::tuple(a.side, a.kind, a.ground_feature) <
            std::tuple(b.side, b.kind, b.ground_feature);
   });
 }
 
-void BlockContacts::list_ground() {
+void BlockNarrowPhase::collect_ground_features() {
   ListScratch& s = list_scratch();
-  const double room = listed_within() + kListRounding;
+  const double room = listing_distance() + kListRounding;
   s.ground_parts.clear();
   s.edges.clear();
-  s.corners.clear();
+  s.ground_vertices.clear();
   for (const BlockPart& part : ground_.parts.parts) {
     if (direction_.dot(part.centre) + part.radius < low_ - room) continue;
-    PartBetween between{part.centre, part.radius, s.edges.size(), 0, s.corners.size(), 0};
+    PartBetween between{part.centre, part.radius, s.edges.size(), 0, s.ground_vertices.size(), 0};
     for (std::uint32_t i = part.first_side; i < part.end_side; ++i) {
       const BlockSide& side = ground_.parts.sides[i];
       if (side.is_face) continue;
       const auto [a, b] = ground_.features.edges[side.feature].vertices;
       if (std::max(s.ground_heights[a], s.ground_heights[b]) >=
-          low_ - depth_beyond(ground_.arcs[side.feature])) {
+          low_ - depth_beyond_plane(ground_.arcs[side.feature])) {
         s.edges.push_back(i);
       }
     }
     for (std::uint32_t i = part.first_vertex; i < part.end_vertex; ++i) {
       const std::uint32_t v = ground_.parts.vertices[i];
-      if (s.ground_heights[v] >= low_ - room) s.corners.push_back(v);
+      if (s.ground_heights[v] >= low_ - room) s.ground_vertices.push_back(v);
     }
     between.end_edge = s.edges.size();
-    between.end_corner = s.corners.size();
+    between.end_corner = s.ground_vertices.size();
     s.ground_parts.push_back(between);
   }
 }
 
-void BlockContacts::list_vertices(const BlockPart& part) {
+void BlockNarrowPhase::collect_vertices(const BlockPart& part) {
   const double listed = tests_.reach() + margin_ + kListRounding;
   for (std::uint32_t v = part.first_vertex; v < part.end_vertex; ++v) {
     const std::uint32_t vertex = block_.parts.vertices[v];
     if (list_scratch().block_heights[vertex] > high_ + listed) continue;
-    const Vec3 centre = tests_.placed(block_.features.vertices[vertex]);
+    const Vec3 centre = tests_.in_ground_frame(block_.features.vertices[vertex]);
     const Vec3 in_box = centre.cwiseMax(ground_.extent.low).cwiseMin(ground_.extent.high);
-    if (within(centre - in_box, listed)) list_vertex(vertex, centre, listed);
+    if (within(centre - in_box, listed)) collect_vertex(vertex, centre, listed);
   }
 }
 
-void BlockContacts::list_vertex(std::uint32_t vertex, const Vec3& centre, double listed) {
+void BlockNarrowPhase::collect_vertex(std::uint32_t vertex, const Vec3& centre, double listed) {
   // Inside the ground it is no deeper than it lies below the highest point of it.
   const double deepest = high_ - list_scratch().block_heights[vertex] + kListRounding;
   const std::optional<NearestPoint> nearest =
@@ -191,26 +192,26 @@ void BlockContacts::list_vertex(std::uint32_t vertex, const Vec3& centre, double
   if (!nearest) return;
   near_face_ = nearest->face;
   if (nearest->distance > listed) return;
-  list_faces(centre,
-             std::max(std::abs(nearest->distance), tests_.reach()) + 2.0 * margin_ + kListRounding);
+  collect_near_faces(centre, std::max(std::abs(nearest->distance), tests_.reach()) + 2.0 * margin_ +
+                                 kListRounding);
   vertices_.push_back(
       {.vertex = vertex, .near_face = 0, .end_face = static_cast<std::uint32_t>(faces_.size())});
 }
 
-void BlockContacts::list_faces(const Vec3& centre, double reach) {
+void BlockNarrowPhase::collect_near_faces(const Vec3& centre, double reach) {
   const PlanGrid& grid = ground_.grid;
-  const PlanGrid::Range cells =
+  const PlanGrid::CellRange cells =
       grid.range(centre.x() - reach, centre.x() + reach, centre.y() - reach, centre.y() + reach);
   const auto first = static_cast<std::ptrdiff_t>(faces_.size());
   for (int row = cells.first_row; row <= cells.last_row; ++row) {
     for (int column = cells.first_column; column <= cells.last_column; ++column) {
       const PlanGrid::Cell cell = grid.cell(column, row);
       if (cell.low > centre.z() + reach || cell.high < centre.z() - reach) continue;
-      for (const std::uint32_t number : cell.faces) {
-        const LocalFaces::Face& face = ground_.local_faces[number];
+      for (const std::uint32_t index : cell.faces) {
+        const LocalFaces::Face& face = ground_.local_faces[index];
         if (std::abs(face.normal.dot(centre) - face.offset) <= reach &&
             within(centre - face.middle, reach + face.radius)) {
-          faces_.push_back(number);
+          faces_.push_back(index);
         }
       }
     }
@@ -220,30 +221,31 @@ void BlockContacts::list_faces(const Vec3& centre, double reach) {
   faces_.erase(std::unique(faces_.begin() + first, faces_.end()), faces_.end());
 }
 
-void BlockContacts::list_sides(const BlockPart& part) {
+void BlockNarrowPhase::collect_sides(const BlockPart& part) {
   ListScratch& s = list_scratch();
-  place_sides(part);
+  transform_sides(part);
   if (s.sides.empty()) return;
-  const double room = listed_within() + kListRounding;
-  const Vec3 centre = tests_.placed(part.centre);
+  const double room = listing_distance() + kListRounding;
+  const Vec3 centre = tests_.in_ground_frame(part.centre);
   for (const PartBetween& other : s.ground_parts) {
     if (!within(centre - other.centre, part.radius + other.radius + room)) continue;
     const auto edges =
         std::span(s.edges).subspan(other.first_edge, other.end_edge - other.first_edge);
-    const auto corners =
-        std::span(s.corners).subspan(other.first_corner, other.end_corner - other.first_corner);
-    for (const PlacedSide& side : s.sides) {
+    const auto ground_vertices =
+        std::span(s.ground_vertices)
+            .subspan(other.first_corner, other.end_corner - other.first_corner);
+    for (const TransformedSide& side : s.sides) {
       if (!within(side.middle - other.centre, side.radius + other.radius + room)) continue;
       if (side.is_face) {
-        list_face(side, corners);
+        collect_face_pairs(side, ground_vertices);
       } else {
-        list_edge(side, edges, corners);
+        collect_edge_pairs(side, edges, ground_vertices);
       }
     }
   }
 }
 
-void BlockContacts::place_sides(const BlockPart& part) {
+void BlockNarrowPhase::transform_sides(const BlockPart& part) {
   ListScratch& s = list_scratch();
   s.sides.clear();
   for (std::uint32_t i = part.first_side; i < part.end_side; ++i) {
@@ -252,9 +254,10 @@ void BlockContacts::place_sides(const BlockPart& part) {
     const double lowest = of_body.is_face
                               ? s.lowest_of_block(block_.features.faces[feature].vertices)
                               : s.lowest_of_block(block_.features.edges[feature].vertices);
-    if (lowest > high_ + listed_within() + kListRounding) continue;
-    PlacedSide side{i,  of_body.is_face, tests_.placed(of_body.middle), of_body.radius, lowest, 0.0,
-                    {}, Vec3::Zero()};
+    if (lowest > high_ + listing_distance() + kListRounding) continue;
+    TransformedSide side{
+        i,  of_body.is_face, tests_.in_ground_frame(of_body.middle), of_body.radius, lowest, 0.0,
+        {}, Vec3::Zero()};
     if (side.is_face) {
       side.arc.first = side.arc.second = block_.features.faces[feature].normal;
     } else {
@@ -264,93 +267,98 @@ void BlockContacts::place_sides(const BlockPart& part) {
     side.arc.first = tests_.rotation() * -side.arc.first;
     side.arc.second = tests_.rotation() * -side.arc.second;
     side.arc.slack += turn_;
-    side.beyond = depth_beyond(side.arc);
+    side.beyond = depth_beyond_plane(side.arc);
     if (lowest <= high_ + side.beyond) s.sides.push_back(side);
   }
 }
 
-void BlockContacts::list_face(const PlacedSide& side, std::span<const std::uint32_t> corners) {
+void BlockNarrowPhase::collect_face_pairs(const TransformedSide& side,
+                                          std::span<const std::uint32_t> ground_vertices) {
   const ListScratch& s = list_scratch();
-  const double room = listed_within() + kListRounding;
-  for (const std::uint32_t corner : corners) {
-    if (s.ground_heights[corner] < low_ - side.beyond ||
-        !within(side.middle - ground_.features.vertices[corner], side.radius + room) ||
-        !corner_may_face(corner, side.arc)) {
+  const double room = listing_distance() + kListRounding;
+  for (const std::uint32_t ground_vertex : ground_vertices) {
+    if (s.ground_heights[ground_vertex] < low_ - side.beyond ||
+        !within(side.middle - ground_.features.vertices[ground_vertex], side.radius + room) ||
+        !vertex_may_oppose(ground_vertex, side.arc)) {
       continue;
     }
     std::optional<ContactPoint> contact;
-    const FeaturesApart apart =
-        tests_.face_corner(block_.parts.sides[side.number].feature, corner, contact);
-    list(ContactKind::kFaceVertex, side.number, corner, apart, contact.has_value());
+    const FeatureSeparation separation =
+        tests_.test_face_vertex(block_.parts.sides[side.index].feature, ground_vertex, contact);
+    list(ContactKind::kFaceVertex, side.index, ground_vertex, separation, contact.has_value());
   }
 }
 
-void BlockContacts::list_edge(const PlacedSide& side, std::span<const std::uint32_t> edges,
-                              std::span<const std::uint32_t> corners) {
+void BlockNarrowPhase::collect_edge_pairs(const TransformedSide& side,
+                                          std::span<const std::uint32_t> edges,
+                                          std::span<const std::uint32_t> ground_vertices) {
   const ListScratch& s = list_scratch();
-  const std::uint32_t feature = block_.parts.sides[side.number].feature;
-  const double room = listed_within() + kListRounding;
+  const std::uint32_t feature = block_.parts.sides[side.index].feature;
+  const double room = listing_distance() + kListRounding;
   std::optional<ContactPoint> contact;
   for (const std::uint32_t i : edges) {
     const BlockSide& other = ground_.parts.sides[i];
     if (!within(side.middle - other.middle, side.radius + other.radius + room) ||
-        !may_face(ground_.arcs[other.feature], ground_.features.edges[other.feature].direction,
-                  side.arc, side.direction)) {
+        !arcs_may_oppose(ground_.arcs[other.feature],
+                         ground_.features.edges[other.feature].direction, side.arc,
+                         side.direction)) {
       continue;
     }
     contact.reset();
-    const FeaturesApart apart = tests_.edge_edge(feature, other.feature, contact);
-    list(ContactKind::kEdgeEdge, side.number, other.feature, apart, contact.has_value());
+    const FeatureSeparation separation = tests_.test_edge_edge(feature, other.feature, contact);
+    list(ContactKind::kEdgeEdge, side.index, other.feature, separation, contact.has_value());
   }
   const double within_reach = tests_.reach() + margin_ + kListRounding;
   if (!(tests_.reach() > 0.0) || side.lowest > high_ + within_reach) return;
-  for (const std::uint32_t corner : corners) {
-    if (s.ground_heights[corner] < low_ - within_reach ||
-        !within(side.middle - ground_.features.vertices[corner], side.radius + within_reach) ||
-        !corner_may_face(corner, side.arc)) {
+  for (const std::uint32_t ground_vertex : ground_vertices) {
+    if (s.ground_heights[ground_vertex] < low_ - within_reach ||
+        !within(side.middle - ground_.features.vertices[ground_vertex],
+                side.radius + within_reach) ||
+        !vertex_may_oppose(ground_vertex, side.arc)) {
       continue;
     }
     contact.reset();
-    const FeaturesApart apart = tests_.edge_corner(feature, corner, contact);
-    list(ContactKind::kEdgeVertex, side.number, corner, apart, contact.has_value());
+    const FeatureSeparation separation = tests_.test_edge_vertex(feature, ground_vertex, contact);
+    list(ContactKind::kEdgeVertex, side.index, ground_vertex, separation, contact.has_value());
   }
 }
 
-void BlockContacts::list(ContactKind kind, std::uint32_t side, std::uint32_t of_ground,
-                         const FeaturesApart& apart, bool touches) {
-  if (!within(apart.between, listed_within() + kListRounding)) return;
-  pairs_.push_back({kind, side, of_ground, clear_until(apart, touches)});
+void BlockNarrowPhase::list(ContactKind kind, std::uint32_t side, std::uint32_t of_ground,
+                            const FeatureSeparation& separation, bool touches) {
+  if (!within(separation.between, listing_distance() + kListRounding)) return;
+  pairs_.push_back({kind, side, of_ground, separated_until(separation, touches)});
 }
 
-double BlockContacts::depth_beyond(double along, double slack) const {
-  const double farthest = listed_within() + kListRounding;
+double BlockNarrowPhase::depth_beyond_plane(double along, double slack) const {
+  const double farthest = listing_distance() + kListRounding;
   if (along < 0.0) return farthest;
   // A feature of the block that has gone into the ground along such a normal lies lower than what
   // it touches there.
   return std::min(farthest, tests_.reach() + margin_ + kListRounding + slack * list_touching_);
 }
 
-bool BlockContacts::may_face(const EdgeArc& of_ground, const Vec3& ground_direction,
-                             const EdgeArc& arc, const Vec3& direction) const {
+bool BlockNarrowPhase::arcs_may_oppose(const EdgeNormalArc& of_ground, const Vec3& ground_direction,
+                                       const EdgeNormalArc& arc, const Vec3& direction) const {
   if (of_ground.any || arc.any) return true;
   const double room = of_ground.slack + arc.slack + kListRounding;
   // The common normal is perpendicular to either edge: an arc that lies on one side of the plane
   // perpendicular to the other's edge does not hold it.
-  const auto crosses = [&](const EdgeArc& one, const Vec3& pole) {
+  const auto crosses = [&](const EdgeNormalArc& one, const Vec3& pole) {
     const double first = pole.dot(one.first), second = pole.dot(one.second);
     return std::min(first, second) <= room && std::max(first, second) >= -room;
   };
   return crosses(arc, ground_direction) && crosses(of_ground, direction);
 }
 
-bool BlockContacts::corner_may_face(std::uint32_t corner, const EdgeArc& arc) const {
+bool BlockNarrowPhase::vertex_may_oppose(std::uint32_t ground_vertex,
+                                         const EdgeNormalArc& arc) const {
   if (arc.any) return true;
-  const double room = ground_.cone_slacks[corner] + arc.slack + kListRounding;
-  const std::span<const std::uint32_t> edges = ground_.features.edges_at(corner);
+  const double room = ground_.cone_slacks[ground_vertex] + arc.slack + kListRounding;
+  const std::span<const std::uint32_t> edges = ground_.features.edges_at(ground_vertex);
   // A ray along which both ends of the arc rise rises along all between them.
   return std::none_of(edges.begin(), edges.end(), [&](std::uint32_t edge) {
-    const Vec3 ray = ground_.features.ray(edge, corner);
-    return ray.dot(arc.first) > room && ray.dot(arc.second) > room;
+    const Vec3 edge_direction_from = ground_.features.edge_direction_from(edge, ground_vertex);
+    return edge_direction_from.dot(arc.first) > room && edge_direction_from.dot(arc.second) > room;
   });
 }
 

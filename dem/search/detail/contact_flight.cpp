@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "dem/motion/free_flight.hpp"
-#include "dem/search/contact_search.hpp"
-#include "dem/search/detail/flying_ball.hpp"
+#include "dem/search/detail/ballistic_sphere.hpp"
+#include "dem/search/terrain_narrow_phase.hpp"
 
 namespace clast::dem_detail {
 namespace {
@@ -13,7 +13,7 @@ namespace {
 /// The flight of the ball around the block is enough when it is this many times what is worthwhile:
 /// less than what a closer search costs.
 constexpr double kBallSteps = 16.0;
-constexpr double kLongestFlight = 60.0;  ///< s
+constexpr double kMaxFlight = 60.0;  ///< s
 /// The search for a longer way starts at the first of these numbers of margins and goes on in
 /// strides.
 constexpr double kFirstLook = 0.125, kLastLook = 8.0, kStride = 4.0;
@@ -71,98 +71,105 @@ bool is_at_border(const SurfaceFeatures& surface, std::uint32_t face) {
 
 }  // namespace
 
-double ContactSearch::safe_travel() {
-  if (touches_ || moved_ < search_at_) return travel_;
+double TerrainNarrowPhase::safe_displacement() {
+  if (touches_ || moved_ < search_at_) return displacement_;
   // Measuring what could touch first, and only that, gives how far the block can move; each stride
   // is made only when the one before was clear. At a speed of 1 the time is the distance.
-  const FlightBounds creeping{.acceleration = 1e300, .top_speed = 1.0};
+  const FlightBounds creeping{.acceleration = 1e300, .max_point_speed = 1.0};
   const double first = kFirstLook * margin_;
   double wanted = first, clear = 0.0;
   while (true) {
     clear = wanted;
     for (std::uint32_t p = 0; p < part_states_.size(); ++p) {
-      clear = std::min(clear, part_time(p, creeping, wanted));
+      clear = std::min(clear, part_contact_free_time(p, creeping, wanted));
     }
     if (clear < wanted || wanted >= kLastLook * margin_) break;
     wanted *= kStride;
   }
   if (clear < first) search_at_ = moved_ + 0.5 * clear;
-  return travel_ + clear;
+  return displacement_ + clear;
 }
 
-double ContactSearch::part_time(std::uint32_t p, const FlightBounds& flight, double wanted) {
+double TerrainNarrowPhase::part_contact_free_time(std::uint32_t p, const FlightBounds& flight,
+                                                  double wanted) {
   const BlockPart& of_block = parts_.parts[p];
   const std::unique_ptr<NearPart>& near = part_states_[p].near;
   const Vec3 velocity = flight.velocity + flight.spin.cross(tests_.rotation() * of_block.centre);
   const double turning = flight.spin.norm() * of_block.radius;
   // By the speed that points of the part have now, or the top speed: the shorter way.
-  const auto way_in = [&](double time, double speed) {
+  const auto displacement_in = [&](double time, double speed) {
     return std::min(distance_in(time, speed + turning, flight.acceleration),
-                    distance_in(time, flight.top_speed, flight.gravity));
+                    distance_in(time, flight.max_point_speed, flight.gravity));
   };
-  const auto time_for = [&](double left, double per_across, double per_along, double speed) {
-    const double per_whole = per_across + per_along;
-    return std::max(time_over(left, speed + per_whole * turning, per_whole * flight.acceleration),
-                    time_over(left, per_whole * flight.top_speed, per_whole * flight.gravity));
+  const auto time_for = [&](double remaining, double per_axial, double per_transverse,
+                            double speed) {
+    const double per_total = per_axial + per_transverse;
+    return std::max(
+        min_travel_time(remaining, speed + per_total * turning, per_total * flight.acceleration),
+        min_travel_time(remaining, per_total * flight.max_point_speed, per_total * flight.gravity));
   };
-  const double speed = velocity.norm(), whole = way_in(wanted, speed);
+  const double speed = velocity.norm(), total = displacement_in(wanted, speed);
   if (near) {
-    read_way(p);
-    renew_ground(p, whole);
-  } else if (part_due_[p] < moved_ + whole) {
-    update_part(p, moved_ + whole);
+    update_displacement(p);
+    refresh_ground_list(p, total);
+  } else if (part_expiry_[p] < moved_ + total) {
+    update_part(p, moved_ + total);
   }
   if (!near) {
-    const double gap = part_due_[p] - moved_;
-    return gap >= whole ? wanted : time_for(gap, 0.0, 1.0, speed);
+    const double gap = part_expiry_[p] - moved_;
+    return gap >= total ? wanted : time_for(gap, 0.0, 1.0, speed);
   }
   const NearPart& part = *near;
-  const double across = std::min(std::abs(velocity.dot(part.axis)), speed);
-  const double along = std::sqrt(speed * speed - across * across);
-  const Way ahead{way_in(wanted, across), way_in(wanted, along), whole};
-  Found& found = scratch().ahead;
+  const double axial = std::min(std::abs(velocity.dot(part.axis)), speed);
+  const double transverse = std::sqrt(speed * speed - axial * axial);
+  const Displacement ahead{displacement_in(wanted, axial), displacement_in(wanted, transverse),
+                           total};
+  FoundContacts& found = scratch().ahead;
   found.clear();
   update_vertices(p, ahead, found);
   update_sides(p, ahead, found);
-  part_due_[p] = next_visit(p);
-  if (!part.due_vertices.empty()) return 0.0;
-  const Way then = part.way + ahead;
+  part_expiry_[p] = next_update(p);
+  if (!part.expired_vertices.empty()) return 0.0;
+  const Displacement then = part.displacement + ahead;
   double time = wanted;
-  if (list_end(part) < then.whole) {
-    time = time_for(list_end(part) - part.way.whole, 0.0, 1.0, speed);
+  if (list_expiry(part) < then.total) {
+    time = time_for(list_expiry(part) - part.displacement.total, 0.0, 1.0, speed);
   }
-  for (const Asleep* asleep : {&part.other_vertices, &part.all_features, &part.all_pairs}) {
-    if (!asleep->due(then)) continue;
-    time = std::min(time, time_for(asleep->left(part.way), asleep->per_across, asleep->per_along,
-                                   asleep->per_across * across + asleep->per_along * along));
+  for (const SeparationBound* separation_bound :
+       {&part.other_vertices, &part.all_features, &part.all_pairs}) {
+    if (!separation_bound->is_expired(then)) continue;
+    time = std::min(time, time_for(separation_bound->remaining(part.displacement),
+                                   separation_bound->per_axial, separation_bound->per_transverse,
+                                   separation_bound->per_axial * axial +
+                                       separation_bound->per_transverse * transverse));
   }
   return time;
 }
 
-double ContactSearch::safe_time(const FlightBounds& flight, double worthwhile) {
+double TerrainNarrowPhase::safe_time(const FlightBounds& flight, double worthwhile) {
   if (touches_ || moved_ < search_at_) return 0.0;
-  const double ball = clear_time(ground_.grid,
-                                 {.centre = tests_.position(),
-                                  .velocity = flight.velocity,
-                                  .gravity = flight.gravity,
-                                  .radius = bounding_radius_ + reach_},
-                                 kLongestFlight);
+  const double ball = ballistic_contact_free_time(ground_.grid,
+                                                  {.centre = tests_.position(),
+                                                   .velocity = flight.velocity,
+                                                   .gravity = flight.gravity,
+                                                   .radius = bounding_radius_ + reach_},
+                                                  kMaxFlight);
   if (ball >= kBallSteps * worthwhile) return ball;
-  const double time = std::max(ball, flight_time(flight, kLongestFlight));
-  if (time < worthwhile) search_at_ = moved_ + 0.5 * time * flight.top_speed;
+  const double time = std::max(ball, contact_free_time(flight, kMaxFlight));
+  if (time < worthwhile) search_at_ = moved_ + 0.5 * time * flight.max_point_speed;
   return time;
 }
 
-double ContactSearch::flight_time(const FlightBounds& flight, double horizon) {
-  gather_ground(reach_ + kLastLook * margin_);
+double TerrainNarrowPhase::contact_free_time(const FlightBounds& flight, double horizon) {
+  collect_ground(reach_ + kLastLook * margin_);
   const double known = ground_complete_ - (moved_ - ground_gathered_at_) - reach_;
-  double time = std::min(horizon, time_over(known, flight.top_speed, flight.gravity));
-  std::vector<std::uint32_t>& doubtful_parts = scratch().doubtful_parts;
-  doubtful_parts.clear();
+  double time = std::min(horizon, min_travel_time(known, flight.max_point_speed, flight.gravity));
+  std::vector<std::uint32_t>& unseparated_parts = scratch().unseparated_parts;
+  unseparated_parts.clear();
   // First the face that ended the last flight: with little time left most others need no close
   // look.
   const auto look_at = [&](std::uint32_t entry) {
-    const double over = flight_time_over(local_.faces[entry], flight, time);
+    const double over = contact_free_time_over_face(local_.faces[entry], flight, time);
     if (over < time) lowest_face_ = entry;
     time = std::min(time, over);
   };
@@ -171,16 +178,16 @@ double ContactSearch::flight_time(const FlightBounds& flight, double horizon) {
   for (std::uint32_t i = 0; i < local_.faces.size(); ++i) {
     if (i != first) look_at(i);
   }
-  std::sort(doubtful_parts.begin(), doubtful_parts.end());
-  const auto end = std::unique(doubtful_parts.begin(), doubtful_parts.end());
-  for (auto p = doubtful_parts.begin(); p != end; ++p) {
-    time = std::min(time, part_time(*p, flight, time));
+  std::sort(unseparated_parts.begin(), unseparated_parts.end());
+  const auto end = std::unique(unseparated_parts.begin(), unseparated_parts.end());
+  for (auto p = unseparated_parts.begin(); p != end; ++p) {
+    time = std::min(time, part_contact_free_time(*p, flight, time));
   }
   return time;
 }
 
-double ContactSearch::flight_time_over(const LocalFaces::Face& face, const FlightBounds& flight,
-                                       double horizon) {
+double TerrainNarrowPhase::contact_free_time_over_face(const LocalFaces::Face& face,
+                                                       const FlightBounds& flight, double horizon) {
   // The ball around the block, then those around its parts, and where they are too near the
   // vertices. A block whose vertices are all above a plane is above it.
   const Vec3& centre = tests_.position();
@@ -188,8 +195,9 @@ double ContactSearch::flight_time_over(const LocalFaces::Face& face, const Fligh
   const Approach over(face.normal, flight);
   if (over.clear(height - bounding_radius_, Vec3::Zero(), 0.0, horizon)) return horizon;
   const bool at_border = is_at_border(ground_.features, face.face);
-  const FlyingPart whole{centre, bounding_radius_, 0.0};
-  if (!at_border && time_beside(face, whole, flight, horizon) >= horizon) return horizon;
+  const PartSphere total{centre, bounding_radius_, 0.0};
+  if (!at_border && sphere_contact_free_time(face, total, flight, horizon) >= horizon)
+    return horizon;
   const Approach above = over.in_body(tests_.rotation());
   std::vector<std::uint32_t>& near_parts = scratch().near_parts;
   near_parts.clear();
@@ -207,7 +215,7 @@ double ContactSearch::flight_time_over(const LocalFaces::Face& face, const Fligh
     for (std::uint32_t v = part.first_vertex; v < part.end_vertex; ++v) {
       const Vec3& arm = block_.vertices[parts_.vertices[v]];
       const double apart = height + above.normal.dot(arm);
-      if (apart < -kPlaneRounding) return parts_time_beside(face, at_border, flight, horizon);
+      if (apart < -kPlaneRounding) return parts_contact_free_time(face, at_border, flight, horizon);
       if (!above.clear(std::max(apart, 0.0), arm, turning, time)) {
         time = above.time(std::max(apart, 0.0), arm, turning);
       }
@@ -216,24 +224,26 @@ double ContactSearch::flight_time_over(const LocalFaces::Face& face, const Fligh
   return time;
 }
 
-double ContactSearch::parts_time_beside(const LocalFaces::Face& face, bool at_border,
-                                        const FlightBounds& flight, double horizon) {
+double TerrainNarrowPhase::parts_contact_free_time(const LocalFaces::Face& face, bool at_border,
+                                                   const FlightBounds& flight, double horizon) {
   double time = horizon;
   for (const std::uint32_t p : scratch().near_parts) {
     const BlockPart& part = parts_.parts[p];
-    const FlyingPart ball{placed(part.centre), part.radius, flight.turning * part.arm};
-    const double beside = at_border ? 0.0 : time_beside(face, ball, flight, time);
+    const PartSphere ball{in_ground_frame(part.centre), part.radius, flight.turning * part.arm};
+    const double beside = at_border ? 0.0 : sphere_contact_free_time(face, ball, flight, time);
     if (beside > 0.0) {
       time = std::min(time, beside);
     } else {
-      scratch().doubtful_parts.push_back(p);
+      scratch().unseparated_parts.push_back(p);
     }
   }
   return time;
 }
 
-double ContactSearch::time_beside(const LocalFaces::Face& face, const FlyingPart& part,
-                                  const FlightBounds& flight, double horizon) const {
+double TerrainNarrowPhase::sphere_contact_free_time(const LocalFaces::Face& face,
+                                                    const PartSphere& part,
+                                                    const FlightBounds& flight,
+                                                    double horizon) const {
   const Vec3 arm = part.centre - tests_.position();
   const double touching = part.radius + reach_;
   // From the ball around the face, or else from the plane that touches it nearest to the part.
@@ -244,7 +254,7 @@ double ContactSearch::time_beside(const LocalFaces::Face& face, const FlyingPart
           .clear(far - face.radius - touching, arm, part.turning, horizon)) {
     return horizon;
   }
-  const NearestPoint nearest = foot_on_face(ground_.features, face.face, part.centre);
+  const NearestPoint nearest = project_onto_face(ground_.features, face.face, part.centre);
   const double distance = std::abs(nearest.distance), apart = distance - touching;
   if (!(apart > 0.0)) return 0.0;
   const Approach beside((part.centre - nearest.point) / distance, flight);

@@ -14,9 +14,9 @@ class ReleaseSchedule {
       : blocks_(blocks), settings_(settings) {}
 
   /// Does a form hold the block?
-  bool settles(std::size_t block) const;
+  bool is_confined(std::size_t block) const;
   /// Is the block held where it starts?
-  bool is_held(std::size_t block) const;
+  bool starts_fixed(std::size_t block) const;
   /// Of blocks released at once: when the block is, since the first is, s.
   double release_time(std::size_t block) const;
 

@@ -10,23 +10,23 @@ namespace {
 
 /// @param energy  that passes through the contact, J
 bool in_impact(const WorldBody& body, double energy, double rest_energy) {
-  if (body.idle()) return false;
-  const double floor = kRocking * rest_energy * body.shape->body.mass;
+  if (body.is_idle()) return false;
+  const double floor = kRockingEnergyFactor * rest_energy * body.shape->body.mass;
   return is_impact(energy, std::max(body.moving.kinetic_energy(), floor));
 }
 
 /// 1/s^2 over k: with springs of stiffness k at its contacts, weighted, the body has no frequency
 /// above the root of k times this. Both ends of a spring between two bodies that move give way.
-double mobility_of(std::uint32_t number, std::span<const WorldBody> bodies,
-                   const ContactPairs& pairs) {
-  const Shape& shape = *bodies[number].shape;
+double mobility_of(std::uint32_t index, std::span<const WorldBody> bodies,
+                   const ContactPairTable& pairs) {
+  const BodyShape& shape = *bodies[index].shape;
   double sum = 0.0;
-  for (const std::uint32_t e : pairs.of(number)) {
-    const ContactPair& pair = pairs.all()[e];
-    if (!pair.contacts->touching()) continue;
-    const bool is_block = pair.block == number;
+  for (const std::uint32_t e : pairs.of(index)) {
+    const ContactPair& pair = pairs.all_pairs()[e];
+    if (!pair.contacts->is_touching()) continue;
+    const bool is_block = pair.block == index;
     const std::uint32_t other = is_block ? pair.reference : pair.block;
-    const double ends = other == ContactPair::kTerrain || bodies[other].idle() ? 1.0 : 2.0;
+    const double ends = other == ContactPair::kTerrain || bodies[other].is_idle() ? 1.0 : 2.0;
     sum += ends * (is_block ? pair.contacts->mobility(shape.mobilities)
                             : pair.contacts->weight() * shape.largest_mobility);
   }
@@ -35,38 +35,38 @@ double mobility_of(std::uint32_t number, std::span<const WorldBody> bodies,
 
 /// How long a pair that does not touch needs at least until it does, s.
 double time_apart(const ContactPair& pair, std::span<const WorldBody> bodies,
-                  const ContactPairs& pairs, double gravity) {
+                  const ContactPairTable& pairs, double gravity) {
   const WorldBody& block = bodies[pair.block];
   const double clear = pairs.clearance(pair, bodies);
   if (!(clear > 0.0)) return 0.0;
-  Vec3 velocity = block.idle() ? Vec3::Zero() : block.moving.state().velocity;
-  double turning = block.idle() ? 0.0 : block.moving.top_spin() * block.shape->radius;
-  if (pair.reference != ContactPair::kTerrain && !bodies[pair.reference].idle()) {
-    const MovingBody& reference = bodies[pair.reference].moving;
+  Vec3 velocity = block.is_idle() ? Vec3::Zero() : block.moving.state().velocity;
+  double turning = block.is_idle() ? 0.0 : block.moving.max_angular_speed() * block.shape->radius;
+  if (pair.reference != ContactPair::kTerrain && !bodies[pair.reference].is_idle()) {
+    const RigidBodyIntegrator& reference = bodies[pair.reference].moving;
     velocity -= reference.state().velocity;
     // Seen from a body that turns, all around it turns.
     const double arm = (block.moving.state().position - reference.state().position).norm();
-    turning += reference.top_spin() * (arm + block.shape->radius);
+    turning += reference.max_angular_speed() * (arm + block.shape->radius);
   }
-  return time_over(clear, velocity.norm() + turning, gravity);
+  return min_travel_time(clear, velocity.norm() + turning, gravity);
 }
 
 }  // namespace
 
-double step_of_contacts(const ContactStiffness& contact, double stiffer, bool impact) {
-  const double together = contact.longest_step * std::min(1.0 / std::sqrt(stiffer), kHardlyMobile);
+double contact_time_step(const ContactStiffness& contact, double mobility_ratio, bool impact) {
+  const double together = contact.max_time_step * std::min(1.0 / std::sqrt(mobility_ratio), kMaxStepGrowth);
   return impact ? std::min(contact.time_step, together) : together;
 }
 
-StepChoice choose_step(std::span<const WorldBody> bodies, std::span<const std::uint32_t> moving,
-                       const ContactPairs& pairs, const WorldSettings& settings) {
+TimeStep choose_time_step(std::span<const WorldBody> bodies, std::span<const std::uint32_t> moving,
+                       const ContactPairTable& pairs, const WorldSettings& settings) {
   const ContactStiffness& contact = settings.stiffness;
-  const StepChoice shortest{contact.time_step, false};
-  if (!has_longer_steps(contact)) return shortest;
+  const TimeStep shortest{contact.time_step, false};
+  if (!allows_longer_steps(contact)) return shortest;
   bool touching = false;
-  for (const std::uint32_t e : pairs.active()) {
-    const ContactPair& pair = pairs.all()[e];
-    if (!pair.loads || !pair.contacts->touching()) continue;
+  for (const std::uint32_t e : pairs.active_pairs()) {
+    const ContactPair& pair = pairs.all_pairs()[e];
+    if (!pair.has_load || !pair.contacts->is_touching()) continue;
     touching = true;
     const WorldBody& block = bodies[pair.block];
     const double energy = pair.contacts->load().impact * block.shape->body.mass;
@@ -76,19 +76,19 @@ StepChoice choose_step(std::span<const WorldBody> bodies, std::span<const std::u
       return shortest;
     }
   }
-  double length = touching ? kHardlyMobile * contact.longest_step : 1e300;
+  double length = touching ? kMaxStepGrowth * contact.max_time_step : 1e300;
   for (const std::uint32_t i : moving) {
     const WorldBody& body = bodies[i];
-    const double stiffer = mobility_of(i, bodies, pairs) / body.shape->largest_mobility;
-    if (stiffer > 0.0) length = std::min(length, contact.longest_step / std::sqrt(stiffer));
+    const double mobility_ratio = mobility_of(i, bodies, pairs) / body.shape->largest_mobility;
+    if (mobility_ratio > 0.0) length = std::min(length, contact.max_time_step / std::sqrt(mobility_ratio));
     if (touching) continue;
-    length = std::min(length, time_over(pairs.way_left(i, body.moving.state().position),
+    length = std::min(length, min_travel_time(pairs.remaining_displacement(i, body.moving.state().position),
                                         body.moving.state().velocity.norm(), settings.gravity));
   }
-  for (const std::uint32_t e : pairs.active()) {
-    const ContactPair& pair = pairs.all()[e];
+  for (const std::uint32_t e : pairs.active_pairs()) {
+    const ContactPair& pair = pairs.all_pairs()[e];
     if (length <= contact.time_step) return shortest;
-    if (pair.contacts->touching()) continue;
+    if (pair.contacts->is_touching()) continue;
     length = std::min(length, time_apart(pair, bodies, pairs, settings.gravity));
   }
   if (length <= contact.time_step || length >= 1e300) return shortest;

@@ -6,15 +6,15 @@
 #include <vector>
 
 #include "dem/contact/stiffness.hpp"
-#include "dem/motion/moving_body.hpp"
-#include "dem/motion/sleep_watch.hpp"
+#include "dem/motion/rigid_body_integrator.hpp"
+#include "dem/motion/sleep_detector.hpp"
 #include "dem/surface/block_surface.hpp"
 
 namespace clast::dem_detail {
 
 /// A shape with what contacts need of it, once for all bodies that have it.
-struct Shape {
-  explicit Shape(RigidBody of_body)
+struct BodyShape {
+  explicit BodyShape(RigidBody of_body)
       : body(std::move(of_body)),
         surface(body.shape),
         radius(body.bounding_radius()),
@@ -28,10 +28,10 @@ struct Shape {
 };
 
 /// Bodies that a form holds.
-struct HeldBodies {
+struct ConfinedBodies {
   std::size_t first = 0, end = 0;
 
-  bool has(std::size_t body) const { return body >= first && body < end; }
+  bool contains(std::size_t body) const { return body >= first && body < end; }
   template <class Bytes>
   void serialize(Bytes& bytes) {
     bytes(first, end);
@@ -40,16 +40,16 @@ struct HeldBodies {
 
 struct WorldBody {
   /// @param of_shape  must outlive the body
-  WorldBody(const Shape& of_shape, const RigidState& start, bool is_fixed)
+  WorldBody(const BodyShape& of_shape, const RigidState& start, bool is_fixed)
       : shape(&of_shape), moving(of_shape.body, start), fixed(is_fixed), motion(moving.motion()) {
-    if (fixed) motion = without_motion();
+    if (fixed) motion = motion_at_rest();
   }
-  BodyMotion without_motion() const {
+  BodyMotion motion_at_rest() const {
     BodyMotion still;
     still.world_from_body = moving.state().world_from_body();
     return still;
   }
-  bool still() const { return fixed || gone; }
+  bool is_immobile() const { return fixed || gone; }
   /// Takes its motion over a step.
   void move(const BodyMotion& over_step) {
     const Pose &from = motion.world_from_body, &to = over_step.world_from_body;
@@ -58,7 +58,7 @@ struct WorldBody {
     motion = over_step;
   }
   /// Does nothing in a step, now.
-  bool idle() const { return still() || asleep; }
+  bool is_idle() const { return is_immobile() || asleep; }
   /// Kinetic and potential, J.
   double energy(double gravity) const {
     return moving.kinetic_energy() + shape->body.mass * gravity * moving.state().position.z();
@@ -66,27 +66,27 @@ struct WorldBody {
   /// All but its shape.
   template <class Bytes>
   void serialize(Bytes& bytes) {
-    bytes(moving, fixed, holds, gone, off_terrain, motion, way, turn, force, torque, touching,
-          corrected, resting, asleep, watch, pair_steps);
+    bytes(moving, fixed, confined, gone, off_terrain, motion, way, turn, force, torque, touching,
+          correction_energy, resting, asleep, sleep_detector, pair_steps);
   }
 
-  const Shape* shape;
-  MovingBody moving;
+  const BodyShape* shape;
+  RigidBodyIntegrator moving;
   bool fixed;
-  std::optional<HeldBodies> holds;  ///< of a form, which touches these alone
-  bool gone = false;                ///< left the terrain or was removed: it stays where it was then
-  bool off_terrain = false;         ///< found in the last step: about to leave
-  BodyMotion motion;                ///< over the last step
-  double way = 0.0;                 ///< of its centre since it came, step by step, m
-  double turn = 0.0;                ///< likewise: chords of its turns, m at an arm of 1 m
+  std::optional<ConfinedBodies> confined;  ///< of a form, which touches these alone
+  bool gone = false;         ///< left the terrain or was removed: it stays where it was then
+  bool off_terrain = false;  ///< found in the last step: about to leave
+  BodyMotion motion;         ///< over the last step
+  double way = 0.0;          ///< of its centre since it came, step by step, m
+  double turn = 0.0;         ///< likewise: chords of its turns, m at an arm of 1 m
   Vec3 force = Vec3::Zero();
   Vec3 torque = Vec3::Zero();
-  bool touching = false;         ///< has contacts
-  double corrected = 0.0;        ///< energy that events inside the last step added, J
-  double resting = 0.0;          ///< s
-  bool asleep = false;           ///< at rest, and so is all that touches it: no part of the step
-  SleepWatch watch;              ///< while it is slow enough to rest
-  std::uint64_t pair_steps = 0;  ///< touching pairs in which it is the block, summed over steps
+  bool touching = false;           ///< has contacts
+  double correction_energy = 0.0;  ///< energy that events inside the last step added, J
+  double resting = 0.0;            ///< s
+  bool asleep = false;             ///< at rest, and so is all that touches it: no part of the step
+  SleepDetector sleep_detector;    ///< while it is slow enough to rest
+  std::uint64_t pair_steps = 0;    ///< touching pairs in which it is the block, summed over steps
 };
 
 }  // namespace clast::dem_detail

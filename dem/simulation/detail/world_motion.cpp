@@ -15,7 +15,7 @@ namespace {
 constexpr std::size_t kBodiesAtATime = 16;
 
 /// Adds the events of one pair to those of one of its bodies.
-void add_body_event(std::optional<EventLoad>& sum, const EventLoad& event, bool is_block) {
+void add_body_event(std::optional<EventImpulse>& sum, const EventImpulse& event, bool is_block) {
   if (!sum) sum.emplace();
   sum->impulse += is_block ? event.impulse : Vec3(-event.impulse);
   sum->angular_impulse += is_block ? event.angular_impulse : event.angular_impulse_on_other;
@@ -47,127 +47,127 @@ WorldMotion::WorldMotion(std::vector<RigidBody> of_shapes, const WorldSettings& 
 }
 
 void WorldMotion::add(std::size_t shape, const RigidState& start, bool fixed) {
-  motion_changed();
+  invalidate_lists();
   const WorldBody& body = bodies_.emplace_back(shapes_[shape], start, fixed);
   if (!fixed) initial_ += body.energy(settings_.gravity);
 }
 
 void WorldMotion::remove(std::size_t body) {
-  prepare();
+  prepare_new_bodies();
   if (bodies_[body].gone) return;
-  sleeping_.wake_around(static_cast<std::uint32_t>(body), bodies_, pairs_);
-  take_out(body);
-  pairs_.refresh(bodies_);
-  motion_changed();
-  apply_loads_anew();
+  sleep_manager_.wake_around(static_cast<std::uint32_t>(body), bodies_, pairs_);
+  deactivate(body);
+  pairs_.update_pairs(bodies_);
+  invalidate_lists();
+  reapply_loads();
 }
 
 void WorldMotion::advance(double longest) {
-  prepare();
-  list_moving();
-  StepChoice step = choose_step(bodies_, moving_, pairs_, settings_);
+  prepare_new_bodies();
+  update_moving_list();
+  TimeStep step = choose_time_step(bodies_, moving_, pairs_, settings_);
   step.length = std::min(step.length, longest);
   const double dt = step.length;
   set_step_length(dt);
-  if (observer_) note_begins();
-  begin_moves(step);
-  refresh_pairs();
+  if (observer_) record_start_states();
+  begin_body_steps(step);
+  update_all_pairs();
   pairs_.update(bodies_, dt, team_);
   wake_touched();
-  end_moves(dt, step.flight);
+  end_body_steps(dt, step.flight);
   const double begin = time_;
   time_ += dt;
   ++steps_;
   for (const std::uint32_t i : moving_) {
-    if (!bodies_[i].moving.finite()) {
+    if (!bodies_[i].moving.is_finite()) {
       throw SimulationError("the motion of " + name_of_body(i) + " is not finite any more at " +
                             format_significant(time_, 6) + " s; a shorter time step may help");
     }
   }
-  if (observer_) show_moves(begin);
+  if (observer_) notify_observer(begin);
   remove_bodies_off_terrain();
   if (settings_.sleep_drift > 0.0) let_sleep();
-  if (soil_.any()) pairs_.remember_dents(bodies_, soil_);
+  if (soil_.any()) pairs_.store_indentations(bodies_, soil_);
 }
 
-void WorldMotion::list_moving() {
+void WorldMotion::update_moving_list() {
   if (listed_) return;
   moving_.clear();
   awake_.clear();
   for (std::uint32_t i = 0; i < bodies_.size(); ++i) {
     if (!bodies_[i].asleep) awake_.push_back(i);
-    if (!bodies_[i].idle()) moving_.push_back(i);
+    if (!bodies_[i].is_idle()) moving_.push_back(i);
   }
-  pairs_.list_active(bodies_);
+  pairs_.update_active_list(bodies_);
   listed_ = true;
 }
 
-void WorldMotion::refresh_pairs() {
-  const std::uint64_t before = pairs_.broad_phases();
-  if (places_known_) {
-    pairs_.refresh(bodies_, moving_);
+void WorldMotion::update_all_pairs() {
+  const std::uint64_t before = pairs_.broad_phase_count();
+  if (positions_known_) {
+    pairs_.update_pairs(bodies_, moving_);
   } else {
-    pairs_.refresh(bodies_);
+    pairs_.update_pairs(bodies_);
   }
-  places_known_ = true;
-  if (pairs_.broad_phases() != before) pairs_.list_active(bodies_);
+  positions_known_ = true;
+  if (pairs_.broad_phase_count() != before) pairs_.update_active_list(bodies_);
 }
 
 void WorldMotion::wake_touched() {
-  const std::size_t before = sleeping_.count();
-  sleeping_.wake_touched(bodies_, pairs_);
-  if (sleeping_.count() != before) motion_changed();
+  const std::size_t before = sleep_manager_.count();
+  sleep_manager_.wake_touched(bodies_, pairs_);
+  if (sleep_manager_.count() != before) invalidate_lists();
 }
 
 void WorldMotion::let_sleep() {
-  const std::size_t before = sleeping_.count();
-  reassigned_ += sleeping_.let_sleep(bodies_, moving_, pairs_);
-  if (sleeping_.count() != before) motion_changed();
+  const std::size_t before = sleep_manager_.count();
+  reassigned_ += sleep_manager_.let_sleep(bodies_, moving_, pairs_);
+  if (sleep_manager_.count() != before) invalidate_lists();
 }
 
-void WorldMotion::prepare() {
-  if (prepared_ == bodies_.size()) return;
-  begin_pairs([this](const ContactPair& pair) { return !pair.between(prepared_); });
-  prepared_ = bodies_.size();
+void WorldMotion::prepare_new_bodies() {
+  if (prepared_count_ == bodies_.size()) return;
+  begin_new_pairs([this](const ContactPair& pair) { return !pair.between(prepared_count_); });
+  prepared_count_ = bodies_.size();
 }
 
 void WorldMotion::free(std::span<const std::size_t> bodies) {
-  prepare();
+  prepare_new_bodies();
   std::vector<bool> was_still;
-  for (const WorldBody& body : bodies_) was_still.push_back(body.still());
+  for (const WorldBody& body : bodies_) was_still.push_back(body.is_immobile());
   for (const std::size_t i : bodies) {
     WorldBody& body = bodies_[i];
     body.fixed = false;
     body.move(body.moving.motion());
     initial_ += body.energy(settings_.gravity);
   }
-  pairs_.list_anew();
-  begin_pairs([&](const ContactPair& pair) {
+  pairs_.request_broad_phase();
+  begin_new_pairs([&](const ContactPair& pair) {
     return was_still[pair.block] &&
            (pair.reference == ContactPair::kTerrain || was_still[pair.reference]);
   });
 }
 
-void WorldMotion::begin_pairs(const IsNew& is_new) {
-  pairs_.set_slack(bodies_);
+void WorldMotion::begin_new_pairs(const IsNew& is_new) {
+  pairs_.update_slack(bodies_);
   // Bodies that start in contact bring what is stored there.
   const double before = losses().reassigned;
-  pairs_.refresh(bodies_);
-  motion_changed();
-  list_moving();
+  pairs_.update_pairs(bodies_);
+  invalidate_lists();
+  update_moving_list();
   pairs_.begin(bodies_, is_new);
   const double brought = losses().reassigned - before;
   reassigned_ -= brought;
   initial_ -= brought;
-  refuse_deep_starts(is_new);
+  check_start_overlaps(is_new);
   wake_touched();
-  apply_loads_anew();
+  reapply_loads();
 }
 
-void WorldMotion::refuse_deep_starts(const IsNew& is_new) const {
-  for (const ContactPair& pair : pairs_.all()) {
+void WorldMotion::check_start_overlaps(const IsNew& is_new) const {
+  for (const ContactPair& pair : pairs_.all_pairs()) {
     if (!is_new(pair)) continue;
-    const Shape& block = *bodies_[pair.block].shape;
+    const BodyShape& block = *bodies_[pair.block].shape;
     double size = block.body.size();
     if (pair.reference != ContactPair::kTerrain) {
       size = std::min(size, bodies_[pair.reference].shape->body.size());
@@ -182,122 +182,122 @@ void WorldMotion::refuse_deep_starts(const IsNew& is_new) const {
 }
 
 /// Between two steps, when pairs came or went.
-void WorldMotion::apply_loads_anew() {
-  reassigned_ -= first_kicks(step_length_);
-  end_moves(0.0, false);
-  reassigned_ += first_kicks(step_length_);
+void WorldMotion::reapply_loads() {
+  reassigned_ -= verlet_start_losses(step_length_);
+  end_body_steps(0.0, false);
+  reassigned_ += verlet_start_losses(step_length_);
 }
 
 /// What Verlet steps conserve depends on their length.
 void WorldMotion::set_step_length(double dt) {
   if (dt == step_length_) return;
-  reassigned_ += first_kicks(dt) - first_kicks(step_length_);
+  reassigned_ += verlet_start_losses(dt) - verlet_start_losses(step_length_);
   step_length_ = dt;
 }
 
-double WorldMotion::first_kicks(double dt) {
-  list_moving();
+double WorldMotion::verlet_start_losses(double dt) {
+  update_moving_list();
   double sum = 0.0;
   for (const std::uint32_t i : moving_) {
     const WorldBody& body = bodies_[i];
-    sum += body.moving.first_kick(dt, body.force, body.torque, gravity());
+    sum += body.moving.verlet_start_loss(dt, body.force, body.torque, gravity());
   }
   return sum;
 }
 
-void WorldMotion::begin_moves(const StepChoice& step) {
+void WorldMotion::begin_body_steps(const TimeStep& step) {
   team_.run(moving_.size(), kBodiesAtATime, [&](std::size_t of_moving) {
     WorldBody& body = bodies_[moving_[of_moving]];
     body.move(step.flight
-                  ? body.moving.fly(step.length, gravity())
+                  ? body.moving.advance_flight(step.length, gravity())
                   : body.moving.begin_step(step.length, body.force, body.torque, gravity()));
   });
 }
 
-void WorldMotion::end_moves(double dt, bool flight) {
-  list_moving();
+void WorldMotion::end_body_steps(double dt, bool flight) {
+  update_moving_list();
   team_.run(awake_.size(), kBodiesAtATime, [&](std::size_t of_awake) {
     const std::uint32_t i = awake_[of_awake];
     WorldBody& body = bodies_[i];
     body.force = body.torque = Vec3::Zero();
-    body.corrected = 0.0;
+    body.correction_energy = 0.0;
     std::uint64_t touching = 0, as_block = 0;
-    std::optional<EventLoad> events;
+    std::optional<EventImpulse> events;
     for (const std::uint32_t e : pairs_.of(i)) {
-      const ContactPair& pair = pairs_.all()[e];
-      if (!pair.loads) continue;
+      const ContactPair& pair = pairs_.all_pairs()[e];
+      if (!pair.has_load) continue;
       const ContactLoad& load = pair.contacts->load();
       const bool is_block = pair.block == i;
       body.force += is_block ? load.force : Vec3(-load.force);
       body.torque += is_block ? load.torque : load.torque_on_other;
       if (load.event) add_body_event(events, *load.event, is_block);
-      if (!pair.contacts->touching()) continue;
+      if (!pair.contacts->is_touching()) continue;
       ++touching;
       if (is_block) ++as_block;
     }
     body.touching = touching > 0;
-    if (body.still()) return;
+    if (body.is_immobile()) return;
     if (!flight) body.moving.end_step(dt, body.force, body.torque, gravity());
     if (events && dt > 0.0) {  // else they were applied at the end of the step before
-      body.corrected = body.moving.correct(events->impulse, events->angular_impulse, events->moment,
+      body.correction_energy = body.moving.apply_event_impulse(events->impulse, events->angular_impulse, events->moment,
                                            events->angular_moment, gravity());
     }
     const double specific = body.moving.kinetic_energy() / body.shape->body.mass;
     body.resting = touching > 0 && specific < settings_.rest_energy ? body.resting + dt : 0.0;
-    if (touching > 0 && specific < kRocking * settings_.rest_energy) {
-      body.watch.add(body.moving.state(), dt, settings_.sleep_duration,
+    if (touching > 0 && specific < kRockingEnergyFactor * settings_.rest_energy) {
+      body.sleep_detector.add(body.moving.state(), dt, settings_.sleep_duration,
                      settings_.sleep_drift * body.shape->body.size(), body.shape->radius);
     } else {
-      body.watch.reset();
+      body.sleep_detector.reset();
     }
     body.pair_steps += as_block;
-    const Vec3& place = body.moving.state().position;
-    body.off_terrain = terrain_ && !terrain_->covers(place.x(), place.y());
+    const Vec3& position = body.moving.state().position;
+    body.off_terrain = terrain_ && !terrain_->covers(position.x(), position.y());
   });
-  for (const std::uint32_t i : awake_) reassigned_ -= bodies_[i].corrected;
+  for (const std::uint32_t i : awake_) reassigned_ -= bodies_[i].correction_energy;
 }
 
 void WorldMotion::remove_bodies_off_terrain() {
   for (const std::uint32_t i : moving_) {
-    if (bodies_[i].off_terrain) take_out(i);
+    if (bodies_[i].off_terrain) deactivate(i);
   }
 }
 
-void WorldMotion::take_out(std::size_t body) {
+void WorldMotion::deactivate(std::size_t body) {
   pairs_.end_contacts_of(static_cast<std::uint32_t>(body), bodies_);
-  if (soil_.any()) pairs_.remember_dents(bodies_, soil_);
+  if (soil_.any()) pairs_.store_indentations(bodies_, soil_);
   bodies_[body].gone = true;
-  bodies_[body].move(bodies_[body].without_motion());
-  motion_changed();
+  bodies_[body].move(bodies_[body].motion_at_rest());
+  invalidate_lists();
 }
 
-void WorldMotion::note_begins() {
-  began_.clear();
+void WorldMotion::record_start_states() {
+  start_states_.clear();
   for (const std::uint32_t i : moving_) {
-    began_.push_back({i, bodies_[i].moving.state(), !bodies_[i].touching});
+    start_states_.push_back({i, bodies_[i].moving.state(), !bodies_[i].touching});
   }
 }
 
-void WorldMotion::show_moves(double begin) {
-  team_.run(began_.size(), kBodiesAtATime, [&](std::size_t of_began) {
-    const Begin& began = began_[of_began];
-    observer_(began.body, {.begin_time = begin,
+void WorldMotion::notify_observer(double begin) {
+  team_.run(start_states_.size(), kBodiesAtATime, [&](std::size_t of_began) {
+    const StartState& start_state = start_states_[of_began];
+    observer_(start_state.body, {.begin_time = begin,
                            .end_time = time_,
-                           .begin = began.state,
-                           .end = bodies_[began.body].moving.state(),
-                           .flight = began.free,
-                           .touch = touch(began.body)});
+                           .begin = start_state.state,
+                           .end = bodies_[start_state.body].moving.state(),
+                           .flight = start_state.free,
+                           .touch = touch(start_state.body)});
   });
 }
 
-Touch WorldMotion::touch(std::size_t body) const {
-  Touch sum;
-  if (!prepared(body) || !bodies_[body].touching) return sum;
+ContactSummary WorldMotion::touch(std::size_t body) const {
+  ContactSummary sum;
+  if (!is_prepared(body) || !bodies_[body].touching) return sum;
   bool on_ground = false;
   for (const std::uint32_t e : pairs_.of(body)) {
-    const ContactPair& pair = pairs_.all()[e];
-    if (!pair.loads) continue;
-    const std::optional<ContactForces::Deepest> deepest = pair.contacts->deepest();
+    const ContactPair& pair = pairs_.all_pairs()[e];
+    if (!pair.has_load) continue;
+    const std::optional<ContactForces::DeepestContact> deepest = pair.contacts->deepest_contact();
     if (!deepest) continue;
     sum.points += deepest->points;
     if (pair.reference == ContactPair::kTerrain) {
@@ -306,17 +306,17 @@ Touch WorldMotion::touch(std::size_t body) const {
     }
     if (deepest->overlap <= sum.overlap) continue;
     sum.overlap = deepest->overlap;
-    sum.place = deepest->place;
+    sum.position = deepest->position;
   }
   if (sum.points > 0 && !on_ground && terrain_) {
-    sum.zone = terrain_->zone(sum.place.x(), sum.place.y(), sum.place.z()).value_or(0);
+    sum.zone = terrain_->zone(sum.position.x(), sum.position.y(), sum.position.z()).value_or(0);
   }
   return sum;
 }
 
-EnergyLedger WorldMotion::energy() const {
-  EnergyLedger ledger = losses();
-  ledger.initial = initial_;
+EnergyBalance WorldMotion::energy() const {
+  EnergyBalance energy_balance = losses();
+  energy_balance.initial = initial_;
   double energy = pairs_.stored_energy();
   // The potential counts from the heights at the end, so that the scale does not depend on the
   // datum.
@@ -326,17 +326,17 @@ EnergyLedger WorldMotion::energy() const {
     energy += body.energy(settings_.gravity);
     datum += body.shape->body.mass * settings_.gravity * body.moving.state().position.z();
   }
-  ledger.close(energy, ledger.initial - datum);
-  return ledger;
+  energy_balance.close(energy, energy_balance.initial - datum);
+  return energy_balance;
 }
 
 EnergySample WorldMotion::energy_sample() const {
-  const auto dissipation = [](const EnergyLedger& ledger) {
-    return Dissipation{ledger.normal, ledger.friction, ledger.rolling};
+  const auto dissipation = [](const EnergyBalance& energy_balance) {
+    return Dissipation{energy_balance.normal, energy_balance.friction, energy_balance.rolling};
   };
   EnergySample sample;
   sample.time = time_;
-  const ContactPairs::Losses lost = pairs_.losses();
+  const ContactPairTable::Losses lost = pairs_.losses();
   sample.on_ground = dissipation(lost.on_ground);
   sample.between_bodies = dissipation(lost.between_bodies);
   sample.reassigned = losses().reassigned;
@@ -347,7 +347,7 @@ EnergySample WorldMotion::energy_sample() const {
       sample.gone += body.energy(settings_.gravity);
       continue;
     }
-    if (!resting(body)) ++sample.moving;
+    if (!is_resting(body)) ++sample.moving;
     const RigidBody& rigid = body.shape->body;
     const RigidState& state = body.moving.state();
     sample.translational += 0.5 * rigid.mass * state.velocity.squaredNorm();

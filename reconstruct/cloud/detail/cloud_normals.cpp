@@ -19,8 +19,8 @@ constexpr int kBeside = 12;      ///< neighbours that a normal is compared with
 constexpr double kAgrees = 0.5;  ///< cosine: 60 degrees
 
 /// The normal at `to` that follows from the one at `from`.
-Vec3 carried_over(const Vec3& normal, const Vec3& from, const Vec3& to, Propagation propagation) {
-  if (propagation == Propagation::kAlike) return normal;
+Vec3 carried_over(const Vec3& normal, const Vec3& from, const Vec3& to, NormalPropagation propagation) {
+  if (propagation == NormalPropagation::kParallel) return normal;
   const Vec3 way = (to - from).normalized();  // mirrored at the plane half way
   return normal - 2.0 * way.dot(normal) * way;
 }
@@ -32,14 +32,14 @@ double outward_share(std::span<const std::uint32_t> component, std::span<const V
   const auto count = static_cast<double>(component.size());
   Vec3 middle = Vec3::Zero();
   for (const std::uint32_t i : component) middle += points[i] / count;
-  double share = 0.0;
-  for (const std::uint32_t i : component) share += normals[i].dot(points[i] - middle) / count;
-  return share;
+  double fraction = 0.0;
+  for (const std::uint32_t i : component) fraction += normals[i].dot(points[i] - middle) / count;
+  return fraction;
 }
 
 /// Of each point those it is compared with, on both sides.
 std::vector<std::vector<std::uint32_t>> points_beside(std::span<const Vec3> points) {
-  const NearestPoints tree(points);
+  const PointTree tree(points);
   std::vector<std::vector<std::uint32_t>> beside(points.size());
   for (std::uint32_t i = 0; i < points.size(); ++i) {
     for (const auto& near : tree.nearest(points[i], kBeside)) {
@@ -61,15 +61,15 @@ std::vector<std::uint32_t> outermost_first(std::span<const Vec3> points, const V
 
 }  // namespace
 
-void turn_outward(std::vector<Vec3>& normals, std::span<const Vec3> points,
-                  Propagation propagation) {
+void orient_outward(std::vector<Vec3>& normals, std::span<const Vec3> points,
+                  NormalPropagation propagation) {
   Vec3 middle = Vec3::Zero();
   for (const Vec3& p : points) middle += p / static_cast<double>(points.size());
   struct Step {
-    double bend;
+    double bending;
     std::uint32_t from, to;
     bool operator>(const Step& other) const {
-      return bend != other.bend ? bend > other.bend
+      return bending != other.bending ? bending > other.bending
                                 : std::pair(from, to) > std::pair(other.from, other.to);
     }
   };

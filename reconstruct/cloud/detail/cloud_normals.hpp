@@ -9,11 +9,11 @@
 namespace clast::reconstruct_detail {
 
 /// What a normal says of that of a neighbour.
-enum class Propagation {
-  kAlike,  ///< both are nearly the same [hoppe1992]: best against noise
+enum class NormalPropagation {
+  kParallel,  ///< both are nearly the same [hoppe1992]: best against noise
   /// The surface bends along a circle from one to the other [konig2009]: over sharp edges, and
   /// round thin parts.
-  kAlongArcs,
+  kCircularArc,
 };
 
 /// Orients the normals from neighbour to neighbour along the spanning tree with the least change of
@@ -21,8 +21,8 @@ enum class Propagation {
 /// at which it starts may be an outlier.
 /// @param normals  unit, of either sign, one for each point
 /// @cite hoppe1992 @cite konig2009
-void turn_outward(std::vector<Vec3>& normals, std::span<const Vec3> points,
-                  Propagation propagation = Propagation::kAlike);
+void orient_outward(std::vector<Vec3>& normals, std::span<const Vec3> points,
+                  NormalPropagation propagation = NormalPropagation::kParallel);
 
 /// Gives a vertex the normal of its triangles where its own is more than 60 degrees off: it came
 /// from points of two sides, or faces in. Counts these.

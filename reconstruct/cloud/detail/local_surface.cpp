@@ -13,7 +13,7 @@ namespace {
 /// Cosine to the normal of the place below which a point is of another side: of a plate's other
 /// face, or round a sharp edge.
 constexpr double kSameSide = 0.4;
-constexpr std::size_t kFewestForQuadric = 9;  ///< points for the six coefficients of a quadric
+constexpr std::size_t kMinQuadricPoints = 9;  ///< points for the six coefficients of a quadric
 constexpr double kFarthestMove = 3.0;         ///< noises that a point is moved at most
 constexpr int kNoiseNeighbours = 24;          ///< for the noise
 constexpr std::size_t kNoiseSamples = 2000;
@@ -104,38 +104,38 @@ bool is_one_of_two_outliers(QuadricPatch patch, double least) {
 }
 
 /// The nearest points that face the way of `normal`.
-QuadricPatch patch_at(const Vec3& place, const Vec3& normal,
-                      std::span<const NearestPoints::Near> near, std::span<const Vec3> points,
+QuadricPatch patch_at(const Vec3& position, const Vec3& normal,
+                      std::span<const PointTree::Neighbour> near, std::span<const Vec3> points,
                       std::span<const Vec3> normals) {
   const double reach = near.back().distance;
   const Vec3 u = normal.unitOrthogonal(), v = normal.cross(u);
   QuadricPatch patch;
-  for (const NearestPoints::Near& n : near) {
+  for (const PointTree::Neighbour& n : near) {
     if (normals[n.point].dot(normal) < kSameSide) continue;
-    const Vec3 from = points[n.point] - place;
+    const Vec3 from = points[n.point] - position;
     const double a = from.dot(u) / reach, b = from.dot(v) / reach;
-    const double share = 0.95 * n.distance / reach;
+    const double fraction = 0.95 * n.distance / reach;
     Row row;
     row << 1.0, a, b, a * a, a * b, b * b;
     patch.rows.push_back(row);
     patch.heights.push_back(from.dot(normal));
-    patch.weights.push_back((1.0 - share * share) * (1.0 - share * share));
+    patch.weights.push_back((1.0 - fraction * fraction) * (1.0 - fraction * fraction));
   }
   return patch;
 }
 
 }  // namespace
 
-LocalSurface::LocalSurface(std::span<const Vec3> points, std::span<const Vec3> normals)
+MovingLeastSquares::MovingLeastSquares(std::span<const Vec3> points, std::span<const Vec3> normals)
     : points_(points), normals_(normals), tree_(points) {}
 
-double LocalSurface::noise() const {
+double MovingLeastSquares::noise() const {
   std::vector<double> deviations;
   const std::size_t step = std::max<std::size_t>(1, points_.size() / kNoiseSamples);
   for (std::size_t i = 0; i < points_.size(); i += step) {
     const auto near = tree_.nearest(points_[i], kNoiseNeighbours);
     const QuadricPatch patch = patch_at(points_[i], normals_[i], near, points_, normals_);
-    if (patch.rows.size() >= kFewestForQuadric) deviations.push_back(fit_of<6>(patch).deviation);
+    if (patch.rows.size() >= kMinQuadricPoints) deviations.push_back(fit_of<6>(patch).deviation);
   }
   if (deviations.empty()) return 0.0;
   const auto middle = deviations.begin() + static_cast<std::ptrdiff_t>(deviations.size() / 2);
@@ -143,21 +143,21 @@ double LocalSurface::noise() const {
   return *middle;
 }
 
-std::vector<bool> LocalSurface::off_surface(std::span<const double> spacings) const {
+std::vector<bool> MovingLeastSquares::find_off_surface_points(std::span<const double> spacings) const {
   std::vector<bool> off(points_.size(), false);
   for (std::size_t i = 0; i < points_.size(); ++i) {
-    std::vector<NearestPoints::Near> near = tree_.nearest(points_[i], kNoiseNeighbours);
-    std::erase_if(near, [&](const NearestPoints::Near& n) { return n.point == i; });
+    std::vector<PointTree::Neighbour> near = tree_.nearest(points_[i], kNoiseNeighbours);
+    std::erase_if(near, [&](const PointTree::Neighbour& n) { return n.point == i; });
     double spacing = 0.0;
     Vec3 facing = Vec3::Zero();  // its own normal means nothing where it is an outlier
-    for (const NearestPoints::Near& n : near) {
+    for (const PointTree::Neighbour& n : near) {
       spacing += spacings[n.point] / static_cast<double>(near.size());
       facing += normals_[n.point] / static_cast<double>(near.size());
     }
     const bool apart = spacings[i] >= kApart * spacing, on_face = facing.norm() > kTangentOneWay;
     if (!(apart || on_face) || facing.norm() < kSameSide) continue;
     const QuadricPatch patch = patch_at(points_[i], facing.normalized(), near, points_, normals_);
-    if (patch.rows.size() < kFewestForQuadric) continue;
+    if (patch.rows.size() < kMinQuadricPoints) continue;
     const Fit fit = fit_of<3>(patch);
     const auto is_beyond = [&](double gaps, double deviations) {
       return std::abs(fit.height) > gaps * spacing + deviations * fit.deviation;
@@ -169,13 +169,13 @@ std::vector<bool> LocalSurface::off_surface(std::span<const double> spacings) co
   return off;
 }
 
-std::vector<LocalSurface::Standing> LocalSurface::standings() const {
-  std::vector<Standing> result(points_.size());
+std::vector<MovingLeastSquares::PlaneDeviation> MovingLeastSquares::plane_deviations() const {
+  std::vector<PlaneDeviation> result(points_.size());
   for (std::size_t i = 0; i < points_.size(); ++i) {
-    std::vector<NearestPoints::Near> near = tree_.nearest(points_[i], kNoiseNeighbours);
-    std::erase_if(near, [&](const NearestPoints::Near& n) { return n.point == i; });
+    std::vector<PointTree::Neighbour> near = tree_.nearest(points_[i], kNoiseNeighbours);
+    std::erase_if(near, [&](const PointTree::Neighbour& n) { return n.point == i; });
     const QuadricPatch patch = patch_at(points_[i], normals_[i], near, points_, normals_);
-    if (patch.rows.size() < kFewestForQuadric) {  // nothing is known of a plane
+    if (patch.rows.size() < kMinQuadricPoints) {  // nothing is known of a plane
       result[i].deviation = near.back().distance;
       continue;
     }
@@ -185,7 +185,7 @@ std::vector<LocalSurface::Standing> LocalSurface::standings() const {
   return result;
 }
 
-std::vector<Vec3> LocalSurface::smoothed(double noise) const {
+std::vector<Vec3> MovingLeastSquares::smoothed_points(double noise) const {
   std::vector<Vec3> result(points_.begin(), points_.end());
   for (std::size_t i = 0; i < points_.size(); ++i) {
     const auto near = tree_.nearest(points_[i], kScales.back());
@@ -195,7 +195,7 @@ std::vector<Vec3> LocalSurface::smoothed(double noise) const {
       const QuadricPatch patch =
           patch_at(points_[i], normals_[i], std::span(near).first(static_cast<std::size_t>(count)),
                    points_, normals_);
-      if (patch.rows.size() < kFewestForQuadric) continue;
+      if (patch.rows.size() < kMinQuadricPoints) continue;
       const Fit plane = fit_of<3>(patch), quadric = fit_of<6>(patch);
       const Fit& fit = plane.deviation < kFlatEnough * quadric.deviation ? plane : quadric;
       if (off && fit.deviation > kFitsQuadric * noise) break;

@@ -174,7 +174,7 @@ constexpr double kSlopeStep = 0.005;
 
 }  // namespace
 
-struct Indicator::Impl {
+struct IndicatorFunction::Impl {
   Vec3 origin;
   Function function;
 
@@ -196,7 +196,7 @@ struct Indicator::Impl {
                  CGAL::Second_of_pair_property_map<Oriented>()) {}
 };
 
-Indicator::Indicator(std::span<const Vec3> points, std::span<const Vec3> normals) {
+IndicatorFunction::IndicatorFunction(std::span<const Vec3> points, std::span<const Vec3> normals) {
   if (points.empty()) return;
   CGAL::get_default_random() = CGAL::Random(1);  // CGAL's own is seeded by the clock
   auto impl = std::make_unique<Impl>(points[0], Impl::oriented(points, normals));
@@ -216,16 +216,16 @@ Indicator::Indicator(std::span<const Vec3> points, std::span<const Vec3> normals
   facing_ = *middle < 0.0 ? -1.0 : 1.0;
 }
 
-Indicator::~Indicator() = default;
+IndicatorFunction::~IndicatorFunction() = default;
 
-bool Indicator::found() const { return impl_ != nullptr; }
+bool IndicatorFunction::found() const { return impl_ != nullptr; }
 
-double Indicator::at(const Vec3& place) const {
-  const Vec3 p = place - impl_->origin;
+double IndicatorFunction::at(const Vec3& position) const {
+  const Vec3 p = position - impl_->origin;
   return facing_ * impl_->function(mesh_detail::CgalPoint(p.x(), p.y(), p.z()));
 }
 
-TriangleMesh surface_between(std::span<const Vec3> points, const Indicator& indicator,
+TriangleMesh extract_surface(std::span<const Vec3> points, const IndicatorFunction& indicator,
                              std::span<const double> spacings) {
   if (points.empty()) return {};
   const Vec3 origin = points[0];

@@ -11,14 +11,14 @@ namespace clast::reconstruct_detail {
 /// lie on, solved for over all of them [kazhdan2006]: single points off the surface, gaps and
 /// changes of density have little effect.
 /// @cite kazhdan2006
-class Indicator {
+class IndicatorFunction {
  public:
   /// @param normals  unit, outward, or nearly all inward
-  Indicator(std::span<const Vec3> points, std::span<const Vec3> normals);
-  ~Indicator();
+  IndicatorFunction(std::span<const Vec3> points, std::span<const Vec3> normals);
+  ~IndicatorFunction();
 
   bool found() const;  ///< false where the equations could not be solved
-  double at(const Vec3& place) const;
+  double at(const Vec3& position) const;
 
  private:
   struct Impl;
@@ -37,7 +37,7 @@ class Indicator {
 ///          inside
 /// @pre indicator.found()
 /// @cite amenta1999
-TriangleMesh surface_between(std::span<const Vec3> points, const Indicator& indicator,
+TriangleMesh extract_surface(std::span<const Vec3> points, const IndicatorFunction& indicator,
                              std::span<const double> spacings = {});
 
 }  // namespace clast::reconstruct_detail

@@ -15,35 +15,35 @@ std::int64_t version_of(const json& root) {
   if (!root.contains("version")) return 10000;
   std::int64_t number = 0;
   for (std::size_t i = 0; i < 3; ++i) {
-    number = 100 * number + json_count(root.at("version").at(i));
+    number = 100 * number + parse_json_count(root.at("version").at(i));
   }
   return number;
 }
 
-Lens read_alicevision_lens(const json& intrinsic, std::int64_t version) {
-  Lens lens{.width = json_count(intrinsic.at("width")),
-            .height = json_count(intrinsic.at("height"))};
+CameraIntrinsics read_alicevision_lens(const json& intrinsic, std::int64_t version) {
+  CameraIntrinsics lens{.width = parse_json_count(intrinsic.at("width")),
+            .height = parse_json_count(intrinsic.at("height"))};
   if (version < 10200) {
-    lens.fx = lens.fy = json_number(intrinsic.at("pxFocalLength"));
+    lens.fx = lens.fy = parse_json_number(intrinsic.at("pxFocalLength"));
   } else if (version < 10202) {
-    lens.fx = json_number(intrinsic.at("pxFocalLength").at(0));
-    lens.fy = json_number(intrinsic.at("pxFocalLength").at(1));
+    lens.fx = parse_json_number(intrinsic.at("pxFocalLength").at(0));
+    lens.fy = parse_json_number(intrinsic.at("pxFocalLength").at(1));
   } else {
-    lens.fx = json_number(intrinsic.at("focalLength")) / json_number(intrinsic.at("sensorWidth")) *
+    lens.fx = parse_json_number(intrinsic.at("focalLength")) / parse_json_number(intrinsic.at("sensorWidth")) *
               lens.width;
     const double ratio =
-        intrinsic.contains("pixelRatio") ? json_number(intrinsic.at("pixelRatio")) : 1.0;
+        intrinsic.contains("pixelRatio") ? parse_json_number(intrinsic.at("pixelRatio")) : 1.0;
     lens.fy = version < 10205 ? lens.fx / ratio : lens.fx * ratio;
   }
-  lens.cx = json_number(intrinsic.at("principalPoint").at(0));
-  lens.cy = json_number(intrinsic.at("principalPoint").at(1));
+  lens.cx = parse_json_number(intrinsic.at("principalPoint").at(0));
+  lens.cy = parse_json_number(intrinsic.at("principalPoint").at(1));
   if (version >= 10201) {  // since then from the middle
     lens.cx += 0.5 * lens.width;
     lens.cy += 0.5 * lens.height;
   }
   std::vector<double> k;
   if (intrinsic.contains("distortionParams") && intrinsic.at("distortionParams").is_array()) {
-    for (const json& value : intrinsic.at("distortionParams")) k.push_back(json_number(value));
+    for (const json& value : intrinsic.at("distortionParams")) k.push_back(parse_json_number(value));
   }
   // Since layout 1.2.6 the kind of distortion has a key of its own.
   std::string kind = intrinsic.at("type").get<std::string>();
@@ -77,7 +77,7 @@ PhotoModel read_alicevision_model(const json& root) {
   const std::int64_t version = version_of(root);
   std::map<std::string, std::size_t> lens_of_id;
   for (const json& intrinsic : root.at("intrinsics")) {
-    lens_of_id[json_id(intrinsic.at("intrinsicId"))] = model.lenses.size();
+    lens_of_id[parse_json_id(intrinsic.at("intrinsicId"))] = model.lenses.size();
     model.lenses.push_back(read_alicevision_lens(intrinsic, version));
   }
   std::map<std::string, Pose> poses;
@@ -89,29 +89,29 @@ PhotoModel read_alicevision_model(const json& root) {
     Mat3 rotation;  // column by column
     for (std::size_t i = 0; i < 9; ++i) {
       rotation(static_cast<int>(i % 3), static_cast<int>(i / 3)) =
-          json_number(transform.at("rotation").at(i));
+          parse_json_number(transform.at("rotation").at(i));
     }
-    const Quat turn = rotation_from(rotation, "pose " + json_id(item.at("poseId")));
-    poses[json_id(item.at("poseId"))] = {-(turn * json_vector(transform.at("center"))), turn};
+    const Quat quaternion = rotation_from_matrix(rotation, "pose " + parse_json_id(item.at("poseId")));
+    poses[parse_json_id(item.at("poseId"))] = {-(quaternion * parse_json_vector(transform.at("center"))), quaternion};
   }
   std::map<std::string, std::uint32_t> photo_of;
   for (const json& view : root.at("views")) {
-    const std::string pose = json_id(view.at("poseId"));
-    const std::string lens = json_id(view.at("intrinsicId"));
+    const std::string pose = parse_json_id(view.at("poseId"));
+    const std::string lens = parse_json_id(view.at("intrinsicId"));
     if (!poses.contains(pose)) {
-      ++model.unplaced;
+      ++model.photos_without_pose;
       continue;
     }
     const std::string name = view.at("path").get<std::string>();
     if (!lens_of_id.contains(lens)) throw InputError(name + " names a camera that isn't there");
-    photo_of[json_id(view.at("viewId"))] = static_cast<std::uint32_t>(model.photos.size());
+    photo_of[parse_json_id(view.at("viewId"))] = static_cast<std::uint32_t>(model.photos.size());
     model.photos.push_back({name, {}, lens_of_id[lens], poses[pose]});
   }
   if (!root.contains("structure")) return model;
   for (const json& landmark : root.at("structure")) {
-    SparsePoint point{json_vector(landmark.at("X")), {}};
-    for (const json& seen : landmark.at("observations")) {
-      const auto photo = photo_of.find(json_id(seen.at("observationId")));
+    SparsePoint point{parse_json_vector(landmark.at("X")), {}};
+    for (const json& observation : landmark.at("observations")) {
+      const auto photo = photo_of.find(parse_json_id(observation.at("observationId")));
       if (photo != photo_of.end()) point.photos.push_back(photo->second);
     }
     model.points.push_back(std::move(point));
@@ -122,7 +122,7 @@ PhotoModel read_alicevision_model(const json& root) {
 }  // namespace
 
 PhotoModel read_alicevision(const std::filesystem::path& file) {
-  return json_read(file, read_alicevision_model);
+  return read_json_model(file, read_alicevision_model);
 }
 
 }  // namespace clast::photos_detail

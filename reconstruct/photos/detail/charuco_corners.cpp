@@ -21,7 +21,7 @@ struct Found {
 };
 
 Found found_in(const cv::Mat& grey, const CharucoBoard& board) {
-  const auto dictionary = cv::aruco::getPredefinedDictionary(dictionary_number(board.dictionary));
+  const auto dictionary = cv::aruco::getPredefinedDictionary(opencv_dictionary(board.dictionary));
   const auto square = static_cast<float>(board.square), marker = static_cast<float>(board.marker);
   Found found;
 #if CLAST_OPENCV >= 407
@@ -45,16 +45,16 @@ Found found_in(const cv::Mat& grey, const CharucoBoard& board) {
 
 }  // namespace
 
-std::vector<CornerInPhoto> charuco_corners_in(const cv::Mat& grey, const CharucoBoard& board) {
+std::vector<DetectedCorner> detect_charuco_corners(const cv::Mat& grey, const CharucoBoard& board) {
   const Found found = found_in(grey, board);
-  std::vector<CornerInPhoto> corners;
+  std::vector<DetectedCorner> corners;
   for (std::size_t i = 0; i < found.numbers.size(); ++i) {
     corners.push_back({found.numbers[i], {found.corners[i].x, found.corners[i].y}});
   }
   return corners;
 }
 
-bool knows_pattern([[maybe_unused]] bool older) {
+bool supports_pattern([[maybe_unused]] bool older) {
 #if CLAST_OPENCV >= 408
   return true;
 #elif CLAST_OPENCV >= 406

@@ -9,17 +9,17 @@
 namespace clast::photos_detail {
 
 /// A corner as one photo shows it.
-struct CornerInPhoto {
-  int number = 0;
+struct DetectedCorner {
+  int index = 0;
   Vec2 pixel = Vec2::Zero();  ///< px
 };
 
 /// Corners beside two markers that were found, refined to the saddles of the grey values.
 /// @param board  checked
-std::vector<CornerInPhoto> charuco_corners_in(const cv::Mat& grey, const CharucoBoard& board);
+std::vector<DetectedCorner> detect_charuco_corners(const cv::Mat& grey, const CharucoBoard& board);
 
 /// Does this OpenCV know boards of the older or of the later pattern, where they differ?
-bool knows_pattern(bool older);
+bool supports_pattern(bool older);
 
 /// "4.6.0"
 std::string opencv_version();

@@ -91,7 +91,7 @@ std::map<std::uint32_t, std::size_t> read_colmap_cameras(const std::filesystem::
     std::vector<double> parameters(known.parameters);
     for (double& p : parameters) p = cameras.next<double>();
     lens_of[id] = model.lenses.size();
-    model.lenses.push_back(colmap_lens(known.name, static_cast<int>(std::min(width, 1000000ul)),
+    model.lenses.push_back(make_colmap_lens(known.name, static_cast<int>(std::min(width, 1000000ul)),
                                        static_cast<int>(std::min(height, 1000000ul)), parameters));
   }
   return lens_of;
@@ -130,7 +130,7 @@ void read_points(const std::filesystem::path& file,
   for (std::uint64_t n = points.count(51); n > 0; --n) {
     points.skip(8);
     SparsePoint point;
-    for (int i = 0; i < 3; ++i) point.place[i] = points.next<double>();
+    for (int i = 0; i < 3; ++i) point.position[i] = points.next<double>();
     points.skip(11);  // colour and error
     for (std::uint64_t m = points.count(8); m > 0; --m) {
       const auto image = points.next<std::uint32_t>();

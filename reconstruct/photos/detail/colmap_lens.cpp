@@ -5,7 +5,7 @@
 
 namespace clast::photos_detail {
 
-Lens colmap_lens(const std::string& model, int width, int height, const std::vector<double>& p) {
+CameraIntrinsics make_colmap_lens(const std::string& model, int width, int height, const std::vector<double>& p) {
   // Parameters of each of COLMAP's models, in its order: one focal length or two, the centre, and
   // the distortion.
   struct Layout {
@@ -31,7 +31,7 @@ Lens colmap_lens(const std::string& model, int width, int height, const std::vec
                      " parameters in place of " +
                      std::to_string(layout.focals + 2 + layout.distortions));
   }
-  Lens lens{.width = width, .height = height, .fx = p[0], .fy = p[layout.focals - 1]};
+  CameraIntrinsics lens{.width = width, .height = height, .fx = p[0], .fy = p[layout.focals - 1]};
   lens.cx = p[layout.focals] - 0.5;
   lens.cy = p[layout.focals + 1] - 0.5;
   lens.fisheye = layout.fisheye;

@@ -87,7 +87,7 @@ PhotoModel read_colmap_text(const std::filesystem::path& folder) {
     while (lines.has_more()) parameters.push_back(lines.number());
     lens_of[id] = model.lenses.size();
     model.lenses.push_back(
-        colmap_lens(kind, static_cast<int>(width), static_cast<int>(height), parameters));
+        make_colmap_lens(kind, static_cast<int>(width), static_cast<int>(height), parameters));
   }
   std::map<long, std::uint32_t> photo_of;
   for (Lines lines(folder / "images.txt"); lines.next(true);) {
@@ -111,7 +111,7 @@ PhotoModel read_colmap_text(const std::filesystem::path& folder) {
   for (Lines lines(folder / "points3D.txt"); lines.next(true);) {
     lines.id();
     SparsePoint point;
-    for (int i = 0; i < 3; ++i) point.place[i] = lines.number();
+    for (int i = 0; i < 3; ++i) point.position[i] = lines.number();
     for (int i = 0; i < 4; ++i) lines.number();  // colour and error
     while (lines.has_more()) {
       const long photo = lines.id();

@@ -5,31 +5,31 @@
 
 namespace clast::photos_detail {
 
-nlohmann::json json_of(const std::filesystem::path& file) {
+nlohmann::json load_json(const std::filesystem::path& file) {
   return nlohmann::json::parse(read_text_file(file));
 }
 
-double json_number(const nlohmann::json& value) {
+double parse_json_number(const nlohmann::json& value) {
   if (!value.is_string()) return value.get<double>();
   const std::optional<double> number = parse_number(value.get<std::string>());
   if (!number) throw InputError("\"" + value.get<std::string>() + "\" is no number");
   return *number;
 }
 
-int json_count(const nlohmann::json& value) {
+int parse_json_count(const nlohmann::json& value) {
   constexpr double kMost = 1e6;
-  const double number = json_number(value);
+  const double number = parse_json_number(value);
   if (!(number >= 0.0 && number <= kMost)) {
     throw InputError(value.dump() + " is no whole number from 0 to 1000000");
   }
   return static_cast<int>(number);
 }
 
-Vec3 json_vector(const nlohmann::json& value) {
-  return {json_number(value.at(0)), json_number(value.at(1)), json_number(value.at(2))};
+Vec3 parse_json_vector(const nlohmann::json& value) {
+  return {parse_json_number(value.at(0)), parse_json_number(value.at(1)), parse_json_number(value.at(2))};
 }
 
-std::string json_id(const nlohmann::json& value) {
+std::string parse_json_id(const nlohmann::json& value) {
   return value.is_string() ? value.get<std::string>() : value.dump();
 }
 

@@ -21,13 +21,13 @@ constexpr double kShortestSide = 16.0;   ///< px; cells of less than 3 px have n
 constexpr double kFromCorner = 0.12;     ///< of the side: the edge there is bent by the blur
 constexpr double kReach = 3.0;           ///< px to each side of an edge
 constexpr double kProfileStep = 0.25;    ///< px
-constexpr double kLeastContrast = 20.0;  ///< grey levels
+constexpr double kMinContrast = 20.0;  ///< grey levels
 constexpr double kFurthestFit = 0.8;     ///< px off the line; such places are left out
-constexpr std::size_t kFewestPlaces = 6;
+constexpr std::size_t kMinPlaces = 6;
 
 struct KnownDictionary {
   std::string name;
-  int number;
+  int value;
 };
 
 const std::vector<KnownDictionary>& dictionaries() {
@@ -72,10 +72,10 @@ std::optional<Vec2> edge_at(const cv::Mat& grey, const Vec2& middle, const Vec2&
     highest = std::max(highest, now);
     before = now;
   }
-  if (weight < kLeastContrast || weight < 0.6 * (highest - lowest)) return std::nullopt;
-  const double place = moment / weight;
-  if (std::abs(place) > reach) return std::nullopt;
-  return Vec2(middle + place * outward);
+  if (weight < kMinContrast || weight < 0.6 * (highest - lowest)) return std::nullopt;
+  const double position = moment / weight;
+  if (std::abs(position) > reach) return std::nullopt;
+  return Vec2(middle + position * outward);
 }
 
 /// A line n . p = d through places, in a plane where the lens leaves lines straight.
@@ -99,7 +99,7 @@ Line fitted(const std::vector<Vec2>& places) {
   return {normal, normal.dot(mean)};
 }
 
-std::optional<Line> edge_line(const cv::Mat& grey, const Lens& lens, const Vec2& from,
+std::optional<Line> edge_line(const cv::Mat& grey, const CameraIntrinsics& lens, const Vec2& from,
                               const Vec2& to, const Vec2& inside) {
   const Vec2 along = to - from;
   const double length = along.norm();
@@ -111,17 +111,17 @@ std::optional<Line> edge_line(const cv::Mat& grey, const Lens& lens, const Vec2&
   std::vector<Vec2> places;  // in the plane at depth 1
   const int count = std::max(10, static_cast<int>(length / 2.0));
   for (int i = 0; i < count; ++i) {
-    const double share = kFromCorner + (1.0 - 2.0 * kFromCorner) * (i + 0.5) / count;
-    const Vec2 middle = from + share * along;
-    std::optional<Vec2> place = edge_at(grey, middle, outward, reach);
+    const double fraction = kFromCorner + (1.0 - 2.0 * kFromCorner) * (i + 0.5) / count;
+    const Vec2 middle = from + fraction * along;
+    std::optional<Vec2> position = edge_at(grey, middle, outward, reach);
     // Once more about the edge itself, so that the profile lies evenly to both sides.
-    if (place) place = edge_at(grey, *place, outward, reach);
+    if (position) position = edge_at(grey, *position, outward, reach);
     const std::optional<Vec3> direction =
-        place ? direction_at(lens, *place) : std::optional<Vec3>();
+        position ? unproject(lens, *position) : std::optional<Vec3>();
     if (direction) places.push_back(direction->head<2>());
   }
   for (int pass = 0; pass < 3; ++pass) {
-    if (places.size() < std::max<std::size_t>(kFewestPlaces, static_cast<std::size_t>(count) / 2)) {
+    if (places.size() < std::max<std::size_t>(kMinPlaces, static_cast<std::size_t>(count) / 2)) {
       return std::nullopt;
     }
     const Line line = fitted(places);
@@ -129,7 +129,7 @@ std::optional<Line> edge_line(const cv::Mat& grey, const Lens& lens, const Vec2&
     std::erase_if(
         places, [&](const Vec2& p) { return std::abs(line.normal.dot(p) - line.distance) > most; });
   }
-  return places.size() < kFewestPlaces ? std::nullopt : std::optional(fitted(places));
+  return places.size() < kMinPlaces ? std::nullopt : std::optional(fitted(places));
 }
 
 std::optional<Vec2> crossing(const Line& a, const Line& b) {
@@ -141,7 +141,7 @@ std::optional<Vec2> crossing(const Line& a, const Line& b) {
 
 }  // namespace
 
-const std::vector<std::string>& dictionary_names() {
+const std::vector<std::string>& common_dictionary_names() {
   static const std::vector<std::string> kNames = [] {
     std::vector<std::string> names;
     for (const KnownDictionary& known : dictionaries()) names.push_back(known.name);
@@ -150,17 +150,17 @@ const std::vector<std::string>& dictionary_names() {
   return kNames;
 }
 
-int dictionary_number(const std::string& name) {
+int opencv_dictionary(const std::string& name) {
   std::string names;
   for (const KnownDictionary& known : dictionaries()) {
-    if (known.name == name) return known.number;
+    if (known.name == name) return known.value;
     names += " " + known.name;
   }
   throw InputError("marker dictionary \"" + name + "\" isn't known; known are" + names);
 }
 
 int dictionary_size(const std::string& name) {
-  const auto dictionary = cv::aruco::getPredefinedDictionary(dictionary_number(name));
+  const auto dictionary = cv::aruco::getPredefinedDictionary(opencv_dictionary(name));
 #if CV_VERSION_MAJOR * 100 + CV_VERSION_MINOR >= 407
   return dictionary.bytesList.rows;
 #else
@@ -168,34 +168,34 @@ int dictionary_size(const std::string& name) {
 #endif
 }
 
-std::vector<MarkerInPhoto> markers_in(const cv::Mat& grey, const std::string& dictionary) {
+std::vector<DetectedMarker> detect_markers(const cv::Mat& grey, const std::string& dictionary) {
   std::vector<std::vector<cv::Point2f>> quads;
   std::vector<int> ids;
 #if CV_VERSION_MAJOR * 100 + CV_VERSION_MINOR >= 407
   const cv::aruco::ArucoDetector detector(
-      cv::aruco::getPredefinedDictionary(dictionary_number(dictionary)));
+      cv::aruco::getPredefinedDictionary(opencv_dictionary(dictionary)));
   detector.detectMarkers(grey, quads, ids);
 #else
   const auto parameters = cv::aruco::DetectorParameters::create();
-  cv::aruco::detectMarkers(grey, cv::aruco::getPredefinedDictionary(dictionary_number(dictionary)),
+  cv::aruco::detectMarkers(grey, cv::aruco::getPredefinedDictionary(opencv_dictionary(dictionary)),
                            quads, ids, parameters);
 #endif
   std::map<int, int> times;
   for (const int id : ids) ++times[id];
-  std::vector<MarkerInPhoto> found;
+  std::vector<DetectedMarker> found;
   for (std::size_t i = 0; i < ids.size(); ++i) {
     if (times[ids[i]] > 1) continue;
-    MarkerInPhoto marker{ids[i], {}};
+    DetectedMarker marker{ids[i], {}};
     for (std::size_t k = 0; k < 4; ++k) marker.corners[k] = {quads[i][k].x, quads[i][k].y};
     found.push_back(marker);
   }
   std::sort(found.begin(), found.end(),
-            [](const MarkerInPhoto& a, const MarkerInPhoto& b) { return a.id < b.id; });
+            [](const DetectedMarker& a, const DetectedMarker& b) { return a.id < b.id; });
   return found;
 }
 
-std::optional<MarkerInPhoto> with_edge_corners(const MarkerInPhoto& marker, const cv::Mat& grey,
-                                               const Lens& lens) {
+std::optional<DetectedMarker> refine_marker_corners(const DetectedMarker& marker, const cv::Mat& grey,
+                                               const CameraIntrinsics& lens) {
   Vec2 middle = Vec2::Zero();
   for (const Vec2& corner : marker.corners) middle += 0.25 * corner;
   std::array<Line, 4> lines;
@@ -205,11 +205,11 @@ std::optional<MarkerInPhoto> with_edge_corners(const MarkerInPhoto& marker, cons
     if (!line) return std::nullopt;
     lines[k] = *line;
   }
-  MarkerInPhoto result = marker;
+  DetectedMarker result = marker;
   for (std::size_t k = 0; k < 4; ++k) {
-    const std::optional<Vec2> place = crossing(lines[(k + 3) % 4], lines[k]);
-    if (!place) return std::nullopt;
-    const std::optional<Vec2> pixel = projected(lens, {place->x(), place->y(), 1.0});
+    const std::optional<Vec2> position = crossing(lines[(k + 3) % 4], lines[k]);
+    if (!position) return std::nullopt;
+    const std::optional<Vec2> pixel = project(lens, {position->x(), position->y(), 1.0});
     if (!pixel || (*pixel - marker.corners[k]).norm() > 2.0 * kReach) return std::nullopt;
     result.corners[k] = *pixel;
   }

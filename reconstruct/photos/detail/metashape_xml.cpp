@@ -31,7 +31,7 @@ double number_of(const pugi::xml_node& parent, const char* name, double otherwis
   return node ? numbers_in(node, 1)[0] : otherwise;
 }
 
-Lens read_metashape_lens(const pugi::xml_node& sensor) {
+CameraIntrinsics read_metashape_lens(const pugi::xml_node& sensor) {
   pugi::xml_node calibration = sensor.find_child_by_attribute("calibration", "class", "adjusted");
   if (!calibration) calibration = sensor.child("calibration");
   const std::string label = "sensor " + std::string(sensor.attribute("label").as_string());
@@ -49,7 +49,7 @@ Lens read_metashape_lens(const pugi::xml_node& sensor) {
                        " isn't known; optimize the cameras without it");
     }
   }
-  Lens lens{.width = size.attribute("width").as_int(), .height = size.attribute("height").as_int()};
+  CameraIntrinsics lens{.width = size.attribute("width").as_int(), .height = size.attribute("height").as_int()};
   lens.fisheye = type != "frame";
   if (calibration.child("fx")) {  // PhotoScan up to 1.1: the centre from the corner
     lens.fx = number_of(calibration, "fx", 0.0);
@@ -90,7 +90,7 @@ ToMetres to_metres(const pugi::xml_node& transform) {
     const std::vector<double> r = numbers_in(transform.child("rotation"), 9);
     Mat3 m;
     m << r[0], r[1], r[2], r[3], r[4], r[5], r[6], r[7], r[8];
-    result.rotation = rotation_from(m, "chunk");
+    result.rotation = rotation_from_matrix(m, "chunk");
   }
   return result;
 }
@@ -151,7 +151,7 @@ class Lenses {
 
   /// Of the lens among `lenses`, to which it is added where it is new.
   std::size_t number(const std::string& sensor, const std::string& photo,
-                     std::vector<Lens>& lenses) {
+                     std::vector<CameraIntrinsics>& lenses) {
     const auto known = sensors_.find(sensor);
     if (known == sensors_.end()) {
       throw InputError("photo " + photo + " names sensor " + sensor + ", which isn't there");
@@ -173,7 +173,7 @@ Pose world_from(const pugi::xml_node& camera, const std::string& label, const To
   Mat3 rotation;
   rotation << t[0], t[1], t[2], t[4], t[5], t[6], t[8], t[9], t[10];
   return {metres.scale * (metres.rotation * Vec3(t[3], t[7], t[11])),
-          metres.rotation * rotation_from(rotation, "photo " + label)};
+          metres.rotation * rotation_from_matrix(rotation, "photo " + label)};
 }
 
 }  // namespace
@@ -189,7 +189,7 @@ PhotoModel read_metashape(const std::filesystem::path& file) {
   for (const pugi::xml_node& camera : camera_nodes(chunk)) {
     if (!camera.attribute("enabled").as_bool(true)) continue;
     if (!camera.child("transform")) {
-      ++model.unplaced;
+      ++model.photos_without_pose;
       continue;
     }
     const std::string label = camera.attribute("label").as_string();

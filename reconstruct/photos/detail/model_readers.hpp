@@ -15,12 +15,12 @@ PhotoModel read_alicevision(const std::filesystem::path& file);
 
 /// Lens of COLMAP's camera `model` ("SIMPLE_RADIAL"); pixels are moved by half a pixel.
 /// @throws InputError  a model that isn't known, or a wrong number of parameters
-Lens colmap_lens(const std::string& model, int width, int height, const std::vector<double>& p);
+CameraIntrinsics make_colmap_lens(const std::string& model, int width, int height, const std::vector<double>& p);
 
 /// Sorts photos by name and renumbers what names them.
-PhotoModel in_order_of_names(PhotoModel model);
+PhotoModel sorted_by_name(PhotoModel model);
 
 /// A rotation from a matrix; @throws InputError with `what` where it is none.
-Quat rotation_from(const Mat3& matrix, const std::string& what);
+Quat rotation_from_matrix(const Mat3& matrix, const std::string& what);
 
 }  // namespace clast::photos_detail

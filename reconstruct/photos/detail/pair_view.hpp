@@ -5,24 +5,24 @@
 namespace clast::photos_detail {
 
 /// OpenCV's shifts are in sixteenths of a pixel.
-inline constexpr double kShiftUnit = 16.0;
+inline constexpr double kDisparityScale = 16.0;
 
 /// The left camera of a pair as one matrix: (u z, v z, z) = matrix * (p - left). The shift of p is
-/// f_base / z - offset.
-struct PairView {
+/// focal_baseline / z - offset.
+struct PairProjection {
   Mat3 matrix;
   Vec3 left;
-  double f_base, offset;
+  double focal_baseline, offset;
   Vec3 direction;
-  const PairDepths* depths;
+  const DisparityMap* depths;
 
-  explicit PairView(const PairDepths& pair) : depths(&pair) {
+  explicit PairProjection(const DisparityMap& pair) : depths(&pair) {
     const Rectification& r = pair.view;
     Mat3 lens;
     lens << r.f, 0.0, r.cx, 0.0, r.f, r.cy, 0.0, 0.0, 1.0;
-    matrix = lens * r.turn;
+    matrix = lens * r.rotation;
     left = r.left;
-    f_base = r.f * r.base;
+    focal_baseline = r.f * r.baseline;
     offset = r.offset;
     direction = r.direction();
   }

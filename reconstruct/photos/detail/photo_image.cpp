@@ -37,14 +37,14 @@ PhotoSize photo_size(const std::filesystem::path& file) {
   return {image.cols, image.rows};
 }
 
-void write_plain_mask(const std::filesystem::path& mask, const std::filesystem::path& target) {
-  const cv::Mat white = read_grey_photo(mask) >= kMaskWhite;
+void write_binary_mask(const std::filesystem::path& mask, const std::filesystem::path& target) {
+  const cv::Mat white = read_grey_photo(mask) >= kMaskThreshold;
   if (!cv::imwrite(target.string(), white)) {
     throw InputError(target.string() + ": can't be written; is the disk full?");
   }
 }
 
-SingleThreaded::SingleThreaded() : before_(cv::getNumThreads()) { cv::setNumThreads(1); }
-SingleThreaded::~SingleThreaded() { cv::setNumThreads(before_); }
+SingleThreadedOpenCv::SingleThreadedOpenCv() : before_(cv::getNumThreads()) { cv::setNumThreads(1); }
+SingleThreadedOpenCv::~SingleThreadedOpenCv() { cv::setNumThreads(before_); }
 
 }  // namespace clast::photos_detail

@@ -17,20 +17,20 @@ cv::Mat read_colour_photo(const std::filesystem::path& file);
 cv::Mat read_grey_photo(const std::filesystem::path& file);
 PhotoSize photo_size(const std::filesystem::path& file);
 
-inline constexpr int kMaskWhite = 128;  ///< of a mask; darker pixels of the photo are not used
+inline constexpr int kMaskThreshold = 128;  ///< of a mask; darker pixels of the photo are not used
 
 /// Writes a mask in black and white alone, as a PNG.
 /// @throws InputError  it can't be read or written
-void write_plain_mask(const std::filesystem::path& mask, const std::filesystem::path& target);
+void write_binary_mask(const std::filesystem::path& mask, const std::filesystem::path& target);
 
 /// OpenCV works in one thread while this lives: photos are worked on in parallel instead, and its
 /// results are the same on any machine.
-class SingleThreaded {
+class SingleThreadedOpenCv {
  public:
-  SingleThreaded();
-  ~SingleThreaded();
-  SingleThreaded(const SingleThreaded&) = delete;
-  SingleThreaded& operator=(const SingleThreaded&) = delete;
+  SingleThreadedOpenCv();
+  ~SingleThreadedOpenCv();
+  SingleThreadedOpenCv(const SingleThreadedOpenCv&) = delete;
+  SingleThreadedOpenCv& operator=(const SingleThreadedOpenCv&) = delete;
 
  private:
   int before_;

@@ -29,14 +29,14 @@ Rectified rectified(const PhotoModel& model, std::size_t photo, const Rectificat
                     double cx, const std::filesystem::path& mask_file) {
   const Photo& p = model.photos[photo];
   const cv::Mat image = read_colour_photo(p.file);
-  const Lens lens = resized(model.lenses[p.lens], image.cols, image.rows);
+  const CameraIntrinsics lens = resized(model.lenses[p.lens], image.cols, image.rows);
   const Mat3 camera_from_view =
-      p.camera_from_world.rotation.toRotationMatrix() * view.turn.transpose();
+      p.camera_from_world.rotation.toRotationMatrix() * view.rotation.transpose();
   cv::Mat map_x(view.height, view.width, CV_32F), map_y(view.height, view.width, CV_32F);
   for (int v = 0; v < view.height; ++v) {
     for (int u = 0; u < view.width; ++u) {
       const Vec3 direction((u - cx) / view.f, (v - view.cy) / view.f, 1.0);
-      const std::optional<Vec2> pixel = projected(lens, camera_from_view * direction);
+      const std::optional<Vec2> pixel = project(lens, camera_from_view * direction);
       const bool inside = pixel && pixel->x() >= 0.0 && pixel->y() >= 0.0 &&
                           pixel->x() <= lens.width - 1.0 && pixel->y() <= lens.height - 1.0;
       map_x.at<float>(v, u) = inside ? static_cast<float>(pixel->x()) : -1.0f;
@@ -49,16 +49,16 @@ Rectified rectified(const PhotoModel& model, std::size_t photo, const Rectificat
   result.inside = map_x >= 0.0f;
   if (!mask_file.empty()) {
     const cv::Mat mask = read_grey_photo(mask_file);
-    cv::Mat seen;
-    cv::remap(mask, seen, map_x, map_y, cv::INTER_NEAREST);
-    result.inside.setTo(0, seen < kMaskWhite);
+    cv::Mat resampled_mask;
+    cv::remap(mask, resampled_mask, map_x, map_y, cv::INTER_NEAREST);
+    result.inside.setTo(0, resampled_mask < kMaskThreshold);
   }
   return result;
 }
 
 }  // namespace
 
-Rectification rectification(const PhotoModel& model, const StereoPair& pair,
+Rectification rectify_pair(const PhotoModel& model, const StereoPair& pair,
                             const PhotoRegion& region, int most_pixels) {
   const Photo &a = model.photos[pair.first], &b = model.photos[pair.second];
   Rectification view;
@@ -73,23 +73,23 @@ Rectification rectification(const PhotoModel& model, const StereoPair& pair,
   }
   const Vec3 ahead = region.centre - 0.5 * (view.left + view.right);
   const Vec3 z = (ahead - x * ahead.dot(x)).normalized();
-  view.turn << x.transpose(), z.cross(x).transpose(), z.transpose();
-  view.base = (view.right - view.left).norm();
-  const Vec3 middle = view.turn * (region.centre - view.left);
+  view.rotation << x.transpose(), z.cross(x).transpose(), z.transpose();
+  view.baseline = (view.right - view.left).norm();
+  const Vec3 middle = view.rotation * (region.centre - view.left);
   const double depth = middle.z();
   const double reach = std::min(region.radius, 0.8 * depth);
-  const Lens &la = model.lenses[a.lens], &lb = model.lenses[b.lens];
+  const CameraIntrinsics &la = model.lenses[a.lens], &lb = model.lenses[b.lens];
   view.f = std::min({la.fx, la.fy, lb.fx, lb.fy});
   const double half_share = std::tan(std::asin(std::min(0.9, reach / depth)));
   view.f = std::min(view.f, 0.5 * most_pixels / half_share);
-  view.offset = view.f * view.base / depth;
-  const double nearest = view.f * view.base / (depth - reach) - view.offset;
-  const double farthest = view.f * view.base / (depth + reach) - view.offset;
-  view.least = static_cast<int>(std::floor(farthest)) - 1;
-  view.count = 16 * ((static_cast<int>(std::ceil(nearest)) + 1 - view.least + 15) / 16);
-  // Matching finds nothing in the first `least + count` columns, and the last `-least`.
+  view.offset = view.f * view.baseline / depth;
+  const double nearest = view.f * view.baseline / (depth - reach) - view.offset;
+  const double farthest = view.f * view.baseline / (depth + reach) - view.offset;
+  view.min_disparity = static_cast<int>(std::floor(farthest)) - 1;
+  view.count = 16 * ((static_cast<int>(std::ceil(nearest)) + 1 - view.min_disparity + 15) / 16);
+  // Matching finds nothing in the first `min_disparity + count` columns, and the last `-min_disparity`.
   const int half = static_cast<int>(std::ceil(view.f * half_share)) + kBlock;
-  const int before = std::max(0, view.least + view.count), after = std::max(0, -view.least);
+  const int before = std::max(0, view.min_disparity + view.count), after = std::max(0, -view.min_disparity);
   view.width = before + 2 * half + after;
   view.height = 2 * half;
   view.cx = before + half - view.f * middle.x() / depth;
@@ -97,10 +97,10 @@ Rectification rectification(const PhotoModel& model, const StereoPair& pair,
   return view;
 }
 
-PairDepths pair_depths(const PhotoModel& model, const StereoPair& pair, const PhotoRegion& region,
+DisparityMap match_stereo_pair(const PhotoModel& model, const StereoPair& pair, const PhotoRegion& region,
                        int most_pixels, const std::vector<std::filesystem::path>& masks) {
-  PairDepths result;
-  result.view = rectification(model, pair, region, most_pixels);
+  DisparityMap result;
+  result.view = rectify_pair(model, pair, region, most_pixels);
   const Rectification& view = result.view;
   const bool swapped = model.photos[pair.first].centre() != view.left;
   const std::size_t left = swapped ? pair.second : pair.first;
@@ -112,12 +112,12 @@ PairDepths pair_depths(const PhotoModel& model, const StereoPair& pair, const Ph
   // u - d with d = f b / z - offset: the right camera's own middle is moved by the offset.
   const Rectified r = rectified(model, right, view, view.cx + view.offset, mask_of(right));
   const auto matcher = cv::StereoSGBM::create(
-      view.least, view.count, kBlock, kSmallStep * kBlock * kBlock, kLargeStep * kBlock * kBlock, 1,
+      view.min_disparity, view.count, kBlock, kSmallStep * kBlock * kBlock, kLargeStep * kBlock * kBlock, 1,
       kPrefilter, kUniqueness, kSpeckle, kSpeckleRange, cv::StereoSGBM::MODE_SGBM_3WAY);
-  matcher->compute(l.grey, r.grey, result.shift);
-  const int nothing = (view.least - 1) * kScale;
+  matcher->compute(l.grey, r.grey, result.disparity);
+  const int nothing = (view.min_disparity - 1) * kScale;
   for (int v = 0; v < view.height; ++v) {
-    auto* row = result.shift.ptr<short>(v);
+    auto* row = result.disparity.ptr<short>(v);
     for (int u = 0; u < view.width; ++u) {
       const int other = u - static_cast<int>(std::lround(row[u] / static_cast<double>(kScale)));
       const bool known = row[u] > nothing && l.inside.at<unsigned char>(v, u) != 0 && other >= 0 &&
@@ -126,7 +126,7 @@ PairDepths pair_depths(const PhotoModel& model, const StereoPair& pair, const Ph
       if (!known ||
           (view.point(u, v, row[u] / static_cast<double>(kScale)) - region.centre).squaredNorm() >
               region.radius * region.radius) {
-        row[u] = kNoShift;
+        row[u] = kNoDisparity;
       }
     }
   }

@@ -12,39 +12,39 @@ namespace clast::photos_detail {
 /// With q = turn * (p - left), a point p is seen in the left one at u = f q.x / q.z + cx,
 /// v = f q.y / q.z + cy, and in the right one at u - d with d = f b / q.z - offset.
 struct Rectification {
-  Mat3 turn = Mat3::Identity();  ///< rectified from world
+  Mat3 rotation = Mat3::Identity();  ///< rectified from world
   Vec3 left = Vec3::Zero(), right = Vec3::Zero();
   double f = 0.0, cx = 0.0, cy = 0.0;  ///< px
-  double base = 0.0;                   ///< b, between the two
+  double baseline = 0.0;                   ///< b, between the two
   double offset = 0.0;                 ///< px
   int width = 0, height = 0;           ///< px
-  int least = 0, count = 0;            ///< range of d, px
+  int min_disparity = 0, count = 0;            ///< range of d, px
 
-  Vec3 direction() const { return turn.row(2); }  ///< in which both look
+  Vec3 direction() const { return rotation.row(2); }  ///< in which both look
   /// The point seen at a pixel of the left one with shift d.
   Vec3 point(double u, double v, double d) const {
-    const double z = f * base / (d + offset);
-    return left + turn.transpose() * Vec3((u - cx) * z / f, (v - cy) * z / f, z);
+    const double z = f * baseline / (d + offset);
+    return left + rotation.transpose() * Vec3((u - cx) * z / f, (v - cy) * z / f, z);
   }
 };
 
 /// @param most_pixels  largest side
-Rectification rectification(const PhotoModel& model, const StereoPair& pair,
+Rectification rectify_pair(const PhotoModel& model, const StereoPair& pair,
                             const PhotoRegion& region, int most_pixels);
 
 /// Shifts of a pair, and the left photo's colours.
-struct PairDepths {
+struct DisparityMap {
   Rectification view;
-  cv::Mat shift;   ///< 16 times d, CV_16S; `kNoShift` where it isn't known
+  cv::Mat disparity;   ///< 16 times d, CV_16S; `kNoDisparity` where it isn't known
   cv::Mat colour;  ///< CV_8UC3, blue first
 };
 
-inline constexpr short kNoShift = -32768;
+inline constexpr short kNoDisparity = -32768;
 
 /// Compares the photos by semi-global matching.
 /// @param masks  per photo, empty or 0 where the photo is not to be used
 /// @cite hirschmueller2008
-PairDepths pair_depths(const PhotoModel& model, const StereoPair& pair, const PhotoRegion& region,
+DisparityMap match_stereo_pair(const PhotoModel& model, const StereoPair& pair, const PhotoRegion& region,
                        int most_pixels, const std::vector<std::filesystem::path>& masks);
 
 }  // namespace clast::photos_detail

@@ -8,8 +8,8 @@ namespace clast::photos_detail {
 
 namespace {
 
-constexpr std::size_t kMostPairs = 400;
-constexpr double kLeastAngle = 0.03;  ///< between two rays, rad: less says nothing of the depth
+constexpr std::size_t kMaxPairs = 400;
+constexpr double kMinAngle = 0.03;  ///< between two rays, rad: less says nothing of the depth
 constexpr int kSteps = 10;
 
 struct Ray {
@@ -19,7 +19,7 @@ struct Ray {
 /// The middle of the shortest line between two rays.
 std::optional<Vec3> meeting(const Ray& a, const Ray& b) {
   const double c = a.along.dot(b.along), sine2 = 1.0 - c * c;
-  if (sine2 < kLeastAngle * kLeastAngle) return std::nullopt;
+  if (sine2 < kMinAngle * kMinAngle) return std::nullopt;
   const Vec3 between = b.from - a.from;
   const double s = (a.along.dot(between) - c * b.along.dot(between)) / sine2;
   const double t = (c * a.along.dot(between) - b.along.dot(between)) / sine2;
@@ -27,14 +27,14 @@ std::optional<Vec3> meeting(const Ray& a, const Ray& b) {
   return 0.5 * (a.from + s * a.along + b.from + t * b.along);
 }
 
-Triangulated judged(const PhotoModel& model, const std::vector<Sighting>& sightings,
-                    const Vec3& place, double largest_error) {
-  Triangulated result{place, std::vector<bool>(sightings.size()), 0, 0.0};
-  for (std::size_t i = 0; i < sightings.size(); ++i) {
-    const std::optional<Vec2> seen = seen_at(model, sightings[i].photo, place);
-    const double error2 = seen ? (*seen - sightings[i].pixel).squaredNorm() : 1e300;
+TriangulatedPoint judged(const PhotoModel& model, const std::vector<ImageObservation>& observations,
+                    const Vec3& position, double largest_error) {
+  TriangulatedPoint result{position, std::vector<bool>(observations.size()), 0, 0.0};
+  for (std::size_t i = 0; i < observations.size(); ++i) {
+    const std::optional<Vec2> projection = project_into_photo(model, observations[i].photo, position);
+    const double error2 = projection ? (*projection - observations[i].pixel).squaredNorm() : 1e300;
     if (error2 > largest_error * largest_error) continue;
-    result.agrees[i] = true;
+    result.is_inlier[i] = true;
     ++result.agreeing;
     result.squared_error += error2;
   }
@@ -42,56 +42,56 @@ Triangulated judged(const PhotoModel& model, const std::vector<Sighting>& sighti
 }
 
 /// A step of least squares over the sightings that agree; derivatives by differences.
-Vec3 improved(const PhotoModel& model, const std::vector<Sighting>& sightings,
-              const Triangulated& now) {
+Vec3 improved(const PhotoModel& model, const std::vector<ImageObservation>& observations,
+              const TriangulatedPoint& now) {
   Mat3 normal = Mat3::Zero();
   Vec3 right = Vec3::Zero();
-  for (std::size_t i = 0; i < sightings.size(); ++i) {
-    if (!now.agrees[i]) continue;
-    const std::size_t photo = sightings[i].photo;
+  for (std::size_t i = 0; i < observations.size(); ++i) {
+    if (!now.is_inlier[i]) continue;
+    const std::size_t photo = observations[i].photo;
     const Photo& camera = model.photos[photo];
-    const double step = 1e-6 * (camera.camera_from_world * now.place).norm();
-    const std::optional<Vec2> here = seen_at(model, photo, now.place);
+    const double step = 1e-6 * (camera.camera_from_world * now.position).norm();
+    const std::optional<Vec2> here = project_into_photo(model, photo, now.position);
     Eigen::Matrix<double, 2, 3> slope;
     for (int axis = 0; axis < 3; ++axis) {
       const Vec3 move = step * Vec3::Unit(axis);
-      const std::optional<Vec2> ahead = seen_at(model, photo, now.place + move);
-      const std::optional<Vec2> behind = seen_at(model, photo, now.place - move);
-      if (!ahead || !behind) return now.place;
+      const std::optional<Vec2> ahead = project_into_photo(model, photo, now.position + move);
+      const std::optional<Vec2> behind = project_into_photo(model, photo, now.position - move);
+      if (!ahead || !behind) return now.position;
       slope.col(axis) = (*ahead - *behind) / (2.0 * step);
     }
     normal += slope.transpose() * slope;
-    right += slope.transpose() * (sightings[i].pixel - *here);
+    right += slope.transpose() * (observations[i].pixel - *here);
   }
   const Vec3 move = normal.ldlt().solve(right);
-  return move.allFinite() ? Vec3(now.place + move) : now.place;
+  return move.allFinite() ? Vec3(now.position + move) : now.position;
 }
 
 }  // namespace
 
-std::optional<Triangulated> triangulated(const PhotoModel& model,
-                                         const std::vector<Sighting>& sightings,
+std::optional<TriangulatedPoint> triangulate(const PhotoModel& model,
+                                         const std::vector<ImageObservation>& observations,
                                          double largest_error) {
   std::vector<std::optional<Ray>> rays;
-  for (const Sighting& sighting : sightings) {
+  for (const ImageObservation& sighting : observations) {
     const Photo& photo = model.photos[sighting.photo];
-    const std::optional<Vec3> direction = direction_at(model.lenses[photo.lens], sighting.pixel);
+    const std::optional<Vec3> direction = unproject(model.lenses[photo.lens], sighting.pixel);
     const Pose world_from_camera = photo.camera_from_world.inverse();
     rays.push_back(direction
                        ? std::optional(Ray{world_from_camera.translation,
                                            world_from_camera.rotation * direction->normalized()})
                        : std::nullopt);
   }
-  std::optional<Triangulated> best;
-  const std::size_t count = sightings.size(), pairs = count * (count - 1) / 2;
-  const std::size_t stride = pairs / kMostPairs + 1;
+  std::optional<TriangulatedPoint> best;
+  const std::size_t count = observations.size(), pairs = count * (count - 1) / 2;
+  const std::size_t stride = pairs / kMaxPairs + 1;
   std::size_t pair = 0;
   for (std::size_t i = 0; i < count; ++i) {
     for (std::size_t j = i + 1; j < count; ++j) {
       if (pair++ % stride != 0 || !rays[i] || !rays[j]) continue;
-      const std::optional<Vec3> place = meeting(*rays[i], *rays[j]);
-      if (!place) continue;
-      Triangulated trial = judged(model, sightings, *place, largest_error);
+      const std::optional<Vec3> position = meeting(*rays[i], *rays[j]);
+      if (!position) continue;
+      TriangulatedPoint trial = judged(model, observations, *position, largest_error);
       const bool better =
           !best || trial.agreeing > best->agreeing ||
           (trial.agreeing == best->agreeing && trial.squared_error < best->squared_error);
@@ -100,9 +100,9 @@ std::optional<Triangulated> triangulated(const PhotoModel& model,
   }
   if (!best) return std::nullopt;
   for (int step = 0; step < kSteps; ++step) {
-    Triangulated next = judged(model, sightings, improved(model, sightings, *best), largest_error);
+    TriangulatedPoint next = judged(model, observations, improved(model, observations, *best), largest_error);
     if (next.agreeing < best->agreeing) break;
-    const bool still = (next.place - best->place).norm() < 1e-12 * best->place.norm();
+    const bool still = (next.position - best->position).norm() < 1e-12 * best->position.norm();
     best = std::move(next);
     if (still) break;
   }

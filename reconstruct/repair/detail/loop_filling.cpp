@@ -15,7 +15,7 @@ constexpr double kNever = std::numeric_limits<double>::infinity();
 constexpr double kFlatTriangle = 1e-6;
 /// A triangle of the lowest or highest filling is no longer than this, times the longest side of
 /// the loop, and faces as the loop does.
-constexpr double kLongestFilling = 3.0;
+constexpr double kMaxFilling = 3.0;
 
 /// The triangulations of one polygon, by dynamic programming over its chords.
 class Triangulations {
@@ -51,7 +51,7 @@ class Triangulations {
     return best(
         [&](std::size_t i, std::size_t m, std::size_t k) {
           const Vec3 area = area_of(i, m, k);
-          if (!(area.dot(area_) > 0.0) || longest(i, m, k) > kLongestFilling * longest_side_) {
+          if (!(area.dot(area_) > 0.0) || longest(i, m, k) > kMaxFilling * longest_side_) {
             return kNever;
           }
           return sign * sixfold(i, m, k);
@@ -94,12 +94,12 @@ class Triangulations {
     const double side = longest(i, m, k);
     if (!(area.norm() > kFlatTriangle * side * side)) return kNever;
     const Vec3 normal = area.normalized();
-    const auto bend = [&](std::size_t from, std::size_t to, const Vec3& beyond) {
+    const auto bending = [&](std::size_t from, std::size_t to, const Vec3& beyond) {
       return (point(to) - point(from)).norm() *
              std::atan2(normal.cross(beyond).norm(), normal.dot(beyond));
     };
-    double sum = bend(i, m, normal_[i * n_ + m]) + bend(m, k, normal_[m * n_ + k]);
-    if (i == 0 && k + 1 == n_) sum += bend(k, i, normals_[n_ - 1]);
+    double sum = bending(i, m, normal_[i * n_ + m]) + bending(m, k, normal_[m * n_ + k]);
+    if (i == 0 && k + 1 == n_) sum += bending(k, i, normals_[n_ - 1]);
     return sum;
   }
 
@@ -164,7 +164,7 @@ bool repeats_an_edge(const std::vector<TriangleMesh::Triangle>& triangles) {
 
 }  // namespace
 
-std::optional<LoopFilling> fill_loop(const TriangleMesh& mesh, std::span<const std::uint32_t> loop,
+std::optional<LoopFilling> triangulate_loop(const TriangleMesh& mesh, std::span<const std::uint32_t> loop,
                                      std::span<const Vec3> normals,
                                      const std::set<EdgeKey>& edges) {
   if (loop.size() < 3) return std::nullopt;
@@ -184,14 +184,14 @@ std::optional<LoopFilling> fill_loop(const TriangleMesh& mesh, std::span<const s
   if (loop.size() > 4) {
     std::vector<Vec3> border;
     for (const std::uint32_t v : loop) border.push_back(mesh.vertices[v]);
-    const TangentCones cones = tangent_cones(border, normals);
+    const TangentConeVolumes cones = tangent_cone_volumes(border, normals);
     filling.volume_below = std::max(filling.volume_below, cones.below + chosen / 6.0);
     filling.volume_above = std::max(filling.volume_above, cones.above - chosen / 6.0);
   }
   return filling;
 }
 
-TangentCones tangent_cones(std::span<const Vec3> border, std::span<const Vec3> normals) {
+TangentConeVolumes tangent_cone_volumes(std::span<const Vec3> border, std::span<const Vec3> normals) {
   const std::size_t n = border.size();
   Vec3 centre = Vec3::Zero(), area = Vec3::Zero();
   for (const Vec3& p : border) centre += p / static_cast<double>(n);
@@ -199,7 +199,7 @@ TangentCones tangent_cones(std::span<const Vec3> border, std::span<const Vec3> n
     area += 0.5 * (border[i] - centre).cross(border[(i + 1) % n] - centre);
   }
   const double size = area.norm();
-  TangentCones cones;
+  TangentConeVolumes cones;
   if (!(size > 0.0)) return cones;
   const Vec3 up = area / size;
   const double reach = std::sqrt(size / kPi);
@@ -209,8 +209,8 @@ TangentCones tangent_cones(std::span<const Vec3> border, std::span<const Vec3> n
     const double height =
         steepness > 0.0 ? std::clamp(normals[i].dot(middle - centre) / steepness, -reach, reach)
                         : reach;
-    const double share = size * std::abs(height) / (3.0 * static_cast<double>(n));
-    (height > 0.0 ? cones.above : cones.below) += share;
+    const double volume = size * std::abs(height) / (3.0 * static_cast<double>(n));
+    (height > 0.0 ? cones.above : cones.below) += volume;
   }
   return cones;
 }

@@ -28,15 +28,15 @@ struct LoopFilling {
 /// @param edges    all edges of the mesh
 /// @returns none where every triangulation repeats an edge
 /// @cite liepa2003
-std::optional<LoopFilling> fill_loop(const TriangleMesh& mesh, std::span<const std::uint32_t> loop,
+std::optional<LoopFilling> triangulate_loop(const TriangleMesh& mesh, std::span<const std::uint32_t> loop,
                                      std::span<const Vec3> normals, const std::set<EdgeKey>& edges);
 
 /// Volumes (m^3) under and over a flat filling of a loop, of the cones up to where the planes
 /// beyond its sides pass its middle: a convex surface stays within the upper one. The mean over the
 /// sides of those that fall, and of those that rise; no cone is higher than the loop is wide.
-struct TangentCones {
+struct TangentConeVolumes {
   double below = 0.0, above = 0.0;
 };
-TangentCones tangent_cones(std::span<const Vec3> border, std::span<const Vec3> normals);
+TangentConeVolumes tangent_cone_volumes(std::span<const Vec3> border, std::span<const Vec3> normals);
 
 }  // namespace clast::reconstruct_detail

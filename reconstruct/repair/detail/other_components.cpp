@@ -9,8 +9,8 @@
 #include "core/number_text.hpp"
 #include "mesh/mesh_topology.hpp"
 #include "mesh/triangle_neighbours.hpp"
+#include "reconstruct/repair/non_manifold_split.hpp"
 #include "reconstruct/repair/surface_copy.hpp"
-#include "reconstruct/repair/touching_sheets.hpp"
 
 namespace clast::reconstruct_detail {
 
@@ -19,17 +19,17 @@ namespace {
 /// A component with less of the block's area than this is no block: dust, a scrap of ground.
 constexpr double kIslandArea = 0.05;
 /// Share of the diagonal within which an open component lies on the block: a part scanned twice.
-constexpr double kDoubleSheet = 0.02;
+constexpr double kDuplicateSheet = 0.02;
 
-void add(Change& dropped, const Component& component) {
-  if (dropped.count++ == 0) dropped.place = component.mesh.vertices[0];
+void add(RepairChange& dropped, const Component& component) {
+  if (dropped.count++ == 0) dropped.position = component.mesh.vertices[0];
   dropped.area += component.area;
 }
 
-[[noreturn]] void refuse_components(std::size_t others, bool open, double share) {
+[[noreturn]] void refuse_components(std::size_t others, bool open, double fraction) {
   throw GeometryError(
       std::to_string(others + 1) + " separate components, the second with " +
-      format_significant(100.0 * share, 4) + " % of the area of the first; " +
+      format_significant(100.0 * fraction, 4) + " % of the area of the first; " +
       (open ? "if they are parts of one block, align and merge them first (CloudCompare: Fine "
               "registration, then Merge); otherwise "
             : "") +
@@ -42,7 +42,7 @@ void take_shells(TriangleMesh& block, const std::vector<const TriangleMesh*>& sh
   if (shells.empty()) return;
   const bool block_outward = signed_volume(block) > 0.0;
   log.report.inner_shells = shells.size();
-  log.report.inner_shells_kept = keep;
+  log.report.inner_shells_retained = keep;
   double area = 0.0;
   for (const TriangleMesh* shell : shells) {
     const double volume = signed_volume(*shell);
@@ -50,7 +50,7 @@ void take_shells(TriangleMesh& block, const std::vector<const TriangleMesh*>& sh
     area += surface_area(*shell);
     if (!keep) continue;
     TriangleMesh cavity = *shell;
-    split_pinched_vertices(cavity);
+    split_non_manifold_vertices(cavity);
     if ((volume > 0.0) == block_outward) flip_orientation(cavity);
     block = merged(std::move(block), cavity);
   }
@@ -59,13 +59,13 @@ void take_shells(TriangleMesh& block, const std::vector<const TriangleMesh*>& sh
 
 }  // namespace
 
-void sort_out_components(TriangleMesh& block, std::span<const Component> components,
-                         const RepairOptions& options, RepairLog& log) {
+void remove_other_components(TriangleMesh& block, std::span<const Component> components,
+                             const RepairOptions& options, RepairLog& log) {
   if (components.size() == 1) return;
   const TriangleTree tree(block);
-  const double diagonal = bounds(block).diagonal(), on_block = kDoubleSheet * diagonal;
+  const double diagonal = bounds(block).diagonal(), on_block = kDuplicateSheet * diagonal;
   std::vector<const TriangleMesh*> shells;
-  Change islands, sheets, copies;
+  RepairChange islands, sheets, copies;
   std::size_t others = 0;
   bool open = false;
   for (const Component& component : components.subspan(1)) {
@@ -73,20 +73,20 @@ void sort_out_components(TriangleMesh& block, std::span<const Component> compone
     const bool closed = inspect_mesh(mesh).closed();
     const bool small = component.area < kIslandArea * components[0].area;
     if (!small) {
-      if (const auto copy = copy_of_surface(mesh, tree, diagonal)) {
+      if (const auto copy = match_surface_copy(mesh, tree, diagonal)) {
         add(closed ? copies : sheets, component);
         log.note(describe_copy(*copy, component, block, tree));
         continue;
       }
     }
-    const bool inside = lies_inside(mesh, block, tree);
+    const bool inside = is_inside_block(mesh, block, tree);
     const auto holds_it = [&](const TriangleMesh* shell) {
-      return lies_inside(mesh, *shell, TriangleTree(*shell));
+      return is_inside_block(mesh, *shell, TriangleTree(*shell));
     };
     // What lies in a bubble has less area than the bubble, so that one comes first.
     if (inside && closed && std::none_of(shells.begin(), shells.end(), holds_it)) {
       shells.push_back(&mesh);
-    } else if (options.invent && !closed && lies_on(mesh, tree, on_block)) {
+    } else if (options.fill_missing && !closed && is_on_surface(mesh, tree, on_block)) {
       add(sheets, component);
     } else if (inside || small) {
       add(islands, component);
@@ -96,8 +96,8 @@ void sort_out_components(TriangleMesh& block, std::span<const Component> compone
     }
   }
   if (others > 0) refuse_components(others, open, components[1].area / components[0].area);
-  log.note(DefectKind::kDoubleSheet, sheets);
-  log.note(DefectKind::kDoubledShell, copies);
+  log.note(DefectKind::kDuplicateSheet, sheets);
+  log.note(DefectKind::kDuplicateShell, copies);
   log.note(DefectKind::kIsland, islands);
   take_shells(block, shells, options.keep_inner_shells, log);
 }

@@ -16,7 +16,7 @@ namespace clast::reconstruct_detail {
 /// @param components  of the mesh, the one that became the block first
 /// @throws GeometryError  another component is too large to be an island: a second block, or
 ///                        another part of this one
-void sort_out_components(TriangleMesh& block, std::span<const Component> components,
+void remove_other_components(TriangleMesh& block, std::span<const Component> components,
                          const RepairOptions& options, RepairLog& log);
 
 }  // namespace clast::reconstruct_detail

@@ -7,39 +7,39 @@
 
 namespace clast::reconstruct_detail {
 
-Vec3 RepairLog::reported(const Vec3& local) const {
+Vec3 RepairLog::to_reported_frame(const Vec3& local) const {
   const Vec3 there = local + origin_;
   return reported_place_ ? reported_place_(there) : there;
 }
 
-std::string RepairLog::at(const Vec3& local) const { return place(reported(local)); }
+std::string RepairLog::at(const Vec3& local) const { return position(to_reported_frame(local)); }
 
 void RepairLog::note(DefectKind kind, std::size_t count, double area, std::optional<Vec3> where,
                      double size) {
   if (count == 0) return;
-  if (where) where = reported(*where);
+  if (where) where = to_reported_frame(*where);
   report.defects.push_back({kind, count, area / area_as_read, size, where});
 }
 
-void RepairLog::note(DefectKind kind, const Change& change) {
-  note(kind, change.count, change.area, change.place);
+void RepairLog::note(DefectKind kind, const RepairChange& change) {
+  note(kind, change.count, change.area, change.position);
 }
 
-void RepairLog::note(const DoubledSurface& copy) {
+void RepairLog::note(const DuplicateSurface& copy) {
   report.doubled.push_back(copy);
   // One of the copies is the rock: the farthest from the one kept bounds it.
   report.volume_below = std::max(report.volume_below, -copy.volume_change);
   report.volume_above = std::max(report.volume_above, copy.volume_change);
 }
 
-void RepairLog::swap_sides() {
+void RepairLog::flip_orientation() {
   std::swap(report.volume_below, report.volume_above);
   for (FilledHole& hole : report.holes) std::swap(hole.volume_below, hole.volume_above);
 }
 
 void RepairLog::finish() {
   double filled = 0.0;
-  for (const FilledHole& hole : report.holes) filled += hole.area_share;
+  for (const FilledHole& hole : report.holes) filled += hole.area_fraction;
   if (!report.holes.empty()) {
     report.defects.push_back({DefectKind::kHole, report.holes.size(), filled,
                               report.holes[0].radius, report.holes[0].centre});

@@ -18,18 +18,18 @@ class RepairLog {
   RepairLog(const Vec3& origin, const std::function<Vec3(const Vec3&)>& reported_place)
       : origin_(origin), reported_place_(reported_place) {}
 
-  Vec3 reported(const Vec3& local) const;
+  Vec3 to_reported_frame(const Vec3& local) const;
   std::string at(const Vec3& local) const;  ///< for messages
 
   /// Nothing where `count` is 0.
   /// @param area  of what was dropped, m^2
   void note(DefectKind kind, std::size_t count, double area = 0.0, std::optional<Vec3> where = {},
             double size = 0.0);
-  void note(DefectKind kind, const Change& change);
-  void note(const DoubledSurface& copy);
+  void note(DefectKind kind, const RepairChange& change);
+  void note(const DuplicateSurface& copy);
 
   /// The same of the surface turned over.
-  void swap_sides();
+  void flip_orientation();
   /// Adds what the holes come to, and puts defects in the order of their kinds.
   void finish();
 

@@ -19,7 +19,7 @@ constexpr double kNoVolume = 1e-9;
 constexpr std::size_t kHolesNamed = 3;
 /// A grain of sand is a million times larger; squares of what is much smaller are no numbers, and
 /// exact arithmetic with it takes minutes.
-constexpr double kSmallestExtent = 1e-9;  // m
+constexpr double kMinExtent = 1e-9;  // m
 
 /// "88 open edges in 9 holes: 30 edges and 0.41 m round near (...), ..."
 std::string open_edges(TriangleMesh mesh, const RepairLog& log) {
@@ -54,7 +54,7 @@ void check_coordinates(const TriangleMesh& mesh) {
                           " is not a finite point; clean the file in the program that wrote it");
     }
     const double farthest = mesh.vertices[v].cwiseAbs().maxCoeff();
-    if (farthest > kLargestCoordinate) {
+    if (farthest > kMaxCoordinate) {
       throw GeometryError("vertex " + std::to_string(v + 1) + " lies " + format_significant(farthest, 3) +
                           " m from the origin: the file is damaged, or its unit is wrong; check "
                           "the unit it was read in");
@@ -65,7 +65,7 @@ void check_coordinates(const TriangleMesh& mesh) {
 
 void check_extent(const TriangleMesh& mesh) {
   const double diagonal = bounds(mesh).diagonal();
-  if (mesh.vertices.empty() || diagonal >= kSmallestExtent) return;
+  if (mesh.vertices.empty() || diagonal >= kMinExtent) return;
   throw GeometryError("the mesh is " + format_significant(diagonal, 3) +
                       " m across: the file is damaged, or its unit is wrong; check the unit it "
                       "was read in");
@@ -76,7 +76,7 @@ void check_not_empty(const TriangleMesh& mesh) {
   throw GeometryError("no surface is left: its triangles have no area or cancel each other");
 }
 
-void check_orientable(const TriangleMesh& mesh, const Orientation& facing, const RepairLog& log) {
+void check_orientable(const TriangleMesh& mesh, const OrientationResult& facing, const RepairLog& log) {
   if (facing.orientable) return;
   throw GeometryError("the surface is one-sided near " + log.at(mesh.vertices[facing.conflict]) +
                       " (inside and outside can't be distinguished)" + kRepairAdvice);
@@ -84,9 +84,9 @@ void check_orientable(const TriangleMesh& mesh, const Orientation& facing, const
 
 void check_hole(const FilledHole& hole, double largest, const TriangleMesh& welded,
                 const RepairLog& log) {
-  if (hole.area_share <= largest || hole.fan) return;
+  if (hole.area_fraction <= largest || hole.fan) return;
   throw GeometryError("the surface is an open sheet and no block: " + open_edges(welded, log) +
-                      "; closing it would invent " + format_significant(100.0 * hole.area_share, 3) +
+                      "; closing it would invent " + format_significant(100.0 * hole.area_fraction, 3) +
                       " % of its surface. A piece of ground is read by clast terrain; of a block, "
                       "scan more sides");
 }

@@ -11,7 +11,7 @@ inline constexpr const char* kRepairAdvice =
     "or Screened Poisson) or CloudCompare (PoissonRecon)";
 
 /// @throws GeometryError  a vertex is not finite, or farther from the origin than
-///                        `kLargestCoordinate`
+///                        `kMaxCoordinate`
 void check_coordinates(const TriangleMesh& mesh);
 /// @throws GeometryError  less than 1 nm across, as what a damaged file leaves beside vertices of
 ///                        no triangle
@@ -21,7 +21,7 @@ void check_extent(const TriangleMesh& mesh);
 void check_not_empty(const TriangleMesh& mesh);
 
 /// @throws GeometryError  inside and outside can't be distinguished
-void check_orientable(const TriangleMesh& mesh, const Orientation& facing, const RepairLog& log);
+void check_orientable(const TriangleMesh& mesh, const OrientationResult& facing, const RepairLog& log);
 
 /// @param welded  the surface before any repair: messages count what the file has
 /// @throws GeometryError  one hole has more than `largest` of the repaired surface

@@ -6,14 +6,14 @@
 
 namespace clast::reconstruct_detail {
 
-TriangleMesh wrapped(const TriangleMesh& closed, const WrapShares& shares) {
+TriangleMesh wrap_surface(const TriangleMesh& closed, const WrapParameters& parameters) {
   const MeshReport report = inspect_mesh(closed);
   if (!report.closed()) {
     throw GeometryError("only a closed surface can be wrapped, this one has " + report.summary() +
                         "; repair it first");
   }
   const double diagonal = bounds(closed).diagonal();
-  return alpha_wrap(closed, shares.bridged * diagonal, shares.distance * diagonal);
+  return alpha_wrap(closed, parameters.alpha * diagonal, parameters.offset * diagonal);
 }
 
 }  // namespace clast::reconstruct_detail

@@ -5,21 +5,21 @@
 namespace clast::reconstruct_detail {
 
 /// How closely a wrap follows, as shares of the diagonal. Its cost goes with the square.
-struct WrapShares {
-  double bridged;   ///< width of the hollows that are bridged
-  double distance;  ///< of the wrap from the surface
+struct WrapParameters {
+  double alpha;   ///< width of the hollows that are bridged
+  double offset;  ///< of the wrap from the surface
 };
 
 /// The first takes some seconds; the second a tenth of that, and shows whether the first is worth
 /// it.
-inline constexpr WrapShares kFineWrap{1.0 / 60.0, 1.0 / 1500.0},
+inline constexpr WrapParameters kFineWrap{1.0 / 60.0, 1.0 / 1500.0},
     kCoarseWrap{1.0 / 20.0, 1.0 / 600.0};
 
 /// A closed 2-manifold without crossings around `closed`, not much farther outside of it than
-/// `shares` say.
+/// `parameters` say.
 /// @param closed  without holes: through a hole the wrap would creep inside and double the surface
 /// @throws GeometryError  it has holes
 /// @cite portaneri2022
-TriangleMesh wrapped(const TriangleMesh& closed, const WrapShares& shares);
+TriangleMesh wrap_surface(const TriangleMesh& closed, const WrapParameters& parameters);
 
 }  // namespace clast::reconstruct_detail

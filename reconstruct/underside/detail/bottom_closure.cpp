@@ -13,28 +13,28 @@ constexpr int kPowerSteps = 40;  ///< halvings of a range of powers
 
 }  // namespace
 
-double BottomClosure::fall(std::size_t vertex, const Move& move) const {
-  return move.depth * std::pow(patch_.bulge[vertex], move.power);
+double BottomClosure::vertex_drop(std::size_t vertex, const ClosureShape& move) const {
+  return move.depth * std::pow(patch_.deflection[vertex], move.power);
 }
 
-TriangleMesh BottomClosure::lowered(const Move& move) const {
+TriangleMesh BottomClosure::lowered(const ClosureShape& move) const {
   TriangleMesh mesh = closed_;
   if (move.depth <= 0.0) return mesh;
-  for (std::size_t i = 0; i < patch_.bulge.size(); ++i) {
-    mesh.vertices[first_vertex_ + i] += fall(i, move) * down_;
+  for (std::size_t i = 0; i < patch_.deflection.size(); ++i) {
+    mesh.vertices[first_vertex_ + i] += vertex_drop(i, move) * down_;
   }
   return mesh;
 }
 
-Move BottomClosure::holding(double added, double power, double deepest) const {
-  while (added / column(power) > deepest && power > kBluntest) power *= 0.8;
-  return {power, added / column(power)};
+ClosureShape BottomClosure::shape_for_volume(double added, double power, double deepest) const {
+  while (added / volume_per_depth(power) > deepest && power > kMinPower) power *= 0.8;
+  return {power, added / volume_per_depth(power)};
 }
 
-Move BottomClosure::lying(const Plane& ground, const Move& blunt, double added, double most) const {
+ClosureShape BottomClosure::shape_touching_ground(const Plane& ground, const ClosureShape& blunt, double added, double max_power) const {
   if (touches(ground, blunt)) return blunt;
-  const auto of_power = [&](double power) { return Move{power, added / column(power)}; };
-  double low = blunt.power, high = most;
+  const auto of_power = [&](double power) { return ClosureShape{power, added / volume_per_depth(power)}; };
+  double low = blunt.power, high = max_power;
   for (int i = 0; i < kPowerSteps; ++i) {
     const double power = 0.5 * (low + high);
     (touches(ground, of_power(power)) ? high : low) = power;
@@ -42,19 +42,19 @@ Move BottomClosure::lying(const Plane& ground, const Move& blunt, double added, 
   return of_power(high);
 }
 
-bool BottomClosure::touches(const Plane& ground, const Move& move) const {
-  for (std::size_t i = 0; i < patch_.bulge.size(); ++i) {
-    if (ground.height(closed_.vertices[first_vertex_ + i]) <= fall(i, move)) return true;
+bool BottomClosure::touches(const Plane& ground, const ClosureShape& move) const {
+  for (std::size_t i = 0; i < patch_.deflection.size(); ++i) {
+    if (ground.height(closed_.vertices[first_vertex_ + i]) <= vertex_drop(i, move)) return true;
   }
   return false;
 }
 
-double BottomClosure::column(double power) const {
+double BottomClosure::volume_per_depth(double power) const {
   double volume = 0.0;
   for (const TriangleMesh::Triangle& t : patch_.triangles) {
     double mean = 0.0;
     for (const std::uint32_t v : t) {
-      if (v >= first_vertex_) mean += std::pow(patch_.bulge[v - first_vertex_], power) / 3.0;
+      if (v >= first_vertex_) mean += std::pow(patch_.deflection[v - first_vertex_], power) / 3.0;
     }
     const auto& [a, b, c] = t;
     const std::vector<Vec3>& at = closed_.vertices;

@@ -11,14 +11,14 @@ namespace clast::reconstruct_detail {
 
 /// How the closure is moved: every vertex by `depth` (m) times its bulge to a power. The larger the
 /// power, the more pointed what hangs below.
-struct Move {
+struct ClosureShape {
   double power = 0.0, depth = 0.0;
 };
 
 /// What lies under the closure grows in proportion to the depth, since all moves are along one way.
 class BottomClosure {
  public:
-  static constexpr double kBluntest = 0.05;  ///< least power of a move
+  static constexpr double kMinPower = 0.05;  ///< least power of a move
 
   /// @param closed        with the closure, and alive as long as this
   /// @param patch         the closure, its vertices numbered from `first_vertex` on in `closed`
@@ -28,19 +28,19 @@ class BottomClosure {
       : closed_(closed), patch_(std::move(patch)), first_vertex_(first_vertex), down_(down) {}
 
   /// `closed` with the closure moved.
-  TriangleMesh lowered(const Move& move) const;
+  TriangleMesh lowered(const ClosureShape& move) const;
   /// With `added` volume (m^3) under the closure, no deeper than `deepest` (m) where that is
   /// possible: the power falls until it is.
-  Move holding(double added, double power, double deepest) const;
+  ClosureShape shape_for_volume(double added, double power, double deepest) const;
   /// The same volume, so pointed that it touches the ground: a block does not float. The power
-  /// rises to `most` at most.
-  Move lying(const Plane& ground, const Move& blunt, double added, double most) const;
+  /// rises to `max_power` at most.
+  ClosureShape shape_touching_ground(const Plane& ground, const ClosureShape& blunt, double added, double max_power) const;
 
  private:
   /// Volume that is added for each metre of depth, m^2.
-  double column(double power) const;
-  bool touches(const Plane& ground, const Move& move) const;
-  double fall(std::size_t vertex, const Move& move) const;
+  double volume_per_depth(double power) const;
+  bool touches(const Plane& ground, const ClosureShape& move) const;
+  double vertex_drop(std::size_t vertex, const ClosureShape& move) const;
 
   const TriangleMesh& closed_;
   HolePatch patch_;

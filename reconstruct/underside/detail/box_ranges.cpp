@@ -14,14 +14,14 @@ namespace {
 constexpr int kEverywhere = 1500;    ///< turns spread over all, about 13 degrees apart
 constexpr std::size_t kStarts = 32;  ///< of these, those with the smallest boxes are followed down
 constexpr double kFirstStep = 0.12, kLastStep = 3e-4;  // rad; halved in between
-constexpr double kLeastGain = 1e-12;  ///< of a step; less is rounding, which never ends
+constexpr double kMinGain = 1e-12;  ///< of a step; less is rounding, which never ends
 constexpr double kSameBox = 1e-4;     ///< relative; minima closer than this are one
 constexpr std::size_t kMinima = 12;   ///< ... and so many least boxes are looked around
 constexpr int kDirections = 24;       ///< a minimum is looked around by turns about so many axes
 constexpr int kAngles = 8;            ///< ... by so many angles
-constexpr double kLargestAngle = 0.25, kShrink = 0.62;  // rad; each angle against the last
+constexpr double kMaxAngle = 0.25, kShrink = 0.62;  // rad; each angle against the last
 /// Hulls with more corners are simplified; what is lost of an extent is below 1e-3 of it.
-constexpr std::size_t kMostHullCorners = 1500;
+constexpr std::size_t kMaxHullCorners = 1500;
 constexpr int kLooks = 3000;
 /// Boxes larger than the largest by this share count: axes that are looked at are a hair off those
 /// of the least boxes, and a body a hair outside of what is possible. No more than so many times
@@ -51,7 +51,7 @@ Vec3 spread_direction(int i, int count) {
 /// Corners of the hull; of very many those that are outermost along directions spread over all.
 std::vector<Vec3> outermost(std::span<const Vec3> points) {
   const std::vector<Vec3> corners = extreme_points(points);
-  if (corners.size() <= kMostHullCorners) return corners;
+  if (corners.size() <= kMaxHullCorners) return corners;
   std::vector<bool> kept(corners.size(), false);
   const Eigen::Matrix3Xd places = columns(corners);
   for (int i = 0; i < kLooks; ++i) {
@@ -87,78 +87,78 @@ Mat3 spread_turn(int i) {
 }
 
 /// Axes with the volume of the box of what was seen along them.
-struct Turn {
+struct BoxOrientation {
   double volume = 0.0;
   Mat3 axes;
 };
 
-/// A least box near `turn`, by steps about its own axes.
-Turn followed_down(const Eigen::Matrix3Xd& points, Turn turn) {
+/// A least box near `orientation`, by steps about its own axes.
+BoxOrientation followed_down(const Eigen::Matrix3Xd& points, BoxOrientation orientation) {
   for (double step = kFirstStep; step > kLastStep; step *= 0.5) {
     for (bool moved = true; moved;) {
       moved = false;
       for (int way = 0; way < 6; ++way) {
-        const Vec3 axis = (way % 2 == 0 ? 1.0 : -1.0) * turn.axes.col(way / 2);
-        const Mat3 axes = Eigen::AngleAxisd(step, axis) * turn.axes;
+        const Vec3 axis = (way % 2 == 0 ? 1.0 : -1.0) * orientation.axes.col(way / 2);
+        const Mat3 axes = Eigen::AngleAxisd(step, axis) * orientation.axes;
         const double volume = extents(points, axes).prod();
-        if (!(volume < (1.0 - kLeastGain) * turn.volume)) continue;
-        turn = {volume, axes};
+        if (!(volume < (1.0 - kMinGain) * orientation.volume)) continue;
+        orientation = {volume, axes};
         moved = true;
       }
     }
   }
-  return turn;
+  return orientation;
 }
 
-bool smaller(const Turn& a, const Turn& b) { return a.volume < b.volume; }
+bool smaller(const BoxOrientation& a, const BoxOrientation& b) { return a.volume < b.volume; }
 
 /// Places where the box of what was seen is the least of all around, each once.
-std::vector<Turn> least_boxes(const Eigen::Matrix3Xd& points, std::vector<Turn> turns) {
-  std::stable_sort(turns.begin(), turns.end(), smaller);
-  turns.resize(std::min(turns.size(), kStarts));
-  for (Turn& turn : turns) turn = followed_down(points, turn);
-  std::stable_sort(turns.begin(), turns.end(), smaller);
-  const auto same = [](const Turn& a, const Turn& b) {
+std::vector<BoxOrientation> least_boxes(const Eigen::Matrix3Xd& points, std::vector<BoxOrientation> orientations) {
+  std::stable_sort(orientations.begin(), orientations.end(), smaller);
+  orientations.resize(std::min(orientations.size(), kStarts));
+  for (BoxOrientation& orientation : orientations) orientation = followed_down(points, orientation);
+  std::stable_sort(orientations.begin(), orientations.end(), smaller);
+  const auto same = [](const BoxOrientation& a, const BoxOrientation& b) {
     return b.volume <= (1.0 + kSameBox) * a.volume;
   };
-  turns.erase(std::unique(turns.begin(), turns.end(), same), turns.end());
-  turns.resize(std::min(turns.size(), kMinima));
-  return turns;
+  orientations.erase(std::unique(orientations.begin(), orientations.end(), same), orientations.end());
+  orientations.resize(std::min(orientations.size(), kMinima));
+  return orientations;
 }
 
 }  // namespace
 
-SideBounds box_ranges(std::span<const Vec3> seen, std::span<const Vec3> possible) {
-  const std::vector<Vec3> inner = outermost(seen), outer = outermost(possible);
+SideBounds bound_box_sides(std::span<const Vec3> observed, std::span<const Vec3> possible) {
+  const std::vector<Vec3> inner = outermost(observed), outer = outermost(possible);
   const OrientedBox least = smallest_box(inner), most = smallest_box(outer);
   const Eigen::Matrix3Xd of_inner = columns(inner), of_outer = columns(outer);
   const double added = std::max(0.0, most.volume() / least.volume() - 1.0);
   const double largest = (1.0 + std::min(kBoxLeeway, kLeewayOfAdded * added)) * most.volume();
   SideBounds bounds{least.lengths, least.lengths};
-  const auto look = [&](const Mat3& axes) -> Turn {
+  const auto look = [&](const Mat3& axes) -> BoxOrientation {
     Vec3 low = extents(of_inner, axes);
-    const Turn turn{low.prod(), axes};
-    const double room = largest / turn.volume;
-    if (room < 1.0) return turn;
+    const BoxOrientation orientation{low.prod(), axes};
+    const double room = largest / orientation.volume;
+    if (room < 1.0) return orientation;
     Vec3 high = extents(of_outer, axes).cwiseMin(room * low);
     std::sort(low.begin(), low.end(), std::greater<>());
     std::sort(high.begin(), high.end(), std::greater<>());
     bounds.lower = bounds.lower.cwiseMin(low);
     bounds.upper = bounds.upper.cwiseMax(high);
-    return turn;
+    return orientation;
   };
-  std::vector<Turn> turns;
-  for (int i = 0; i < kEverywhere; ++i) turns.push_back(look(spread_turn(i) * least.axes));
-  turns = least_boxes(of_inner, std::move(turns));
-  turns.push_back({least.volume(), least.axes});
-  turns.push_back({0.0, most.axes});
-  for (const Turn& turn : turns) {
-    if (turn.volume > largest) continue;
-    look(turn.axes);
-    double angle = kLargestAngle;
+  std::vector<BoxOrientation> orientations;
+  for (int i = 0; i < kEverywhere; ++i) orientations.push_back(look(spread_turn(i) * least.axes));
+  orientations = least_boxes(of_inner, std::move(orientations));
+  orientations.push_back({least.volume(), least.axes});
+  orientations.push_back({0.0, most.axes});
+  for (const BoxOrientation& orientation : orientations) {
+    if (orientation.volume > largest) continue;
+    look(orientation.axes);
+    double angle = kMaxAngle;
     for (int step = 0; step < kAngles; ++step, angle *= kShrink) {
       for (int i = 0; i < kDirections; ++i) {
-        look(Eigen::AngleAxisd(angle, spread_direction(i, kDirections)) * turn.axes);
+        look(Eigen::AngleAxisd(angle, spread_direction(i, kDirections)) * orientation.axes);
       }
     }
   }

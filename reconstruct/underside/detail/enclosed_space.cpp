@@ -26,13 +26,13 @@ class Space {
   }
 
   Carried carried(const Vec3& way) {
-    Carried place{way, std::numeric_limits<double>::infinity(), 0};
+    Carried position{way, std::numeric_limits<double>::infinity(), 0};
     for (std::size_t i = 0; i < planes_.size(); ++i) {
       const double along = planes_[i].normal.dot(way);
-      if (along * place.factor > room_[i]) place = {way, room_[i] / along, i};
+      if (along * position.factor > room_[i]) position = {way, room_[i] / along, i};
     }
-    bounded_ = bounded_ && place.factor * way.norm() <= farthest_;
-    return place;
+    bounded_ = bounded_ && position.factor * way.norm() <= farthest_;
+    return position;
   }
 
   /// By which a way to the closure is to be lengthened to reach a plane; no shorter than it is.
@@ -71,7 +71,7 @@ class Space {
     }
     bounded_ = bounded_ && std::isfinite(product);
     result.volume += ways[0].dot(ways[1].cross(ways[2])) / 6.0 * (product - 1.0);
-    for (std::size_t k = 0; k < 3; ++k) result.places.push_back(centre_ + least[k] * ways[k]);
+    for (std::size_t k = 0; k < 3; ++k) result.points.push_back(centre_ + least[k] * ways[k]);
   }
 
   bool bounded() const { return bounded_; }
@@ -87,10 +87,10 @@ class Space {
 
 }  // namespace
 
-std::optional<EnclosedSpace> enclosed_space(std::span<const Corners> closure, const Vec3& centre,
+std::optional<EnclosedSpace> compute_enclosed_space(std::span<const TriangleCorners> closure, const Vec3& centre,
                                             std::span<const Plane> planes, double farthest) {
   Space space(centre, planes, farthest);
-  for (const Corners& triangle : closure) {
+  for (const TriangleCorners& triangle : closure) {
     if (!space.bounded()) break;
     std::array<Carried, 3> corners;
     for (std::size_t k = 0; k < 3; ++k) corners[k] = space.carried(triangle[k] - centre);

@@ -20,7 +20,7 @@ constexpr double kSlack = 1.5;
 /// about what lies behind.
 constexpr double kHeldByRim = 0.01;
 /// A patch whose triangles face apart has no normal: the share of its area that is left of it.
-constexpr double kLeastNormal = 0.7;
+constexpr double kMinNormal = 0.7;
 
 /// Triangles by the cell that holds their middle.
 class Cells {
@@ -31,15 +31,15 @@ class Cells {
   }
   /// Calls `visit` with each triangle whose middle is within a side of a place.
   template <class Visit>
-  void near(const Vec3& place, const Visit& visit) const {
-    const Cell middle = cell(place);
+  void near(const Vec3& position, const Visit& visit) const {
+    const Cell middle = cell(position);
     for (long i = -1; i <= 1; ++i) {
       for (long j = -1; j <= 1; ++j) {
         for (long k = -1; k <= 1; ++k) {
           const Cell wanted = {middle[0] + i, middle[1] + j, middle[2] + k};
           for (auto at = std::lower_bound(entries_.begin(), entries_.end(), Entry{wanted, 0});
                at != entries_.end() && at->cell == wanted; ++at) {
-            if ((middles_[at->triangle] - place).norm() <= side_) visit(at->triangle);
+            if ((middles_[at->triangle] - position).norm() <= side_) visit(at->triangle);
           }
         }
       }
@@ -55,10 +55,10 @@ class Cells {
       return cell != other.cell ? cell < other.cell : triangle < other.triangle;
     }
   };
-  Cell cell(const Vec3& place) const {
+  Cell cell(const Vec3& position) const {
     Cell result;
     for (int axis = 0; axis < 3; ++axis)
-      result[static_cast<std::size_t>(axis)] = std::lround(std::floor(place[axis] / side_));
+      result[static_cast<std::size_t>(axis)] = std::lround(std::floor(position[axis] / side_));
     return result;
   }
 
@@ -96,7 +96,7 @@ std::vector<FlankPatch> patches_of(const TriangleMesh& mesh, std::span<const Vec
       patch.normal += areas[other];
       patch.area += areas[other].norm();
     });
-    const bool faces_one_way = patch.normal.norm() > kLeastNormal * patch.area;
+    const bool faces_one_way = patch.normal.norm() > kMinNormal * patch.area;
     if (!(patch.area > 0.0) || !faces_one_way) continue;
     patch.normal.normalize();
     for (const std::uint32_t member : members) {
@@ -111,11 +111,11 @@ std::vector<FlankPatch> patches_of(const TriangleMesh& mesh, std::span<const Vec
 
 }  // namespace
 
-FlankPlanes flank_planes(const TriangleMesh& closed, std::size_t seen,
+FlankPlanes fit_flank_planes(const TriangleMesh& closed, std::size_t observed,
                          std::span<const std::uint32_t> rims) {
   std::vector<Vec3> corners, middles, areas, rim_points;
   double whole = 0.0;
-  for (std::size_t t = 0; t < seen; ++t) {
+  for (std::size_t t = 0; t < observed; ++t) {
     const auto& [a, b, c] = closed.triangles[t];
     const Vec3 &p = closed.vertices[a], &q = closed.vertices[b], &r = closed.vertices[c];
     corners.insert(corners.end(), {p, q, r});

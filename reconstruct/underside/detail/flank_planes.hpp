@@ -22,7 +22,7 @@ struct FlankPlanes {
 /// @param closed  outward
 /// @param seen    triangles before this one were seen
 /// @param rims    vertices of the rims: a plane that only they hold out is left out
-FlankPlanes flank_planes(const TriangleMesh& closed, std::size_t seen,
+FlankPlanes fit_flank_planes(const TriangleMesh& closed, std::size_t observed,
                          std::span<const std::uint32_t> rims);
 
 }  // namespace clast::reconstruct_detail

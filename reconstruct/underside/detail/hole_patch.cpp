@@ -15,11 +15,11 @@ namespace clast::reconstruct_detail {
 namespace {
 
 /// A patch with fewer new vertices than this, or than half the rim has, can't bulge smoothly.
-constexpr std::size_t kFewestNewVertices = 30;
+constexpr std::size_t kMinNewVertices = 30;
 constexpr int kPatchRefinements = 6;
 /// Smallest weight of an edge against the largest at its vertex: long obtuse triangles have
 /// negative ones, with which a membrane may leave the hull of its rim.
-constexpr double kSmallestWeight = 1e-3;
+constexpr double kMinWeight = 1e-3;
 
 HolePatch triangulate(const TriangleMesh& mesh, const std::vector<std::uint32_t>& loop,
                       double density) {
@@ -83,7 +83,7 @@ void relax(HolePatch& patch, const TriangleMesh& mesh) {
       const Vec3 u = position(a) - position(c), v = position(b) - position(c);
       const double doubled_area = u.cross(v).norm();
       const double cotangent = doubled_area > 0.0 ? u.dot(v) / doubled_area : 0.0;
-      const double weight = 0.5 * std::clamp(cotangent, kSmallestWeight, 1.0 / kSmallestWeight);
+      const double weight = 0.5 * std::clamp(cotangent, kMinWeight, 1.0 / kMinWeight);
       add(a, b, weight);
       add(b, a, weight);
       if (c >= first) sides(static_cast<Eigen::Index>(c - first), 3) += doubled_area / 6.0;
@@ -94,10 +94,10 @@ void relax(HolePatch& patch, const TriangleMesh& mesh) {
   const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> solver(matrix);
   const Eigen::MatrixXd solution = solver.solve(sides);
   const double most = solution.col(3).maxCoeff();
-  patch.bulge.resize(patch.vertices.size());
+  patch.deflection.resize(patch.vertices.size());
   for (Eigen::Index i = 0; i < count; ++i) {
     patch.vertices[static_cast<std::size_t>(i)] = origin + solution.block<1, 3>(i, 0).transpose();
-    patch.bulge[static_cast<std::size_t>(i)] = std::max(0.0, solution(i, 3) / most);
+    patch.deflection[static_cast<std::size_t>(i)] = std::max(0.0, solution(i, 3) / most);
   }
 }
 
@@ -108,7 +108,7 @@ HolePatch star(const TriangleMesh& mesh, const std::vector<std::uint32_t>& loop)
   Vec3 middle = Vec3::Zero();
   for (const std::uint32_t v : loop) middle += mesh.vertices[v] / static_cast<double>(loop.size());
   patch.vertices.push_back(middle);
-  patch.bulge.push_back(1.0);
+  patch.deflection.push_back(1.0);
   const auto centre = static_cast<std::uint32_t>(mesh.vertices.size());
   for (std::size_t i = 0; i < loop.size(); ++i) {
     patch.triangles.push_back({centre, loop[i], loop[(i + 1) % loop.size()]});
@@ -118,13 +118,13 @@ HolePatch star(const TriangleMesh& mesh, const std::vector<std::uint32_t>& loop)
 
 }  // namespace
 
-HolePatch fill_hole(const TriangleMesh& mesh, const std::vector<std::uint32_t>& loop) {
+HolePatch fill_with_membrane(const TriangleMesh& mesh, const std::vector<std::uint32_t>& loop) {
   HolePatch patch;
   double density = std::sqrt(2.0);
   for (int i = 0; i < kPatchRefinements; ++i, density *= 1.5) {
     patch = triangulate(mesh, loop, density);
     if (patch.triangles.empty()) return star(mesh, loop);
-    if (patch.vertices.size() >= std::max(kFewestNewVertices, loop.size() / 2)) break;
+    if (patch.vertices.size() >= std::max(kMinNewVertices, loop.size() / 2)) break;
   }
   if (!patch.vertices.empty()) relax(patch, mesh);
   return patch;

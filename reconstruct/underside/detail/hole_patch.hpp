@@ -18,7 +18,7 @@ struct HolePatch {
   std::vector<TriangleMesh::Triangle> triangles;  ///< turned like their neighbours
   /// Of each new vertex, 0..1: how far it bulges under even pressure; the largest is 1. A parabola
   /// over a round rim.
-  std::vector<double> bulge;
+  std::vector<double> deflection;
 };
 
 /// Fills `loop` as a membrane does: triangulated, refined to the density of the rim, and every new
@@ -26,6 +26,6 @@ struct HolePatch {
 /// is found, a star of triangles from the middle of the rim.
 /// @param loop  as `boundary_loops` gives it
 /// @cite liepa2003
-HolePatch fill_hole(const TriangleMesh& mesh, const std::vector<std::uint32_t>& loop);
+HolePatch fill_with_membrane(const TriangleMesh& mesh, const std::vector<std::uint32_t>& loop);
 
 }  // namespace clast::reconstruct_detail

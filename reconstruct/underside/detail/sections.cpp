@@ -9,8 +9,8 @@ namespace {
 
 /// Where the side from `a` to `b` crosses the height 0.
 Vec2 crossing(const Vec3& a, const Vec3& b) {
-  const double share = a.z() / (a.z() - b.z());
-  return a.head<2>() + share * (b.head<2>() - a.head<2>());
+  const double fraction = a.z() / (a.z() - b.z());
+  return a.head<2>() + fraction * (b.head<2>() - a.head<2>());
 }
 
 /// Signed volume of the prism between a triangle and the plane z = 0 below it.
@@ -21,15 +21,15 @@ double prism(const Vec3& a, const Vec3& b, const Vec3& c) {
 
 }  // namespace
 
-Sections::Sections(const TriangleMesh& mesh, const Vec3& up) {
+LevelSections::LevelSections(const TriangleMesh& mesh, const Vec3& up) {
   const Bounds box = bounds(mesh);
   origin_ = 0.5 * (box.low + box.high);
   offset_ = origin_.dot(up);
   mesh_ = mesh;
-  const Quat turn = Quat::FromTwoVectors(up, Vec3::UnitZ());
+  const Quat rotation = Quat::FromTwoVectors(up, Vec3::UnitZ());
   lowest_ = 1e300, highest_ = -1e300;
   for (Vec3& vertex : mesh_.vertices) {
-    vertex = turn * (vertex - origin_);
+    vertex = rotation * (vertex - origin_);
     lowest_ = std::min(lowest_, vertex.z() + offset_);
     highest_ = std::max(highest_, vertex.z() + offset_);
   }
@@ -37,7 +37,7 @@ Sections::Sections(const TriangleMesh& mesh, const Vec3& up) {
 
 // The border of the section, run counter-clockwise with the triangles' own turn: half the sum of
 // the cross products of its components, by Green's theorem.
-double Sections::area(double height) const {
+double LevelSections::area(double height) const {
   const double level = height - offset_;
   double doubled = 0.0;
   for (const TriangleMesh::Triangle& t : mesh_.triangles) {
@@ -54,7 +54,7 @@ double Sections::area(double height) const {
   return 0.5 * doubled;
 }
 
-double Sections::volume_above(double height) const {
+double LevelSections::volume_above(double height) const {
   const double level = height - offset_;
   double volume = 0.0;
   for (const TriangleMesh::Triangle& t : mesh_.triangles) {

@@ -6,11 +6,11 @@ namespace clast::reconstruct_detail {
 
 /// Areas and volumes over the height along a direction. Keeps the heights and plan coordinates of
 /// the mesh about its own middle.
-class Sections {
+class LevelSections {
  public:
   /// @param mesh  closed and outward
   /// @param up    unit
-  Sections(const TriangleMesh& mesh, const Vec3& up);
+  LevelSections(const TriangleMesh& mesh, const Vec3& up);
 
   double lowest() const { return lowest_; }  ///< height along `up` of the lowest vertex, m
   double highest() const { return highest_; }

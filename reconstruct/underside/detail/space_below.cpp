@@ -12,7 +12,7 @@ namespace clast::reconstruct_detail {
 namespace {
 
 /// The strip above the ground is at least so many cubes high.
-constexpr double kFewestCubes = 3.0;
+constexpr double kMinCubes = 3.0;
 constexpr double kNothing = std::numeric_limits<double>::infinity();
 
 /// Heights of the lowest sheet of a mesh over a grid in plan.
@@ -30,7 +30,7 @@ class LowestSheet {
   std::size_t count() const { return lowest_.size(); }
   double height(std::size_t cell) const { return lowest_[cell]; }
   /// Middle of a cell, at a height.
-  Vec3 place(std::size_t cell, double height) const {
+  Vec3 position(std::size_t cell, double height) const {
     return {x(cell % columns_), y(cell / columns_), height};
   }
 
@@ -71,19 +71,19 @@ class LowestSheet {
 
 }  // namespace
 
-SpaceBelow space_below(const TriangleMesh& closed, const Plane& ground, double strip,
-                       const SeenThrough& through) {
+OccludedSpace measure_occluded_space(const TriangleMesh& closed, const Plane& ground, double strip,
+                       const FreeSpaceGrid& free_space) {
   const Quat upright = Quat::FromTwoVectors(ground.normal, Vec3::UnitZ());
   TriangleMesh standing = closed;
   for (Vec3& v : standing.vertices) v = upright * v - Vec3(0.0, 0.0, ground.distance);
-  const double side = through.side, cell_area = side * side;
-  strip = std::max(strip, kFewestCubes * side);
+  const double side = free_space.side, cell_area = side * side;
+  strip = std::max(strip, kMinCubes * side);
   const LowestSheet sheet(standing, side);
   const auto empty = [&](std::size_t cell, double height) {
-    const Vec3 place = sheet.place(cell, height) + Vec3(0.0, 0.0, ground.distance);
-    return through.at(upright.conjugate() * place);
+    const Vec3 position = sheet.position(cell, height) + Vec3(0.0, 0.0, ground.distance);
+    return free_space.at(upright.conjugate() * position);
   };
-  SpaceBelow below;
+  OccludedSpace below;
   for (std::size_t cell = 0; cell < sheet.count(); ++cell) {
     double height = sheet.height(cell);
     if (height == kNothing) continue;
@@ -92,7 +92,7 @@ SpaceBelow space_below(const TriangleMesh& closed, const Plane& ground, double s
       if (!empty(cell, height - 0.5 * side)) below.volume += side * cell_area;
     }
     if (height > strip && empty(cell, strip + 0.5 * side)) continue;
-    below.foot_area += cell_area;
+    below.base_area += cell_area;
     below.volume += std::max(0.0, height) * cell_area;
   }
   return below;

@@ -10,32 +10,32 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 Json ring_json(const CameraRing& ring, const std::string& unit) {
-  Json seats = Json::array(), gaps = Json::array();
-  for (const CameraSeat& seat : ring.seats) {
-    seats.push_back({{"photo", to_utf8(seat.name)},
+  Json cameras = Json::array(), gaps = Json::array();
+  for (const CameraPosition& seat : ring.cameras) {
+    cameras.push_back({{"photo", to_utf8(seat.name)},
                      {"azimuth_deg", seat.azimuth * kDegreesPerRadian},
                      {"elevation_deg", seat.elevation * kDegreesPerRadian},
                      {"distance" + unit, seat.distance},
                      {"pairs", seat.pairs},
                      {"blurred", seat.blurred}});
   }
-  for (const RingGap& gap : ring.gaps) {
+  for (const AzimuthGap& gap : ring.gaps) {
     gaps.push_back(
         {{"from_deg", gap.from * kDegreesPerRadian},
          {"width_deg", gap.width * kDegreesPerRadian},
-         {"between", {to_utf8(ring.seats[gap.first].name), to_utf8(ring.seats[gap.second].name)}}});
+         {"between", {to_utf8(ring.cameras[gap.first].name), to_utf8(ring.cameras[gap.second].name)}}});
   }
-  return {{"cameras", seats},
+  return {{"cameras", cameras},
           {"gaps", gaps},
           {"largest_gap_deg", ring.largest_gap * kDegreesPerRadian}};
 }
 
-Json marker_json(const MarkerUse& marker, const std::string& unit) {
+Json marker_json(const MarkerUsage& marker, const std::string& unit) {
   const bool placed = marker.side > 0.0;
   Json json = {{"id", marker.id}, {"photos", marker.photos}, {"used", marker.used}};
   json["error_px"] = placed ? Json(marker.error) : Json();
   json["side" + unit] = placed ? Json(marker.side) : Json();
-  if (!marker.used) json["why_not"] = marker.why;
+  if (!marker.used) json["why_not"] = marker.reason;
   return json;
 }
 
@@ -62,7 +62,7 @@ Json scale_json(const PhotoScan& scan) {
 
 }  // namespace
 
-Json photo_json(const PhotoScan& scan, const PhotoEvidence& evidence) {
+Json photo_json(const PhotoScan& scan, const PhotoSummary& evidence) {
   const std::string unit = scan.metric ? "_m" : "_units";
   Json json = {{"cameras_by", scan.model.source},  {"with_camera", scan.model.photos.size()},
                {"without_camera", Json::array()},  {"blurred", Json::array()},
@@ -74,12 +74,12 @@ Json photo_json(const PhotoScan& scan, const PhotoEvidence& evidence) {
   }
   json["ring"] = ring_json(evidence.ring, unit);
   json["coverage"] = Json::array();
-  for (const Coverage& one : evidence.coverage) {
+  for (const ViewCoverage& one : evidence.coverage) {
     json["coverage"].push_back(
         {{"at_least", one.least}, {"photos_share", one.photos}, {"pairs_share", one.pairs}});
   }
   json["markers"] = Json::array();
-  for (const MarkerUse& marker : evidence.markers) {
+  for (const MarkerUsage& marker : evidence.markers) {
     json["markers"].push_back(marker_json(marker, unit));
   }
   json["scale"] = scale_json(scan);

@@ -2,10 +2,10 @@
 /// What the photos of a block showed, as JSON (docs/formats.md).
 #include <nlohmann/json.hpp>
 
-#include "reconstruct/photos/photo_evidence.hpp"
+#include "reconstruct/photos/photo_summary.hpp"
 
 namespace clast {
 
-nlohmann::ordered_json photo_json(const PhotoScan& scan, const PhotoEvidence& evidence);
+nlohmann::ordered_json photo_json(const PhotoScan& scan, const PhotoSummary& evidence);
 
 }  // namespace clast

@@ -37,14 +37,14 @@ std::string bodies_text(const SceneContents& set, const Scene& scene) {
          std::to_string(driven + scene.bodies.size()) + "\n" + lines;
 }
 
-std::string weights_of(ContactWeights weights) {
+std::string weights_of(ContactWeighting weights) {
   switch (weights) {
-    case ContactWeights::kPatch:
-    case ContactWeights::kOverlap:
+    case ContactWeighting::kPatch:
+    case ContactWeighting::kOverlap:
       return "OverlapWeight";
-    case ContactWeights::kCount:
+    case ContactWeighting::kCount:
       return "NumberWeight";
-    case ContactWeights::kNone:
+    case ContactWeighting::kNone:
       break;
   }
   return "None";
@@ -123,7 +123,7 @@ std::vector<std::string> check_rockable_limits(const CampaignPlan& prepared) {
       "A block that leaves the box around the ground, or comes to rest, ends its run (track.txt); "
       "barriers are not counted.",
       "dt is a fixed step of 1/350 of half a contact's period, for the loading with k_n."};
-  if (campaign.weights == ContactWeights::kPatch) {
+  if (campaign.weights == ContactWeighting::kPatch) {
     notes.push_back(
         "Weights by contact patch are unknown there: OverlapWeight, the weights by overlap of "
         "clast, "

@@ -27,7 +27,7 @@ double kinetic_energy(const RigidBody& body, const RigidState& state) {
   return translational_energy(body, state) + rotational_energy(body, state);
 }
 
-EnergyLedger energies(const RigidBody& body, const RigidState& first, const RigidState& last,
+EnergyBalance energies(const RigidBody& body, const RigidState& first, const RigidState& last,
                       double gravity) {
   const auto energy = [&](const RigidState& state) {
     return kinetic_energy(body, state) + body.mass * gravity * state.position.z();
@@ -48,7 +48,7 @@ double path_length(const RigidBody& body, const MotionStep& step, double gravity
     const double share = static_cast<double>(i) / kPathPieces;
     const double time = step.begin_time + share * (step.end_time - step.begin_time);
     const Vec3 to =
-        i == kPathPieces ? step.end.position : state_at(body, step, time, gravity).position;
+        i == kPathPieces ? step.end.position : interpolate_state(body, step, time, gravity).position;
     length += (to - from).norm();
     from = to;
   }

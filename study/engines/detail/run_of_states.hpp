@@ -20,7 +20,7 @@ struct RunEnd {
 
 /// What states tell of a run: duration, place of the end, path, crossings of the barriers, and
 /// energies; speeds and spins are the largest of the states. Between two states the motion is the
-/// exact flight where one leads to the other, else interpolated (`state_at`). What needs contacts
+/// exact flight where one leads to the other, else interpolated (`interpolate_state`). What needs contacts
 /// is not a number, or 0 where it is a count: `CampaignHeader::engine` says that it is not known.
 /// The trajectory is the series.
 StoredRun make_run_from_states(const CampaignPlan& prepared, const RunRecord& planned,

@@ -224,7 +224,7 @@ void visit_columns(std::type_identity<PersistentBlockRecord>, const Visit& visit
   visit("raised_m", "m", "by which it started higher than planned, above blocks that lay there",
         &PersistentBlockRecord::raised);
   visit("moved_later_m", "m", "by later blocks, from where it had stopped",
-        &PersistentBlockRecord::moved_later);
+        &PersistentBlockRecord::later_displacement);
   visit("blocks_hit", "", "other blocks that it touched during its own release",
         &PersistentBlockRecord::blocks_hit);
   visit("removed_at_s", "s", "when it was removed, likewise; NaN if it stayed",

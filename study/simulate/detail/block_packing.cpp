@@ -122,7 +122,7 @@ std::optional<RigidState> BlockPacking::place(const RigidBody& body, const Groun
       Vec3(static_cast<double>(best.i) * width_, static_cast<double>(best.j) * width_, best.height);
   // Ground can be higher between the points that were looked at.
   const double allowed = kStartOverlap * body.size();
-  for (double depth; (depth = overlap.deepest(state)) > allowed;) state.position.z() += depth;
+  for (double depth; (depth = overlap.max_overlap(state)) > allowed;) state.position.z() += depth;
   for (const CoveredCell& cell : covered) {
     const std::int64_t i = cell.i + best.i - first_i_, j = cell.j + best.j - first_j_;
     Cell& below = *cells_[static_cast<std::size_t>(j * columns_ + i)];

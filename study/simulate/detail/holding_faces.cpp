@@ -119,17 +119,17 @@ void add_faces(const CampaignPlan& prepared, std::span<const RunRecord> runs, st
     const Vec2 to =
         heap.corner(side + 1) + beyond_corner(heap, (side + 1) % heap.outline.size(), reach) * way;
     const Vec2 middle = 0.5 * (from + to) + (reaches[side] + 0.5 * heap.thickness) * outwards;
-    SequenceForm form;
-    form.shape = faces.shapes.size();
-    form.place.position = {middle.x(), middle.y(), 0.5 * (heap.low + heap.high)};
-    form.place.orientation =
+    SequenceForm wall;
+    wall.shape = faces.shapes.size();
+    wall.place.position = {middle.x(), middle.y(), 0.5 * (heap.low + heap.high)};
+    wall.place.orientation =
         Quat(Eigen::AngleAxisd(std::atan2(-outwards.y(), -outwards.x()), Vec3::UnitZ()));
-    form.first = heap.first;
-    form.end = heap.end;
-    form.removed_at = plan.release_time + static_cast<double>(side) * plan.face_interval;
-    faces.forms.push_back(form);
+    wall.first = heap.first;
+    wall.end = heap.end;
+    wall.removed_at = plan.release_time + static_cast<double>(side) * plan.face_interval;
+    faces.confining_walls.push_back(wall);
     const Vec3 sides(heap.thickness, (to - from).norm(), heap.high - heap.low);
-    faces.shapes.push_back(box_body(sides, 0.0, kDensity * sides.prod()));
+    faces.shapes.push_back(make_box_body(sides, 0.0, kDensity * sides.prod()));
   }
 }
 

@@ -10,7 +10,7 @@ namespace clast::study_detail {
 
 struct ConfiningWalls {
   std::vector<RigidBody> shapes;    ///< one to each form
-  std::vector<SequenceForm> forms;  ///< `shape` counts in `shapes`
+  std::vector<SequenceForm> confining_walls;  ///< `shape` counts in `shapes`
 };
 
 /// Upright boxes on the sides of the polygons of masses that settle, from below the ground to above

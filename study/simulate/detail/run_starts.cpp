@@ -21,7 +21,7 @@ constexpr double kFirstLift = 0.01;
 std::optional<double> find_depth_in_ground(const GroundOverlap& ground_overlap,
                                       const TerrainSurface& surface, const RigidBody& body,
                                       const RigidState& state) {
-  const double overlap = ground_overlap.deepest(state);
+  const double overlap = ground_overlap.max_overlap(state);
   // What the dynamics will refuse.
   if (overlap > MotionSettings{}.start_overlap * body.smallest_side) return overlap;
   // A block that is buried whole touches no face of the ground.
@@ -42,7 +42,7 @@ bool lift_to_touch(const GroundOverlap& ground_overlap, const TerrainSurface& su
   };
   const auto in_ground = [&](double lift) {
     const RigidState lifted = lifted_by(lift);
-    return ground_overlap.deepest(lifted) > 0.0 ||
+    return ground_overlap.max_overlap(lifted) > 0.0 ||
            find_depth_in_ground(ground_overlap, surface, body, lifted).has_value();
   };
   double below = 0.0, above = kFirstLift * size;

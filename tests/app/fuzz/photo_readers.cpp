@@ -42,7 +42,7 @@ NamedReader mask_reader() {
             return {"mask.bmp",
                     "masks/photo.bmp",
                     {{"masks/photo.bmp", bmp()}, {"photo.bmp", bmp()}},
-                    [](const auto& folder) { masks_of({folder / "photo.bmp"}, folder / "masks"); }};
+                    [](const auto& folder) { find_masks({folder / "photo.bmp"}, folder / "masks"); }};
           }};
 }
 

@@ -43,7 +43,7 @@ TriangleMesh cut_in_four(const TriangleMesh& mesh) {
 
 Body body_of(const std::string& name, TriangleMesh mesh) {
   if (mesh.vertices.size() > kMostVertices) {
-    mesh = simplified(mesh, {.target_vertices = kMostVertices});
+    mesh = simplify_mesh(mesh, {.target_vertices = kMostVertices});
   }
   const OrientedBox box = smallest_box(mesh.vertices);
   for (Vec3& v : mesh.vertices) v = (v - box.centre) / box.lengths[0];

@@ -23,19 +23,19 @@ TEST(CameraRing, SeatsAndTheLargestGapAreThoseTheCamerasWerePutAt) {
   }
   for (std::size_t i = 0; i + 1 < 9; ++i) scan.cloud.pairs.push_back({i, i + 1, 0.5});
   scan.cloud.blurred = {3};
-  const CameraRing ring = camera_ring(scan, block_from_model);
-  ASSERT_EQ(ring.seats.size(), 9u);
-  EXPECT_NEAR(ring.seats[5].azimuth, -120.0 * kRadiansPerDegree, 1e-12);
-  EXPECT_NEAR(ring.seats[5].elevation, 20.0 * kRadiansPerDegree, 1e-12);
-  EXPECT_NEAR(ring.seats[5].distance, 2.0, 1e-12);
-  EXPECT_EQ(ring.seats[0].pairs, 1u);
-  EXPECT_EQ(ring.seats[4].pairs, 2u);
-  EXPECT_TRUE(ring.seats[3].blurred);
+  const CameraRing ring = compute_camera_ring(scan, block_from_model);
+  ASSERT_EQ(ring.cameras.size(), 9u);
+  EXPECT_NEAR(ring.cameras[5].azimuth, -120.0 * kRadiansPerDegree, 1e-12);
+  EXPECT_NEAR(ring.cameras[5].elevation, 20.0 * kRadiansPerDegree, 1e-12);
+  EXPECT_NEAR(ring.cameras[5].distance, 2.0, 1e-12);
+  EXPECT_EQ(ring.cameras[0].pairs, 1u);
+  EXPECT_EQ(ring.cameras[4].pairs, 2u);
+  EXPECT_TRUE(ring.cameras[3].blurred);
   EXPECT_NEAR(ring.largest_gap, 120.0 * kRadiansPerDegree, 1e-12);
-  EXPECT_NEAR(std::abs(ring.gap_middle), kPi, 1e-12);
+  EXPECT_NEAR(std::abs(ring.gap_azimuth), kPi, 1e-12);
   // Every 30 degrees is wide; the widest goes from the fifth seat to the sixth, past 180 degrees.
   ASSERT_EQ(ring.gaps.size(), 9u);
-  const RingGap& widest = ring.gaps.back();
+  const AzimuthGap& widest = ring.gaps.back();
   EXPECT_EQ(widest.first, 4u);
   EXPECT_EQ(widest.second, 5u);
   EXPECT_NEAR(widest.from, 120.0 * kRadiansPerDegree, 1e-12);

@@ -39,7 +39,7 @@ class FakeColmap {
   ColmapOptions options() const {
     return {.program = (folder_ / "colmap").string(), .cache = folder_ / "cache"};
   }
-  PhotoModel cameras() const { return colmap_cameras(photos(), options()); }
+  PhotoModel cameras() const { return run_colmap(photos(), options()); }
   std::size_t calls() const {
     const std::string text = read_text_file(folder_ / "calls.txt");
     return static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n'));
@@ -68,7 +68,7 @@ TEST(ColmapRun, AMissingProgramIsToldWithThePackageThatGivesIt) {
   const FakeColmap fake(":");
   ColmapOptions options = fake.options();
   options.program = "no-such-colmap";
-  const std::string text = refusal([&] { colmap_cameras(fake.photos(), options); });
+  const std::string text = refusal([&] { run_colmap(fake.photos(), options); });
   EXPECT_TRUE(contains(text, "apt-get install colmap"));
   EXPECT_TRUE(contains(text, "`model`"));
 }
@@ -77,7 +77,7 @@ TEST(ColmapRun, CamerasAreKeptByTheContentOfThePhotos) {
   const FakeColmap fake(FakeColmap::group(0, 0, 8));
   const PhotoModel model = fake.cameras();
   EXPECT_EQ(model.photos.size(), 9u);
-  EXPECT_EQ(model.unplaced, 1u);
+  EXPECT_EQ(model.photos_without_pose, 1u);
   EXPECT_EQ(model.photos[3].file, fake.photos() / "p3.bmp");
   EXPECT_EQ(fake.calls(), 3u);  // features, matches, cameras
   EXPECT_EQ(fake.cameras().photos.size(), 9u);
@@ -95,13 +95,13 @@ TEST(ColmapRun, MasksAreHandedOnByColmapsNamesAndTheirContentCounts) {
   for (int i = 0; i < 10; ++i) {
     write_plain_photo(options.masks / ("p" + std::to_string(i) + ".bmp"), 16, 12, 5);
   }
-  EXPECT_EQ(colmap_cameras(fake.photos(), options).unplaced, 0u);
+  EXPECT_EQ(run_colmap(fake.photos(), options).photos_without_pose, 0u);
   EXPECT_TRUE(contains(fake.words(), "p9.bmp.png"));
   EXPECT_EQ(fake.calls(), 3u);
-  colmap_cameras(fake.photos(), options);
+  run_colmap(fake.photos(), options);
   EXPECT_EQ(fake.calls(), 3u);
   write_plain_photo(options.masks / "p3.bmp", 16, 12, 6);
-  colmap_cameras(fake.photos(), options);
+  run_colmap(fake.photos(), options);
   EXPECT_EQ(fake.calls(), 6u);
 }
 
@@ -139,7 +139,7 @@ TEST(ColmapRun, ASideThatIsMissingIsToldAgainAndFromTheCacheToo) {
   EXPECT_EQ(enough.cameras().photos.size(), 6u);
   ColmapOptions strict = enough.options();
   strict.least_share = 0.9;
-  EXPECT_TRUE(contains(refusal([&] { colmap_cameras(enough.photos(), strict); }),
+  EXPECT_TRUE(contains(refusal([&] { run_colmap(enough.photos(), strict); }),
                        "6 of 10 photos could be placed"));
 }
 
@@ -156,7 +156,7 @@ TEST(ColmapRun, ItIsEndedWithAllItStartedWhenItsTimeIsOver) {
   ColmapOptions options = fake.options();
   options.seconds = 0.3;
   const auto start = std::chrono::steady_clock::now();
-  EXPECT_TRUE(contains(refusal([&] { colmap_cameras(fake.photos(), options); }),
+  EXPECT_TRUE(contains(refusal([&] { run_colmap(fake.photos(), options); }),
                        "colmap feature_extractor was ended after"));
   EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(30));
   ::usleep(2500000);
@@ -166,7 +166,7 @@ TEST(ColmapRun, ItIsEndedWithAllItStartedWhenItsTimeIsOver) {
 TEST(ColmapRun, TooFewPhotosAreRefused) {
   const ScratchFolder folder;
   write_plain_photo(folder / "a.bmp", 16, 12, 1);
-  EXPECT_TRUE(contains(refusal([&] { colmap_cameras(folder.path()); }),
+  EXPECT_TRUE(contains(refusal([&] { run_colmap(folder.path()); }),
                        "1 photos are too few for a block"));
 }
 

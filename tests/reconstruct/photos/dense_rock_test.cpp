@@ -32,17 +32,17 @@ Errors errors_of(const DenseCloud& cloud, const ToTruth& to_truth) {
   std::vector<Vec3> near;
   std::vector<double> distances;
   for (const Vec3& p : cloud.points) {
-    const Vec3 place = to_truth * p;
-    const double distance = std::sqrt(tree.closest(place).squared_distance);
-    if (distance < 0.02 * kLength) near.push_back(place);
+    const Vec3 position = to_truth * p;
+    const double distance = std::sqrt(tree.closest(position).squared_distance);
+    if (distance < 0.02 * kLength) near.push_back(position);
     // Near the ground its points can't be told from the rock's by distance.
-    if (place.z() > 0.06 && distance < 0.02 * kLength) distances.push_back(distance / kLength);
+    if (position.z() > 0.06 && distance < 0.02 * kLength) distances.push_back(distance / kLength);
   }
   Errors errors;
   for (const double d : distances) errors.mean += d / static_cast<double>(distances.size());
   std::sort(distances.begin(), distances.end());
   errors.p95 = distances[distances.size() * 95 / 100];
-  const reconstruct_detail::NearestPoints points(near);
+  const reconstruct_detail::PointTree points(near);
   double seen = 0.0, all = 0.0;
   for (const auto& [a, b, c] : rock.triangles) {
     const Vec3 &p = rock.vertices[a], &q = rock.vertices[b], &r = rock.vertices[c];
@@ -62,12 +62,12 @@ double deepest_cube(const DenseCloud& cloud, const ToTruth& to_truth) {
   const TriangleTree tree(rock);
   std::size_t inside = 0, all = 0;
   double deepest = 0.0;
-  for (std::size_t i = 0; i < cloud.through.empty.size(); ++i) {
-    if (!cloud.through.empty[i]) continue;
+  for (std::size_t i = 0; i < cloud.free_space.empty.size(); ++i) {
+    if (!cloud.free_space.empty[i]) continue;
     ++all;
-    const double depth = -tree.signed_distance(to_truth * cloud.through.middle(i));
+    const double depth = -tree.signed_distance(to_truth * cloud.free_space.middle(i));
     inside += depth > 0.0 ? 1 : 0;
-    deepest = std::max(deepest, depth / (to_truth.scale * cloud.through.side));
+    deepest = std::max(deepest, depth / (to_truth.scale * cloud.free_space.side));
   }
   std::cout << all << " cubes were looked through, " << inside << " of them in the rock, by "
             << deepest << " sides at most\n";
@@ -80,7 +80,7 @@ TEST(DenseRock, PointsLieOnTheTrueSurface) {
   for (const bool of_truth : {true, false}) {
     const PhotoModel model = of_truth ? true_model() : colmap_model();
     const double before = cpu_seconds();
-    const DenseCloud cloud = dense_cloud(model, {.threads = 2});
+    const DenseCloud cloud = compute_dense_cloud(model, {.threads = 2});
     const double spent = cpu_seconds() - before;
     const ToTruth to_truth(model);
     const Errors errors = errors_of(cloud, to_truth);
@@ -103,7 +103,7 @@ TEST(DenseRock, MasksLeaveTheBlockAlone) {
   const PhotoModel model = colmap_model();
   const ToTruth to_truth(model);
   const auto masks = test_data("photos/synthetic_rock/masks");
-  const DenseCloud cloud = dense_cloud(model, {.most_pixels = 500, .masks = masks, .threads = 2});
+  const DenseCloud cloud = compute_dense_cloud(model, {.most_pixels = 500, .masks = masks, .threads = 2});
   const TriangleMesh rock = read_mesh(test_data("photos/synthetic_rock/gt_rock.ply"));
   const TriangleTree tree(rock);
   std::size_t off = 0;
@@ -117,10 +117,10 @@ TEST(DenseRock, MasksLeaveTheBlockAlone) {
 
 // Bar: 90 s from the stored model.
 TEST(DenseBoulder, RealPhotosGivePointsAllRound) {
-  const PhotoModel model = with_files(read_photo_model(test_data("photos/nlesc_rock/colmap_txt")),
+  const PhotoModel model = locate_photo_files(read_photo_model(test_data("photos/nlesc_rock/colmap_txt")),
                                       test_data("photos/nlesc_rock/images"));
   const double before = cpu_seconds();
-  const DenseCloud cloud = dense_cloud(model, {.threads = 2});
+  const DenseCloud cloud = compute_dense_cloud(model, {.threads = 2});
   const double spent = cpu_seconds() - before;
   std::cout << cloud.pairs.size() << " pairs, " << cloud.points.size() << " points, " << spent
             << " CPU s\n";

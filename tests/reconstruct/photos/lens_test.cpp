@@ -11,8 +11,8 @@
 namespace clast {
 namespace {
 
-Lens odd_lens() {
-  Lens lens{.width = 4000, .height = 3000, .fx = 3100.0, .fy = 3080.0, .cx = 2011.3, .cy = 1480.7};
+CameraIntrinsics odd_lens() {
+  CameraIntrinsics lens{.width = 4000, .height = 3000, .fx = 3100.0, .fy = 3080.0, .cx = 2011.3, .cy = 1480.7};
   lens.radial = {-0.11, 0.06, -0.012, 0.0};
   lens.divisor = {0.02, -0.01, 0.003};
   lens.p1 = 0.0007;
@@ -24,8 +24,8 @@ Vec3 before_camera(Random& random) {
   return {random.uniform(-1.2, 1.2), random.uniform(-0.9, 0.9), random.uniform(2.0, 5.0)};
 }
 
-TEST(Lens, ProjectsAsOpenCvDoes) {
-  const Lens lens = odd_lens();
+TEST(CameraIntrinsics, ProjectsAsOpenCvDoes) {
+  const CameraIntrinsics lens = odd_lens();
   const cv::Matx33d k(lens.fx, 0.0, lens.cx, 0.0, lens.fy, lens.cy, 0.0, 0.0, 1.0);
   const std::vector<double> distortion = {lens.radial[0],  lens.radial[1], lens.p1,
                                           lens.p2,         lens.radial[2], lens.divisor[0],
@@ -36,15 +36,15 @@ TEST(Lens, ProjectsAsOpenCvDoes) {
     std::vector<cv::Point2d> expected;
     cv::projectPoints(std::vector<cv::Point3d>{{p.x(), p.y(), p.z()}}, cv::Vec3d(), cv::Vec3d(), k,
                       distortion, expected);
-    const std::optional<Vec2> found = projected(lens, p);
+    const std::optional<Vec2> found = project(lens, p);
     ASSERT_TRUE(found.has_value());
     EXPECT_NEAR(found->x(), expected[0].x, 1e-8);
     EXPECT_NEAR(found->y(), expected[0].y, 1e-8);
   }
 }
 
-TEST(Lens, FisheyeProjectsAsOpenCvDoes) {
-  Lens lens{.width = 2000, .height = 2000, .fx = 600.0, .fy = 610.0, .cx = 990.0, .cy = 1005.0};
+TEST(CameraIntrinsics, FisheyeProjectsAsOpenCvDoes) {
+  CameraIntrinsics lens{.width = 2000, .height = 2000, .fx = 600.0, .fy = 610.0, .cx = 990.0, .cy = 1005.0};
   lens.radial = {0.03, -0.01, 0.004, -0.0006};
   lens.fisheye = true;
   const cv::Matx33d k(lens.fx, 0.0, lens.cx, 0.0, lens.fy, lens.cy, 0.0, 0.0, 1.0);
@@ -55,57 +55,57 @@ TEST(Lens, FisheyeProjectsAsOpenCvDoes) {
     std::vector<cv::Point2d> expected;
     cv::fisheye::projectPoints(std::vector<cv::Point3d>{{p.x(), p.y(), p.z()}}, expected,
                                cv::Vec3d(), cv::Vec3d(), k, distortion);
-    const std::optional<Vec2> found = projected(lens, p);
+    const std::optional<Vec2> found = project(lens, p);
     ASSERT_TRUE(found.has_value());
     EXPECT_NEAR(found->x(), expected[0].x, 1e-8);
     EXPECT_NEAR(found->y(), expected[0].y, 1e-8);
   }
 }
 
-TEST(Lens, DirectionAtAPixelIsSeenThere) {
-  Lens fisheye{.width = 2000, .height = 2000, .fx = 600.0, .fy = 610.0, .cx = 990.0, .cy = 1005.0};
+TEST(CameraIntrinsics, DirectionAtAPixelIsSeenThere) {
+  CameraIntrinsics fisheye{.width = 2000, .height = 2000, .fx = 600.0, .fy = 610.0, .cx = 990.0, .cy = 1005.0};
   fisheye.radial = {0.03, -0.01, 0.004, -0.0006};
   fisheye.fisheye = true;
-  Lens skewed = odd_lens();
+  CameraIntrinsics skewed = odd_lens();
   skewed.skew = 2.5;
-  for (const Lens& lens : {odd_lens(), fisheye, skewed}) {
+  for (const CameraIntrinsics& lens : {odd_lens(), fisheye, skewed}) {
     Random random(11);
     for (int i = 0; i < 200; ++i) {
       // A fisheye's corners may be beyond a right angle.
       const Vec2 pixel(random.uniform(0.2, 0.8) * lens.width,
                        random.uniform(0.2, 0.8) * lens.height);
-      const std::optional<Vec3> direction = direction_at(lens, pixel);
+      const std::optional<Vec3> direction = unproject(lens, pixel);
       ASSERT_TRUE(direction.has_value());
-      EXPECT_NEAR((*projected(lens, 2.7 * *direction) - pixel).norm(), 0.0, 1e-8);
+      EXPECT_NEAR((*project(lens, 2.7 * *direction) - pixel).norm(), 0.0, 1e-8);
     }
   }
 }
 
-TEST(Lens, WhatIsBehindOrBeyondTheDistortionIsNotSeen) {
-  EXPECT_FALSE(projected(odd_lens(), {0.1, 0.1, -1.0}).has_value());
-  EXPECT_FALSE(projected(odd_lens(), {0.1, 0.1, 0.0}).has_value());
+TEST(CameraIntrinsics, WhatIsBehindOrBeyondTheDistortionIsNotSeen) {
+  EXPECT_FALSE(project(odd_lens(), {0.1, 0.1, -1.0}).has_value());
+  EXPECT_FALSE(project(odd_lens(), {0.1, 0.1, 0.0}).has_value());
   // r (1 - 0.3 r^2) falls where 0.9 r^2 > 1.
-  Lens barrel{.width = 1000, .height = 1000, .fx = 500.0, .fy = 500.0, .cx = 500.0, .cy = 500.0};
+  CameraIntrinsics barrel{.width = 1000, .height = 1000, .fx = 500.0, .fy = 500.0, .cx = 500.0, .cy = 500.0};
   barrel.radial[0] = -0.3;
-  EXPECT_TRUE(projected(barrel, {1.05, 0.0, 1.0}).has_value());
-  EXPECT_FALSE(projected(barrel, {1.06, 0.0, 1.0}).has_value());
+  EXPECT_TRUE(project(barrel, {1.05, 0.0, 1.0}).has_value());
+  EXPECT_FALSE(project(barrel, {1.06, 0.0, 1.0}).has_value());
 }
 
-TEST(Lens, ASmallerPhotoSeesTheSamePlacesOfItsFrame) {
-  const Lens lens = odd_lens(), half = resized(lens, 2000, 1500);
+TEST(CameraIntrinsics, ASmallerPhotoSeesTheSamePlacesOfItsFrame) {
+  const CameraIntrinsics lens = odd_lens(), half = resized(lens, 2000, 1500);
   Random random(5);
   for (int i = 0; i < 50; ++i) {
     const Vec3 p = before_camera(random);
     // Pixel edges halve: u + 0.5 is the distance from the photo's edge.
-    const Vec2 expected = 0.5 * (*projected(lens, p) + Vec2(0.5, 0.5)) - Vec2(0.5, 0.5);
-    EXPECT_NEAR((*projected(half, p) - expected).norm(), 0.0, 1e-9);
+    const Vec2 expected = 0.5 * (*project(lens, p) + Vec2(0.5, 0.5)) - Vec2(0.5, 0.5);
+    EXPECT_NEAR((*project(half, p) - expected).norm(), 0.0, 1e-9);
   }
   EXPECT_TRUE(contains(refusal([&] { resized(lens, 1500, 2000); }), "1500 x 2000"));
   EXPECT_TRUE(contains(refusal([&] { resized(lens, 2000, 1200); }), "neither cut nor turned"));
 }
 
-TEST(Lens, ValuesOfNoLensAreRefused) {
-  Lens lens = odd_lens();
+TEST(CameraIntrinsics, ValuesOfNoLensAreRefused) {
+  CameraIntrinsics lens = odd_lens();
   lens.fx = -3.0;
   EXPECT_TRUE(contains(refusal([&] { lens.check(); }), "focal length"));
   lens = odd_lens();

@@ -35,7 +35,7 @@ TEST(ModelFiles, ColmapTextIsReadWithItsHalfPixelAndDistortion) {
   EXPECT_EQ(model.source, "COLMAP text");
   EXPECT_FALSE(model.metric);
   ASSERT_EQ(model.points.size(), 2u);
-  EXPECT_EQ(model.points[0].place, Vec3(0.1, 0.2, 0.3));
+  EXPECT_EQ(model.points[0].position, Vec3(0.1, 0.2, 0.3));
   EXPECT_EQ(model.points[0].photos, (std::vector<std::uint32_t>{0, 1}));
   EXPECT_EQ(model.points[1].photos, (std::vector<std::uint32_t>{1}));
   EXPECT_EQ(model.photos[0].name, "b 0.jpg");
@@ -64,7 +64,7 @@ TEST(ModelFiles, MetashapeIsReadWithItsOwnOrderOfTangentialTerms) {
   write(folder / "cameras.xml", metashape_xml(views, ""));
   const PhotoModel model = read_photo_model(folder.path());
   EXPECT_FALSE(model.metric);
-  EXPECT_EQ(model.unplaced, 1u);
+  EXPECT_EQ(model.photos_without_pose, 1u);
   expect_pixels(model, 0.5,
                 [&](int i, const Vec3& p) { return metashape_pixel(views.in_camera(i, p)); });
 }
@@ -108,7 +108,7 @@ TEST(ModelFiles, AliceVisionIsReadInEveryLayoutOfItsFocalLength) {
     const ScratchFolder folder;
     write(folder / "cameras.sfm", alicevision_json(views, version, focal, principal));
     const PhotoModel model = read_photo_model(folder.path());
-    EXPECT_EQ(model.unplaced, 1u);
+    EXPECT_EQ(model.photos_without_pose, 1u);
     ASSERT_EQ(model.points.size(), 1u);
     EXPECT_EQ(model.points[0].photos, (std::vector<std::uint32_t>{0, 1}));
     expect_pixels(model, 0.0, expected);
@@ -153,15 +153,15 @@ TEST(ModelFiles, PhotosAreFoundByNameWithOrWithoutFolderAndExtension) {
   for (const char* name : {"/far/away/a.jpg", "C:\\photos\\b.JPG", "c"}) {
     model.photos.push_back({name, {}, 0, {}});
   }
-  const PhotoModel found = with_files(model, folder.path());
+  const PhotoModel found = locate_photo_files(model, folder.path());
   EXPECT_EQ(found.photos[0].file, folder / "in/a.jpg");
   EXPECT_EQ(found.photos[1].file, folder / "b.JPG");
   EXPECT_EQ(found.photos[2].file, folder / "c.png");
   model.photos.push_back({"d.jpg", {}, 0, {}});
-  EXPECT_TRUE(contains(refusal([&] { with_files(model, folder.path()); }),
+  EXPECT_TRUE(contains(refusal([&] { locate_photo_files(model, folder.path()); }),
                        "1 of the 4 photos of the camera model are not there: d.jpg"));
   write(folder / "a.jpg", "x");
-  EXPECT_TRUE(contains(refusal([&] { with_files(model, folder.path()); }), "2 files"));
+  EXPECT_TRUE(contains(refusal([&] { locate_photo_files(model, folder.path()); }), "2 files"));
 }
 
 }  // namespace

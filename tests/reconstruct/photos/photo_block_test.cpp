@@ -17,7 +17,7 @@ std::filesystem::path rock_file(const std::string& name) {
 TEST(PhotoBlock, AxesAndVolumeOfTheRock) {
   PhotoScanOptions options{.model = rock_file("colmap_txt")};
   options.scale.marker_side = 0.2;
-  const PhotoScan scan = photo_scan(rock_file("images"), options);
+  const PhotoScan scan = reconstruct_from_photos(rock_file("images"), options);
   EXPECT_TRUE(scan.metric);
   ASSERT_EQ(scan.markers.markers.size(), 4u);
   const RockBlock rock_block(scan);
@@ -39,7 +39,7 @@ TEST(PhotoBlock, AxesAndVolumeOfTheRock) {
 
 TEST(PhotoBlock, WithoutAScaleItIsRefusedUnlessThatIsAllowed) {
   const std::string text =
-      refusal([&] { photo_scan(rock_file("images"), {.model = rock_file("colmap_txt")}); });
+      refusal([&] { reconstruct_from_photos(rock_file("images"), {.model = rock_file("colmap_txt")}); });
   EXPECT_TRUE(contains(text, "no scale"));
   EXPECT_TRUE(contains(text, "`bars`"));
   EXPECT_TRUE(contains(text, "masses are not"));

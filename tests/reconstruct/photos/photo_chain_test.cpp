@@ -16,7 +16,7 @@ TEST(PhotoChain, TheRenderedRockIsPlacedScaledAndMeasured) {
   PhotoScanOptions options;
   options.colmap.cache = cache.path();
   options.scale.marker_side = 0.2;
-  const PhotoScan scan = photo_scan(test_data("photos/synthetic_rock/images"), options);
+  const PhotoScan scan = reconstruct_from_photos(test_data("photos/synthetic_rock/images"), options);
   EXPECT_EQ(scan.model.photos.size(), 36u);
   const double scale = 1.0 / ToTruth(scan.model).scale;
   std::cout << "scale " << 100.0 * (scale - 1.0) << " %\n";
@@ -32,17 +32,17 @@ TEST(PhotoChain, TheRenderedRockIsPlacedScaledAndMeasured) {
 TEST(PhotoChain, TheRealBouldersPhotosGiveAClosedBlockWithoutAScale) {
   const ScratchFolder cache;
   const std::filesystem::path photos = test_data("photos/nlesc_rock/images");
-  const PhotoModel model = colmap_cameras(photos, {.cache = cache.path()});
+  const PhotoModel model = run_colmap(photos, {.cache = cache.path()});
   std::cout << model.photos.size() << " of 47 photos\n";
   EXPECT_GE(model.photos.size(), 45u);
   // From here on the cameras come from the cache: this program isn't there.
   PhotoScanOptions options;
   options.colmap = {.program = "no-such-colmap", .cache = cache.path()};
-  EXPECT_TRUE(contains(refusal([&] { photo_scan(photos, options); }), "masses are not"));
+  EXPECT_TRUE(contains(refusal([&] { reconstruct_from_photos(photos, options); }), "masses are not"));
   options.allow_unscaled = true;
-  const PhotoScan scan = photo_scan(photos, options);
+  const PhotoScan scan = reconstruct_from_photos(photos, options);
   EXPECT_FALSE(scan.metric);
-  const FieldBlock block = field_blocks(scan.cloud.points, "boulder").front();
+  const FieldBlock block = extract_field_blocks(scan.cloud.points, "boulder").front();
   EXPECT_TRUE(inspect_mesh(block.scan.mesh).is_closed());
 }
 

@@ -28,7 +28,7 @@ PhotoModel with_photos(const PhotoModel& model, const std::vector<std::size_t>& 
     result.photos.push_back(model.photos[i]);
   }
   for (const SparsePoint& point : model.points) {
-    SparsePoint own{point.place, {}};
+    SparsePoint own{point.position, {}};
     for (const std::uint32_t photo : point.photos) {
       if (number[photo] >= 0) own.photos.push_back(static_cast<std::uint32_t>(number[photo]));
     }
@@ -49,9 +49,9 @@ double mean_error(const DenseCloud& cloud, const ToTruth& to_truth) {
   const TriangleTree tree(rock);
   double sum = 0.0, count = 0.0;
   for (std::size_t i = 0; i < cloud.points.size(); i += 7) {
-    const Vec3 place = to_truth * cloud.points[i];
-    const double distance = std::sqrt(tree.closest(place).squared_distance);
-    if (place.z() < 0.06 || distance > 0.02) continue;
+    const Vec3 position = to_truth * cloud.points[i];
+    const double distance = std::sqrt(tree.closest(position).squared_distance);
+    if (position.z() < 0.06 || distance > 0.02) continue;
     sum += distance / 0.7294;
     count += 1.0;
   }
@@ -73,7 +73,7 @@ PhotoModel changed(const ScratchFolder& folder,
 
 TEST(DegradedPhotos, EverySecondPhotoStillGivesGoodPoints) {
   const PhotoModel all = colmap_model();
-  const DenseCloud cloud = dense_cloud(with_photos(all, every(2, all.photos.size())),
+  const DenseCloud cloud = compute_dense_cloud(with_photos(all, every(2, all.photos.size())),
                                        {.most_pixels = 800, .agreeing = 2});
   const double error = mean_error(cloud, ToTruth(all));
   std::cout << cloud.pairs.size() << " pairs, " << cloud.points.size() << " points, mean "
@@ -84,7 +84,7 @@ TEST(DegradedPhotos, EverySecondPhotoStillGivesGoodPoints) {
 TEST(DegradedPhotos, AQuarterOfThemIsRefusedWithTheAngleBetweenThem) {
   const PhotoModel all = colmap_model();
   const std::string text =
-      refusal([&] { dense_cloud(with_photos(all, every(4, all.photos.size()))); });
+      refusal([&] { compute_dense_cloud(with_photos(all, every(4, all.photos.size()))); });
   EXPECT_TRUE(contains(text, "among 9 photos"));
   EXPECT_TRUE(contains(text, "degrees apart"));
   EXPECT_TRUE(contains(text, "every 10-15 degrees"));
@@ -92,7 +92,7 @@ TEST(DegradedPhotos, AQuarterOfThemIsRefusedWithTheAngleBetweenThem) {
 
 TEST(DegradedPhotos, SixThatAreFiftyDegreesApartAreRefused) {
   const PhotoModel all = colmap_model();
-  const std::string text = refusal([&] { dense_cloud(with_photos(all, {0, 4, 8, 12, 16, 20})); });
+  const std::string text = refusal([&] { compute_dense_cloud(with_photos(all, {0, 4, 8, 12, 16, 20})); });
   EXPECT_TRUE(contains(text, "only 0 pairs among 6 photos"));
   EXPECT_TRUE(contains(text, "every 10-15 degrees"));
 }
@@ -101,7 +101,7 @@ TEST(DegradedPhotos, StrongCompressionCostsLittle) {
   const ScratchFolder folder;
   const PhotoModel model = changed(
       folder, [](cv::Mat&, std::size_t) {}, 30);
-  const DenseCloud cloud = dense_cloud(model, {.most_pixels = 800});
+  const DenseCloud cloud = compute_dense_cloud(model, {.most_pixels = 800});
   const double error = mean_error(cloud, ToTruth(model));
   std::cout << cloud.points.size() << " points, mean " << 100.0 * error << " %\n";
   EXPECT_TRUE(cloud.blurred.empty());
@@ -117,7 +117,7 @@ TEST(DegradedPhotos, BlurredOnesAreNamed) {
         if (i == 17) cv::blur(image, image, {9, 1});  // a hand that moved
       },
       82);
-  const std::vector<Sharpness> sharpness = sharpness_of(model, region_of(model));
+  const std::vector<Sharpness> sharpness = measure_sharpness(model, find_photo_region(model));
   for (std::size_t i = 0; i < sharpness.size(); ++i) {
     EXPECT_EQ(sharpness[i].blurred, i == 4 || i == 17)
         << model.photos[i].name << " " << sharpness[i].relative;

@@ -13,14 +13,14 @@
 namespace clast {
 namespace {
 
-std::vector<FoundMarker> four() {
+std::vector<LocatedMarker> four() {
   return {made_up_marker(0, {1.0, 0.0, 0.0}), made_up_marker(1, {0.0, 2.0, 0.0}),
           made_up_marker(4, {-2.0, 0.0, 0.1}), made_up_marker(7, {0.0, -1.0, 0.0})};
 }
 
 TEST(PhotoScale, AKnownDistanceSetsIt) {
   // Centres 0 and 4 are |(3, 0, -0.1)| units apart.
-  const PhotoScale scale = scale_from_markers(four(), {.bars = {{0, 4, 1.5}}});
+  const PhotoScale scale = estimate_scale_from_markers(four(), {.bars = {{0, 4, 1.5}}});
   EXPECT_NEAR(scale.metres_per_unit, 1.5 / std::hypot(3.0, 0.1), 1e-12);
   EXPECT_TRUE(scale.from_bars);
   ASSERT_EQ(scale.notes.size(), 1u);
@@ -28,9 +28,9 @@ TEST(PhotoScale, AKnownDistanceSetsIt) {
 }
 
 TEST(PhotoScale, TheSideSetsItAndEachMarkerIsCheckedByTheOthers) {
-  std::vector<FoundMarker> markers = four();
+  std::vector<LocatedMarker> markers = four();
   markers[1] = made_up_marker(1, {0.0, 2.0, 0.0}, 0.4012);
-  const PhotoScale scale = scale_from_markers(markers, {.marker_side = 0.2});
+  const PhotoScale scale = estimate_scale_from_markers(markers, {.marker_side = 0.2});
   const double other = 0.2 / 0.4012;
   EXPECT_NEAR(scale.metres_per_unit, (3.0 * 0.5 + other) / 4.0, 1e-12);
   EXPECT_NEAR(scale.measures[1].left_out, 0.4012 / 0.4 - 1.0, 1e-12);
@@ -43,9 +43,9 @@ TEST(PhotoScale, TheSideSetsItAndEachMarkerIsCheckedByTheOthers) {
 }
 
 TEST(PhotoScale, AMarkerOfAnotherSizeIsNamedAndLeftOut) {
-  std::vector<FoundMarker> markers = four();
+  std::vector<LocatedMarker> markers = four();
   markers[2] = made_up_marker(4, {-2.0, 0.0, 0.1}, 0.4 * 1.018);
-  const PhotoScale scale = scale_from_markers(markers, {.marker_side = 0.2});
+  const PhotoScale scale = estimate_scale_from_markers(markers, {.marker_side = 0.2});
   EXPECT_NEAR(scale.metres_per_unit, 0.5, 1e-12);
   EXPECT_FALSE(scale.measures[2].used);
   ASSERT_EQ(scale.notes.size(), 1u);
@@ -53,7 +53,7 @@ TEST(PhotoScale, AMarkerOfAnotherSizeIsNamedAndLeftOut) {
 }
 
 TEST(PhotoScale, ABarThatIsWrongIsNamedAndLeftOut) {
-  const PhotoScale scale = scale_from_markers(
+  const PhotoScale scale = estimate_scale_from_markers(
       four(), {.bars = {{0, 1, 0.5 * std::sqrt(5.0)}, {0, 7, 0.5 * std::sqrt(2.0)}, {1, 7, 1.6}}});
   EXPECT_NEAR(scale.metres_per_unit, 0.5, 1e-12);
   ASSERT_EQ(scale.notes.size(), 1u);
@@ -61,40 +61,40 @@ TEST(PhotoScale, ABarThatIsWrongIsNamedAndLeftOut) {
 }
 
 TEST(PhotoScale, SidesCheckBars) {
-  const PhotoScale good = scale_from_markers(four(), {.bars = {{1, 7, 1.5}}, .marker_side = 0.2});
+  const PhotoScale good = estimate_scale_from_markers(four(), {.bars = {{1, 7, 1.5}}, .marker_side = 0.2});
   ASSERT_TRUE(good.side_check.has_value());
   EXPECT_NEAR(*good.side_check, 0.0, 1e-12);
-  const PhotoScale bad = scale_from_markers(four(), {.bars = {{1, 7, 1.5}}, .marker_side = 0.19});
+  const PhotoScale bad = estimate_scale_from_markers(four(), {.bars = {{1, 7, 1.5}}, .marker_side = 0.19});
   EXPECT_NEAR(*bad.side_check, 0.2 / 0.19 - 1.0, 1e-12);
   EXPECT_TRUE(contains(bad.notes.back(), "sides are 5.3 % longer than given"));
 }
 
 TEST(PhotoScale, SizesThatContradictAreRefused) {
-  const std::vector<FoundMarker> two = {made_up_marker(0, {1.0, 0.0, 0.0}),
+  const std::vector<LocatedMarker> two = {made_up_marker(0, {1.0, 0.0, 0.0}),
                                         made_up_marker(1, {0.0, 2.0, 0.0}, 0.45)};
-  EXPECT_TRUE(contains(refusal([&] { scale_from_markers(two, {.marker_side = 0.2}); }),
+  EXPECT_TRUE(contains(refusal([&] { estimate_scale_from_markers(two, {.marker_side = 0.2}); }),
                        "marker 0: 0.5 m per unit, marker 1: 0.444444 m per unit"));
 }
 
 TEST(PhotoScale, WhatCantSetAScaleIsRefused) {
-  const std::vector<FoundMarker> markers = four();
-  EXPECT_TRUE(contains(refusal([&] { scale_from_markers(markers, {}); }), "no scale"));
-  EXPECT_TRUE(contains(refusal([&] { scale_from_markers({}, {.marker_side = 0.2}); }),
+  const std::vector<LocatedMarker> markers = four();
+  EXPECT_TRUE(contains(refusal([&] { estimate_scale_from_markers(markers, {}); }), "no scale"));
+  EXPECT_TRUE(contains(refusal([&] { estimate_scale_from_markers({}, {.marker_side = 0.2}); }),
                        "no marker was found"));
   EXPECT_TRUE(contains(refusal([&] {
-                         scale_from_markers(markers, {.bars = {{0, 9, 1.0}}});
+                         estimate_scale_from_markers(markers, {.bars = {{0, 9, 1.0}}});
                        }),
                        "marker 9 was not found; found 0, 1, 4, 7"));
   EXPECT_TRUE(contains(refusal([&] {
-                         scale_from_markers(markers, {.bars = {{0, 0, 1.0}}});
+                         estimate_scale_from_markers(markers, {.bars = {{0, 0, 1.0}}});
                        }),
                        "both ends"));
   EXPECT_TRUE(contains(refusal([&] {
-                         scale_from_markers(markers, {.bars = {{0, 1, -1.0}}});
+                         estimate_scale_from_markers(markers, {.bars = {{0, 1, -1.0}}});
                        }),
                        "no distance"));
   EXPECT_TRUE(
-      contains(refusal([&] { scale_from_markers(markers, {.marker_side = 0.0}); }), "no side"));
+      contains(refusal([&] { estimate_scale_from_markers(markers, {.marker_side = 0.0}); }), "no side"));
 }
 
 TEST(Triangulation, PlacesComeBackThoughAThirdOfTheSightingsAreWrong) {
@@ -113,17 +113,17 @@ TEST(Triangulation, PlacesComeBackThoughAThirdOfTheSightingsAreWrong) {
   }
   const Vec3 truth(0.1, -0.2, 0.15);
   Random random(8);
-  std::vector<photos_detail::Sighting> sightings;
+  std::vector<photos_detail::ImageObservation> observations;
   for (std::size_t i = 0; i < 12; ++i) {
-    Vec2 pixel = *seen_at(model, i, truth);
+    Vec2 pixel = *project_into_photo(model, i, truth);
     if (i % 3 == 0) pixel += Vec2(random.uniform(10.0, 90.0), random.uniform(-70.0, 70.0));
-    sightings.push_back({i, pixel});
+    observations.push_back({i, pixel});
   }
-  const auto found = photos_detail::triangulated(model, sightings, 2.0);
+  const auto found = photos_detail::triangulate(model, observations, 2.0);
   ASSERT_TRUE(found.has_value());
   EXPECT_EQ(found->agreeing, 8u);
-  EXPECT_NEAR((found->place - truth).norm(), 0.0, 1e-9);
-  EXPECT_FALSE(photos_detail::triangulated(model, {sightings[1]}, 2.0).has_value());
+  EXPECT_NEAR((found->position - truth).norm(), 0.0, 1e-9);
+  EXPECT_FALSE(photos_detail::triangulate(model, {observations[1]}, 2.0).has_value());
 }
 
 }  // namespace

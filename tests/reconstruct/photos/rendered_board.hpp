@@ -26,7 +26,7 @@ inline cv::Mat drawn_board(const CharucoBoard& board) {
   const cv::Size size(static_cast<int>(board.columns * board.square * kDrawingPixels) + 2 * margin,
                       static_cast<int>(board.rows * board.square * kDrawingPixels) + 2 * margin);
   const auto dictionary =
-      cv::aruco::getPredefinedDictionary(photos_detail::dictionary_number(board.dictionary));
+      cv::aruco::getPredefinedDictionary(photos_detail::opencv_dictionary(board.dictionary));
   const auto square = static_cast<float>(board.square), marker = static_cast<float>(board.marker);
   cv::Mat drawing;
 #if CV_VERSION_MAJOR * 100 + CV_VERSION_MINOR >= 407
@@ -45,7 +45,7 @@ inline cv::Mat drawn_markers(const std::string& dictionary, double side,
   cv::Mat drawing(static_cast<int>(height * kDrawingPixels),
                   static_cast<int>(width * kDrawingPixels), CV_8UC1, cv::Scalar(255));
   const auto known =
-      cv::aruco::getPredefinedDictionary(photos_detail::dictionary_number(dictionary));
+      cv::aruco::getPredefinedDictionary(photos_detail::opencv_dictionary(dictionary));
   const int pixels = static_cast<int>(side * kDrawingPixels);
   for (std::size_t id = 0; id < centres.size(); ++id) {
     cv::Mat marker;
@@ -72,7 +72,7 @@ inline PhotoModel photographed(const cv::Mat& drawing, double unit, const Scratc
                           .fy = 1500.0,
                           .cx = 0.5 * kWidth - 0.5,
                           .cy = 0.5 * kHeight - 0.5});
-  const Lens& lens = model.lenses[0];
+  const CameraIntrinsics& lens = model.lenses[0];
   const Vec3 middle(0.5 * drawing.cols / kDrawingPixels, 0.5 * drawing.rows / kDrawingPixels, 0.0);
   const double reach = 1.9 * std::max(middle.x(), middle.y());
   Random random(5);

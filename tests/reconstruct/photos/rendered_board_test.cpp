@@ -18,7 +18,7 @@ TEST(RenderedBoard, AChArUcoBoardGivesTheScale) {
   const ScratchFolder folder;
   const CharucoBoard board{"5x5_100", 7, 5, 0.04, 0.03, false};
   const PhotoModel model = photographed(drawn_board(board), kUnit, folder);
-  const std::vector<BoardCorner> corners = found_board_corners(model, board, {.threads = 2});
+  const std::vector<BoardCorner> corners = find_board_corners(model, board, {.threads = 2});
   ASSERT_EQ(corners.size(), 24u);
   double worst = 0.0;
   std::size_t fewest = model.photos.size();
@@ -26,7 +26,7 @@ TEST(RenderedBoard, AChArUcoBoardGivesTheScale) {
     worst = std::max(worst, corner.error);
     fewest = std::min(fewest, corner.photos);
   }
-  const PhotoScale scale = scale_from_markers(
+  const PhotoScale scale = estimate_scale_from_markers(
       {}, {.board = ScaleBoard{.dictionary = "5x5_100", .charuco = board}}, corners);
   std::cout << "ChArUco: " << 100.0 * error_of(scale) << " %, spread " << 100.0 * scale.spread
             << " %, corners up to " << worst << " px, in " << fewest << " photos or more\n";
@@ -37,18 +37,18 @@ TEST(RenderedBoard, AChArUcoBoardGivesTheScale) {
 
   CharucoBoard other = board;
   other.dictionary = "4x4_50";
-  EXPECT_TRUE(found_board_corners(model, other, {.threads = 2}).empty());
-  const std::vector<BoardCorner> again = found_board_corners(model, board, {.threads = 1});
-  for (std::size_t i = 0; i < corners.size(); ++i) EXPECT_EQ(again[i].place, corners[i].place);
+  EXPECT_TRUE(find_board_corners(model, other, {.threads = 2}).empty());
+  const std::vector<BoardCorner> again = find_board_corners(model, board, {.threads = 1});
+  for (std::size_t i = 0; i < corners.size(); ++i) EXPECT_EQ(again[i].position, corners[i].position);
 }
 
 TEST(RenderedBoard, AnEvenNumberOfRowsIsTheSameToIt) {
   const ScratchFolder folder;
   const CharucoBoard board{"5x5_100", 6, 4, 0.04, 0.03, false};
   const PhotoModel model = photographed(drawn_board(board), kUnit, folder);
-  const std::vector<BoardCorner> corners = found_board_corners(model, board, {.threads = 2});
+  const std::vector<BoardCorner> corners = find_board_corners(model, board, {.threads = 2});
   ASSERT_EQ(corners.size(), 15u);
-  const PhotoScale scale = scale_from_markers(
+  const PhotoScale scale = estimate_scale_from_markers(
       {}, {.board = ScaleBoard{.dictionary = "5x5_100", .charuco = board}}, corners);
   std::cout << "ChArUco, even: " << 100.0 * error_of(scale) << " %\n";
   EXPECT_LT(std::abs(error_of(scale)), kBar);
@@ -73,7 +73,7 @@ TEST_P(Tags, OnAPlateGiveTheScaleByTheirCentresAndTheirSides) {
   const std::vector<Vec2> centres = {{0.07, 0.06}, {0.33, 0.07}, {0.32, 0.24}, {0.08, 0.23}};
   const PhotoModel model =
       photographed(drawn_markers(GetParam(), side, centres, 0.40, 0.30), kUnit, folder);
-  const MarkerSearch search = search_markers(model, {.dictionary = GetParam(), .threads = 2});
+  const MarkerSearchResult search = search_markers(model, {.dictionary = GetParam(), .threads = 2});
   ASSERT_EQ(search.markers.size(), 4u);
   EXPECT_TRUE(search.missed.empty());
   EXPECT_EQ(search.dictionary, GetParam());
@@ -82,15 +82,15 @@ TEST_P(Tags, OnAPlateGiveTheScaleByTheirCentresAndTheirSides) {
     const Vec2& at = centres[static_cast<std::size_t>(id)];
     board.markers.push_back({id, {at.x(), at.y(), 0.0}});
   }
-  const PhotoScale by_board = scale_from_markers(search.markers, {.board = board});
-  const PhotoScale by_side = scale_from_markers(search.markers, {.marker_side = side});
+  const PhotoScale by_board = estimate_scale_from_markers(search.markers, {.board = board});
+  const PhotoScale by_side = estimate_scale_from_markers(search.markers, {.marker_side = side});
   std::cout << GetParam() << ": centres " << 100.0 * error_of(by_board) << " %, sides "
             << 100.0 * error_of(by_side) << " %\n";
   EXPECT_LT(std::abs(error_of(by_board)), kBar);
   EXPECT_LT(std::abs(error_of(by_side)), 2.0 * kBar);
 
   board.markers[2].centre.x() += 0.004;
-  const PhotoScale mended = scale_from_markers(search.markers, {.board = board});
+  const PhotoScale mended = estimate_scale_from_markers(search.markers, {.board = board});
   EXPECT_LT(std::abs(error_of(mended)), kBar);
   EXPECT_TRUE(contains(mended.notes.at(0), "marker 2 is not where the board has it"));
 }

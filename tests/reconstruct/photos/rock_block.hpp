@@ -22,8 +22,8 @@ struct RockBlock {
   explicit RockBlock(const PhotoScan& scan) {
     FieldScanOptions reading;
     reading.surface.cell = 0.003;
-    reading.through = &scan.cloud.through;
-    block = field_blocks(scan.cloud.points, "rock", reading).front();
+    reading.free_space = &scan.cloud.free_space;
+    block = extract_field_blocks(scan.cloud.points, "rock", reading).front();
     const TriangleMesh truth = read_mesh(test_data("photos/synthetic_rock/gt_rock.ply"));
     const OrientedBox box = smallest_box(truth.vertices);
     sides = relative(smallest_box(block.scan.mesh.vertices).lengths, box.lengths);

@@ -24,9 +24,9 @@ ScaleBoard plate() {
 }
 
 /// As photos see it: turned, moved and in units.
-std::vector<FoundMarker> seen(const ScaleBoard& board) {
+std::vector<LocatedMarker> seen(const ScaleBoard& board) {
   const Pose pose{{3.0, -2.0, 5.0}, Quat(Eigen::AngleAxisd(1.1, Vec3(1, 2, -1).normalized()))};
-  std::vector<FoundMarker> markers;
+  std::vector<LocatedMarker> markers;
   for (const BoardMarker& marker : board.markers) {
     markers.push_back(
         made_up_marker(marker.id, pose * marker.centre / kBoardUnit, 0.1 / kBoardUnit));
@@ -35,7 +35,7 @@ std::vector<FoundMarker> seen(const ScaleBoard& board) {
 }
 
 TEST(ScaleBoard, EveryDistanceOfTheBoardIsUsed) {
-  const PhotoScale scale = scale_from_markers(seen(plate()), {.board = plate()});
+  const PhotoScale scale = estimate_scale_from_markers(seen(plate()), {.board = plate()});
   EXPECT_EQ(scale.measures.size(), 10u);
   EXPECT_NEAR(scale.metres_per_unit, kBoardUnit, 1e-12);
   EXPECT_TRUE(scale.from_bars);
@@ -48,7 +48,7 @@ TEST(ScaleBoard, AMarkerThatIsElsewhereIsNamedAndLeftOut) {
   for (std::size_t wrong = 0; wrong < 5; ++wrong) {
     ScaleBoard board = plate();
     board.markers[wrong].centre.y() += 0.012;
-    const PhotoScale scale = scale_from_markers(seen(plate()), {.board = board});
+    const PhotoScale scale = estimate_scale_from_markers(seen(plate()), {.board = board});
     EXPECT_NEAR(scale.metres_per_unit, kBoardUnit, 1e-12) << wrong;
     EXPECT_EQ(scale.measures.size(), 6u);
     ASSERT_EQ(scale.notes.size(), 1u);
@@ -61,40 +61,40 @@ TEST(ScaleBoard, TwoOfFiveAreLeftOutAndThreeThatDisagreeAreRefused) {
   ScaleBoard board = plate();
   board.markers[1].centre.x() += 0.02;
   board.markers[4].centre.y() += 0.03;
-  const PhotoScale scale = scale_from_markers(seen(plate()), {.board = board});
+  const PhotoScale scale = estimate_scale_from_markers(seen(plate()), {.board = board});
   EXPECT_NEAR(scale.metres_per_unit, kBoardUnit, 1e-12);
   EXPECT_EQ(scale.notes.size(), 2u);
 
   ScaleBoard three = plate();
   three.markers.resize(3);
-  const std::vector<FoundMarker> found = seen(three);
+  const std::vector<LocatedMarker> found = seen(three);
   three.markers[0].centre.x() += 0.02;
-  const std::string message = refusal([&] { scale_from_markers(found, {.board = three}); });
+  const std::string message = refusal([&] { estimate_scale_from_markers(found, {.board = three}); });
   EXPECT_TRUE(contains(message, "3 of its 3 points can't tell which is wrong")) << message;
 }
 
 TEST(ScaleBoard, MarkersThatWereNotFoundAreNamed) {
-  std::vector<FoundMarker> markers = seen(plate());
+  std::vector<LocatedMarker> markers = seen(plate());
   markers.erase(markers.begin() + 1, markers.begin() + 3);
-  const PhotoScale scale = scale_from_markers(markers, {.board = plate()});
+  const PhotoScale scale = estimate_scale_from_markers(markers, {.board = plate()});
   EXPECT_NEAR(scale.metres_per_unit, kBoardUnit, 1e-12);
   EXPECT_TRUE(contains(scale.notes.at(0), "show marker 1, 2 whole"));
   markers.resize(1);
-  EXPECT_TRUE(contains(refusal([&] { scale_from_markers(markers, {.board = plate()}); }),
+  EXPECT_TRUE(contains(refusal([&] { estimate_scale_from_markers(markers, {.board = plate()}); }),
                        "no two of the board"));
 }
 
 TEST(ScaleBoard, SidesCheckTheBoardAndStandInForIt) {
   ScaleBoard board = plate();
   board.marker_side = 0.102;
-  const PhotoScale both = scale_from_markers(seen(plate()), {.board = board});
+  const PhotoScale both = estimate_scale_from_markers(seen(plate()), {.board = board});
   ASSERT_TRUE(both.side_check.has_value());
   EXPECT_NEAR(*both.side_check, 0.1 / 0.102 - 1.0, 1e-12);
   EXPECT_TRUE(contains(both.notes.at(0), "shorter than given"));
-  std::vector<FoundMarker> one = seen(plate());
+  std::vector<LocatedMarker> one = seen(plate());
   one.resize(1);
   board.marker_side = 0.1;
-  const PhotoScale side = scale_from_markers(one, {.board = board});
+  const PhotoScale side = estimate_scale_from_markers(one, {.board = board});
   EXPECT_FALSE(side.from_bars);
   EXPECT_NEAR(side.metres_per_unit, kBoardUnit, 1e-12);
 }
@@ -104,8 +104,8 @@ std::vector<BoardCorner> corners(const CharucoBoard& board, double noise, std::u
   Random random(seed);
   std::vector<BoardCorner> found;
   for (int k = 0; k < (board.columns - 1) * (board.rows - 1); ++k) {
-    const Vec3 place = board.square * Vec3(k % (board.columns - 1), k / (board.columns - 1), 0.0);
-    found.push_back({k, (place + noise * random.direction()) / kBoardUnit, 8, 0.1});
+    const Vec3 position = board.square * Vec3(k % (board.columns - 1), k / (board.columns - 1), 0.0);
+    found.push_back({k, (position + noise * random.direction()) / kBoardUnit, 8, 0.1});
   }
   return found;
 }
@@ -114,24 +114,24 @@ TEST(ScaleBoard, RowsAndColumnsOfAChArUcoBoardGiveTheScale) {
   const CharucoBoard board{"5x5_100", 7, 5, 0.04, 0.03, false};
   std::vector<BoardCorner> found = corners(board, 2e-5, 3);
   const ScaleOptions options{.board = ScaleBoard{.dictionary = "5x5_100", .charuco = board}};
-  const PhotoScale scale = scale_from_markers({}, options, found);
+  const PhotoScale scale = estimate_scale_from_markers({}, options, found);
   EXPECT_EQ(scale.measures.size(), 4u + 6u);
   // Ends of rows are off by 2e-5 m each, over 0.12 to 0.20 m.
   EXPECT_NEAR(scale.metres_per_unit / kBoardUnit, 1.0, 1.5e-4);
   EXPECT_EQ(scale.measures[0].name, "row 1 of the board, corner 0 to corner 5");
 
-  found[8].place.x() += 0.01;
-  const PhotoScale without = scale_from_markers({}, options, found);
+  found[8].position.x() += 0.01;
+  const PhotoScale without = estimate_scale_from_markers({}, options, found);
   EXPECT_TRUE(contains(without.notes.at(0), "corner 8 is not where the board has it"));
   EXPECT_NEAR(without.metres_per_unit / kBoardUnit, 1.0, 1.5e-4);
   found.resize(1);
   EXPECT_TRUE(
-      contains(refusal([&] { scale_from_markers({}, options, found); }), "1 of its corners"));
+      contains(refusal([&] { estimate_scale_from_markers({}, options, found); }), "1 of its corners"));
 }
 
 TEST(ScaleBoard, WhatIsNoBoardIsRefused) {
   const auto refused = [](const ScaleBoard& board) {
-    return refusal([&] { scale_from_markers({}, {.board = board}); });
+    return refusal([&] { estimate_scale_from_markers({}, {.board = board}); });
   };
   ScaleBoard board = plate();
   board.markers.resize(1);

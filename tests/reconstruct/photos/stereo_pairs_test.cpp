@@ -79,7 +79,7 @@ TEST(PhotoRegion, WithoutGroundItHoldsThePointsThatCamerasLookAt) {
     const Vec3 p = at + 0.5 * std::cbrt(random.uniform()) * random.direction();
     model.points.push_back({p, {0, 1, 2}});
   }
-  const PhotoRegion region = region_of(model);
+  const PhotoRegion region = find_photo_region(model);
   EXPECT_FALSE(region.from_ground);
   EXPECT_NEAR((region.centre - at).norm(), 0.0, 1e-9);
   // Nine tenths of a ball of points lie within 0.9^(1/3) of its radius; a margin of 15 % is added.
@@ -96,7 +96,7 @@ TEST(PhotoRegion, ABlockOnAGroundIsHeldWithAMargin) {
     if (p.z() < -0.35 || (i % 2 == 0 && p.head<2>().norm() < 0.2)) continue;
     model.points.push_back({p + 0.002 * random.direction(), {0, 1, 2}});
   }
-  const PhotoRegion region = region_of(model);
+  const PhotoRegion region = find_photo_region(model);
   EXPECT_TRUE(region.from_ground);
   EXPECT_LT(region.centre.norm(), 0.05);
   EXPECT_GT(region.radius, 0.4);
@@ -108,9 +108,9 @@ TEST(PhotoRegion, CamerasThatLookAtNothingTogetherAreRefused) {
   for (int i = 0; i < 5; ++i) {
     model.photos.push_back({"p", {}, 0, {Vec3(0.1 * i, 0.0, 0.0), Quat::Identity()}});
   }
-  EXPECT_TRUE(contains(refusal([&] { region_of(model); }), "parallel"));
+  EXPECT_TRUE(contains(refusal([&] { find_photo_region(model); }), "parallel"));
   model.photos.resize(1);
-  EXPECT_TRUE(contains(refusal([&] { region_of(model); }), "too few"));
+  EXPECT_TRUE(contains(refusal([&] { find_photo_region(model); }), "too few"));
 }
 
 }  // namespace

@@ -42,11 +42,11 @@ inline PhotoModel true_model() {
                           .radial = {-0.04, 0.0, 0.0, 0.0}});
   for (const auto& [name, pose] : true_poses()) model.photos.push_back({name, {}, 0, pose});
   model.metric = true;
-  return with_files(std::move(model), test_data("photos/synthetic_rock/images"));
+  return locate_photo_files(std::move(model), test_data("photos/synthetic_rock/images"));
 }
 
 inline PhotoModel colmap_model() {
-  return with_files(read_photo_model(test_data("photos/synthetic_rock/colmap_txt")),
+  return locate_photo_files(read_photo_model(test_data("photos/synthetic_rock/colmap_txt")),
                     test_data("photos/synthetic_rock/images"));
 }
 

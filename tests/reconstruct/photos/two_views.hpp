@@ -39,7 +39,7 @@ inline void expect_pixels(const PhotoModel& model, double half,
   for (int n = 0; n < 50; ++n) {
     const Vec3 p(random.uniform(-0.3, 0.3), random.uniform(-0.3, 0.3), random.uniform(-0.3, 0.3));
     for (int i = 0; i < 2; ++i) {
-      const std::optional<Vec2> seen = seen_at(model, static_cast<std::size_t>(i), p);
+      const std::optional<Vec2> seen = project_into_photo(model, static_cast<std::size_t>(i), p);
       ASSERT_TRUE(seen.has_value());
       EXPECT_NEAR((*seen + Vec2(half, half) - expected(i, p)).norm(), 0.0, kModelBar);
     }

@@ -12,7 +12,7 @@ namespace {
 
 TEST(PhotoSection, HoldsRingCoverageMarkersAndScale) {
   const EvidenceSample made;
-  const PhotoEvidence evidence = photo_evidence(made.scan, made.block, "z");
+  const PhotoSummary evidence = summarise_photos(made.scan, made.block, "z");
   const std::string html = format_photo_section(made.scan, evidence, made.block.scan.mesh);
   EXPECT_EQ(unbalanced(html), "");
   EXPECT_EQ(count_of(html, "class=\"seat compared\""), 33u);
@@ -33,7 +33,7 @@ TEST(PhotoSection, WithoutAScaleItSaysSo) {
   EvidenceSample made;
   made.scan.scale.reset();
   made.scan.metric = false;
-  const PhotoEvidence evidence = photo_evidence(made.scan, made.block, "z");
+  const PhotoSummary evidence = summarise_photos(made.scan, made.block, "z");
   const std::string html = format_photo_section(made.scan, evidence, made.block.scan.mesh);
   EXPECT_TRUE(contains(html, "has no mass"));
   EXPECT_TRUE(contains(html, "distance, units"));

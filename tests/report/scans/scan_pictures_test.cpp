@@ -178,7 +178,7 @@ TEST(ScanPage, TablesNameEveryDefectAndHoleWithItsPlace) {
   hole.perimeter = 0.625;
   hole.radius = 0.1;
   hole.area = 0.03;
-  hole.area_share = 0.04;
+  hole.area_fraction = 0.04;
   hole.centre = Vec3(4.0, 5.0, 6.0);
   report.holes = {hole};
   const std::string html = format_repair_section(report);
@@ -206,7 +206,7 @@ TEST(ScanPage, EveryKindOfDefectHasAName) {
 
 TEST(ScanPage, PicturesAreInsideThePageAndWellFormed) {
   const TriangleMesh open = above_level(rock_mesh(8, {0.5, 0.4, 0.3}, 3), -0.15);
-  FieldBlock block = field_blocks(open, "open")[0];
+  FieldBlock block = extract_field_blocks(open, "open")[0];
   ASSERT_TRUE(block.underside.has_value());
   const std::string html = draw_before_and_after(open, {}, block, {{"1", open.vertices[0]}}) +
                            format_underside_section(*block.underside) +

@@ -34,7 +34,7 @@ TEST_F(CampaignFile, EveryKeyArrives) {
   EXPECT_FALSE(campaign.releases[0].drop_height);
   EXPECT_FALSE(campaign.releases[0].in_principal_frame);
   EXPECT_EQ(campaign.releases[0].files.size(), 2u);
-  EXPECT_EQ(campaign.weights, ContactWeights::kOverlap);
+  EXPECT_EQ(campaign.weights, ContactWeighting::kOverlap);
   EXPECT_EQ(name_of(campaign.stiffness.law), "spring-dashpot");
   EXPECT_EQ(campaign.stiffness.normal, 1e8);
   EXPECT_FALSE(campaign.stiffness.tangential);
@@ -87,7 +87,7 @@ orientations = "grid-45"
   EXPECT_EQ(campaign.terrain_radius, 0.0);
   EXPECT_TRUE(campaign.releases[0].in_principal_frame);
   EXPECT_EQ(campaign.releases[0].orientations.size(), 64u);
-  EXPECT_EQ(campaign.weights, ContactWeights::kPatch);
+  EXPECT_EQ(campaign.weights, ContactWeighting::kPatch);
   EXPECT_EQ(name_of(campaign.stiffness.law), "energy-restitution");
   EXPECT_FALSE(campaign.stiffness.normal);
   EXPECT_EQ(campaign.max_time, 60.0);

@@ -249,7 +249,7 @@ TEST(Compare, EnergyThatContactsLoseOrGainIsNamedAboveATenthOfTheDissipated) {
   const Comparison comparison = compared(std::move(results));
   EXPECT_TRUE(warns(comparison, "2 of 6 runs lose or gain more than 10 %"));
   EXPECT_TRUE(warns(comparison, "at most 25 %, run 2, block round<1>"));
-  EXPECT_FALSE(reassigned_energy_fraction(EnergyLedger()));
+  EXPECT_FALSE(reassigned_energy_fraction(EnergyBalance()));
 }
 
 // Blocks of one mass on a slope of 26.6 deg that brakes what rolls: atan 0.6 = 31 deg.

@@ -82,7 +82,7 @@ TEST(Results, EverythingComesBackInRunOrder) {
   EXPECT_EQ(results.ground_sets[0].zones[0].soil_memory, 0.2);
   EXPECT_EQ(results.ground[1].energy_restitution, 0.04);
   EXPECT_EQ(results.ground[1].friction, 0.3);
-  EXPECT_EQ(results.weights, ContactWeights::kOverlap);
+  EXPECT_EQ(results.weights, ContactWeighting::kOverlap);
   EXPECT_EQ(name_of(results.law), "spring-dashpot");
   EXPECT_EQ(results.warnings, header.warnings);
   EXPECT_EQ(results.frame.origin, header.frame.origin);

@@ -259,9 +259,9 @@ TEST_F(CampaignRun, AHeightOfZeroStartsInTouch) {
     const RigidBody body = low.bodies[low.runs[i].block];
     const GroundOverlap overlap(*low.surface, body);
     RigidState start = low.runs[i].start;
-    EXPECT_LT(overlap.deepest(start), 1e-5 * body.smallest_side) << i;
+    EXPECT_LT(overlap.max_overlap(start), 1e-5 * body.smallest_side) << i;
     start.position.z() -= 1e-4 * body.smallest_side;
-    EXPECT_GT(overlap.deepest(start), 0.0) << i << " is on the ground";
+    EXPECT_GT(overlap.max_overlap(start), 0.0) << i << " is on the ground";
     const Vec3 lifted = high.runs[i].start.position - low.runs[i].start.position;
     EXPECT_NEAR(lifted.head<2>().norm(), 0.0, 1e-12);
     EXPECT_LE(lifted.z(), 2.0 + 1e-9) << "heights are measured under the vertices";

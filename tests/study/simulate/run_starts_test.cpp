@@ -54,12 +54,12 @@ TEST(RunStarts, LiftedBlocksJustTouch) {
         const RigidState before = start;
         ASSERT_TRUE(lift_to_touch(overlap, surface, body, start)) << terrain_kind << " " << kind;
         ++lifted;
-        EXPECT_GT(overlap.deepest(start), 0.0);
-        EXPECT_LT(overlap.deepest(start), 1e-5 * body.smallest_side);
+        EXPECT_GT(overlap.max_overlap(start), 0.0);
+        EXPECT_LT(overlap.max_overlap(start), 1e-5 * body.smallest_side);
         EXPECT_GT(start.position.z(), before.position.z());
         EXPECT_EQ(start.position.head<2>(), before.position.head<2>());
         start.position.z() += 1e-5 * body.smallest_side;
-        EXPECT_EQ(overlap.deepest(start), 0.0) << terrain_kind << " " << kind << " " << seed;
+        EXPECT_EQ(overlap.max_overlap(start), 0.0) << terrain_kind << " " << kind << " " << seed;
       }
     }
   }

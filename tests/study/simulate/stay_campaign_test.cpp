@@ -42,7 +42,7 @@ class StayCampaign : public CampaignRun {
     for (std::size_t i = 0; i < a.stays.size(); ++i) {
       EXPECT_EQ(a.stays[i].run, b.stays[i].run);
       EXPECT_EQ(a.stays[i].released_at, b.stays[i].released_at);
-      EXPECT_EQ(a.stays[i].moved_later, b.stays[i].moved_later);
+      EXPECT_EQ(a.stays[i].later_displacement, b.stays[i].later_displacement);
       EXPECT_EQ(a.stays[i].blocks_hit, b.stays[i].blocks_hit);
       EXPECT_EQ(std::isnan(a.stays[i].removed_at), std::isnan(b.stays[i].removed_at));
     }
@@ -281,7 +281,7 @@ TEST_F(StayCampaign, ClearsAZoneAfterEachRelease) {
     EXPECT_EQ(results.runs[i].result.stop_reason, StopReason::kRest);
     EXPECT_EQ(results.stays[i].raised, 0.0);
     EXPECT_EQ(results.stays[i].blocks_hit, 0u);
-    EXPECT_EQ(results.stays[i].moved_later, 0.0);
+    EXPECT_EQ(results.stays[i].later_displacement, 0.0);
     EXPECT_EQ(results.stays[i].removed_at,
               results.stays[i].released_at + results.runs[i].result.duration);
   }

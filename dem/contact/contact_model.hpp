@@ -1,0 +1,62 @@
+#pragma once
+/// What all contacts of a kind share: on the ground, between bodies, or on forms.
+#include <cstdint>
+#include <span>
+#include <variant>
+#include <vector>
+
+#include "dem/contact/contact_law.hpp"
+#include "dem/contact/ground_parameters.hpp"
+#include "dem/contact/soil_memory.hpp"
+
+namespace clast::dem_detail {
+
+class ContactModel {
+ public:
+  /// @param zone_parameters     parameters of each ground zone; these, `face_zones` and
+  /// `soil_memory` must
+  ///                     outlive the rules
+  /// @param face_zones     zone of each face of the reference; empty: all are of zone 0
+  /// @param remembering  dents of earlier contacts; null: none is remembered
+  ContactModel(std::span<const GroundParameters> zone_parameters,
+               std::span<const std::uint16_t> face_zones, const ContactStiffness& contact_stiffness,
+               ContactWeighting weighting, const ContactLaw& law,
+               const SoilMemory* soil_memory = nullptr);
+
+  std::uint16_t zone_of(std::uint32_t face) const {
+    return zone_of_face.empty() ? std::uint16_t{0} : zone_of_face[face];
+  }
+  /// Calls `visit` with the laws of the zones, which are of one kind.
+  template <class Visit>
+  decltype(auto) visit_laws(const Visit& visit) const {
+    return std::visit([&](const auto& by_zone) -> decltype(auto) { return visit(by_zone.laws); },
+                      laws_);
+  }
+
+  std::span<const GroundParameters> zones;
+  std::span<const std::uint16_t> zone_of_face;
+  ContactStiffness stiffness;
+  ContactWeighting weights;
+  const SoilMemory* soil;
+  double tangential_compliance;                     ///< 1/k_t
+  std::vector<double> rolling, rolling_compliance;  ///< k_r and 1/k_r by zone
+  std::vector<double> drag_factors;                 ///< C_d rho/2 by zone, kg/m^3
+  bool has_slip_dependent_friction = false;         ///< friction grows with slip, on any zone
+  bool has_scar_drag = false;                       ///< any zone has a scar drag
+
+ private:
+  template <class Law>
+  struct ZoneLaws {
+    std::vector<Law> laws;
+  };
+  template <class Choice>
+  struct ZoneLawsOf;
+  template <class... Laws>
+  struct ZoneLawsOf<std::variant<Laws...>> {
+    using Type = std::variant<ZoneLaws<Laws>...>;
+  };
+
+  ZoneLawsOf<ContactLaw>::Type laws_;
+};
+
+}  // namespace clast::dem_detail

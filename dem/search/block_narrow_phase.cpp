@@ -1,0 +1,164 @@
+#include "dem/search/block_narrow_phase.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "dem/search/detail/resolved_contacts.hpp"
+
+namespace clast::dem_detail {
+
+namespace {
+
+/// Margin of the list, as a share of the smallest side: short lists that are made anew rarely.
+constexpr double kBlockMarginFraction = 0.04;
+/// A list for contacts this many times as deep as may come is made anew.
+constexpr double kListedTooDeep = 2.0;
+/// A way out of the ground that does not lead through the block itself is taken up to this many
+/// times as deep as other vertices are ...
+constexpr double kForwardsTimes = 2.0;
+/// ... or up to this share of the smallest side: beyond lies the far side of the ground.
+constexpr double kUninvertedFraction = 0.25;
+/// How much farther than the nearest face others are looked for, in margins: for half that way the
+/// nearest is sure to be it.
+constexpr double kDistinctBlockMargins = 0.25;
+
+}  // namespace
+
+BlockNarrowPhase::BlockNarrowPhase(const BlockSurface& ground, const BlockSurface& block,
+                                   double size)
+    : ground_(ground),
+      block_(block),
+      size_(size),
+      margin_(kBlockMarginFraction * size),
+      turn_(margin_ / block.bounding_radius),
+      tests_(ground, block, size) {}
+
+BlockNarrowPhase::Scratch& BlockNarrowPhase::scratch() {
+  thread_local Scratch of_thread;
+  return of_thread;
+}
+
+std::vector<ContactPoint>& BlockNarrowPhase::find_contacts(const Pose& ground_from_block,
+                                                           double displacement) {
+  std::vector<ContactPoint>& contacts = scratch().contacts;
+  tests_.set_pose(ground_from_block.rotation.toRotationMatrix(), ground_from_block.translation);
+  contacts.clear();
+  scratch().inverted.clear();
+  displacement_ = displacement;
+  // Without a past nothing is known of how deep the two may be.
+  if (list_valid_until_ < 0.0) allowed_.reset(size_);
+  if (displacement >= list_valid_until_) build_candidate_list();
+  safe_displacement_ = list_valid_until_;
+  find_all_vertex_contacts();
+  for (const ContactPoint& contact : contacts) deepest_ = std::max(deepest_, contact.overlap);
+  allowed_.update(deepest_, margin_);
+  if (contact_distance() > list_touching_) build_candidate_list();
+  find_side_contacts();
+  remove_resolved_contacts(contacts, ground_, block_, ground_from_block, size_);
+  deepest_ = 0.0;
+  Vec3 normal = Vec3::Zero();
+  for (const ContactPoint& contact : contacts) {
+    deepest_ = std::max(deepest_, contact.overlap);
+    normal += contact.overlap * contact.normal;
+  }
+  if (contacts.empty()) {
+    allowed_.reset();
+  } else if (!normal.isZero()) {
+    direction_ = normal.normalized();
+  }
+  if (kListedTooDeep * contact_distance() < list_touching_) list_valid_until_ = displacement_;
+  return contacts;
+}
+
+void BlockNarrowPhase::find_all_vertex_contacts() {
+  std::uint32_t begin = 0;
+  for (CandidateVertex& candidate : vertices_) {
+    const std::span<const std::uint32_t> faces(faces_.data() + begin, candidate.end_face - begin);
+    begin = candidate.end_face;
+    if (displacement_ >= candidate.separated_until) find_vertex_contacts(candidate, faces);
+    safe_displacement_ = std::min(safe_displacement_, candidate.separated_until);
+  }
+  resolve_inverted_contacts();
+}
+
+void BlockNarrowPhase::resolve_inverted_contacts() {
+  auto& [contacts, all_backwards, near_faces] = scratch();
+  double deepest = kUninvertedFraction * size_;
+  for (std::size_t i = 0, next = 0; i < contacts.size(); ++i) {
+    if (next < all_backwards.size() && all_backwards[next].contact == i) {
+      ++next;
+    } else {
+      deepest = std::max(deepest, kForwardsTimes * contacts[i].overlap);
+    }
+  }
+  for (const InvertedContact& inverted : all_backwards) {
+    const ContactPoint forwards =
+        tests_.inside_contact(inverted.vertex, inverted.centre,
+                              tests_.nearest_uninverted(inverted.vertex, inverted.centre,
+                                                        inverted.nearest, ground_.local_faces));
+    if (forwards.overlap <= deepest) contacts[inverted.contact] = forwards;
+  }
+  all_backwards.clear();
+}
+
+void BlockNarrowPhase::find_vertex_contacts(CandidateVertex& candidate,
+                                            std::span<const std::uint32_t> face_indices) {
+  auto& [contacts, all_backwards, near_faces] = scratch();
+  const Vec3 centre = tests_.in_ground_frame(block_.features.vertices[candidate.vertex]);
+  const LocalFaces::Face& sure = ground_.local_faces[face_indices[candidate.near_face]];
+  std::span<const LocalFaces::Face> faces(&sure, 1);
+  NearestPoint nearest;
+  if (displacement_ < candidate.nearest_face_until)
+    nearest = project_onto_face(ground_.features, sure.face, centre);
+  if (!nearest.within_face) {
+    near_faces.clear();
+    for (const std::uint32_t face : face_indices) near_faces.push_back(ground_.local_faces[face]);
+    faces = near_faces;
+    nearest = find_nearest_ground_face(candidate, faces, centre);
+  }
+  candidate.separated_until = displacement_ + nearest.distance - tests_.reach();
+  if (nearest.distance >= tests_.reach()) return;
+  if (nearest.distance >= 0.0) {
+    tests_.add_outside_contacts(candidate.vertex, centre, faces, contacts);
+  } else {
+    if (tests_.is_inverted(candidate.vertex, centre, nearest)) {
+      all_backwards.push_back({contacts.size(), candidate.vertex, centre, nearest});
+    }
+    contacts.push_back(tests_.inside_contact(candidate.vertex, centre, nearest));
+  }
+}
+
+/// Of all its faces; finds out for how long the nearest one is sure to be it.
+NearestPoint BlockNarrowPhase::find_nearest_ground_face(CandidateVertex& candidate,
+                                                        std::span<const LocalFaces::Face> faces,
+                                                        const Vec3& centre) {
+  const double beyond = kDistinctBlockMargins * margin_;
+  const LocalFaces::NearestFace found =
+      find_nearest_face(faces, ground_.features, centre, 1e300, beyond, candidate.near_face);
+  // Faces that are not listed are at least this far by now.
+  const double unlisted = tests_.reach() + margin_ + list_valid_until_ - displacement_;
+  const double others = std::min(found.second, unlisted);
+  candidate.near_face = found.entry;
+  candidate.nearest_face_until =
+      displacement_ +
+      std::min(0.5 * (others - std::abs(found.nearest.distance)), others - tests_.reach());
+  return found.nearest;
+}
+
+void BlockNarrowPhase::find_side_contacts() {
+  for (CandidatePair& pair : pairs_) {
+    if (displacement_ < pair.separated_until) {
+      safe_displacement_ = std::min(safe_displacement_, pair.separated_until);
+      continue;
+    }
+    const std::uint32_t of_block = block_.parts.sides[pair.side].feature;
+    std::optional<ContactPoint> contact;
+    const FeatureSeparation separation =
+        tests_.test_pair(pair.kind, of_block, pair.ground_feature, contact);
+    pair.separated_until = separated_until(separation, contact.has_value());
+    safe_displacement_ = std::min(safe_displacement_, pair.separated_until);
+    if (contact) add_unique(scratch().contacts, *contact);
+  }
+}
+
+}  // namespace clast::dem_detail

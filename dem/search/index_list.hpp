@@ -1,0 +1,45 @@
+#pragma once
+/// Which of many numbers are wanted, listed without a branch for each: what is due next is as good
+/// as random to the processor, and a wrong guess costs more than a needless store.
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace clast::dem_detail {
+
+class IndexList {
+ public:
+  /// @param most  no more numbers are offered until the next call
+  void clear(std::uint32_t max_count) {
+    if (indices_.size() <= max_count) indices_.resize(max_count + 1);
+    count_ = 0;
+  }
+  void add_if(bool wanted, std::uint32_t index) {
+    indices_[count_] = index;
+    count_ += wanted ? 1 : 0;
+  }
+
+  /// Lists those before `end` that are wanted.
+  template <class Wanted>
+  void list(std::uint32_t end, const Wanted& wanted) {
+    clear(end);
+    std::uint32_t* const to = indices_.data();
+    std::size_t count = 0;
+    for (std::uint32_t index = 0; index < end; ++index) {
+      to[count] = index;
+      count += wanted(index) ? 1 : 0;
+    }
+    count_ = count;
+  }
+
+  std::size_t size() const { return count_; }
+  std::uint32_t operator[](std::size_t i) const { return indices_[i]; }
+  const std::uint32_t* begin() const { return indices_.data(); }
+  const std::uint32_t* end() const { return indices_.data() + count_; }
+
+ private:
+  std::vector<std::uint32_t> indices_;  ///< one more than can be wanted
+  std::size_t count_ = 0;
+};
+
+}  // namespace clast::dem_detail

@@ -1,0 +1,314 @@
+#include "dem/search/terrain_narrow_phase.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include "dem/search/detail/resolved_contacts.hpp"
+#include "dem/surface/trim.hpp"
+
+namespace clast::dem_detail {
+namespace {
+
+/// Margin, as a share of the block's smallest side: lists of what is near look ahead some of them,
+/// far enough to be made anew rarely, and near enough to stay short.
+constexpr double kGroundMarginFraction = 0.05;
+/// The ground near a part is gathered for this many margins of movement.
+constexpr double kPartMargins = 4.0;
+/// The ground near the whole block is gathered for this many margins of movement more.
+constexpr double kGroundMargins = 8.0;
+/// The ground's mean normal near a part may turn this far from its axis, as a cosine.
+constexpr double kSameAxis = 0.97;
+/// A part this many margins from the ground is far again.
+constexpr double kFarMargins = 2.0;
+
+}  // namespace
+
+TerrainNarrowPhase::TerrainNarrowPhase(const IndexedSurface& ground, const BlockSurface& block,
+                                       double size)
+    : ground_(ground),
+      surface_(block),
+      block_(block.features),
+      parts_(block.parts),
+      reach_(block.radius + ground.radius),
+      size_(size),
+      margin_(kGroundMarginFraction * size),
+      list_holds_(kPartMargins * margin_),
+      tests_(ground, block, size),
+      part_states_(parts_.parts.size()),
+      part_expiry_(parts_.parts.size(), -1.0) {
+  for (const Vec3& vertex : block_.vertices) {
+    bounding_radius_ = std::max(bounding_radius_, vertex.norm());
+  }
+  for (const BlockPart& part : parts_.parts) {
+    farthest_ = std::max(farthest_, part.centre.norm() + part.radius);
+  }
+}
+
+TerrainNarrowPhase::Scratch& TerrainNarrowPhase::scratch() {
+  thread_local Scratch of_thread;
+  return of_thread;
+}
+
+std::vector<ContactPoint>& TerrainNarrowPhase::find_contacts(const Pose& ground_from_body,
+                                                             double displacement) {
+  FoundContacts& found = scratch().found;
+  std::vector<ContactPoint>& contacts = found.contacts;
+  const IndexList& near_parts_to_update = scratch().near_parts_to_update;
+  set_pose(ground_from_body);
+  displacement_ = displacement;
+  found.clear();
+  list_expired_parts();
+  for (const std::uint32_t p : near_parts_to_update) update_vertices(p, {}, found);
+  for (const ContactPoint& contact : contacts) deepest_ = std::max(deepest_, contact.overlap);
+  if (allowed_.update(deepest_, margin_)) list_all_parts();
+  for (const std::uint32_t p : near_parts_to_update) {
+    update_sides(p, {}, found);
+    part_expiry_[p] = next_update(p);
+  }
+  add_side_contacts(found);
+  remove_resolved_contacts(contacts, ground_, surface_, ground_from_body, size_);
+  deepest_ = 0.0;
+  for (const ContactPoint& contact : contacts) deepest_ = std::max(deepest_, contact.overlap);
+  touches_ = !contacts.empty();
+  if (touches_) {
+    search_at_ = -1.0;
+  } else {
+    allowed_.reset();
+  }
+  return contacts;
+}
+
+void TerrainNarrowPhase::set_pose(const Pose& ground_from_body) {
+  const Mat3 rotation = ground_from_body.rotation.toRotationMatrix();
+  const Vec3& position = ground_from_body.translation;
+  if (started_) {
+    // The turn between the two moves a point by at most 2 sin(angle/2) times its arm, and that
+    // factor is the Frobenius norm of the change of the matrix over sqrt(2).
+    const double turn = std::sqrt(0.5 * (rotation - tests_.rotation()).squaredNorm());
+    turned_ += turn;
+    last_move_ = (position - tests_.position()).norm() + turn * farthest_;
+    moved_ += last_move_;
+  }
+  started_ = true;
+  tests_.set_pose(rotation, position);
+}
+
+void TerrainNarrowPhase::list_expired_parts() {
+  const auto parts = static_cast<std::uint32_t>(part_expiry_.size());
+  IndexList &expired_parts = scratch().expired_parts,
+            &near_parts_to_update = scratch().near_parts_to_update;
+  near_parts_to_update.clear(parts);
+  expired_parts.list(parts, [expired = part_expiry_.data(), now = moved_](std::uint32_t p) {
+    return expired[p] <= now;
+  });
+  if (expired_parts.size() == 0 || defer_all_parts()) return;
+  for (const std::uint32_t p : expired_parts) {
+    if (part_states_[p].near) {
+      update_displacement(p);
+      refresh_ground_list(p, 0.0);
+    } else {
+      update_part(p, moved_);
+    }
+    near_parts_to_update.add_if(part_states_[p].near != nullptr, p);
+  }
+}
+
+void TerrainNarrowPhase::list_all_parts() {
+  IndexList& near_parts_to_update = scratch().near_parts_to_update;
+  near_parts_to_update.clear(static_cast<std::uint32_t>(part_states_.size()));
+  for (std::uint32_t p = 0; p < part_states_.size(); ++p) {
+    if (!part_states_[p].near) continue;
+    NearPart& part = *part_states_[p].near;
+    update_displacement(p);
+    for (GroundFeature& feature : part.features) feature.separation_bound = {};
+    part.pairs.clear();
+    part.all_features = {};
+    near_parts_to_update.add_if(true, p);
+  }
+}
+
+bool TerrainNarrowPhase::defer_all_parts() {
+  for (const PartState& part : part_states_) {
+    if (part.near) return false;
+  }
+  const double look = bounding_radius_ + reach_ + 8.0 * margin_;
+  double above = ground_.height_clearance(tests_.position(), 2.0 * look);
+  if (above < look) {
+    const std::optional<NearestPoint> nearest = ground_.nearest(tests_.position(), 2.0 * look);
+    above = nearest ? nearest->distance : 2.0 * look;
+  }
+  if (above <= bounding_radius_ + reach_ + margin_) return false;
+  for (double& expired : part_expiry_)
+    expired = std::max(expired, moved_ + above - bounding_radius_ - reach_);
+  return true;
+}
+
+void TerrainNarrowPhase::collect_ground(double complete) {
+  if (ground_complete_ - (moved_ - ground_gathered_at_) >= complete) return;
+  ground_complete_ = complete + kGroundMargins * margin_;
+  ground_gathered_at_ = moved_;
+  local_.gather(ground_, tests_.position(), bounding_radius_ + ground_complete_);
+  for (PartState& part : part_states_) part.near_face = 0;
+}
+
+void TerrainNarrowPhase::update_part(std::uint32_t p, double until) {
+  const BlockPart& part = parts_.parts[p];
+  PartState& state = part_states_[p];
+  const Vec3 centre = in_ground_frame(part.centre);
+  const double touching = part.radius + reach_;
+  // Often the last measurement or the plane bounds the gap well enough.
+  collect_ground(touching + 2.0 * kPartMargins * margin_);
+  const double complete = ground_complete_ - (moved_ - ground_gathered_at_);
+  const double enough = std::max(margin_, until - moved_);
+  double gap = std::min(local_.plane.clearance(centre) - part.radius, complete) - reach_;
+  gap = std::max(gap, state.gap - (centre - state.measured_centre).norm() -
+                          part.radius * (turned_ - state.measured_rotation));
+  if (gap <= enough) {
+    gap = measure_clearance(p);
+  }
+  if (gap > margin_) {
+    part_expiry_[p] = moved_ + gap;
+    return;
+  }
+  // A part that slept is outside the ground. At the start that is not known, nor how deep it is.
+  const bool slept = !(part_expiry_[p] < 0.0);
+  const double deepest = slept ? 0.0 : part.radius - gap - touching;
+  state.near = std::make_unique<NearPart>(part);
+  for (VertexState& vertex : state.near->vertices) vertex.outside = slept;
+  state.near->centre = centre;
+  state.near->turned = turned_;
+  gather(p, deepest);
+}
+
+double TerrainNarrowPhase::measure_clearance(std::uint32_t p) {
+  PartState& state = part_states_[p];
+  const double touching = parts_.parts[p].radius + reach_;
+  const double complete = ground_complete_ - (moved_ - ground_gathered_at_);
+  const Vec3 centre = in_ground_frame(parts_.parts[p].centre);
+  double distance = complete;
+  if (part_expiry_[p] < 0.0) {
+    // Not measured yet: it may lie deep inside.
+    const double far = touching + 8.0 * margin_ + 4.0 * bounding_radius_;
+    const std::optional<NearestPoint> nearest = ground_.nearest(centre, far);
+    distance = nearest ? nearest->distance : far;
+  } else {
+    const LocalFaces::NearestFace found =
+        local_.nearest(ground_.features, centre, complete, 0.0, state.near_face);
+    state.near_face = found.entry;
+    if (std::abs(found.nearest.distance) < complete) distance = found.nearest.distance;
+  }
+  state.gap = distance - touching;
+  state.measured_centre = centre;
+  state.measured_rotation = turned_;
+  return state.gap;
+}
+
+void TerrainNarrowPhase::update_displacement(std::uint32_t p) {
+  NearPart& part = *part_states_[p].near;
+  const Vec3 centre = in_ground_frame(parts_.parts[p].centre);
+  const Vec3 shift = centre - part.centre;
+  const double turn = parts_.parts[p].radius * (turned_ - part.turned);
+  const double axial = part.axis.dot(shift), squared = shift.squaredNorm();
+  part.displacement.axial += std::abs(axial) + turn;
+  part.displacement.transverse += std::sqrt(std::max(0.0, squared - axial * axial)) + turn;
+  part.displacement.total += std::sqrt(squared) + turn;
+  part.centre = centre;
+  part.turned = turned_;
+}
+
+void TerrainNarrowPhase::refresh_ground_list(std::uint32_t p, double ahead) {
+  if (const NearPart& part = *part_states_[p].near;
+      part.displacement.total + ahead < list_expiry(part)) {
+    return;
+  }
+  const double touching = parts_.parts[p].radius + reach_;
+  collect_ground(touching + 2.0 * kPartMargins * margin_);
+  const double gap = measure_clearance(p);
+  if (gap > kFarMargins * margin_) {
+    part_states_[p].near.reset();
+    part_expiry_[p] = moved_ + gap;
+    return;
+  }
+  gather(p, deepest_ + last_move_);
+}
+
+void TerrainNarrowPhase::gather(std::uint32_t p, double deepest) {
+  const BlockPart& part = parts_.parts[p];
+  NearPart& state = *part_states_[p].near;
+  const bool is_new = !(state.complete > 0.0);
+  state.complete = std::max(reach_, deepest) + 2.0 * kPartMargins * margin_;
+  state.gathered_at = state.displacement.total;
+  collect_ground(state.complete);
+  const double reach = part.radius + state.complete;
+  state.ground.gather(ground_.features, local_, state.centre, reach);
+  if (is_new || state.axis.dot(state.ground.plane.normal) < kSameAxis) update_axis(p);
+  state.tilts.clear();
+  for (const LocalFaces::Face& face : state.ground.faces) {
+    const double axial = std::min(std::abs(face.normal.dot(state.axis)), 1.0);
+    const std::array<std::uint32_t, 3>& of_face = ground_.features.faces[face.face].edges;
+    const bool at_border = std::any_of(of_face.begin(), of_face.end(), [&](std::uint32_t edge) {
+      return ground_.features.edges[edge].kind == EdgeKind::kBorder;
+    });
+    const double transverse = std::sqrt(1.0 - axial * axial);
+    state.tilts.push_back({axial, transverse, at_border ? 0.0 : 2.0 / (axial + transverse)});
+  }
+  for (VertexState& vertex : state.vertices) {
+    vertex.near_face = 0;
+    vertex.closest_plane = kNoFeature;
+  }
+  state.pairs.clear();
+  state.features.clear();
+  state.all_features = state.all_pairs = {};
+  const SurfaceFeatures& features = ground_.features;
+  const auto list_near = [&](bool is_vertex, std::uint32_t index, const Vec3& nearest) {
+    if ((state.centre - nearest).squaredNorm() > reach * reach) return;
+    state.features.push_back({.is_vertex = is_vertex, .index = index, .separation_bound = {}});
+  };
+  for (const std::uint32_t edge : local_.edges) {
+    list_near(false, edge, features.segment(features.edges[edge]).nearest(state.centre));
+  }
+  for (const std::uint32_t pointed_vertex : local_.pointed_vertices) {
+    list_near(true, pointed_vertex, features.vertices[pointed_vertex]);
+  }
+  shrink_capacity(state.tilts, state.features, state.pairs);
+}
+
+void TerrainNarrowPhase::update_axis(std::uint32_t p) {
+  NearPart& part = *part_states_[p].near;
+  part.axis = part.ground.plane.normal;
+  for (VertexState& vertex : part.vertices) vertex.nearest_face = kNoFeature;
+  for (SeparationBound& separation_bound : part.vertex_bounds) separation_bound = {};
+  part.other_vertices = {};
+}
+
+double TerrainNarrowPhase::next_update(std::uint32_t p) const {
+  const NearPart& part = *part_states_[p].near;
+  if (!part.expired_vertices.empty()) return moved_;
+  double least = list_expiry(part) - part.displacement.total;
+  for (const SeparationBound* separation_bound :
+       {&part.other_vertices, &part.all_features, &part.all_pairs}) {
+    const double remaining = separation_bound->remaining(part.displacement);
+    if (!(remaining > 0.0)) return moved_;
+    // No point of the part moves farther than any of the block, neither across nor along.
+    const double used = separation_bound->per_axial + separation_bound->per_transverse;
+    if (remaining < least * used) least = remaining / used;
+  }
+  return moved_ + least;
+}
+
+SeparationBound TerrainNarrowPhase::separation_bound(const NearPart& part, const Vec3& away,
+                                                     double apart, double others) const {
+  if (!(apart > 0.0 && others > 0.0)) return {};
+  const double axial = std::min(std::abs(away.dot(part.axis)), 1.0);
+  const double transverse = std::sqrt(1.0 - axial * axial);
+  const double per = 1.0 / apart, per_other = 1.0 / others;
+  SeparationBound result{std::max(axial * per, per_other), std::max(transverse * per, per_other),
+                         1.0};
+  result.until += result.per_axial * part.displacement.axial +
+                  result.per_transverse * part.displacement.transverse;
+  return result;
+}
+
+}  // namespace clast::dem_detail

@@ -1,0 +1,28 @@
+#pragma once
+/// What a block of a sequence does, seen step by step.
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "dem/simulation/sequence.hpp"
+
+namespace clast::dem_detail {
+
+struct BlockRecorder {
+  /// Adds a step of its motion to its result.
+  void record_step(const MotionStep& step);
+  /// Notes which blocks it touches during its own release.
+  void record_hits(std::span<const std::size_t> others);
+
+  template <class Bytes>
+  void serialize(Bytes& bytes) {
+    bytes(result, touching, hit_blocks, first_rest);
+  }
+
+  SequenceResult result;
+  bool touching = false;                ///< at the end of the last step
+  std::vector<std::size_t> hit_blocks;  ///< blocks it touched during its own release, ascending
+  Vec3 first_rest = Vec3::Zero();       ///< its place at the end of its own release
+};
+
+}  // namespace clast::dem_detail
