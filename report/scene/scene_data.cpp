@@ -188,7 +188,7 @@ SceneData scene_data(const Comparison& comparison, const SceneLimits& limits) {
   limits.check();
   const Vec3 origin = scene_origin(comparison);
   const CampaignResults& first = comparison.results.front();
-  const DrawnRuns all = runs_with_trajectory(comparison);
+  const DrawnRuns all = select_drawn_runs(comparison);
   SceneData scene;
   scene.runs = all.rows.size();
   if (all.rows.empty()) return scene;

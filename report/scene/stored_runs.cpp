@@ -4,7 +4,7 @@
 
 namespace clast::report_detail {
 
-DrawnRuns runs_with_trajectory(const Comparison& comparison) {
+DrawnRuns select_drawn_runs(const Comparison& comparison) {
   DrawnRuns stored;
   for (const CampaignResults& results : comparison.results) {
     std::error_code code;

@@ -18,6 +18,6 @@ struct DrawnRuns {
 };
 
 /// @throws InputError  a results file can't be read any more
-DrawnRuns runs_with_trajectory(const Comparison& comparison);
+DrawnRuns select_drawn_runs(const Comparison& comparison);
 
 }  // namespace clast::report_detail

@@ -1,6 +1,5 @@
 #pragma once
-/// Lines on the map: where crossings can be counted, what a ring encloses, and where a line meets
-/// itself.
+/// Geometry of barrier lines in plan: rings and self-intersections.
 #include <cstddef>
 #include <optional>
 #include <span>
@@ -9,26 +8,25 @@
 
 namespace clast {
 
-/// A line that ends at its first point encloses an area of the map.
+/// True if the line ends at its first point and so encloses an area.
 bool is_ring(std::span<const Vec2> line);
 
-/// Whether a ring runs around its inside with it on the left (counter-clockwise).
+/// True if the ring is counter-clockwise, with its inside on the left.
 bool inside_is_left(std::span<const Vec2> ring);
 
-/// Two segments of a line that meet beside the points that they share: it crosses, touches or
-/// retraces itself there.
+/// Pair of segments of a line that cross, touch or overlap, other than at a shared vertex.
 struct SelfTouch {
-  std::size_t first = 0, second = 0;  ///< segments, from 0
+  std::size_t first = 0, second = 0;  ///< segment indices, from 0
   Vec2 place = Vec2::Zero();
 };
-/// The first of them.
-/// @param line  map, m; two points at least, neighbours differ; a ring ends at its first point
+/// Finds the first self-intersection of a line.
+/// @param line  plan coordinates, m; at least two points, consecutive points differ; a ring ends at
+///              its first point
 std::optional<SelfTouch> find_self_touch(std::span<const Vec2> line);
 
-/// Refuses a line at which a block could not be counted, since two of its segments meet beside the
-/// points that they share: it crosses, touches or retraces itself.
-/// @param line  map, m; two points at least, neighbours differ
-/// @throws InputError  both segments, numbered from 1, and the place
+/// Checks that the line has no self-intersection, at which crossings could not be counted.
+/// @param line  plan coordinates, m; at least two points, consecutive points differ
+/// @throws InputError  naming both segments, counted from 1, and the position
 void check_barrier_line(std::span<const Vec2> line);
 
 }  // namespace clast

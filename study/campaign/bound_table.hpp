@@ -1,6 +1,6 @@
 #pragma once
-/// Tables whose keys are bound to what they set: a key is declared once, with its name, unit,
-/// meaning, form and member, and what reads, explains and completes it follows.
+/// TOML tables whose keys are bound to data members: each key is declared once with name, unit,
+/// meaning, format and member.
 #include <functional>
 #include <string>
 #include <utility>
@@ -11,59 +11,61 @@
 
 namespace clast::study_detail {
 
-/// A key, and what it sets in a `Target`.
+/// Declared key together with the reader that stores its value in a `Target`.
 template <class Target>
 struct MemberKey : TableKey {
   using Reader = std::function<void(const DeclaredTable&, Target&)>;
-  Reader read;  ///< empty: the rules of the table read it, together with other keys
+  Reader read;  ///< empty if another key's reader stores this value
 
   MemberKey(TableKey key) : TableKey(std::move(key)) {}
   MemberKey(std::string key, const char* in_unit, std::string means, ValueFormat takes,
-           Reader reader = {})
+            Reader reader = {})
       : TableKey{std::move(key), in_unit, std::move(means), with_unit(std::move(takes), in_unit)},
         read(std::move(reader)) {}
 
-  /// Sets a member, or a member of a member: `&Campaign::stiffness, &StiffnessOptions::normal`.
+  /// Stores the value in a data member, given as a path of members: `&Campaign::stiffness,
+  /// &StiffnessOptions::normal`.
   template <class Member, class... Path>
   MemberKey(std::string key, const char* in_unit, std::string means, ValueFormat takes,
-           Member Target::*member, Path... path)
+            Member Target::*member, Path... path)
       : MemberKey(key, in_unit, std::move(means), std::move(takes),
-                 [=](const DeclaredTable& table, Target& target) {
-                   table.read(key, ((target.*member).*....*path));
-                 }) {}
+                  [=](const DeclaredTable& table, Target& target) {
+                    table.read(key, ((target.*member).*....*path));
+                  }) {}
 
-  /// Sets a member to what the word stands for.
+  /// Stores the value that `meant_by` maps the text to.
   template <class Meant, class... Path>
   MemberKey(std::string key, const char* in_unit, std::string means, ValueFormat takes,
-           Meant (*meant_by)(const std::string& word), Path... path)
+            Meant (*meant_by)(const std::string& word), Path... path)
       : MemberKey(key, in_unit, std::move(means), std::move(takes),
-                 [=](const DeclaredTable& table, Target& target) {
-                   (target.*....*path) = meant_by(*table.value<std::string>(key));
-                 }) {}
+                  [=](const DeclaredTable& table, Target& target) {
+                    (target.*....*path) = meant_by(*table.value<std::string>(key));
+                  }) {}
 
-  /// Sets a member to what a reader finds.
+  /// Stores the value that `found_in` returns.
   template <class Found, class... Path>
   MemberKey(std::string key, const char* in_unit, std::string means, ValueFormat takes,
-           Found (*found_in)(const DeclaredTable& table), Path... path)
+            Found (*found_in)(const DeclaredTable& table), Path... path)
       : MemberKey(std::move(key), in_unit, std::move(means), std::move(takes),
-                 [=](const DeclaredTable& table, Target& target) {
-                   (target.*....*path) = found_in(table);
-                 }) {}
+                  [=](const DeclaredTable& table, Target& target) {
+                    (target.*....*path) = found_in(table);
+                  }) {}
 };
 
-/// A table that fills a `Target`.
+/// Declared table whose keys fill a `Target`.
 template <class Target>
 struct MemberTable : KeyTable {
   std::vector<MemberKey<Target>> bound;
 
+  /// Makes a table from its declaration and its keys.
   /// @param about  the table without its keys
   MemberTable(KeyTable about, std::vector<MemberKey<Target>> all)
       : KeyTable(std::move(about)), bound(std::move(all)) {
     keys.assign(bound.begin(), bound.end());
   }
 
-  /// Reads the keys that are bound, in their order.
-  /// @throws InputError  one that is required is missing, or a value that its form does not allow
+  /// Reads all bound keys in their order.
+  /// @throws InputError  if a required key is missing or a value violates its format
   void read(const DeclaredTable& table, Target& target) const {
     table.check_required();
     for (const MemberKey<Target>& key : bound) {

@@ -1,12 +1,11 @@
 #pragma once
-/// The tables of a campaign file and the keys of each: what `read_campaign` knows, and nothing
-/// else.
+/// Declarations of all tables and keys of a campaign file.
 #include "study/campaign/key_table.hpp"
 
 namespace clast {
 
-/// In the order of docs/formats.md. "ground" has the keys of a ground zone, "blocks.vary" those
-/// of the key `vary` of [blocks], and "contact.blocks" those of `blocks` of [contact].
+/// Returns all tables in the order of docs/formats.md. "ground" holds the keys of a ground zone,
+/// "blocks.vary" those of `vary` in [blocks], "contact.blocks" those of `blocks` in [contact].
 const std::vector<KeyTable>& campaign_key_tables();
 
 }  // namespace clast

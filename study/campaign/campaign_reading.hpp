@@ -1,5 +1,5 @@
 #pragma once
-/// Parts of a campaign file, read and checked.
+/// Readers of the parts of a campaign file.
 #include <filesystem>
 #include <functional>
 #include <map>
@@ -13,34 +13,35 @@
 
 namespace clast::study_detail {
 
-/// Far above any study, and low enough that a slip of the keyboard does not fill the memory.
+/// Upper limit of counts per set: above any study, but low enough that a typing error does not
+/// exhaust the memory.
 inline constexpr std::uint64_t kMostPerSet = 1'000'000;
-/// No rock is faster, m/s and rad/s: more is a slip of units, heights or gravity, and its time step
-/// would be so short that the run never ended.
+/// Upper limits of initial speeds, m/s and rad/s. Larger values are errors of unit, height or
+/// gravity, and their time steps would be too short for the run to end.
 inline constexpr double kMostSpeed = 1000.0, kMostSpin = 1e4;
 
-/// Schemes whose classes blocks are selected and drawn by.
+/// Classification schemes by which blocks can be selected and sampled.
 inline const std::vector<std::string> kSelectingSchemes = {"garcia", "sneed-folk", "zingg"};
 
-/// Runs what reads a part of a campaign, and says whether that was done.
+/// Runs a function that reads one part of a campaign; returns false if reading failed.
 using PartReader = std::function<bool(const std::function<void()>&)>;
 
-/// Runs parts, and puts what they refuse into `findings`, each refusal once.
+/// Makes a `PartReader` that collects error messages in `findings`, each once.
 PartReader collect_findings(std::vector<std::string>& findings);
 
-/// Reads parts so that the first refusal ends it.
+/// `PartReader` that lets the first error propagate.
 inline bool read_at_once(const std::function<void()>& part) {
   part();
   return true;
 }
 
-/// A whole file. Tables that are not declared are refused through `read`.
+/// Makes the top-level table of a file; undeclared tables are refused through `read`.
 TomlTable parse_top_level_table(const TomlNode& root, const std::filesystem::path& file,
-                    const std::vector<KeyTable>& declared, const PartReader& read);
+                                const std::vector<KeyTable>& declared, const PartReader& read);
 
-/// A campaign, read part by part through `read`; a part that needs another is left out where that
-/// one was not read.
-/// @param text  what the file holds or could hold; none: it is read
+/// Reads a campaign part by part through `read`; a part that depends on another is skipped if the
+/// other failed.
+/// @param text  contents to use in place of the file's
 Campaign read_by_parts(const std::filesystem::path& file, const std::optional<std::string>& text,
                        const PartReader& read);
 
@@ -59,29 +60,35 @@ const MemberTable<Barrier>& barrier_keys();
 const MemberTable<Campaign>& run_keys();
 
 BlockSelection read_blocks(const TomlTable& top);
-/// `vary` of [blocks], without library and blocks.
+/// Reads `vary` of [blocks]; library and blocks are left empty.
 SeriesRequest read_vary(const DeclaredTable& blocks);
 std::map<std::string, GroundDistributions> read_ground(const TomlTable& top);
+/// Reads [[block_group]].
 /// @param campaign  with its ground
 std::vector<BlockGroup> read_block_groups(const TomlTable& top, const Campaign& campaign);
+/// Reads [ensemble].
 /// @param campaign  with its ground and groups
 Ensemble read_ensemble(const TomlTable& top, const Campaign& campaign);
-/// Can all releases have the starts that members take from a posterior?
-/// @param campaign  with its ensemble, releases and what stays
+/// Checks that all releases have the start parameters that members take from a posterior.
+/// @param campaign  with ensemble, releases and persistent blocks
 void check_posterior_parameters(const TomlTable& top, const Campaign& campaign);
-/// How often blocks that stay are released: of [release] or the first [[mass]].
+/// Reads the number of realisations from [release] or the first [[mass]].
 std::uint32_t read_realisations(const DeclaredTable& table);
-/// [contact.blocks].
-/// @param who  needs it, for the message
+/// Reads [contact.blocks].
+/// @param who  names what needs the table, for the message
 GroundParameters read_between_blocks(const TomlTable& top, const std::string& who);
-/// Names of the masses, seed, and that orientations are random: one to each [[mass]]; none without.
+/// Reads one release set per [[mass]], with name, seed and random orientations; empty without
+/// [[mass]].
 std::vector<ReleaseSet> read_mass_releases(const TomlTable& top);
-/// All [[mass]]; none without.
+/// Reads all [[mass]] tables; empty without.
 /// @param campaign  with its blocks and groups
-std::optional<PersistentBlocksPlan> read_multi_block_releases(const TomlTable& top, const Campaign& campaign);
-/// Of [release], or those of [[mass]].
+std::optional<PersistentBlocksPlan> read_multi_block_releases(const TomlTable& top,
+                                                              const Campaign& campaign);
+/// Reads the release sets of [release] or [[mass]].
 std::vector<ReleaseSet> read_releases(const TomlTable& top, bool y_up);
+/// Reads the settings of persistent blocks.
 /// @param campaign  with its blocks, groups and releases
-std::optional<PersistentBlocksPlan> read_persistent_blocks_plan(const TomlTable& top, const Campaign& campaign);
+std::optional<PersistentBlocksPlan> read_persistent_blocks_plan(const TomlTable& top,
+                                                                const Campaign& campaign);
 
 }  // namespace clast::study_detail

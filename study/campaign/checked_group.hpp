@@ -1,5 +1,5 @@
 #pragma once
-/// Datasets of a results file, read with the checks that all of them need.
+/// Checked reading of datasets of a results file.
 #include <cstddef>
 #include <string>
 #include <vector>
@@ -10,7 +10,7 @@
 
 namespace clast::study_detail {
 
-/// One group of one file.
+/// HDF5 group whose datasets are checked on reading.
 struct CheckedGroup {
   std::string file;
   std::string path;  ///< "/runs"
@@ -21,7 +21,7 @@ struct CheckedGroup {
                      "; the file is damaged: restore a backup, or run the campaign again");
   }
 
-  /// Values of a column that must have `rows` values.
+  /// Reads a column that must have `rows` values.
   template <class T>
   std::vector<T> column(const std::string& name, std::size_t rows) const {
     std::vector<T> values = group.read<T>(name);

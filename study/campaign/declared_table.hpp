@@ -1,6 +1,5 @@
 #pragma once
-/// Tables of TOML files, read as their keys are declared: each key has its words, range or limits
-/// from its `ValueFormat`.
+/// Reading of TOML tables by the declared formats of their keys.
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -14,34 +13,37 @@
 
 namespace clast::study_detail {
 
-/// One table of a file.
+/// TOML table whose keys are declared with a `ValueFormat` each.
 class DeclaredTable : public TomlTable {
  public:
-  /// @param title  how messages call the table, "[run]"
-  /// @param keys   outlive the table
-  /// @throws InputError  no table, or with a key that is not declared
+  /// Makes the table and checks its keys.
+  /// @param title  name in messages, "[run]"
+  /// @param keys  must outlive the table
+  /// @throws InputError  if `node` is not a table or has an undeclared key
   DeclaredTable(const TomlNode& node, const std::string& file, const std::string& title,
                 std::vector<const TableKey*> keys);
   DeclaredTable(const TomlNode& node, const std::string& file, const std::string& title,
                 const KeyTable& declared);
 
-  /// The value of a key, which is there, as a table.
+  /// Returns the value of an existing key as a table.
   DeclaredTable inner(const std::string& key) const;
 
   using TomlTable::required;
-  /// @throws InputError  missing; what the key's form says that it must be
+  /// Returns the node of a required key.
+  /// @throws InputError  if the key is missing, stating what it must be
   const TomlNode& required(const std::string& key) const;
-  /// @throws InputError  a key that is required is missing
+  /// Checks that all required keys exist.
+  /// @throws InputError  if one is missing
   void check_required() const;
 
-  /// None when the key is absent.
-  /// @tparam Value  bool, a whole number, double, Uncertain; std::string, a path of a file that is
-  ///                there; a list of numbers, texts or paths, or one of them; Vec2, Vec3; a list
-  ///                of Vec2, of points whose heights are left out
-  /// @throws InputError  wrong type, word or length, or a number out of range; no such file
+  /// Reads a value by its declared format; empty if the key is absent.
+  /// @tparam Value  bool, an integer, double, Distribution, std::string, path of an existing file,
+  ///                a list of numbers, texts or paths (or a single one), Vec2, Vec3, or a list of
+  ///                Vec2 (heights are dropped)
+  /// @throws InputError  if the type, word, length or range is wrong, or the file does not exist
   template <class Value>
   std::optional<Value> value(const std::string& key) const;
-  /// Sets `value` where the key is there.
+  /// Stores the value if the key exists.
   template <class Value>
   void read(const std::string& key, Value& value) const {
     if (auto read = this->value<Value>(key)) value = std::move(*read);
@@ -57,7 +59,7 @@ class DeclaredTable : public TomlTable {
   std::optional<std::string> word(const std::string& key) const;
   std::optional<std::vector<std::string>> word_or_words(const std::string& key) const;
   std::optional<std::vector<double>> number_or_numbers(const std::string& key,
-                                                         const NumberRange& range) const;
+                                                       const NumberRange& range) const;
   std::optional<std::vector<std::size_t>> count_or_counts(const std::string& key) const;
   std::optional<std::vector<Vec2>> places(const std::string& key) const;
   std::optional<std::filesystem::path> file_of(const std::string& key) const;
@@ -67,13 +69,12 @@ class DeclaredTable : public TomlTable {
   std::vector<const TableKey*> keys_;
 };
 
-/// The tables of this name in a file, titled as they are written: [name] or [[name]]; none when it
-/// is absent.
-/// @throws InputError  neither a table nor several, or with a key that is not declared
+/// Finds the tables of one name, [name] or [[name]]; empty if absent.
+/// @throws InputError  if the value is not a table or a list of tables, or a key is undeclared
 std::vector<DeclaredTable> find_tables(const TomlTable& top, const KeyTable& declared);
 
-/// Refuses the name of a table that one of those before it has.
-/// @param what  has the name, "barrier"
+/// Checks that no earlier table has the same name.
+/// @param what  kind of table for the message, "barrier"
 template <class Named>
 void check_new_name(const TomlTable& table, const std::string& name,
                     const std::vector<Named>& before, const std::string& what) {
@@ -82,33 +83,31 @@ void check_new_name(const TomlTable& table, const std::string& name,
   }
 }
 
-/// The only table of this name.
-/// @throws InputError  missing
+/// Returns the only table of one name.
+/// @throws InputError  if it is missing
 DeclaredTable find_required_table(const TomlTable& top, const KeyTable& declared);
 
-/// One of a few words; none when the key is absent.
+/// Reads one of the given words; empty if the key is absent.
 std::optional<std::string> choice(const TomlTable& table, const std::string& key,
                                   const std::vector<std::string>& words);
 
-/// A file named in a table, which must be there. Relative to the file of the table; ${CLAST_DATA}
-/// is replaced.
-/// @param text  the path, when `node` holds more than that
+/// Resolves the path of an existing file, relative to the TOML file; ${CLAST_DATA} is replaced.
+/// @param text  the path, if `node` holds more than that
 std::filesystem::path input_file(const TomlTable& table, const std::string& key,
                                  const TomlNode& node, std::string text);
 std::filesystem::path input_file(const TomlTable& table, const std::string& key,
                                  const TomlNode& node);
 
-/// The value itself where it is no list.
+/// Returns a list element, or `node` itself if it is not a list.
 const TomlNode& element(const TomlNode& node, std::size_t index);
 
-/// A number, `{ uniform = [low, high] }`, `{ normal = [mean, std] }` or
-/// `{ log_normal = [median, sigma] }`, where sigma is the standard deviation of the natural
-/// logarithm.
-/// None when the key is absent.
-/// @param range  for the number, both bounds, or mean and median
-/// @throws InputError  anything else; file, line, key and value
+/// Reads a number, `{ uniform = [low, high] }`, `{ normal = [mean, std] }` or `{ log_normal =
+/// [median, sigma] }`, where sigma is the standard deviation of the natural logarithm; empty if the
+/// key is absent.
+/// @param range  limits the number, both bounds, or the mean or median
+/// @throws InputError  for anything else, naming file, line, key and value
 std::optional<Distribution> read_distribution(const TomlTable& table, const std::string& key,
-                                        const NumberRange& range);
+                                              const NumberRange& range);
 
 template <class Value>
 std::optional<Value> DeclaredTable::value(const std::string& key) const {

@@ -1,6 +1,5 @@
 #pragma once
-/// The ground parameters, each declared once: campaign files, results files, tables and pages have
-/// them from here.
+/// Declarations of the ground parameters, used by campaign files, results files, tables and pages.
 #include <span>
 #include <string>
 
@@ -9,26 +8,26 @@
 
 namespace clast {
 
-/// A parameter of a ground zone.
+/// Declaration of one ground parameter.
 struct GroundParameterField {
-  const char* name;     ///< in campaign files, results and tables, with its unit
-  const char* unit;     ///< empty: a pure number
-  const char* meaning;  ///< by its symbol in the formulas, "mu"
-  const char* heading;  ///< of a column on pages
-  const char* words;    ///< in a sentence, "rolling friction"
+  const char* name;     ///< in campaign files, results and tables, with unit
+  const char* unit;     ///< empty if dimensionless
+  const char* meaning;  ///< with its symbol in the formulas, "mu"
+  const char* heading;  ///< of the column on pages
+  const char* words;    ///< name in a sentence, "rolling friction"
   NumberRange range;
-  bool required;  ///< of every zone; else 0 where it is not stated
-  /// What the soil does: experimental, since no measurement supports its values. What blocks do to
-  /// each other has none of it.
+  bool required;  ///< must be stated for each zone; otherwise the default is 0
+  /// True for parameters of the soil, which are experimental because no measurement supports them.
+  /// They do not exist between blocks.
   bool of_soil;
   double GroundParameters::*value;
   std::optional<Distribution> GroundDistributions::*asked;
 
-  /// What an editor says of the key.
+  /// Returns the description shown by editors.
   std::string explanation() const;
 };
 
-/// In the order of the columns; those of the soil last.
+/// Returns all parameters in column order, soil parameters last.
 std::span<const GroundParameterField> ground_fields();
 
 }  // namespace clast

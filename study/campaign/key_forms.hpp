@@ -1,5 +1,5 @@
 #pragma once
-/// Values of keys, for tables of them.
+/// Constructors of value formats for key declarations.
 #include <utility>
 
 #include "study/campaign/key_table.hpp"
@@ -31,20 +31,20 @@ inline ValueFormat named(ValueFormat item) {
 inline ValueFormat either(std::vector<ValueFormat> forms) {
   return {.kind = Kind::kEither, .items = std::move(forms)};
 }
-/// A value or a list of such.
+/// Format of a single value or a list of such values.
 inline ValueFormat one_or_more(const ValueFormat& form, std::uint64_t most = INT64_MAX) {
   return either({form, list(form, 1, most)});
 }
 inline ValueFormat texts() { return one_or_more(text()); }
-/// On a map, with or without its height.
+/// Format of a map point, with or without height.
 ValueFormat point();
-/// A number, or the law by which it is drawn, as `read_distribution` takes it.
+/// Format of a number or distribution, as `read_distribution` accepts.
 ValueFormat uncertain(const NumberRange& range);
 
-/// The form of a value whose unit its key states; a range that has one keeps it.
+/// Sets the unit of a format; a range that has a unit keeps it.
 ValueFormat with_unit(ValueFormat form, const char* unit);
-/// A value that may not be missing.
-/// @param expected  what it must be, for the refusal of a table without it
+/// Marks a format as required.
+/// @param expected  description of the value, for the message if it is missing
 inline ValueFormat required(std::string expected, ValueFormat form) {
   form.required = std::move(expected);
   return form;

@@ -1,6 +1,5 @@
 #pragma once
-/// Tables of TOML files that are written by people: their keys with unit, meaning and what each may
-/// be. Readers and the JSON Schema for editors have them from the same declarations.
+/// Declarations of TOML tables and keys. Readers and the JSON Schema are derived from them.
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -11,42 +10,44 @@ namespace clast {
 
 struct TableKey;
 
-/// What a value may be.
+/// Format of a value: type, words, range and length.
 struct ValueFormat {
   enum class Kind {
-    kText,    ///< one of `words`, or any that fits `pattern`
+    kText,    ///< one of `words`, or a text that matches `pattern`
     kFlag,    ///< true or false
-    kCount,   ///< a whole number, `least` to `most`
-    kNumber,  ///< in `range`
-    kList,    ///< `least` to `most` values, each of the one of `items`
-    kTable,   ///< with `keys`
-    kNamed,   ///< a table whose keys are names of the user's, each value of the one of `items`
-    kEither   ///< one of `items`
+    kCount,   ///< an integer from `least` to `most`
+    kNumber,  ///< a number in `range`
+    kList,    ///< `least` to `most` values of format `items[0]`
+    kTable,   ///< a table with `keys`
+    kNamed,   ///< [name.NAME] with user-chosen names
+    kEither   ///< [name] or several [[name]]
   };
   Kind kind = Kind::kText;
   std::vector<std::string> words = {};
-  std::string pattern = {};  ///< regular expression of a text that is none of `words`
+  std::string pattern = {};  ///< regular expression of texts other than `words`
   std::uint64_t least = 0, most = INT64_MAX;
   NumberRange range = {0.0, 0.0};
   std::vector<ValueFormat> items = {};
   std::vector<TableKey> keys = {};
-  /// What a value that is missing must be, for its refusal; empty: it may be missing.
+  /// Description of the value for the error if it is missing; empty: optional.
   std::string required = {};
 
-  /// The words, range and limits that a value has in the first of its forms.
+  /// Returns the innermost first format, which holds words, range and limits.
   const ValueFormat& leaf() const { return items.empty() ? *this : items.front().leaf(); }
 };
 
+/// Declaration of one key.
 struct TableKey {
-  std::string name;
-  std::string unit;     ///< empty: none, or those of the parts
-  std::string meaning;  ///< a sentence's part, for who points at the key in an editor
+  std::string name;     ///< "blocks"; nested tables: "contact.blocks"
+  std::string unit;     ///< empty if none, or stated by the parts
+  std::string meaning;  ///< clause that describes the key in editors
   ValueFormat form;
-  std::vector<std::string> with = {};  ///< it has a meaning only beside one of these keys
+  std::vector<std::string> with = {};  ///< the key is valid only beside one of these keys
 
   bool is_required() const { return !form.required.empty(); }
 };
 
+/// Declaration of one TOML table.
 struct KeyTable {
   enum class Repeat {
     kOnce,    ///< [name]
@@ -59,7 +60,8 @@ struct KeyTable {
   Repeat repeat = Repeat::kOnce;
   std::vector<TableKey> keys = {};
   bool required = false;
-  std::vector<std::string> one_of = {};  ///< exactly one of these keys is there; empty: no matter
+  std::vector<std::string> one_of =
+      {};  ///< exactly one of these keys must exist; empty: no condition
 
   std::vector<std::string> key_names() const;
 };

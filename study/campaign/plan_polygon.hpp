@@ -1,5 +1,5 @@
 #pragma once
-/// Polygons in the plan, as users draw them: corners in either order, the first repeated at the end
+/// Checks of user-drawn plan polygons, with vertices in either order, the first repeated at the end
 /// or not.
 #include <cstddef>
 #include <optional>
@@ -9,11 +9,12 @@
 
 namespace clast {
 
-/// The first corner at which the polygon turns against its own sense, so that it is not convex;
-/// none of a convex one, which may have corners on a side and repeat its first.
+/// Finds the first reflex vertex; empty if the polygon is convex. Collinear vertices and a repeated
+/// first vertex are allowed.
 std::optional<std::size_t> find_reflex_vertex(std::span<const Vec2> polygon);
 
-/// @throws InputError  fewer than three corners, or all on one line
+/// Checks that the polygon has an area.
+/// @throws InputError  if there are fewer than three vertices, or all are collinear
 void check_has_area(std::span<const Vec2> polygon);
 
 }  // namespace clast

@@ -1,33 +1,33 @@
 #pragma once
-/// The difference between shapes that a campaign can find, estimated before it runs.
+/// Statistical power of a campaign, estimated before it runs.
 #include <cstddef>
 #include <optional>
 
 namespace clast {
 
-/// What is assumed before a campaign: the share of the variance that goes with the block itself, so
-/// that runs of one block are no independent runs.
+/// Assumed intraclass correlation: the fraction of the variance due to the block itself, so that
+/// runs of one block are not independent.
 inline constexpr double kAssumedBlockShare = 0.1;
-/// Design effect of the difference of two halves of the blocks: 1 + (runs of a block - 1) times
-/// that share. @cite kish1965
+/// Returns the design effect for comparing two halves of the blocks: 1 + (runs per block - 1)
+/// kAssumedBlockShare. @cite kish1965
 double assume_design_effect(std::size_t runs, std::size_t blocks);
 
-/// Blocks whose halves are compared.
+/// Minimum number of blocks for a comparison of halves.
 inline constexpr std::size_t kFewestBlocksOfPower = 4;
 
-/// What a campaign could tell apart, before it runs: a difference in runout between two halves of
-/// its blocks.
+/// Planned power: the runout difference between two halves of the blocks that a campaign can
+/// detect.
 struct PlannedPower {
   std::size_t runs = 0, blocks = 0;
-  std::size_t trial_runs = 0;    ///< that the scatter is known from
-  double scatter = 0.0;          ///< of their runout, standard deviation, m
-  std::optional<double> margin;  ///< difference that matters, m
+  std::size_t trial_runs = 0;    ///< number of trial runs behind `scatter`
+  double scatter = 0.0;          ///< standard deviation of the trial runouts, m
+  std::optional<double> margin;  ///< smallest relevant difference, m
 
-  /// Four blocks, two trial runs and a scatter; else there is nothing to say.
+  /// True if there are at least four blocks, two trial runs and a positive scatter.
   bool known() const;
   double design_effect() const { return assume_design_effect(runs, blocks); }
-  double smallest() const;     ///< difference that is found in 80 % of such campaigns, m
-  double runs_needed() const;  ///< of the margin, with as many more blocks
+  double smallest() const;     ///< minimum detectable difference at 80 % power, m
+  double runs_needed() const;  ///< to detect `margin`, with proportionally more blocks
 };
 
 }  // namespace clast

@@ -1,5 +1,5 @@
 #pragma once
-/// Draws from the posterior of a calibration, for campaigns that predict with them.
+/// Posterior draws of a calibration, used for predictions.
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -9,15 +9,16 @@ namespace clast {
 inline constexpr const char* kPosteriorFormat = "clast posterior";
 inline constexpr int kPosteriorSchema = 1;
 
-/// Sets of values of the unknowns, each as likely as any other.
+/// Equally weighted posterior draws of the unknowns.
 struct PosteriorDraws {
   std::filesystem::path file;
   std::vector<std::string> parameters;     ///< "ground.blue.friction"
-  std::vector<std::vector<double>> draws;  ///< values in the order of the parameters
+  std::vector<std::vector<double>> draws;  ///< values in the order of `parameters`
 };
 
-/// @throws InputError  missing, no posterior, damaged, or of a newer schema; or an interrupted
-///                     calibration, without draws
+/// Reads the draws of a posterior file.
+/// @throws InputError  if the file is missing, not a posterior, damaged, of a newer schema, or an
+///                     interrupted calibration without draws
 PosteriorDraws read_posterior_draws(const std::filesystem::path& file);
 
 }  // namespace clast

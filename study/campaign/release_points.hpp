@@ -1,5 +1,5 @@
 #pragma once
-/// Where and how blocks are released: point and orientation files, and sets made by rule.
+/// Release points and orientations, from files and by rule.
 #include <cstdint>
 #include <filesystem>
 #include <span>
@@ -10,28 +10,31 @@
 
 namespace clast {
 
-/// A table of points, "x y z" in m (`core/files/number_table.hpp`): columns by the names of a
-/// heading (x or easting, y or northing, z, height or elevation), else three a row.
-/// @throws InputError  missing or empty file, or a bad line: file, line and what was found
+/// Reads a table of points, "x y z" in m (`core/files/number_table.hpp`). Columns are found by
+/// heading (x or easting, y or northing, z, height or elevation); without a heading there are three
+/// columns.
+/// @throws InputError  if the file is missing or empty, or a line is invalid; names file, line and
+///                     text
 std::vector<Vec3> read_points(const std::filesystem::path& file);
 
-/// Rotations, "w x y z" (or qw, q0, ... in a heading), read like points. Norms within 1e-3 of 1 are
-/// set to 1.
-/// @throws InputError  as `read_points`, or a norm further from 1
+/// Reads a table of unit quaternions, "w x y z" (or qw, q0, ... in a heading). Norms within 1e-3 of
+/// 1 are normalised.
+/// @throws InputError  as `read_points`, or if a norm differs more from 1
 std::vector<Quat> read_orientations(const std::filesystem::path& file);
 
-/// A rotation world_from_source whose world has y up, in one with z up (`core/files/resolve_up_axis.hpp`).
+/// Converts world_from_source from a y-up to a z-up world (`core/files/up_axis.hpp`).
 Quat y_up_to_z_up(const Quat& orientation);
 
-/// `count` points at equal distances along a polyline, both ends included; the middle for one.
+/// Returns `count` equally spaced points on a polyline, both ends included; the midpoint if `count`
+/// is 1.
 std::vector<Vec3> space_points_on_line(std::span<const Vec3> line, std::size_t count);
 
-/// `count` points spread evenly at random over a plan polygon, z = 0.
-/// @throws InputError  the polygon has no area
+/// Returns `count` points distributed uniformly at random over a plan polygon, z = 0.
+/// @throws InputError  if the polygon has no area
 std::vector<Vec3> sample_points_in_polygon(std::span<const Vec2> polygon, std::size_t count,
-                                    std::uint64_t seed);
+                                           std::uint64_t seed);
 
-/// `count` rotations, uniform over all rotations.
+/// Returns `count` rotations distributed uniformly over all rotations.
 std::vector<Quat> draw_random_orientations(std::size_t count, std::uint64_t seed);
 
 }  // namespace clast

@@ -1,5 +1,5 @@
 #pragma once
-/// From the terrains before and after to the blocks of the mass that came down between them.
+/// Blocks of a rock mass given by terrains before and after its fall.
 #include <filesystem>
 #include <optional>
 
@@ -9,23 +9,24 @@
 
 namespace clast {
 
-/// The files of both surfaces, as `read_terrain` takes them.
+/// Terrain files before and after, as `read_terrain` accepts.
 struct MassTerrains {
   std::vector<std::filesystem::path> before, after;
   std::string up = "auto";  ///< of both, as in TerrainOptions
 };
 
+/// Reads both terrains and computes the released mass.
 /// @throws InputError, GeometryError  as `read_terrain` and `find_released_mass`
 ReleasedMass read_released_mass(const MassTerrains& terrains, const ReleasedMassOptions& options);
 
-/// Cuts every body of the mass by joints, in map coordinates as `[[mass]] in_place` has them.
-/// Blocks name both terrains and what was asked of them as their source.
-/// @throws InputError, GeometryError  as `distribute_blocks`
+/// Cuts each body of the mass by joints. Blocks are in map coordinates, as `[[mass]] in_place`
+/// expects; their source names both terrains and the options.
+/// @throws InputError, GeometryError  as the cutting of a rock mass
 RockMassBlocks blocks_of_released_mass(const ReleasedMass& mass, const MassTerrains& terrains,
                                        const ReleasedMassOptions& options,
                                        const RockMassOptions& cutting);
 
-/// The bodies of the mass as one mesh, on the map.
+/// Returns the bodies of the mass as one mesh in map coordinates.
 TriangleMesh mesh_of(const ReleasedMass& mass);
 
 }  // namespace clast

@@ -1,5 +1,5 @@
 #pragma once
-/// Impacts of a block on the ground, and what a run shows of its contacts.
+/// Impacts on the ground and contact statistics of a run.
 #include <cstdint>
 #include <optional>
 #include <vector>
@@ -8,21 +8,21 @@
 
 namespace clast {
 
-/// One impact: a stretch of contact between two flights. Flights shorter than `kShortestFlight` do
-/// not end it, so that a block that rolls on its corners makes one impact, not hundreds.
+/// Impact: contact between two flights. Flights shorter than `kShortestFlight` do not end an
+/// impact, so that rolling over corners is one impact.
 struct Impact {
   std::uint32_t run = 0;
-  std::uint32_t zone = 0;             ///< ground zone of the first touch
-  double time = 0.0;                  ///< of the first touch, s
+  std::uint32_t zone = 0;             ///< ground zone of the first contact
+  double time = 0.0;                  ///< of the first contact, s
   double contact_duration = 0.0;      ///< until the next flight, or the end of the run, s
-  Vec3 place = Vec3::Zero();          ///< of the first touch, m
-  double speed_before = 0.0;          ///< of the centre at the first touch, m/s
-  double speed_after = 0.0;           ///< ... at the last
+  Vec3 place = Vec3::Zero();          ///< position of the first contact, m
+  double speed_before = 0.0;          ///< of the centre of mass at the first contact, m/s
+  double speed_after = 0.0;           ///< at the last contact
   double translational_before = 0.0;  ///< J
   double translational_after = 0.0;
   double rotational_before = 0.0;
   double rotational_after = 0.0;
-  double depth = 0.0;  ///< largest overlap in between, m
+  double depth = 0.0;  ///< largest overlap, m
 
   template <class Bytes>
   void serialize(Bytes& bytes) {
@@ -31,16 +31,16 @@ struct Impact {
   }
 };
 
-/// A flight that counts lasts as long at least, s: 0.5 mm of free fall.
+/// Minimum duration of a flight, s: 0.5 mm of free fall.
 inline constexpr double kShortestFlight = 0.01;
 
-/// What a run shows of its contacts, and maxima of its motion.
+/// Contact statistics and maxima of motion of a run.
 struct ContactStatistics {
-  double contact_time = 0.0;  ///< with a contact, s
-  double mean_points = 0.0;   ///< contact points while there are any, averaged over time
+  double contact_time = 0.0;  ///< time with a contact, s
+  double mean_points = 0.0;   ///< time-averaged number of contact points during contact
   std::uint64_t most_points = 0;
-  double longest_flight = 0.0;  ///< m, in plan
-  double max_energy = 0.0;      ///< translational and rotational, J
+  double longest_flight = 0.0;  ///< horizontal, m
+  double max_energy = 0.0;      ///< translational plus rotational, J
   double max_spin = 0.0;        ///< rad/s
 
   template <class Bytes>
@@ -49,23 +49,23 @@ struct ContactStatistics {
   }
 };
 
-/// Gathers the impacts of one run from its motion as it goes by.
+/// Records the impacts of a run from its motion steps.
 class ImpactObserver {
  public:
   ImpactObserver(const RigidBody& body, std::uint32_t run) : body_(body), run_(run) {}
 
   void see(const MotionStep& step);
-  /// Ends what is under way; to be called once, after the last step.
+  /// Ends an open impact; call once after the last step.
   void finish();
-  /// All that it has seen, and what is under way.
+  /// Serialises the recorded impacts and the open one.
   template <class Bytes>
   void serialize(Bytes& bytes) {
     bytes(impacts, last_touches, statistics, first_, open_, last_touch_, last_touch_time_, flight_,
-          take_off_);
+          take_off_);  ///< start of the current flight
   }
 
   std::vector<Impact> impacts;
-  std::vector<RigidState> last_touches;  ///< state at the last touch of each impact
+  std::vector<RigidState> last_touches;  ///< state at the last contact of each impact
   ContactStatistics statistics;
 
  private:
@@ -76,10 +76,10 @@ class ImpactObserver {
   const RigidBody& body_;
   std::uint32_t run_;
   bool first_ = true;
-  std::optional<Impact> open_;  ///< under way
-  RigidState last_touch_;       ///< of the impact under way
+  std::optional<Impact> open_;  ///< open impact
+  RigidState last_touch_;       ///< last contact of the open impact
   double last_touch_time_ = 0.0;
-  double flight_ = 0.0;           ///< time since the last touch, s
+  double flight_ = 0.0;           ///< time since the last contact, s
   std::optional<Vec2> take_off_;  ///< where the present flight began
 };
 

@@ -96,7 +96,7 @@ ResultsWriter ResultsWriter::resume(const fs::path& target, const CampaignHeader
       std::move(lock), target, std::move(with_old_runs), std::move(journal), std::move(stored)}));
 }
 
-const std::vector<std::uint32_t>& ResultsWriter::runs_with_trajectory() const { return impl_->stored; }
+const std::vector<std::uint32_t>& ResultsWriter::completed_runs() const { return impl_->stored; }
 
 void ResultsWriter::add(const StoredRun& run) {
   impl_->journal.add(run);

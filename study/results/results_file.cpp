@@ -172,7 +172,7 @@ void write_trajectory(Hdf5Group& group, std::uint32_t run, const Trajectory& tra
   visit_columns(kRowsOf<RigidState>, [&](const auto&, const auto&, const auto&, const auto& field) {
     for (const RigidState& state : trajectory.states) rows.push_back(field(state));
   });
-  group.write<double>(trajectory_dataset_name(run), rows, {trajectory_chunk_rows(), trajectory.time.size()});
+  group.write<double>(trajectory_dataset_name(run), rows, {trajectory_row_count(), trajectory.time.size()});
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
 #pragma once
-/// Writing a results file from runs, wherever they come from.
+/// Writing of results files.
 #include <filesystem>
 #include <functional>
 
@@ -7,15 +7,15 @@
 
 namespace clast::study_detail {
 
-/// Writes `target` whole: the header, then `count` runs in the order in which `run` is asked for
-/// them, which is that of their numbers.
+/// Writes a results file: the header and `count` runs. `run(i)` is called in ascending order and
+/// returns the run at index i.
 void write_results_file(const std::filesystem::path& target, const CampaignHeader& header,
                         std::size_t count, const std::function<StoredRun(std::size_t)>& run);
 
-/// Checks that the target can be written and that there is room for as many runs in the journal,
-/// beside a file that holds no run yet. That file is written, which finds any other problem.
+/// Checks that the target can be written and that the disk has space for that many runs in the
+/// journal and for the results file. A file without runs is written as a trial.
 /// @throws InputError  as `ResultsWriter::create`
 void check_results_disk_space(const std::filesystem::path& target, const CampaignHeader& header,
-                    std::size_t runs);
+                              std::size_t runs);
 
 }  // namespace clast::study_detail

@@ -1,7 +1,7 @@
 #pragma once
-/// The journal in which runs are kept until a campaign is complete: records with a checksum, one
-/// after the other. An HDF5 file that is written to can be lost to a kill at the wrong moment,
-/// since its parts change in place; of a journal at most the last record is.
+/// Journal that keeps runs until a campaign is complete: a sequence of records with checksums. A
+/// kill loses at most its last record, whereas an HDF5 file, which is modified in place, can be
+/// lost as a whole.
 #include <filesystem>
 #include <fstream>
 #include <string>
@@ -12,39 +12,44 @@
 
 namespace clast::study_detail {
 
-/// A run as bytes, and back: what the journal keeps and processes send each other.
+/// Serialises a run, for the journal and for messages between processes.
 std::string packed(StoredRun run);
-/// @throws InputError  not the bytes of a run
+/// Deserialises a run.
+/// @throws InputError  if the bytes are not a run
 StoredRun unpacked(const std::string& bytes);
 
-/// What a campaign is recognised by, with its inputs and the program, as bytes.
+/// Serialises the identity of a campaign: campaign text, inputs and program.
 std::string format_campaign_identity(const CampaignHeader& header);
-/// How the campaign of stored results differs from this one: campaign file, inputs, version,
-/// number of runs or physics. Empty: not at all.
+/// Describes how stored results differ from a campaign: campaign file, inputs, version, number of
+/// runs or physics. Empty if they agree.
 std::string describe_campaign_difference(const CampaignHeader& stored, const CampaignHeader& now);
-/// The same of a stored `format_campaign_identity`, which it reads.
-/// @throws InputError  no such bytes
+/// Reads a serialised identity and describes its difference from a campaign, as above.
+/// @throws InputError  if the bytes are not an identity
 std::string describe_campaign_difference(ByteReader& stored, const CampaignHeader& now);
 
+/// Journal of the runs of a campaign.
 class ResultsJournal {
  public:
-  /// Begins a journal in place of what was there. Makes missing parent folders.
-  /// @throws InputError  the file can't be written
+  /// Creates a journal, replacing an existing file. Creates missing parent folders.
+  /// @throws InputError  if the file cannot be written
   static ResultsJournal create(const std::filesystem::path& path, const CampaignHeader& header);
-  /// Opens a journal and drops a broken end.
-  /// @throws InputError  missing, not a journal, or of another campaign, inputs or program
+  /// Opens a journal and drops an incomplete last record.
+  /// @throws InputError  if the file is missing, not a journal, or of another campaign, inputs or
+  ///                     program
   static ResultsJournal resume(const std::filesystem::path& path, const CampaignHeader& header);
 
-  /// Bytes that a run takes at least.
+  /// Returns the minimum size of a record, bytes.
   static std::uint64_t smallest_record_size();
 
   const std::filesystem::path& path() const { return path_; }
-  /// Physics digest of the program that began it; empty: an older one.
+  /// Returns the physics digest of the program that created the journal; empty for older versions.
   const std::string& physics() const { return physics_; }
-  /// Runs in the order they were added.
+  /// Returns the runs in the order of their records.
   const std::vector<std::uint32_t>& runs() const { return runs_; }
-  /// @throws InputError  the disk is full
+  /// Appends a run.
+  /// @throws InputError  if the disk is full
   void add(const StoredRun& run);
+  /// Reads the record of a run.
   /// @param index  into `runs()`
   StoredRun read(std::size_t index);
 
@@ -56,8 +61,8 @@ class ResultsJournal {
   std::string physics_;
   std::fstream file_;
   std::vector<std::uint32_t> runs_;
-  std::vector<std::uint64_t> begins_;  ///< of the record of each run, bytes
-  std::uint64_t end_ = 0;              ///< of the last whole record
+  std::vector<std::uint64_t> begins_;  ///< offset of each record, bytes
+  std::uint64_t end_ = 0;              ///< end of the last complete record, bytes
 };
 
 }  // namespace clast::study_detail

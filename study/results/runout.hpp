@@ -1,15 +1,16 @@
 #pragma once
-/// How far a block came.
+/// Runout of a block.
 #include "core/types.hpp"
 
 namespace clast {
 
-/// A run's offset from its release point on the map.
+/// Displacement of a run from its release point, in plan.
 struct RunoutDistances {
-  double along = 0.0;    ///< m, along downslope
-  double lateral = 0.0;  ///< rad, + to the right looking downslope
+  double along = 0.0;    ///< along the downslope direction, m
+  double lateral = 0.0;  ///< rad, positive to the right looking downslope
 };
-/// @param downslope  unit
+/// Computes the runout.
+/// @param downslope  unit vector
 RunoutDistances runout(const Vec3& start, const Vec3& stop, const Vec2& downslope);
 
 }  // namespace clast

@@ -1,5 +1,5 @@
 #pragma once
-/// The columns of the rows of a results file, as columns of tables.
+/// Columns of the datasets of a results file.
 #include <cmath>
 #include <string_view>
 
@@ -8,19 +8,20 @@
 
 namespace clast {
 
-/// Named and described as in docs/formats.md; positions are in the terrain's local frame.
+/// Columns with names and descriptions as in docs/formats.md; positions in the terrain's local
+/// frame.
 const TableColumns<RunRecord>& stored_run_columns();
 const TableColumns<Crossing>& stored_crossing_columns();
 const TableColumns<Impact>& stored_impact_columns();
 const TableColumns<PersistentBlockRecord>& stored_stay_columns();
 const TableColumns<EnergyRecord>& stored_energy_columns();
 
-/// Columns of runs and stays that take contacts to know, which other engines do not tell: results
-/// of these are without them, and their cells are empty.
+/// True if a column depends on contact data, which other engines do not provide: its datasets are
+/// then missing and its cells empty.
 bool is_of_contacts(std::string_view column);
 
-/// The same columns, with empty cells for what is not known of a row.
-/// @param results_of  the results that a row is of
+/// Returns the columns with empty cells for unknown contact data.
+/// @param results_of  returns the results that contain a row
 template <class Row, class ResultsOf>
 TableColumns<Row> blank_unknown_cells(TableColumns<Row> columns, const ResultsOf& results_of) {
   for (TableColumn<Row>& column : columns) {

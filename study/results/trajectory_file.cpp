@@ -24,8 +24,8 @@ std::size_t TrajectoryFile::frames(std::uint32_t run) const {
   const std::string name = trajectory_dataset_name(run);
   if (!reader.group.has(name)) return 0;
   const std::vector<std::size_t> shape = reader.group.shape(name);
-  if (shape.size() != 2 || shape[0] != trajectory_chunk_rows()) {
-    reader.damaged(name, "is not a table of " + std::to_string(trajectory_chunk_rows()) + " rows");
+  if (shape.size() != 2 || shape[0] != trajectory_row_count()) {
+    reader.damaged(name, "is not a table of " + std::to_string(trajectory_row_count()) + " rows");
   }
   return shape[1];
 }

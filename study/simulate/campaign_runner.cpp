@@ -33,7 +33,7 @@ class Collector {
  public:
   Collector(ResultsWriter& writer, std::size_t planned, const RunOptions& options)
       : writer_(writer),
-        before_(writer.runs_with_trajectory()),
+        before_(writer.completed_runs()),
         done_(before_.size()),
         planned_(planned),
         options_(options) {}
@@ -269,7 +269,7 @@ void run_campaign(const CampaignPlan& prepared, const std::filesystem::path& tar
     if (!go_on) check_results_target(target, options.replace);
     writer.emplace(go_on ? ResultsWriter::resume(target, prepared.header, runs)
                          : ResultsWriter::create(target, prepared.header, runs));
-    open = open_runs(prepared, options.shard, target, writer->runs_with_trajectory());
+    open = open_runs(prepared, options.shard, target, writer->completed_runs());
     if (!options.resume) CheckpointFile::remove_all(target);
     resumable.check_checkpoints(open);
     return std::string();

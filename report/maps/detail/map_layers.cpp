@@ -130,7 +130,7 @@ MapLayers make_map_layers(const Comparison& comparison, const std::vector<const 
   }
   MapLayers result;
   if (with_paths) {
-    const DrawnRuns stored = runs_with_trajectory(comparison);
+    const DrawnRuns stored = select_drawn_runs(comparison);
     result.stored_paths = stored.rows.size();
     result.paths = std::min(kMostMapPaths, stored.rows.size());
     paths = paths_json(comparison, stored, origin);

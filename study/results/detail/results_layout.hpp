@@ -1,9 +1,9 @@
 #pragma once
-/// The columns of the rows that a results file holds, declared once: for the file, its journal,
-/// the tables and docs/formats.md.
+/// Layout of the datasets of a results file, declared once for the file, its journal, tables and
+/// docs/formats.md.
 ///
 /// `visit_columns` calls visit(name, unit, meaning, field) for each column, in the order of file
-/// and journal; `std::invoke(field, row)` is its value in a row, and can be assigned to.
+/// and journal; `std::invoke(field, row)` is an assignable reference to its value in a row.
 #include <cstdint>
 #include <functional>
 #include <string>
@@ -15,9 +15,9 @@ namespace clast::study_detail {
 
 inline constexpr const char* kResultsFormat = "clast results";
 inline constexpr int kResultsSchema = 4;
-inline constexpr int kOldestResultsSchema = 2;  ///< that is read
+inline constexpr int kOldestResultsSchema = 2;  ///< oldest schema that can be read
 
-/// What a value is in a dataset.
+/// Converts a value to its dataset type.
 inline std::uint32_t stored(std::uint32_t value) { return value; }
 inline double stored(double value) { return value; }
 inline std::string stored(const std::string& value) { return value; }
@@ -30,7 +30,8 @@ using Stored = decltype(stored(std::invoke(std::declval<Field>(), std::declval<c
 template <class Row>
 inline constexpr std::type_identity<Row> kRowsOf{};
 
-/// Of "start_x_m", "stop_x_m", and of rows 1 to 13 of a trajectory.
+/// Visits the columns of a rigid-body state: suffixes of the start and stop columns of /runs, and
+/// rows 1 to 13 of a trajectory.
 template <class Visit>
 void visit_columns(std::type_identity<RigidState>, const Visit& visit) {
   const char* place = "centre of mass";
@@ -55,8 +56,8 @@ void visit_columns(std::type_identity<RigidState>, const Visit& visit) {
         [](auto& s) -> decltype(auto) { return (s.angular_velocity.z()); });
 }
 
-/// How stiff the contacts of a run were. Before schema 4 the first four were attributes of
-/// /contact, one for all runs.
+/// Visits the stiffness columns of a run. Before schema 4 the first four were attributes of
+/// /contact, shared by all runs.
 template <class Visit>
 void visit_stiffness(const Visit& visit) {
   const char* used = "k_n and k_t as used, determined for the run or given";
@@ -79,10 +80,10 @@ void visit_stiffness(const Visit& visit) {
         &RunRecord::impact_depth);
 }
 
-/// A state of a run.
-/// @param prefix  of the names of its columns
-/// @param when    before their meaning: "at the start: "
-/// @param state   of a run
+/// Visits the columns of one state of a run.
+/// @param prefix  of the column names
+/// @param when  prefix of their meanings: "at the start: "
+/// @param state  returns the state of a run
 template <class Visit, class State>
 void visit_state(const Visit& visit, const std::string& prefix, const std::string& when,
                  const State& state) {
@@ -265,14 +266,14 @@ void visit_columns(std::type_identity<EnergyRecord>, const Visit& visit) {
         [](auto& e) -> decltype(auto) { return (e.energy.reassigned); });
 }
 
-/// Rows of a trajectory dataset: time, then the state.
-inline std::size_t trajectory_chunk_rows() {
+/// Returns the number of rows of a trajectory dataset: time and state.
+inline std::size_t trajectory_row_count() {
   std::size_t rows = 1;
   visit_columns(kRowsOf<RigidState>, [&](const auto&...) { ++rows; });
   return rows;
 }
 
-/// "00000012": sorts by name as by number.
+/// Returns the dataset name of a run, zero-padded so that names sort like numbers: "00000012".
 std::string trajectory_dataset_name(std::uint32_t run);
 
 }  // namespace clast::study_detail

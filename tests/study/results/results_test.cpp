@@ -215,7 +215,7 @@ TEST(Results, InterruptedCampaignGoesOnWhereItStopped) {
   }
   EXPECT_FALSE(fs::exists(target));
   ResultsWriter writer = ResultsWriter::resume(target, sample_header());
-  EXPECT_EQ(writer.runs_with_trajectory(), (std::vector<std::uint32_t>{1, 2, 4}));
+  EXPECT_EQ(writer.completed_runs(), (std::vector<std::uint32_t>{1, 2, 4}));
   for (const std::uint32_t run : {0u, 3u}) add_run(writer, run);
   writer.finish();
   expect_runs(target, {0, 1, 2, 3, 4});
@@ -234,7 +234,7 @@ TEST(Results, HalfARunLeftByAKillIsDropped) {
   const std::string whole = read_text_file(part);
   const auto stored_after = [&](const std::string& bytes) {
     write_text_file(part, bytes);
-    return ResultsWriter::resume(target, sample_header()).runs_with_trajectory();
+    return ResultsWriter::resume(target, sample_header()).completed_runs();
   };
   const std::vector<std::uint32_t> both{1, 2}, first{1}, none;
   EXPECT_EQ(stored_after(whole), both);
@@ -300,7 +300,7 @@ TEST(Results, KilledWriterLosesNoRunItReported) {
     ::close(reports[0]);
 
     ResultsWriter writer = ResultsWriter::resume(target, header);
-    const std::vector<std::uint32_t> stored = writer.runs_with_trajectory();
+    const std::vector<std::uint32_t> stored = writer.completed_runs();
     ASSERT_GE(stored.size(), least);
     std::vector<std::uint32_t> expected(stored.size() + 1);
     for (std::uint32_t i = 0; i < expected.size(); ++i) expected[i] = i;
