@@ -9,19 +9,20 @@ namespace clast::study_detail {
 
 // [ground.NAME]
 inline constexpr NumberRange kEnergyRestitution{1e-6, 1.0};
-/// A coefficient: 100 is the tangent of 89.4 degrees.
+/// Friction coefficient; 100 is the tangent of 89.4 degrees.
 inline constexpr NumberRange kFriction{1e-6, 100.0, "", ""};
 inline constexpr NumberRange kRollingLength{1e-3, 100.0, "m"};
 inline constexpr NumberRange kSlipGrowth{1e-3, 1e4, "1/m"};
 inline constexpr NumberRange kSlipMemory{1e-6, 1e4, "s"};
 inline constexpr NumberRange kScarDrag{1e-3, 100.0};
-/// From fresh snow to ore.
+/// Densities from fresh snow to ore.
 inline constexpr NumberRange kSoilDensity{50.0, 5000.0, "kg/m^3"};
 inline constexpr NumberRange kSoilMemory{0.01, 10.0, "m"};
 
 // [blocks] draw, and laws of uncertain numbers
 inline constexpr NumberRange kClassShare{1e-6, 1.0, "", ""};
-/// Of the natural logarithm: at 5 every third draw is 150 times more or less than the median.
+/// Standard deviation of the natural logarithm; at 5, every third draw differs from the median by
+/// more than a factor of 150.
 inline constexpr NumberRange kLogSigma{1e-9, 5.0};
 
 // [release]

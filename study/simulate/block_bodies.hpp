@@ -1,5 +1,5 @@
 #pragma once
-/// The rigid bodies of a campaign's blocks.
+/// Rigid bodies of the blocks of a campaign.
 #include <cstdint>
 #include <vector>
 
@@ -8,21 +8,23 @@
 
 namespace clast {
 
-/// A block as the dynamics sees it.
+/// Makes the rigid body of a block.
 RigidBody rigid_body(const Block& block);
 
-/// Keeps one body for each block of the library. The scaled body of a block is made each time it is
-/// asked for, since a campaign may draw hundreds of thousands of blocks, each of its own size.
+/// Rigid bodies of all blocks: one stored body per library block. Scaled bodies are made on access,
+/// because a campaign may sample hundreds of thousands of blocks of different sizes.
 class BlockBodies {
  public:
   BlockBodies() = default;
   explicit BlockBodies(const BlockChoice& choice);
 
   std::size_t size() const { return blocks_.size(); }
-  /// The body of a block of `BlockChoice::blocks`, scaled.
+  /// Makes the scaled body of a block of `BlockChoice::blocks`.
   RigidBody operator[](std::size_t block) const;
-  /// The first block that has the same body.
-  std::uint32_t first_equal_body(std::size_t block) const { return blocks_[block].first_equal_body; }
+  /// Returns the first block with an equal body.
+  std::uint32_t first_equal_body(std::size_t block) const {
+    return blocks_[block].first_equal_body;
+  }
 
  private:
   struct Scaled {

@@ -1,5 +1,5 @@
 #pragma once
-/// The blocks of a campaign: selected or drawn from a library, scaled, put in groups.
+/// Blocks of a campaign: selected or sampled from a library, scaled, assigned to groups.
 #include <string>
 #include <utility>
 #include <vector>
@@ -11,57 +11,59 @@
 
 namespace clast {
 
-/// A block as it runs.
+/// Block of a campaign.
 struct CampaignBlock {
-  std::string id;           ///< of the library block; when drawn "SP1A#7", the seventh draw
-  std::size_t library = 0;  ///< into BlockChoice::library
+  std::string id;  ///< of the library block; for sampled blocks "SP1A#7", the seventh sample
+  std::size_t library = 0;  ///< used library blocks, unscaled
   double scale = 1.0;       ///< of lengths
-  std::size_t group = 0;    ///< 0: none, else 1 + index into Campaign::groups
+  std::size_t group = 0;    ///< 0: no group; otherwise 1 + index into Campaign::groups
 };
 
+/// Blocks of a campaign and the library blocks they are made of.
 struct BlockChoice {
   std::vector<Block> library;        ///< those that occur, unscaled
-  std::vector<std::string> parents;  ///< blocks that the others were made of; empty: none was made
-  std::vector<std::string> notes;    ///< on a table that forms were drawn from
-  /// Where blocks stay, drawn ones are those of all realisations, one after the other.
+  std::vector<std::string> parents;  ///< blocks from which others were varied; empty if none was
+  std::vector<std::string> notes;    ///< remarks on a table that forms were sampled from
+  /// Persistent sampled blocks are listed realisation by realisation.
   std::vector<CampaignBlock> blocks;
 };
 
-/// How blocks are made where the campaign varies them; no matter for what is made.
+/// Execution options for varying blocks; they do not affect the result.
 struct BlockPreparationOptions {
-  unsigned threads = 0;    ///< 0: one per core
-  ProgressCallback progress = {};  ///< bodies made, from any thread, one at a time
+  unsigned threads = 0;  ///< 0: one per core
+  ProgressCallback progress =
+      {};  ///< called per finished body, from any thread, one call at a time
 };
 
-/// Selects, varies, draws and scales as [blocks] and [[block_group]] ask. Bodies that are made run
-/// in order of their ids, as from a library.
-/// @throws InputError  a missing id; nothing selected; an unscaled block that is not brought to a
-///                     mass or a volume; a class that shall be drawn and has no block; a group
-///                     without a block, that names a block which is not there, or a block in two
-///                     groups; a body that is asked for twice
-/// @throws GeometryError  a body that can't be made
+/// Selects, varies, samples and scales blocks as [blocks] and [[block_group]] state. Varied bodies
+/// are ordered by id.
+/// @throws InputError  if an id is missing; nothing is selected; an unscaled block is not given a
+///                     mass or volume; a sampled class has no block; a group has no block, names an
+///                     unknown block or shares one with another group; or a body is requested twice
+/// @throws GeometryError  if a body cannot be made
 BlockChoice choose_blocks(const Campaign& campaign, const BlockPreparationOptions& making = {});
 
-/// The blocks that [blocks] selects of its library, unscaled: what a draw draws from.
-/// @throws InputError  a missing id, or nothing selected
+/// Reads the library blocks that [blocks] selects, unscaled, before sampling.
+/// @throws InputError  if an id is missing or nothing is selected
 std::vector<Block> read_selected_blocks(const Campaign& campaign);
 
-/// Draws as [blocks] draw asks.
-/// @param pool  selected blocks; those drawn name their places in it
-/// @throws InputError  a class that shall be drawn and has no block; shares as `class_fractions`; a
-///                     volume of less than half a block or of too many
+/// Samples blocks as `draw` in [blocks] states.
+/// @param pool  selected blocks; samples refer to them by index
+/// @throws InputError  if a sampled class has no block, class fractions are invalid
+///                     (`class_fractions`), or the volume is less than half a block or needs too
+///                     many blocks
 std::vector<CampaignBlock> draw_blocks(const Campaign& campaign, const std::vector<Block>& pool);
 
-/// Shares of the classes of a draw, sum 1; empty: as they are. Shares that are set stay, the other
-/// classes divide what is left in the proportions that they have.
-/// @throws InputError  those set add up to more than 1, or to less and there is no other class
+/// Returns the class fractions of a sampling, sum 1; empty: those of the selection. Fixed fractions
+/// are kept; the other classes share the rest in their proportions.
+/// @throws InputError  if the fixed fractions exceed 1, or are below 1 without another class
 std::vector<std::pair<std::string, double>> class_fractions(const BlockSampling& draw);
 
-/// How many of `count` go to each share: whole numbers, largest remainders first.
+/// Allocates `count` items to fractions by the largest-remainder method.
 std::vector<std::size_t> allocate_quotas(const std::vector<double>& shares, std::size_t count);
 
-/// The same shape and density at another size: lengths times `factor`, mass times its cube, moments
-/// times its fifth power.
+/// Scales a body at constant shape and density: lengths by `factor`, mass by its cube, moments of
+/// inertia by its fifth power.
 RigidBody scaled(RigidBody body, double factor);
 
 }  // namespace clast

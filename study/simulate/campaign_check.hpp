@@ -1,5 +1,5 @@
 #pragma once
-/// Whether a campaign would run.
+/// Check of a campaign without running it.
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -9,17 +9,18 @@
 
 namespace clast {
 
-/// What `prepare_campaign` would make of a campaign file.
+/// Result of a check.
 struct CampaignCheck {
-  /// Why it would be refused: the first finding in each table of the file, and in library, terrain
-  /// and starts where these can be judged. Empty: it would run.
+  /// Errors: the first one of each table of the file, and those of library, terrain and starts if
+  /// these could be checked. Empty if the campaign would run.
   std::vector<std::string> findings;
-  std::optional<CampaignPlan> prepared;  ///< there when it would run
+  std::optional<CampaignPlan> prepared;  ///< set if the campaign would run
 };
 
-/// Never throws for what is wrong with the campaign or with the files it names.
+/// Checks a campaign file. Errors of the campaign and of the files that it names are returned, not
+/// thrown.
 CampaignCheck check_campaign(const std::filesystem::path& file);
-/// Checks a campaign that is not in a file.
+/// Checks a campaign given as text.
 /// @param text, file  as `parse_campaign`
 CampaignCheck check_campaign_text(const std::string& text, const std::filesystem::path& file);
 

@@ -1,5 +1,5 @@
 #pragma once
-/// What is wrong or doubtful about a campaign whose runs are planned.
+/// Errors and warnings of a planned campaign.
 #include <string>
 #include <vector>
 
@@ -7,24 +7,26 @@
 
 namespace clast::study_detail {
 
-/// "release set cliff, " where there are several, else "".
+/// Returns "release set cliff, ", or "" if there is only one set.
 std::string format_release_set_name(const ReleaseSet& release);
 
-/// Refuses releases from heights no slope has.
-/// @throws InputError  a fall to the lowest ground could end faster than `kMostSpeed`
+/// Checks the release heights.
+/// @throws InputError  if a fall to the lowest ground could exceed `kMostSpeed`
 void check_falls(const CampaignPlan& prepared);
 
-/// What is unusual about a block of this length (m) and mass (kg) on a terrain of this extent (m):
-/// its size, and what is usual; empty: nothing.
-std::string describe_unusual_size(const std::string& block, double length, double mass, double extent);
+/// Describes an unusual size of a block of given length (m) and mass (kg) on a terrain of given
+/// extent (m), and the usual range; empty if the size is usual.
+std::string describe_unusual_size(const std::string& block, double length, double mass,
+                                  double extent);
 
-/// @throws InputError  a block longer than 20 m, heavier than 10,000 t, or longer than a tenth of
-///                     the terrain, unless the campaign allows any size
+/// Checks the block sizes, unless the campaign allows any size.
+/// @throws InputError  if a block is longer than 20 m, heavier than 10,000 t, or longer than a
+///                     tenth of the terrain
 void check_sizes(const CampaignPlan& prepared);
 
-/// What its user should know before anything runs: doubtful inputs in words, none where all is
-/// usual. Stiffness and time step must have been chosen; doubts about these are not reported here.
-/// @throws InputError  a run would take so many steps that it never ends
+/// Returns warnings about doubtful inputs; empty if there are none. Stiffness and time step must
+/// have been chosen; `choose_run_stiffness` warns about these.
+/// @throws InputError  if a run would take too many steps to end
 std::vector<std::string> check_campaign_settings(const CampaignPlan& prepared);
 
 }  // namespace clast::study_detail

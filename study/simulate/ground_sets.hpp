@@ -1,5 +1,5 @@
 #pragma once
-/// The ground parameters of a campaign, drawn and put in the order of the terrain's zones.
+/// Ground parameters of a campaign, drawn and ordered by terrain zones.
 #include <string>
 #include <vector>
 
@@ -8,14 +8,15 @@
 
 namespace clast::study_detail {
 
-/// One set for each block group (blocks in no group first) and member of the ensemble (fastest).
-/// A parameter that a group does not name is the same for all groups of a member.
+/// Draws one set per block group (blocks in no group first) and ensemble member (fastest).
+/// Parameters that a group does not state are equal for all groups of a member.
 /// @param zones  names, in the terrain's order
-/// @throws InputError  a zone without parameters, or parameters of no zone
-std::vector<GroundParameterSet> draw_ground_sets(const Campaign& campaign, const std::vector<std::string>& zones);
+/// @throws InputError  if a zone has no parameters, or parameters have no zone
+std::vector<GroundParameterSet> draw_ground_sets(const Campaign& campaign,
+                                                 const std::vector<std::string>& zones);
 
-/// The parameters of blocks in no group, uncertain ones at their middle, mean or median.
+/// Returns the parameters of blocks in no group; uncertain ones at their midpoint, mean or median.
 std::vector<GroundParameters> median_ground(const Campaign& campaign,
-                                             const std::vector<std::string>& zones);
+                                            const std::vector<std::string>& zones);
 
 }  // namespace clast::study_detail

@@ -1,5 +1,5 @@
 #pragma once
-/// How much memory blocks that stay take.
+/// Memory needed by realisations of persistent blocks.
 #include <cstddef>
 #include <optional>
 #include <string>
@@ -8,19 +8,18 @@
 
 namespace clast {
 
-/// About what the first realisation takes while it is simulated, in addition to the prepared
-/// campaign, bytes: by the vertices of its blocks, and by the states that are stored of them. 0
-/// where blocks are run one by one.
+/// Estimates the memory of the first realisation during its simulation, in addition to the prepared
+/// campaign, bytes: by block vertices and stored states. 0 for single runs.
 double estimate_realisation_memory(const CampaignPlan& prepared);
 
-/// @param at_a_time  realisations that are simulated at the same time
-/// @param available  bytes; none where that is not known, and nothing is refused
-/// @throws InputError  they need more than is available; the message says how much is needed and
-///                     free, and what to change
+/// Checks that the realisations fit into memory.
+/// @param at_a_time  number of realisations simulated at the same time
+/// @param available  bytes; empty if unknown, then nothing is checked
+/// @throws InputError  if they need more; names the needed and the free memory and what to change
 void check_memory(const CampaignPlan& prepared, std::size_t at_a_time,
                   std::optional<double> available);
 
-/// "1.3 GB", "45 MB".
+/// Formats a number of bytes: "1.3 GB", "45 MB".
 std::string format_memory(double bytes);
 
 }  // namespace clast

@@ -1,6 +1,6 @@
 #pragma once
-/// The processes that mpirun or srun started together, or one process alone. MPI stays inside the
-/// .cpp; a clast that was configured without MPI is always alone.
+/// Processes started together by mpirun or srun, or a single process. MPI is used in the .cpp only;
+/// without MPI support there is always one process.
 #include <cstddef>
 #include <functional>
 #include <optional>
@@ -8,17 +8,17 @@
 
 namespace clast {
 
-/// Processes that share the runs of one campaign. Number 0 leads: it reads and writes the results,
-/// hands out runs, and speaks to the user; the others compute.
+/// Team of processes that share the runs of one campaign. Rank 0 is the leader: it reads and writes
+/// the results, distributes runs and prints; the others compute.
 ///
-/// One per program. Calls of one process must not overlap in time.
+/// At most one object per program; not thread-safe.
 class ProcessTeam {
  public:
-  /// Joins the processes started with this one, if there are any.
-  /// @throws InputError  started as one of several, but built without MPI: each would run it all
+  /// Joins the processes started together with this one.
+  /// @throws InputError  if there are several, but clast was built without MPI
   ProcessTeam();
-  /// Ends the whole team when it is left by an exception between `begin` and `end`, since the
-  /// others would wait for ever.
+  /// Aborts the whole team if an exception leaves the section between `begin` and `end`, because
+  /// the others would wait forever.
   ~ProcessTeam();
   ProcessTeam(const ProcessTeam&) = delete;
   ProcessTeam& operator=(const ProcessTeam&) = delete;
@@ -27,29 +27,27 @@ class ProcessTeam {
   unsigned size() const { return size_; }
   bool is_leader() const { return rank_ == 0; }
 
-  /// Runs `prepare` on every process, then makes sure that all succeeded and that all came to the
-  /// same `fingerprint`, which `prepare` returns.
-  /// @throws Error of this process, else SimulationError with the message of the first that failed,
-  /// or because inputs differ between processes
+  /// Runs `prepare` on each process and checks that all succeed and return the same fingerprint.
+  /// @throws Error  of this process; SimulationError with the message of the first failed process,
+  ///                or if fingerprints differ
   void agree(const std::function<std::string()>& prepare);
 
-  /// The others depend on this process from here ...
+  /// Marks the start of a section during which the other processes depend on this one.
   void begin() { busy_ = true; }
-  /// ... to here.
+  /// Marks the end of that section.
   void end() { busy_ = false; }
 
-  /// Gives the leader `done`, the bytes of a finished item (empty at first), and gets the next
-  /// item.
-  /// @return none when there is nothing left to do
+  /// Sends the bytes of a finished item to the leader (empty at first) and receives the next item.
+  /// @return empty if no item is left
   std::optional<std::size_t> exchange(const std::string& done);
 
-  /// On the leader: what a process handed in, if one did.
+  /// Result sent by a process to the leader.
   struct TeamMessage {
     unsigned from = 0;
     std::string done;
   };
   std::optional<TeamMessage> delivery();
-  /// On the leader: answers a delivery with the next item, or that there is none.
+  /// Sends the next item, or none, to a process; leader only.
   void answer(unsigned to, std::optional<std::size_t> item);
 
  private:

@@ -1,5 +1,5 @@
 #pragma once
-/// Runs of a campaign that are computed together.
+/// Computation of single runs and of realisations.
 #include <vector>
 
 #include "dem/simulation/sequence.hpp"
@@ -7,23 +7,23 @@
 
 namespace clast::study_detail {
 
-/// Runs one run, or all of a realisation of blocks that stay. What fails is stored with stop reason
-/// `error` and its message, a realisation as a whole.
-/// @param first       number of the first of these runs
-/// @param after_step  called after every step and flight; what it throws ends the run
-/// @param threads     that a realisation may use
-/// @param observe     sees the motion of a single run; nothing of blocks that stay
-/// @param from        a state of the same realisation, saved by the same program
-///                    (`SequenceProgress::save`), to continue from to the same bits; null: none
-/// @throws InputError  the saved state is not of this realisation
+/// Computes one run, or all runs of a realisation of persistent blocks. A failure is stored with
+/// stop reason `error` and its message, for all runs of a realisation.
+/// @param first  index of the first run
+/// @param after_step  called after each step and flight; its exceptions end the run
+/// @param threads  for a realisation
+/// @param observe  receives the motion of a single run; not called for persistent blocks
+/// @param from  state of the same realisation saved by the same program (`SequenceProgress::save`),
+///              continued bit-identically; null: none
+/// @throws InputError  if the saved state is of another realisation
 std::vector<StoredRun> runs_from(const CampaignPlan& prepared, std::uint32_t first,
                                  const SequenceProgressObserver& after_step = {},
                                  unsigned threads = 1, const MotionObserver& observe = {},
                                  ByteReader* from = nullptr);
 
-/// Makes sure that no two blocks of a mass overlap at the start, so that it can run.
-/// @param first  number of the first of its runs
-/// @throws SimulationError  two do: their ids and how deep
+/// Checks that no blocks of a multi-block release overlap at the start.
+/// @param first  index of its first run
+/// @throws SimulationError  if two overlap; names their ids and the overlap
 void check_mass_start(const CampaignPlan& prepared, std::uint32_t first);
 
 }  // namespace clast::study_detail

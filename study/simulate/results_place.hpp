@@ -1,5 +1,5 @@
 #pragma once
-/// Where the results of a campaign go.
+/// Paths of the results of a campaign.
 #include <filesystem>
 #include <optional>
 
@@ -7,12 +7,12 @@
 
 namespace clast {
 
-/// "results.h5" of shard 2 of 4 is "results.2of4.h5", so that shards started with one name do not
-/// write over each other; without a shard it is "results.h5".
+/// Returns "results.2of4.h5" for shard 2 of 4 of "results.h5", so that shards do not overwrite each
+/// other; "results.h5" without a shard.
 std::filesystem::path shard_file(std::filesystem::path target, const std::optional<Shard>& shard);
 
-/// Refuses a place where an interrupted campaign left runs that would be lost.
-/// @throws InputError  it left some, or is still running
+/// Checks that `target` has no runs of an interrupted campaign.
+/// @throws InputError  if it has, or if the campaign is still running
 void refuse_interrupted(const std::filesystem::path& target);
 
 }  // namespace clast

@@ -1,5 +1,5 @@
 #pragma once
-/// Which runs a campaign makes, and where they start.
+/// Planning of the runs of a campaign and their starts.
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -8,16 +8,19 @@
 
 namespace clast::study_detail {
 
-/// Adds the runs to `prepared`, without their stiffness, and what the header says of them.
+/// Plans all runs (without stiffness) and completes the header.
 /// @param prepared  with campaign, blocks, terrain and header
-/// @throws InputError       a point off the terrain; more runs than results can number
-/// @throws SimulationError  a start inside the ground: run, block, point, orientation and depth
+/// @throws InputError  if a point is outside the terrain, or there are more runs than results can
+///                     number
+/// @throws SimulationError  if a start is inside the ground; names run, block, point, orientation
+///                          and depth
 void plan_runs(CampaignPlan& prepared);
 
-/// The runs of these numbers, out of all that `plan_runs` would plan, as the campaign is now.
-/// @param prepared  planned, without blocks that stay; its blocks and starts may have changed since
-/// then, but not how many there are
-/// @throws SimulationError  a start inside the ground
-std::vector<RunRecord> make_planned_runs(CampaignPlan& prepared, std::span<const std::uint32_t> numbers);
+/// Plans only the runs with the given indices, by the campaign's present settings.
+/// @param prepared  planned, without persistent blocks; blocks and starts may have changed since,
+///                  but not their numbers
+/// @throws SimulationError  if a start is inside the ground
+std::vector<RunRecord> make_planned_runs(CampaignPlan& prepared,
+                                         std::span<const std::uint32_t> numbers);
 
 }  // namespace clast::study_detail

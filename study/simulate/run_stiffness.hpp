@@ -1,5 +1,5 @@
 #pragma once
-/// Stiffness and time step of every planned run.
+/// Stiffness and time step of all planned runs.
 #include <string>
 #include <vector>
 
@@ -7,13 +7,12 @@
 
 namespace clast::study_detail {
 
-/// Chooses them for each run from its own data: its block, the ground set that it meets, and
-/// the fastest speed that its own start allows. No other block, release or member of the ensemble
-/// changes what a run gets. Only where blocks stay do those of a realisation share one choice.
-/// @return what the user should know, by block; where blocks stay, of the first realisation that
-///         there is something to know of
-/// @throws SimulationError  a time step of the user's that is too long for a block: its name
-/// @throws InputError       settings that no run can have: field and value
+/// Chooses stiffness and time step of each run from its block, its ground parameters and the
+/// largest speed that its start allows; no other block, release or ensemble member has an
+/// influence. Runs of a realisation of persistent blocks share one choice.
+/// @return warnings by block; for persistent blocks, those of the first realisation with warnings
+/// @throws SimulationError  if the given time step is too long for a block; names the block
+/// @throws InputError  if settings are impossible; names field and value
 std::vector<std::string> choose_run_stiffness(CampaignPlan& prepared);
 
 }  // namespace clast::study_detail

@@ -1,5 +1,5 @@
 #pragma once
-/// Items that the processes of a team compute together.
+/// Distribution of work items over a team of processes.
 #include <cstdint>
 #include <functional>
 #include <string>
@@ -9,18 +9,18 @@
 
 namespace clast {
 
-/// On the process that leads: hands out the items, and computes beside the others. Returns when all
-/// items are done; what `here` or `accept` throws ends the work after the items under way, and is
-/// thrown once every process knows of it.
-/// @param threads  of each process, the same on all
-/// @param here     computes an item and keeps it; from several threads at once
-/// @param accept   keeps what another process computed; beside `here`
+/// Distributes items and computes some of them on the leader. Returns when all are done; exceptions
+/// of `here` or `accept` end the work after the current items and are rethrown once all processes
+/// know of them.
+/// @param threads  per process, equal on all
+/// @param here  computes and stores an item; called from several threads
+/// @param accept  stores an item computed by another process; called beside `here`
 void lead_work(ProcessTeam& team, const std::vector<std::uint32_t>& items, unsigned threads,
                const std::function<void(std::uint32_t item)>& here,
                const std::function<void(const std::string& done)>& accept);
 
-/// On the others: computes items as they are handed out, until there are none.
-/// @param compute  returns what `accept` gets, never empty; from several threads at once
+/// Computes the items received from the leader until none is left.
+/// @param compute  returns the bytes for `accept`, not empty; called from several threads
 void follow_work(ProcessTeam& team, unsigned threads,
                  const std::function<std::string(std::uint32_t item)>& compute);
 

@@ -1,5 +1,5 @@
 #pragma once
-/// A heap of blocks put together without overlap, for a rock mass that is released at once.
+/// Packing of blocks into a heap without overlaps, for multi-block releases.
 #include <optional>
 #include <span>
 #include <vector>
@@ -10,58 +10,61 @@
 
 namespace clast::study_detail {
 
-/// How a heap fills its outline.
+/// Area and thickness of a heap.
 struct FilledArea {
   double area = 0.0;               ///< of the outline, m^2
-  double mean_thickness = 0.0;     ///< of the heap above the ground, over the outline, m
+  double mean_thickness = 0.0;     ///< height above the ground, averaged over the outline, m
   double largest_thickness = 0.0;  ///< m
 };
 
-/// Blocks are let down one by one onto ground and heap, without motion, each at that of several
-/// drawn places in the outline where it comes to lie lowest above the ground. Heights are kept cell
-/// by cell on the safe side, so gaps of the order of a cell stay between the blocks.
+/// Places blocks one by one on ground and heap, without dynamics: each at the lowest of several
+/// random positions in the outline. Heights are stored per grid cell as upper bounds, so that gaps
+/// of about a cell remain between blocks.
 class BlockPacking {
  public:
-  /// @param ground   must outlive it
+  /// Makes an empty heap.
+  /// @param ground  must outlive this object
   /// @param outline  plan, local frame, m
-  /// @param width    of the cells that heights are kept in, m
-  /// @throws InputError  the outline has no area, or covers no cell; where it is off the terrain
-  BlockPacking(const TerrainSurface& ground, std::span<const Vec2> outline, double width);
+  /// @param width  of the grid cells, m
+  /// @throws InputError  if the outline has no area, contains no cell centre, or leaves the terrain
+  BlockPacking(const TerrainSurface& ground, std::span<const Vec2> outline,
+               double width);  ///< highest ground in the cell, m
 
   /// Removes all blocks.
   void clear();
 
-  /// Puts a block on the heap.
-  /// @param overlap    of this body with this ground
-  /// @param thickness  that no point of the block may be higher above the ground, m
-  /// @return  its state, at rest; none: it fits nowhere
+  /// Places a block on the heap.
+  /// @param overlap  for this body and this ground
+  /// @param thickness  maximum height of any block point above the ground, m
+  /// @return its state at rest; empty if it fits nowhere
   std::optional<RigidState> place(const RigidBody& body, const GroundOverlap& overlap,
                                   const Quat& orientation, std::optional<double> thickness,
                                   Random& random);
 
   FilledArea filling() const;
 
-  /// Area of the cells that belong to the outlines of both, m^2.
-  /// @param other  of the same width
+  /// Returns the area of the cells in both outlines, m^2.
+  /// @param other  with equal cell width
   double overlapping_area(const BlockPacking& other) const;
 
  private:
   struct Cell {
     double ground = 0.0;  ///< highest ground in it, m
-    double top = 0.0;     ///< of ground and heap, m
+    double top = 0.0;     ///< highest point of ground and heap, m
   };
-  /// The cell in the outline; none beyond it.
+  /// Returns the cell, or null outside the outline.
   const Cell* find(std::int64_t i, std::int64_t j) const;
-  /// Height that a block must be raised by to lie on the heap when it is moved by so many cells;
-  /// none where it sticks out of the outline or the thickness.
+  /// Returns the height by which a block, moved by so many cells, must be raised to rest on the
+  /// heap; empty if it would leave the outline or exceed the thickness.
   std::optional<double> find_rest_height(std::span<const CoveredCell> covered, std::int64_t move_i,
-                                    std::int64_t move_j, std::optional<double> thickness) const;
+                                         std::int64_t move_j,
+                                         std::optional<double> thickness) const;
 
   double width_;
   std::int64_t first_i_ = 0, first_j_ = 0;  ///< of the first cell
   std::int64_t columns_ = 0, rows_ = 0;
-  std::vector<std::optional<Cell>> cells_;  ///< row by row; none: outside
-  std::vector<std::size_t> inside_;         ///< those that there are
+  std::vector<std::optional<Cell>> cells_;  ///< row-major; empty outside the outline
+  std::vector<std::size_t> inside_;         ///< indices of the cells in the outline
 };
 
 }  // namespace clast::study_detail

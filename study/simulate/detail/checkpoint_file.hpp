@@ -11,23 +11,24 @@
 
 namespace clast::study_detail {
 
-/// The file of one realisation, readable only by the program that wrote it. Whoever writes it holds
-/// the lock on the target.
+/// Checkpoint of one realisation, readable only by the program version that wrote it. The writer
+/// holds the lock on the results target.
 class CheckpointFile {
  public:
-  /// @param target       of the results; the file is beside it, `journal_path` and the number
-  /// @param header       must outlive it
-  /// @param realisation  from 0; in the name from 1
+  /// Names the checkpoint of a realisation.
+  /// @param target  results file; the checkpoint is `journal_path` with the realisation number
+  /// @param header  must outlive this object
+  /// @param realisation  from 0; in the file name from 1
   CheckpointFile(const std::filesystem::path& target, const CampaignHeader& header,
                  std::uint32_t realisation);
 
   const std::filesystem::path& path() const { return path_; }
-  /// The last state written; none: there is no file.
-  /// @throws InputError  damaged, no checkpoint, or of another campaign, realisation, inputs or
-  /// program
+  /// Reads the stored state; empty if there is no file.
+  /// @throws InputError  if the file is damaged, not a checkpoint, or of another campaign,
+  ///                     realisation, inputs or program
   std::optional<std::string> read() const;
-  /// Writes what `save` gives, in place of the state before; a kill leaves one or the other.
-  /// @throws InputError  the file can't be written
+  /// Writes the bytes of `save`, replacing the previous state atomically.
+  /// @throws InputError  if the file cannot be written
   void write(const std::function<void(ByteWriter& to)>& save) const;
   void remove() const;
 

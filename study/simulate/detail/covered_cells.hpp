@@ -1,5 +1,5 @@
 #pragma once
-/// What a placed block covers of a grid of square cells in the plan.
+/// Plan grid cells covered by a placed block.
 #include <cstdint>
 #include <vector>
 
@@ -8,19 +8,19 @@
 
 namespace clast::study_detail {
 
-/// A cell that a block reaches. Cell (i, j) is x from i to i + 1 and y from j to j + 1, times the
-/// width of the cells.
+/// Cell covered by a block. Cell (i, j) spans x from i to i + 1 and y from j to j + 1, times the
+/// cell width.
 struct CoveredCell {
   std::int64_t i = 0, j = 0;
-  double lowest = 0.0, highest = 0.0;  ///< no point of the block is below or above in this cell, m
+  double lowest = 0.0, highest = 0.0;  ///< bounds of the block's height in this cell, m
 };
 
-/// Bounds of a block in every cell, on the safe side by up to its radius: each triangle of the core
-/// is cut to the cell and the radius around it.
-/// @param core   triangles of the core, closed, body frame
+/// Computes conservative height bounds of a block in each covered cell, at most `radius` too wide:
+/// each core triangle is clipped to the cell enlarged by the radius.
+/// @param core  closed triangles of the core, body frame
 /// @param place  world_from_body
 /// @param width  of a cell, m
-std::vector<CoveredCell> compute_covered_cells(const TriangleMesh& core, double radius, const Pose& place,
-                                       double width);
+std::vector<CoveredCell> compute_covered_cells(const TriangleMesh& core, double radius,
+                                               const Pose& place, double width);
 
 }  // namespace clast::study_detail

@@ -1,5 +1,5 @@
 #pragma once
-/// The faces that heaps settle behind.
+/// Confining walls of multi-block releases that settle before the release.
 #include <span>
 #include <vector>
 
@@ -8,15 +8,16 @@
 
 namespace clast::study_detail {
 
+/// Confining walls and their shapes.
 struct ConfiningWalls {
-  std::vector<RigidBody> shapes;    ///< one to each form
-  std::vector<SequenceForm> confining_walls;  ///< `shape` counts in `shapes`
+  std::vector<RigidBody> shapes;              ///< one per wall
+  std::vector<SequenceForm> confining_walls;  ///< `shape` is an index into `shapes`
 };
 
-/// Upright boxes on the sides of the polygons of masses that settle, from below the ground to above
-/// the heap, so far out that no block of the heap reaches into them at its start: a fraction of a
-/// cell of the packing. They close at the corners.
-/// @param runs  of one realisation, mass by mass
+/// Builds vertical boxes on the polygon sides, from below the ground to above the heap, joined at
+/// the corners. They are moved outwards by a fraction of a packing cell so that no block overlaps
+/// them at the start.
+/// @param runs  of one realisation, ordered by release
 ConfiningWalls build_confining_walls(const CampaignPlan& prepared, std::span<const RunRecord> runs);
 
 }  // namespace clast::study_detail

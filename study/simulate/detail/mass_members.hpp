@@ -1,5 +1,5 @@
 #pragma once
-/// Which blocks of a realisation belong to which of its rock masses.
+/// Assignment of the blocks of a realisation to multi-block releases.
 #include <cstdint>
 #include <span>
 #include <string>
@@ -9,22 +9,22 @@
 
 namespace clast::study_detail {
 
-/// "[mass] upper"; "[mass]" where there is only one without a name.
+/// Returns "[mass] upper", or "[mass]" for a single unnamed release.
 std::string multi_block_release_name(const Campaign& campaign, std::size_t mass);
 
-/// How many blocks each heap has: its count, its share, or by the area of its polygon of what those
-/// leave; whole numbers, largest remainders first.
-/// @param blocks  of a realisation
-/// @throws InputError  they do not add up to all blocks, or a heap has none
+/// Returns the number of blocks of each heap: its count, its fraction, or in proportion to the
+/// polygon area; integers by the largest-remainder method.
+/// @param blocks  number of blocks of a realisation
+/// @throws InputError  if the numbers do not add up, or a heap is empty
 std::vector<std::size_t> blocks_per_release(const Campaign& campaign, std::size_t blocks);
 
-/// Blocks of each mass in the order that they are placed in: of heaps the first ones of `order` go
-/// to the first heap, in place each belongs to the polygon that its centre lies in.
+/// Distributes the blocks of a realisation in placing order: consecutive blocks of `order` to
+/// heaps, blocks in place to the polygon that contains their centre.
 /// @param prepared  with campaign, blocks and terrain
-/// @param order     all blocks of the realisation
-/// @throws InputError  as `blocks_per_release`; a block in place in no polygon, or in two; a mass in place
-///                     without a block
+/// @param order  all blocks of the realisation
+/// @throws InputError  as `blocks_per_release`; if a block in place is in no polygon or in two; or
+///                     if a release in place has no block
 std::vector<std::vector<std::uint32_t>> distribute_blocks(const CampaignPlan& prepared,
-                                                         std::span<const std::uint32_t> order);
+                                                          std::span<const std::uint32_t> order);
 
 }  // namespace clast::study_detail

@@ -1,5 +1,5 @@
 #pragma once
-/// Where the blocks of rock masses start.
+/// Start positions of the blocks of multi-block releases.
 #include <string>
 #include <vector>
 
@@ -10,38 +10,41 @@
 
 namespace clast::study_detail {
 
-/// Places the blocks of one realisation after the other: where they lie in the frame of their
-/// library, or on a heap.
+/// Places the blocks of a realisation one by one: at their positions in the library frame, or on a
+/// heap.
 class MultiBlockPlacement {
  public:
-  /// @param prepared  with campaign, blocks, terrain and header; must outlive it
-  /// @throws InputError  a polygon without area, beyond the terrain, or over that of another heap
+  /// Makes the packings of all heaps.
+  /// @param prepared  with campaign, blocks, terrain and header; must outlive this object
+  /// @throws InputError  if a polygon has no area, leaves the terrain, or overlaps that of another
+  ///                     heap
   explicit MultiBlockPlacement(const CampaignPlan& prepared);
 
-  /// Begins a realisation.
-  /// @param name    that orientations are drawn by
-  /// @param blocks  how many each mass will have
+  /// Starts a realisation.
+  /// @param name  seeds the orientations
+  /// @param blocks  number of blocks of each release
   void begin(const std::string& name, const std::vector<std::size_t>& blocks);
+  /// Places one block.
   /// @param body  of this block
-  /// @throws InputError       the block fits nowhere, or its place is off the terrain
-  /// @throws SimulationError  its place is inside the ground
+  /// @throws InputError  if the block fits nowhere or is outside the terrain
+  /// @throws SimulationError  if its position is inside the ground
   RigidState place(std::size_t mass, std::uint32_t block, const MeasuredBody& body, Random& random);
-  /// What was placed of each mass since `begin`.
+  /// Returns the placed blocks of each release since `begin`.
   std::vector<MultiBlockStart> placed() const;
 
  private:
   void check_no_common_space() const;
   RigidState in_place(std::size_t mass, std::uint32_t block, const MeasuredBody& body) const;
   RigidState place_in_heap(std::size_t mass, std::uint32_t block, const MeasuredBody& body,
-                     Random& random);
+                           Random& random);
   [[noreturn]] void refuse_block(std::size_t mass, std::uint32_t block) const;
 
   const CampaignPlan& prepared_;
   const std::vector<MultiBlockRelease>& plans_;
-  std::vector<BlockPacking> packings_;  ///< of the heaps; none in place
+  std::vector<BlockPacking> packings_;  ///< of the heaps
   std::string name_;
-  std::vector<std::size_t> expected_;  ///< blocks of each mass
-  std::vector<MultiBlockStart> placed_;      ///< of each mass
+  std::vector<std::size_t> expected_;    ///< number of blocks of each release
+  std::vector<MultiBlockStart> placed_;  ///< of each release
 };
 
 }  // namespace clast::study_detail

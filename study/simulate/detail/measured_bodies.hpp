@@ -1,5 +1,5 @@
 #pragma once
-/// Bodies of blocks, with what is needed to measure how deep they start in the ground.
+/// Bodies with precomputed data for their overlap with the ground.
 #include <cstdint>
 #include <map>
 #include <memory>
@@ -20,15 +20,15 @@ struct MeasuredBody {
   GroundOverlap overlap;
 };
 
-/// Keeps up to 500 of them, then starts anew: blocks are planned in order, or the same ones in each
-/// realisation, and drawn ones can be too many to keep all.
+/// Cache of up to 500 bodies, cleared when full: consecutive runs often use equal blocks, but
+/// sampled blocks can be too many to store.
 class MeasuredBodies {
  public:
-  /// Both must outlive it.
+  /// Makes an empty cache; both arguments must outlive it.
   MeasuredBodies(const TerrainSurface& ground, const BlockBodies& bodies)
       : ground_(ground), bodies_(bodies) {}
 
-  /// Of a block; holds until the next call.
+  /// Returns the body of a block; valid until the next call.
   const MeasuredBody& of(std::size_t block) {
     const std::uint32_t first = bodies_.first_equal_body(block);
     const auto found = kept_.find(first);

@@ -1,5 +1,5 @@
 #pragma once
-/// What members of an ensemble have from the draws of a posterior.
+/// Settings of ensemble members taken from posterior draws.
 #include <cstddef>
 #include <vector>
 
@@ -7,29 +7,29 @@
 
 namespace clast::study_detail {
 
-/// The number of a different draw for every member, by chance; none without a posterior.
+/// Chooses a different random draw for each member; empty without a posterior.
 std::vector<std::size_t> choose_posterior_draws(const Ensemble& ensemble);
 
-/// The median of each parameter, as a single draw.
+/// Returns the medians of all parameters as a single draw.
 PosteriorDraws middle_of(const PosteriorDraws& posterior);
 
-/// How the blocks of a release set start.
+/// Start conditions of a release set.
 struct ReleaseStart {
   std::optional<double> drop_height;     ///< m
   Vec3 velocity = Vec3::Zero();          ///< m/s
   Vec3 angular_velocity = Vec3::Zero();  ///< rad/s
 };
 
-/// What is not of the ground.
+/// Settings of a member other than ground parameters.
 struct MemberSettings {
-  std::vector<ReleaseStart> starts;  ///< of each release set
+  std::vector<ReleaseStart> starts;  ///< one per release set
   StiffnessOptions stiffness;
 };
 
-/// The settings of all members, in order; a single one where all have the same.
+/// Returns the settings of all members; a single entry if they are equal.
 std::vector<MemberSettings> draw_member_settings(const Campaign& campaign);
 
-/// Of blocks in general: the campaign's, or the medians of the posterior.
+/// Returns the campaign's settings, or the medians of the posterior.
 MemberSettings central_settings(const Campaign& campaign);
 
 }  // namespace clast::study_detail

@@ -1,5 +1,5 @@
 #pragma once
-/// How single runs start: against the ground, and turned.
+/// Start positions and orientations of single runs.
 #include <optional>
 #include <string>
 #include <vector>
@@ -9,21 +9,21 @@
 
 namespace clast::study_detail {
 
-/// How deep a block is in the ground, m; none when it is clear of it.
+/// Returns the overlap of a block with the ground, m; empty if there is none.
 std::optional<double> find_depth_in_ground(const GroundOverlap& ground_overlap,
-                                      const TerrainSurface& surface, const RigidBody& body,
-                                      const RigidState& state);
+                                           const TerrainSurface& surface, const RigidBody& body,
+                                           const RigidState& state);
 
-/// Lifts a block that is in the ground until it just touches it, by no more than four times its
-/// largest diameter.
-/// @return  false if that is not enough, and the state stays as it was
+/// Lifts a block out of the ground until it just touches, by at most four times its largest
+/// diameter.
+/// @return false, with the state unchanged, if that is not enough
 bool lift_to_touch(const GroundOverlap& ground_overlap, const TerrainSurface& surface,
                    const RigidBody& body, RigidState& state);
 
-/// Random orientations of one block at one point of a set, or in one realisation. Their seed is
-/// made from names, not from places in the campaign, so that they do not depend on what else runs.
-/// @param where  number of the point, or name of the realisation
+/// Draws random orientations of one block at one release point or in one realisation. The seed
+/// depends on names only, not on the order of blocks, so that other runs have no influence.
+/// @param where  index of the point, or name of the realisation
 std::vector<Quat> draw_run_orientations(const ReleaseSet& release, const std::string& block,
-                                     const std::string& where, std::size_t count);
+                                        const std::string& where, std::size_t count);
 
 }  // namespace clast::study_detail
