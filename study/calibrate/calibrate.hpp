@@ -1,5 +1,5 @@
 #pragma once
-/// Runs a calibration: simulates the members of its design, and infers the unknowns.
+/// Calibration: simulation of the design's members and inference of the unknowns.
 #include <filesystem>
 #include <vector>
 
@@ -9,25 +9,27 @@
 
 namespace clast {
 
+/// Execution options of a calibration.
 struct CalibrateOptions {
-  unsigned threads = 0;  ///< 0: one per core; changes no bit of the result
-  /// Takes over members that an interrupted calibration of the same design left beside the target,
-  /// or a finished one in it, which may have had other observations; without any it begins.
+  unsigned threads = 0;  ///< 0: one per core; does not affect the result
+  /// If true, members of an interrupted or finished calibration of the same design are reused; the
+  /// observations may differ. Without any, the calibration starts from the beginning.
   bool resume = false;
-  bool replace = false;  ///< a posterior in the target is replaced; else it is kept
-  /// The members of one of several alone are simulated: nothing is inferred, and the file holds no
-  /// posterior. Given back as `parts`, the files of all shards are joined.
+  bool replace =
+      false;  ///< an existing posterior in the target is replaced; otherwise it is an error
+  /// Only the members of this shard are simulated; nothing is inferred, and the file has no
+  /// posterior. `parts` joins the files of all shards.
   Shard shard = {};
-  /// Files of shards: their members are taken over, and none is simulated.
+  /// Files of shards whose members are joined; no member is simulated.
   std::vector<std::filesystem::path> parts = {};
-  /// The members are shared among its processes, each of which calls; none: this one alone.
+  /// Processes that share the members, all of which call; null: this process alone.
   ProcessTeam* team = nullptr;
-  /// Called after each member of each site. What it throws ends the calibration; members until then
+  /// Called after each member of each site. Its exceptions end the calibration; finished members
   /// are kept.
   ProgressCallback progress = {};
 };
 
-/// A finished calibration.
+/// Study, members and posterior of a finished calibration.
 struct Calibration {
   CalibrationStudy study;
   StoredCalibration stored;
@@ -35,29 +37,28 @@ struct Calibration {
   std::filesystem::path file;
 };
 
-/// Members that are simulated, until all are: target + ".part".
+/// Returns the path of the journal of simulated members: target + ".part".
 std::filesystem::path calibration_journal_path(const std::filesystem::path& target);
 
-/// Of several processes the one that leads.
-/// @throws InputError       the target can't be written or holds what is kept; what is resumed or
-///                          joined is of another design; a member is in no part; inputs that do not
-///                          fit
-/// @throws SimulationError  a member whose runs fail
+/// Runs a calibration; in a team, on the leader.
+/// @throws InputError  if the target cannot be written or must be kept; resumed or joined members
+///                     have another design; a member is in no part; or inputs are inconsistent
+/// @throws SimulationError  if a member's runs fail
 Calibration calibrate(const CalibrationStudy& study, const std::filesystem::path& target,
                       const CalibrateOptions& options = {});
 
-/// What the other processes of `options.team` do meanwhile.
-/// @throws Error  of their own, or that of another process
+/// Simulates members for the leader; for the other processes of `options.team`.
+/// @throws Error  of this process or of another one
 void serve_calibration(const CalibrationStudy& study, const CalibrateOptions& options);
 
-/// What a calibration simulates with.
+/// Simulator of a calibration with its sites and inputs.
 struct CalibrationBackend {
   std::vector<SiteDescription> sites;
   std::vector<std::string> inputs;  ///< "path sha256"
   MemberSimulator simulate;
-  std::string physics_digest = {};  ///< of what it simulates with
+  std::string physics_digest = {};  ///< of the simulator
 };
-/// The same with any simulator.
+/// Runs a calibration with any simulator; see `calibrate`.
 Calibration calibrate_with(const CalibrationBackend& simulator, const CalibrationStudy& study,
                            const std::filesystem::path& target,
                            const CalibrateOptions& options = {});

@@ -1,5 +1,5 @@
 #pragma once
-/// What a calibration asks for: a study file, read and checked.
+/// Calibration study: contents of a study file.
 #include <cstdint>
 #include <filesystem>
 #include <string>
@@ -13,52 +13,53 @@
 
 namespace clast {
 
-/// A place where blocks were released, and the campaign that simulates it.
+/// Site with observed releases, and the campaign that simulates it.
 struct CalibrationSite {
   std::string name;
   Campaign campaign;
 };
 
-/// How the parameters are sought.
+/// Design of a calibration.
 struct CalibrationDesign {
-  std::uint32_t members = 64;   ///< sets of parameters that are simulated
-  std::uint32_t releases = 64;  ///< of each member at each site
-  std::uint64_t seed = 1;       ///< of all that is drawn
-  std::size_t draws = 2000;     ///< from the posterior
+  std::uint32_t members = 64;   ///< number of simulated parameter sets
+  std::uint32_t releases = 64;  ///< per member and site
+  std::uint64_t seed = 1;       ///< of all random numbers
+  std::size_t draws = 2000;     ///< number of posterior draws
   Kernel kernel = Kernel::kMatern52;
 
-  /// The unknowns of a member, each as a share of its range: Sobol's sequence.
+  /// Returns the unknowns of each member as prior probabilities: a Sobol sequence.
   std::vector<std::vector<double>> places(std::size_t unknowns) const;
 };
 
+/// Calibration study: sites, unknowns, observations and design.
 struct CalibrationStudy {
   std::filesystem::path file;
-  std::string text;  ///< byte for byte
+  std::string text;  ///< contents of the file, byte for byte
   std::string sha256;
   std::vector<CalibrationSite> sites;
   std::vector<Unknown> unknowns;
   std::vector<Observation> observations;
   CalibrationDesign design;
 
-  /// The values of unknowns from their shares of the ranges.
+  /// Converts prior probabilities to values of the unknowns.
   std::vector<double> values(const std::vector<double>& shares) const;
-  /// Figures of all observations, in order.
+  /// Returns the number of statistics of all observations.
   std::size_t figures() const;
-  /// Runs of all members at all sites.
+  /// Returns the number of runs of all members at all sites.
   std::uint64_t runs() const;
 };
 
-/// Paths are resolved as in campaigns, against the study file's folder.
-/// @throws InputError  a key that is unknown, missing, of the wrong type or out of range; a file it
-///                     names that can't be read; a parameter that no site has; what is fitted and
-///                     kept at once: file, line, key, value and what was expected
+/// Reads and checks a study file. Paths are resolved as in campaigns, against the file's folder.
+/// @throws InputError  if a key is unknown, missing, of the wrong type or out of range, a file
+///                     cannot be read, no site has a parameter, or an observation is both fitted
+///                     and held out; names file, line, key, value and expectation
 CalibrationStudy read_calibration_study(const std::filesystem::path& file);
 
-/// The tables of a study file and their keys, in the order of docs/formats.md: what
-/// `read_calibration_study` knows, and nothing else.
+/// Returns the declarations of all tables and keys of a study file, in the order of
+/// docs/formats.md.
 const std::vector<KeyTable>& calibration_key_tables();
 
-/// Has it tables that only studies have? False of what can't be read.
+/// True if the file has tables that only studies have; false if it cannot be read.
 bool is_calibration_study(const std::filesystem::path& file);
 
 }  // namespace clast

@@ -1,6 +1,6 @@
 #pragma once
-/// How figures of one member scatter: with the field's few releases, with the member's own, and
-/// with the choice of its release points.
+/// Scatter of the summary statistics of one member: due to the few releases in the field, the
+/// member's own releases, and the choice of release points.
 #include <Eigen/Core>
 #include <cstdint>
 #include <vector>
@@ -9,34 +9,37 @@
 
 namespace clast::study_detail {
 
-/// Observations of one site: their figures scatter together.
+/// Observations of one site, whose statistics are correlated.
 struct SiteStatistics {
-  std::vector<std::size_t> observations;  ///< into CalibrationStudy::observations
-  std::vector<std::size_t> figures;       ///< of these, numbered over all observations
+  std::vector<std::size_t> observations;  ///< indices into CalibrationStudy::observations
+  std::vector<std::size_t> figures;       ///< their statistics, numbered over all observations
 };
+/// Groups the observations by site.
 std::vector<SiteStatistics> group_by_site(const std::vector<Observation>& observations);
 
-/// Of the figures of a `SiteStatistics`, in their order. Not a number where the member has no value.
+/// Scatter of the statistics of one `SiteStatistics`, in their order. NaN if the member has no
+/// value.
 struct StatisticScatter {
-  /// What a field sample of the observation's size gives on average; of a stated value what all
-  /// releases of the member give.
+  /// Expected value for a field sample of the observation's size; for stated values, the value over
+  /// all releases of the member.
   Eigen::VectorXd mean;
-  /// Covariance of such samples; of stated values the square of the stated error.
+  /// Covariance of such samples; for stated values, the square of the stated error.
   Eigen::MatrixXd field;
-  /// Covariance of the figures of all the member's releases, were others simulated.
+  /// Covariance of the member's statistics under resampling of its releases.
   Eigen::MatrixXd within;
-  /// ... were other release points taken. Zero of one point.
+  /// Covariance of the member's statistics under resampling of release points; zero for one point.
   Eigen::MatrixXd points;
 };
 
-/// By bootstraps of the releases, scaled to the variance that samples have on average: one by one,
-/// by whole release points, and as many as were released in the field, in clusters where field
-/// releases share starts. Observations of the same blocks, by shape and id, have the same draws;
-/// those of other blocks only the release points.
+/// Estimates the scatter by bootstraps of single releases, of whole release points, and of samples
+/// as large as the field's (in clusters if field releases share starts), scaled to the unbiased
+/// variance. Observations of equal blocks, by shape and id, share their draws; others share the
+/// release points only.
 /// @param observations  of one site
-/// @param seen          by each of them
+/// @param seen  selected outcomes of each observation
 /// @cite field2007, wood2010
 StatisticScatter estimate_statistic_scatter(const std::vector<const Observation*>& observations,
-                             const std::vector<std::vector<Seen>>& seen, std::uint64_t seed);
+                                            const std::vector<std::vector<Seen>>& seen,
+                                            std::uint64_t seed);
 
 }  // namespace clast::study_detail

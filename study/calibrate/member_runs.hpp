@@ -1,6 +1,5 @@
 #pragma once
-/// The simulations of a calibration's members: which are missing, who simulates them, and how they
-/// are kept.
+/// Simulation and storage of a calibration's members.
 #include <string>
 #include <vector>
 
@@ -8,20 +7,21 @@
 
 namespace clast::study_detail {
 
-/// Simulates the members of the shard that are missing and keeps them beside the target; whatever
-/// ends it, what was simulated is kept.
-/// @param stored  gets them
-/// @throws SimulationError  a member whose runs fail, here or in another process
+/// Simulates the missing members of the shard and stores them beside the target; finished members
+/// are kept if it is interrupted.
+/// @param stored  receives the members
+/// @throws SimulationError  if a member's runs fail, here or in another process
 void simulate_missing_members(const CalibrationStudy& study, const CalibrationBackend& simulator,
-                      const std::filesystem::path& target, const CalibrateOptions& options,
-                      StoredCalibration& stored);
+                              const std::filesystem::path& target, const CalibrateOptions& options,
+                              StoredCalibration& stored);
 
-/// Simulates what `simulate_missing_members` of the process that leads hands out.
+/// Simulates members for the leader of the team.
 void follow_missing(const CalibrationStudy& study, const CalibrationBackend& simulator,
                     ProcessTeam& team);
 
-/// Outcomes as bytes, and back.
+/// Serialises release outcomes.
 std::string serialize_outcomes(const std::vector<ReleaseOutcome>& outcomes);
+/// Deserialises release outcomes.
 std::vector<ReleaseOutcome> deserialize_outcomes(const std::string& bytes);
 
 }  // namespace clast::study_detail

@@ -1,5 +1,5 @@
 #pragma once
-/// Observations of a study file, read and checked.
+/// Reading of the observations of a study file.
 #include <vector>
 
 #include "core/files/toml_reader.hpp"
@@ -8,13 +8,13 @@
 
 namespace clast::study_detail {
 
-/// What observations need to know of a site before its campaign is prepared: all but its blocks.
+/// Reads what observations need of a site before its campaign is prepared: all but its blocks.
 SiteDescription read_site_path(const CalibrationSite& site);
 
-/// The keys of [[observation]].
+/// Returns the keys of [[observation]].
 const MemberTable<Observation>& observation_keys();
 
-/// The tables [[observation]], with the figures of the stops that they name.
+/// Reads the tables [[observation]] and computes the statistics of the stops that they name.
 /// @throws InputError  as `read_calibration_study`
 std::vector<Observation> read_observations(const TomlTable& top,
                                            const std::vector<CalibrationSite>& sites);

@@ -1,5 +1,5 @@
 #pragma once
-/// Blocks that were followed on their way down.
+/// Observed trajectories of blocks.
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -8,30 +8,31 @@
 
 namespace clast::study_detail {
 
-/// A block at a time.
+/// State of an observed block at one time.
 struct TrajectoryPoint {
-  double time = 0.0;  ///< since its release, s
+  double time = 0.0;  ///< since the release, s
   Vec2 place = Vec2::Zero();
-  double speed = 0.0;  ///< of the centre, m/s
+  double speed = 0.0;  ///< of the centre of mass, m/s
   double spin = 0.0;   ///< rad/s
 };
 
-/// Rising in time, from the release.
+/// Points in ascending time order, from the release.
 using ObservedTrajectory = std::vector<TrajectoryPoint>;
 
+/// Observed trajectories of one table.
 struct ObservedTrajectorySet {
   std::string sha256;  ///< of the table
   std::vector<ObservedTrajectory> all;
 
-  double longest() const;  ///< s
+  double longest() const;  ///< duration, s
 };
 
-/// A table of numbers with the columns trajectory, time_s, x_m, y_m, speed_m_s and spin_rad_s; a
-/// trajectory is the rows with its number, the first of which is its release.
-/// @throws InputError  no such table, or times of a trajectory that do not rise: file and line
+/// Reads a table with columns trajectory, time_s, x_m, y_m, speed_m_s and spin_rad_s. Rows with
+/// equal trajectory number form a trajectory; its first row is the release.
+/// @throws InputError  if there is no such table, or times do not increase; names file and line
 ObservedTrajectorySet read_trajectories(const std::filesystem::path& file);
 
-/// Between the rows in a straight line; after the last row the last row.
+/// Interpolates a trajectory linearly; constant after its last row.
 /// @param time  since the release, s
 TrajectoryPoint point_at(const ObservedTrajectory& trajectory, double time);
 

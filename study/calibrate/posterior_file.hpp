@@ -1,5 +1,5 @@
 #pragma once
-/// The HDF5 file of a calibration. Schema: docs/formats.md.
+/// Posterior file of a calibration (HDF5). Schema: docs/formats.md.
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -12,25 +12,26 @@
 
 namespace clast {
 
-/// What is stored of a calibration, finished or interrupted.
+/// Stored members of a finished or interrupted calibration.
 struct StoredCalibration {
   std::vector<std::string> inputs;  ///< "path sha256" of all files that were read
-  /// What decides the simulations: sites, unknowns, design and program version, not observations.
+  /// Digest of everything that determines the simulations: sites, unknowns, design and program
+  /// version, but not observations.
   std::string design_sha256;
-  /// Of the program that simulated the members; empty: some are of an older one.
+  /// Physics digest of the program; empty if some members are of an older one.
   std::string physics_digest = {};
-  std::vector<std::vector<bool>> done;  ///< of each site, each member: is it simulated?
+  std::vector<std::vector<bool>> done;  ///< by site, then member: true if simulated
   CalibrationRuns runs;
 };
 
-/// Writes runs and, where there is one, the posterior.
+/// Writes members and, if given, the posterior.
 /// @throws InputError  as `OutputFile`
 void write_posterior(const std::filesystem::path& target, const CalibrationStudy& study,
                      const StoredCalibration& stored, const CalibrationPosterior* posterior,
                      const OverwritePolicy& rules);
 
-/// The simulations that a file holds, finished or not.
-/// @throws InputError  missing, no posterior, damaged, or of a newer schema
+/// Reads the members of a finished or interrupted calibration.
+/// @throws InputError  if the file is missing, not a posterior file, damaged, or of a newer schema
 StoredCalibration read_calibration_runs(const std::filesystem::path& file);
 
 }  // namespace clast

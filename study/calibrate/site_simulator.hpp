@@ -1,5 +1,5 @@
 #pragma once
-/// Simulates the members of a calibration at one site.
+/// Simulator of the members of a calibration at one site.
 #include <memory>
 #include <string>
 #include <vector>
@@ -9,30 +9,31 @@
 
 namespace clast {
 
-/// The campaign of a site, loaded and placed once, with the unknowns set for one member after the
-/// other. Releases of a member are taken evenly from all runs that the campaign plans, other ones
-/// for each member. Where an unknown is of drawn blocks, these are drawn anew for each member, and
-/// outcomes name the blocks of the library that they are drawn from.
+/// Simulator of one site: its campaign is loaded once and the unknowns are set member by member.
+/// The releases of a member are spread evenly over all planned runs and differ between members. If
+/// an unknown concerns sampled blocks, these are sampled again for each member; outcomes name the
+/// library blocks.
 class SiteMemberSimulator {
  public:
-  /// @param unknowns  those that the campaign does not have are left out
-  /// @param moments   of the site that are observed
-  /// @throws InputError, SimulationError  as `prepare_campaign`; or the campaign has fewer runs
-  /// than
-  ///                                      the design asks for
+  /// Prepares the campaign.
+  /// @param unknowns  those that the campaign lacks are ignored
+  /// @param moments  observed at the site
+  /// @throws InputError, SimulationError  as `prepare_campaign`; or if the campaign has fewer runs
+  ///                                      than the design requests
   SiteMemberSimulator(const CalibrationSite& site, const std::vector<Unknown>& unknowns,
-                const CalibrationDesign& design, const std::vector<Moment>& moments = {});
+                      const CalibrationDesign& design, const std::vector<Moment>& moments = {});
   ~SiteMemberSimulator();
   SiteMemberSimulator(SiteMemberSimulator&&) noexcept;
 
   const SiteDescription& facts() const;
-  /// Campaign, library, terrain and release files, each "path sha256".
+  /// Returns campaign, library, terrain and release files, each as "path sha256".
   const std::vector<std::string>& inputs() const;
 
-  /// One member at a time.
-  /// @param values   of the unknowns
-  /// @param threads  changes no bit of the result
-  /// @throws SimulationError  a start inside the ground, or a run that fails: member and reason
+  /// Simulates one member. Not thread-safe.
+  /// @param values  of the unknowns
+  /// @param threads  does not affect the result
+  /// @throws SimulationError  if a start is inside the ground or a run fails; names member and
+  ///                          reason
   std::vector<ReleaseOutcome> simulate(std::uint32_t member, const std::vector<double>& values,
                                        unsigned threads);
 

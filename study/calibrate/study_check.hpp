@@ -1,5 +1,5 @@
 #pragma once
-/// Whether a calibration would begin.
+/// Check of a calibration study without running it.
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -10,13 +10,14 @@
 namespace clast {
 
 struct CalibrationCheck {
-  /// Why it would be refused: the first finding in each table of the study, and all that
-  /// `check_campaign` finds in the campaigns of its sites. Empty: it would begin.
+  /// Errors: the first one of each table of the study, and all that `check_campaign` finds in the
+  /// campaigns of its sites. Empty if the calibration would start.
   std::vector<std::string> findings;
-  std::optional<CalibrationStudy> study;  ///< there when it would begin
+  std::optional<CalibrationStudy> study;  ///< set if the calibration would start
 };
 
-/// Never throws for what is wrong with the study or with the files it names.
+/// Checks a study file. Errors of the study and of the files that it names are returned, not
+/// thrown.
 CalibrationCheck check_calibration_study(const std::filesystem::path& file);
 
 }  // namespace clast

@@ -1,5 +1,5 @@
 #pragma once
-/// The figures of simulations as smooth functions of the unknowns.
+/// Gaussian-process surrogates of summary statistics as functions of the unknowns.
 #include <Eigen/Core>
 #include <optional>
 #include <vector>
@@ -8,32 +8,35 @@
 
 namespace clast {
 
-/// How well the surrogate of a figure says members that it has not seen.
+/// Cross-validated quality of a surrogate.
 struct SurrogateQuality {
-  std::size_t members = 0;  ///< that have a value
-  double error = 0.0;       ///< root mean square of leave-one-out errors, in the figure's unit
-  double explained = 0.0;   ///< share of the variance over members, 1 - error^2/variance
-  double inflation = 1.0;   ///< that its variances need to agree with those errors, 1 or more
-  double roughness = 0.0;   ///< standard deviation of what is neither smooth nor chance
+  std::size_t members = 0;  ///< number of members with a value
+  double error = 0.0;  ///< root mean square of the leave-one-out errors, in the statistic's unit
+  double explained = 0.0;  ///< 1 - error^2 / variance over the members
+  double inflation =
+      1.0;  ///< factor by which predicted variances must grow to match the errors, at least 1
+  double roughness = 0.0;  ///< standard deviation of the residual that is neither smooth nor random
 };
 
 }  // namespace clast
 
 namespace clast::study_detail {
 
-/// A figure over the unit cube of the unknowns.
+/// Surrogate of a statistic over the unit cube of the unknowns.
 struct Surrogate {
   GaussianProcess process;
   SurrogateQuality quality;
 
-  /// Means, and variances with the cross-validated error: inflated, and what is not smooth added.
+  /// Predicts means and variances; variances include the inflation and the roughness found by
+  /// cross-validation.
   GaussianProcess::Prediction predict(const Eigen::MatrixXd& places) const;
 };
 
-/// @param places  of the members, one column each
-/// @param values  of each; not a number where it has none
-/// @param chance  variance of a value through the chance of the member's releases
-/// @return none where fewer than `fewest` members have a value
+/// Fits a surrogate.
+/// @param places  unknowns of the members in the unit cube, one column each
+/// @param values  one per member; NaN if undefined
+/// @param chance  variance of a value due to the finite number of releases
+/// @return empty if fewer than `fewest` members have a value
 std::optional<Surrogate> fit_surrogate(const Eigen::MatrixXd& places, const Eigen::VectorXd& values,
                                        double chance, std::size_t fewest, Kernel kernel);
 

@@ -1,5 +1,5 @@
 #pragma once
-/// How likely the observed figures are for values of the unknowns.
+/// Synthetic likelihood of the observed statistics.
 #include <Eigen/Core>
 #include <cstdint>
 #include <vector>
@@ -10,32 +10,34 @@
 
 namespace clast::study_detail {
 
-/// Figures of all members, and how they scatter.
+/// Statistics of all members with their scatter.
 struct MemberStatistics {
-  Eigen::MatrixXd places;  ///< shares of the ranges, a column per member
-  Eigen::MatrixXd values;  ///< figures by members
+  Eigen::MatrixXd places;  ///< unknowns in the unit cube, one column per member
+  Eigen::MatrixXd values;  ///< statistics by members
   std::vector<SiteStatistics> groups;
-  std::vector<std::vector<StatisticScatter>> scatter;  ///< of each group, each member
+  std::vector<std::vector<StatisticScatter>> scatter;  ///< by group, then member
 };
 
-/// @param simulated  outcomes of each site, each member
-MemberStatistics compute_member_statistics(const CalibrationStudy& study, const std::vector<SiteDescription>& sites,
-                             const std::vector<std::vector<std::vector<ReleaseOutcome>>>& simulated,
-                             unsigned threads);
+/// Computes the statistics of all members.
+/// @param simulated  outcomes by site, then member
+MemberStatistics compute_member_statistics(
+    const CalibrationStudy& study, const std::vector<SiteDescription>& sites,
+    const std::vector<std::vector<std::vector<ReleaseOutcome>>>& simulated, unsigned threads);
 
-/// A normal synthetic likelihood of the observed figures: mean from the surrogates; variance of the
-/// field's sample, of the choice of release points, and of the surrogate. Scatter is that of the
-/// members near the answer, which is found in a few rounds.
+/// Normal synthetic likelihood: means from the surrogates; covariance of the field sample, of the
+/// choice of release points, and of the surrogates. The scatter is that of members near the
+/// posterior, found iteratively.
 /// @cite wood2010, kennedy2001
 class SyntheticLikelihood {
  public:
-  /// @throws InputError  a fitted figure that too few members have, named
+  /// Fits the surrogates.
+  /// @throws InputError  if too few members have a value of a fitted statistic
   SyntheticLikelihood(const CalibrationStudy& study, const MemberStatistics& figures,
                       unsigned threads);
 
-  /// Figures that have a surrogate, fitted or kept ones.
+  /// Returns the statistics with a surrogate, fitted or held out.
   std::vector<Eigen::Index> known(bool fitted) const;
-  /// Of some figures by places: mean, and variance of the surrogate.
+  /// Predicted means and surrogate variances, statistics by points.
   struct Expected {
     Eigen::MatrixXd mean;
     Eigen::MatrixXd variance;
@@ -43,16 +45,16 @@ class SyntheticLikelihood {
   Expected expected(const Eigen::MatrixXd& places, const std::vector<Eigen::Index>& which) const;
   Eigen::VectorXd mean(std::size_t figure, const Eigen::MatrixXd& places) const;
 
-  /// Logarithm of the likelihood of the fitted figures at places.
+  /// Returns the log-likelihood of the fitted statistics at points.
   Eigen::VectorXd log_likelihood(const Eigen::MatrixXd& places) const;
-  /// Squared distance of the observed figures from the expected ones in units of their covariance.
-  /// @param fitted  of the fitted ones; else of the kept ones
+  /// Returns the squared Mahalanobis distance of observed and predicted statistics.
+  /// @param fitted  true: fitted statistics; false: held-out ones
   Eigen::VectorXd squared_distance(const Eigen::MatrixXd& places, bool fitted) const;
 
-  /// Covariance of some figures without the surrogate's part.
+  /// Returns the covariance of some statistics without the surrogate variance.
   Eigen::MatrixXd scatter(const std::vector<Eigen::Index>& which) const;
   Eigen::VectorXd observed(const std::vector<Eigen::Index>& which) const;
-  /// None where too few members have the figure for a surrogate.
+  /// Returns the quality of a surrogate; empty if there is none.
   std::optional<SurrogateQuality> quality(std::size_t figure) const {
     if (!surrogates_[figure]) return std::nullopt;
     return surrogates_[figure]->quality;

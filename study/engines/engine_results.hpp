@@ -1,6 +1,5 @@
 #pragma once
-/// Results of other engines, of the scenes that `write_engine_scenes` wrote, as results of the
-/// campaign.
+/// Import of results that other engines computed from scenes of a campaign.
 #include <cstdint>
 #include <filesystem>
 #include <optional>
@@ -12,36 +11,36 @@
 
 namespace clast {
 
-/// Names of the engines whose results are read: "rockable".
+/// Returns the engines whose results can be read: "rockable".
 const std::vector<std::string>& importable_engines();
 
+/// Options of an import.
 struct EngineResultsOptions {
   std::string engine = "rockable";
   std::filesystem::path scenes =
       {};  ///< the folder of the scenes, with what the engine wrote in each
-  /// The campaign file; none: the folder keeps the text, and SCENE.txt says where it was.
+  /// Campaign file; empty: the copy in the folder is used, and SCENE.txt gives its original path.
   std::optional<std::filesystem::path> campaign = {};
-  bool replace = false;    ///< results that the target holds
+  bool replace = false;            ///< replace existing results in the target
   ProgressCallback progress = {};  ///< called after each run
 
   void check() const;  ///< throws InputError naming the field and its value
 };
 
-/// What was found.
+/// Summary of an import.
 struct EngineImportSummary {
   std::size_t runs = 0;
   std::size_t planned = 0;
-  std::size_t without = 0;         ///< scenes that were written but not run
-  std::vector<std::string> notes;  ///< what the results can't tell, and what differs
+  std::size_t without = 0;         ///< scenes without output
+  std::vector<std::string> notes;  ///< missing quantities and differences
 };
 
-/// Reads the states that the engine wrote of each run and writes them as results of the campaign:
-/// speeds, energies, crossings and stops, the trajectories as they are. What needs contacts
-/// (`is_of_contacts`) is not in the file.
-/// @throws InputError  no scenes of this engine; another campaign, or one whose inputs have
-///                     changed; no scene was run; a file that can't be read, or is of another
-///                     scene; the target can't be written, or holds what is kept
+/// Reads the states written by the engine and writes them as campaign results with speeds,
+/// energies, crossings, stops and trajectories. Contact data (`is_of_contacts`) are missing.
+/// @throws InputError  if there are no scenes of this engine; the campaign or its inputs differ; no
+///                     scene was run; a file cannot be read or belongs to another scene; or the
+///                     target cannot be written or must be kept
 EngineImportSummary import_engine_results(const EngineResultsOptions& options,
-                                 const std::filesystem::path& target);
+                                          const std::filesystem::path& target);
 
 }  // namespace clast

@@ -1,5 +1,5 @@
 #pragma once
-/// A campaign as scenes of other discrete element engines: Rockable and ExaDEM.
+/// Export of a campaign as scenes of other discrete element codes: Rockable and ExaDEM.
 #include <cstdint>
 #include <filesystem>
 #include <string>
@@ -10,39 +10,40 @@
 
 namespace clast {
 
-/// Names of the engines, "rockable" and "exadem".
+/// Returns the engines: "rockable" and "exadem".
 const std::vector<std::string>& exportable_engines();
 
+/// Options of an export.
 struct EngineSceneOptions {
   std::string engine = "rockable";
-  /// Numbers of the runs that are written, or of the realisations of a mass; empty: all.
+  /// Indices of the exported runs, or of the realisations of multi-block releases; empty: all.
   std::vector<std::uint32_t> runs;
 
   void check() const;  ///< throws InputError naming the field and its value
 };
 
-/// What was written.
+/// Exported scenes.
 struct EngineScenes {
-  std::vector<std::string> folders;  ///< one for each scene, "run00001"
-  /// What the other engine can't say or does otherwise, in words.
+  std::vector<std::string> folders;  ///< one per scene, "run00001"
+  /// Limitations and differences of the other engine, as sentences.
   std::vector<std::string> notes;
 };
 
-/// In a folder of scenes: what is what, its first words, and the campaign, byte for byte.
+/// Files of a scene folder: description, its first words, and the copy of the campaign.
 inline constexpr const char* kSceneFile = "SCENE.txt";
 inline constexpr const char* kSceneMark = "Scenes of a clast campaign";
 inline constexpr const char* kSceneCampaign = "campaign.toml";
 
-/// How folders of scenes are recognised.
+/// Returns the folder kind by which scene folders are recognised.
 FolderKind scene_folder_kind();
 
-/// Writes one scene for each run, or for each realisation of a mass, into `folder`: starts, blocks
-/// as sphero-polyhedra with their exact mass properties, the terrain as one surface for each zone,
-/// stiffnesses and ground parameters, all in metres in the local frame of the terrain. SCENE.txt
-/// there says where that lies on the map, which block has which name, and the notes.
-/// @param folder  exists and is empty, such as `OutputFolder::temporary_path`
-/// @throws InputError  a run that the campaign doesn't have; blocks that are released one after the
-///                     other and stay; a contact law that the engine doesn't have
+/// Writes one scene per run, or per realisation of a multi-block release: starts, blocks as
+/// sphero-polyhedra with exact mass properties, the terrain as one surface per zone, stiffness and
+/// ground parameters, in metres in the local frame of the terrain. SCENE.txt states the map
+/// position, block names and notes.
+/// @param folder  existing empty folder, such as `OutputFolder::temporary_path`
+/// @throws InputError  if a run does not exist, blocks are persistent and released one after the
+///                     other, or the engine lacks the contact law
 EngineScenes write_engine_scenes(const CampaignPlan& prepared, const EngineSceneOptions& options,
                                  const std::filesystem::path& folder);
 

@@ -1,5 +1,5 @@
 #pragma once
-/// What members of a calibration did at one site, in its HDF5 file. Schema: docs/formats.md.
+/// Outcomes of the members at one site in the posterior file. Schema: docs/formats.md.
 #include <vector>
 
 #include "study/calibrate/calibration_study.hpp"
@@ -7,16 +7,21 @@
 
 namespace clast::study_detail {
 
-using Outcomes = std::vector<std::vector<ReleaseOutcome>>;  ///< of each member
+using Outcomes = std::vector<std::vector<ReleaseOutcome>>;  ///< by member
 
-/// @param done  of each member: is it simulated?
+/// Writes the outcomes of one site.
+/// @param done  by member: true if simulated
 void write_site(Hdf5Group group, const SiteDescription& site, const Outcomes& members,
                 const std::vector<bool>& done);
 
-/// @throws InputError  damaged, as what follows
+/// Reads the description of a site.
+/// @throws InputError  if the file is damaged
 SiteDescription read_facts(const CheckedGroup& site);
-/// @param runs     the group of the site's releases
-/// @param members  that there are
-Outcomes read_release_outcomes(const CheckedGroup& runs, const SiteDescription& facts, std::size_t members);
+/// Reads the outcomes of a site.
+/// @param runs  group of the site's releases
+/// @param members  number of members
+/// @throws InputError  if the file is damaged
+Outcomes read_release_outcomes(const CheckedGroup& runs, const SiteDescription& facts,
+                               std::size_t members);
 
 }  // namespace clast::study_detail

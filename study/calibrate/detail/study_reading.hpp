@@ -1,5 +1,5 @@
 #pragma once
-/// The parts of a study file, read and checked.
+/// Part-by-part reading of a study file.
 #include <filesystem>
 
 #include "study/calibrate/calibration_study.hpp"
@@ -7,8 +7,8 @@
 
 namespace clast::study_detail {
 
-/// A study, read part by part through `read`; a part that needs another is left out where that one
-/// was not read.
+/// Reads a study part by part through `read`; a part that depends on another is skipped if the
+/// other failed.
 CalibrationStudy read_study_in_parts(const std::filesystem::path& file, const PartReader& read);
 
 }  // namespace clast::study_detail

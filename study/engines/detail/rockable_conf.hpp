@@ -1,5 +1,5 @@
 #pragma once
-/// Files that Rockable writes of a scene: snapshots ("conf12") and the track of a block.
+/// Reading of Rockable's output: snapshots (conf files) and block tracks.
 #include <cstdint>
 #include <filesystem>
 #include <map>
@@ -11,7 +11,7 @@
 
 namespace clast::study_detail {
 
-/// A body as a conf file has it. What Rockable could not compute is not a number.
+/// Body of a conf file. Values that Rockable could not compute are NaN.
 struct ConfBody {
   std::string shape;
   std::uint32_t group = 0;
@@ -19,37 +19,41 @@ struct ConfBody {
   RigidState state;
 };
 
-/// What results need of a conf file.
+/// Contents of a conf file that results need.
 struct RockableConf {
   double time = 0.0;      ///< s
   double max_time = 0.0;  ///< s
   double time_step = 0.0;
-  std::size_t driven = 0;              ///< bodies that do not move, the first ones
-  std::map<std::string, double> pair;  ///< "muContact 2 0", groups in either order
+  std::size_t driven = 0;  ///< number of fixed bodies, the first ones
+  std::map<std::string, double>
+      pair;  ///< parameters such as "muContact 2 0", groups in either order
   std::vector<ConfBody> bodies;
 };
 
-/// @throws InputError  can't be read, or is no conf file: file, line, what was expected
-RockableConf read_rockable_conf(const std::filesystem::path& file);
+/// Reads a conf file.
+/// @throws InputError  if the file cannot be read or is not a conf file; names file, line and
+///                     expectation
+RockableConf read_rockable_conf(const std::filesystem::path& file);  ///< track file
 
-/// The snapshots of a folder in order of their numbers; none where the scene was not run.
+/// Lists the snapshots of a folder by number; empty if the scene was not run.
 std::vector<std::filesystem::path> list_rockable_states(const std::filesystem::path& folder);
 
-/// What ends the run of a single block: TrackRockfall of dataExtractors.txt.
+/// Stop criterion of a single block: TrackRockfall in dataExtractors.txt.
 struct RockfallTracker {
   std::size_t body = 0;
-  double rest_speed = 0.0;  ///< m/s, below which ...
-  double rest_spin = 0.0;   ///< ... and below which, rad/s, the block is at rest
+  double rest_speed = 0.0;  ///< m/s; rest needs a smaller speed ...
+  double rest_spin = 0.0;   ///< rad/s; ... and a smaller angular velocity
   std::string file;         ///< of the track
 };
-/// None where the folder has no dataExtractors.txt, or another extractor in it.
+/// Reads the stop criterion; empty if the folder has no dataExtractors.txt or another extractor.
 std::optional<RockfallTracker> read_rockfall_tracker(const std::filesystem::path& folder);
 
+/// State of a track at one time.
 struct TrackedState {
   double time = 0.0;
   RigidState state;
 };
-/// The last whole line of a track; none where there is none.
+/// Reads the last complete line of a track; empty if there is none.
 std::optional<TrackedState> read_last_tracked_state(const std::filesystem::path& file);
 
 }  // namespace clast::study_detail

@@ -1,37 +1,36 @@
 #pragma once
-/// Runs that another engine computed, from the states that it wrote.
+/// Runs made from the states computed by another engine.
 #include <vector>
 
 #include "study/simulate/campaign_runner.hpp"
 
 namespace clast::study_detail {
 
-/// A block at successive times, in the local frame of the terrain.
+/// States of a block at successive times, in the local frame of the terrain.
 struct StateSeries {
-  std::vector<double> time;        ///< s, increasing
+  std::vector<double> time;        ///< s, ascending
   std::vector<RigidState> states;  ///< finite
 };
 
-/// How a series ended.
+/// End of a run.
 struct RunEnd {
   StopReason reason = StopReason::kError;
-  std::string message = {};  ///< of an error
+  std::string message = {};  ///< for errors
 };
 
-/// What states tell of a run: duration, place of the end, path, crossings of the barriers, and
-/// energies; speeds and spins are the largest of the states. Between two states the motion is the
-/// exact flight where one leads to the other, else interpolated (`interpolate_state`). What needs contacts
-/// is not a number, or 0 where it is a count: `CampaignHeader::engine` says that it is not known.
-/// The trajectory is the series.
+/// Makes a run from states: duration, stop position, path, barrier crossings, energies, and the
+/// largest speeds of the states. Between two states the motion is the exact free flight if it
+/// connects them, otherwise interpolated (`interpolate_state`). Contact quantities are NaN, counts
+/// 0.
 StoredRun make_run_from_states(const CampaignPlan& prepared, const RunRecord& planned,
-                        const StateSeries& series, const RunEnd& end);
+                               const StateSeries& series, const RunEnd& end);
 
-/// Number of the first state whose centre is not over the ground; the number of states where all
-/// are.
+/// Returns the index of the first state whose centre is not above the terrain; the number of states
+/// if there is none.
 std::size_t find_first_off_terrain(const CampaignPlan& prepared, const StateSeries& series);
 
-/// Is the block at rest, as [run] rest_energy_j_kg and rest_duration_s say, at the end of the
-/// series? One state alone can't tell.
+/// True if the block is at rest at the end of the series, by [run] rest_energy_j_kg and
+/// rest_duration_s; false for a single state.
 bool rests_at_end(const CampaignPlan& prepared, const RunRecord& planned,
                   const StateSeries& series);
 

@@ -1,5 +1,5 @@
 #pragma once
-/// A scene as discrete element engines take it: shapes, bodies in groups, contacts between groups.
+/// Scenes for other discrete element codes: shapes, bodies in groups, contacts between groups.
 #include <cstdint>
 #include <filesystem>
 #include <string>
@@ -10,22 +10,22 @@
 
 namespace clast::study_detail {
 
-/// A block of the library as other engines name it.
+/// Shape of a library block.
 struct SceneShape {
-  ShpShape shape;        ///< principal frame, at the size of the library
-  std::string block;     ///< its id in the library
+  ShpShape shape;        ///< index of shape and group
+  std::string block;     ///< id in the library
   double density = 0.0;  ///< kg/m^3
 };
 
-/// Ground of one zone.
+/// Terrain surface of one zone.
 struct SceneZone {
   ShpShape shape;  ///< local frame of the terrain
   TriangleMesh surface;
-  std::string zone;  ///< its name in the campaign
+  std::string zone;  ///< name in the campaign
 };
 
-/// What all scenes of a campaign have in common. The group of a block is the index of its shape,
-/// that of a zone `shapes.size()` and its index.
+/// Shapes and zones shared by all scenes of a campaign. The group of a block is the index of its
+/// shape; that of a zone is `shapes.size()` plus its index.
 struct SceneContents {
   std::vector<SceneShape> shapes;
   std::vector<SceneZone> zones;
@@ -35,16 +35,17 @@ struct SceneContents {
   }
 };
 
-/// Steps between two lines of a track of Rockable.
+/// Number of time steps between two lines of a Rockable track.
 inline constexpr std::size_t kTrackedSteps = 200;
 
+/// Body of a scene.
 struct SceneBody {
   std::uint32_t shape = 0;  ///< and group
   double scale = 1.0;       ///< of lengths
   RigidState start;
 };
 
-/// What bodies of two groups do to each other.
+/// Contact parameters of two groups.
 struct SceneContact {
   std::uint32_t first = 0, second = 0;  ///< groups
   double normal = 0.0;                  ///< k_n, N/m
@@ -53,31 +54,37 @@ struct SceneContact {
   GroundParameters parameters;
 };
 
+/// Bodies, contacts and time step of one scene.
 struct Scene {
   std::string name;  ///< "run00001", "realisation0001"
   std::vector<SceneBody> bodies;
   std::vector<SceneContact> contacts;
-  double time_step = 0.0;        ///< s, a fixed one that resolves impacts
-  double search_margin = 0.0;    ///< m, by which near pairs are listed
-  double search_interval = 0.0;  ///< s, in which no block moves farther than half that margin
+  double time_step = 0.0;      ///< constant step that resolves impacts, s
+  double search_margin = 0.0;  ///< distance of listed neighbour pairs, m
+  double search_interval =
+      0.0;  ///< interval between neighbour searches, s; no block moves by more than half the margin
 };
 
-/// Of the scene that begins with this run.
+/// Returns the name of the scene that starts with a run.
 std::string scene_name(const CampaignPlan& prepared, std::uint32_t first);
 
+/// Collects shapes and zones.
 SceneContents scene_set(const CampaignPlan& prepared);
 
-/// @param first  number of the first run of those that are computed together
+/// Builds the scene of one run or realisation.
+/// @param first  index of its first run
 Scene build_scene(const CampaignPlan& prepared, const SceneContents& set, std::uint32_t first);
 
-/// Shapes and conf file of Rockable, with the input of its tracker.
-void write_rockable_scene(const CampaignPlan& prepared, const SceneContents& set, const Scene& scene,
-                          const std::filesystem::path& folder);
+/// Writes shapes, conf file and tracker input for Rockable.
+void write_rockable_scene(const CampaignPlan& prepared, const SceneContents& set,
+                          const Scene& scene, const std::filesystem::path& folder);
+/// Returns the limitations of Rockable for a campaign.
 std::vector<std::string> check_rockable_limits(const CampaignPlan& prepared);
 
-/// Input file of ExaDEM, with the bodies as a conf file and the terrain as STL files.
+/// Writes the input file of ExaDEM, bodies as a conf file and terrain as STL files.
 void write_exadem_scene(const CampaignPlan& prepared, const SceneContents& set, const Scene& scene,
                         const std::filesystem::path& folder);
+/// Returns the limitations of ExaDEM for a campaign.
 std::vector<std::string> check_exadem_limits(const CampaignPlan& prepared);
 
 }  // namespace clast::study_detail
