@@ -1,6 +1,5 @@
 #pragma once
-/// Commands with their options as plain values, from the tables that parse the command line: what
-/// shell completion is made of.
+/// Tree of commands and options as plain values, from which shell completion is generated.
 #include <CLI/CLI.hpp>
 #include <nlohmann/json_fwd.hpp>
 #include <string>
@@ -10,26 +9,29 @@ namespace clast {
 
 /// An option, a flag or a positional argument.
 struct OptionEntry {
-  std::vector<std::string> names;  ///< "-o", "--output"; of an argument its name alone
+  std::vector<std::string> names;  ///< "-o", "--output"; for a positional argument its name
   bool positional = false;
-  bool repeated = false;             ///< takes any number of values
-  std::string value;                 ///< what stands for its value in help, "FILE"; of a flag empty
-  std::vector<std::string> choices;  ///< the only values there are; empty: any
+  bool repeated = false;             ///< accepts any number of values
+  std::string value;                 ///< placeholder in the help text, "FILE"; empty for flags
+  std::vector<std::string> choices;  ///< allowed values; empty: any
   std::string description;
 };
 
-/// A command and those below it.
+/// Command with its subcommands.
 struct CommandEntry {
-  std::string name;  ///< its last word
+  std::string name;  ///< last word
   std::string summary;
   std::vector<OptionEntry> options;
   std::vector<CommandEntry> commands;
 };
 
+/// Builds the tree of a command-line parser.
 CommandEntry build_command_tree(const CLI::App& command);
 
+/// Converts a command tree to JSON.
 nlohmann::json to_json(const CommandEntry& command);
-/// @throws nlohmann::json::exception  not written by `to_json`
+/// Reads the JSON of `to_json`.
+/// @throws nlohmann::json::exception  if it was not written by `to_json`
 CommandEntry command_from_json(const nlohmann::json& json);
 
 }  // namespace clast

@@ -1,25 +1,24 @@
 #pragma once
-/// The part of the program that is started for one command only.
+/// Companion executable, which contains the command `reconstruct`.
 #include <string>
 
 namespace clast {
 
-/// What `clast reconstruct` says of itself, in the program and in its companion.
+/// Summary of `clast reconstruct`, shown by both executables.
 inline constexpr const char* kReconstructSummary =
     "Turn scans (meshes, point clouds, photographs) into blocks of a library, repairing "
     "defects";
 
-/// Replaces this process by the companion that has the command `reconstruct`: PCL and OpenCV, which
-/// take longer to load than other commands take to run, are linked there alone. It lies beside the
-/// program, or in the folder for programs that are not run by hand.
-/// @throws InputError  it is not there
+/// Replaces this process by the companion, which alone links PCL and OpenCV because they take long
+/// to load. The companion is beside the program or in the folder for internal executables.
+/// @throws InputError  if it is not installed
 [[noreturn]] void run_companion(char** argv);
 
-/// The command by which the companion prints its option tables (`to_json`), for `clast help`.
+/// Companion command that prints its options as JSON (`to_json`), for `clast help`.
 inline constexpr const char* kDescribeCommand = "describe";
 
-/// What the companion prints when it is run with one argument.
-/// @throws InputError  it is not there, or fails
+/// Runs the companion with one argument and returns its output.
+/// @throws InputError  if it is not installed or fails
 std::string read_companion_output(const std::string& argument);
 
 }  // namespace clast

@@ -1,14 +1,14 @@
 #pragma once
-/// A long job that is asked to stop and ends in order.
+/// Orderly end of long jobs on signals.
 
 namespace clast {
 
-/// While one of these lives, the first Ctrl-C, the first signal of a queue that wants the machine
-/// back, or of a terminal that is closed, only sets a flag; the second ends the program at once.
+/// While an object exists, the first SIGINT, SIGTERM or SIGHUP only sets a flag; the second ends
+/// the program at once.
 class InterruptionWatch {
  public:
-  /// @param said  written to stderr by the first signal: what the program waits for; nothing where
-  ///              it stops soon. Must outlive the watch
+  /// Installs the signal handlers.
+  /// @param said  message written to stderr at the first signal, or empty; must outlive this object
   explicit InterruptionWatch(const char* said = "");
   ~InterruptionWatch();
   InterruptionWatch(const InterruptionWatch&) = delete;
@@ -17,7 +17,7 @@ class InterruptionWatch {
   bool interrupted() const;
 
  private:
-  void (*hangup_)(int);  ///< what was done before when the terminal is closed
+  void (*hangup_)(int);  ///< previous handler of SIGHUP
 };
 
 }  // namespace clast

@@ -1,15 +1,15 @@
 #pragma once
-/// Messages of the libraries in the words of the command line.
+/// Translation of library messages to command-line options.
 #include <string>
 #include <string_view>
 
 namespace clast {
 
-/// `text` with the fields of options that it names between backticks as the options of this
-/// program: "`any_size`" becomes "--any-size". A field without an option loses its backticks alone.
+/// Replaces option fields in backticks by their command-line options: "`any_size`" becomes
+/// "--any-size". Other fields only lose their backticks.
 std::string replace_keys_by_flags(std::string_view text);
 
-/// A message on its way to the terminal: `replace_keys_by_flags`, then `printable`.
+/// Formats a message for the terminal: options replaced, non-printable characters escaped.
 std::string shown(std::string_view text);
 
 }  // namespace clast

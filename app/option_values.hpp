@@ -1,5 +1,5 @@
 #pragma once
-/// Values of command-line options that are more than a number or a name.
+/// Validators of command-line option values.
 #include <CLI/CLI.hpp>
 #include <cstdint>
 #include <functional>
@@ -8,12 +8,12 @@
 
 namespace clast {
 
-/// Accepts the numbers of a range.
+/// Makes a validator that accepts the numbers of a range.
 CLI::Validator within(const NumberRange& range);
-/// Accepts whole numbers from `low` to `high`, in digits alone.
+/// Makes a validator that accepts decimal integers from `low` to `high`.
 CLI::Validator whole_number(std::uint64_t low = 0, std::uint64_t high = UINT64_MAX);
 
-/// Runs `check` of options that came from the command line: what it refuses is a misuse.
+/// Runs a check of option values and reports its errors as misuse.
 /// @throws CLI::ValidationError  in place of InputError
 void check_usage(const std::function<void()>& check);
 

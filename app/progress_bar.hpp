@@ -1,30 +1,32 @@
 #pragma once
-/// How far a long job is, on stderr: a bar with rate and remaining time on a terminal, a plain line
-/// every tenth otherwise. Nothing is shown in the first two seconds.
+/// Progress of long jobs on stderr: a bar with rate and remaining time on a terminal, otherwise a
+/// line for every tenth. Nothing is shown during the first two seconds.
 #include <chrono>
 #include <cstddef>
 #include <string>
 
 namespace clast {
 
-/// "3 min 20 s"; at least seconds are named.
+/// Formats a duration, "3 min 20 s", in seconds or larger units.
 std::string format_duration(double seconds);
 
 class ProgressBar {
  public:
-  /// @param what   for example "runs"
-  /// @param total  how many there are to do
+  /// Starts the clock.
+  /// @param what  items, such as "runs"
+  /// @param total  number of items
   ProgressBar(std::string what, std::size_t total);
   ~ProgressBar() { clear(); }
   ProgressBar(const ProgressBar&) = delete;
   ProgressBar& operator=(const ProgressBar&) = delete;
 
-  /// Before the first update: so many were done before the clock started.
+  /// Sets the number of items done before the clock started; call before the first update.
   void start_from(std::size_t done);
-  /// @param note        what is being done just now, shown on a terminal
-  /// @param is_slow  gives it a line of its own, with the time that it took in the end
+  /// Updates the display.
+  /// @param note  current activity, shown on a terminal
+  /// @param is_slow  show the activity on a line of its own, with its duration at the end
   void update(std::size_t done, const std::string& note = "", bool is_slow = false);
-  /// Removes the bar from the terminal and ends a line begun, so that another can be printed.
+  /// Removes the bar from the terminal and ends an open line, so that other text can be printed.
   void clear();
 
  private:
@@ -33,13 +35,13 @@ class ProgressBar {
 
   std::string what_;
   std::size_t total_;
-  std::size_t first_ = 0;  ///< done when the clock started
+  std::size_t first_ = 0;  ///< items done when the clock started
   bool started_ = false;
-  std::size_t tenths_ = 0;  ///< of the last plain line
+  std::size_t tenths_ = 0;  ///< of the last printed line
   bool terminal_;
   bool visible_ = false;
   std::chrono::steady_clock::time_point begin_;
-  std::string long_step_;  ///< that is under way; else empty
+  std::string long_step_;  ///< current slow step; empty if none
   std::chrono::steady_clock::time_point long_begin_;
 };
 

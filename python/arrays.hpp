@@ -1,6 +1,6 @@
 #pragma once
-/// Between NumPy arrays and vectors: views where an owner keeps the numbers, one copy where the
-/// library needs its own, none in Python.
+/// Conversion between NumPy arrays and vectors: views if an owner keeps the data, otherwise a
+/// single copy.
 #include <pybind11/numpy.h>
 #include <pybind11/pybind11.h>
 
@@ -11,15 +11,15 @@
 
 namespace clast::python_detail {
 
-/// Read-only view of shape (n, 3); `owner` lives as long as the view does.
+/// Returns a read-only view of shape (n, 3) that keeps `owner` alive.
 pybind11::array view(const std::vector<Vec3>& points, const pybind11::handle& owner);
-/// Read-only view of shape (n, 3).
+/// Returns a read-only view of shape (n, 3) that keeps `owner` alive.
 pybind11::array view(const std::vector<TriangleMesh::Triangle>& triangles,
                      const pybind11::handle& owner);
-/// Read-only view of shape (n,).
+/// Returns a read-only view of shape (n,) that keeps `owner` alive.
 pybind11::array view(const std::vector<std::uint32_t>& indices, const pybind11::handle& owner);
 
-/// An array that owns the numbers, which are not copied.
+/// Returns an array that takes over the values without copying.
 template <class T>
 pybind11::array_t<T> owned(std::vector<T> values) {
   auto* kept = new std::vector<T>(std::move(values));
@@ -32,19 +32,22 @@ pybind11::array_t<double> to_array(const Vec3& vector);  ///< of shape (3,)
 pybind11::array_t<double> to_array(const Mat3& matrix);  ///< of shape (3, 3)
 pybind11::array_t<double> to_array(const Quat& turn);    ///< of shape (4,): w, x, y, z
 
-/// (vertices (n, 3) float64, triangles (m, 3) uint32); the arrays own the mesh.
+/// Returns (vertices (n, 3) float64, triangles (m, 3) uint32); the arrays own the data.
 pybind11::tuple to_arrays(TriangleMesh mesh);
 
+/// Converts an array of shape (n, 3) to points.
 /// @param name  for messages
-/// @throws TypeError   no array of numbers; InputError  of another shape, or not finite
+/// @throws TypeError  if it is not an array of numbers
+/// @throws InputError  if its shape is wrong or a value is not finite
 std::vector<Vec3> parse_points(const pybind11::object& array, const char* name);
-/// Vertices of shape (n, 3) and triangles of shape (m, 3), of any kind of float and integer, in any
-/// order in memory; read where they are.
-/// @throws TypeError, InputError  as `parse_points`; an index without a vertex
+/// Makes a mesh from vertices of shape (n, 3) and triangles of shape (m, 3), of any float and
+/// integer type and memory layout.
+/// @throws TypeError, InputError  as `parse_points`; or if an index has no vertex
 TriangleMesh mesh_from(const pybind11::object& vertices, const pybind11::object& triangles);
-/// Three numbers.
+/// Converts an array of three numbers.
 Vec3 parse_vector(const pybind11::object& array, const char* name);
-/// Four numbers w, x, y, z of length 1 within 1e-3, normalised; or a matrix of shape (3, 3).
+/// Converts a quaternion w, x, y, z of norm 1 within 1e-3, which is normalised, or a rotation
+/// matrix of shape (3, 3).
 Quat rotation_from(const pybind11::object& array, const char* name);
 
 }  // namespace clast::python_detail

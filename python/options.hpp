@@ -1,5 +1,5 @@
 #pragma once
-/// Keyword arguments on their way into the options of a library.
+/// Conversion of keyword arguments to option structs.
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
 #include <pybind11/stl/filesystem.h>
@@ -11,15 +11,15 @@
 
 namespace clast::python_detail {
 
-/// The keyword arguments of one call. Those that are None were not given.
+/// Keyword arguments of one call; None means not given.
 class Keywords {
  public:
   explicit Keywords(const pybind11::dict& given);
 
-  /// Whether it is given; it counts as taken then.
+  /// Returns true if the argument is given, and marks it as used.
   bool has(const char* name);
-  /// Sets the field where the argument is given.
-  /// @throws TypeError  it is of another type; the message names it
+  /// Sets the field if the argument is given.
+  /// @throws TypeError  if its type is wrong; names the argument
   template <class T>
   void take(const char* name, T& field) {
     if (has(name)) field = cast<T>(name);
@@ -28,10 +28,10 @@ class Keywords {
   void take(const char* name, std::optional<T>& field) {
     if (has(name)) field = cast<T>(name);
   }
-  /// A text, a path, or several of them.
+  /// Returns a text or path, or a list of them, as texts.
   std::vector<std::string> texts(const char* name);
-  /// Not taken by anything above: none; the Python side gives what this side takes.
-  /// @throws TypeError  naming one that is left
+  /// Checks that all given arguments were used.
+  /// @throws TypeError  naming an unused argument
   void done() const;
 
   pybind11::object object(const char* name) const { return given_[name]; }
@@ -51,7 +51,7 @@ class Keywords {
   std::vector<std::string> taken_;
 };
 
-/// A text or a path, or several, as texts.
+/// Converts a text or path, or a list of them, to texts.
 std::vector<std::string> parse_texts(const pybind11::handle& object, const char* name);
 
 }  // namespace clast::python_detail

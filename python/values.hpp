@@ -1,5 +1,5 @@
 #pragma once
-/// Tables and JSON as Python values.
+/// Conversion of tables and JSON to Python values.
 #include <pybind11/pybind11.h>
 
 #include <nlohmann/json_fwd.hpp>
@@ -9,14 +9,14 @@
 
 namespace clast::python_detail {
 
-/// (values, units, meanings): dicts by the columns' names, of NumPy arrays (float64, int64, texts)
-/// and of texts.
+/// Returns (values, units, meanings): dicts keyed by column name, of NumPy arrays (float64, int64,
+/// texts) and of texts.
 pybind11::tuple make_table(TableValues table);
 
-/// dict, list, str, int, float, bool, None.
+/// Converts JSON to dict, list, str, int, float, bool or None.
 pybind11::object to_python_object(const nlohmann::ordered_json& json);
 
-/// {table: its keys}
+/// Returns a dict from table name to keys.
 pybind11::dict to_key_dict(const std::vector<KeyTable>& tables);
 
 }  // namespace clast::python_detail

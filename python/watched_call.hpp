@@ -1,5 +1,5 @@
 #pragma once
-/// Long calls: the interpreter goes on, Ctrl-C is heard, progress is reported.
+/// Long calls with a running interpreter, Ctrl-C and progress.
 #include <pybind11/pybind11.h>
 
 #include <functional>
@@ -10,20 +10,21 @@
 
 namespace clast::python_detail {
 
-/// HDF5 serves one thread at a time, and Python may call from several: whoever reads or writes
-/// files holds this, without the interpreter's lock. Both extensions have the same.
-/// @pre  the interpreter's lock is held
+/// Mutex for file access: HDF5 is not thread-safe, and Python may call from several threads. Lock
+/// it without holding the GIL. Shared by both extensions.
+/// @pre  the GIL is held
 std::mutex& file_mutex();
 
-/// Runs `job` on a thread of its own, which holds `busy`, while this one lets the interpreter
-/// go on, looks for signals twenty times a second, and calls `progress` with a dict (done, total,
-/// before, what) where something is new. A signal, or what `progress` raises, ends the job at its
-/// next step of progress, and is raised here.
+/// Runs `job` on another thread that locks `busy`, while this thread releases the GIL, checks for
+/// signals twenty times per second, and calls `progress` with a dict (done, total, before, what) on
+/// changes. A signal, or an exception of `progress`, ends the job at its next progress step and is
+/// raised here.
 /// @param progress  None or a callable
-void watch(const pybind11::object& progress, const std::function<void(const ProgressCallback&)>& job,
+void watch(const pybind11::object& progress,
+           const std::function<void(const ProgressCallback&)>& job,
            std::mutex& busy = file_mutex());
 
-/// The same for a job that returns something.
+/// Runs a job that returns a value; see `watch`.
 template <class Job>
 auto run_with_progress(const pybind11::object& progress, const Job& job) {
   std::optional<decltype(job(ProgressCallback()))> result;
@@ -31,7 +32,7 @@ auto run_with_progress(const pybind11::object& progress, const Job& job) {
   return std::move(*result);
 }
 
-/// A shorter job, which nothing interrupts: on this thread, with the files to itself.
+/// Runs a short job on this thread without the GIL, with exclusive file access.
 template <class Job>
 auto without_gil(const Job& job) {
   std::mutex& access = file_mutex();

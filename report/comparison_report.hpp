@@ -1,5 +1,5 @@
 #pragma once
-/// The folder of files about a comparison: tables, map layers and one HTML page.
+/// Report folder of a comparison: tables, map layers and one HTML page.
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -10,30 +10,32 @@
 
 namespace clast {
 
-/// How a folder is known that `write_comparison` and `write_animation` filled.
+/// Returns the folder kind by which folders of `write_comparison` and `write_animation` are
+/// recognised.
 FolderKind comparison_folder_kind();
 
-/// Writes the tables, provenance.json, stops.gpkg and rasters/ (map layers) and report.html to
-/// `folder`.
-/// @return what was written, the report last
-/// @throws InputError  the folder can't be made or written to
+/// Writes tables, provenance.json, stops.gpkg, rasters/ and report.html to `folder`.
+/// @return the written files, the report last
+/// @throws InputError  if the folder cannot be created or written
 std::vector<std::filesystem::path> write_comparison(const ComparisonAnalyses& analyses,
                                                     const std::filesystem::path& folder);
 
-/// What a folder is to hold besides tables, map layers and page.
+/// Optional contents of a report folder.
 struct ComparisonReportOptions {
-  std::size_t animated = 0;            ///< runs of animation/animation.pvd; 0: there is none
-  std::filesystem::path browser = {};  ///< that prints report.pdf; empty: there is none
+  std::size_t animated = 0;            ///< runs in animation/animation.pvd; 0: no animation
+  std::filesystem::path browser = {};  ///< prints report.pdf; empty: no PDF
 };
 
+/// Files of a report.
 struct WrittenReport {
-  std::vector<std::filesystem::path> files;  ///< relative to it, the report last
-  std::optional<std::string> no_pdf;         ///< why the report could not be printed
+  std::vector<std::filesystem::path> files;  ///< relative to the folder, the report last
+  std::optional<std::string> no_pdf;         ///< reason if the PDF could not be printed
 };
 
-/// `write_comparison` with extras, then `OutputFolder::commit`.
-/// @throws InputError  as both; no trajectory to animate
+/// Writes the report with its optional contents, and commits the folder.
+/// @throws InputError  as `write_comparison` and `OutputFolder::commit`; or if there is no
+///                     trajectory to animate
 WrittenReport fill_folder(OutputFolder& folder, const ComparisonAnalyses& analyses,
-                         const ComparisonReportOptions& extras = {});
+                          const ComparisonReportOptions& extras = {});
 
 }  // namespace clast

@@ -1,19 +1,19 @@
 #pragma once
-/// Pages as PDF, by a browser without a window.
+/// Conversion of pages to PDF with a headless browser.
 #include <filesystem>
 
 namespace clast {
 
-/// The browser that prints: the one that the environment variable CLAST_BROWSER names, else the
-/// first of Chromium and Chrome by PATH.
-/// @throws InputError  there is none; the message says what to install
+/// Finds the browser: the one named by CLAST_BROWSER, otherwise the first of Chromium and Chrome on
+/// PATH.
+/// @throws InputError  if there is none; the message says what to install
 std::filesystem::path find_browser();
 
-/// Prints a page on A4 with its charts. The browser's profile is a folder that is removed.
-/// @param page     HTML, a file
-/// @param pdf      is written, also over a file
-/// @param seconds  time the browser has
-/// @throws InputError  it can't be started, took too long, or wrote no PDF
+/// Prints a page with its charts to A4. The browser uses a temporary profile.
+/// @param page  HTML file
+/// @param pdf  output file, overwritten
+/// @param seconds  time limit
+/// @throws InputError  if the browser cannot be started, exceeds the time limit, or writes no PDF
 void print_page(const std::filesystem::path& page, const std::filesystem::path& pdf,
                 const std::filesystem::path& browser, double seconds = 180.0);
 

@@ -1,6 +1,5 @@
 #pragma once
-/// The folder of files about a population of blocks, or about two: tables, diagrams and one HTML
-/// page.
+/// Report folder of one or two block populations: tables, diagrams and one HTML page.
 #include <filesystem>
 
 #include "core/files/output_folder.hpp"
@@ -8,13 +7,13 @@
 
 namespace clast {
 
-/// How `folder` is known to be one that `write_population_report` filled, by the diagrams that its
-/// provenance.json lists.
+/// Returns the folder kind by which folders of `write_population_report` are recognised, including
+/// the diagrams listed in provenance.json.
 FolderKind population_folder_kind(const std::filesystem::path& folder);
 
-/// Writes classes.csv, shares.csv, sizes.csv, tests.csv, provenance.json, the diagrams as .svg and
-/// report.html, one page that needs no network, to `folder`.
-/// @throws InputError  the folder can't be made or written to
+/// Writes classes.csv, shares.csv, sizes.csv, tests.csv, provenance.json, SVG diagrams and a
+/// self-contained report.html.
+/// @throws InputError  if the folder cannot be created or written
 void write_population_report(const PopulationReport& report, const std::filesystem::path& folder);
 
 }  // namespace clast

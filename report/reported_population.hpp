@@ -1,5 +1,5 @@
 #pragma once
-/// What is known of one population of blocks, or of two side by side.
+/// Results for one block population, or two.
 #include <map>
 #include <optional>
 #include <string>
@@ -11,43 +11,45 @@
 
 namespace clast {
 
-/// A file that was read.
+/// Input file with its digest.
 struct InputFile {
-  std::string file;  ///< as it was named
+  std::string file;  ///< path as given
   std::string sha256;
 };
 
-/// How the axes of a population were asked for; what was not given or does not apply is none.
+/// Options by which axes were measured; empty if not given or not applicable.
 struct MeasuringOptions {
-  std::optional<std::string> box = {};      ///< convention, for blocks of libraries
+  std::optional<std::string> box = {};      ///< convention, for library blocks
   std::optional<std::string> columns = {};  ///< of tables
   std::optional<std::string> units = {};    ///< of tables
   std::optional<double> axis_error = {};    ///< m
 };
 
-/// What only a whole surface shows.
+/// Measures that need the whole surface of a block.
 struct SurfaceMeasures {
-  std::map<std::string, double> indices;  ///< of the axes too
-  std::optional<Equilibria> sides;        ///< none of a ball or a capsule
-  std::optional<Roundness> roundness;     ///< where it was asked for
+  std::map<std::string, double> indices;  ///< including indices of the axes
+  std::optional<Equilibria> sides;        ///< empty for balls and capsules
+  std::optional<Roundness> roundness;     ///< if requested
 };
 
-/// A population with where it came from.
+/// Population with its summary and inputs.
 struct ReportedPopulation {
   Population population;
   PopulationSummary summary;
-  std::string measured;  ///< how L, I, S were taken: "sides of the smallest box", "as in the table"
+  std::string
+      measured;  ///< how L, I, S were measured: "sides of the smallest box", "as in the table"
   MeasuringOptions reading;
   std::vector<InputFile> inputs;
-  std::size_t skipped = 0;         ///< rows of tables
-  std::vector<std::string> notes;  ///< what was wrong with the input
-  /// The notes as a terminal has room for them: of each table the first, with its name.
+  std::size_t skipped = 0;         ///< number of skipped table rows
+  std::vector<std::string> notes;  ///< problems of the inputs
+  /// Short notes for terminals: the first one of each table, with its name.
   std::vector<std::string> brief_notes;
-  /// Of every block, none for rows of tables; empty where they were not asked for.
+  /// Surface measures, one entry per block; `nullopt` for blocks read from a table. Empty if not
+  /// requested.
   std::vector<std::optional<SurfaceMeasures>> surfaces;
 };
 
-/// One population or two; two are compared.
+/// One population, or two with their comparison.
 struct PopulationReport {
   std::vector<ReportedPopulation> populations;
   std::optional<PopulationComparison> comparison;

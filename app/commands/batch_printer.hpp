@@ -1,5 +1,5 @@
 #pragma once
-/// What `clast reconstruct` prints and writes about a batch of scans.
+/// Output of `clast reconstruct` for a batch of scans.
 #include <map>
 #include <mutex>
 #include <nlohmann/json.hpp>
@@ -12,13 +12,15 @@
 
 namespace clast {
 
-/// Lines or JSON on stdout, failures on stderr, a page for each block where pages are wanted.
+/// Prints blocks as lines or JSON to stdout and failures to stderr, and writes a page for each
+/// block if requested.
 class BatchPrinter : public BatchObserver {
  public:
-  /// @param scans   how many there are
-  /// @param report  folder of pages; empty: none are written
-  /// @param json    blocks as JSON at the end, not as lines
-  /// @throws InputError  the folder of pages can't be written
+  /// Starts the output.
+  /// @param scans  number of scans
+  /// @param report  folder of pages; empty: no pages
+  /// @param json  print the blocks as JSON at the end instead of lines
+  /// @throws InputError  if the folder of pages cannot be written
   BatchPrinter(std::size_t scans, const BatchOptions& options, const std::string& report,
                bool json);
 
@@ -30,12 +32,13 @@ class BatchPrinter : public BatchObserver {
   void failed(const ScanFile& scan, const std::string& reason) override;
   void noted(const std::string& text) override;
 
-  /// Of scans side by side no step has a line of its own.
+  /// Updates the progress bar; slow steps have a line of their own unless several scans run in
+  /// parallel.
   void show(const ProgressUpdate& step) {
     bar_.update(step.done, step.what, step.is_slow && options_.jobs == 1);
   }
-  /// The summary, on stdout and among the pages.
-  /// @throws InputError  a scan gave no block; of a single scan its own reason
+  /// Prints the summary and writes the summary page.
+  /// @throws InputError  if a scan gave no block; for a single scan with its own reason
   void finish(const BatchResult& result);
 
  private:
@@ -48,9 +51,9 @@ class BatchPrinter : public BatchObserver {
   bool json_;
   ProgressBar bar_;
   std::optional<ScanReport> report_;
-  std::mutex mutex_;                    ///< of `photos_`
-  std::map<std::string, Json> photos_;  ///< of blocks that are made, by id
-  Json accepted_;                       ///< the block that is taken next
+  std::mutex mutex_;                    ///< guards `photos_`
+  std::map<std::string, Json> photos_;  ///< by block id
+  Json accepted_;                       ///< block that is added next
   Json made_ = Json::array(), failed_ = Json::array();
   std::string last_failure_;
 };

@@ -1,9 +1,9 @@
 #pragma once
-/// The commands of the program, one file each. Every function adds its subcommand; parsing the
-/// command line then runs the one that was named.
+/// Commands of the program, one file each. Each function adds a subcommand that runs when the
+/// command line is parsed.
 ///
-/// Commands throw clast::Error when something failed (exit code 1) and CLI::ValidationError when an
-/// option's value makes no sense (exit code 2).
+/// Commands throw clast::Error on failure (exit code 1) and CLI::ValidationError for invalid option
+/// values (exit code 2).
 #include <CLI/CLI.hpp>
 #include <functional>
 
@@ -26,11 +26,12 @@ void add_compare(CLI::App& app);
 void add_import(CLI::App& app);
 void add_calibrate(CLI::App& app);
 
-/// Where `help` finds what the program itself does not know of a command.
+/// Source of the help of `reconstruct`, which is a separate executable.
 struct ReconstructHelp {
-  std::function<void()> show;             ///< its help, on stdout
-  std::function<CommandEntry()> options;  ///< its tables
+  std::function<void()> show;             ///< prints its help to stdout
+  std::function<CommandEntry()> options;  ///< returns its options
 };
+/// Adds `help`.
 /// @param app  must outlive the parsing
 void add_help(CLI::App& app, const ReconstructHelp& reconstruct);
 

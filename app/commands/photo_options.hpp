@@ -9,20 +9,21 @@
 
 namespace clast {
 
-/// The options as they are written; what they hold goes into a `PhotoScanOptions`.
+/// Unparsed photo options.
 struct PhotoArgs {
   std::vector<std::string> bars;
-  std::filesystem::path board;  ///< file; empty: none
-  double marker_size = 0.0;     ///< m; 0: not given
+  std::filesystem::path board;  ///< file; empty if not given
+  double marker_size = 0.0;     ///< m; 0 if not given
   double colmap_minutes = 60.0;
   PhotoScanOptions options;
 
-  /// @throws CLI::ValidationError  what is no scale bar; markers that a board doesn't have
-  /// @throws InputError            what `read_scale_board` throws
+  /// Parses the options.
+  /// @throws CLI::ValidationError  if a scale bar is invalid, or a marker is not on the board
+  /// @throws InputError  as `read_scale_board`
   PhotoScanOptions parsed() const;
 };
 
-/// Adds them to the command, in a group of their own.
+/// Adds the options to a command as a group.
 void add_photo_options(CLI::App& command, PhotoArgs& args);
 
 }  // namespace clast

@@ -1,5 +1,5 @@
 #pragma once
-/// `clast export CAMPAIGN --to ENGINE`.
+/// Command `clast export CAMPAIGN --to ENGINE`.
 #include <CLI/CLI.hpp>
 #include <filesystem>
 #include <string>
@@ -13,7 +13,7 @@ struct SceneExportArgs {
 
 void add_scene_options(CLI::App& command, SceneExportArgs& args);
 
-/// Writes the scenes and prints what was written and what differs there.
+/// Writes the scenes and prints their folders and notes.
 void export_scenes(const std::filesystem::path& campaign, const std::filesystem::path& folder,
                    bool replace, const SceneExportArgs& args);
 

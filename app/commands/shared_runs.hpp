@@ -1,5 +1,5 @@
 #pragma once
-/// Commands whose runs are shared by shards and by processes.
+/// Shards and process teams of commands.
 #include <functional>
 #include <optional>
 #include <string>
@@ -8,12 +8,12 @@
 
 namespace clast {
 
-/// "2/4"; none of an empty text.
-/// @throws CLI::ValidationError  anything else
+/// Parses a shard such as "2/4"; empty for an empty text.
+/// @throws CLI::ValidationError  if the text is invalid
 std::optional<Shard> parse_shard(const std::string& text);
 
-/// Runs a command in every process that was started with this one. Only the one that leads prints,
-/// and only its errors are shown: those of the others reach it.
+/// Runs a command in each process of the team. Only the leader prints; errors of the others are
+/// passed to it.
 void run_in_team(const std::function<void(ProcessTeam& team)>& command);
 
 }  // namespace clast

@@ -1,5 +1,5 @@
 #pragma once
-/// Colours of blocks and of their distance from a scan, and small pictures of them.
+/// Colours and thumbnails of blocks.
 #include <array>
 #include <cstdint>
 #include <string>
@@ -9,22 +9,25 @@
 
 namespace clast::report_detail {
 
+/// Default colour of blocks.
 inline constexpr Rgb kRock{214, 205, 190};
 
-/// Direction to the eye that looks at a block from the front (-y) and above.
+/// Returns the direction towards the viewer, in front of a block (-y) and above.
 inline Vec3 default_view_direction() { return {0.55, -1.0, 0.55}; }
 
-/// Blue inside, pale where it is on the scan, red outside (RdBu of ColorBrewer).
+/// Diverging colours of deviations (RdBu of ColorBrewer): blue inside the scan, pale on it, red
+/// outside.
 inline constexpr std::array<Rgb, 5> kDeviationColours = {
     {{33, 102, 172}, {146, 197, 222}, {247, 247, 247}, {244, 165, 130}, {178, 24, 43}}};
-/// Between these colours.
-/// @param share  of the largest distance, -1 to 1; cut to it
+/// Interpolates between these colours.
+/// @param share  deviation over the largest deviation, clamped to [-1, 1]
 Rgb deviation_colour(double share);
 
-/// A small picture of a surface, a PNG file.
-std::string render_thumbnail_png(const TriangleMesh& mesh, std::uint32_t width, std::uint32_t height);
+/// Renders a thumbnail of a surface as a PNG file.
+std::string render_thumbnail_png(const TriangleMesh& mesh, std::uint32_t width,
+                                 std::uint32_t height);
 
-/// The same as an <img>.
+/// Renders a thumbnail as an HTML <img> element.
 std::string thumbnail(const TriangleMesh& mesh, const std::string& name, std::uint32_t width = 120,
                       std::uint32_t height = 96);
 

@@ -1,5 +1,5 @@
 #pragma once
-/// The blocks of a library as pictures, to choose from by class and by size.
+/// Gallery page of a block library, filtered by class and size.
 #include <filesystem>
 #include <span>
 #include <string>
@@ -9,14 +9,14 @@
 
 namespace clast {
 
-/// How a folder is known that `write_gallery` filled.
+/// Returns the folder kind by which folders of `write_gallery` are recognised.
 FolderKind gallery_folder_kind();
 
-/// Writes FOLDER/gallery.html, one page that needs no network: for each block a picture, its
-/// numbers, and a view that can be turned.
-/// @param title  for example the library's name
-/// @return the page
-/// @throws InputError  the folder can't be made or written to
+/// Writes FOLDER/gallery.html, a self-contained page with an image, the measures and an interactive
+/// view of each block.
+/// @param title  such as the library's name
+/// @return path of the page
+/// @throws InputError  if the folder cannot be created or written
 std::filesystem::path write_gallery(std::span<const Block* const> blocks, const std::string& title,
                                     const std::filesystem::path& folder);
 

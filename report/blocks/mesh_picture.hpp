@@ -1,5 +1,5 @@
 #pragma once
-/// Pictures of meshes and points, drawn in memory without a display.
+/// Software rendering of meshes and points.
 #include <array>
 #include <cstdint>
 #include <functional>
@@ -12,48 +12,49 @@
 
 namespace clast::report_detail {
 
-/// Parallel rays that meet a rectangle of square pixels.
+/// Orthographic camera with square pixels.
 struct Camera {
-  Vec3 right = Vec3::UnitX(), up = Vec3::UnitZ(), toward = -Vec3::UnitY();  ///< unit; to the eye
-  Vec3 target = Vec3::Zero();  ///< in the middle of the picture, m
-  double pixel = 1.0;          ///< side, m
+  Vec3 right = Vec3::UnitX(), up = Vec3::UnitZ(),
+       toward = -Vec3::UnitY();  ///< unit vectors; `toward` points to the viewer
+  Vec3 target = Vec3::Zero();    ///< centre of the image, m
+  double pixel = 1.0;            ///< side length, m
   std::uint32_t width = 0, height = 0;
 
-  /// Right and down from the top left corner, in pixels, and nearness to the eye, m.
+  /// Projects a point: pixels to the right and down from the top left corner, and depth towards the
+  /// viewer, m.
   Vec3 seen(const Vec3& point) const;
 };
 
-/// A camera in direction `toward` of what it looks at, z up as far as it can be; nothing is in the
-/// picture yet.
+/// Makes a camera in direction `toward` from its target, with z as upright as possible and an empty
+/// image.
 Camera make_camera(const Vec3& toward);
 
-/// Moves the cameras so that every point is in each picture, in the middle and at the same scale.
-/// Pictures without points have pixels of 1 m.
+/// Fits the cameras to the points: centred and at a common scale. Images without points have pixels
+/// of 1 m.
 void frame(std::span<Camera> cameras, std::span<const Vec3> points, std::uint32_t width,
            std::uint32_t height);
 
-/// A picture that is drawn on: near things hide far ones. White where nothing is.
+/// Image with depth buffer on a white background.
 class Canvas {
  public:
   explicit Canvas(const Camera& camera);
 
-  /// Colour of a place on a triangle before it is shaded. `behind`: its back is seen.
+  /// Returns the unshaded colour of a point on a triangle; `behind` is true for back faces.
   using Paint = std::function<Rgb(std::uint32_t triangle, const Vec3& place, bool behind)>;
-  /// Triangles shaded by a light from the upper left of the eye; `paint` is called once for a pixel
-  /// of each.
-  /// @param ambient  light that comes from all around, 0 to 1; much of it keeps colours readable
+  /// Draws shaded triangles, lit from the upper left; `paint` is called once per pixel and
+  /// triangle.
+  /// @param ambient  fraction of ambient light, 0 to 1
   void draw(const TriangleMesh& mesh, const Paint& paint, double ambient = 0.42);
-  /// Dots of two pixels, nearer ones darker.
+  /// Draws dots of two pixels, nearer ones darker.
   void draw(std::span<const Vec3> points, const Rgb& colour);
-  /// Lines, of a pixel and a half, where nothing hides them.
+  /// Draws the visible parts of lines, 1.5 pixels wide.
   void draw(std::span<const std::array<Vec3, 2>> lines, const Rgb& colour);
 
-  /// Is nothing nearer the eye than this point? Half a per cent of the picture's width more does
-  /// not count.
+  /// True if the point is visible, with a depth tolerance of 0.5 % of the image width.
   bool sees(const Vec3& point) const;
 
   const Camera& camera() const { return camera_; }
-  std::vector<Rgb> picture() const;  ///< row by row from the top
+  std::vector<Rgb> picture() const;  ///< row-major from the top
 
  private:
   struct Sample {
@@ -64,7 +65,7 @@ class Canvas {
   Sample& at(std::int64_t column, std::int64_t row);
 
   Camera camera_;
-  std::int64_t columns_, rows_;  ///< samples: several for each pixel
+  std::int64_t columns_, rows_;  ///< samples, several per pixel
   std::vector<Sample> samples_;
 };
 

@@ -1,5 +1,5 @@
 #pragma once
-/// Series of varied blocks as tables of pictures.
+/// Tables of thumbnails for series of varied blocks.
 #include <span>
 #include <string>
 
@@ -7,10 +7,10 @@
 
 namespace clast::report_detail {
 
-/// HTML: for each block that was stretched a table of its forms, S/L down and I/L across (S/I down
-/// where that takes fewer rows); for each other kind of variation a table of blocks down and steps
-/// across. Pictures are buttons of class "cell" with the number of the block in data-source.
-/// Empty where no block is a variation (library/block_variation.hpp); drawn bodies are in no table.
+/// Formats a table for each stretched block with S/L down and I/L across (S/I down if that needs
+/// fewer rows), and one for each other kind of variation with blocks down and steps across. Images
+/// are buttons of class "cell" with the block number in data-source. Empty if no block is a
+/// variation (library/block_variation.hpp); sampled bodies are omitted.
 std::string format_series_matrices(std::span<const Block* const> blocks);
 
 }  // namespace clast::report_detail

@@ -1,5 +1,5 @@
 #pragma once
-/// A smooth surface through values at scattered places of a picture, as bands and contour lines.
+/// Smooth interpolation of scattered values, as bands and contour lines.
 #include <span>
 #include <string>
 #include <vector>
@@ -8,13 +8,13 @@
 
 namespace clast::report_detail {
 
-/// The smoothest surface in the sense of a thin plate through the values: the sum of r^2 log r
-/// about the places and a plane.
+/// Thin-plate spline: the sum of r^2 log r about the points and a plane.
 /// @cite duchon1977
 class ThinPlateSpline {
  public:
-  /// @param places  not all on one line; no two the same
-  /// @param values  as many
+  /// Interpolates the values.
+  /// @param places  distinct, not all collinear
+  /// @param values  one per point
   ThinPlateSpline(std::span<const Vec2> places, std::span<const double> values);
 
   double at(const Vec2& place) const;
@@ -23,26 +23,27 @@ class ThinPlateSpline {
   std::vector<Vec2> places_;
   Vec2 centre_;
   double scale_ = 1.0;
-  std::vector<double> weights_;  ///< of the places, then of 1, x, y
+  std::vector<double> weights_;  ///< of the points, then of 1, x, y
 };
 
-/// Corners of the convex hull, counter-clockwise; fewer than three where all are on one line.
+/// Returns the vertices of the convex hull, counter-clockwise; fewer than three if all points are
+/// collinear.
 std::vector<Vec2> hull_of(std::span<const Vec2> places);
-/// A little inwards counts as inside.
+/// True if a point is inside the hull, within a tolerance.
 bool is_inside(std::span<const Vec2> hull, const Vec2& place);
 
-/// Where the surface is at least so high, within the hull: path data of one SVG path, closed parts
-/// that abut. Found on a lattice of equilateral triangles with sides of `side` px, in each of which
-/// the surface counts as flat.
-std::string format_band_path(const ThinPlateSpline& surface, std::span<const Vec2> hull, double level,
-                      double side);
+/// Formats the region inside the hull where the surface is at least `level`, as path data of one
+/// SVG path with closed parts. Computed on a lattice of equilateral triangles with sides of `side`
+/// px, linearly in each.
+std::string format_band_path(const ThinPlateSpline& surface, std::span<const Vec2> hull,
+                             double level, double side);
 
-/// A contour line.
+/// Contour line of the surface.
 struct ContourLine {
-  std::string path;                           ///< data of an SVG path; empty: none
-  std::vector<std::pair<Vec2, Vec2>> pieces;  ///< the same
+  std::string path;                           ///< SVG path data; empty if there is no line
+  std::vector<std::pair<Vec2, Vec2>> pieces;  ///< the same line as segments
 };
-ContourLine trace_contour_line(const ThinPlateSpline& surface, std::span<const Vec2> hull, double level,
-                         double side);
+ContourLine trace_contour_line(const ThinPlateSpline& surface, std::span<const Vec2> hull,
+                               double level, double side);
 
 }  // namespace clast::report_detail

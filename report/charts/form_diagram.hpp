@@ -1,5 +1,5 @@
 #pragma once
-/// Diagrams that place blocks by the proportions of their axes, with the fields of the classes.
+/// Shape diagrams with class boundaries: Sneed-Folk triangle and Zingg plot.
 #include <string>
 #include <vector>
 
@@ -7,25 +7,24 @@
 
 namespace clast::report_detail {
 
-/// More blocks than this are drawn as a density: their marks would cover each other, and a page
-/// would no longer answer the pointer.
+/// Maximum number of blocks drawn as single marks; more are drawn as a density, because marks would
+/// overlap and slow down the page.
 inline constexpr std::size_t kMostSingleBlocks = 2000;
 
-/// What is said of a block where its mark is: name, axes, classes, and which of them are near a
-/// limit.
+/// Formats the tooltip of a block: name, axes, classes, and classes close to a limit.
 std::string format_block_title(const MeasuredBlock& block, const PopulationOptions& options);
 
-/// The triangle of Sneed and Folk: compact q at the top, platy (1 - q)(1 - d) left, elongate (1 -
-/// q) d right, with q = S/L and d = (L - I)/(L - S).
-/// @param number  of the population in its report, for `page`'s data-block
+/// Draws the Sneed-Folk triangle: compact q at the top, platy (1 - q)(1 - d) left, elongate (1 - q)
+/// d right, with q = S/L and d = (L - I)/(L - S).
+/// @param number  index of the population in its report, for data-block (see `page`)
 std::string sneed_folk_diagram(const Population& population, std::size_t number,
                                const PopulationOptions& options = {});
 
-/// Zingg's plot: I/L over S/I with limits of 2/3.
+/// Draws the Zingg plot: I/L over S/I with limits of 2/3.
 std::string zingg_diagram(const Population& population, std::size_t number,
                           const PopulationOptions& options = {});
 
-/// data-block of a block, see `page`.
+/// Returns the data-block attribute of a block; see `page`.
 std::string block_element_id(std::size_t number, std::size_t block);
 
 }  // namespace clast::report_detail

@@ -1,5 +1,5 @@
 #pragma once
-/// Pictures of what the forms of a campaign came to, over the triangle of Sneed and Folk.
+/// Diagrams of mean outcomes over the Sneed-Folk triangle.
 #include <string>
 #include <vector>
 
@@ -7,15 +7,15 @@
 
 namespace clast::report_detail {
 
-/// A picture of the mean of an outcome over the triangle, and the file name it is kept by:
-/// "response_runout.svg"; of several files "response_2_runout.svg". Empty where all forms have the
-/// same mean.
+/// Diagram of a mean outcome over the triangle and its file name: "response_runout.svg", or
+/// "response_2_runout.svg" for several files.
 struct ResponseFigure {
   std::string file;
   std::string caption;
   std::string svg;
 };
+/// Draws the diagrams of all outcomes that vary between forms.
 std::vector<ResponseFigure> draw_response_figures(const std::vector<OutcomeByShape>& outcomes,
-                                               bool several_files);
+                                                  bool several_files);
 
 }  // namespace clast::report_detail

@@ -1,5 +1,6 @@
 #pragma once
-/// Colours of the report: distinct to colour-blind readers too, and in grey by marker and dash.
+/// Colours of the report, distinct for colour-blind readers, with marker shapes and dashes for
+/// greyscale print.
 #include <array>
 #include <cstddef>
 #include <string>
@@ -8,16 +9,16 @@
 
 namespace clast::report_detail {
 
-/// Strong colours of Okabe & Ito for data, without yellow, which vanishes on white.
+/// Data colours of Okabe & Ito without yellow, which is too pale on white.
 /// @cite okabe2008
 inline constexpr std::array<const char*, 6> kDataColours = {"#0072B2", "#D55E00", "#009E73",
                                                             "#CC79A7", "#E69F00", "#56B4E9"};
 inline constexpr std::array<const char*, 4> kDashes = {"", "6 3", "2 2", "8 3 2 3"};
 
-/// Colour of the n-th curve; they repeat after six.
+/// Returns the colour of the n-th curve; colours repeat after six.
 inline std::string series_colour(std::size_t n) { return kDataColours[n % kDataColours.size()]; }
 
-/// "#0072b2", as HTML, plotly.js and QGIS read it.
+/// Formats a colour as "#0072b2".
 inline std::string format_colour(const Rgb& colour) {
   constexpr const char* kDigits = "0123456789abcdef";
   std::string text = "#";
@@ -25,7 +26,7 @@ inline std::string format_colour(const Rgb& colour) {
   return text;
 }
 
-/// "#0072B2" mixed with so much of another, "#ffffff" for a paler one.
+/// Mixes a colour with a fraction of another; "#ffffff" makes it paler.
 inline std::string mixed(const std::string& colour, const std::string& other, double share) {
   Rgb parts{};
   for (std::size_t i = 0; i < parts.size(); ++i) {
@@ -37,7 +38,7 @@ inline std::string mixed(const std::string& colour, const std::string& other, do
   return format_colour(parts);
 }
 
-/// Compact and elongated keep their colours in every report.
+/// Returns the colour of a Garcia class, equal in all reports.
 inline std::string class_colour(const std::string& garcia) {
   if (garcia == "compact") return kDataColours[0];
   if (garcia == "elongated") return kDataColours[1];

@@ -1,5 +1,5 @@
 #pragma once
-/// An outcome over the triangle of Sneed and Folk.
+/// Outcome over the Sneed-Folk triangle.
 #include <span>
 #include <string>
 
@@ -7,20 +7,20 @@
 
 namespace clast::report_detail {
 
-/// The outcome of one form.
+/// Outcome of one form.
 struct ShapeResponse {
   std::string name;
   Axes axes;
   double value = 0.0;
-  bool marked = false;
+  bool marked = false;  ///< larger, labelled mark
 };
 
-/// SVG: a surface through the values of all forms (charts/contour_field.hpp) as coloured bands with
-/// contour lines at round values, within the forms; compact at the top, platy left, elongate right.
-/// A small disc for each form shows its own value; forms that are `marked`, scanned blocks among
-/// forms made of one, are larger and named. Where the forms lie on one line, discs alone, coloured
-/// from the smallest value to the largest.
-/// @param label  what is shown: "mean runout, m"
+/// Draws an interpolated surface through the values of all forms (charts/contour_field.hpp) as
+/// coloured bands with contour lines at round values, within the convex hull of the forms; compact
+/// at the top, platy left, elongate right. Each form has a small disc in the colour of its value;
+/// `marked` forms, such as scanned blocks, are larger and labelled. If the forms are collinear,
+/// only discs are drawn.
+/// @param label  quantity with unit: "mean runout, m"
 /// @cite sneed1958
 std::string draw_response_triangle(std::span<const ShapeResponse> forms, const std::string& label);
 

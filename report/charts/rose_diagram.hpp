@@ -1,5 +1,5 @@
 #pragma once
-/// Directions of axes as a rose.
+/// Rose diagram of axial directions.
 #include <string>
 #include <vector>
 
@@ -7,12 +7,12 @@
 
 namespace clast::report_detail {
 
-/// A rose of axes, downslope up and right to the right: sectors of 15 degrees, each drawn at both
-/// ends, whose areas are as the numbers of axes; a line along the axial mean, as long as the
+/// Draws a rose diagram, downslope upwards and right to the right: symmetric sectors of 15 degrees
+/// with areas proportional to the counts, and a line along the axial mean with the length of the
 /// resultant.
-/// @param name    plain text above it
+/// @param name  plain text above the diagram
 /// @param trends  rad, from downslope to the right
 std::string draw_rose_diagram(const std::string& name, const std::string& colour,
-                         const std::vector<double>& trends, const AxialMean& mean);
+                              const std::vector<double>& trends, const AxialMean& mean);
 
 }  // namespace clast::report_detail

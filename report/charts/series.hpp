@@ -1,18 +1,18 @@
 #pragma once
-/// What charts of distributions draw.
+/// Samples drawn by distribution charts.
 #include <string>
 #include <vector>
 
 namespace clast::report_detail {
 
-/// One sample to draw.
+/// One sample of a chart.
 struct Series {
   std::string name;
   std::string colour;  ///< "#rrggbb"
-  std::string dash;    ///< SVG dash pattern; empty for a full line
+  std::string dash;    ///< SVG dash pattern; empty for a solid line
   std::vector<double> values;
-  std::vector<double> weights = {};      ///< of each value in a cumulative chart; empty: all alike
-  std::vector<std::string> names = {};   ///< of each value, shown by the mark or bar that holds it
+  std::vector<double> weights = {};      ///< one per value for cumulative charts; empty: equal
+  std::vector<std::string> names = {};   ///< one per value, shown as tooltip
   std::vector<std::string> blocks = {};  ///< data-block of each mark, see `make_report_page`
 };
 

@@ -1,5 +1,5 @@
 #pragma once
-/// Distribution charts as SVG.
+/// Distribution charts (SVG).
 #include <cstddef>
 #include <string>
 #include <utility>
@@ -9,7 +9,7 @@
 
 namespace clast::report_detail {
 
-/// A smooth curve over a cumulative chart: shares in [0, 1] at rising x.
+/// Smooth curve over a cumulative chart: fractions in [0, 1] at ascending x.
 struct Curve {
   std::string name;
   std::string colour;
@@ -17,29 +17,29 @@ struct Curve {
   std::vector<std::pair<double, double>> points;
 };
 
-/// A vertical line with a word beside it.
+/// Vertical line with a label.
 struct Limit {
   double value = 0.0;
   std::string text;
 };
 
+/// Texts and limits of a chart.
 struct ChartText {
   std::string title;
   std::string x_label;
-  bool logarithmic = false;  ///< x, of a cumulative chart; values are positive
+  bool logarithmic = false;  ///< logarithmic x axis of a cumulative chart; values must be positive
   std::vector<Limit> limits = {};
 };
 
-/// Marks and names are drawn up to so many values per series: more would hide the curve.
+/// Maximum number of named marks per series.
 inline constexpr std::size_t kMostNamedMarks = 500;
 
-/// Share of each sample at or below x, as steps. Where values have names, each gets a mark that
-/// shows it.
+/// Draws cumulative step curves. Named values have a mark with a tooltip.
 std::string cumulative_chart(const ChartText& text, const std::vector<Series>& series,
                              const std::vector<Curve>& curves = {});
 
-/// One row of bars per sample over common bins, each in per cent of its sample. A value on the edge
-/// of a bin is in the bin below; limits are edges where that takes no more than sixty bins.
+/// Draws one row of bars per sample over common bins, in per cent. A value on an edge belongs to
+/// the bin below; limits are edges if at most 60 bins suffice.
 std::string draw_histogram(const ChartText& text, const std::vector<Series>& series);
 
 }  // namespace clast::report_detail

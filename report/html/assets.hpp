@@ -1,5 +1,5 @@
 #pragma once
-/// The files of report/assets, compiled in: `page_css` is page.css.
+/// Files of report/assets as strings: `page_css` is page.css.
 #include <string_view>
 
 namespace clast::report_detail::assets {

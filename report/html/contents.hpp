@@ -1,11 +1,11 @@
 #pragma once
-/// The list of a page's sections, which stays in view.
+/// Table of contents of a page.
 #include <string>
 #include <string_view>
 
 namespace clast::report_detail {
 
-/// A link to the answer, where `body` has one, and to every `section`, in their order.
+/// Formats links to the answer, if `body` has one, and to each section in order.
 std::string contents(std::string_view body);
 
 }  // namespace clast::report_detail

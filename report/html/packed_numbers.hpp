@@ -1,5 +1,5 @@
 #pragma once
-/// Arrays of numbers inside a page.
+/// Binary arrays inside a page.
 #include <bit>
 #include <span>
 #include <string>
@@ -10,7 +10,7 @@ namespace clast::report_detail {
 
 static_assert(std::endian::native == std::endian::little, "browsers read little-endian arrays");
 
-/// The bytes of an array in base64, which scripts read with `clastBytes` of unpack.js.
+/// Encodes an array as base64, decoded by `clastBytes` of unpack.js.
 template <class T>
 std::string packed(std::span<const T> values) {
   return encode_base64({reinterpret_cast<const char*>(values.data()), values.size_bytes()});

@@ -1,24 +1,23 @@
 #pragma once
-/// Scripts and data inside a page.
+/// Scripts and data elements of a page.
 #include <string>
 #include <string_view>
 
 namespace clast::report_detail {
 
-/// "<script>code</script>": what would end the element is written in another way, which means the
-/// same in strings of JavaScript.
+/// Formats a script element; sequences that would end it are replaced by equivalent JavaScript.
 std::string format_script_element(std::string_view code);
 
-/// An element with JSON for scripts to read. `attributes` are of the element.
+/// Formats an element with JSON data and the given attributes.
 std::string format_json_element(const std::string& attributes, std::string json);
 
-/// An element with a text that scripts ask for with `clastUnpacked(id)` of unpack.js, deflated:
-/// libraries and trajectories are most of a report, and a browser that has not parsed them opens it
-/// sooner.
+/// Formats an element with a compressed text, read by `clastUnpacked(id)` of unpack.js. Libraries
+/// and trajectories are most of a report; browsers open it faster if they need not parse them at
+/// once.
 std::string format_packed_element(const std::string& id, std::string_view text);
 
-/// The folder of an installed library: the one that the environment variable names, or
-/// else the one that was found when clast was configured.
+/// Returns the folder of an installed library: from the environment variable, or the one found at
+/// configuration.
 std::string installed_folder(const char* variable, const char* configured);
 
 }  // namespace clast::report_detail

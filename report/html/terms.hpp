@@ -1,13 +1,12 @@
 #pragma once
-/// Words of the field that a page explains: where they stand, when they are pointed at, have the
-/// focus or are tapped, and in a list at its end.
+/// Glossary of a page: tooltips of technical terms and a list at its end.
 #include <string>
 #include <string_view>
 
 namespace clast::report_detail {
 
-/// `body` with the first of every term in each section marked, in paragraphs, notes and heads of
-/// tables, and with a folded section that explains those that occur.
+/// Marks the first occurrence of each term per section in paragraphs, notes and table heads, and
+/// appends a collapsible glossary of the terms used.
 std::string link_glossary_terms(std::string_view body);
 
 }  // namespace clast::report_detail

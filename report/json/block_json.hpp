@@ -1,5 +1,5 @@
 #pragma once
-/// What is known of a block, as JSON.
+/// Blocks as JSON.
 #include <nlohmann/json.hpp>
 #include <optional>
 
@@ -8,11 +8,11 @@
 
 namespace clast {
 
-/// {"stable": .., "unstable": .., "saddle": ..}, null where there are none.
+/// Returns {"stable": .., "unstable": .., "saddle": ..}; null if there are no equilibria.
 nlohmann::ordered_json equilibria_json(const std::optional<Equilibria>& sides);
 
-/// Everything known of a block, units in the names (docs/formats.md). An unscaled block's lengths
-/// have keys that end in _units, its masses and moments are null.
+/// Returns all data of a block, with units in the keys (docs/formats.md). Lengths of unscaled
+/// blocks have keys ending in _units, their masses and moments are null.
 nlohmann::ordered_json block_json(const Block& block);
 
 }  // namespace clast

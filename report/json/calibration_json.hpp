@@ -1,15 +1,15 @@
 #pragma once
-/// A calibration, and what it is asked, as JSON.
+/// Calibrations and studies as JSON.
 #include <nlohmann/json.hpp>
 
 #include "study/calibrate/calibrate.hpp"
 
 namespace clast {
 
-/// Answer, findings, unknowns, figures and checks, as docs/formats.md lists them.
+/// Returns answer, findings, unknowns, statistics and checks (docs/formats.md).
 nlohmann::ordered_json calibration_json(const Calibration& calibration);
 
-/// Design, sites, unknowns and observed figures.
+/// Returns design, sites, unknowns and observed statistics.
 nlohmann::ordered_json study_json(const CalibrationStudy& study);
 
 }  // namespace clast

@@ -1,6 +1,5 @@
 #pragma once
-/// A campaign before its runs and what came out of them, as JSON (docs/formats.md, `simulate
-/// --json`).
+/// Campaign plans and outcomes as JSON (docs/formats.md, `simulate --json`).
 #include <nlohmann/json.hpp>
 
 #include "study/results/results.hpp"
@@ -8,13 +7,13 @@
 
 namespace clast {
 
-/// What the campaign could tell apart, with its assumptions; empty where nothing is known.
+/// Returns the planned power with its assumptions; empty if unknown.
 nlohmann::ordered_json power_json(const PlannedPower& power);
 
-/// Runs, blocks, release points, stiffness by block and warnings.
+/// Returns runs, blocks, release points, stiffness by block and warnings.
 nlohmann::ordered_json plan_json(const CampaignPlan& prepared);
 
-/// Stop reasons, runs below ground, barrier crossings, largest errors of energy.
+/// Returns stop reasons, runs below ground, barrier crossings and largest energy errors.
 nlohmann::ordered_json outcome_json(const CampaignResults& results);
 
 }  // namespace clast

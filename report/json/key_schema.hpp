@@ -1,13 +1,12 @@
 #pragma once
-/// JSON Schema (draft 7) of files that are written in TOML, for editors that complete keys, explain
-/// them and mark what would be refused.
+/// JSON Schema (draft 7) of TOML files, for completion and checks in editors.
 #include <nlohmann/json.hpp>
 
 namespace clast {
 
-/// Of campaign files. Each key has `description` and, where it has one, `unit`.
+/// Returns the schema of campaign files; keys have `description` and `unit`.
 nlohmann::ordered_json campaign_schema();
-/// Of study files.
+/// Returns the schema of study files.
 nlohmann::ordered_json calibration_schema();
 
 }  // namespace clast

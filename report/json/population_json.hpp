@@ -6,8 +6,8 @@
 
 namespace clast {
 
-/// The object that `clast classify --json` prints; a line per block, so that a million of them are
-/// never in memory as JSON.
+/// Writes the output of `clast classify --json`, one line per block, without keeping all blocks in
+/// memory as JSON.
 void write_population_json(std::ostream& out, const PopulationReport& report);
 
 }  // namespace clast

@@ -7,7 +7,7 @@
 
 namespace clast {
 
-/// What `clast vary --json` prints (docs/formats.md).
+/// Returns the output of `clast vary --json` (docs/formats.md).
 nlohmann::ordered_json series_json(const BlockSeries& series, const std::optional<CopulaFit>& fit);
 
 }  // namespace clast

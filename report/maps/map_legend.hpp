@@ -1,5 +1,5 @@
 #pragma once
-/// The legend beside the map of a site.
+/// Legend of a site map.
 #include <string>
 
 #include "report/maps/map_marks.hpp"
@@ -11,7 +11,7 @@ struct MapLegend {
   double bottom = 0.0;  ///< px
 };
 
-/// Marks and ground zones.
+/// Draws the legend of marks and ground zones.
 MapLegend draw_map_legend(const SiteMap& site, const Sheet& sheet);
 
 }  // namespace clast::report_detail

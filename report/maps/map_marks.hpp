@@ -1,5 +1,5 @@
 #pragma once
-/// What maps and their legends draw alike.
+/// Marks shared by maps and their legends.
 #include <cstdint>
 #include <string>
 
@@ -7,11 +7,11 @@
 
 namespace clast::report_detail {
 
-inline constexpr double kMapLeft = 88.0;  ///< of the map in its picture, px
+inline constexpr double kMapLeft = 88.0;  ///< left edge of the map in the image, px
 inline constexpr double kMapTop = 12.0;
 inline constexpr const char* kMapText = "font-size=\"12\" fill=\"#33404d\"";
 
-/// The part of the plan that is drawn (map coordinates) and where it lies on the picture.
+/// Transformation from a plan window (map coordinates) to image pixels.
 struct Sheet {
   PlanWindow window;
   double scale = 1.0;  ///< px/m
@@ -22,23 +22,23 @@ struct Sheet {
   double y(double map_y) const { return kMapTop + (window.high.y() - map_y) * scale; }
 };
 
-/// Cross with a white edge, in px.
+/// Draws a cross with a white outline at a pixel position.
 std::string draw_release_mark(double x, double y, const std::string& title);
 
-/// Dashed outline with a white edge.
-/// @param path  of SVG, closed, px
+/// Draws a dashed outline with a white edge.
+/// @param path  closed SVG path, px
 std::string draw_release_outline(const std::string& path, const std::string& title);
 
-/// Where a barrier is marked, and which way crossings count (unit), both on the map.
+/// Position and counted direction (unit vector) of a barrier's arrow, map coordinates.
 struct CountArrow {
   Vec2 root = Vec2::Zero();
   Vec2 way = Vec2::UnitX();
   bool both_ways = false;
 };
-/// On the middle of the line's middle segment.
+/// Places the arrow on the midpoint of the line's middle segment.
 CountArrow make_count_arrow(const BarrierLine& line);
 
-/// Relief of the site's window with contours and zone tints, as "data:image/png;base64,...".
+/// Draws the relief of the site with contours and zone colours as "data:image/png;base64,...".
 std::string draw_relief_image(const SiteMap& site, std::uint32_t columns);
 
 }  // namespace clast::report_detail

@@ -1,5 +1,5 @@
 #pragma once
-/// Styles of map layers as QGIS 3 reads them (QML), the same as on the map of a page.
+/// Map layer styles for QGIS 3 (QML) that match the page's map.
 #include <string>
 #include <vector>
 
@@ -8,17 +8,17 @@
 
 namespace clast::report_detail {
 
-/// A .qml file beside a raster: QGIS opens NAME.tif with NAME.qml.
+/// Formats the .qml file of a raster; QGIS applies NAME.qml to NAME.tif.
 std::string format_raster_qml(const ValueStyle& style);
 
-/// The style of a layer of the GeoPackage.
+/// Style of a GeoPackage layer.
 struct LayerStyle {
   std::string layer;
   std::string qml;
 };
 
-/// Stops by block, crossings and trajectories by shape class, barriers with their names, and stops
-/// observed in the field where there are some.
+/// Makes the styles: stops by block, crossings and trajectories by shape class, barriers with
+/// names, and observed stops if there are any.
 std::vector<LayerStyle> make_vector_styles(const Comparison& comparison);
 
 }  // namespace clast::report_detail

@@ -1,5 +1,5 @@
 #pragma once
-/// Raster maps for QGIS and its like.
+/// Raster maps for GIS programs.
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -8,12 +8,12 @@
 
 namespace clast::report_detail {
 
-/// One GeoTIFF per layer, FOLDER/NAME.tif: 32-bit floats, nodata -9999, tiled and compressed, with
-/// the map system when there is one; beside it NAME.qml, with which QGIS shows it as the report's
-/// map does.
-/// @return the files; none without layers
-/// @throws InputError  GDAL can't write there
+/// Writes one GeoTIFF per layer, FOLDER/NAME.tif (32-bit floats, nodata -9999, tiled, compressed,
+/// with the CRS if known), and NAME.qml with the style of the report's map.
+/// @return the files; empty without layers
+/// @throws InputError  if GDAL cannot write a file
 std::vector<std::filesystem::path> write_rasters(const std::filesystem::path& folder,
-                                                 const MapRasterSet& rasters, const std::string& crs);
+                                                 const MapRasterSet& rasters,
+                                                 const std::string& crs);
 
 }  // namespace clast::report_detail

@@ -1,5 +1,5 @@
 #pragma once
-/// What the maps of a site show: its ground, and where blocks start and are counted.
+/// Contents of a site map: ground, release positions and barriers.
 #include <cstdint>
 #include <limits>
 #include <span>
@@ -11,49 +11,48 @@
 
 namespace clast {
 
-/// A location that single blocks start from.
+/// Release position of single blocks.
 struct ReleasePosition {
-  Vec2 place = Vec2::Zero();  ///< map, m
-  std::uint32_t point = 0;    ///< number of the release point
+  Vec2 place = Vec2::Zero();  ///< map coordinates, m
+  std::uint32_t point = 0;    ///< index of the release point
 };
 
-/// The plan outline of a multi-block release.
+/// Plan outline of a multi-block release.
 struct ReleaseOutline {
   std::string name;           ///< "release of 60 blocks"
-  std::vector<Vec2> corners;  ///< of the convex hull of all starts, map, m; not closed
+  std::vector<Vec2> corners;  ///< convex hull of all starts, map coordinates, m; not closed
 };
 
-/// The site of a comparison, of a campaign or of a terrain, in map coordinates. Refers to the
-/// terrain that it was made of.
+/// Site of a comparison, campaign or terrain, in map coordinates. Refers to the terrain, which must
+/// outlive it.
 struct SiteMap {
   const Terrain* terrain = nullptr;
-  PlanWindow window;  ///< the part of the plan that is drawn, m
-  /// Heights over which contours are spaced, m.
+  PlanWindow window;  ///< drawn part of the plan, m
+  /// Height range of the contours, m.
   double lowest = std::numeric_limits<double>::infinity();
   double highest = -std::numeric_limits<double>::infinity();
-  std::vector<ReleasePosition> places;      ///< each once
-  std::vector<ReleaseOutline> outlines;  ///< by file, then mass
+  std::vector<ReleasePosition> places;   ///< unique
+  std::vector<ReleaseOutline> outlines;  ///< by file, then release
   std::vector<BarrierLine> barriers;
-  bool counts_crossings = true;  ///< of `barriers`; else they are lines alone, without a name
+  bool counts_crossings = true;  ///< false: `barriers` are plain lines without names
 
-  /// Metres between contours: about a dozen over the heights.
+  /// Returns the contour interval, m: about a dozen contours.
   double contour_interval() const;
 };
 
-/// The site of runs: the window holds releases, stops, barriers and measured stops, and contours
-/// are spaced over the heights that the runs pass. Blocks that are released together have one
-/// outline over all realisations instead of a place each; those on one line have their places. The
-/// terrain is that of the first file.
+/// Makes the map of a comparison: the window contains releases, stops, barriers and observed stops;
+/// contours cover the heights of the runs. Multi-block releases are shown by one outline over all
+/// realisations, unless their starts are collinear. Uses the terrain of the first file.
 SiteMap make_site_map(const Comparison& comparison);
 
-/// The site of a campaign: the window holds the whole terrain.
+/// Makes the map of a campaign, showing the whole terrain.
 /// @param header  of a campaign without runs
 SiteMap make_site_map(const CampaignHeader& header);
 
-/// The site of a terrain, all of it, with release points and barrier lines.
-/// @param releases, lines  map, m
-/// @throws InputError  a mark farther off the ground than the ground is large
+/// Makes the map of a whole terrain with release points and barrier lines.
+/// @param releases, lines  map coordinates, m
+/// @throws InputError  if a mark is farther from the terrain than the terrain's size
 SiteMap make_site_map(const Terrain& terrain, std::span<const Vec2> releases,
-                 const std::vector<std::vector<Vec2>>& lines);
+                      const std::vector<std::vector<Vec2>>& lines);
 
 }  // namespace clast

@@ -1,5 +1,5 @@
 #pragma once
-/// A calibration as one self-contained HTML page.
+/// Report of a calibration as one self-contained HTML page.
 #include <string>
 
 #include "study/calibrate/calibrate.hpp"

@@ -1,5 +1,5 @@
 #pragma once
-/// The comparison as one self-contained HTML page: no script or picture from elsewhere.
+/// Report of a comparison as one self-contained HTML page.
 #include <string>
 
 #include "study/compare/comparison_analyses.hpp"

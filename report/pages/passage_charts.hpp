@@ -1,5 +1,5 @@
 #pragma once
-/// What passes a barrier together, for the barrier section: blocks that stay come as a mass.
+/// Charts and tables of simultaneous passages of persistent blocks at a barrier.
 #include <string>
 #include <vector>
 
@@ -7,17 +7,17 @@
 
 namespace clast::report_detail {
 
-/// Blocks, mass and energy that have passed against time, mean and range over realisations; empty
-/// where nothing passed.
+/// Draws cumulative blocks, mass and energy against time, with mean and range over realisations;
+/// empty without passages.
 std::string draw_crossing_charts(const Comparison& comparison,
-                           const std::vector<RealisationCrossings>& all, std::size_t line);
+                                 const std::vector<RealisationCrossings>& all, std::size_t line);
 
-/// The most that a barrier has to take at once, in a sentence; empty where nothing passed.
-std::string describe_crossings(const Comparison& comparison, const std::vector<RealisationCrossings>& all,
-                          std::size_t line);
+/// Describes the largest simultaneous load of a barrier; empty without passages.
+std::string describe_crossings(const Comparison& comparison,
+                               const std::vector<RealisationCrossings>& all, std::size_t line);
 
-/// Means over realisations, least and most; empty where no realisation has the barrier.
-std::string format_crossing_table(const Comparison& comparison, const std::vector<RealisationCrossings>& all,
-                          std::size_t line);
+/// Formats means, minima and maxima over realisations; empty if no realisation has the barrier.
+std::string format_crossing_table(const Comparison& comparison,
+                                  const std::vector<RealisationCrossings>& all, std::size_t line);
 
 }  // namespace clast::report_detail

@@ -1,16 +1,16 @@
 #pragma once
-/// Sizes of the blocks of a population: curves, fitted laws, and how shape goes with size.
+/// Section on block sizes: distributions, fitted laws, and relation of shape and size.
 #include <string>
 
 #include "report/charts/population_diagrams.hpp"
 
 namespace clast::report_detail {
 
-/// Characters of a population's name over a column.
+/// Maximum length of a population's name in a column head, characters.
 inline constexpr std::size_t kMostHead = 14;
 
-/// The section of the page.
-/// @param diagrams  with "sizes" where there are several populations, and "size" + suffix of each
+/// Formats the section.
+/// @param diagrams  contains "sizes" for several populations, and "size" plus suffix for each
 std::string format_size_section(const PopulationReport& report, const Diagrams& diagrams);
 
 }  // namespace clast::report_detail

@@ -1,5 +1,5 @@
 #pragma once
-/// Curves over realisations, as the charts of a page draw them.
+/// Chart traces of curves over realisations.
 #include <string>
 #include <vector>
 
@@ -10,7 +10,7 @@ namespace clast::report_detail {
 
 inline constexpr double kKilojoulesPerJoule = 1e-3;
 
-/// Adds the mean, and below it the band from least to most where there are several realisations.
+/// Adds the mean curve and, for several realisations, the band between minimum and maximum.
 void add_realisation_curve(std::vector<Trace>& traces, const std::string& name,
                            const std::string& colour, Trace::Kind kind,
                            const RealisationCurve& curve, std::size_t realisations);

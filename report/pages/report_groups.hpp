@@ -1,5 +1,5 @@
 #pragma once
-/// Which groups a report shows, what they are called, and what its sections share.
+/// Groups of a report: selection, names and curve styles.
 #include <optional>
 #include <string>
 #include <tuple>
@@ -13,33 +13,35 @@
 namespace clast::report_detail {
 
 bool has_several_files(const Comparison& comparison);
-/// Groups of one kind: per file when there are several files, so that sites do not mix.
+/// Selects the groups of one kind; per file if there are several files.
 std::vector<std::size_t> select_groups(const Comparison& comparison, GroupKind kind);
-/// The name without what the table's heading says already.
+/// Returns the group name without its kind.
 std::string short_group_name(const Group& group);
 
-/// Mean and standard deviation as text; "-" for an empty sample.
+/// Formats mean and standard deviation; "-" for an empty sample.
 std::string format_mean_and_deviation(const Summary& summary, int decimals, double unit = 1.0);
-/// `value` of a summary; "-" for an empty sample.
+/// Formats a value of a summary; "-" for an empty sample.
 std::string measured(double value, const Summary& summary, int decimals);
 
-/// Adds to a list of items, "runout; largest speed".
+/// Appends to a list of items, "runout; largest speed".
 void append_item(std::string& list, const std::string& item);
-/// A line with its head in bold; empty for an empty list.
+/// Formats a line with bold head; empty for an empty list.
 std::string format_headed_list(const std::string& head, const std::string& list);
 
-/// Class of the block that all runs of a group are of; empty where they are of several.
+/// Returns the class of a group with a single block; empty for several blocks.
 std::string block_class_of_group(const Comparison& comparison, const Group& group);
 
-/// Colour and dash of the curve of a group: a block has the colour of its class, and a dash or
-/// shade of its own. Together they repeat after twelve blocks of a class.
-/// @param classes_before  of the groups drawn before it
-std::pair<std::string, std::string> choose_curve_style(const Comparison& comparison, const Group& group,
-                                                const std::vector<std::string>& classes_before);
+/// Chooses colour and dash of a group's curve: colour by class, dash or shade by block; they repeat
+/// after twelve blocks of a class.
+/// @param classes_before  classes of the previously drawn groups
+std::pair<std::string, std::string> choose_curve_style(
+    const Comparison& comparison, const Group& group,
+    const std::vector<std::string>& classes_before);
 
-/// One curve per group.
+/// Makes one series per group.
 template <class Value>
-std::vector<Series> make_value_series(const Comparison& comparison, GroupKind kind, Value value_of) {
+std::vector<Series> make_value_series(const Comparison& comparison, GroupKind kind,
+                                      Value value_of) {
   std::vector<Series> series;
   std::vector<std::string> classes;
   for (const std::size_t g : select_groups(comparison, kind)) {

@@ -1,48 +1,46 @@
 #pragma once
-/// The sections of the HTML report, in the order they are read.
+/// Sections of the HTML report, in reading order.
 #include <string>
 
 #include "study/compare/comparison_analyses.hpp"
 
 namespace clast::report_detail {
 
-/// Title, answer, large numbers, and what could turn the answer round.
+/// Formats title, key results, key figures and warnings.
 std::string format_head_section(const Comparison& comparison, const KeyResults& answer);
-/// Classes side by side: the figures the study is about.
+/// Formats the comparison of shape classes.
 std::string format_class_section(const Comparison& comparison);
-/// The rasters of deposits over the relief; empty without layers.
+/// Formats the map of deposit rasters; empty without layers.
 std::string format_deposit_map(const Comparison& comparison, const MapRasterSet& rasters);
-/// Where the blocks of a realisation lie as a whole: how far the mass of them came, how large and
-/// thick the deposit is; empty where no block stayed.
+/// Formats deposit position, size and thickness; empty without persistent blocks.
 std::string format_deposit_section(const ComparisonAnalyses& analyses);
-/// Kinetic energy and what it becomes, against time, of blocks that stay; empty where the results
-/// don't know.
+/// Formats the energy balance of persistent blocks against time; empty without data.
 std::string format_energy_section(const ComparisonAnalyses& analyses);
-/// How blocks that stay were hit and moved on by later ones, by class; empty where none was
+/// Formats, by class, how persistent blocks were hit and displaced by later ones; empty if none was
 /// released after another.
 std::string format_persistent_blocks_section(const Comparison& comparison);
-/// A row per block (and file) with its shape, its runs and how they ended.
+/// Formats one row per block (and file) with shape, runs and stop reasons.
 std::string format_block_section(const Comparison& comparison);
-/// Stops, and the rasters of paths and deposits, one at a time over the relief.
+/// Formats the map of stops with selectable path and deposit rasters.
 std::string format_map_section(const Comparison& comparison, const MapRasterSet& paths,
-                        const MapRasterSet& deposits);
-/// Distributions of runout and lateral angle.
+                               const MapRasterSet& deposits);
+/// Formats the distributions of runout and lateral angle.
 std::string format_runout_section(const Comparison& comparison);
-/// Energy and passing heights against distance, and the ground under the mean path.
+/// Formats energy and passing height against distance, with the ground profile of the mean path.
 std::string format_slope_section(const Comparison& comparison, const std::vector<ProfileBin>& bins);
-/// How large and how sure the differences between classes are, and how they were tested.
+/// Formats the differences between classes with intervals and tests.
 std::string format_differences_section(const Comparison& comparison);
-/// Measured stops against simulated ones; empty without.
+/// Formats the comparison of observed and simulated stops; empty without observations.
 std::string format_measured_section(const Comparison& comparison);
-/// What drawn ground parameters do to runout and barriers; empty without ensembles.
+/// Formats the effect of ground parameters on runout and barriers; empty without ensembles.
 std::string format_ensemble_section(const ComparisonAnalyses& analyses);
-/// What the variance of outcomes is due to; empty where no campaign runs every combination.
+/// Formats the variance decomposition of outcomes; empty without design effects.
 std::string format_effects_section(const ComparisonAnalyses& analyses);
-/// A table and exceedance curves for every barrier.
+/// Formats a table and exceedance curves for each barrier.
 std::string format_barrier_section(const ComparisonAnalyses& analyses);
-/// Energy balance, penetration, and every run that did not come to rest.
+/// Formats energy balance, penetration and all runs that did not come to rest.
 std::string format_quality_section(const Comparison& comparison);
-/// Settings, ground, inputs with hashes, the campaign files, and the lesser warnings.
+/// Formats settings, ground parameters, inputs with digests, campaign files and minor warnings.
 std::string format_provenance_section(const Comparison& comparison);
 
 }  // namespace clast::report_detail

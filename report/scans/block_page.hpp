@@ -1,5 +1,5 @@
 #pragma once
-/// The page about one block and the scan it was made of.
+/// Page of a block and its scan.
 #include <string>
 
 #include "library/block.hpp"
@@ -8,20 +8,20 @@
 
 namespace clast {
 
-/// What a page of a block is written from. Without a scan (a shape that was read from a .shp file)
-/// it has no pictures of one.
+/// Data for a block's page. Without a scan (shapes read from .shp files) there are no images of it.
 struct ScanOfBlock {
   const TriangleMesh* raw = nullptr;  ///< as read, in the file's units and axes
   const FieldBlock* found = nullptr;
-  ScanOptions options = {};    ///< with which it was read
-  std::string up = "z";        ///< axis of the file that points up, found or asked for
-  std::string scale = {};      ///< how the block got its size, in words; of photographs they say it
-  bool density_given = false;  ///< else a weighed mass sets the density
-  const PhotoScan* photos = nullptr;       ///< of a folder of photographs, else null
-  const PhotoSummary* evidence = nullptr;  ///< what these show; null: the page computes it
+  ScanOptions options = {};  ///< used for reading
+  std::string up = "z";      ///< axis of the file that points up
+  std::string scale =
+      {};  ///< how the scale was determined, as text; photo scans state it themselves
+  bool density_given = false;              ///< false: a weighed mass determines the density
+  const PhotoScan* photos = nullptr;       ///< null unless the block was made from photographs
+  const PhotoSummary* evidence = nullptr;  ///< summary of the photos; null: computed here
 };
 
-/// The page of a block, complete in itself.
+/// Makes the self-contained page of a block.
 std::string make_block_page(const Block& block, const ScanOfBlock& scan);
 
 }  // namespace clast

@@ -1,13 +1,12 @@
 #pragma once
-/// The part of a block's page that is about its photographs.
+/// Section of a block's page about its photographs.
 #include <string>
 
 #include "reconstruct/photos/photo_summary.hpp"
 
 namespace clast {
 
-/// Section "Photographs" of a block's page: who stood where, what was seen how often, what the
-/// scale rests on, which photos were left out.
+/// Formats the section "Photographs": camera positions, coverage, scale, and omitted photos.
 std::string format_photo_section(const PhotoScan& scan, const PhotoSummary& evidence,
                                  const TriangleMesh& surface);
 

@@ -1,11 +1,11 @@
 #pragma once
-/// The frame of a page about a scan.
+/// Frame of pages about scans.
 #include <string>
 #include <string_view>
 
 namespace clast::report_detail {
 
-/// `page` with the style of pictures side by side and of turntables.
+/// Formats a page with the styles of images and 3-D views.
 std::string make_scan_page(std::string_view title, std::string_view body);
 
 }  // namespace clast::report_detail

@@ -1,6 +1,6 @@
 #pragma once
-/// The pictures of a scan's page: as it was read, closed, and how far the block is off it. Where
-/// `metric` is false, lengths in them are called units: those of a model without a scale.
+/// Images of a scan: as read, closed, and its deviation from the block. If `metric` is false,
+/// lengths are labelled as units of an unscaled model.
 #include <functional>
 #include <string>
 #include <vector>
@@ -10,29 +10,29 @@
 
 namespace clast::report_detail {
 
-/// A number at a place of the scan, in the coordinates of its file.
+/// Label at a position of the scan, in file coordinates.
 struct PositionMark {
   std::string label;
   Vec3 place = Vec3::Zero();
 };
 
-/// The scan as it was read beside the closed one, from three sides, as a section of a page: borders
-/// of holes and what was filled in stand out, `marks` are numbered.
-/// @param raw      as read
-/// @param options  with which it was read
+/// Draws the scan as read beside the closed scan from three directions, with hole borders, filled
+/// surface and numbered `marks`.
+/// @param raw  as read
+/// @param options  used for reading
 std::string draw_before_and_after(const TriangleMesh& raw, const ScanOptions& options,
-                             const FieldBlock& block, const std::vector<PositionMark>& marks,
-                             bool metric = true);
+                                  const FieldBlock& block, const std::vector<PositionMark>& marks,
+                                  bool metric = true);
 
-/// The block's surface coloured by its distance from the scan, with a colour bar, as a figure.
-/// @param skin   surface of the block
-/// @param scan   closed; in the same frame
-/// @param reach  distance of the darkest colours, m
+/// Draws the block coloured by its distance from the scan, with a colour bar.
+/// @param skin  surface of the block
+/// @param scan  closed, in the same frame
+/// @param reach  distance of the extreme colours, m
 std::string draw_deviation_map(const TriangleMesh& skin, const TriangleMesh& scan, double reach,
-                          bool metric = true);
+                               bool metric = true);
 
-/// A surface from three sides as a figure, each triangle in its colour.
-/// @param colour  of a triangle, by its number
+/// Draws a surface from three directions, each triangle in its colour.
+/// @param colour  colour of a triangle by index
 std::string painted_views(const TriangleMesh& mesh, const std::function<Rgb(std::uint32_t)>& colour,
                           const std::string& caption, bool metric = true);
 

@@ -1,5 +1,5 @@
 #pragma once
-/// A folder of pages about the scans of a batch: one for each block, and a summary.
+/// Report folder of a batch of scans: one page per block, and a summary.
 #include <filesystem>
 #include <memory>
 #include <string>
@@ -8,24 +8,26 @@
 
 namespace clast {
 
-/// FOLDER/index.html, FOLDER/summary.csv and FOLDER/blocks/ID.html.
+/// Writes FOLDER/index.html, FOLDER/summary.csv and FOLDER/blocks/ID.html.
 class ScanReport {
  public:
-  /// @param replace  replace an existing summary of an earlier batch
-  /// @throws InputError  the folder can't be made or written to, or holds such a summary and
-  ///                     `replace` is false, or a summary.csv or index.html of another kind
+  /// Opens the folder.
+  /// @param replace  replace an existing summary
+  /// @throws InputError  if the folder cannot be created or written, a summary exists and `replace`
+  ///                     is false, or summary.csv or index.html is of another kind
   ScanReport(std::filesystem::path folder, bool replace);
   ~ScanReport();
 
-  /// Makes the page of a block while what it was made from is in memory; several threads at once.
+  /// Makes the page of a block while its scan is in memory. Thread-safe.
   void prepare(const Block& block, const ScanOfBlock& scan);
-  /// Writes the page of a block that was prepared, and adds the block to the summary.
-  /// @throws InputError  the page can't be written
+  /// Writes the prepared page of a block and adds the block to the summary.
+  /// @throws InputError  if the page cannot be written
   void add(const Block& block);
-  /// Adds a block that an earlier batch made; its page is linked where it is there.
+  /// Adds a block of an earlier batch, with a link to its page if it exists.
   void add_earlier(const Block& block);
   void add_failure(const std::string& scan, const std::string& reason);
-  /// Writes the summary. @throws InputError
+  /// Writes the summary.
+  /// @throws InputError  if it cannot be written
   void finish();
 
  private:

@@ -1,5 +1,5 @@
 #pragma once
-/// The 3-D view of a report: terrain, blocks in their real shapes, and their paths over time.
+/// Section with the 3-D view of a report: terrain, blocks with their shapes, and trajectories.
 #include <string>
 
 #include "report/scene/scene_data.hpp"
@@ -7,8 +7,8 @@
 
 namespace clast::report_detail {
 
-/// The section with everything it needs inside, three.js included. Where that is not installed, or
-/// no trajectories are stored, a sentence says so and what to do.
+/// Formats the self-contained section, including three.js, or a note if three.js is not installed
+/// or no trajectories are stored.
 std::string scene_section(const Comparison& comparison, const SceneLimits& limits = {});
 
 }  // namespace clast::report_detail

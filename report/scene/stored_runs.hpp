@@ -1,5 +1,5 @@
 #pragma once
-/// Which runs of a comparison have a stored trajectory, and the trajectories.
+/// Runs of a comparison with stored trajectories.
 #include <optional>
 #include <vector>
 
@@ -8,16 +8,18 @@
 
 namespace clast::report_detail {
 
-/// The runs whose motion is stored. Files are open as long as this lives.
+/// Runs with stored trajectories. Keeps the files open.
 struct DrawnRuns {
-  std::vector<std::size_t> rows;                     ///< of the comparison
-  std::size_t frames = 0;                            ///< of all of them together
-  std::vector<std::optional<TrajectoryFile>> files;  ///< one for each results file; none: gone
+  std::vector<std::size_t> rows;  ///< indices into Comparison::rows
+  std::size_t frames = 0;         ///< total number of stored states
+  std::vector<std::optional<TrajectoryFile>>
+      files;  ///< one per results file; empty if the file no longer exists
 
   Trajectory trajectory(const RunRow& row) const { return files[row.file]->read(row.record->run); }
 };
 
-/// @throws InputError  a results file can't be read any more
+/// Finds all runs with stored trajectories.
+/// @throws InputError  if a results file can no longer be read
 DrawnRuns select_drawn_runs(const Comparison& comparison);
 
 }  // namespace clast::report_detail

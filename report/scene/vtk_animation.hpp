@@ -1,5 +1,5 @@
 #pragma once
-/// Moving blocks for ParaView.
+/// Animation for ParaView.
 #include <cstdint>
 #include <filesystem>
 #include <vector>
@@ -8,13 +8,12 @@
 
 namespace clast {
 
-/// Writes FOLDER/animation.pvd, which ParaView opens with a time slider, one frame_NNNN.vtp for
-/// each stored instant with the blocks where they then are (the core, its corners moved out by the
-/// radius), and terrain_N.vtp for each results file. Map coordinates, doubles; cell data: file,
-/// run, speed_m_s.
-/// @param count  runs to show, spread evenly over those with a trajectory
-/// @return the .pvd file; empty when no run has a trajectory
-/// @throws InputError  the folder can't be written to
+/// Writes FOLDER/animation.pvd for ParaView, one frame_NNNN.vtp with the block positions per stored
+/// time (core with vertices moved outwards by the radius), and terrain_N.vtp per results file. Map
+/// coordinates in doubles; cell data: file, run, speed_m_s.
+/// @param count  number of runs, spread evenly over those with a trajectory
+/// @return the .pvd file; empty if no run has a trajectory
+/// @throws InputError  if the folder cannot be written
 std::filesystem::path write_animation(const std::filesystem::path& folder,
                                       const Comparison& comparison, std::size_t count);
 

@@ -1,6 +1,5 @@
 #pragma once
-/// How the tables of `clast compare` are put together of columns and rows; `run_columns` has the
-/// columns of runs.csv.
+/// Columns and rows of the tables of `clast compare`; see `run_columns` for runs.csv.
 #include <cmath>
 #include <functional>
 #include <optional>
@@ -13,7 +12,7 @@
 
 namespace clast::report_detail {
 
-/// Columns that map layers have too.
+/// Columns that are also attributes of map layers.
 const TableColumns<BarrierGroupStatistics>& barrier_table_columns();
 const TableColumns<ComparisonRow<BarrierCrossing>>& crossing_columns();
 
@@ -25,15 +24,15 @@ std::vector<ComparisonTable> make_crossing_tables();
 std::vector<ComparisonTable> make_deposit_tables();
 std::vector<ComparisonTable> make_energy_tables();
 
-/// Both ends of an interval; not a number without one.
+/// Returns both ends of an interval; NaN if empty.
 inline Vec2 bounds_of(const std::optional<Interval>& interval) {
   return interval ? Vec2(interval->low, interval->high) : Vec2(Vec2::Constant(NAN));
 }
 
-/// The rows of a list in a comparison.
+/// Makes table rows from a list of items.
 template <class Item>
 std::vector<ComparisonRow<Item>> make_comparison_rows(const Comparison& comparison,
-                                         const std::vector<Item>& items) {
+                                                      const std::vector<Item>& items) {
   std::vector<ComparisonRow<Item>> rows;
   for (const Item& item : items) rows.push_back({comparison, item});
   return rows;
@@ -41,22 +40,22 @@ std::vector<ComparisonRow<Item>> make_comparison_rows(const Comparison& comparis
 
 template <class Row>
 const std::vector<Row>& select_rows(const TableColumns<Row>&, const Comparison&,
-                                 const std::vector<Row>& rows) {
+                                    const std::vector<Row>& rows) {
   return rows;
 }
 template <class Item>
 std::vector<ComparisonRow<Item>> select_rows(const TableColumns<ComparisonRow<Item>>&,
-                                          const Comparison& comparison,
-                                          const std::vector<Item>& items) {
+                                             const Comparison& comparison,
+                                             const std::vector<Item>& items) {
   return make_comparison_rows(comparison, items);
 }
 
-/// @param columns  live as long as the table
-/// @param items    one for each row: a function or a member of the analyses, or else of the
-///                 comparison
+/// Makes a table from columns and items.
+/// @param columns  must outlive the table
+/// @param items  one per row: a function or member of the analyses or of the comparison
 template <class Row, class Items>
 ComparisonTable make_table(const std::string& name, const TableColumns<Row>& columns,
-                         const Items& items) {
+                           const Items& items) {
   const auto filled = [&columns, items](const auto& fill) {
     return [&columns, items, fill](const ComparisonAnalyses& of) {
       if constexpr (std::is_invocable_v<const Items&, const ComparisonAnalyses&>) {

@@ -1,12 +1,12 @@
 #pragma once
-/// Where the figures of a comparison come from.
+/// Provenance of a comparison.
 #include <string>
 
 #include "study/compare/comparison_analyses.hpp"
 
 namespace clast {
 
-/// What made the results, as JSON: program versions, campaigns and input files with their hashes.
+/// Returns program versions, campaigns and input files with digests as JSON.
 std::string make_provenance_json(const ComparisonAnalyses& analyses);
 
 }  // namespace clast

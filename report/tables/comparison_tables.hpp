@@ -1,5 +1,5 @@
 #pragma once
-/// The tables of `clast compare`; columns in docs/formats.md.
+/// Tables of `clast compare`; columns in docs/formats.md.
 #include <vector>
 
 #include "report/tables/report_table.hpp"
@@ -9,7 +9,8 @@ namespace clast {
 
 using ComparisonTable = ReportTable<ComparisonAnalyses>;
 
-/// "runs", "barriers", "crossings", ...; "measured" has rows where stops were measured.
+/// Returns all tables: "runs", "barriers", "crossings", ...; "measured" is empty without observed
+/// stops.
 const std::vector<ComparisonTable>& comparison_tables();
 
 }  // namespace clast

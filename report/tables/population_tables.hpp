@@ -1,5 +1,5 @@
 #pragma once
-/// The tables of a population of blocks; columns in docs/formats.md.
+/// Tables of a block population; columns in docs/formats.md.
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -9,19 +9,19 @@
 
 namespace clast {
 
-/// Column that holds the class of a scheme: "shape" for garcia, as everywhere; else the scheme's
-/// name with _ for -.
+/// Returns the column name of a scheme's class: "shape" for garcia, otherwise the scheme's name
+/// with _ for -.
 std::string class_column_name(const std::string& scheme);
 
 using PopulationTable = ReportTable<PopulationReport>;
 
-/// "classes", "shares", "sizes", "tests".
+/// Returns the tables "classes", "shares", "sizes" and "tests".
 const std::vector<PopulationTable>& population_tables();
 
-/// The file of "classes": a row per block with all classes and indices. Rows are made in parallel
-/// and written in order, so the file is the same for any number of threads and never whole in
-/// memory.
-/// @throws InputError  can't be written
+/// Writes the table "classes": one row per block with all classes and indices. Rows are made in
+/// parallel and written in order; the file does not depend on the number of threads and is never in
+/// memory as a whole.
+/// @throws InputError  if it cannot be written
 void write_classes_csv(const PopulationReport& report, const std::filesystem::path& path,
                        unsigned threads = 0);
 

@@ -1,6 +1,6 @@
 #pragma once
-/// Tables of a report by name: each is declared once, for its CSV file, for columns of values, and
-/// for its part of docs/formats.md.
+/// Tables of a report, each declared once for its CSV file, its columns in Python, and
+/// docs/formats.md.
 #include <functional>
 #include <string>
 #include <vector>
@@ -11,10 +11,10 @@
 
 namespace clast {
 
-/// What a table holds of a source.
+/// Table that is computed from a source.
 template <class Source>
 struct ReportTable {
-  std::string name;  ///< of its file, without ".csv"
+  std::string name;  ///< file name without ".csv"
   std::function<std::string(const Source&)> csv;
   std::function<TableValues(const Source&)> values;
 };
@@ -26,7 +26,8 @@ std::vector<std::string> table_names(const std::vector<ReportTable<Source>>& tab
   return names;
 }
 
-/// @throws InputError  no such table; the message lists them
+/// Finds a table by name.
+/// @throws InputError  if there is none; the message lists all tables
 template <class Source>
 const ReportTable<Source>& find_table(const std::vector<ReportTable<Source>>& tables,
                                       const std::string& name) {
@@ -37,7 +38,7 @@ const ReportTable<Source>& find_table(const std::vector<ReportTable<Source>>& ta
                    comma_separated(table_names(tables)));
 }
 
-/// True if the file is that of a table, "NAME.csv".
+/// True if a file name is "NAME.csv" of a table.
 template <class Source>
 bool is_table_file(const std::vector<ReportTable<Source>>& tables, const std::string& file) {
   for (const ReportTable<Source>& table : tables) {

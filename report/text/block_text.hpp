@@ -1,5 +1,5 @@
 #pragma once
-/// Blocks as text for a terminal.
+/// Terminal output of blocks.
 #include <array>
 #include <span>
 #include <string>
@@ -10,18 +10,18 @@
 
 namespace clast {
 
-/// One line: id, vertices, size, volume, mass, classes, deviation.
+/// Formats one line: id, vertices, size, volume, mass, classes, deviation.
 std::string format_block_line(const Block& block);
 
-/// A row per block. Lengths of unscaled blocks are marked "u".
+/// Makes a table with one row per block; lengths of unscaled blocks are marked "u".
 TextTable block_table(std::span<const Block* const> blocks);
-/// Which of the blocks are unscaled, and why; empty where none is.
+/// Describes which blocks are unscaled and why; empty if none is.
 std::string describe_unscaled(std::span<const Block* const> blocks);
 
-/// Names and what stands behind them, in the order they are to be read.
+/// Ordered pairs of name and value.
 using NamedValues = std::vector<std::array<std::string, 2>>;
 
-/// What the table leaves out.
+/// Returns the details of a block that are not in the table.
 NamedValues describe_block(const Block& block);
 
 }  // namespace clast

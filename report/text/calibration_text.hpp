@@ -1,5 +1,5 @@
 #pragma once
-/// A calibration in words, and as tables of text.
+/// Texts and text tables of a calibration.
 #include <string>
 #include <vector>
 
@@ -7,23 +7,24 @@
 
 namespace clast {
 
-/// What a study asks: sites, members and runs; unknowns with their ranges; observed figures.
+/// Formats sites, members and runs, unknowns with ranges, and observed statistics of a study.
 std::string format_study_summary(const CalibrationStudy& study);
 
-/// "friction of blue", "rolling length of scree, m", "height of release, m".
+/// Describes an unknown: "friction of blue", "rolling length of scree, m", "height of release, m".
 std::string describe_unknown(const std::string& parameter);
 
-/// The answer in a sentence: which parameters the observations tell, and what they are.
+/// Describes the result in a sentence: the parameters that are determined, and their values.
 std::string describe_calibration_result(const Calibration& calibration);
-/// Then whether fit and prediction hold, ridges, and what a reader must know.
+/// Describes whether fit and prediction hold, correlations, and warnings.
 std::vector<std::string> describe_calibration_findings(const Calibration& calibration);
 
-/// Unknowns: prior, median, 95 % interval, how much of the prior's width is left.
+/// Formats prior, median, 95 % interval and relative width of each unknown.
 std::string format_unknowns_table(const Calibration& calibration);
-/// Figures: observed, predicted with its 95 % interval, what the surrogate explains.
+/// Formats the observed and predicted statistics with 95 % intervals and the quality of the
+/// surrogates.
 std::string format_statistics_table(const Calibration& calibration);
 
-/// Tables [ground.NAME] for campaigns with the medians found, other values as in the campaigns.
+/// Formats the tables [ground.NAME] for campaigns with the posterior medians.
 std::string format_ground_block(const Calibration& calibration);
 
 }  // namespace clast

@@ -1,11 +1,11 @@
 #pragma once
-/// Sentences that begin with a word made elsewhere.
+/// Capitalisation of sentences.
 #include <cctype>
 #include <string>
 
 namespace clast::report_detail {
 
-/// With its first letter, if that is one of ASCII, as a capital.
+/// Returns the text with its first ASCII letter in upper case.
 inline std::string capitalized(std::string text) {
   if (!text.empty()) text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));
   return text;

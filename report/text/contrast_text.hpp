@@ -1,5 +1,5 @@
 #pragma once
-/// Differences in words: of groups of runs, of files of realisations, of blocks together and alone.
+/// Texts of differences between groups, files and releases.
 #include <string>
 
 #include "study/compare/comparison.hpp"
@@ -8,31 +8,32 @@
 
 namespace clast {
 
-/// A quantity as readers know it: "EC11 total_energy_j" is "energy at EC11", in kJ.
+/// Name and unit of a quantity as displayed: "EC11 total_energy_j" is "energy at EC11" in kJ.
 struct QuantityText {
   std::string name;
   std::string unit;
-  double factor = 1.0;  ///< on values
+  double factor = 1.0;  ///< displayed value over stored value
 };
 QuantityText quantity_text(const std::string& quantity);
 
-/// "13 m more (10 to 17 m)", or "less": of the first group, with the decimals that its interval
-/// leaves.
-/// @param unit    of what is printed; can be empty
-/// @param factor  on values
-std::string describe_difference(const Contrast& contrast, const std::string& unit, double factor = 1.0);
+/// Describes a difference of the first group: "13 m more (10 to 17 m)" or "less", with decimals
+/// that fit the interval.
+/// @param unit  displayed unit; may be empty
+/// @param factor  displayed value over stored value
+std::string describe_difference(const Contrast& contrast, const std::string& unit,
+                                double factor = 1.0);
 std::string describe_difference(const Difference& difference);
 std::string describe_difference(const DepositQuantityDifference& difference);
 
-/// A sentence to quote.
+/// Describes a difference in a complete sentence.
 std::string in_words(const Difference& difference, const Comparison& comparison);
 
-/// "travel angle: file 1 31.2 deg, file 2 28.4 deg; 2.8 deg more (1.1 to 4.5 deg), from 4 and 4
-/// realisations", and whether that can be chance.
+/// Describes a difference of deposits and its significance: "travel angle: file 1 31.2 deg, file 2
+/// 28.4 deg; 2.8 deg more (1.1 to 4.5 deg), from 4 and 4 realisations".
 std::string in_words(const DepositQuantityDifference& difference);
 
-/// "class compact: 12.1 m together, 15.3 m alone; 3.2 m less (1.1 to 5.3 m)", and how far apart
-/// they start and how their masses differ, where that is more than `kSameStart` or `kSameMass`.
+/// Describes the mobility of a deposit: "class compact: 12.1 m together, 15.3 m alone; 3.2 m less
+/// (1.1 to 5.3 m)", and differences of starts and masses beyond `kSameStart` and `kSameMass`.
 std::string in_words(const DepositMobility& mobility);
 
 }  // namespace clast

@@ -1,5 +1,5 @@
 #pragma once
-/// What the variance of outcomes is due to, in words.
+/// Texts of the variance decomposition.
 #include <string>
 #include <vector>
 
@@ -7,9 +7,9 @@
 
 namespace clast {
 
-/// A sentence for each outcome of each file, the runout first: "Form explains 22 % (15 to 29) of
-/// the runout's variance, ..."; or why a file has none. Before
-/// those that are estimated, what is missing.
+/// Describes each outcome of each file, runout first: "Form explains 22 % (15 to 29) of the
+/// runout's variance, ..."; or why a file has no effects. Estimated fractions are preceded by their
+/// reason.
 std::vector<std::string> describe_effects(const std::vector<DesignEffects>& effects);
 
 }  // namespace clast

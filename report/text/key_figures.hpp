@@ -1,5 +1,5 @@
 #pragma once
-/// The large numbers of a first screen.
+/// Key figures of a first screen.
 #include <string>
 #include <vector>
 
@@ -7,15 +7,15 @@
 
 namespace clast {
 
-/// One of them.
+/// Key figure of a report.
 struct KeyFigure {
   std::string value;      ///< "45 / 32 m"
   std::string label;      ///< "mean runout, compact / elongated"
-  std::string range;      ///< "42 to 48 / 30 to 34"; empty: none
-  std::string more = {};  ///< "half stop before 44 / 31 m"; empty: none
+  std::string range;      ///< "42 to 48 / 30 to 34", or empty
+  std::string more = {};  ///< "half stop before 44 / 31 m", or empty
 };
 
-/// Four at most.
+/// Selects at most four key figures.
 std::vector<KeyFigure> key_figures(const Comparison& comparison, const KeyResults& answer);
 
 }  // namespace clast

@@ -1,6 +1,5 @@
 #pragma once
-/// How observed stops agree with simulated ones, in words: on the page, on the terminal and in the
-/// summary.
+/// Texts on the agreement of observed and simulated stops.
 #include <string>
 #include <vector>
 
@@ -8,7 +7,7 @@
 
 namespace clast {
 
-/// A sentence for each group of observed stops; none without observed stops.
+/// Describes the agreement in one sentence per group; empty without observed stops.
 std::vector<std::string> describe_measured_stops(const Comparison& comparison);
 
 }  // namespace clast

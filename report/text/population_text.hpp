@@ -1,16 +1,16 @@
 #pragma once
-/// Populations as text for a terminal.
+/// Terminal output of block populations.
 #include <string>
 
 #include "classify/population_summary.hpp"
 
 namespace clast {
 
-/// A row per block: axes, classes, and how sure the class of the first scheme is.
+/// Formats one row per block: axes, classes, and the certainty of the first scheme's class.
 std::string format_blocks_table(const Population& population, const PopulationOptions& options);
-/// Shares of classes, sizes, and how size and shape go together.
+/// Formats class fractions, sizes, and the relation of size and shape.
 std::string format_population_summary(const PopulationSummary& summary);
-/// A sentence per test.
+/// Formats one sentence per test.
 std::string format_population_comparison(const PopulationComparison& comparison);
 
 }  // namespace clast

@@ -1,5 +1,5 @@
 #pragma once
-/// Series of varied blocks as text.
+/// Terminal output of series of varied blocks.
 #include <span>
 #include <string>
 
@@ -8,10 +8,10 @@
 
 namespace clast {
 
-/// A row per body: id, what was varied, I/L, S/L, convexity, volume, mass, class.
+/// Makes a table with one row per body: id, variation, I/L, S/L, convexity, volume, mass, class.
 TextTable make_series_table(std::span<const Block> blocks);
 
-/// How well drawn bodies stand for their population, a line for each correlation.
+/// Describes how well sampled bodies match their population, one line per correlation.
 std::string describe_copula_fit(const CopulaFit& fit);
 
 }  // namespace clast

@@ -1,5 +1,5 @@
 #pragma once
-/// What files and barriers are called in a sentence.
+/// Names of files and barriers in sentences.
 #include <cstdint>
 #include <string>
 
@@ -7,12 +7,12 @@
 
 namespace clast::report_detail {
 
-/// "file 2 (soft)".
+/// Returns the name of a file, such as "file 2 (soft)".
 std::string file_name(const Comparison& comparison, std::uint32_t file);
 
-/// A barrier, and what blocks do there.
+/// Name of a barrier in sentences, with its verb.
 struct BarrierText {
-  std::string name;  ///< with an article where it is a noun: "the road", "EC22"
+  std::string name;  ///< with an article if it is a noun: "the road", "EC22"
   std::string pass;  ///< "pass", "reach"
 };
 BarrierText barrier_text(const Comparison& comparison, std::size_t line);

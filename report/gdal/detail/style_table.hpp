@@ -1,5 +1,5 @@
 #pragma once
-/// The table of a GeoPackage in which QGIS keeps the styles of its layers.
+/// Layer styles of a GeoPackage for QGIS.
 #include <gdal_priv.h>
 
 #include <filesystem>
@@ -9,9 +9,9 @@
 
 namespace clast::report_detail {
 
-/// Adds table `layer_styles` as QGIS makes it, each style the default of its layer.
-/// @param target  file, for messages
-/// @throws InputError  GDAL can't write it
+/// Adds the table `layer_styles` of QGIS, each style as the default of its layer.
+/// @param target  file name for messages
+/// @throws InputError  if GDAL cannot write it
 void add_style_table(GDALDataset& dataset, const std::filesystem::path& target,
                      const std::vector<LayerStyle>& styles);
 

@@ -1,5 +1,5 @@
 #pragma once
-/// What the photos of a block showed, as JSON (docs/formats.md).
+/// Summary of a photo scan as JSON (docs/formats.md).
 #include <nlohmann/json.hpp>
 
 #include "reconstruct/photos/photo_summary.hpp"
