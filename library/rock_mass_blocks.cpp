@@ -72,10 +72,10 @@ JointedMass cut_masses(std::span<const TriangleMesh> masses, const RockMassOptio
 
 RockMassBlocks cut_rock_mass(const TriangleMesh& mass, const BlockSource& source,
                              const RockMassOptions& options) {
-  return distribute_blocks({&mass, 1}, source, options);
+  return cut_rock_masses({&mass, 1}, source, options);
 }
 
-RockMassBlocks distribute_blocks(std::span<const TriangleMesh> masses, const BlockSource& source,
+RockMassBlocks cut_rock_masses(std::span<const TriangleMesh> masses, const BlockSource& source,
                                  const RockMassOptions& options) {
   RockMassBlocks result;
   const JointedMass cut = cut_masses(masses, options, result.failed);

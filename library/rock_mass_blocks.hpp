@@ -38,7 +38,7 @@ RockMassBlocks cut_rock_mass(const TriangleMesh& mass, const BlockSource& source
 /// @throws GeometryError, InputError  as `cut_by_joints`; where some masses can be cut, what keeps
 ///                                    others from it is among the failures
 /// @pre there is a mass
-RockMassBlocks distribute_blocks(std::span<const TriangleMesh> masses, const BlockSource& source,
+RockMassBlocks cut_rock_masses(std::span<const TriangleMesh> masses, const BlockSource& source,
                                  const RockMassOptions& options);
 
 }  // namespace clast

@@ -48,7 +48,7 @@ RockMassBlocks blocks_of_released_mass(const ReleasedMass& mass, const MassTerra
       ""};
   std::vector<TriangleMesh> masses;
   for (const MassBody& body : mass.bodies) masses.push_back(body.mesh);
-  return distribute_blocks(masses, source, cutting);
+  return cut_rock_masses(masses, source, cutting);
 }
 
 TriangleMesh mesh_of(const ReleasedMass& mass) {

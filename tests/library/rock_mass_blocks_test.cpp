@@ -66,7 +66,7 @@ TEST(RockMassBlocks, OfSeveralMassesAreNumberedInARow) {
   const TriangleMesh near = box_mesh({3.0, 3.0, 3.0}), tiny = box_mesh({0.05, 0.05, 0.05});
   const RockMassBlocks one = cut_rock_mass(near, kScarSource, options);
   const RockMassBlocks two = cut_rock_mass(far, kScarSource, options);
-  const RockMassBlocks all = distribute_blocks(std::vector{near, tiny, far}, kScarSource, options);
+  const RockMassBlocks all = cut_rock_masses(std::vector{near, tiny, far}, kScarSource, options);
   ASSERT_EQ(all.blocks.size(), one.blocks.size() + two.blocks.size());
   for (std::size_t i = 0; i < all.blocks.size(); ++i) {
     const bool first = i < one.blocks.size();
@@ -78,7 +78,7 @@ TEST(RockMassBlocks, OfSeveralMassesAreNumberedInARow) {
   EXPECT_NEAR(all.volume, 27.0 + 8.0 + 0.05 * 0.05 * 0.05, 1e-9);
   ASSERT_EQ(all.failed.size(), 1u);
   EXPECT_TRUE(all.failed[0].starts_with("mass 2: ")) << all.failed[0];
-  EXPECT_THROW(distribute_blocks(std::vector{tiny, tiny}, kScarSource, options), InputError);
+  EXPECT_THROW(cut_rock_masses(std::vector{tiny, tiny}, kScarSource, options), InputError);
 }
 
 // Far from the origin the same comes out, but for which of two vertices that nearly coincide stays.
