@@ -12,8 +12,8 @@ namespace clast {
 CLI::Validator within(const NumberRange& range) {
   return {[range](const std::string& text) {
             const std::optional<double> number = parse_number(text);
-            if (number && range.holds(*number)) return std::string();
-            return "\"" + text + "\" is not a number " + range.words();
+            if (number && range.contains(*number)) return std::string();
+            return "\"" + text + "\" is not a number " + range.describe();
           },
           ""};
 }

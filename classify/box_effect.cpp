@@ -16,8 +16,8 @@ bool in_use(std::span<const MeasuredBlock> blocks, std::size_t box) {
 }  // namespace
 
 std::vector<BoxConventionEffect> compare_box_conventions(std::span<const MeasuredBlock> blocks,
-                                   std::span<const std::string> schemes,
-                                   const SchemeOptions& limits) {
+                                                         std::span<const std::string> schemes,
+                                                         const SchemeOptions& limits) {
   std::vector<BoxConventionEffect> effects;
   for (const std::string& scheme : schemes) {
     for (std::size_t box = 0; box < kBoxConventions.size(); ++box) {
@@ -26,8 +26,8 @@ std::vector<BoxConventionEffect> compare_box_conventions(std::span<const Measure
       for (const MeasuredBlock& block : blocks) {
         if (block.axes_by_box.empty()) continue;
         ++effect.blocks;
-        effect.differ += shape_class(scheme, block.axes_by_box[box], limits) !=
-                         shape_class(scheme, block.axes_as_written, limits);
+        effect.reclassified += shape_class(scheme, block.axes_by_box[box], limits) !=
+                               shape_class(scheme, block.axes_as_written, limits);
       }
       if (effect.blocks > 0) effects.push_back(effect);
     }
@@ -37,10 +37,10 @@ std::vector<BoxConventionEffect> compare_box_conventions(std::span<const Measure
 
 std::string describe_box_effect(const BoxConventionEffect& effect) {
   return "By the " + name_of(effect.convention) + " box " +
-         (effect.differ == 0 ? "none" : std::to_string(effect.differ)) + " of " +
+         (effect.reclassified == 0 ? "none" : std::to_string(effect.reclassified)) + " of " +
          std::to_string(effect.blocks) + (effect.blocks == 1 ? " block" : " blocks") +
-         (effect.differ == 1 || effect.differ == 0 ? " has" : " have") + " another class of " +
-         effect.scheme + ".";
+         (effect.reclassified == 1 || effect.reclassified == 0 ? " has" : " have") +
+         " another class of " + effect.scheme + ".";
 }
 
 }  // namespace clast

@@ -15,15 +15,15 @@ struct BoxConventionEffect {
   BoxConvention convention = BoxConvention::kSmallest;
   std::string scheme;
   std::size_t blocks = 0;  ///< with boxes by all conventions
-  std::size_t differ = 0;
+  std::size_t reclassified = 0;
 };
 
 /// Conventions within schemes, schemes in the order given; without the convention whose axes are in
 /// use. Blocks without `axes_by_box` (rows of tape tables) are left out; empty where all are.
 /// @throws InputError  unknown scheme
 std::vector<BoxConventionEffect> compare_box_conventions(std::span<const MeasuredBlock> blocks,
-                                   std::span<const std::string> schemes,
-                                   const SchemeOptions& limits = {});
+                                                         std::span<const std::string> schemes,
+                                                         const SchemeOptions& limits = {});
 
 /// "By the inertia box 2 of 7 blocks have another class of sneed-folk."
 std::string describe_box_effect(const BoxConventionEffect& effect);

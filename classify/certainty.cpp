@@ -36,10 +36,10 @@ ClassCertainty class_certainty(const std::string& scheme, const Axes& axes, doub
     }
   }
   if (axis_error > 0.0) {
-    certainty.others = find_possible_classes(scheme, axes, axis_error, options);
-    std::erase(certainty.others, certainty.name);
+    certainty.possible_others = find_possible_classes(scheme, axes, axis_error, options);
+    std::erase(certainty.possible_others, certainty.name);
   }
-  certainty.is_certain = certainty.others.empty();
+  certainty.is_certain = certainty.possible_others.empty();
   certainty.near_limit = certainty.distance < kNear || !certainty.is_certain;
   return certainty;
 }
@@ -50,8 +50,8 @@ std::string describe_certainty(const ClassCertainty& certainty) {
                      format_significant(certainty.limit, 3);
   if (certainty.is_certain) return text;
   text += "; ";
-  for (const std::string& name : certainty.others) {
-    text += name + (&name == &certainty.others.back() ? " possible" : ", ");
+  for (const std::string& name : certainty.possible_others) {
+    text += name + (&name == &certainty.possible_others.back() ? " possible" : ", ");
   }
   return text;
 }

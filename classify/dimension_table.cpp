@@ -59,8 +59,8 @@ Cell positive_cell(const Record& record, std::size_t column, const TableLayout& 
   const double size = *value * range.factor;
   if (!(size >= range.low && size <= range.high)) {
     return {0.0, name + " = " + std::string(field) + " is " + (size < range.low ? "less" : "more") +
-                     " than " + format_significant(size < range.low ? range.low : range.high, 3) + " " +
-                     range.unit};
+                     " than " + format_significant(size < range.low ? range.low : range.high, 3) +
+                     " " + range.unit};
   }
   return {*value, {}};
 }
@@ -69,7 +69,8 @@ Cell positive_cell(const Record& record, std::size_t column, const TableLayout& 
 std::optional<std::string_view> summary_in(const Record& record, const TableLayout& layout) {
   const auto counts = [&](std::string_view field) {
     const SummaryLabel label = detect_summary_label(field);
-    return label == SummaryLabel::kCertain || (layout.has_summary && label == SummaryLabel::kAmbiguous);
+    return label == SummaryLabel::kCertain ||
+           (layout.has_summary && label == SummaryLabel::kAmbiguous);
   };
   if (layout.name && !record.fields[*layout.name].empty()) {
     const std::string_view name = record.fields[*layout.name];
@@ -89,7 +90,7 @@ void find_summary_rows(const std::string& text, TableLayout& layout) {
   DelimitedTextReader rows(text, layout.file);
   Record record;
   bool labelled = false, followed = false;
-  while (rows.next(record)) {
+  while (rows.read_record(record)) {
     const bool summary = summary_in(record, layout).has_value();
     followed = followed || (labelled && !summary);
     labelled = labelled || summary;
@@ -195,7 +196,8 @@ std::string length_note(const DimensionTable& table, bool units_are_known) {
            format_significant(kDoubtful, 3) + " m, up to " + format_significant(lengths.back(), 3) +
            " m: are these slips of the pen?";
   }
-  const std::string half = "half of the blocks are " + format_significant(median, 3) + " m long or longer";
+  const std::string half =
+      "half of the blocks are " + format_significant(median, 3) + " m long or longer";
   if (units_are_known) return half + ": check the unit, which is as `units` or the header says";
   return "axes were read in metres, as neither the header nor `units` names a unit, and " + half +
          in_other_units(median) + "; give the unit with `units`";
@@ -213,7 +215,7 @@ DimensionTable read_dimension_table(const std::filesystem::path& path,
   const DecodedText content = decode_text(read_text_file(path), file);
   DelimitedTextReader text(content.text, file);
   Record record;
-  if (!text.next(record)) {
+  if (!text.read_record(record)) {
     throw InputError(file + ": the table is empty; it must have a line for each block");
   }
   DimensionTable table;
@@ -225,7 +227,7 @@ DimensionTable read_dimension_table(const std::filesystem::path& path,
   TableLayout layout = find_table_layout(record, text.separator(), columns, file, table.notes);
   find_summary_rows(content.text, layout);
   if (!layout.has_header) read_row(record, layout, table);
-  while (text.next(record)) read_row(record, layout, table);
+  while (text.read_record(record)) read_row(record, layout, table);
   if (table.blocks.empty()) {
     throw InputError(file + ": no usable row" +
                      (table.notes.empty() ? std::string() : "; " + table.notes.back()));

@@ -15,7 +15,7 @@ struct Equilibria {
 
   /// S + U - H = 2 (Poincare-Hopf); fails only where the centre is right above the border of a
   /// face or the end of an edge, to rounding.
-  bool consistent() const { return stable + unstable == saddle + 2; }
+  bool is_consistent() const { return stable + unstable == saddle + 2; }
 };
 
 /// Of the convex hull, which is all that touches a flat ground. Rounding lifts every support plane

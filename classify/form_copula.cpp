@@ -28,8 +28,7 @@ double rank_correlation(std::span<const double> a, std::span<const double> b) {
 
 }  // namespace
 
-FormCopula::Values FormCopula::measure_values(std::span<const BlockForm> blocks,
-                                                bool convexity) {
+FormCopula::Values FormCopula::measure_values(std::span<const BlockForm> blocks, bool convexity) {
   Values values(convexity ? 4 : 3);
   for (const BlockForm& block : blocks) {
     const Axes axes = Axes::sorted(block.axes.L, block.axes.I, block.axes.S);
@@ -63,8 +62,8 @@ FormCopula::FormCopula(std::span<const BlockForm> population) {
   }
   // Correlations found one by one need not be possible together.
   for (;; removed_correlation_ = std::min(1.0, removed_correlation_ + kWeaker)) {
-    const Eigen::MatrixXd tried =
-        (1.0 - removed_correlation_) * normal + removed_correlation_ * Eigen::MatrixXd::Identity(count, count);
+    const Eigen::MatrixXd tried = (1.0 - removed_correlation_) * normal +
+                                  removed_correlation_ * Eigen::MatrixXd::Identity(count, count);
     const Eigen::LLT<Eigen::MatrixXd> factor(tried);
     const Eigen::MatrixXd lower = factor.matrixL();
     if (factor.info() != Eigen::Success || lower.diagonal().minCoeff() < kLeastPivot) continue;
@@ -76,7 +75,7 @@ FormCopula::FormCopula(std::span<const BlockForm> population) {
   }
 }
 
-BlockForm FormCopula::draw(Random& random) const {
+BlockForm FormCopula::sample(Random& random) const {
   std::vector<double> free, drawn;
   for (std::size_t i = 0; i < sorted_.size(); ++i) free.push_back(random.normal());
   for (std::size_t i = 0; i < sorted_.size(); ++i) {
@@ -91,7 +90,7 @@ BlockForm FormCopula::draw(Random& random) const {
   return block;
 }
 
-CopulaFit FormCopula::fit(std::span<const BlockForm> drawn) const {
+CopulaFit FormCopula::assess_fit(std::span<const BlockForm> drawn) const {
   CopulaFit fit;
   fit.removed_correlation = removed_correlation_;
   const Values values = measure_values(drawn, has_convexity_);

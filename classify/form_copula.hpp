@@ -43,9 +43,9 @@ class FormCopula {
   /// @throws InputError  fewer than ten blocks; axes that aren't positive
   explicit FormCopula(std::span<const BlockForm> population);
 
-  BlockForm draw(Random& random) const;
-  /// Of blocks that `draw` gave.
-  CopulaFit fit(std::span<const BlockForm> drawn) const;
+  BlockForm sample(Random& random) const;
+  /// Of blocks that `sample` gave.
+  CopulaFit assess_fit(std::span<const BlockForm> drawn) const;
 
  private:
   using Values = std::vector<std::vector<double>>;  ///< by measure, then by block

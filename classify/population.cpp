@@ -26,7 +26,7 @@ void set_mass_share(ClassFraction& share, const MassSums& of_class, const MassSu
       (of_class.squares * (1.0 - p) * (1.0 - p) + outside * p * p) / (whole.all * whole.all);
   if (variance > 0.0) trials = std::min(trials, p * (1.0 - p) / variance);
   const Interval interval = wilson_interval_of_proportion(p, std::max(trials, 1.0));
-  share.mass_share = p;
+  share.mass_fraction = p;
   share.mass_low = interval.low;
   share.mass_high = interval.high;
 }
@@ -48,8 +48,8 @@ std::vector<double> block_masses(const Population& population) {
 }
 
 std::vector<ClassFraction> class_fractions(std::span<const Axes> blocks, const std::string& scheme,
-                                     const SchemeOptions& options,
-                                     std::span<const double> weights) {
+                                           const SchemeOptions& options,
+                                           std::span<const double> weights) {
   assert(weights.empty() || weights.size() == blocks.size());
   const std::vector<std::string>& names = class_names(scheme);
   std::vector<ClassFraction> shares(names.size());
@@ -72,7 +72,7 @@ std::vector<ClassFraction> class_fractions(std::span<const Axes> blocks, const s
     share.name = names[k];
     const Interval interval = wilson_interval(share.count, blocks.size());
     if (!blocks.empty()) {
-      share.share = static_cast<double>(share.count) / static_cast<double>(blocks.size());
+      share.fraction = static_cast<double>(share.count) / static_cast<double>(blocks.size());
     }
     share.low = interval.low;
     share.high = interval.high;
@@ -81,7 +81,7 @@ std::vector<ClassFraction> class_fractions(std::span<const Axes> blocks, const s
   return shares;
 }
 
-double c40(std::span<const Axes> blocks) {
+double c40_index(std::span<const Axes> blocks) {
   const auto slabs = std::count_if(blocks.begin(), blocks.end(), [](const Axes& axes) {
     return axes.S / axes.L <= 0.4 + 1e-12;  // decimals on the limit are on it
   });

@@ -25,11 +25,11 @@ std::vector<double> block_masses(const Population& population);
 struct ClassFraction {
   std::string name;
   std::size_t count = 0;
-  double share = 0.0;
+  double fraction = 0.0;
   double low = 0.0;  ///< Wilson interval, 95 %
   double high = 0.0;
   double mass = 0.0;  ///< kg, of the blocks whose mass is known
-  double mass_share = 0.0;
+  double mass_fraction = 0.0;
   double mass_low = 0.0;  ///< 95 %, see `class_fractions`
   double mass_high = 1.0;
 };
@@ -42,12 +42,12 @@ struct ClassFraction {
 /// @param weights  mass of each block, kg, 0 where unknown; or empty, and nothing is known by mass
 /// @cite wilson1927, kish1965, korn1998
 std::vector<ClassFraction> class_fractions(std::span<const Axes> blocks, const std::string& scheme,
-                                     const SchemeOptions& options = {},
-                                     std::span<const double> weights = {});
+                                           const SchemeOptions& options = {},
+                                           std::span<const double> weights = {});
 
 /// Share of blocks with S/L <= 0.4.
 /// @param blocks  at least one
 /// @cite benn1993
-double c40(std::span<const Axes> blocks);
+double c40_index(std::span<const Axes> blocks);
 
 }  // namespace clast

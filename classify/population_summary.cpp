@@ -48,17 +48,17 @@ MeasureDifference measure_difference(const ShapeMeasure& measure, const Populati
   MeasureDifference result{&measure, median_of(x), median_of(y), two_sample_ks_test(x, y), {}};
   const std::string name = std::string(measure.name) + " = " + measure.formula;
   if (!result.test) {
-    result.words = name + " is not defined for the blocks of one of the two populations.";
+    result.description = name + " is not defined for the blocks of one of the two populations.";
     return result;
   }
   const bool differs = result.test->p_value < kSignificanceLevel;
-  result.words = (differs ? "The distributions of " + name + " differ"
-                          : "No difference in " + name + " can be shown") +
-                 ": median " + format_decimals(result.median_a, 3) + " in " + a.name + " (" +
-                 std::to_string(x.size()) + " blocks), " + format_decimals(result.median_b, 3) +
-                 " in " + b.name + " (" + std::to_string(y.size()) + "); " +
-                 chance(result.test->p_value) +
-                 " (Kolmogorov-Smirnov, D = " + format_decimals(result.test->statistic, 3) + ").";
+  result.description =
+      (differs ? "The distributions of " + name + " differ"
+               : "No difference in " + name + " can be shown") +
+      ": median " + format_decimals(result.median_a, 3) + " in " + a.name + " (" +
+      std::to_string(x.size()) + " blocks), " + format_decimals(result.median_b, 3) + " in " +
+      b.name + " (" + std::to_string(y.size()) + "); " + chance(result.test->p_value) +
+      " (Kolmogorov-Smirnov, D = " + format_decimals(result.test->statistic, 3) + ").";
   return result;
 }
 
@@ -66,12 +66,12 @@ MeasureDifference measure_difference(const ShapeMeasure& measure, const Populati
 std::string max_cdf_difference(const std::vector<ClassFraction>& a, const std::string& name_a,
                                const std::vector<ClassFraction>& b, const std::string& name_b) {
   std::size_t largest = 0;
-  const auto gap = [&](std::size_t k) { return std::abs(a[k].share - b[k].share); };
+  const auto gap = [&](std::size_t k) { return std::abs(a[k].fraction - b[k].fraction); };
   for (std::size_t k = 1; k < a.size(); ++k) {
     if (gap(k) > gap(largest)) largest = k;
   }
   const auto share = [&](const ClassFraction& one, const std::string& name) {
-    return format_percent(one.share) + " (" + format_percent(one.low) + " to " +
+    return format_percent(one.fraction) + " (" + format_percent(one.low) + " to " +
            format_percent(one.high) + ") of " + name;
   };
   return "most for " + a[largest].name + ", " + share(a[largest], name_a) + " against " +
@@ -89,23 +89,25 @@ ClassDifference class_difference(const std::string& scheme, const Population& a,
   for (const ClassFraction& share : shares_b) counts_b.push_back(share.count);
   ClassDifference result{scheme, chi_squared_test(counts_a, counts_b, options.seed), {}};
   if (!result.test) {
-    result.words = "All blocks of both populations are of one " + scheme + " class.";
+    result.description = "All blocks of both populations are of one " + scheme + " class.";
     return result;
   }
   const ChiSquaredResult& test = *result.test;
   const bool differs = test.p_value < kSignificanceLevel;
-  result.words = (differs ? "The shares of the " + scheme + " classes differ, "
-                          : "No difference in the shares of the " + scheme +
-                                " classes can be shown; they differ ") +
-                 max_cdf_difference(shares_a, a.name, shares_b, b.name) + "; " +
-                 chance(test.p_value) + " (chi-squared " + format_decimals(test.chi_squared, 2) +
-                 ", " + std::to_string(test.degrees_of_freedom) +
-                 (test.degrees_of_freedom == 1 ? " degree" : " degrees") + " of freedom";
+  result.description = (differs ? "The shares of the " + scheme + " classes differ, "
+                                : "No difference in the shares of the " + scheme +
+                                      " classes can be shown; they differ ") +
+                       max_cdf_difference(shares_a, a.name, shares_b, b.name) + "; " +
+                       chance(test.p_value) + " (chi-squared " +
+                       format_decimals(test.chi_squared, 2) + ", " +
+                       std::to_string(test.degrees_of_freedom) +
+                       (test.degrees_of_freedom == 1 ? " degree" : " degrees") + " of freedom";
   if (test.draws > 0) {
-    result.words += "; smallest expected count " + format_decimals(test.smallest_expected, 1) +
-                    ", so from " + std::to_string(test.draws) + " random tables";
+    result.description += "; smallest expected count " +
+                          format_decimals(test.smallest_expected, 1) + ", so from " +
+                          std::to_string(test.draws) + " random tables";
   }
-  result.words += ").";
+  result.description += ").";
   return result;
 }
 
@@ -154,7 +156,7 @@ PopulationSummary summarise_population(const Population& population,
   PopulationSummary summary;
   summary.name = population.name;
   summary.blocks = population.blocks.size();
-  for (const MeasuredBlock& block : population.blocks) summary.weighed += block.mass.has_value();
+  for (const MeasuredBlock& block : population.blocks) summary.with_mass += block.mass.has_value();
   const std::vector<Axes> axes = axis_proportions(population);
   const std::vector<double> weights = block_masses(population);
   for (const std::string& scheme : options.selected_schemes()) {
@@ -164,7 +166,7 @@ PopulationSummary summarise_population(const Population& population,
   for (const ShapeMeasure& measure : shape_measures()) {
     summary.size_shape_correlations.push_back(size_shape(population, measure, options.size));
   }
-  summary.c40 = c40(axes);
+  summary.c40 = c40_index(axes);
   return summary;
 }
 

@@ -41,7 +41,7 @@ std::string describe_size_shape(const SizeShapeCorrelation& relation, SizeMeasur
 struct PopulationSummary {
   std::string name;
   std::size_t blocks = 0;
-  std::size_t weighed = 0;
+  std::size_t with_mass = 0;
   std::vector<SchemeFractions> schemes;
   SizeDistribution size;
   std::vector<SizeShapeCorrelation> size_shape_correlations;
@@ -58,14 +58,14 @@ struct MeasureDifference {
   double median_a = 0.0;
   double median_b = 0.0;
   std::optional<TestResult> test;  ///< Kolmogorov-Smirnov; none when a population has no values
-  std::string words;               ///< a sentence to quote
+  std::string description;         ///< a sentence to quote
 };
 
 /// Two populations on the classes of one scheme.
 struct ClassDifference {
   std::string scheme;
   std::optional<ChiSquaredResult> test;  ///< none when all blocks of both are of one class
-  std::string words;
+  std::string description;
 };
 
 struct PopulationComparison {

@@ -16,7 +16,7 @@ using Ratios = Vec2;  // I/L, S/L
 using Polygon = std::vector<Ratios>;
 
 double side_of(const SchemeLimit& line, const Ratios& at) {
-  return line.one + line.i * at.x() + line.s * at.y() + line.ii * at.x() * at.x();
+  return line.constant + line.i_l * at.x() + line.s_l * at.y() + line.i_l_squared * at.x() * at.x();
 }
 
 /// The part of a polygon where the line is zero or positive.
@@ -34,7 +34,9 @@ Polygon part_above(const Polygon& polygon, const SchemeLimit& line) {
   return part;
 }
 
-SchemeLimit turned(const SchemeLimit& line) { return {-line.one, -line.i, -line.s, -line.ii}; }
+SchemeLimit turned(const SchemeLimit& line) {
+  return {-line.constant, -line.i_l, -line.s_l, -line.i_l_squared};
+}
 
 /// L, I and S run through their ranges independently. One L fits given ratios x = I/L and y = S/L
 /// if the ranges of L, I/x and S/y have a length in common, and they do if any two of them have:
@@ -45,12 +47,12 @@ Polygon reachable_ratios(const Axes& lower, const Axes& upper) {
   const auto low = [&](double Axes::*axis) { return lower.*axis / size; };
   const auto high = [&](double Axes::*axis) { return upper.*axis / size; };
   Polygon polygon = {{0.0, 0.0}, {1.0, 0.0}, {1.0, 1.0}};
-  for (const SchemeLimit& line : {SchemeLimit{.one = -low(&Axes::I), .i = high(&Axes::L)},
-                                  SchemeLimit{.one = high(&Axes::I), .i = -low(&Axes::L)},
-                                  SchemeLimit{.one = -low(&Axes::S), .s = high(&Axes::L)},
-                                  SchemeLimit{.one = high(&Axes::S), .s = -low(&Axes::L)},
-                                  SchemeLimit{.i = -low(&Axes::S), .s = high(&Axes::I)},
-                                  SchemeLimit{.i = high(&Axes::S), .s = -low(&Axes::I)}}) {
+  for (const SchemeLimit& line : {SchemeLimit{.constant = -low(&Axes::I), .i_l = high(&Axes::L)},
+                                  SchemeLimit{.constant = high(&Axes::I), .i_l = -low(&Axes::L)},
+                                  SchemeLimit{.constant = -low(&Axes::S), .s_l = high(&Axes::L)},
+                                  SchemeLimit{.constant = high(&Axes::S), .s_l = -low(&Axes::L)},
+                                  SchemeLimit{.i_l = -low(&Axes::S), .s_l = high(&Axes::I)},
+                                  SchemeLimit{.i_l = high(&Axes::S), .s_l = -low(&Axes::I)}}) {
     polygon = part_above(polygon, line);
   }
   return polygon;
@@ -63,10 +65,10 @@ void add_edge(const Ratios& from, const Ratios& to, const std::vector<SchemeLimi
   places.push_back(to);
   places.emplace_back(0.5 * (from + to));
   for (const SchemeLimit& limit : limits) {
-    if (limit.ii == 0.0) continue;
+    if (limit.i_l_squared == 0.0) continue;
     // The limit along the edge is c + b t + a t^2; roots without loss of digits, also for a = 0.
     const double width = to.x() - from.x();
-    const double a = limit.ii * width * width, c = side_of(limit, from);
+    const double a = limit.i_l_squared * width * width, c = side_of(limit, from);
     const double b = side_of(limit, to) - c - a;
     const double q = -0.5 * (b + std::copysign(std::sqrt(std::max(0.0, b * b - 4.0 * a * c)), b));
     for (const double share : {-0.5 * b / a, q / a, c / q}) {
@@ -81,7 +83,7 @@ std::vector<Ratios> places_of_all_pieces(const Polygon& polygon,
                                          const std::vector<SchemeLimit>& limits) {
   std::vector<Polygon> pieces = {polygon};
   for (const SchemeLimit& limit : limits) {
-    if (limit.ii != 0.0) continue;
+    if (limit.i_l_squared != 0.0) continue;
     std::vector<Polygon> parts;
     for (const Polygon& piece : pieces) {
       for (const SchemeLimit& side : {limit, turned(limit)}) {
@@ -106,15 +108,15 @@ std::vector<Ratios> places_of_all_pieces(const Polygon& polygon,
 }  // namespace
 
 std::vector<std::string> find_possible_classes(const std::string& scheme, const Axes& axes,
-                                          double axis_error, const SchemeOptions& options) {
+                                               double axis_error, const SchemeOptions& options) {
   const auto thinner = [&](double axis) { return std::max(axis - axis_error, kThinnest * axis); };
   return find_possible_classes(scheme, Axes{thinner(axes.L), thinner(axes.I), thinner(axes.S)},
-                          Axes{axes.L + axis_error, axes.I + axis_error, axes.S + axis_error},
-                          options);
+                               Axes{axes.L + axis_error, axes.I + axis_error, axes.S + axis_error},
+                               options);
 }
 
 std::vector<std::string> find_possible_classes(const std::string& scheme, const Axes& lower,
-                                          const Axes& upper, const SchemeOptions& options) {
+                                               const Axes& upper, const SchemeOptions& options) {
   std::vector<Ratios> places =
       places_of_all_pieces(reachable_ratios(lower, upper), scheme_limits(scheme, options));
   // A very narrow range may leave nothing of the polygon after rounding.

@@ -55,11 +55,13 @@ struct Scheme {
   std::vector<SchemeLimit> (*limits)(const SchemeOptions&);
 };
 
-SchemeLimit limit_of_I_L(double value) { return {.one = -value, .i = 1.0}; }
-SchemeLimit limit_of_S_L(double value) { return {.one = -value, .s = 1.0}; }
-SchemeLimit limit_of_S_I(double value) { return {.i = -value, .s = 1.0}; }
+SchemeLimit limit_of_I_L(double value) { return {.constant = -value, .i_l = 1.0}; }
+SchemeLimit limit_of_S_L(double value) { return {.constant = -value, .s_l = 1.0}; }
+SchemeLimit limit_of_S_I(double value) { return {.i_l = -value, .s_l = 1.0}; }
 /// (1 - I/L) = value (1 - S/L)
-SchemeLimit limit_of_disc_rod(double value) { return {.one = 1.0 - value, .i = -1.0, .s = value}; }
+SchemeLimit limit_of_disc_rod(double value) {
+  return {.constant = 1.0 - value, .i_l = -1.0, .s_l = value};
+}
 
 std::vector<SchemeRatio> sneed_folk_ratios(const Axes& a, const SchemeOptions& options) {
   std::vector<SchemeRatio> ratios = {{"S/L", a.S / a.L, {0.3, 0.5, 0.7}}};
@@ -121,7 +123,7 @@ const std::vector<Scheme>& schemes() {
        [](const A& a, const O&) -> Ratios {
          return {{"W", williams_shape_index(a), {0.0}}};
        },
-       [](const O&) -> Limits { return {{.s = -1.0, .ii = 1.0}}; }},
+       [](const O&) -> Limits { return {{.s_l = -1.0, .i_l_squared = 1.0}}; }},
       {"erdogan",
        {"platy", "elongated", "undetermined"},
        erdogan_class,
@@ -168,9 +170,9 @@ const Scheme& scheme_named(const std::string& name) {
 }  // namespace
 
 void SchemeOptions::check() const {
-  if (!kErdoganLimit.holds(erdogan_limit)) {
+  if (!kErdoganLimit.contains(erdogan_limit)) {
     throw InputError("erdogan_limit is " + format_significant(erdogan_limit, 6) +
-                     "; it is a limit of L/I and I/S and must be " + kErdoganLimit.words());
+                     "; it is a limit of L/I and I/S and must be " + kErdoganLimit.describe());
   }
 }
 

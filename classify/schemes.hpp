@@ -67,10 +67,10 @@ std::vector<SchemeRatio> scheme_ratios(const std::string& scheme, const Axes& ax
 /// The values of I/L and S/L where one + I/L i + S/L s + (I/L)^2 ii is zero: on one side of it the
 /// scheme may give another class than on the other.
 struct SchemeLimit {
-  double one = 0.0;
-  double i = 0.0;
-  double s = 0.0;
-  double ii = 0.0;
+  double constant = 0.0;
+  double i_l = 0.0;
+  double s_l = 0.0;
+  double i_l_squared = 0.0;
 };
 
 /// All limits of the scheme; between them the class is the same. Straight lines, but for Williams'

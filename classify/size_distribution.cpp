@@ -127,11 +127,12 @@ double curve_distance(const FittedSizeLaw& law, std::span<const double> sorted, 
       share += weight(i);
     }
     if (step == 0.0) {
-      const double below = law.below(value);
+      const double below = law.fraction_below(value);
       distance = std::max({distance, below - before, share - below});
     } else {
-      distance = std::max({distance, std::abs(law.below(value + 0.5 * step) - share),
-                           std::abs(law.below(std::max(0.0, value - 0.5 * step)) - before)});
+      distance =
+          std::max({distance, std::abs(law.fraction_below(value + 0.5 * step) - share),
+                    std::abs(law.fraction_below(std::max(0.0, value - 0.5 * step)) - before)});
     }
   }
   return distance;
@@ -203,14 +204,14 @@ std::string name_of(SizeLawKind kind) {
   return kind == SizeLawKind::kLogNormal ? "log-normal" : "Rosin-Rammler";
 }
 
-double FittedSizeLaw::below(double size) const {
+double FittedSizeLaw::fraction_below(double size) const {
   if (!(size > 0.0)) return 0.0;
   if (kind == SizeLawKind::kLogNormal) return normal_cdf(std::log(size / location) / spread);
   return -std::expm1(-std::pow(size / location, spread));
 }
 
 std::optional<FittedSizeLaw> fit_size_law(SizeLawKind kind, std::span<const double> sizes,
-                                    std::span<const double> weights) {
+                                          std::span<const double> weights) {
   assert(weights.empty() || weights.size() == sizes.size());
   const LogSample sample = log_sample(sizes, weights);
   // Sizes that differ by rounding alone have no distribution.
@@ -248,7 +249,7 @@ double find_reading_resolution(std::span<const double> values) {
 }
 
 std::vector<double> bootstrap_ks_distances(const FittedSizeLaw& law, std::size_t count, double step,
-                                        std::uint64_t seed, std::size_t samples) {
+                                           std::uint64_t seed, std::size_t samples) {
   Random random(seed);
   std::vector<double> drawn(count), distances;
   for (std::size_t sample = 0; sample < samples; ++sample) {
@@ -261,8 +262,8 @@ std::vector<double> bootstrap_ks_distances(const FittedSizeLaw& law, std::size_t
   return distances;
 }
 
-void test_size_law(FittedSizeLaw& law, std::span<const double> sizes, double step, std::uint64_t seed,
-                   std::size_t samples) {
+void test_size_law(FittedSizeLaw& law, std::span<const double> sizes, double step,
+                   std::uint64_t seed, std::size_t samples) {
   std::vector<double> sorted(sizes.begin(), sizes.end());
   std::sort(sorted.begin(), sorted.end());
   law.distance = curve_distance(law, sorted, step);

@@ -39,7 +39,7 @@ struct FittedSizeLaw {
       p_value;  ///< of samples from the law itself, those that lie as far from their own fit
 
   /// Share of blocks at or below a size.
-  double below(double size) const;
+  double fraction_below(double size) const;
 };
 
 /// @param sizes    m, positive
@@ -48,7 +48,7 @@ struct FittedSizeLaw {
 /// @return none when fewer than two different sizes carry weight
 /// @cite rosin1933
 std::optional<FittedSizeLaw> fit_size_law(SizeLawKind kind, std::span<const double> sizes,
-                                    std::span<const double> weights = {});
+                                          std::span<const double> weights = {});
 
 /// The step that sizes were read in, such as 5 cm by tape: the largest of 1, 2, 5, 10, ... times
 /// their common divisor (within 1e-6 of the largest value) of which at least nine in ten values are
@@ -61,13 +61,13 @@ double find_reading_resolution(std::span<const double> values);
 /// @param step   of the readings, m; 0 for continuous sizes. With it, curves are compared halfway
 ///               between readings, where the law and the readings mean the same
 /// @cite stephens1974
-void test_size_law(FittedSizeLaw& law, std::span<const double> sizes, double step, std::uint64_t seed,
-                   std::size_t samples = 999);
+void test_size_law(FittedSizeLaw& law, std::span<const double> sizes, double step,
+                   std::uint64_t seed, std::size_t samples = 999);
 
 /// Distances of `samples` samples of `count` sizes, drawn from the law and read to the same `step`,
 /// each from the law that is fitted to itself. Samples whose readings are all one have none.
 std::vector<double> bootstrap_ks_distances(const FittedSizeLaw& law, std::size_t count, double step,
-                                        std::uint64_t seed, std::size_t samples);
+                                           std::uint64_t seed, std::size_t samples);
 
 /// Percentiles and laws of one way to weigh blocks.
 struct SizeCurve {

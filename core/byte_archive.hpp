@@ -41,7 +41,7 @@ class ByteWriter {
     to_.write(static_cast<const char*>(data), static_cast<std::streamsize>(size));
   }
   /// How many elements follow.
-  std::size_t count(std::size_t size) {
+  std::size_t archive_size(std::size_t size) {
     std::uint64_t stored = size;
     archive_bytes(&stored, sizeof stored);
     return size;
@@ -68,14 +68,14 @@ class ByteReader {
     if (size > 0) std::memcpy(data, bytes_.data(), size);
     bytes_.remove_prefix(size);
   }
-  std::size_t count(std::size_t) {
+  std::size_t archive_size(std::size_t) {
     std::uint64_t stored = 0;
     archive_bytes(&stored, sizeof stored);
     // An element takes at least one byte.
     if (stored > bytes_.size()) throw InputError("a record has an impossible size");
     return stored;
   }
-  std::size_t left() const { return bytes_.size(); }  ///< bytes
+  std::size_t remaining_bytes() const { return bytes_.size(); }  ///< bytes
   bool at_end() const { return bytes_.empty(); }
 
  private:
@@ -115,13 +115,13 @@ void serialize(Bytes& bytes, Pose& pose) {
 
 template <class Bytes>
 void serialize(Bytes& bytes, std::string& text) {
-  text.resize(bytes.count(text.size()));
+  text.resize(bytes.archive_size(text.size()));
   bytes.archive_bytes(text.data(), text.size());
 }
 
 template <class Bytes, class T>
 void serialize(Bytes& bytes, std::vector<T>& list) {
-  list.resize(bytes.count(list.size()));
+  list.resize(bytes.archive_size(list.size()));
   if constexpr (std::is_arithmetic_v<T>) {
     bytes.archive_bytes(list.data(), sizeof(T) * list.size());
   } else {

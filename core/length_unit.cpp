@@ -10,11 +10,11 @@ double parse_length_unit(const std::string& text) {
     if (text == unit.name) return unit.factor;
   }
   const std::optional<double> factor = parse_number(text);
-  if (factor && kLengthUnit.holds(*factor)) return *factor;
+  if (factor && kLengthUnit.contains(*factor)) return *factor;
   throw InputError("`units`: \"" + text +
                    "\" is no unit; expected m, cm, mm, um, km, in, ft or the metres in one unit, a "
                    "number " +
-                   kLengthUnit.words());
+                   kLengthUnit.describe());
 }
 
 }  // namespace clast

@@ -4,11 +4,11 @@
 
 namespace clast {
 
-bool NumberRange::holds(double value) const {
+bool NumberRange::contains(double value) const {
   return (value >= low && value <= high) || (zero && value == 0.0);
 }
 
-std::string NumberRange::words() const {
+std::string NumberRange::describe() const {
   std::string text;
   if (zero) text = *zero ? "0 (" + std::string(zero) + "), or " : "0, or ";
   text += "from " + format_significant(low, 6) + " to " + format_significant(high, 6);

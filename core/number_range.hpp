@@ -12,9 +12,9 @@ struct NumberRange {
   const char* unit = "";       ///< empty: a pure number
   const char* zero = nullptr;  ///< what 0 means where it is allowed below `low`; "" says no more
 
-  bool holds(double value) const;  ///< false of NaN too
+  bool contains(double value) const;  ///< false of NaN too
   /// "from 0.01 to 1000 m/s^2", "0 (none), or from 1e-06 to 100 m".
-  std::string words() const;
+  std::string describe() const;
 };
 
 }  // namespace clast

@@ -64,15 +64,16 @@ std::string format_decimals(double value, int decimals) {
   return text;
 }
 
-std::string format_percent(double share, int decimals) {
-  return format_decimals(100.0 * share, decimals) + " %";
+std::string format_percent(double fraction, int decimals) {
+  return format_decimals(100.0 * fraction, decimals) + " %";
 }
 
 std::string format_count(std::size_t count, const std::string& noun) {
   return format_count(count, noun, noun + "s");
 }
 
-std::string format_count(std::size_t count, const std::string& singular, const std::string& plural) {
+std::string format_count(std::size_t count, const std::string& singular,
+                         const std::string& plural) {
   return std::to_string(count) + " " + (count == 1 ? singular : plural);
 }
 

@@ -21,7 +21,7 @@ std::string format_rounded(double value, int digits = 4);
 /// With so many digits after the point; never "-0.0".
 std::string format_decimals(double value, int decimals);
 /// 0.0312 to "3.1 %".
-std::string format_percent(double share, int decimals = 1);
+std::string format_percent(double fraction, int decimals = 1);
 
 /// "1 point", "2 points".
 std::string format_count(std::size_t count, const std::string& noun);

@@ -9,16 +9,17 @@
 
 namespace clast {
 
-/// Calls `make(i)` for every i in [0, count) on up to `jobs` threads (0: one per core), and
-/// `take(i, result)` with what it returned: in order of i, one at a time, as soon as those before
-/// were taken. At most four results a thread wait. What either throws ends all and is rethrown.
+/// Calls `produce(i)` for every i in [0, count) on up to `jobs` threads (0: one per core), and
+/// `consume(i, result)` with what it returned: in order of i, one at a time, as soon as those
+/// before were taken. At most four results a thread wait. What either throws ends all and is
+/// rethrown.
 template <class Make, class Take>
-void run_ordered_jobs(std::size_t count, unsigned jobs, const Make& make, const Take& take) {
+void run_ordered_jobs(std::size_t count, unsigned jobs, const Make& produce, const Take& consume) {
   constexpr std::size_t kAhead = 4;
   const std::size_t ahead = kAhead * resolve_thread_count(jobs);
   std::mutex mutex;
   std::condition_variable taken;
-  std::map<std::size_t, decltype(make(std::size_t{}))> waiting;
+  std::map<std::size_t, decltype(produce(std::size_t{}))> waiting;
   std::size_t next = 0;
   bool stopped = false;
   parallel_for(count, jobs, [&](std::size_t i) {
@@ -28,11 +29,11 @@ void run_ordered_jobs(std::size_t count, unsigned jobs, const Make& make, const 
         taken.wait(lock, [&] { return stopped || i < next + ahead; });
         if (stopped) return;
       }
-      auto result = make(i);
+      auto result = produce(i);
       const std::lock_guard lock(mutex);
       waiting.emplace(i, std::move(result));
       for (auto first = waiting.find(next); first != waiting.end(); first = waiting.find(next)) {
-        take(next, first->second);
+        consume(next, first->second);
         waiting.erase(first);
         ++next;
       }

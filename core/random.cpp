@@ -23,7 +23,7 @@ double Random::normal() {
   }
 }
 
-Vec3 Random::direction() {
+Vec3 Random::unit_vector() {
   const double z = uniform(-1.0, 1.0);
   const double angle = uniform(0.0, 2.0 * kPi);
   const double radius = std::sqrt(1.0 - z * z);

@@ -21,9 +21,9 @@ class Random {
   /// Standard normal, by the polar method of Marsaglia.
   double normal();
   /// Uniform integer in [0, count); count > 0.
-  std::uint64_t below(std::uint64_t count) { return next_bits() % count; }
+  std::uint64_t uniform_index(std::uint64_t count) { return next_bits() % count; }
   /// Uniform on the unit sphere.
-  Vec3 direction();
+  Vec3 unit_vector();
   /// Uniform over all rotations (Shoemake 1992).
   /// @cite shoemake1992
   Quat rotation();

@@ -30,7 +30,7 @@ struct BlockSource {
 struct FieldNotes {
   std::string site;
   std::string note;
-  std::optional<Axes> taped;           ///< m
+  std::optional<Axes> taped_axes;      ///< m
   std::optional<double> weighed_mass;  ///< kg
 };
 
@@ -45,10 +45,10 @@ struct Block {
   MassProperties mass;      ///< of the rounded body
   double area = 0.0;        ///< of the rounded surface, m^2
   PrincipalFrame principal;
-  OrientedBox box;      ///< smallest box of the rounded body
+  OrientedBox box;             ///< smallest box of the rounded body
   SurfaceDeviation deviation;  ///< rounded body against the whole scan; zero for a core
   bool from_core = false;
-  std::optional<VolumeBracket> unseen;  ///< none: the scan leaves nothing to speak of open
+  std::optional<VolumeBracket> volume_bracket;  ///< none: the scan leaves nothing to speak of open
   std::vector<std::string> warnings;
   FieldNotes field;
 

@@ -31,7 +31,7 @@ std::string range_text(double low, const std::optional<double>& upper, const std
 }  // namespace
 
 BlockBracket derive_block_bracket(const Block& block) {
-  const VolumeBracket& unseen = *block.unseen;
+  const VolumeBracket& unseen = *block.volume_bracket;
   BlockBracket range;
   range.lower_mass = block.density * unseen.lower_volume;
   if (unseen.upper_volume) range.upper_mass = block.density * *unseen.upper_volume;
@@ -56,7 +56,7 @@ BlockBracket derive_block_bracket(const Block& block) {
 }
 
 std::string describe_volume_bracket(const Block& block) {
-  const VolumeBracket& unseen = *block.unseen;
+  const VolumeBracket& unseen = *block.volume_bracket;
   const bool metric = !is_unscaled(block);
   const bool is_open = unseen.filled_fraction > 0.0;
   const std::string filled = is_open ? format_significant(100.0 * unseen.filled_fraction, 2) +

@@ -27,14 +27,14 @@ struct BlockBracket {
   std::map<std::string, std::vector<std::string>> classes;
 };
 
-/// @pre  `block.unseen` is there. The density is taken as derived from the weighed mass where
-/// volume and density give that mass.
+/// @pre  `block.volume_bracket` is there. The density is taken as derived from the weighed mass
+/// where volume and density give that mass.
 BlockBracket derive_block_bracket(const Block& block);
 
 /// "14 % of the surface is not seen but filled in; volume between 0.13 and 0.149 m3 (best 0.137),
 /// mass ...", or that no upper bound can be given. An unscaled block has no mass, and its volume no
 /// metres.
-/// @pre  `block.unseen` is there
+/// @pre  `block.volume_bracket` is there
 std::string describe_volume_bracket(const Block& block);
 
 }  // namespace clast

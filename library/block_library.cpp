@@ -24,23 +24,23 @@ void write_field_notes(Hdf5Group group, const FieldNotes& field) {
   group.set_attribute("site", field.site);
   group.set_attribute("note", field.note);
   if (field.weighed_mass) group.set_attribute("weighed_mass_kg", *field.weighed_mass);
-  if (field.taped) {
-    const Vec3 taped(field.taped->L, field.taped->I, field.taped->S);
+  if (field.taped_axes) {
+    const Vec3 taped(field.taped_axes->L, field.taped_axes->I, field.taped_axes->S);
     write_matrix(group, "taped_axes", taped, "m");
   }
 }
 
 FieldNotes read_field_notes(const Hdf5Group& group, const std::string& where) {
   FieldNotes field;
-  field.site = group.attribute<std::string>("site");
-  field.note = group.attribute<std::string>("note");
+  field.site = group.read_attribute<std::string>("site");
+  field.note = group.read_attribute<std::string>("note");
   if (group.has_attribute("weighed_mass_kg")) {
     field.weighed_mass = read_scalar(group, "weighed_mass_kg", 0.0, where);
   }
-  if (group.has("taped_axes")) {
+  if (group.contains("taped_axes")) {
     const Vec3 taped = read_vector(group, "taped_axes", where);
     require(taped.minCoeff() > 0.0, where, "taped_axes are not positive");
-    field.taped = Axes{taped[0], taped[1], taped[2]};
+    field.taped_axes = Axes{taped[0], taped[1], taped[2]};
   }
   return field;
 }
@@ -72,13 +72,14 @@ VolumeBracket read_unseen(const Hdf5Group& group, const std::string& where) {
     return read;
   };
   if (group.has_attribute("assumption")) {
-    unseen.assumption = group.attribute<std::string>("assumption");
+    unseen.assumption = group.read_attribute<std::string>("assumption");
   }
-  if (group.has("axes_lower")) {
+  if (group.contains("axes_lower")) {
     unseen.sides = SideBounds{lengths("axes_lower"), lengths("axes_upper")};
     require((unseen.sides->lower.array() <= unseen.sides->upper.array()).all(), where,
             "axes_lower is above axes_upper");
-  } else if (group.has("box_lower")) {  // files of clast 0.x: boxes of a small and a large shape
+  } else if (group.contains(
+                 "box_lower")) {  // files of clast 0.x: boxes of a small and a large shape
     const Vec3 small = lengths("box_lower"), large = lengths("box_upper");
     unseen.sides = SideBounds{small.cwiseMin(large), small.cwiseMax(large)};
   }
@@ -108,7 +109,8 @@ void write_block(Hdf5Group group, const Block& block) {
   write_matrix(group, "principal_moments", block.principal.moments, "kg m^2");
   const Quat& q = block.principal.rotation;
   write_matrix(group, "source_from_body", Eigen::Vector4d(q.w(), q.x(), q.y(), q.z()), "1");
-  group.set_attribute<std::int64_t>("nearly_equal_moments", block.principal.has_near_equal_moments ? 1 : 0);
+  group.set_attribute<std::int64_t>("nearly_equal_moments",
+                                    block.principal.has_near_equal_moments ? 1 : 0);
 
   write_matrix(group, "box_centre", block.box.centre, "m");
   write_matrix(group, "box_axes", block.box.axes, "1");
@@ -127,23 +129,25 @@ void write_block(Hdf5Group group, const Block& block) {
   group.write<std::string>("warnings", block.warnings);
   group.set_unit("warnings", "1");
   write_field_notes(group.create_group("field"), block.field);
-  if (block.unseen) write_unseen(group.create_group("unseen"), *block.unseen);
+  if (block.volume_bracket) write_unseen(group.create_group("unseen"), *block.volume_bracket);
 }
 
 Block read_block(const Hdf5Group& group, const std::string& id, const std::string& where) {
   Block block;
   block.id = id;
   block.source = {
-      group.attribute<std::string>("source_file"), group.attribute<std::string>("source_sha256"),
-      group.attribute<std::string>("options"), group.attribute<std::string>("program_version"),
-      group.has_attribute("unscaled") && group.attribute<std::int64_t>("unscaled") != 0};
-  block.from_core = group.attribute<std::int64_t>("from_core") != 0;
+      group.read_attribute<std::string>("source_file"),
+      group.read_attribute<std::string>("source_sha256"),
+      group.read_attribute<std::string>("options"),
+      group.read_attribute<std::string>("program_version"),
+      group.has_attribute("unscaled") && group.read_attribute<std::int64_t>("unscaled") != 0};
+  block.from_core = group.read_attribute<std::int64_t>("from_core") != 0;
 
-  const Hdf5Group surface = group.group("surface");
+  const Hdf5Group surface = group.open_group("surface");
   block.surface.vertices = read_points(surface, "vertices", where);
   block.surface.triangles =
       read_indices<3>(surface, "triangles", block.surface.vertices.size(), where);
-  block.body = read_body(group.group("core"), where);
+  block.body = read_body(group.open_group("core"), where);
 
   constexpr double kPositive = 1e-300;
   block.density = read_scalar(group, "density_kg_m3", kPositive, where);
@@ -158,7 +162,8 @@ Block read_block(const Hdf5Group& group, const std::string& id, const std::strin
   block.principal.rotation = Quat(q[0], q[1], q[2], q[3]);
   require(std::abs(block.principal.rotation.norm() - 1.0) < 1e-9, where,
           "source_from_body is not a rotation");
-  block.principal.has_near_equal_moments = group.attribute<std::int64_t>("nearly_equal_moments") != 0;
+  block.principal.has_near_equal_moments =
+      group.read_attribute<std::int64_t>("nearly_equal_moments") != 0;
 
   block.box.centre = read_vector(group, "box_centre", where);
   block.box.axes = read_matrix(group, "box_axes", where);
@@ -173,8 +178,9 @@ Block read_block(const Hdf5Group& group, const std::string& id, const std::strin
     block.deviation.moments_relative = read_scalar(group, "deviation_moments_relative", 0.0, where);
   }
   block.warnings = group.read<std::string>("warnings");
-  block.field = read_field_notes(group.group("field"), where);
-  if (group.has("unseen")) block.unseen = read_unseen(group.group("unseen"), where);
+  block.field = read_field_notes(group.open_group("field"), where);
+  if (group.contains("unseen"))
+    block.volume_bracket = read_unseen(group.open_group("unseen"), where);
   check_block_consistency(block, where);
   return block;
 }
@@ -212,10 +218,10 @@ void check_block_id(const std::string& id) {
 
 BlockLibrary BlockLibrary::read(const std::filesystem::path& path) {
   const Hdf5File file = Hdf5File::open(path, kLibraryFormat, kSchema);
-  const Hdf5Group blocks = file.root().group("blocks");
+  const Hdf5Group blocks = file.root().open_group("blocks");
   BlockLibrary library;
-  for (const std::string& id : blocks.names()) {
-    library.add(read_block(blocks.group(id), id, path.string() + ": block " + id));
+  for (const std::string& id : blocks.child_names()) {
+    library.add(read_block(blocks.open_group(id), id, path.string() + ": block " + id));
   }
   return library;
 }
@@ -231,20 +237,20 @@ void BlockLibrary::write(const std::filesystem::path& path) const {
   output.commit();
 }
 
-bool BlockLibrary::has(const std::string& id) const {
+bool BlockLibrary::contains(const std::string& id) const {
   const auto at = position(blocks_, id);
   return at != blocks_.end() && at->id == id;
 }
 
-const Block& BlockLibrary::block(const std::string& id) const {
+const Block& BlockLibrary::find_block(const std::string& id) const {
   return blocks_[found(blocks_, id)];
 }
 
-Block& BlockLibrary::block(const std::string& id) { return blocks_[found(blocks_, id)]; }
+Block& BlockLibrary::find_block(const std::string& id) { return blocks_[found(blocks_, id)]; }
 
-std::vector<const Block*> BlockLibrary::chosen(const std::vector<std::string>& ids) const {
+std::vector<const Block*> BlockLibrary::select_blocks(const std::vector<std::string>& ids) const {
   std::vector<const Block*> chosen;
-  for (const std::string& id : ids) chosen.push_back(&block(id));
+  for (const std::string& id : ids) chosen.push_back(&find_block(id));
   if (!ids.empty()) return chosen;
   for (const Block& block : blocks_) chosen.push_back(&block);
   return chosen;
@@ -254,8 +260,8 @@ namespace {
 
 /// A library with bounds that no body has could not be read again.
 void check_unseen(const Block& block) {
-  if (!block.unseen) return;
-  const VolumeBracket& unseen = *block.unseen;
+  if (!block.volume_bracket) return;
+  const VolumeBracket& unseen = *block.volume_bracket;
   const auto require = [&](bool fine) {
     if (fine) return;
     throw InputError("block " + block.id + ": the bounds of its unseen part, volume from " +
@@ -280,10 +286,10 @@ void BlockLibrary::add(Block block, bool replace) {
   for (std::string& warning : block.warnings) warning = to_utf8(warning);
   check_block_id(block.id);
   check_unseen(block);
-  if (!has(block.id)) {
+  if (!contains(block.id)) {
     blocks_.insert(position(blocks_, block.id), std::move(block));
   } else if (replace) {
-    this->block(block.id) = std::move(block);
+    this->find_block(block.id) = std::move(block);
   } else {
     throw InputError("block " + block.id +
                      " is in the library already; use `replace` to put the "

@@ -27,13 +27,13 @@ class BlockLibrary {
   void write(const std::filesystem::path& path) const;
 
   const std::vector<Block>& blocks() const { return blocks_; }
-  bool has(const std::string& id) const;
+  bool contains(const std::string& id) const;
   /// @throws InputError  no such id; the message lists those there are
-  const Block& block(const std::string& id) const;
-  Block& block(const std::string& id);
+  const Block& find_block(const std::string& id) const;
+  Block& find_block(const std::string& id);
   /// The blocks of these ids, in the order given; all where none is.
-  /// @throws InputError  as `block`
-  std::vector<const Block*> chosen(const std::vector<std::string>& ids) const;
+  /// @throws InputError  as `find_block`
+  std::vector<const Block*> select_blocks(const std::vector<std::string>& ids) const;
   /// Text that is not UTF-8 is taken for Windows-1252 and converted.
   /// @throws InputError  the id is there already and `replace` is false, or `check_block_id` throws
   void add(Block block, bool replace = false);

@@ -31,7 +31,7 @@ const Block& nearby_parent(std::span<const Block* const> parents, const BoxRatio
     return stretch_between(box_ratios(parents[a]->box), form) <
            stretch_between(box_ratios(parents[b]->box), form);
   });
-  return *parents[order[random.below(std::min(kNearest, order.size()))]];
+  return *parents[order[random.uniform_index(std::min(kNearest, order.size()))]];
 }
 
 std::string numbered(const std::string& prefix, std::size_t number, std::size_t count) {
@@ -43,7 +43,7 @@ std::string numbered(const std::string& prefix, std::size_t number, std::size_t 
 }  // namespace
 
 std::vector<VariationRequest> combine_variations(std::span<const Block* const> parents,
-                                            std::span<const Variation> variations) {
+                                                 std::span<const Variation> variations) {
   std::vector<VariationRequest> requests;
   for (const Block* parent : parents) {
     for (const Variation& variation : variations) {
@@ -77,29 +77,29 @@ BlockSeries make_series(std::span<const VariationRequest> requests, const BlockS
     if (made[i]) {
       series.blocks.push_back(*std::move(made[i]));
     } else {
-      series.failed.push_back(reasons[i]);
+      series.failures.push_back(reasons[i]);
     }
   }
   return series;
 }
 
 SampledSeries sample_series(std::span<const Block* const> parents,
-                        std::span<const BlockForm> population, std::size_t count,
-                        std::uint64_t seed, const std::string& prefix) {
+                            std::span<const BlockForm> population, std::size_t count,
+                            std::uint64_t seed, const std::string& prefix) {
   if (parents.empty()) throw InputError("no block to make bodies of");
   const FormCopula copula(population);
   Random random(seed);
   SampledSeries series;
   std::vector<BlockForm> drawn;
   for (std::size_t i = 0; i < count; ++i) {
-    drawn.push_back(copula.draw(random));
+    drawn.push_back(copula.sample(random));
     const Axes& axes = drawn.back().axes;
     const BoxRatios form = {axes.I / axes.L, axes.S / axes.L};
     const Block& parent = nearby_parent(parents, form, random);
-    series.requests.push_back(
-        {&parent, SampledFormVariation{form, axes.L, drawn.back().convexity}, numbered(prefix, i + 1, count)});
+    series.requests.push_back({&parent, SampledFormVariation{form, axes.L, drawn.back().convexity},
+                               numbered(prefix, i + 1, count)});
   }
-  series.fit = copula.fit(drawn);
+  series.fit = copula.assess_fit(drawn);
   return series;
 }
 

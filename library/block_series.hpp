@@ -21,17 +21,17 @@ struct VariationRequest {
 
 /// Every variation of every parent, named PARENT_LABEL: by parent, then in the order given.
 std::vector<VariationRequest> combine_variations(std::span<const Block* const> parents,
-                                            std::span<const Variation> variations);
+                                                 std::span<const Variation> variations);
 
 struct SeriesOptions {
   VariationOptions variation;
-  unsigned threads = 0;    ///< 0: one per core; changes no bit of the result
+  unsigned threads = 0;            ///< 0: one per core; changes no bit of the result
   ProgressCallback progress = {};  ///< bodies made, from any thread, one at a time
 };
 
 struct BlockSeries {
-  std::vector<Block> blocks;        ///< in the order of the requests
-  std::vector<std::string> failed;  ///< bodies that could not be made, and why
+  std::vector<Block> blocks;          ///< in the order of the requests
+  std::vector<std::string> failures;  ///< bodies that could not be made, and why
 };
 
 /// @param source  of all: the library and its hash
@@ -50,8 +50,8 @@ struct SampledSeries {
 /// @param population  what is drawn from: `block_forms` a library, or a table's
 /// @throws InputError  no parent; as `FormCopula`
 SampledSeries sample_series(std::span<const Block* const> parents,
-                        std::span<const BlockForm> population, std::size_t count,
-                        std::uint64_t seed, const std::string& prefix);
+                            std::span<const BlockForm> population, std::size_t count,
+                            std::uint64_t seed, const std::string& prefix);
 
 /// Axes and convexity of blocks.
 std::vector<BlockForm> block_forms(std::span<const Block* const> blocks);

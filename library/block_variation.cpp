@@ -164,7 +164,7 @@ Block varied_block(const std::string& id, const Block& parent, const Variation& 
                     variation_kind(variation) + " parent=" + without_blanks(parent.id) +
                     " parent_sha256=" + parent.source.sha256 + " keep=" + name_of(options.keep) +
                     " " + targets_of(variation) +
-                    (varied.figures.empty() ? "" : " " + varied.figures);
+                    (varied.record.empty() ? "" : " " + varied.record);
   BlockOptions making;
   making.density = parent.density;
   making.accuracy = options.accuracy;
@@ -216,8 +216,8 @@ PreservedSize parse_preserved_size(const std::string& name) {
   throw InputError("`keep` = \"" + name + "\": must be mass, volume or L");
 }
 
-std::string name_of(PreservedSize kept) {
-  switch (kept) {
+std::string name_of(PreservedSize preserved) {
+  switch (preserved) {
     case PreservedSize::kMass:
       return "mass";
     case PreservedSize::kVolume:

@@ -58,8 +58,9 @@ struct SampledFormVariation {
   double length = 1.0;  ///< L, m
   std::optional<double> convexity;
 };
-using Variation = std::variant<StretchVariation, ConvexityVariation, RoundingVariation, RoundnessVariation, VertexCountVariation,
-                               DetailVariation, ReferenceVariation, InertiaVariation, SampledFormVariation>;
+using Variation = std::variant<StretchVariation, ConvexityVariation, RoundingVariation,
+                               RoundnessVariation, VertexCountVariation, DetailVariation,
+                               ReferenceVariation, InertiaVariation, SampledFormVariation>;
 
 /// "stretch", "convexity", "rounding", "roundness", "vertices", "detail", "reference", "inertia",
 /// "drawn".
@@ -71,11 +72,12 @@ std::string variation_label(const Variation& variation);
 enum class PreservedSize { kMass, kVolume, kLength };
 /// "mass", "volume", "L". @throws InputError  another name
 PreservedSize parse_preserved_size(const std::string& name);
-std::string name_of(PreservedSize kept);
+std::string name_of(PreservedSize preserved);
 
 struct VariationOptions {
-  PreservedSize keep = PreservedSize::kMass;  ///< no matter for `InertiaVariation` and `SampledFormVariation`
-  double accuracy = 1e-4;           ///< relative, of volume and inertia
+  PreservedSize keep =
+      PreservedSize::kMass;  ///< no matter for `InertiaVariation` and `SampledFormVariation`
+  double accuracy = 1e-4;    ///< relative, of volume and inertia
 
   void check() const;  ///< throws InputError naming the field and its value
 };

@@ -7,8 +7,8 @@ namespace clast {
 
 BlockLibrary update_library(const std::filesystem::path& path, const LibraryUpdateOptions& options,
                             const std::function<void(BlockLibrary&)>& change) {
-  const FileLock lock(path, {.waiting = options.waiting});
-  const bool there = !options.make || std::filesystem::exists(path);
+  const FileLock lock(path, {.on_wait = options.on_wait});
+  const bool there = !options.create_if_missing || std::filesystem::exists(path);
   BlockLibrary library = there ? BlockLibrary::read(path) : BlockLibrary();
   change(library);
   library.write(path);

@@ -9,9 +9,9 @@ namespace clast {
 
 struct LibraryUpdateOptions {
   /// Begins with an empty library where there is none.
-  bool make = false;
+  bool create_if_missing = false;
   /// Called once when another process is writing to the library.
-  std::function<void()> waiting = {};
+  std::function<void()> on_wait = {};
 };
 
 /// Locks the library (core/files/file_lock.hpp), reads it, lets `change` change it, writes it whole

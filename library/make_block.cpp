@@ -115,7 +115,7 @@ SpheroPolyhedron first_core(const TriangleMesh& surface, double radius, bool adv
 
 SpheroPolyhedron fitted_body(const TriangleMesh& surface, const ScanSurface& scan, double volume,
                              double radius, double largest_distance, const BlockOptions& options) {
-  SpheroPolyhedron body = first_core(surface, radius, options.advise);
+  SpheroPolyhedron body = first_core(surface, radius, options.suggest_radius);
   // The fit knows one skin: walls of cavities stay where the inset put them.
   const std::vector<std::uint32_t> shell_of = triangle_components(surface);
   if (*std::max_element(shell_of.begin(), shell_of.end()) == 0) {
@@ -127,7 +127,7 @@ SpheroPolyhedron fitted_body(const TriangleMesh& surface, const ScanSurface& sca
   const double gap = sphero_mass_properties(body, 1.0, 1e-2).volume / volume - 1.0;
   if (std::abs(gap) > kLargestVolumeGap) {
     // Says what is wrong in nearly all cases; else the surface is not the scan's.
-    if (options.advise) inset_core(surface, radius);
+    if (options.suggest_radius) inset_core(surface, radius);
     throw GeometryError("rounded with a radius of " + format_significant(radius, 4) + " m, " +
                         std::to_string(surface.vertices.size()) + " vertices have a volume " +
                         format_significant(100.0 * std::abs(gap), 4) + " % " +
@@ -141,10 +141,10 @@ SpheroPolyhedron fitted_body(const TriangleMesh& surface, const ScanSurface& sca
 void warn_of_thin_walls(Block& block) {
   const std::optional<ThinWall> wall = find_thinnest_wall(block.surface);
   if (!wall || block.body.radius <= 0.5 * wall->thickness) return;
-  block.warnings.push_back("the radius " + format_significant(block.body.radius, 4) +
-                           " m is more than half the thinnest wall, " +
-                           format_significant(wall->thickness, 4) + " m near " +
-                           place(wall->place) + ": the block is thicker there than the rock");
+  block.warnings.push_back(
+      "the radius " + format_significant(block.body.radius, 4) +
+      " m is more than half the thinnest wall, " + format_significant(wall->thickness, 4) +
+      " m near " + format_point(wall->position) + ": the block is thicker there than the rock");
 }
 
 /// Lighter than pumice or heavier than ore: a unit was mistaken, or a mass.

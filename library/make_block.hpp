@@ -22,7 +22,7 @@ struct BlockOptions {
   double tolerance = 0.01;     ///< Hausdorff distance to the scan, of L; beyond it is a warning
   /// Whether the refusal of a radius says which one works; to find that takes as long as twenty
   /// blocks.
-  bool advise = true;
+  bool suggest_radius = true;
 
   void check() const;  ///< throws InputError naming the field and its value
 };
@@ -30,7 +30,7 @@ struct BlockOptions {
 template <class Visit>
 void visit_fields(const BlockOptions& options, Visit&& visit) {
   const auto& [core, radius, radius_share, convex, density, density_given, mass, accuracy,
-               tolerance, advise] = options;
+               tolerance, suggest_radius] = options;
   visit("core", core);
   visit("radius", radius);
   visit("radius_share", radius_share);
@@ -40,7 +40,7 @@ void visit_fields(const BlockOptions& options, Visit&& visit) {
   visit("mass", mass);
   visit("accuracy", accuracy);
   visit("tolerance", tolerance);
-  visit("advise", ExcludedField{advise});
+  visit("suggest_radius", ExcludedField{suggest_radius});
 }
 
 /// Largest relative difference between the principal moments of a block and its scan.

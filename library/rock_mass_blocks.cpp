@@ -24,7 +24,7 @@ std::string options_text(const RockMassOptions& options) {
     if (text.back() != '=') text += ",";
     text += format_significant(set.dip * kDegreesPerRadian, 6) + "/" +
             format_significant(set.dip_direction * kDegreesPerRadian, 6) + "/" +
-            format_significant(set.spacing, 6) + "/" + format_significant(set.scatter, 6);
+            format_significant(set.spacing, 6) + "/" + format_significant(set.spacing_deviation, 6);
   }
   return text + " least_volume_m3=" + format_significant(options.cutting.least_volume, 6) +
          " seed=" + std::to_string(options.cutting.seed);
@@ -78,7 +78,7 @@ RockMassBlocks cut_rock_mass(const TriangleMesh& mass, const BlockSource& source
 RockMassBlocks cut_rock_masses(std::span<const TriangleMesh> masses, const BlockSource& source,
                                  const RockMassOptions& options) {
   RockMassBlocks result;
-  const JointedMass cut = cut_masses(masses, options, result.failed);
+  const JointedMass cut = cut_masses(masses, options, result.failures);
   BlockSource of_block = source;
   of_block.options += (of_block.options.empty() ? "" : " ") + options_text(options);
   std::vector<std::optional<Block>> made(cut.blocks.size());
@@ -101,7 +101,7 @@ RockMassBlocks cut_rock_masses(std::span<const TriangleMesh> masses, const Block
   result.volume = cut.volume;
   for (std::size_t i = 0; i < made.size(); ++i) {
     if (!made[i]) {
-      result.failed.push_back(reasons[i]);
+      result.failures.push_back(reasons[i]);
       continue;
     }
     result.block_volume += made[i]->mass.volume;

@@ -22,9 +22,9 @@ struct RockMassOptions {
 /// The blocks of one or more masses, in their frame.
 struct RockMassBlocks {
   std::vector<Block> blocks;
-  double volume = 0.0;              ///< of the masses, m^3
-  double block_volume = 0.0;        ///< of the blocks, m^3
-  std::vector<std::string> failed;  ///< blocks, or all of a mass, that could not be made, and why
+  double volume = 0.0;                ///< of the masses, m^3
+  double block_volume = 0.0;          ///< of the blocks, m^3
+  std::vector<std::string> failures;  ///< blocks, or all of a mass, that could not be made, and why
 };
 
 /// Cuts the mass and makes a block of every piece.

@@ -18,8 +18,8 @@ namespace clast {
 namespace {
 
 std::vector<BlockForm> population_of(const SeriesRequest& request,
-                                      std::span<const Block* const> parents,
-                                      std::vector<std::string>& notes) {
+                                     std::span<const Block* const> parents,
+                                     std::vector<std::string>& notes) {
   if (request.table.empty()) return block_forms(parents);
   DimensionColumns columns;
   if (!request.units.empty()) columns.units = parse_length_unit(request.units);
@@ -29,10 +29,11 @@ std::vector<BlockForm> population_of(const SeriesRequest& request,
   }
   std::vector<BlockForm> population;
   for (const MeasuredBlock& block : table.blocks) {
-    if (!kBlockLength.holds(block.axes.L) || !kBlockLength.holds(block.axes.S)) {
+    if (!kBlockLength.contains(block.axes.L) || !kBlockLength.contains(block.axes.S)) {
       throw InputError(request.table.string() + ": block " + block.name + " is " +
-                       format_significant(block.axes.L, 4) + " x " + format_significant(block.axes.S, 4) +
-                       " m; L and S must be " + kBlockLength.words() + "; give `units`");
+                       format_significant(block.axes.L, 4) + " x " +
+                       format_significant(block.axes.S, 4) + " m; L and S must be " +
+                       kBlockLength.describe() + "; give `units`");
     }
     population.push_back({block.axes, std::nullopt});
   }
@@ -51,10 +52,10 @@ void refuse_repeated(const std::vector<VariationRequest>& bodies) {
 
 std::vector<VariationRequest> bodies_wanted(const SeriesRequest& request,
                                             const BlockLibrary& library, SeriesResult& made) {
-  const std::vector<const Block*> parents = library.chosen(request.ids);
+  const std::vector<const Block*> parents = library.select_blocks(request.ids);
   std::vector<Variation> variations = request.steps.variations();
-  for (const std::string& id : request.like) {
-    variations.emplace_back(StretchVariation{box_ratios(library.block(id).box)});
+  for (const std::string& id : request.like_ids) {
+    variations.emplace_back(StretchVariation{box_ratios(library.find_block(id).box)});
   }
   std::vector<VariationRequest> bodies = combine_variations(parents, variations);
   if (bodies.size() + request.draw > kMaxSeriesBodies) {
@@ -63,7 +64,7 @@ std::vector<VariationRequest> bodies_wanted(const SeriesRequest& request,
   }
   if (request.draw > 0) {
     SampledSeries drawn = sample_series(parents, population_of(request, parents, made.notes),
-                                    request.draw, request.seed, request.prefix);
+                                        request.draw, request.seed, request.prefix);
     made.fit = std::move(drawn.fit);
     for (VariationRequest& body : drawn.requests) bodies.push_back(std::move(body));
   }
@@ -82,14 +83,14 @@ BlockSource source_of(const SeriesRequest& request) {
 
 }  // namespace
 
-bool SeriesRequest::asks_for_nothing() const {
-  return steps.variations().empty() && like.empty() && draw == 0;
+bool SeriesRequest::is_empty() const {
+  return steps.variations().empty() && like_ids.empty() && draw == 0;
 }
 
 void SeriesRequest::check() const {
   check_block_id(prefix + "0001");
   if (!units.empty()) parse_length_unit(units);
-  if (asks_for_nothing()) {
+  if (is_empty()) {
     throw InputError(
         "nothing is asked for; give `to`, `grid`, `like`, `convexity`, `rounding`, `roundness`, "
         "`vertices`, "
@@ -104,7 +105,7 @@ SeriesResult make_series(const SeriesRequest& request, const BlockLibrary& libra
   made.wanted = bodies.size();
   made.series = make_series(bodies, source_of(request), request.options);
   if (made.series.blocks.empty()) {
-    throw GeometryError("no body could be made; the first: " + made.series.failed.front());
+    throw GeometryError("no body could be made; the first: " + made.series.failures.front());
   }
   return made;
 }
@@ -115,10 +116,10 @@ SeriesResult make_series(const SeriesRequest& request) {
   SeriesResult made = make_series(request, BlockLibrary::read(request.library));
   if (request.output.empty()) return made;
   const BlockLibrary written =
-      update_library(request.output, {.make = true}, [&](BlockLibrary& changed) {
+      update_library(request.output, {.create_if_missing = true}, [&](BlockLibrary& changed) {
         for (const Block& block : made.series.blocks) changed.add(block, request.replace);
       });
-  made.in_all = written.blocks().size();
+  made.output_blocks = written.blocks().size();
   return made;
 }
 

@@ -15,19 +15,19 @@ namespace clast {
 /// Twins of the blocks of a library, and bodies drawn from a population.
 struct SeriesRequest {
   std::filesystem::path library;
-  std::vector<std::string> ids;   ///< blocks that are varied; empty: all of the library
-  SeriesTargets steps;              ///< what each of them is varied by
-  std::vector<std::string> like;  ///< blocks of the library to whose ratios they are stretched
-  std::size_t draw = 0;           ///< bodies drawn from a population besides
-  std::filesystem::path table;    ///< of measured blocks, the population; empty: the blocks
-  std::string units;              ///< of the table; empty: as its header says, else m
-  std::string prefix = "V";       ///< of ids of the bodies drawn
+  std::vector<std::string> ids;       ///< blocks that are varied; empty: all of the library
+  SeriesTargets steps;                ///< what each of them is varied by
+  std::vector<std::string> like_ids;  ///< blocks of the library to whose ratios they are stretched
+  std::size_t draw = 0;               ///< bodies drawn from a population besides
+  std::filesystem::path table;        ///< of measured blocks, the population; empty: the blocks
+  std::string units;                  ///< of the table; empty: as its header says, else m
+  std::string prefix = "V";           ///< of ids of the bodies drawn
   std::uint64_t seed = 1;
   SeriesOptions options;
   std::filesystem::path output;  ///< library to which the bodies are added; empty: none
   bool replace = false;          ///< blocks of the same id there
 
-  bool asks_for_nothing() const;
+  bool is_empty() const;
   void check() const;  ///< throws InputError naming the field and its value, or what is missing
 };
 
@@ -35,7 +35,7 @@ struct SeriesRequest {
 struct SeriesResult {
   BlockSeries series;              ///< one body at least
   std::size_t wanted = 0;          ///< bodies
-  std::size_t in_all = 0;          ///< blocks in `output` then
+  std::size_t output_blocks = 0;   ///< blocks in `output` then
   std::optional<CopulaFit> fit;    ///< of the population, where bodies were drawn
   std::vector<std::string> notes;  ///< on the table
 };

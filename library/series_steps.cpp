@@ -18,7 +18,7 @@ std::vector<Axes> forms_of(const FormGrid& grid) {
 
 std::vector<Variation> SeriesTargets::variations() const {
   std::vector<Variation> all;
-  for (const BoxRatios& ratios : to) all.emplace_back(StretchVariation{ratios});
+  for (const BoxRatios& stretch : ratios) all.emplace_back(StretchVariation{stretch});
   if (grid) {
     for (const Axes& axes : forms_of(*grid)) {
       all.emplace_back(StretchVariation{{axes.I / axes.L, axes.S / axes.L}});
@@ -32,7 +32,8 @@ std::vector<Variation> SeriesTargets::variations() const {
   for (const std::string& name : reference) {
     all.emplace_back(ReferenceVariation{parse_reference_shape(name), exponent});
   }
-  for (const std::string& name : inertia) all.emplace_back(InertiaVariation{parse_reference_shape(name)});
+  for (const std::string& name : inertia)
+    all.emplace_back(InertiaVariation{parse_reference_shape(name)});
   return all;
 }
 
@@ -46,12 +47,12 @@ const std::vector<std::string>& inertia_form_names() {
   return kNames;
 }
 
-BoxRatios check_stretch_ratios(double i_over_l, double s_over_l, const std::string& asked) {
-  if (kVariedRatio.holds(i_over_l) && kVariedRatio.holds(s_over_l) && s_over_l <= i_over_l) {
+BoxRatios check_stretch_ratios(double i_over_l, double s_over_l, const std::string& written) {
+  if (kVariedRatio.contains(i_over_l) && kVariedRatio.contains(s_over_l) && s_over_l <= i_over_l) {
     return {i_over_l, s_over_l};
   }
-  throw InputError("`to` " + asked + ": give I/L,S/L, such as 0.8,0.5, both " +
-                   kVariedRatio.words() + " and S/L at most I/L");
+  throw InputError("`to` " + written + ": give I/L,S/L, such as 0.8,0.5, both " +
+                   kVariedRatio.describe() + " and S/L at most I/L");
 }
 
 }  // namespace clast

@@ -18,7 +18,7 @@ struct FormGrid {
 
 /// Any number of targets of each kind.
 struct SeriesTargets {
-  std::vector<BoxRatios> to;
+  std::vector<BoxRatios> ratios;
   std::optional<FormGrid> grid;
   std::vector<double> convexity;
   std::vector<double> rounding;  ///< radius over S
@@ -42,6 +42,6 @@ const std::vector<std::string>& inertia_form_names();
 
 /// @param asked  the ratios as they were written, for the message
 /// @throws InputError  not I/L and S/L of a box, both from 0.01 to 1, or no numbers (NaN)
-BoxRatios check_stretch_ratios(double i_over_l, double s_over_l, const std::string& asked);
+BoxRatios check_stretch_ratios(double i_over_l, double s_over_l, const std::string& written);
 
 }  // namespace clast

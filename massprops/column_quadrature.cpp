@@ -125,14 +125,14 @@ class Sweep {
   template <class Visit>
   void visit(std::size_t row, const Visit& visit_item) {
     for (; next_ < items_.size(); ++next_) {
-      const Grid::Range rows = grid_.rows_in(items_.rows(next_));
+      const Grid::Range rows = grid_.rows_in(items_.y_range(next_));
       if (rows.first > row) break;
       if (rows.end > row) active_.push_back({static_cast<std::uint32_t>(next_), rows.end});
     }
     std::erase_if(active_, [&](const Active& item) { return item.end <= row; });
     const double y = grid_.y(row);
     for (const Active& item : active_) {
-      const Grid::Range span = grid_.columns_in(items_.reach(item.index, y));
+      const Grid::Range span = grid_.columns_in(items_.x_range(item.index, y));
       for (std::size_t column = span.first; column < span.end; ++column) {
         visit_item(item.index, column);
       }
@@ -185,11 +185,11 @@ class BlockSum {
   /// @param cell  area of a column
   OverlapIntegral result(double cell) const {
     OverlapIntegral excess;
-    for (const Moments& grid : grids_) excess.moments.add(grid, cell);
+    for (const Moments& grid : grids_) excess.moments.add_scaled(grid, cell);
     double volume_spread = 0.0, second_spread = 0.0;
     for (const Moments& grid : grids_) {
       Moments departure = excess.moments;
-      departure.add(grid, -4.0 * cell);
+      departure.add_scaled(grid, -4.0 * cell);
       volume_spread = std::max(volume_spread, std::abs(departure.volume));
       second_spread = std::max(second_spread, std::sqrt(tensor_square(departure.second)));
     }
@@ -204,7 +204,7 @@ class BlockSum {
     Moments twist;
     for (int i = 0; i < 4; ++i) {
       grids_[i] += *block[i];
-      twist.add(*block[i], i == 0 || i == 3 ? 1.0 : -1.0);
+      twist.add_scaled(*block[i], i == 0 || i == 3 ? 1.0 : -1.0);
       met_ += std::abs(block[i]->volume) > least_;
     }
     volume_squares_ += twist.volume * twist.volume;
@@ -233,7 +233,7 @@ ColumnQuadrature::ColumnQuadrature(const TriangleMesh& core, const OffsetLayer& 
       pieces_(skin.pieces, skin.radius),
       overlaps_(skin.overlaps, skin.radius) {}
 
-OverlapIntegral ColumnQuadrature::excess(std::size_t columns_per_side) const {
+OverlapIntegral ColumnQuadrature::integrate_overlap(std::size_t columns_per_side) const {
   const Grid grid(box_, columns_per_side);
   Sweep triangles(triangles_, grid);
   Sweep pieces(pieces_, grid);
@@ -245,17 +245,18 @@ OverlapIntegral ColumnQuadrature::excess(std::size_t columns_per_side) const {
     for (Column& column : columns) column.clear();
     triangles.visit(row, [&](std::size_t triangle, std::size_t i) {
       const double x = grid.x(i);
-      const int sign = triangles_.crossing(triangle, x, y);
-      if (sign != 0) columns[i].crossings.push_back({triangles_.height(triangle, x, y), sign});
+      const int sign = triangles_.crossing_sign(triangle, x, y);
+      if (sign != 0)
+        columns[i].crossings.push_back({triangles_.crossing_height(triangle, x, y), sign});
     });
     pieces.visit(row, [&](std::size_t piece, std::size_t i) {
-      const LineInterval cut = pieces_.cut(piece, grid.x(i), y);
+      const LineInterval cut = pieces_.clip_line(piece, grid.x(i), y);
       if (!(cut.low < cut.high)) return;
       columns[i].excess.add(cut.low, cut.high);
       columns[i].intervals.push_back(cut);
     });
     overlaps.visit(row, [&](std::size_t piece, std::size_t i) {
-      const LineInterval cut = overlaps_.cut(piece, grid.x(i), y);
+      const LineInterval cut = overlaps_.clip_line(piece, grid.x(i), y);
       if (cut.low < cut.high) columns[i].excess.add(cut.low, cut.high, -1.0);
     });
     std::vector<Moments>& moments = sum.row(row);

@@ -41,7 +41,7 @@ class ColumnQuadrature {
   /// - Regions that no column need meet show in neither. When fewer than ten columns meet anything,
   ///   three columns of the height of the radius are allowed for: what random columns meet three
   ///   times on average they miss once in twenty.
-  OverlapIntegral excess(std::size_t columns_per_side) const;
+  OverlapIntegral integrate_overlap(std::size_t columns_per_side) const;
 
  private:
   Bounds box_;

@@ -65,7 +65,7 @@ VerticalLinePieces::VerticalLinePieces(const std::vector<OffsetPiece>& pieces, d
   }
 }
 
-LineInterval VerticalLinePieces::reach(std::size_t index, double y) const {
+LineInterval VerticalLinePieces::x_range(std::size_t index, double y) const {
   const Piece& piece = pieces_[index];
   LineInterval range = piece.columns;
   if (piece.round == OffsetPiece::CurvedFace::sphere) {
@@ -102,14 +102,14 @@ LineInterval VerticalLinePieces::clip_round_line(const Piece& piece, double x, d
   return {piece.centre.z() + (-b - half) / a, piece.centre.z() + (-b + half) / a};
 }
 
-LineInterval VerticalLinePieces::cut(std::size_t index, double x, double y) const {
+LineInterval VerticalLinePieces::clip_line(std::size_t index, double x, double y) const {
   const Piece& piece = pieces_[index];
   LineInterval result = clip_round_line(piece, x, y);
   for (const HeightPlane& bound : height_planes(piece.lower, piece.upper)) {
-    result.low = std::max(result.low, bound.at(x, y));
+    result.low = std::max(result.low, bound.height_at(x, y));
   }
   for (const HeightPlane& bound : height_planes(piece.upper, piece.sides)) {
-    result.high = std::min(result.high, bound.at(x, y));
+    result.high = std::min(result.high, bound.height_at(x, y));
   }
   return result;
 }
@@ -135,18 +135,18 @@ VerticalLineTriangles::VerticalLineTriangles(const TriangleMesh& core) {
   });
 }
 
-LineInterval VerticalLineTriangles::rows(std::size_t triangle) const {
+LineInterval VerticalLineTriangles::y_range(std::size_t triangle) const {
   const Bounds& box = triangles_[triangle].box;
   return {box.low.y(), box.high.y()};
 }
 
-/// Not by the edges: only `crossing` may decide on which side of one a line is.
-LineInterval VerticalLineTriangles::reach(std::size_t triangle, double) const {
+/// Not by the edges: only `crossing_sign` may decide on which side of one a line is.
+LineInterval VerticalLineTriangles::x_range(std::size_t triangle, double) const {
   const Bounds& box = triangles_[triangle].box;
   return {box.low.x(), box.high.x()};
 }
 
-int VerticalLineTriangles::crossing(std::size_t triangle, double x, double y) const {
+int VerticalLineTriangles::crossing_sign(std::size_t triangle, double x, double y) const {
   const Triangle& t = triangles_[triangle];
   int left_of = 0;
   for (int i = 0; i < 3; ++i) {
@@ -158,9 +158,9 @@ int VerticalLineTriangles::crossing(std::size_t triangle, double x, double y) co
   return left_of == 3 ? 1 : left_of == 0 ? -1 : 0;
 }
 
-double VerticalLineTriangles::height(std::size_t triangle, double x, double y) const {
+double VerticalLineTriangles::crossing_height(std::size_t triangle, double x, double y) const {
   const Triangle& t = triangles_[triangle];
-  return std::clamp(t.plane.at(x, y), t.box.low.z(), t.box.high.z());
+  return std::clamp(t.plane.height_at(x, y), t.box.low.z(), t.box.high.z());
 }
 
 }  // namespace clast::massprops_detail

@@ -16,7 +16,7 @@ struct LineInterval {
 /// A plane as a height: x_slope x + y_slope y + height.
 struct HeightPlane {
   double x_slope = 0.0, y_slope = 0.0, height = 0.0;
-  double at(double x, double y) const { return x_slope * x + y_slope * y + height; }
+  double height_at(double x, double y) const { return x_slope * x + y_slope * y + height; }
 };
 
 /// Convex pieces prepared for vertical lines; sorted by their lowest y and packed, since rows of
@@ -27,11 +27,11 @@ class VerticalLinePieces {
 
   std::size_t size() const { return pieces_.size(); }
   /// Lowest and highest y of a piece; the lowest ascend.
-  LineInterval rows(std::size_t piece) const { return pieces_[piece].rows; }
+  LineInterval y_range(std::size_t piece) const { return pieces_[piece].rows; }
   /// The x between which lines at `y` can cross the piece.
-  LineInterval reach(std::size_t piece, double y) const;
+  LineInterval x_range(std::size_t piece, double y) const;
   /// The part of the line at (x, y) inside the piece, x within its reach.
-  LineInterval cut(std::size_t piece, double x, double y) const;
+  LineInterval clip_line(std::size_t piece, double x, double y) const;
 
  private:
   struct Piece {
@@ -59,15 +59,15 @@ class VerticalLineTriangles {
   explicit VerticalLineTriangles(const TriangleMesh& core);
 
   std::size_t size() const { return triangles_.size(); }
-  LineInterval rows(std::size_t triangle) const;
-  LineInterval reach(std::size_t triangle, double y) const;
+  LineInterval y_range(std::size_t triangle) const;
+  LineInterval x_range(std::size_t triangle, double y) const;
 
   /// +1 where a line that rises at (x, y) leaves through the triangle, -1 where it enters, 0 beside
   /// it. Each edge is judged from its smaller vertex index, so both its triangles agree to the bit
   /// and no line slips between them or hits both.
-  int crossing(std::size_t triangle, double x, double y) const;
+  int crossing_sign(std::size_t triangle, double x, double y) const;
   /// Height at which it crosses there.
-  double height(std::size_t triangle, double x, double y) const;
+  double crossing_height(std::size_t triangle, double x, double y) const;
 
  private:
   struct Triangle {

@@ -19,7 +19,7 @@ struct Moments {
     return *this;
   }
   /// Adds `factor` times the other solid; -1 subtracts it.
-  void add(const Moments& other, double factor) {
+  void add_scaled(const Moments& other, double factor) {
     volume += factor * other.volume;
     first += factor * other.first;
     second += factor * other.second;
@@ -37,8 +37,8 @@ Moments polyhedron_moments(const TriangleMesh& mesh, const Vec3& origin);
 Vec3 vertex_mean(const TriangleMesh& mesh);
 
 /// Moments about `origin`, along axes that `rotation` (source_from_local) turns to the source's.
-MassProperties to_mass_properties(const Moments& moments, const Vec3& origin,
-                                    const Mat3& rotation, double density);
+MassProperties to_mass_properties(const Moments& moments, const Vec3& origin, const Mat3& rotation,
+                                  double density);
 
 /// @throws InputError  density not positive or not finite
 void check_density(double density);

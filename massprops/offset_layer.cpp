@@ -108,7 +108,7 @@ void add_prism(OffsetLayer& skin, const Triangle& t) {
   moments.second = r * face +
                    (0.5 * t.area * r * r) * (middle * n.transpose() + n * middle.transpose()) +
                    (t.area * r * r * r / 3.0) * n * n.transpose();
-  skin.total += moments;
+  skin.piece_moments += moments;
   skin.area += t.area;
 }
 
@@ -165,7 +165,7 @@ void add_wedge(OffsetLayer& skin, const Vec3& p, const Vec3& q, const Vec3& left
     }
   }
   skin.pieces.push_back(std::move(piece));
-  skin.total += wedge_moments(p, q, w, bend, r);
+  skin.piece_moments += wedge_moments(p, q, w, bend, r);
   skin.area += (q - p).norm() * bend * r;
 }
 
@@ -179,7 +179,7 @@ void add_cylinder(OffsetLayer& skin, const Vec3& p, const Vec3& q) {
   piece.box.include(q - Vec3::Constant(skin.radius));
   const Vec3 w = piece.axis.unitOrthogonal();
   skin.pieces.push_back(std::move(piece));
-  skin.total += wedge_moments(p, q, w, 2.0 * kPi, skin.radius);
+  skin.piece_moments += wedge_moments(p, q, w, 2.0 * kPi, skin.radius);
   skin.area += 2.0 * kPi * length * skin.radius;
 }
 
@@ -222,7 +222,7 @@ void add_overlap(OffsetLayer& skin, const Vec3& p, const Vec3& q, const Triangle
     prism.triangles.push_back({i, j + 4, j});
   }
   const Moments moments = polyhedron_moments(prism, Vec3::Zero());
-  skin.overlap_moments.add(moments, moments.volume < 0.0 ? -1.0 : 1.0);
+  skin.overlap_moments.add_scaled(moments, moments.volume < 0.0 ? -1.0 : 1.0);
   skin.overlap_area += 2.0 * r * slope * (q - p).norm();
   skin.overlaps.push_back(std::move(piece));
 }
@@ -262,7 +262,7 @@ void add_corner(OffsetLayer& skin, const Vec3& v, const Fan& fan) {
   moments.second = moments.volume * v * v.transpose() +
                    (0.25 * r4) * (v * cone.first.transpose() + cone.first * v.transpose()) +
                    (0.2 * r4 * r) * cone.second;
-  skin.total += moments;
+  skin.piece_moments += moments;
   skin.area += cone.solid_angle * r * r;
   skin.solid_angle += cone.solid_angle;
 }

@@ -29,13 +29,13 @@ struct OffsetPiece {
 /// Every point of the body outside the core lies in a piece, since its nearest core point lies on a
 /// face, an edge or a vertex with the point in the normal cone there; so the union of core and
 /// pieces is the body whatever the core is like. Where the core is convex the pieces are disjoint
-/// and `total` with the core's moments is exact. At reflex edges they overlap; `overlaps` are the
-/// kite-shaped prisms in which the two face prisms of such an edge overlap, where those stand clear
-/// of the far edges.
+/// and `piece_moments` with the core's moments is exact. At reflex edges they overlap; `overlaps`
+/// are the kite-shaped prisms in which the two face prisms of such an edge overlap, where those
+/// stand clear of the far edges.
 struct OffsetLayer {
   double radius = 0.0;
   std::vector<OffsetPiece> pieces;
-  Moments total;  ///< sum over the pieces, overlaps counted more than once
+  Moments piece_moments;  ///< sum over the pieces, overlaps counted more than once
   std::vector<OffsetPiece> overlaps;
   Moments overlap_moments;
   double area = 0.0;             ///< outer area of the pieces, m^2

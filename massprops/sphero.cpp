@@ -100,7 +100,7 @@ bool is_convex(const OffsetLayer& skin) {
 
 MassProperties exact_sum(const LocalCore& core, const OffsetLayer& skin, double density) {
   Moments sum = core.moments;
-  sum += skin.total;
+  sum += skin.piece_moments;
   return to_mass_properties(sum, core.origin, core.rotation, density);
 }
 
@@ -125,9 +125,9 @@ std::size_t next_grid(std::size_t columns_per_side, double factor) {
 MassProperties less_excess(const LocalCore& core, const OffsetLayer& skin,
                            const OverlapIntegral& excess, double density) {
   Moments sum = core.moments;
-  sum += skin.total;
-  sum.add(skin.overlap_moments, -1.0);
-  sum.add(excess.moments, -1.0);
+  sum += skin.piece_moments;
+  sum.add_scaled(skin.overlap_moments, -1.0);
+  sum.add_scaled(excess.moments, -1.0);
   MassProperties result = to_mass_properties(sum, core.origin, core.rotation, density);
   const double smallest_moment = principal_frame(result).moments[0] / density;
   result.relative_error =
@@ -167,7 +167,8 @@ MassProperties sphero_mass_properties(const SpheroPolyhedron& body, double densi
   MassProperties result;
   for (std::size_t columns_per_side = kFirstGrid;;
        columns_per_side = next_grid(columns_per_side, result.relative_error / accuracy)) {
-    result = less_excess(oblique, oblique_skin, columns.excess(columns_per_side), density);
+    result =
+        less_excess(oblique, oblique_skin, columns.integrate_overlap(columns_per_side), density);
     if (result.relative_error <= accuracy || columns_per_side >= kLastGrid) return result;
   }
 }
@@ -193,8 +194,8 @@ double sphero_surface_area(const SpheroPolyhedron& body) {
   double area = 0.0;
   for (std::size_t columns_per_side = kFirstGrid; columns_per_side <= kLastGrid / 4;
        columns_per_side *= 2) {
-    const double wider_excess = outer.excess(columns_per_side).moments.volume;
-    const double narrower_excess = inner.excess(columns_per_side).moments.volume;
+    const double wider_excess = outer.integrate_overlap(columns_per_side).moments.volume;
+    const double narrower_excess = inner.integrate_overlap(columns_per_side).moments.volume;
     const double lost = (wider_excess - narrower_excess) / (2.0 * kAreaStep * r);
     const double before = area;
     area = skin.area - skin.overlap_area - lost;

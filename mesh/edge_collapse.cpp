@@ -57,7 +57,7 @@ class Collapser {
  private:
   Indices neighbours(std::uint32_t vertex) const {
     Indices ring;
-    for (const std::uint32_t corner : corners_.at(vertex)) {
+    for (const std::uint32_t corner : corners_.corners_of(vertex)) {
       for (const std::uint32_t v : mesh_.triangles[corner / 3]) {
         if (v != vertex) ring.push_back(v);
       }
@@ -71,26 +71,26 @@ class Collapser {
     const Vec3 middle = 0.5 * (mesh_.vertices[u] + mesh_.vertices[v]);
     PlaneQuadric fit;
     for (const std::uint32_t vertex : {u, v}) {
-      for (const std::uint32_t corner : corners_.at(vertex)) {
+      for (const std::uint32_t corner : corners_.corners_of(vertex)) {
         const Triangle& t = mesh_.triangles[corner / 3];
         const Vec3 normal = unit_normal(mesh_, t);
-        fit.add(normal, normal.dot(mesh_.vertices[vertex] - middle),
-                corner_angle(mesh_, t, corner % 3));
+        fit.add_plane(normal, normal.dot(mesh_.vertices[vertex] - middle),
+                      corner_angle(mesh_, t, corner % 3));
       }
     }
-    const Vec3 step = fit.step();
+    const Vec3 step = fit.minimising_step();
     const double longest = kFarthest * (mesh_.vertices[u] - mesh_.vertices[v]).norm();
     return step.norm() < longest ? Vec3(middle + step) : middle;
   }
 
-  /// Would a triangle that keeps area turn over when `from` moves to `place`?
-  bool folds(std::uint32_t from, std::uint32_t other, const Vec3& place) const {
-    for (const std::uint32_t corner : corners_.at(from)) {
+  /// Would a triangle that keeps area turn over when `from` moves to `point`?
+  bool folds(std::uint32_t from, std::uint32_t other, const Vec3& point) const {
+    for (const std::uint32_t corner : corners_.corners_of(from)) {
       const Triangle& corners = mesh_.triangles[corner / 3];
       if (has_corner(corners, other)) continue;
       std::array<Vec3, 3> points;
       for (std::size_t k = 0; k < 3; ++k) {
-        points[k] = corners[k] == from ? place : mesh_.vertices[corners[k]];
+        points[k] = corners[k] == from ? point : mesh_.vertices[corners[k]];
       }
       const Vec3 after = (points[1] - points[0]).cross(points[2] - points[0]);
       const Vec3 before = unit_normal(mesh_, corners);
@@ -108,14 +108,15 @@ class Collapser {
                           std::back_inserter(shared));
     // Only then the surface stays a manifold; a vertex of three triangles would fold them flat.
     if (shared.size() != 2 || locked_[shared[0]] || locked_[shared[1]]) return false;
-    if (corners_.at(shared[0]).size() < 4 || corners_.at(shared[1]).size() < 4) return false;
-    const Vec3 place = meeting_point(u, v);
-    if (folds(u, v, place) || folds(v, u, place)) return false;
+    if (corners_.corners_of(shared[0]).size() < 4 || corners_.corners_of(shared[1]).size() < 4)
+      return false;
+    const Vec3 point = meeting_point(u, v);
+    if (folds(u, v, point) || folds(v, u, point)) return false;
     for (const Indices* ring : {&ring_u, &ring_v}) {
       for (const std::uint32_t vertex : *ring) locked_[vertex] = true;
     }
-    mesh_.vertices[u] = place;
-    for (const std::uint32_t corner : corners_.at(v)) {
+    mesh_.vertices[u] = point;
+    for (const std::uint32_t corner : corners_.corners_of(v)) {
       mesh_.triangles[corner / 3][corner % 3] = u;
     }
     return true;

@@ -60,29 +60,29 @@ std::vector<std::vector<std::uint32_t>> loops_of(std::span<const HalfEdge> sorte
   };
 
   std::vector<std::vector<std::uint32_t>> loops;
-  std::vector<std::uint32_t> place(sides.empty() ? 0 : sides.back()[0] + 1, kNoIndex);
+  std::vector<std::uint32_t> position(sides.empty() ? 0 : sides.back()[0] + 1, kNoIndex);
   for (std::size_t start = 0; start < sides.size(); ++start) {
     if (used[start]) continue;
     std::vector<std::uint32_t> path = {sides[start][0]};
-    place[path[0]] = 0;
+    position[path[0]] = 0;
     while (!path.empty()) {
       const std::size_t side = next_from(path.back());
       if (side == sides.size()) {  // a dead end: neighbours disagree in orientation here
-        place[path.back()] = kNoIndex;
+        position[path.back()] = kNoIndex;
         path.pop_back();
         continue;
       }
       used[side] = true;
       const std::uint32_t vertex = sides[side][1];
-      if (vertex >= place.size()) continue;  // nothing open starts there
-      if (place[vertex] == kNoIndex) {
-        place[vertex] = static_cast<std::uint32_t>(path.size());
+      if (vertex >= position.size()) continue;  // nothing open starts there
+      if (position[vertex] == kNoIndex) {
+        position[vertex] = static_cast<std::uint32_t>(path.size());
         path.push_back(vertex);
         continue;
       }
-      const auto first = path.begin() + place[vertex];
+      const auto first = path.begin() + position[vertex];
       loops.emplace_back(first, path.end());
-      for (auto v = first + 1; v != path.end(); ++v) place[*v] = kNoIndex;
+      for (auto v = first + 1; v != path.end(); ++v) position[*v] = kNoIndex;
       path.erase(first + 1, path.end());
     }
   }

@@ -11,11 +11,11 @@ struct Plane {
   Vec3 normal = Vec3::UnitZ();
   double distance = 0.0;  ///< d, m
 
-  double height(const Vec3& point) const { return normal.dot(point) - distance; }
+  double signed_distance(const Vec3& point) const { return normal.dot(point) - distance; }
 };
 
 /// The part of a convex polygon that is on or below a plane; fewer than three corners: no area.
 /// @cite sutherland1974
-std::vector<Vec3> below(const std::vector<Vec3>& polygon, const Plane& plane);
+std::vector<Vec3> clip_below(const std::vector<Vec3>& polygon, const Plane& plane);
 
 }  // namespace clast

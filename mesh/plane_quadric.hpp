@@ -12,12 +12,12 @@ namespace clast {
 /// give a step along their normal and faces along a ridge one across it.
 class PlaneQuadric {
  public:
-  void add(const Vec3& normal, double distance, double weight) {
+  void add_plane(const Vec3& normal, double distance, double weight) {
     matrix_ += weight * normal * normal.transpose();
     side_ += weight * distance * normal;
   }
 
-  Vec3 step() const {
+  Vec3 minimising_step() const {
     const Eigen::SelfAdjointEigenSolver<Mat3> solver(matrix_);
     const Vec3 values = solver.eigenvalues();
     Vec3 result = Vec3::Zero();

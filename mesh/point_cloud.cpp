@@ -19,20 +19,20 @@ namespace {
 constexpr std::size_t kBatch = 65536;
 }
 
-bool PointSink::usable(const Vec3& point) {
+bool PointSink::is_usable(const Vec3& point) {
   if (point.allFinite()) return true;
   ++non_finite_;
   return false;
 }
 
-void PointSink::add(const Vec3& point) {
-  if (!usable(point)) return;
+void PointSink::add_point(const Vec3& point) {
+  if (!is_usable(point)) return;
   batch_.points.push_back(point);
   if (batch_.points.size() >= kBatch) flush_batch();
 }
 
-void PointSink::add(const Vec3& point, std::uint8_t asprs_class) {
-  if (!usable(point)) return;
+void PointSink::add_point(const Vec3& point, std::uint8_t asprs_class) {
+  if (!is_usable(point)) return;
   batch_.points.push_back(point);
   batch_.classes.push_back(asprs_class);
   if (batch_.points.size() >= kBatch) flush_batch();
@@ -79,7 +79,7 @@ CloudSummary read_cloud_by_format(const std::filesystem::path& path, const std::
   const std::optional<TriangleMesh> mesh =
       extension == ".ply" ? mesh_detail::read_ply(read_text_file(path)) : read_mesh(path);
   if (!mesh) throw InputError("its points can't be read");
-  for (const Vec3& vertex : mesh->vertices) sink.add(vertex);
+  for (const Vec3& vertex : mesh->vertices) sink.add_point(vertex);
   return sink.finish({});
 }
 
@@ -99,9 +99,9 @@ std::string nothing_in(const CloudSummary& summary) {
 }  // namespace
 
 CloudSummary stream_cloud(const std::filesystem::path& path,
-                          const std::function<void(const PointBatch&)>& take,
+                          const std::function<void(const PointBatch&)>& consume,
                           const std::vector<std::string>& columns) {
-  mesh_detail::PointSink sink(take);
+  mesh_detail::PointSink sink(consume);
   const CloudSummary summary = with_file_context(path.string(), [&] {
     std::error_code code;
     if (std::filesystem::is_regular_file(path, code) && std::filesystem::is_empty(path, code)) {

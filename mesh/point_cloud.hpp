@@ -22,10 +22,10 @@ inline constexpr std::uint8_t kGroundClass = 2;
 
 /// What a cloud file holds beside its points.
 struct CloudSummary {
-  std::size_t points = 0;         ///< handed over
+  std::size_t points = 0;      ///< handed over
   std::size_t non_finite = 0;  ///< left out: a coordinate is not finite
-  std::size_t withheld = 0;       ///< left out: flagged as withheld, or classed as noise (LAS)
-  std::string crs;                ///< "EPSG:25832", else WKT; empty when the file does not say
+  std::size_t withheld = 0;    ///< left out: flagged as withheld, or classed as noise (LAS)
+  std::string crs;             ///< "EPSG:25832", else WKT; empty when the file does not say
   std::vector<LengthUnitDeclaration> lengths = {};  ///< all that the file says of its units
 };
 
@@ -45,7 +45,7 @@ struct CloudSummary {
 ///                     that does not name x, y and z; `columns` of no text; the message names the
 ///                     file, and the line of a text
 CloudSummary stream_cloud(const std::filesystem::path& path,
-                          const std::function<void(const PointBatch&)>& take,
+                          const std::function<void(const PointBatch&)>& consume,
                           const std::vector<std::string>& columns = {});
 
 /// All points of a file at once. @throws as `stream_cloud`

@@ -94,7 +94,8 @@ void describe_part(PJ_CONTEXT* context, const PJ* part, LengthUnitDeclaration& d
   if (axes.units.empty()) return;
   if (axes.type == PJ_CS_TYPE_VERTICAL) {
     declared.height = axes.units[0];
-    if (declared.kind == ReferenceSystemKind::kUnknown) declared.kind = ReferenceSystemKind::kVertical;
+    if (declared.kind == ReferenceSystemKind::kUnknown)
+      declared.kind = ReferenceSystemKind::kVertical;
     return;
   }
   declared.kind = type == PJ_TYPE_GEOCENTRIC_CRS        ? ReferenceSystemKind::kGeocentric
@@ -145,14 +146,16 @@ std::vector<SourcedUnit> units_declared(const std::vector<LengthUnitDeclaration>
 }
 
 std::string relabelled(const LengthUnitUse& use) {
-  return use.correction_command.empty() ? "correct the one that is wrong"
-                             : "correct the one that is wrong (" + use.correction_command + ")";
+  return use.correction_command.empty()
+             ? "correct the one that is wrong"
+             : "correct the one that is wrong (" + use.correction_command + ")";
 }
 
 /// The one unit that is declared; none where there is none.
 /// @param what  "x and y" or "heights"
 std::optional<SourcedUnit> one_unit(const std::string& name, const char* what,
-                                    const std::vector<SourcedUnit>& units, const LengthUnitUse& use) {
+                                    const std::vector<SourcedUnit>& units,
+                                    const LengthUnitUse& use) {
   if (units.empty()) return std::nullopt;
   for (const SourcedUnit& each : units) {
     if (same_unit(each.unit, units[0].unit)) continue;
@@ -178,7 +181,7 @@ void refuse_kinds(const std::string& name, const std::vector<LengthUnitDeclarati
     return found == declared.end() ? nullptr : &*found;
   };
   const LengthUnitDeclaration *map = of_kind(ReferenceSystemKind::kProjected),
-                          *degrees = of_kind(ReferenceSystemKind::kGeographic);
+                              *degrees = of_kind(ReferenceSystemKind::kGeographic);
   const LengthUnitDeclaration* geocentric = of_kind(ReferenceSystemKind::kGeocentric);
   if (map && degrees) {
     throw InputError(name + ": its coordinates are lengths by its " + map->source +
@@ -187,11 +190,12 @@ void refuse_kinds(const std::string& name, const std::vector<LengthUnitDeclarati
   if (degrees) {
     throw InputError(name +
                      ": coordinates are degrees; project it to metres first, for example with " +
-                     use.way + " (" + degrees->source + ")");
+                     use.conversion_command + " (" + degrees->source + ")");
   }
   if (geocentric && use.needs_z_up) {
     throw InputError(name + ": coordinates are geocentric, so that z is not up (" +
-                     geocentric->source + "); bring it into a map system first (" + use.way + ")");
+                     geocentric->source + "); bring it into a map system first (" +
+                     use.conversion_command + ")");
   }
   for (const LengthUnitDeclaration& each : declared) {
     if (each.world_projection.empty()) continue;
@@ -199,17 +203,17 @@ void refuse_kinds(const std::string& name, const std::vector<LengthUnitDeclarati
         name + ": its projection is " + each.world_projection + " (" + each.source +
         "), whose lengths differ from those on the ground almost everywhere; project it to "
         "a local system in metres first (" +
-        use.way + ")");
+        use.conversion_command + ")");
   }
 }
 
 /// What to do about a unit: the option where there is one, else conversion.
 std::string unit_advice(const DeclaredUnit& unit, const LengthUnitUse& use) {
   if (use.has_units_option && unit.metres > 0.0) {
-    return "give `units` " + format_significant(unit.metres, 10) + ", or bring it to metres (" + use.way +
-           ")";
+    return "give `units` " + format_significant(unit.metres, 10) + ", or bring it to metres (" +
+           use.conversion_command + ")";
   }
-  return "project it to a system in metres first (" + use.way + ")";
+  return "project it to a system in metres first (" + use.conversion_command + ")";
 }
 
 /// Along x and y: map over ground.
@@ -282,7 +286,8 @@ std::string with_code(std::string way, const std::string& code) {
 }  // namespace
 
 LengthUnitDeclaration describe_system(const std::string& crs, std::string source) {
-  LengthUnitDeclaration declared{.source = std::move(source), .kind = ReferenceSystemKind::kUnknown};
+  LengthUnitDeclaration declared{.source = std::move(source),
+                                 .kind = ReferenceSystemKind::kUnknown};
   const std::size_t end = first_system_end(crs);
   const ParsedSystem parsed(crs.substr(0, end));
   if (!parsed.system) return declared;
@@ -318,8 +323,8 @@ std::optional<DeclaredUnit> epsg_length_unit(int code) {
 }
 
 std::vector<std::string> check_length_units(const std::string& name,
-                                       const std::vector<LengthUnitDeclaration>& declared,
-                                       const LengthUnitUse& use) {
+                                            const std::vector<LengthUnitDeclaration>& declared,
+                                            const LengthUnitUse& use) {
   std::vector<std::string> notes;
   for (const LengthUnitDeclaration& each : declared) {
     if (each.kind != ReferenceSystemKind::kUnknown) continue;
@@ -339,7 +344,7 @@ std::vector<std::string> check_length_units(const std::string& name,
                      *height->source + "), its x and y in units of the " + unit_text(plan->unit) +
                      " (" + *plan->source +
                      "); bring both to metres first, with a system of heights in metres (" +
-                     use.way + "+CODE)");
+                     use.conversion_command + "+CODE)");
   }
   for (const auto& [unit, what] : {std::pair(plan, "map unit"), {height, "unit of heights"}}) {
     if (!unit || same_unit(unit->unit, {use.unit, {}})) continue;
@@ -355,7 +360,7 @@ std::vector<std::string> check_length_units(const std::string& name,
 }
 
 void check_map_scale(const std::string& name, const std::string& crs, const Vec2& place,
-                     const std::string& way) {
+                     const std::string& conversion_command) {
   if (crs.empty() || place.cwiseAbs().maxCoeff() < kLocalReach) return;
   const ParsedSystem parsed(crs);
   if (!parsed.system) return;
@@ -369,7 +374,7 @@ void check_map_scale(const std::string& name, const std::string& crs, const Vec2
   throw InputError(name + ": lengths on its map (" + reference_system_name(crs) + ") are " +
                    format_significant((*scale)[off.x() >= off.y() ? 0 : 1], 4) +
                    " times those on the ground; project it to a local system in metres first (" +
-                   with_code(way, utm_code(degrees)) + ")");
+                   with_code(conversion_command, utm_code(degrees)) + ")");
 }
 
 std::optional<Vec2> map_scale_factor(const std::string& crs, const Vec2& place) {
@@ -384,7 +389,8 @@ std::string reference_system_name(const std::string& crs) {
   const ParsedSystem parsed(crs);
   const char* name = parsed.system ? proj_get_name(parsed.system.get()) : nullptr;
   if (!name) {
-    return escape_nonprintable(crs.size() <= kLongestText ? crs : crs.substr(0, kLongestText) + "...");
+    return escape_nonprintable(crs.size() <= kLongestText ? crs
+                                                          : crs.substr(0, kLongestText) + "...");
   }
   const char* authority = proj_get_id_auth_name(parsed.system.get(), 0);
   const char* code = proj_get_id_code(parsed.system.get(), 0);

@@ -15,10 +15,10 @@ struct DeclaredUnit {
 };
 
 enum class ReferenceSystemKind {
-  kUnstated,      ///< the declaration is of units alone
+  kUnstated,    ///< the declaration is of units alone
   kUnknown,     ///< PROJ does not understand it
-  kProjected,         ///< projected or local, plan coordinates are lengths
-  kGeographic,     ///< geographic
+  kProjected,   ///< projected or local, plan coordinates are lengths
+  kGeographic,  ///< geographic
   kGeocentric,  ///< z is not up
   kVertical     ///< of heights alone
 };
@@ -46,8 +46,9 @@ struct LengthUnitUse {
   double unit = 1.0;  ///< metres that one unit of the file is taken for
   /// True: `unit` is the user's word and holds where declarations contradict each other.
   bool unit_given = false;
-  bool needs_z_up = true;      ///< z must be up: geocentric coordinates are refused
-  std::string way = {};      ///< of bringing the file to metres: "gdalwarp -t_srs EPSG:CODE"
+  bool needs_z_up = true;  ///< z must be up: geocentric coordinates are refused
+  std::string conversion_command =
+      {};  ///< of bringing the file to metres: "gdalwarp -t_srs EPSG:CODE"
   std::string correction_command = {};  ///< of correcting its declarations: "pdal translate ..."
   /// True: the unit can be given as `units`, which messages then advise.
   bool has_units_option = false;
@@ -59,8 +60,8 @@ struct LengthUnitUse {
 /// @throws InputError  degrees; geocentric coordinates; plan or heights in another unit; plan and
 ///                     heights in two units; declarations that contradict each other
 std::vector<std::string> check_length_units(const std::string& name,
-                                       const std::vector<LengthUnitDeclaration>& declared,
-                                       const LengthUnitUse& use);
+                                            const std::vector<LengthUnitDeclaration>& declared,
+                                            const LengthUnitUse& use);
 
 /// Refuses a projection that stretches lengths by more than 1 % at a place, such as Mercator away
 /// from the equator. A place outside of the system's area of use, or within 100 km of the origin of
@@ -70,7 +71,7 @@ std::vector<std::string> check_length_units(const std::string& name,
 /// @param way    a command that projects the file, with "EPSG:CODE" for the system
 /// @throws InputError  with the scale and a system that suits the place
 void check_map_scale(const std::string& name, const std::string& crs, const Vec2& position,
-                     const std::string& way);
+                     const std::string& conversion_command);
 
 /// Length on the map over length on the ground, along x and along y; none where PROJ can't say.
 /// @cite snyder1987

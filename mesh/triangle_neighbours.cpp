@@ -26,13 +26,13 @@ TriangleNeighbours triangle_neighbours(const TriangleMesh& mesh) {
 
 TriangleNeighbours triangle_neighbours(const TriangleMesh& mesh, std::span<const HalfEdge> sorted) {
   TriangleNeighbours result;
-  result.across.assign(mesh.triangles.size(), {kNoIndex, kNoIndex, kNoIndex});
+  result.neighbour.assign(mesh.triangles.size(), {kNoIndex, kNoIndex, kNoIndex});
   for_each_edge(sorted, [&](std::span<const HalfEdge> sides) {
     if (sides.size() == 1) {
       ++result.border_edges;
     } else if (sides.size() == 2) {
-      result.across[sides[0].triangle][sides[0].side] = sides[1].triangle;
-      result.across[sides[1].triangle][sides[1].side] = sides[0].triangle;
+      result.neighbour[sides[0].triangle][sides[0].side] = sides[1].triangle;
+      result.neighbour[sides[1].triangle][sides[1].side] = sides[0].triangle;
     } else if (result.non_manifold_edges++ == 0) {
       result.first_non_manifold_edge = {sides[0].low, sides[0].high};
     }
@@ -48,7 +48,7 @@ std::size_t find_edge_side(const Triangle& triangle, std::uint32_t a, std::uint3
 }
 
 std::vector<std::uint32_t> manifold_components(const TriangleNeighbours& neighbours) {
-  std::vector<std::uint32_t> component(neighbours.across.size(), kNoIndex);
+  std::vector<std::uint32_t> component(neighbours.neighbour.size(), kNoIndex);
   std::vector<std::uint32_t> open;
   std::uint32_t count = 0;
   for (std::uint32_t seed = 0; seed < component.size(); ++seed) {
@@ -58,7 +58,7 @@ std::vector<std::uint32_t> manifold_components(const TriangleNeighbours& neighbo
     while (!open.empty()) {
       const std::uint32_t t = open.back();
       open.pop_back();
-      for (const std::uint32_t other : neighbours.across[t]) {
+      for (const std::uint32_t other : neighbours.neighbour[t]) {
         if (other == kNoIndex || component[other] != kNoIndex) continue;
         component[other] = count;
         open.push_back(other);
@@ -69,9 +69,10 @@ std::vector<std::uint32_t> manifold_components(const TriangleNeighbours& neighbo
   return component;
 }
 
-ConsistentOrientation find_consistent_orientation(const TriangleMesh& mesh, const TriangleNeighbours& neighbours) {
+ConsistentOrientation find_consistent_orientation(const TriangleMesh& mesh,
+                                                  const TriangleNeighbours& neighbours) {
   ConsistentOrientation result;
-  result.against.assign(mesh.triangles.size(), false);
+  result.is_flipped.assign(mesh.triangles.size(), false);
   std::vector<bool> seen(mesh.triangles.size(), false);
   for (std::uint32_t seed = 0; seed < mesh.triangles.size(); ++seed) {
     if (seen[seed]) continue;
@@ -81,18 +82,18 @@ ConsistentOrientation find_consistent_orientation(const TriangleMesh& mesh, cons
       const std::uint32_t here = component[i];
       const Triangle& corners = mesh.triangles[here];
       for (const std::size_t k : sides_by_edge(corners)) {
-        const std::uint32_t other = neighbours.across[here][k];
+        const std::uint32_t other = neighbours.neighbour[here][k];
         if (other == kNoIndex) continue;
         const std::uint32_t from = corners[k], to = corners[(k + 1) % 3];
         const Triangle& beside = mesh.triangles[other];
         const bool same_way = beside[find_edge_side(beside, from, to)] == from;
-        const bool wanted = result.against[here] != same_way;
+        const bool wanted = result.is_flipped[here] != same_way;
         if (!seen[other]) {
           seen[other] = true;
-          result.against[other] = wanted;
+          result.is_flipped[other] = wanted;
           component.push_back(other);
-        } else if (result.against[other] != wanted && !result.conflict) {
-          result.conflict = std::min(from, to);
+        } else if (result.is_flipped[other] != wanted && !result.conflict_vertex) {
+          result.conflict_vertex = std::min(from, to);
         }
       }
     }

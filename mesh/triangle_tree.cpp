@@ -120,7 +120,7 @@ double TriangleTree::distance_to(std::uint32_t triangle, const Vec3& point) cons
 }
 
 bool TriangleTree::has_point_above(const Vec3& normal, double height, const Vec3& centre,
-                               double radius) const {
+                                   double radius) const {
   std::array<std::uint32_t, 64> open;  // the tree is balanced: depth under 32
   std::size_t size = 0;
   open[size++] = 0;
@@ -144,7 +144,7 @@ bool TriangleTree::has_point_above(const Vec3& normal, double height, const Vec3
   return false;
 }
 
-TriangleTree::Closest TriangleTree::closest(const Vec3& point, std::uint32_t hint) const {
+TriangleTree::Closest TriangleTree::closest_point(const Vec3& point, std::uint32_t hint) const {
   Closest best;
   // A hair above the hint's distance, so that of equally near triangles the same one is found.
   const double known = distance_to(hint, point) * (1.0 + 1e-9);
@@ -189,13 +189,14 @@ const Vec3& TriangleTree::feature_normal(const Closest& found) const {
 }
 
 double TriangleTree::signed_distance(const Vec3& point, std::uint32_t hint) const {
-  const Closest found = closest(point, hint);
+  const Closest found = closest_point(point, hint);
   const double distance = std::sqrt(found.squared_distance);
   return feature_normal(found).dot(point - found.point) < 0.0 ? -distance : distance;
 }
 
-TriangleTree::Signed TriangleTree::signed_closest_point(const Vec3& point, std::uint32_t hint) const {
-  const Closest found = closest(point, hint);
+TriangleTree::SignedClosest TriangleTree::signed_closest_point(const Vec3& point,
+                                                               std::uint32_t hint) const {
+  const Closest found = closest_point(point, hint);
   const TriangleMesh::Triangle& t = mesh_.triangles[found.triangle];
   const Vec3& a = mesh_.vertices[t[0]];
   const Vec3& b = mesh_.vertices[t[1]];
@@ -203,7 +204,7 @@ TriangleTree::Signed TriangleTree::signed_closest_point(const Vec3& point, std::
   const Vec3& normal = feature_normal(found);
   const Vec3 away = point - found.point;
   const double distance = std::sqrt(found.squared_distance);
-  Signed result;
+  SignedClosest result;
   result.foot = found.point;
   result.triangle = found.triangle;
   result.distance = normal.dot(away) < 0.0 ? -distance : distance;
@@ -223,9 +224,10 @@ TriangleTree::Signed TriangleTree::signed_closest_point(const Vec3& point, std::
   return result;
 }
 
-std::optional<TriangleTree::Hit> TriangleTree::first_exit(const Vec3& origin, const Vec3& direction,
-                                                          std::uint32_t except) const {
-  std::optional<Hit> best;
+std::optional<TriangleTree::RayHit> TriangleTree::first_exit(const Vec3& origin,
+                                                             const Vec3& direction,
+                                                             std::uint32_t ignored) const {
+  std::optional<RayHit> best;
   double nearest = std::numeric_limits<double>::infinity();
   const auto entry = [&](const Bounds& box) {
     double from = 0.0, to = nearest;
@@ -258,7 +260,7 @@ std::optional<TriangleTree::Hit> TriangleTree::first_exit(const Vec3& origin, co
       const std::uint32_t triangle = order_[i];
       const Vec3& normal = face_normals_[triangle];
       const double along = normal.dot(direction);
-      if (triangle == except || !(along > 0.0)) continue;
+      if (triangle == ignored || !(along > 0.0)) continue;
       const TriangleMesh::Triangle& t = mesh_.triangles[triangle];
       const double distance = normal.dot(mesh_.vertices[t[0]] - origin) / along;
       if (!(distance >= 0.0 && distance < nearest)) continue;
@@ -270,7 +272,7 @@ std::optional<TriangleTree::Hit> TriangleTree::first_exit(const Vec3& origin, co
       }
       if (!inside) continue;
       nearest = distance;
-      best = Hit{distance, triangle};
+      best = RayHit{distance, triangle};
     }
   }
   return best;

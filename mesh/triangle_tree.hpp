@@ -22,10 +22,10 @@ class TriangleTree {
     int feature = 0;  ///< 0: inside the triangle, 1..3: at corner k - 1, 4..6: on side k - 4
   };
   /// @param hint  a triangle that is likely near; makes the search shorter and changes nothing else
-  Closest closest(const Vec3& point, std::uint32_t hint = 0) const;
+  Closest closest_point(const Vec3& point, std::uint32_t hint = 0) const;
 
   double distance_to(std::uint32_t triangle, const Vec3& point) const;
-  const Vec3& corner(std::uint32_t triangle) const {  ///< the first
+  const Vec3& first_vertex(std::uint32_t triangle) const {  ///< the first
     return mesh_.vertices[mesh_.triangles[triangle][0]];
   }
   const Vec3& face_normal(std::uint32_t triangle) const { return face_normals_[triangle]; }
@@ -39,7 +39,7 @@ class TriangleTree {
   /// @cite baerentzen2005
   double signed_distance(const Vec3& point, std::uint32_t hint = 0) const;
 
-  struct Signed {
+  struct SignedClosest {
     Vec3 foot = Vec3::Zero();      ///< closest point of the surface
     double distance = 0.0;         ///< negative inside
     Vec3 outward = Vec3::UnitX();  ///< unit gradient of the distance
@@ -47,16 +47,16 @@ class TriangleTree {
     Vec3 weights = Vec3::Zero();  ///< of the triangle's corners, that make `foot`
   };
   /// All about the closest point.
-  Signed signed_closest_point(const Vec3& point, std::uint32_t hint = 0) const;
+  SignedClosest signed_closest_point(const Vec3& point, std::uint32_t hint = 0) const;
 
-  struct Hit {
+  struct RayHit {
     double distance;
     std::uint32_t triangle;
   };
   /// First triangle that the ray from `origin` along `direction` (unit) meets from inside, that is
-  /// one that faces along the ray, other than `except`.
-  std::optional<Hit> first_exit(const Vec3& origin, const Vec3& direction,
-                                std::uint32_t except) const;
+  /// one that faces along the ray, other than `ignored`.
+  std::optional<RayHit> first_exit(const Vec3& origin, const Vec3& direction,
+                                   std::uint32_t ignored) const;
 
  private:
   const Vec3& feature_normal(const Closest& found) const;

@@ -13,7 +13,7 @@ class VertexCorners {
  public:
   explicit VertexCorners(const TriangleMesh& mesh);
 
-  std::span<const std::uint32_t> at(std::uint32_t vertex) const {
+  std::span<const std::uint32_t> corners_of(std::uint32_t vertex) const {
     return {corners_.data() + start_[vertex], corners_.data() + start_[vertex + 1]};
   }
 

@@ -40,10 +40,10 @@ FewestVerticesSearch::FewestVerticesSearch(const std::string& id, const ScanSurf
                                            const BlockSource& source)
     : id_(id), scan_(scan), source_(source), fine_(simplify_for_trials(scan.mesh())) {}
 
-Block FewestVerticesSearch::lightest(const BlockOptions& options, bool radius_given) {
+Block FewestVerticesSearch::find_block(const BlockOptions& options, bool radius_given) {
   BlockOptions try_vertex_count = options;
   for (int halving = 0; halving <= kRadiusHalvings; ++halving) {
-    if (std::optional<Block> block = found(try_vertex_count)) {
+    if (std::optional<Block> block = search_at_radius(try_vertex_count)) {
       Block lightest = with_accurate_mass(std::move(*block), try_vertex_count);
       if (halving > 0) {
         lightest.warnings.push_back(
@@ -62,7 +62,7 @@ Block FewestVerticesSearch::lightest(const BlockOptions& options, bool radius_gi
   return kept;
 }
 
-std::optional<Block> FewestVerticesSearch::found(const BlockOptions& options) {
+std::optional<Block> FewestVerticesSearch::search_at_radius(const BlockOptions& options) {
   std::optional<Block> lightest;
   const std::size_t most = std::min(kMostVertices, fine_.vertices.size());
   std::size_t enough = most + 1, too_few = std::min(kFewestVertices, most) - 1;
@@ -99,7 +99,7 @@ std::optional<Block> FewestVerticesSearch::try_vertex_count(std::size_t count,
     // Volumes to a millionth take longer than a fit, and are wanted once.
     BlockOptions quick = options;
     quick.accuracy = std::max(options.accuracy, BlockOptions().accuracy);
-    quick.advise = refusal_.empty();  // the first refusal is the one that is reported
+    quick.suggest_radius = refusal_.empty();  // the first refusal is the one that is reported
     return make_block(id_, simplify_mesh(fine_, {.target_vertices = count}), scan_,
                       source_with_vertices(count), quick);
   } catch (const GeometryError& error) {

@@ -19,10 +19,10 @@ class FewestVerticesSearch {
   /// is halved where none does. Where none does at any, the nearest block, with a warning.
   /// @param radius_given  by the user: it is kept
   /// @throws GeometryError  no block could be made at all
-  Block lightest(const BlockOptions& options, bool radius_given);
+  Block find_block(const BlockOptions& options, bool radius_given);
 
  private:
-  std::optional<Block> found(const BlockOptions& options);
+  std::optional<Block> search_at_radius(const BlockOptions& options);
   std::optional<Block> try_vertex_count(std::size_t count, const BlockOptions& options);
   /// The nearest of the blocks that were tried, or, where none could be made, the reason.
   Block nearest_block(const BlockOptions& options);

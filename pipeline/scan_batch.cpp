@@ -53,7 +53,8 @@ class Batch {
   BatchResult run() {
     try {
       run_ordered_jobs(
-          scans_.size(), options_.jobs, [&](std::size_t i) { return count_stop_reasons(scans_[i]); },
+          scans_.size(), options_.jobs,
+          [&](std::size_t i) { return count_stop_reasons(scans_[i]); },
           [&](std::size_t i, Outcome& outcome) { take(scans_[i], outcome); });
     } catch (const Cancelled&) {
       save();
@@ -83,8 +84,8 @@ class Batch {
     check_block_id(scan.id);
     const std::string first = is_split(scan) ? scan.id + "_1" : scan.id;
     const std::lock_guard lock(mutex_);
-    if (!library_.has(first)) return false;
-    const BlockSource& source = library_.block(first).source;
+    if (!library_.contains(first)) return false;
+    const BlockSource& source = library_.find_block(first).source;
     const bool same_request = options_.resume && source.options.ends_with(request_);
     if (same_request && source.sha256 == scan_digest(scan.path)) return true;
     if (options_.replace) return false;
@@ -98,10 +99,10 @@ class Batch {
   std::vector<Block> make_blocks(const ScanFile& scan, Outcome& outcome) {
     const ScanCallbacks callbacks = {
         .progress = [&](const ProgressUpdate& step) { report(step); },
-        .made = [&](const Block& block,
-                    const BlockOrigin& origin) { observer_.made(block, origin); },
-        .lost = [&](const std::string&,
-                    const std::string& reason) { outcome.failures.push_back(reason); }};
+        .on_block_made = [&](const Block& block,
+                             const BlockOrigin& origin) { observer_.on_block_made(block, origin); },
+        .on_block_lost = [&](const std::string&,
+                             const std::string& reason) { outcome.failures.push_back(reason); }};
     if (!scan.is_shp()) {
       return reconstruct_blocks(scan.path, scan.id, options_.scan, callbacks);
     }
@@ -146,11 +147,11 @@ class Batch {
 
   void add(const ScanFile& scan, const Block& block) {
     try {
-      observer_.accept(block);
+      observer_.check_block(block);
       library_.add(block, options_.replace);
       unsaved_.push_back({&scan, block.id});
       ++result_.added;
-      observer_.added(block);
+      observer_.on_block_added(block);
     } catch (const Error& error) {  // such as one of a split scan that is there already
       fail(scan, error.what());
     }
@@ -158,14 +159,14 @@ class Batch {
 
   void fail(const ScanFile& scan, const std::string& reason) {
     scans_failed_.insert(scan.id);
-    observer_.failed(scan, reason);
+    observer_.on_scan_failed(scan, reason);
   }
 
   void keep(const ScanFile& scan) {
     ++result_.skipped;
-    if (!is_split(scan)) return observer_.kept(library_.block(scan.id));
-    for (std::size_t i = 1; library_.has(scan.id + "_" + std::to_string(i)); ++i) {
-      observer_.kept(library_.block(scan.id + "_" + std::to_string(i)));
+    if (!is_split(scan)) return observer_.on_block_retained(library_.find_block(scan.id));
+    for (std::size_t i = 1; library_.contains(scan.id + "_" + std::to_string(i)); ++i) {
+      observer_.on_block_retained(library_.find_block(scan.id + "_" + std::to_string(i)));
     }
   }
 
@@ -173,9 +174,9 @@ class Batch {
   void note_leftovers(const ScanFile& scan, const Outcome& outcome) const {
     if (!options_.scan.split || outcome.blocks.empty() || !outcome.failures.empty()) return;
     const std::string next = scan.id + "_" + std::to_string(outcome.blocks.size() + 1);
-    if (!library_.has(next)) return;
-    observer_.noted(options_.library.string() + " still holds block " + next +
-                    " of an earlier split; if it is obsolete, use clast library remove");
+    if (!library_.contains(next)) return;
+    observer_.on_note(options_.library.string() + " still holds block " + next +
+                      " of an earlier split; if it is obsolete, use clast library remove");
   }
 
   /// Adds what was made since the last time to the library as it is now, which other processes may
@@ -184,26 +185,27 @@ class Batch {
     if (unsaved_.empty()) return;
     std::vector<std::pair<Unsaved, std::string>> refused;
     const auto waiting = [&] {
-      observer_.noted(options_.library.string() + ": another program is writing to it; waiting");
+      observer_.on_note(options_.library.string() + ": another program is writing to it; waiting");
     };
-    library_ = update_library(
-        options_.library, {.make = true, .waiting = waiting}, [&](BlockLibrary& library) {
-          for (const Unsaved& one : unsaved_) {
-            const Block& block = library_.block(one.id);
-            const bool done = options_.resume && library.has(one.id) &&
-                              is_of(library.block(one.id), block.source.sha256);
-            if (done) continue;
-            try {
-              library.add(block, options_.replace);
-            } catch (const InputError& error) {  // another process was first
-              refused.emplace_back(one, error.what());
-            }
-          }
-        });
+    library_ = update_library(options_.library, {.create_if_missing = true, .on_wait = waiting},
+                              [&](BlockLibrary& library) {
+                                for (const Unsaved& one : unsaved_) {
+                                  const Block& block = library_.find_block(one.id);
+                                  const bool done =
+                                      options_.resume && library.contains(one.id) &&
+                                      is_of(library.find_block(one.id), block.source.sha256);
+                                  if (done) continue;
+                                  try {
+                                    library.add(block, options_.replace);
+                                  } catch (const InputError& error) {  // another process was first
+                                    refused.emplace_back(one, error.what());
+                                  }
+                                }
+                              });
     unsaved_.clear();
     result_.added -= refused.size();
     for (const auto& [one, reason] : refused) {
-      observer_.refused(one.id);
+      observer_.on_block_refused(one.id);
       fail(*one.scan, reason);
     }
   }
@@ -214,7 +216,7 @@ class Batch {
     try {
       save();
     } catch (const Error& error) {
-      observer_.noted(std::string(error.what()) + "; writing is tried again at the end");
+      observer_.on_note(std::string(error.what()) + "; writing is tried again at the end");
     }
     written_ = std::chrono::steady_clock::now();
   }
@@ -236,7 +238,7 @@ class Batch {
 /// Keeps the reasons of what failed.
 class Reasons : public BatchObserver {
  public:
-  void failed(const ScanFile& scan, const std::string& reason) override {
+  void on_scan_failed(const ScanFile& scan, const std::string& reason) override {
     const bool named = reason.find(scan.path.string()) != std::string::npos;
     text += (text.empty() ? "" : "\n") + (named ? "" : scan.path.string() + ": ") + reason;
   }

@@ -23,25 +23,26 @@ struct BatchOptions {
   void check(std::size_t scans) const;
 };
 
-/// Follows a batch. All but `made` is called for one scan at a time, in the order of the scans.
+/// Follows a batch. All but `on_block_made` is called for one scan at a time, in the order of the
+/// scans.
 class BatchObserver {
  public:
   virtual ~BatchObserver() = default;
 
   /// A block with what it was made from, on the thread that made it, several at the same time.
-  virtual void made(const Block& /*block*/, const BlockOrigin& /*origin*/) {}
+  virtual void on_block_made(const Block& /*block*/, const BlockOrigin& /*origin*/) {}
   /// A block before it is taken; an `Error` that this throws keeps it out.
-  virtual void accept(const Block& /*block*/) {}
+  virtual void check_block(const Block& /*block*/) {}
   /// A block that was taken. What an `Error` thrown here says is counted as a failure of its scan.
-  virtual void added(const Block& /*block*/) {}
+  virtual void on_block_added(const Block& /*block*/) {}
   /// A block of an earlier batch, which `resume` keeps.
-  virtual void kept(const Block& /*block*/) {}
-  /// A block that another process had added first, after `added`.
-  virtual void refused(const std::string& /*id*/) {}
+  virtual void on_block_retained(const Block& /*block*/) {}
+  /// A block that another process had added first, after `on_block_added`.
+  virtual void on_block_refused(const std::string& /*id*/) {}
   /// A scan, or one of the blocks of a scan, that is not in the library.
-  virtual void failed(const ScanFile& /*scan*/, const std::string& /*reason*/) {}
+  virtual void on_scan_failed(const ScanFile& /*scan*/, const std::string& /*reason*/) {}
   /// Anything else that the user should know.
-  virtual void noted(const std::string& /*text*/) {}
+  virtual void on_note(const std::string& /*text*/) {}
 };
 
 /// What became of a batch.

@@ -39,7 +39,7 @@ TriangleMesh hull_instead(const TriangleMesh& scan, std::vector<std::string>& no
 
 /// Adds what the scan leaves open.
 void add_unseen(Block& block, const VolumeBracket& bounds) {
-  block.unseen = bounds;
+  block.volume_bracket = bounds;
   block.warnings.insert(block.warnings.begin(), describe_volume_bracket(block));
 }
 
@@ -65,19 +65,19 @@ Block make_scan_block(FieldBlock& found, const std::string& id, BlockSource sour
   const ScanSurface surface(scan.mesh);
   Block block;
   if (options.block.core) {
-    callbacks.begin("measuring " + id);
+    callbacks.begin_step("measuring " + id);
     block = make_block(id, scan.mesh, surface, std::move(source), options.block);
   } else if (options.vertices) {
-    callbacks.begin("simplifying " + id);
+    callbacks.begin_step("simplifying " + id);
     const TriangleMesh light = simplify_mesh(scan.mesh, {.target_vertices = *options.vertices});
-    callbacks.begin("measuring " + id);
+    callbacks.begin_step("measuring " + id);
     source.options += " vertices=" + std::to_string(*options.vertices);
     block = make_block(id, light, surface, std::move(source), options.block);
   } else {
-    callbacks.begin("simplifying " + id);
+    callbacks.begin_step("simplifying " + id);
     FewestVerticesSearch search(id, surface, source);
-    callbacks.begin("fitting " + id);
-    block = search.lightest(options.block, options.radius_given);
+    callbacks.begin_step("fitting " + id);
+    block = search.find_block(options.block, options.radius_given);
   }
   if (!block.source.unscaled) check_block_mass(block, options);
   // Simplifying leaves no crossings, but a mesh that is taken as it is may have them.
@@ -120,7 +120,7 @@ ReadScan read_any_scan(const std::filesystem::path& path, const ScanToBlockOptio
   if (!options.block.core) return {read_field_scan(path, reading), {}};
   FieldScan core;
   core.blocks.push_back({read_scan(path, core_options(options)), {}, {}});
-  if (callbacks.made || options.scale_points) core.raw = read_mesh(path);
+  if (callbacks.on_block_made || options.scale_points) core.raw = read_mesh(path);
   return {std::move(core), {}};
 }
 
@@ -164,16 +164,16 @@ std::vector<Block> make_blocks(ReadScan& read, const std::string& id, BlockSourc
     try {
       blocks.push_back(make_scan_block(found.blocks[i], name, source, options, callbacks));
     } catch (const Error& error) {  // of several blocks a bad one never costs the others
-      if (found.blocks.size() == 1 || !callbacks.lost) throw;
-      callbacks.lost(name, error.what());
+      if (found.blocks.size() == 1 || !callbacks.on_block_lost) throw;
+      callbacks.on_block_lost(name, error.what());
       found.blocks[i] = {};
       continue;
     }
-    if (callbacks.made) {
-      callbacks.made(blocks.back(), {.raw = &found.raw,
-                                     .found = &found.blocks[i],
-                                     .photos = read.photos ? &*read.photos : nullptr,
-                                     .up = up});
+    if (callbacks.on_block_made) {
+      callbacks.on_block_made(blocks.back(), {.raw = &found.raw,
+                                              .field_block = &found.blocks[i],
+                                              .photos = read.photos ? &*read.photos : nullptr,
+                                              .up = up});
     }
     found.blocks[i] = {};  // memory is bounded by one block's needs
   }
@@ -195,7 +195,7 @@ void ScanToBlockOptions::check() const {
 std::vector<Block> reconstruct_blocks(const std::filesystem::path& path, const std::string& id,
                                       const ScanToBlockOptions& options,
                                       const ScanCallbacks& callbacks) {
-  callbacks.begin("reading " + id);
+  callbacks.begin_step("reading " + id);
   const std::string up = resolve_up_axis(options.scan.up, path);
   BlockSource source{to_utf8(path.string()), scan_digest(path),
                      format_scale_record(options) + " up=" + up, ""};
@@ -206,7 +206,7 @@ std::vector<Block> reconstruct_blocks(const std::filesystem::path& path, const s
 std::vector<Block> reconstruct_mesh_blocks(const TriangleMesh& raw, const std::string& id,
                                            const ScanToBlockOptions& options,
                                            const ScanCallbacks& callbacks) {
-  callbacks.begin("cleaning " + id);
+  callbacks.begin_step("cleaning " + id);
   const std::string up = options.scan.up == "y" ? "y" : "z";  // no format says otherwise
   BlockSource source{id, mesh_digest(raw), format_scale_record(options) + " up=" + up, ""};
   ReadScan read = clean_any_mesh(raw, id, options);

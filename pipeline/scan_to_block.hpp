@@ -27,9 +27,9 @@ struct ScanToBlockOptions {
   /// tenth, with which the block is within the tolerance; the radius is halved where none will do.
   std::optional<std::size_t> vertices;
   BlockOptions block;
-  bool radius_given = false;  ///< the radius, or its share of S, is the user's and stays
-  bool any_size = false;      ///< take blocks beyond the usual sizes
-  bool up_given = false;      ///< `scan.up` is the user's and holds whatever the ground says
+  bool radius_given = false;    ///< the radius, or its share of S, is the user's and stays
+  bool allow_any_size = false;  ///< take blocks beyond the usual sizes
+  bool up_given = false;        ///< `scan.up` is the user's and holds whatever the ground says
   bool find_ground = true;
   bool split = false;       ///< every block that stands on the ground of a scan
   PhotoScanOptions photos;  ///< of folders of photographs
@@ -59,7 +59,8 @@ void visit_fields(const ScanToBlockOptions& options, Visit&& visit) {
 struct BlockOrigin {
   /// As read, in the file's units and axes; of a cloud the points alone. Null for a .shp shape.
   const TriangleMesh* raw = nullptr;
-  const FieldBlock* found = nullptr;  ///< the closed scan, in the frame of the block; null as `raw`
+  const FieldBlock* field_block =
+      nullptr;                        ///< the closed scan, in the frame of the block; null as `raw`
   const PhotoScan* photos = nullptr;  ///< of a folder of photographs, else null
   std::string up = "z";               ///< axis of the file that points up
 };
@@ -67,12 +68,12 @@ struct BlockOrigin {
 /// What follows a scan on its way; each may be empty.
 struct ScanCallbacks {
   ProgressCallback progress = {};  ///< with the name of each step before it begins
-  std::function<void(const Block& block, const BlockOrigin& origin)> made = {};
+  std::function<void(const Block& block, const BlockOrigin& origin)> on_block_made = {};
   /// With it one bad block of a split scan does not cost the others.
-  std::function<void(const std::string& id, const std::string& reason)> lost = {};
+  std::function<void(const std::string& id, const std::string& reason)> on_block_lost = {};
 
-  void begin(const std::string& what, bool is_slow = false) const {
-    if (progress) progress({.what = what, .is_slow = is_slow});
+  void begin_step(const std::string& what, bool is_slow = false) const {
+    if (progress) progress({.activity = what, .is_slow = is_slow});
   }
 };
 

@@ -112,7 +112,7 @@ Block make_shape_block(const ShpShape& shape, const std::filesystem::path& path,
           "is a surface (isSurface) and no block; a ground goes to clast terrain as "
           "a mesh");
     }
-    callbacks.begin("measuring " + id);
+    callbacks.begin_step("measuring " + id);
     ScanToBlockOptions taken = options;
     taken.block.core = true;
     taken.block.radius = radius_of(shape, options);
@@ -136,7 +136,7 @@ Block make_shape_block(const ShpShape& shape, const std::filesystem::path& path,
     check_block_mass(block, options);
     block.warnings.insert(block.warnings.begin(), shape.notes.begin(), shape.notes.end());
     compare_with_file(block, shape, options.scan.unit);
-    if (callbacks.made) callbacks.made(block, {});
+    if (callbacks.on_block_made) callbacks.on_block_made(block, {});
     return block;
   });
 }

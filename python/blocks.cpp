@@ -146,7 +146,7 @@ void bind_shape_class(py::module_& module) {
                     "Closer than 0.05, or than the error of the axes.")
       .def_readonly("survives", &ClassCertainty::is_certain,
                     "The class is the same for all axes within their error.")
-      .def_readonly("others", &ClassCertainty::others,
+      .def_readonly("others", &ClassCertainty::possible_others,
                     "Every other class that axes within the error can have.")
       .def("__str__", [](const ClassCertainty& one) { return one.name; })
       .def("__repr__", [](const ClassCertainty& one) {
@@ -270,7 +270,8 @@ void bind_blocks(py::module_& module) {
       "mass_properties",
       [](const py::object& vertices, const py::object& triangles, double density) {
         const TriangleMesh mesh = mesh_from(vertices, triangles);
-        const MassProperties found = without_gil([&] { return solid_mass_properties(mesh, density); });
+        const MassProperties found =
+            without_gil([&] { return solid_mass_properties(mesh, density); });
         return py::dict("volume_m3"_a = found.volume, "mass_kg"_a = found.mass,
                         "centre_m"_a = to_array(found.centre),
                         "inertia_kg_m2"_a = to_array(found.inertia));

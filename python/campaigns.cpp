@@ -43,7 +43,7 @@ py::object object_of_node(const TomlNode& node) {
     case TomlNode::Kind::kString:
       return py::str(node.text);
     case TomlNode::Kind::kDate:  // no key takes one; it is refused as the text it is
-      return py::str(node.written);
+      return py::str(node.source_text);
     case TomlNode::Kind::kList: {
       py::list list;
       for (const TomlNode& item : node.list) list.append(object_of_node(item));
@@ -69,9 +69,10 @@ py::tuple read_campaign_text(const fs::path& file) {
 
 /// (findings, the plan or None)
 py::tuple check(const std::string& text, const fs::path& file) {
-  const CampaignCheck check =
-      run_with_progress(py::none(), [&](const ProgressCallback&) { return check_campaign_text(text, file); });
-  const py::object plan = check.prepared ? to_python_object(plan_json(*check.prepared)) : py::none();
+  const CampaignCheck check = run_with_progress(
+      py::none(), [&](const ProgressCallback&) { return check_campaign_text(text, file); });
+  const py::object plan =
+      check.prepared ? to_python_object(plan_json(*check.prepared)) : py::none();
   return py::make_tuple(check.findings, plan);
 }
 

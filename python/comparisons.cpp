@@ -61,7 +61,7 @@ std::array<double, 3> numbers_of(const Vec3& v) { return {v.x(), v.y(), v.z()}; 
 py::dict trajectory_of(const CampaignResults& results, std::uint32_t run) {
   Trajectory found = without_gil([&] { return read_trajectory(results.file, run); });
   const py::array position = rows_of_states(found, 3, [&](const RigidState& state) {
-    return numbers_of(results.frame.map(state.position));
+    return numbers_of(results.frame.to_map(state.position));
   });
   const py::array orientation = rows_of_states(found, 4, [](const RigidState& state) {
     const Quat& q = state.orientation;

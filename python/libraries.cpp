@@ -37,7 +37,8 @@ Blocks read_blocks(const fs::path& path) {
 }
 
 Blocks change(const fs::path& path, bool make, const std::function<void(BlockLibrary&)>& how) {
-  return without_gil([&] { return shared_blocks(update_library(path, {.make = make}, how)); });
+  return without_gil(
+      [&] { return shared_blocks(update_library(path, {.create_if_missing = make}, how)); });
 }
 
 Blocks add(const fs::path& path, const Blocks& added, bool replace) {
@@ -48,7 +49,7 @@ Blocks add(const fs::path& path, const Blocks& added, bool replace) {
 
 Blocks remove(const fs::path& path, const std::vector<std::string>& ids) {
   return change(path, false, [&](BlockLibrary& library) {
-    for (const std::string& id : ids) library.block(id);  // all are there, or none is removed
+    for (const std::string& id : ids) library.find_block(id);  // all are there, or none is removed
     for (const std::string& id : ids) library.remove(id);
   });
 }
@@ -66,22 +67,24 @@ Blocks set_notes(const fs::path& path, const std::string& id, const py::dict& ke
   if (!site && !note && !weighed && !taped) {
     throw InputError("nothing to set; give site, note, taped or weighed");
   }
-  if (weighed && !kBlockMass.holds(*weighed)) {
-    throw InputError("weighed = " + format_significant(*weighed, 6) + " must be " + kBlockMass.words());
+  if (weighed && !kBlockMass.contains(*weighed)) {
+    throw InputError("weighed = " + format_significant(*weighed, 6) + " must be " +
+                     kBlockMass.describe());
   }
   std::optional<Axes> axes;
   if (taped) {
     for (const double length : *taped) {
-      if (kBlockLength.holds(length)) continue;
-      throw InputError("taped: " + format_significant(length, 6) + " must be " + kBlockLength.words());
+      if (kBlockLength.contains(length)) continue;
+      throw InputError("taped: " + format_significant(length, 6) + " must be " +
+                       kBlockLength.describe());
     }
     axes = Axes::sorted((*taped)[0], (*taped)[1], (*taped)[2]);
   }
   return change(path, false, [&](BlockLibrary& library) {
-    FieldNotes& field = library.block(id).field;
+    FieldNotes& field = library.find_block(id).field;
     if (site) field.site = to_utf8(*site);
     if (note) field.note = to_utf8(*note);
-    if (axes) field.taped = axes;
+    if (axes) field.taped_axes = axes;
     if (weighed) field.weighed_mass = weighed;
   });
 }

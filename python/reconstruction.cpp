@@ -27,14 +27,14 @@ namespace {
 
 /// Metres per unit of a scan in which two points are so far apart.
 double measured_unit(const std::array<Vec3, 2>& points, double metres) {
-  if (!kBlockLength.holds(metres)) {
+  if (!kBlockLength.contains(metres)) {
     throw InputError("scale_length = " + format_significant(metres, 6) + " m must be " +
-                     kBlockLength.words());
+                     kBlockLength.describe());
   }
   const double units = (points[1] - points[0]).norm();
-  if (!(units > 0.0) || !kLengthUnit.holds(metres / units)) {
+  if (!(units > 0.0) || !kLengthUnit.contains(metres / units)) {
     throw InputError("scale_length: the points are " + format_significant(units, 6) +
-                     " units apart, and a unit must be " + kLengthUnit.words());
+                     " units apart, and a unit must be " + kLengthUnit.describe());
   }
   return metres / units;
 }
@@ -54,9 +54,9 @@ void take_scale(Keywords& given, ScanToBlockOptions& options) {
     unit = parse_length_unit(options.units);
   }
   given.take("scale_factor", options.scale_factor);
-  if (!kScaleFactor.holds(options.scale_factor)) {
+  if (!kScaleFactor.contains(options.scale_factor)) {
     throw InputError("scale_factor = " + format_significant(options.scale_factor, 6) + " must be " +
-                     kScaleFactor.words());
+                     kScaleFactor.describe());
   }
   options.scan.unit = unit * options.scale_factor;
 }
@@ -73,7 +73,7 @@ void take_scan(Keywords& given, ScanToBlockOptions& options) {
     options.find_ground = ground == "auto";
   }
   given.take("split", options.split);
-  given.take("any_size", options.any_size);
+  given.take("any_size", options.allow_any_size);
   given.take("keep_inner_shells", options.scan.repair.keep_inner_shells);
 }
 
@@ -177,10 +177,10 @@ class Follower : public BatchObserver {
     if (pages) pages_.emplace(*pages, options.replace || options.resume);
   }
 
-  void made(const Block& block, const BlockOrigin& origin) override {
+  void on_block_made(const Block& block, const BlockOrigin& origin) override {
     if (!pages_) return;
     pages_->prepare(block, {.raw = origin.raw,
-                            .found = origin.found,
+                            .found = origin.field_block,
                             .options = options_.scan.scan,
                             .up = origin.up,
                             .scale = "one unit of the file is " +
@@ -188,19 +188,19 @@ class Follower : public BatchObserver {
                             .density_given = options_.scan.block.density_given,
                             .photos = origin.photos});
   }
-  void added(const Block& block) override {
+  void on_block_added(const Block& block) override {
     ids.push_back(block.id);
     if (pages_) pages_->add(block);
   }
-  void kept(const Block& block) override {
+  void on_block_retained(const Block& block) override {
     if (pages_) pages_->add_earlier(block);
   }
-  void refused(const std::string& id) override { std::erase(ids, id); }
-  void failed(const ScanFile& scan, const std::string& reason) override {
+  void on_block_refused(const std::string& id) override { std::erase(ids, id); }
+  void on_scan_failed(const ScanFile& scan, const std::string& reason) override {
     if (pages_) pages_->add_failure(scan.path.string(), reason);
     failures.emplace_back(scan.path.string(), reason);
   }
-  void noted(const std::string& text) override { notes.push_back(text); }
+  void on_note(const std::string& text) override { notes.push_back(text); }
 
   void finish() {
     if (pages_) pages_->finish();

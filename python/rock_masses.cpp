@@ -98,10 +98,10 @@ py::tuple cut(const py::dict& keywords, const py::object& progress) {
     if (request.options.joints.empty()) return blocks;
     if (blocks.blocks.empty()) {
       throw GeometryError((mesh ? request.file.path : request.terrains.before.front()).string() +
-                          ": no piece became a block; the first: " + blocks.failed.front());
+                          ": no piece became a block; the first: " + blocks.failures.front());
     }
     if (request.output) {
-      update_library(*request.output, {.make = true}, [&](BlockLibrary& library) {
+      update_library(*request.output, {.create_if_missing = true}, [&](BlockLibrary& library) {
         for (const Block& block : blocks.blocks) library.add(block, request.replace);
       });
     }
@@ -109,7 +109,7 @@ py::tuple cut(const py::dict& keywords, const py::object& progress) {
   });
   py::list blocks;
   for (const Block& block : made.blocks) blocks.append(std::make_shared<Block>(block));
-  return py::make_tuple(blocks, made.volume, made.block_volume, made.failed);
+  return py::make_tuple(blocks, made.volume, made.block_volume, made.failures);
 }
 
 }  // namespace

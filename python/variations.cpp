@@ -24,8 +24,8 @@ SeriesTargets steps_from(Keywords& given) {
   std::vector<std::pair<double, double>> to;
   given.take("to", to);
   for (const auto& [i_l, s_l] : to) {
-    steps.to.push_back(
-        check_stretch_ratios(i_l, s_l, "(" + format_significant(i_l, 6) + ", " + format_significant(s_l, 6) + ")"));
+    steps.ratios.push_back(check_stretch_ratios(
+        i_l, s_l, "(" + format_significant(i_l, 6) + ", " + format_significant(s_l, 6) + ")"));
   }
   FormGrid grid;
   std::optional<std::pair<std::string, int>> diagram;
@@ -53,7 +53,7 @@ SeriesRequest series_request(Keywords& given) {
   std::string keep = "mass";
   given.take("library", request.library);
   request.ids = given.texts("ids");
-  request.like = given.texts("like");
+  request.like_ids = given.texts("like");
   request.steps = steps_from(given);
   given.take("draw", request.draw);
   given.take("table", request.table);
@@ -81,7 +81,7 @@ py::tuple vary(const py::dict& keywords, const py::object& progress) {
   const py::object json = to_python_object(series_json(made.series, made.fit));
   py::list blocks;
   for (Block& block : made.series.blocks) blocks.append(std::make_shared<Block>(std::move(block)));
-  return py::make_tuple(blocks, made.series.failed, json);
+  return py::make_tuple(blocks, made.series.failures, json);
 }
 
 }  // namespace

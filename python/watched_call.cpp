@@ -41,8 +41,8 @@ struct Exchange {
 void pass_on(const py::object& progress, const ProgressUpdate& step) {
   if (progress.is_none()) return;
   using namespace pybind11::literals;
-  progress(py::dict("done"_a = step.done, "total"_a = step.total, "before"_a = step.before,
-                    "what"_a = step.what));
+  progress(py::dict("done"_a = step.done, "total"_a = step.total, "before"_a = step.done_before,
+                    "what"_a = step.activity));
 }
 
 }  // namespace

@@ -33,7 +33,8 @@ GroundParameters ground_from(const py::handle& object, const std::string& zone) 
   }
   Keywords given(py::reinterpret_borrow<py::dict>(object));
   GroundParameters ground;
-  for (const GroundParameterField& field : ground_fields()) given.take(field.name, ground.*field.value);
+  for (const GroundParameterField& field : ground_fields())
+    given.take(field.name, ground.*field.value);
   given.done();
   ground.check(zone);
   return ground;
@@ -263,8 +264,8 @@ class Experiment {
     }
   }
 
-  Vec3 local(const Vec3& place) const { return terrain_ ? terrain_->frame.local(place) : place; }
-  Vec3 map(const Vec3& place) const { return terrain_ ? terrain_->frame.map(place) : place; }
+  Vec3 local(const Vec3& place) const { return terrain_ ? terrain_->frame.to_local(place) : place; }
+  Vec3 map(const Vec3& place) const { return terrain_ ? terrain_->frame.to_map(place) : place; }
 
   /// No block is faster: from its start and its fall to the lowest place there is.
   double fastest() const {

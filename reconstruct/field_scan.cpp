@@ -29,14 +29,15 @@ std::vector<std::string> check_cloud_system(const std::filesystem::path& path,
   constexpr double kCorrection = 0.05;  // factors nearer to 1 correct metres, and are no unit
   const bool metres = std::abs(options.unit - 1.0) <= kCorrection;
   const LengthUnitUse use{.unit = metres ? 1.0 : options.unit,
-                      .unit_given = !metres,
-                      .needs_z_up = false,
-                      .way = "pdal translate, filters.reprojection, EPSG:CODE",
-                      .correction_command = "pdal translate, writers.las.a_srs=EPSG:CODE",
-                      .has_units_option = true};
+                          .unit_given = !metres,
+                          .needs_z_up = false,
+                          .conversion_command = "pdal translate, filters.reprojection, EPSG:CODE",
+                          .correction_command = "pdal translate, writers.las.a_srs=EPSG:CODE",
+                          .has_units_option = true};
   std::vector<std::string> notes = check_length_units(path.string(), summary.lengths, use);
   if (summary.points > 0) {
-    check_map_scale(path.string(), summary.crs, ((box.low + box.high) / 2.0).head<2>(), use.way);
+    check_map_scale(path.string(), summary.crs, ((box.low + box.high) / 2.0).head<2>(),
+                    use.conversion_command);
   }
   return notes;
 }

@@ -217,9 +217,9 @@ DimensionColumns columns_from(const std::string& text, const std::string& units)
 void PopulationRequest::check() const {
   options.check();
   if (first.inputs.empty()) throw InputError("no library and no table of blocks is given");
-  if (reading.axis_error && !kAxisError.holds(*reading.axis_error)) {
+  if (reading.axis_error && !kAxisError.contains(*reading.axis_error)) {
     throw InputError("`axis_error` = " + format_significant(*reading.axis_error, 6) + " must be " +
-                     kAxisError.words());
+                     kAxisError.describe());
   }
   for (const PopulationFiles& files : {first, files_against(*this)}) {
     columns_from(files.columns, files.units);

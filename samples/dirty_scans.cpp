@@ -65,7 +65,7 @@ TriangleMesh with_ground_patch(TriangleMesh mesh, Random& random) {
 /// A floating crumb: one small open patch, as sparse matching leaves in the air.
 void add_crumb(TriangleMesh& mesh, const Vec3& place, Random& random) {
   const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
-  for (int i = 0; i < 5; ++i) mesh.vertices.push_back(place + 0.02 * random.direction());
+  for (int i = 0; i < 5; ++i) mesh.vertices.push_back(place + 0.02 * random.unit_vector());
   for (std::uint32_t i = 1; i + 1 < 5; ++i) {
     mesh.triangles.push_back({first, first + i, first + i + 1});
   }
@@ -75,7 +75,7 @@ TriangleMesh with_spikes(TriangleMesh mesh, Random& random) {
   const Bounds box = bounds(mesh);
   const Vec3 centre = (box.low + box.high) / 2.0;
   for (int i = 0; i < 6; ++i) {
-    Vec3& vertex = mesh.vertices[random.below(mesh.vertices.size())];
+    Vec3& vertex = mesh.vertices[random.uniform_index(mesh.vertices.size())];
     vertex += random.uniform(0.2, 0.45) * (vertex - centre);
   }
   return mesh;

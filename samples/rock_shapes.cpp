@@ -66,12 +66,12 @@ std::vector<Facet> facets_of(const RockRecipe& recipe, Random& random) {
   for (int i = 0; i < recipe.joint_faces; ++i) {
     const int axis = i / 2;
     Vec3 normal = (i % 2 == 0 ? 1.0 : -1.0) * Vec3::Unit(axis);
-    normal += 0.08 * random.direction();  // joint sets are never quite at right angles
+    normal += 0.08 * random.unit_vector();  // joint sets are never quite at right angles
     facets.push_back({normal.normalized(), half[axis]});
   }
   for (int i = 0; i < recipe.facets; ++i) {
     // Tangent to the ellipsoid of the wanted lengths, then moved: inwards it cuts a facet.
-    const Vec3 on_sphere = random.direction();
+    const Vec3 on_sphere = random.unit_vector();
     const Vec3 normal = on_sphere.cwiseQuotient(half).normalized();
     const double support = normal.cwiseProduct(half).norm();
     const double moved =
@@ -99,7 +99,7 @@ class Relief {
   Relief(double height, double longest_wave, Random& random) {
     for (int octave = 0; octave < 4; ++octave) {
       for (int i = 0; i < kWavesPerOctave; ++i) {
-        waves_.push_back({2.0 * kPi / longest_wave * random.direction(),
+        waves_.push_back({2.0 * kPi / longest_wave * random.unit_vector(),
                           random.uniform(0.0, 2.0 * kPi),
                           height / std::sqrt(kWavesPerOctave / 2.0)});
       }

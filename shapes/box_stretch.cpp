@@ -94,7 +94,7 @@ StretchedBody stretch_to_ratios(const SpheroPolyhedron& body, const BoxRatios& t
   Mat3 map = Mat3::Identity(), best_map = map;
   MappedBox found{before, body.radius};
   StretchedBody result{body, Vec3::Ones(), gap};
-  for (int round = 0; round < kStretchRounds && result.gap > kGoodEnough; ++round) {
+  for (int round = 0; round < kStretchRounds && result.ratio_difference > kGoodEnough; ++round) {
     const Vec3 sides = found.box.lengths - Vec3::Constant(2.0 * found.radius);
     Vec3 factors = wanted.cwiseQuotient(sides);
     factors /= std::cbrt(factors.prod());
@@ -106,8 +106,8 @@ StretchedBody stretch_to_ratios(const SpheroPolyhedron& body, const BoxRatios& t
     map = found.box.axes * factors.asDiagonal() * found.box.axes.transpose() * map;
     found = mapped_box(corners, map, share, found.radius);
     const double left = ratio_difference(box_ratios(found.box), target);
-    if (left >= result.gap) continue;
-    result.gap = left;
+    if (left >= result.ratio_difference) continue;
+    result.ratio_difference = left;
     result.body.radius = found.radius;
     best_map = map;
   }
@@ -117,7 +117,7 @@ StretchedBody stretch_to_ratios(const SpheroPolyhedron& body, const BoxRatios& t
   }
   const Eigen::SelfAdjointEigenSolver<Mat3> eigen(stretch, Eigen::EigenvaluesOnly);
   result.stretch = eigen.eigenvalues().reverse();
-  result.gap = ratio_difference(box_ratios(smallest_box(result.body)), target);
+  result.ratio_difference = ratio_difference(box_ratios(smallest_box(result.body)), target);
   return result;
 }
 

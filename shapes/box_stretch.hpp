@@ -22,8 +22,8 @@ double ratio_difference(const BoxRatios& ratios, const BoxRatios& target);
 /// What `stretch_to_ratios` found.
 struct StretchedBody {
   SpheroPolyhedron body;
-  Vec3 stretch = Vec3::Ones();  ///< principal stretches of the core, descending; product 1
-  double gap = 0.0;             ///< `ratio_difference` that is left
+  Vec3 stretch = Vec3::Ones();    ///< principal stretches of the core, descending; product 1
+  double ratio_difference = 0.0;  ///< `ratio_difference` that is left
 };
 
 /// The body whose core is stretched so that its smallest box has the ratios of `target`, nearly at

@@ -53,11 +53,11 @@ ConvexCell::ConvexCell(const Bounds& box) {
   faces_ = {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}};
 }
 
-std::optional<ConvexCell> ConvexCell::below(const Plane& plane, double tolerance) const {
+std::optional<ConvexCell> ConvexCell::clipped_below(const Plane& plane, double tolerance) const {
   std::vector<double> heights;
   bool any_above = false, any_below = false;
   for (const Vec3& vertex : vertices_) {
-    const double height = plane.height(vertex);
+    const double height = plane.signed_distance(vertex);
     heights.push_back(std::abs(height) <= tolerance ? 0.0 : height);
     any_above |= heights.back() > 0.0;
     any_below |= heights.back() < 0.0;
@@ -145,7 +145,7 @@ TriangleMesh ConvexCell::mesh() const {
   return mesh;
 }
 
-std::optional<TriangleMesh> ConvexCell::hull() const {
+std::optional<TriangleMesh> ConvexCell::cleaned_mesh() const {
   const double near = kSameVertex * std::cbrt(volume());
   std::vector<Vec3> distinct;
   for (const Vec3& vertex : vertices_) {
@@ -158,7 +158,8 @@ std::optional<TriangleMesh> ConvexCell::hull() const {
   return convex_hull(distinct);
 }
 
-std::optional<SpheroPolyhedron> inscribed_rounded_body(const TriangleMesh& polyhedron, double radius) {
+std::optional<SpheroPolyhedron> inscribed_rounded_body(const TriangleMesh& polyhedron,
+                                                       double radius) {
   const Bounds box = bounds(polyhedron);
   // Far from the origin heights above planes would lose digits.
   const Vec3 origin = 0.5 * (box.low + box.high);
@@ -171,14 +172,15 @@ std::optional<SpheroPolyhedron> inscribed_rounded_body(const TriangleMesh& polyh
     const Vec3 normal = unit_normal(polyhedron, triangle);
     if (normal.isZero()) continue;
     const double offset = normal.dot(polyhedron.vertices[triangle[0]] - origin);
-    core = core->below({normal, offset - radius}, tolerance);
+    core = core->clipped_below({normal, offset - radius}, tolerance);
     if (!core) return std::nullopt;
   }
-  const std::optional<TriangleMesh> hull = core->hull();
+  const std::optional<TriangleMesh> hull = core->cleaned_mesh();
   if (!hull) return std::nullopt;
   Pose to_place;
   to_place.translation = origin;
-  return merge_coplanar_faces(make_sphero_polyhedron(transformed(*hull, to_place), radius), kFileFlatness);
+  return merge_coplanar_faces(make_sphero_polyhedron(transformed(*hull, to_place), radius),
+                              kFileFlatness);
 }
 
 }  // namespace clast

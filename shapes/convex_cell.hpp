@@ -15,9 +15,9 @@ class ConvexCell {
   /// The box.
   explicit ConvexCell(const Bounds& box);
 
-  /// The part below a plane; none where there is nothing. Vertices within `tolerance`, m, of the plane
-  /// count as on it.
-  std::optional<ConvexCell> below(const Plane& plane, double tolerance) const;
+  /// The part below a plane; none where there is nothing. Vertices within `tolerance`, m, of the
+  /// plane count as on it.
+  std::optional<ConvexCell> clipped_below(const Plane& plane, double tolerance) const;
 
   const std::vector<Vec3>& vertices() const { return vertices_; }
   /// The planes of its faces, normals outwards.
@@ -27,7 +27,7 @@ class ConvexCell {
   Vec3 centre() const;    ///< mean of the vertices, inside
   TriangleMesh mesh() const;
   /// The same without vertices that nearly coincide, to 1e-4 of its size; none: it is flat.
-  std::optional<TriangleMesh> hull() const;
+  std::optional<TriangleMesh> cleaned_mesh() const;
 
  private:
   ConvexCell() = default;
@@ -39,6 +39,7 @@ class ConvexCell {
 /// below all faces. Faces are those of the polyhedron, edges and corners are round.
 /// @param polyhedron  closed, outward, convex
 /// @return none: nothing lies so deep
-std::optional<SpheroPolyhedron> inscribed_rounded_body(const TriangleMesh& polyhedron, double radius);
+std::optional<SpheroPolyhedron> inscribed_rounded_body(const TriangleMesh& polyhedron,
+                                                       double radius);
 
 }  // namespace clast

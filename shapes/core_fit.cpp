@@ -64,7 +64,7 @@ struct Pulls {
   std::vector<Pull> list;
   double largest = 0.0;
 
-  void add(const TriangleTree::Signed& on_core, const Vec3& direction, double gap) {
+  void add(const TriangleTree::SignedClosest& on_core, const Vec3& direction, double gap) {
     list.push_back({on_core.triangle, on_core.weights, direction, gap});
     largest = std::max(largest, std::abs(gap));
   }
@@ -127,7 +127,7 @@ class Fit {
     const shapes_detail::RoundedSurfaceDistance skin_distance(tree, radius_, 2.0 * size_);
     std::uint32_t hint = 0;  // neighbours in the list are mostly neighbours in space
     for (const Vec3& point : points_) {
-      const TriangleTree::Signed near = tree.signed_closest_point(point, hint);
+      const TriangleTree::SignedClosest near = tree.signed_closest_point(point, hint);
       hint = near.triangle;
       double gap = near.distance - radius_;
       // Under a crease of the skin the next bare place is farther than the skin that is buried.
@@ -141,11 +141,12 @@ class Fit {
     on_skin.insert(on_skin.end(), skin.vertices.begin(), skin.vertices.end());
     std::uint32_t scan_hint = 0;
     for (const Vec3& near_skin : on_skin) {
-      const TriangleTree::Signed foot = tree.signed_closest_point(near_skin, hint);
+      const TriangleTree::SignedClosest foot = tree.signed_closest_point(near_skin, hint);
       hint = foot.triangle;
       const Vec3 point = foot.foot + radius_ * foot.outward;
       if (tree.signed_distance(point, hint) < (1.0 - kOnFittedSkin) * radius_) continue;
-      const TriangleTree::Signed on_scan = scan_.tree().signed_closest_point(point, scan_hint);
+      const TriangleTree::SignedClosest on_scan =
+          scan_.tree().signed_closest_point(point, scan_hint);
       scan_hint = on_scan.triangle;
       pulls.add(foot, on_scan.outward, -on_scan.distance);
     }

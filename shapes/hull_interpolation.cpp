@@ -60,7 +60,7 @@ HullInterpolation::HullInterpolation(const TriangleMesh& surface) : surface_(sur
   find_edge_flips();
 }
 
-TriangleMesh HullInterpolation::at(double part, std::size_t edge_flips) const {
+TriangleMesh HullInterpolation::interpolate(double part, std::size_t edge_flips) const {
   TriangleMesh mesh = surface_;
   for (std::size_t v = 0; v < mesh.vertices.size(); ++v) {
     const double factor = 1.0 + part * (hull_distance_[v] - 1.0);
@@ -98,7 +98,7 @@ bool HullInterpolation::flip_edge(TriangleMesh& mesh, std::uint32_t first, std::
 }
 
 void HullInterpolation::find_edge_flips() {
-  TriangleMesh mesh = at(1.0, 0);
+  TriangleMesh mesh = interpolate(1.0, 0);
   for (bool any = true; any;) {
     any = false;
     const std::vector<HalfEdge> sides = sorted_half_edges(mesh);

@@ -23,7 +23,7 @@ class HullInterpolation {
   std::size_t edge_flips() const { return edge_flips_.size(); }
   /// @param part   0: the surface itself; 1: all vertices on the hull
   /// @param turns  edges that are turned, at most `edge_flips()`
-  TriangleMesh at(double fraction, std::size_t edge_flips) const;
+  TriangleMesh interpolate(double fraction, std::size_t edge_flips) const;
   double hull_volume() const { return hull_volume_; }  ///< m^3
 
  private:

@@ -36,11 +36,11 @@ std::vector<Plane> planes_of(const JointSet& set, const TriangleMesh& mass, Rand
     high = std::max(high, normal.dot(vertex));
   }
   // Log-normal with the mean and the standard deviation asked for.
-  const double ratio = set.scatter / set.spacing;
+  const double ratio = set.spacing_deviation / set.spacing;
   const double sigma = std::sqrt(std::log1p(ratio * ratio));
   const double mean = std::log(set.spacing) - 0.5 * sigma * sigma;
   const auto distance = [&] {
-    return set.scatter > 0.0 ? std::exp(mean + sigma * random.normal()) : set.spacing;
+    return set.spacing_deviation > 0.0 ? std::exp(mean + sigma * random.normal()) : set.spacing;
   };
   std::vector<Plane> planes;
   for (double at = low + random.uniform() * distance(); at < high && planes.size() <= most;
@@ -124,7 +124,7 @@ class Cutting {
       if (cell->volume() < options_.least_volume) return std::nullopt;
       const std::vector<Piece> pieces = surface_in(*cell);
       if (pieces.empty()) return cell;
-      cell = cell->below(inner_plane(pieces, same), slack_);
+      cell = cell->clipped_below(inner_plane(pieces, same), slack_);
     }
     return std::nullopt;
   }
@@ -145,9 +145,9 @@ class Cutting {
     auto plane = std::lower_bound(planes.begin(), planes.end(), low,
                                   [](const Plane& a, double at) { return a.distance < at; });
     for (; plane != planes.end() && plane->distance < high; ++plane) {
-      keep(rest->below(*plane, slack_));
+      keep(rest->clipped_below(*plane, slack_));
       check_count(slices.size() / 10);
-      rest = rest->below({-plane->normal, -plane->distance}, slack_);
+      rest = rest->clipped_below({-plane->normal, -plane->distance}, slack_);
       if (!rest) return;
     }
     keep(std::move(rest));
@@ -170,7 +170,7 @@ class Cutting {
           unit_normal(mass_, triangle)};
       for (const Plane& plane : planes) {
         if (piece.corners.size() < 3) break;
-        piece.corners = below(piece.corners, {plane.normal, plane.distance - 10.0 * slack_});
+        piece.corners = clip_below(piece.corners, {plane.normal, plane.distance - 10.0 * slack_});
       }
       if (piece.corners.size() < 3) continue;
       piece.area = polygon_area(piece.corners);
@@ -235,8 +235,8 @@ JointSet parse_joint_set(const std::string& text) {
                          const char* unit) {
     if (numbers[i] >= low && numbers[i] <= high) return;
     throw InputError("`joints` " + text + ": " + name + " = " + format_significant(numbers[i], 6) +
-                     "; must be from " + format_significant(low, 4) + " to " + format_significant(high, 4) +
-                     unit);
+                     "; must be from " + format_significant(low, 4) + " to " +
+                     format_significant(high, 4) + unit);
   };
   check(0, "dip", 0.0, 90.0, " degrees");
   check(1, "dip direction", 0.0, 360.0, " degrees");
@@ -246,7 +246,7 @@ JointSet parse_joint_set(const std::string& text) {
 }
 
 JointedMass cut_by_joints(const TriangleMesh& on_map, std::span<const JointSet> sets,
-                      const CuttingOptions& options) {
+                          const CuttingOptions& options) {
   if (sets.empty()) throw InputError("no joint set is given; a mass is cut by one at least");
   const MeshReport report = inspect_mesh(on_map);
   if (!report.is_closed() || !report.is_oriented()) {
@@ -254,7 +254,8 @@ JointedMass cut_by_joints(const TriangleMesh& on_map, std::span<const JointSet> 
                         "); close it, for example by filling its holes in MeshLab");
   }
   if (const std::size_t crossings = find_self_intersections(on_map).size()) {
-    throw GeometryError("the surface of the mass crosses itself, " + format_count(crossings, "pair") +
+    throw GeometryError("the surface of the mass crosses itself, " +
+                        format_count(crossings, "pair") +
                         " of triangles do; repair it, for example in MeshLab");
   }
   // Map coordinates would cost digits.
@@ -268,7 +269,7 @@ JointedMass cut_by_joints(const TriangleMesh& on_map, std::span<const JointSet> 
   const Cutting cutting(mass, options);
   for (const ConvexCell& cell : cutting.cells_between(sets)) {
     const std::optional<ConvexCell> inside = cutting.inside(cell);
-    std::optional<TriangleMesh> block = inside ? inside->hull() : std::nullopt;
+    std::optional<TriangleMesh> block = inside ? inside->cleaned_mesh() : std::nullopt;
     if (!block) continue;
     cut.blocks.push_back(*std::move(block));
     cut.block_volume += signed_volume(cut.blocks.back());

@@ -11,10 +11,10 @@ namespace clast {
 
 /// Parallel joints that cut through the whole mass.
 struct JointSet {
-  double dip = 0.0;            ///< steepest descent below the horizontal, rad, 0 to pi/2
-  double dip_direction = 0.0;  ///< of the steepest descent, clockwise from north (+y), rad
-  double spacing = 1.0;        ///< mean distance along the normal, m
-  double scatter = 0.0;        ///< standard deviation of the distances, which are log-normal, m
+  double dip = 0.0;                ///< steepest descent below the horizontal, rad, 0 to pi/2
+  double dip_direction = 0.0;      ///< of the steepest descent, clockwise from north (+y), rad
+  double spacing = 1.0;            ///< mean distance along the normal, m
+  double spacing_deviation = 0.0;  ///< standard deviation of the distances, which are log-normal, m
 
   Vec3 normal() const;  ///< unit, upwards, z up
 };
@@ -48,6 +48,6 @@ struct JointedMass {
 /// @throws GeometryError  the mass is not closed or has no volume
 /// @throws InputError     no joint set, more blocks than allowed, or none that is large enough
 JointedMass cut_by_joints(const TriangleMesh& mass, std::span<const JointSet> sets,
-                      const CuttingOptions& options = {});
+                          const CuttingOptions& options = {});
 
 }  // namespace clast

@@ -41,7 +41,8 @@ void check_points(std::span<const Vec3> points, double radius) {
     if (!p.allFinite()) throw GeometryError("box: a point has coordinates that are not finite");
   }
   if (!(radius >= 0.0) || !std::isfinite(radius)) {
-    throw InputError("box: radius " + format_significant(radius, 6) + " m must be zero or positive");
+    throw InputError("box: radius " + format_significant(radius, 6) +
+                     " m must be zero or positive");
   }
 }
 
@@ -56,7 +57,7 @@ struct Candidate {
 /// with edges (O'Rourke 1985), so one of its axes is on an arc, and the calipers find the rest.
 std::vector<Candidate> scan_gauss_image(GaussImage& hull) {
   double total = 0.0;
-  for (std::size_t e = 0; e < hull.edge_count(); ++e) total += hull.arc(e);
+  for (std::size_t e = 0; e < hull.edge_count(); ++e) total += hull.arc_length(e);
   const double step = std::max(total / kDirections, kFinestStep);
 
   double best = kInfinity;
@@ -73,15 +74,16 @@ std::vector<Candidate> scan_gauss_image(GaussImage& hull) {
   std::vector<Candidate> candidates;
   std::vector<double> volumes;
   for (std::size_t e = 0; e < hull.edge_count(); ++e) {
-    const auto pieces = static_cast<std::size_t>(std::max(1.0, std::ceil(hull.arc(e) / step)));
+    const auto pieces =
+        static_cast<std::size_t>(std::max(1.0, std::ceil(hull.arc_length(e) / step)));
     const double reach = 1.0 / static_cast<double>(pieces);
-    volumes.assign(1, face_volume[hull.faces_of(e)[0]]);
+    volumes.assign(1, face_volume[hull.edge_faces(e)[0]]);
     for (std::size_t i = 1; i < pieces; ++i) {
       const Vec3 direction = hull.point_on_arc(e, static_cast<double>(i) * reach);
       volumes.push_back(hull.best_box_about(direction, kMargin * best).volume);
       best = std::min(best, volumes.back());
     }
-    volumes.push_back(face_volume[hull.faces_of(e)[1]]);
+    volumes.push_back(face_volume[hull.edge_faces(e)[1]]);
     for (std::size_t i = 0; i <= pieces; ++i) {
       const bool lowest =
           (i == 0 || volumes[i] <= volumes[i - 1]) && (i == pieces || volumes[i] <= volumes[i + 1]);
@@ -108,7 +110,8 @@ Refined refined(GaussImage& hull, const Candidate& candidate, int steps) {
   double high = std::min(1.0, candidate.share + candidate.reach);
   Refined best = {candidate, {}};
   const auto look = [&](double share) {
-    const BoxCandidate posture = hull.best_box_about(hull.point_on_arc(candidate.edge, share), kInfinity);
+    const BoxCandidate posture =
+        hull.best_box_about(hull.point_on_arc(candidate.edge, share), kInfinity);
     if (posture.volume < best.posture.volume) {
       best.posture = posture;
       best.candidate.share = share;

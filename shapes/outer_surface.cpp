@@ -46,7 +46,7 @@ TriangleMesh outer_surface_mesh(const SpheroPolyhedron& shape, int segments) {
   // The wrap finds the offset surface to a share of its distance only.
   const TriangleTree tree(core);
   for (Vec3& vertex : skin.vertices) {
-    const Vec3 nearest = tree.closest(vertex).point;
+    const Vec3 nearest = tree.closest_point(vertex).point;
     vertex = nearest + shape.radius * (vertex - nearest).normalized();
   }
   return skin;

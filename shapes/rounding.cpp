@@ -29,11 +29,11 @@ TriangleMesh inset(const TriangleMesh& mesh, double depth) {
   for (const TriangleMesh::Triangle& t : mesh.triangles) {
     const Vec3 normal = unit_normal(mesh, t);
     for (std::size_t k = 0; k < 3; ++k) {
-      fits[t[k]].add(normal, -depth, corner_angle(mesh, t, k));
+      fits[t[k]].add_plane(normal, -depth, corner_angle(mesh, t, k));
     }
   }
   TriangleMesh result = mesh;
-  for (std::size_t v = 0; v < fits.size(); ++v) result.vertices[v] += fits[v].step();
+  for (std::size_t v = 0; v < fits.size(); ++v) result.vertices[v] += fits[v].minimising_step();
   return result;
 }
 

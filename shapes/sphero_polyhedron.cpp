@@ -38,7 +38,7 @@ std::vector<SpheroPolyhedron::Edge> face_edges(const std::vector<SpheroPolyhedro
   return edges;
 }
 
-Vec3 face_area(const SpheroPolyhedron& shape, const SpheroPolyhedron::Face& face) {
+Vec3 area_vector(const SpheroPolyhedron& shape, const SpheroPolyhedron::Face& face) {
   Vec3 area = Vec3::Zero();
   const Vec3& origin = shape.vertices[face[0]];
   for (std::size_t k = 2; k < face.size(); ++k) {
@@ -48,7 +48,7 @@ Vec3 face_area(const SpheroPolyhedron& shape, const SpheroPolyhedron::Face& face
 }
 
 Vec3 face_normal(const SpheroPolyhedron& shape, const SpheroPolyhedron::Face& face) {
-  return face_area(shape, face).normalized();
+  return area_vector(shape, face).normalized();
 }
 
 TriangleMesh core_mesh(const SpheroPolyhedron& shape) {
@@ -72,7 +72,8 @@ SpheroPolyhedron transformed(SpheroPolyhedron shape, const Pose& to_from) {
 
 SpheroPolyhedron scaled(SpheroPolyhedron shape, double factor) {
   if (!(factor > 0.0) || !std::isfinite(factor)) {
-    throw InputError("scale factor " + format_significant(factor, 6) + ": must be positive and finite");
+    throw InputError("scale factor " + format_significant(factor, 6) +
+                     ": must be positive and finite");
   }
   for (Vec3& vertex : shape.vertices) vertex *= factor;
   shape.radius *= factor;

@@ -28,7 +28,7 @@ SpheroPolyhedron make_sphero_polyhedron(const TriangleMesh& core, double minkows
 std::vector<SpheroPolyhedron::Edge> face_edges(const std::vector<SpheroPolyhedron::Face>& faces);
 
 /// Twice the area of a face, along its normal.
-Vec3 face_area(const SpheroPolyhedron& shape, const SpheroPolyhedron::Face& face);
+Vec3 area_vector(const SpheroPolyhedron& shape, const SpheroPolyhedron::Face& face);
 /// Unit, out of the solid.
 Vec3 face_normal(const SpheroPolyhedron& shape, const SpheroPolyhedron::Face& face);
 
@@ -39,7 +39,8 @@ TriangleMesh core_mesh(const SpheroPolyhedron& shape);
 /// The rounded surface as a closed triangle mesh whose vertices lie on it: core faces moved out,
 /// cylinders over convex edges, sphere patches over vertices. `segments` pieces per quarter turn.
 /// At reflex edges the pieces cross inside the body: the mesh goes round every point of the body
-/// and round no other, but round some twice, so it is no measure of volume there; `outer_surface_mesh` is.
+/// and round no other, but round some twice, so it is no measure of volume there;
+/// `outer_surface_mesh` is.
 /// @throws GeometryError  the core is not closed (nor a lone vertex or edge with a radius)
 TriangleMesh rounded_surface_mesh(const SpheroPolyhedron& shape, int segments = 4);
 

@@ -28,12 +28,12 @@ std::optional<Vec3> find_kernel_point(const TriangleMesh& mesh) {
     const Vec3 normal = unit_normal(mesh, triangle);
     if (normal.isZero()) continue;
     planes.push_back({normal, normal.dot(mesh.vertices[triangle[0]] - origin)});
-    kernel = kernel->below(planes.back(), kKernelSlack * diagonal);
+    kernel = kernel->clipped_below(planes.back(), kKernelSlack * diagonal);
     if (!kernel) return std::nullopt;
   }
   const Vec3 centre = kernel->centre();
   const bool inside = std::all_of(planes.begin(), planes.end(), [&](const Plane& plane) {
-    return plane.height(centre) < -kLeastDepth * diagonal;
+    return plane.signed_distance(centre) < -kLeastDepth * diagonal;
   });
   return inside ? std::optional<Vec3>(origin + centre) : std::nullopt;
 }

@@ -120,7 +120,7 @@ double largest_over(std::vector<Patch> patches, double known, double gap, const 
 std::optional<double> most_by_plane(const Patch& patch, const TriangleTree& core, double radius,
                                     double in_plane) {
   const Vec3& normal = core.face_normal(patch.near);
-  const double height = normal.dot(core.corner(patch.near));
+  const double height = normal.dot(core.first_vertex(patch.near));
   double deepest = 0.0;
   for (const Vec3& point : patch.points) {
     deepest = std::max(deepest, radius - (normal.dot(point) - height));
@@ -214,7 +214,7 @@ double skin_to_scan(const ScanSurface& scan, const TriangleMesh& core, const Tri
     }
     const Vec3 centre = patch.foot() + radius * patch.direction();
     const double reach = patch.reach(radius);
-    const TriangleTree::Closest on_scan = scan.tree().closest(centre, patch.near);
+    const TriangleTree::Closest on_scan = scan.tree().closest_point(centre, patch.near);
     patch.near = on_scan.triangle;
     const double distance = std::sqrt(on_scan.squared_distance);
     double most = distance + reach;

@@ -50,7 +50,7 @@ PlanIndex::Range PlanIndex::range(const PlanBox& box) const {
           cell(box.high.y(), extent_.low.y(), rows_)};
 }
 
-std::span<const std::uint32_t> PlanIndex::near(const Vec2& point) const {
+std::span<const std::uint32_t> PlanIndex::boxes_near(const Vec2& point) const {
   if (offsets_.empty() || (point.array() < extent_.low.array()).any() ||
       (point.array() > extent_.high.array()).any()) {
     return {};
@@ -60,7 +60,7 @@ std::span<const std::uint32_t> PlanIndex::near(const Vec2& point) const {
   return {numbers_.data() + offsets_[cell], numbers_.data() + offsets_[cell + 1]};
 }
 
-std::vector<std::uint32_t> PlanIndex::near(const PlanBox& box) const {
+std::vector<std::uint32_t> PlanIndex::boxes_near(const PlanBox& box) const {
   std::vector<std::uint32_t> found;
   if (offsets_.empty() || (box.high.array() < extent_.low.array()).any() ||
       (box.low.array() > extent_.high.array()).any()) {
@@ -87,7 +87,8 @@ std::vector<PlanBox> plan_boxes(const TriangleMesh& mesh) {
   return boxes;
 }
 
-std::optional<double> height_on_triangle(const TriangleMesh& mesh, std::uint32_t triangle, const Vec2& at) {
+std::optional<double> height_on_triangle(const TriangleMesh& mesh, std::uint32_t triangle,
+                                         const Vec2& at) {
   const auto& [ia, ib, ic] = mesh.triangles[triangle];
   const Vec3& a = mesh.vertices[ia];
   const Vec3 ab = mesh.vertices[ib] - a, ac = mesh.vertices[ic] - a;

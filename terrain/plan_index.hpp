@@ -30,9 +30,9 @@ class PlanIndex {
 
   /// Numbers of the boxes in the cell around a point, rising; all boxes that hold it are among
   /// them.
-  std::span<const std::uint32_t> near(const Vec2& point) const;
+  std::span<const std::uint32_t> boxes_near(const Vec2& point) const;
   /// Numbers of the boxes that may touch `box`, rising, each once.
-  std::vector<std::uint32_t> near(const PlanBox& box) const;
+  std::vector<std::uint32_t> boxes_near(const PlanBox& box) const;
 
  private:
   struct Range {
@@ -52,6 +52,7 @@ std::vector<PlanBox> plan_boxes(const TriangleMesh& mesh);
 
 /// Height of a triangle on the vertical through a point of the plan; none beside it (its edges
 /// belong to it) and for upright triangles.
-std::optional<double> height_on_triangle(const TriangleMesh& mesh, std::uint32_t triangle, const Vec2& at);
+std::optional<double> height_on_triangle(const TriangleMesh& mesh, std::uint32_t triangle,
+                                         const Vec2& at);
 
 }  // namespace clast::terrain_detail

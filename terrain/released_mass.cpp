@@ -67,7 +67,7 @@ void check_systems(const std::string& before, const std::string& after,
 
 std::string extent_on_map(const TriangleMesh& mesh, const MapFrame& frame) {
   const Bounds box = bounds(mesh);
-  const Vec3 low = frame.map(box.low), high = frame.map(box.high);
+  const Vec3 low = frame.to_map(box.low), high = frame.to_map(box.high);
   return "x " + format_decimals(low.x(), 1) + " to " + format_decimals(high.x(), 1) + ", y " +
          format_decimals(low.y(), 1) + " to " + format_decimals(high.y(), 1);
 }
@@ -119,21 +119,21 @@ std::vector<ZonePolygon> outlines_of(const ReleasedMassOptions& options, const M
   if (range.low > range.high) {
     throw InputError("`before` and `after` have no place in common where both have ground");
   }
-  const auto at = [&](const Vec3& place) { return format_map_point(surfaces.frame.map(place)); };
+  const auto at = [&](const Vec3& place) { return format_map_point(surfaces.frame.to_map(place)); };
   std::string text = "`before` is nowhere" + inside + " more than " +
                      format_significant(options.min_thickness, 4) + " m above `after`; ";
   if (range.high > options.min_thickness) {
     text += "elsewhere it is, by up to " + format_significant(range.high, 3) + " m at " +
-            at(range.high_at) + ": check the polygon and its map system, or `least_volume`";
+            at(range.high_position) + ": check the polygon and its map system, or `least_volume`";
   } else if (range.high > 0.0) {
-    text += "the most is " + format_significant(range.high, 3) + " m at " + at(range.high_at) +
-            ": give a smaller `min_thickness`";
+    text += "the most is " + format_significant(range.high, 3) + " m at " +
+            at(range.high_position) + ": give a smaller `min_thickness`";
   } else {
     text += "it is above it nowhere";
   }
   if (-range.low > std::max(options.min_thickness, range.high)) {
     text += "; it is up to " + format_significant(-range.low, 3) + " m below at " +
-            at(range.low_at) + ": are the two swapped?";
+            at(range.low_position) + ": are the two swapped?";
   }
   throw InputError(text);
 }
@@ -151,7 +151,7 @@ class Cover {
   }
 
   bool holds(const Vec2& place) const {
-    const auto near = index_->near(place);
+    const auto near = index_->boxes_near(place);
     return std::any_of(near.begin(), near.end(), [&](std::uint32_t t) {
       return terrain_detail::height_on_triangle(tops_, t, place).has_value();
     });
@@ -185,7 +185,7 @@ void check_mass_heights(const TriangleMesh& mesh, const char* name, const Cover&
   if (count == 0) return;
   throw GeometryError(std::string(name) + ": " + format_count(count, "triangle") +
                       " within the mass stand upright or overhang, the first at " +
-                      format_map_point(frame.map(first)) +
+                      format_map_point(frame.to_map(first)) +
                       "; two heights over a place do not say what the mass is there. Give "
                       "`resolution`, which takes the highest, or cut a closed mesh of the mass");
 }
@@ -196,12 +196,12 @@ MassBody body_of(const OverlayBody& pair, const MapFrame& frame) {
           .volume = signed_volume(pair.mesh),
           .plan_area = pair.plan_area,
           .max_thickness = pair.max_thickness,
-          .centre = frame.map((box.low + box.high) / 2.0)};
+          .centre = frame.to_map((box.low + box.high) / 2.0)};
 }
 
 TriangleMesh solid_on_map(const OverlayBody& pair, const MassBody& body, const MapFrame& frame) {
   TriangleMesh mesh = pair.mesh;
-  for (Vec3& vertex : mesh.vertices) vertex = frame.map(vertex);
+  for (Vec3& vertex : mesh.vertices) vertex = frame.to_map(vertex);
   const MeshReport report = inspect_mesh(mesh);
   const std::string where = "the body of " + format_significant(body.volume, 4) + " m3 around " +
                             format_map_point(body.centre);
@@ -219,9 +219,9 @@ TriangleMesh solid_on_map(const OverlayBody& pair, const MassBody& body, const M
 void note_wall(const OverlayBody& pair, const MassBody& body, const ReleasedMassOptions& options,
                const MapFrame& frame, std::vector<std::string>& notes) {
   if (pair.max_wall_height <= options.min_thickness + kWallSlack) return;
-  notes.push_back("body " + std::to_string(body.number) + " ends at a wall of up to " +
+  notes.push_back("body " + std::to_string(body.rank) + " ends at a wall of up to " +
                   format_significant(pair.max_wall_height, 3) + " m, as at " +
-                  format_map_point(frame.map(pair.wall_position)) +
+                  format_map_point(frame.to_map(pair.wall_position)) +
                   ": there is the border of a surface, a step of one, or the polygon; what lies "
                   "beyond is not in it");
 }
@@ -235,9 +235,9 @@ double sum_of_volumes(const std::vector<MassBody>& bodies) {
 
 void ReleasedMassOptions::check() const {
   const auto check_range = [](const char* field, double value, const NumberRange& range) {
-    if (range.holds(value)) return;
+    if (range.contains(value)) return;
     throw InputError("`" + std::string(field) + "` = " + format_significant(value, 6) +
-                     ": must be " + range.words());
+                     ": must be " + range.describe());
   };
   check_range("min_thickness", min_thickness, kMassThickness);
   if (resolution) check_range("resolution", *resolution, kCellSize);
@@ -245,7 +245,7 @@ void ReleasedMassOptions::check() const {
 }
 
 double ReleasedMass::volume() const { return sum_of_volumes(bodies); }
-double ReleasedMass::left_out_volume() const { return sum_of_volumes(left_out); }
+double ReleasedMass::excluded_volume() const { return sum_of_volumes(excluded); }
 
 ReleasedMass find_released_mass(const Terrain& before, const Terrain& after,
                                 const ReleasedMassOptions& options) {
@@ -283,9 +283,9 @@ ReleasedMass find_released_mass(const Terrain& before, const Terrain& after,
   for (std::size_t i = 0; i < order.size(); ++i) {
     const OverlayBody& pair = *order[i].second;
     MassBody body = body_of(pair, frame);
-    body.number = i + 1;
+    body.rank = i + 1;
     if (!numbers.empty() && !numbers.contains(i + 1)) {
-      mass.left_out.push_back(std::move(body));
+      mass.excluded.push_back(std::move(body));
       continue;
     }
     note_wall(pair, body, options, frame, mass.notes);

@@ -27,25 +27,25 @@ struct ReleasedMassOptions {
 
 /// One body of the mass.
 struct MassBody {
-  std::size_t number = 0;           ///< in the order of volume, from 1
-  TriangleMesh mesh;                ///< closed, outward, on the map; of those left out empty
-  double volume = 0.0;              ///< m^3
-  double plan_area = 0.0;           ///< m^2
+  std::size_t rank = 0;        ///< in the order of volume, from 1
+  TriangleMesh mesh;           ///< closed, outward, on the map; of those left out empty
+  double volume = 0.0;         ///< m^3
+  double plan_area = 0.0;      ///< m^2
   double max_thickness = 0.0;  ///< upright, m
-  Vec3 centre = Vec3::Zero();       ///< of its bounds, on the map
+  Vec3 centre = Vec3::Zero();  ///< of its bounds, on the map
 };
 
 /// The mass, in bodies that do not touch.
 struct ReleasedMass {
   std::vector<MassBody> bodies;    ///< those chosen, the largest first
-  std::vector<MassBody> left_out;  ///< the others, the largest first
+  std::vector<MassBody> excluded;  ///< the others, the largest first
   double edge_before = 0.0;        ///< median side of the triangles of either surface, m
   double edge_after = 0.0;
   std::string crs;                 ///< of the map; empty when neither surface names one
   std::vector<std::string> notes;  ///< doubts, in words
 
   double volume() const;           ///< of the bodies, m^3
-  double left_out_volume() const;  ///< m^3
+  double excluded_volume() const;  ///< m^3
 };
 
 /// The bodies between two surfaces where `before` is more than the least thickness above `after`.

@@ -122,7 +122,7 @@ std::uint8_t part_of(double share, std::uint8_t colour) {
 
 }  // namespace
 
-Relief sampled(const Terrain& terrain, const PlanWindow& window, std::uint32_t columns) {
+Relief sample_relief(const Terrain& terrain, const PlanWindow& window, std::uint32_t columns) {
   Relief relief;
   relief.columns = columns;
   relief.cell = window.size().x() / columns;
@@ -152,7 +152,7 @@ Rgb zone_colour(const std::string& name, std::size_t n) {
 }
 
 std::string render_relief_png(const Relief& relief, const std::vector<std::string>& zone_names,
-                       double first_height, double contour_interval) {
+                              double first_height, double contour_interval) {
   // Zones of one tint share palette entries, so that any number of zones fits into 256.
   std::vector<Rgb> palette = {{255, 255, 255}, kContourColour};
   std::vector<Rgb> tints;

@@ -26,7 +26,7 @@ struct Relief {
 };
 
 /// Samples the surface at cell centres of `window` (local frame), `columns` cells wide.
-Relief sampled(const Terrain& terrain, const PlanWindow& window, std::uint32_t columns);
+Relief sample_relief(const Terrain& terrain, const PlanWindow& window, std::uint32_t columns);
 
 inline constexpr Rgb kContourColour = {122, 98, 69};
 
@@ -39,6 +39,6 @@ Rgb zone_colour(const std::string& name, std::size_t n);
 /// @param contour_interval  m
 /// @cite horn1981
 std::string render_relief_png(const Relief& relief, const std::vector<std::string>& zone_names,
-                       double first_height, double contour_interval);
+                              double first_height, double contour_interval);
 
 }  // namespace clast

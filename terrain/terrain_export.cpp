@@ -20,7 +20,7 @@ constexpr double kMostRasterCells = 1e9;
 void write_heights(const std::filesystem::path& path, const Terrain& terrain, double cell,
                    const OverwritePolicy& rules) {
   const Bounds box = bounds(terrain.surface);
-  const Vec3 low = terrain.frame.map(box.low), high = terrain.frame.map(box.high);
+  const Vec3 low = terrain.frame.to_map(box.low), high = terrain.frame.to_map(box.high);
   const Vec2 first = (low.head<2>() / cell).array().floor();
   const Vec2 count =
       ((high.head<2>() / cell).array().ceil() - first.array()).max(Eigen::Array2d::Ones());
@@ -29,8 +29,8 @@ void write_heights(const std::filesystem::path& path, const Terrain& terrain, do
                      " m are too many for this ground; use larger ones");
   }
   const Vec2 south_west = first * cell - terrain.frame.origin.head<2>();
-  const Relief relief = sampled(terrain, {south_west, south_west + count * cell},
-                                static_cast<std::uint32_t>(count.x()));
+  const Relief relief = sample_relief(terrain, {south_west, south_west + count * cell},
+                                      static_cast<std::uint32_t>(count.x()));
   std::vector<float> heights;
   for (const double height : relief.height) {
     heights.push_back(static_cast<float>(height + terrain.frame.origin.z()));
@@ -63,7 +63,7 @@ void export_terrain(const std::filesystem::path& path, const Terrain& terrain,
   const bool floats = extension == ".stl" || extension == ".glb";
   TriangleMesh mesh = terrain.surface;
   for (Vec3& vertex : mesh.vertices) {
-    if (!floats) vertex = terrain.frame.map(vertex);
+    if (!floats) vertex = terrain.frame.to_map(vertex);
     if (up == "y") vertex = z_up_to_y_up(vertex);
   }
   const auto describe_origin = [&](const Vec3& subtracted) -> std::string {

@@ -115,7 +115,7 @@ Terrain read_terrain_file(const std::filesystem::path& path) {
   const Hdf5File file = Hdf5File::open(path, kTerrainFormat, kSchema);
   const Hdf5Group root = file.root();
   Terrain terrain;
-  terrain.frame.crs = root.attribute<std::string>("crs");
+  terrain.frame.crs = root.read_attribute<std::string>("crs");
   const std::vector<double> origin = root.read<double>("origin");
   if (origin.size() != 3) {
     throw InputError(path.string() +
@@ -135,11 +135,11 @@ Terrain read_terrain_file(const std::filesystem::path& path) {
   terrain.zone = root.read<std::uint16_t>("zone");
   terrain.zone_names = root.read<std::string>("zone_names");
   terrain.sources = root.read<std::string>("sources");
-  const Hdf5Group report = root.group("report");
+  const Hdf5Group report = root.open_group("report");
   for (const auto& [name, count] : kCounts) {
     // Files written before a check existed do not hold its count.
     if (!report.has_attribute(name) && std::string_view(name) != "triangles_read") continue;
-    terrain.report.*count = static_cast<std::size_t>(report.attribute<std::int64_t>(name));
+    terrain.report.*count = static_cast<std::size_t>(report.read_attribute<std::int64_t>(name));
   }
   terrain.report.notes = report.read<std::string>("notes");
   check(terrain, path.string());

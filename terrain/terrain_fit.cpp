@@ -24,8 +24,8 @@ std::vector<std::pair<Vec2, Vec2>> border_edges(const Terrain& terrain) {
     for (std::size_t k = 0; k < 3; ++k) {
       if (!links.is_border_side(t, k)) continue;
       const std::uint32_t a = mesh.triangles[t][k], b = mesh.triangles[t][(k + 1) % 3];
-      edges.emplace_back(terrain.frame.map(mesh.vertices[a]).head<2>(),
-                         terrain.frame.map(mesh.vertices[b]).head<2>());
+      edges.emplace_back(terrain.frame.to_map(mesh.vertices[a]).head<2>(),
+                         terrain.frame.to_map(mesh.vertices[b]).head<2>());
     }
   }
   return edges;
@@ -52,31 +52,32 @@ void check_over_ground(const Terrain& terrain, std::span<const Vec3> positions,
   const TriangleMesh& mesh = terrain.surface;
   const terrain_detail::PlanIndex index(terrain_detail::plan_boxes(mesh));
   for (std::size_t i = 0; i < positions.size(); ++i) {
-    const Vec2 at = terrain.frame.local(positions[i]).head<2>();
-    const std::span<const std::uint32_t> near = index.near(at);
+    const Vec2 at = terrain.frame.to_local(positions[i]).head<2>();
+    const std::span<const std::uint32_t> near = index.boxes_near(at);
     if (std::any_of(near.begin(), near.end(), [&](std::uint32_t t) {
           return terrain_detail::height_on_triangle(mesh, t, at).has_value();
         })) {
       continue;
     }
     const Bounds box = bounds(mesh);
-    const Vec3 low = terrain.frame.map(box.low), high = terrain.frame.map(box.high);
+    const Vec3 low = terrain.frame.to_map(box.low), high = terrain.frame.to_map(box.high);
     const bool in_box = (at.array() >= box.low.head<2>().array()).all() &&
                         (at.array() <= box.high.head<2>().array()).all();
-    throw InputError(
-        name + ": release point " + std::to_string(i + 1) + " at " + format_map_point(positions[i]) +
-        (in_box ? " is over a hole or beside the ground" : " is off the ground") +
-        ", which lies in x " + format_significant(low.x(), 9) + " to " + format_significant(high.x(), 9) +
-        ", y " + format_significant(low.y(), 9) + " to " + format_significant(high.y(), 9) +
-        " (map, z up); move the point, or check its map system and up axis");
+    throw InputError(name + ": release point " + std::to_string(i + 1) + " at " +
+                     format_map_point(positions[i]) +
+                     (in_box ? " is over a hole or beside the ground" : " is off the ground") +
+                     ", which lies in x " + format_significant(low.x(), 9) + " to " +
+                     format_significant(high.x(), 9) + ", y " + format_significant(low.y(), 9) +
+                     " to " + format_significant(high.y(), 9) +
+                     " (map, z up); move the point, or check its map system and up axis");
   }
 }
 
 void check_near_ground(const Terrain& terrain, std::span<const Vec2> positions,
                        const std::string& name) {
   const Bounds box = bounds(terrain.surface);
-  const Vec2 low = terrain.frame.map(box.low).head<2>();
-  const Vec2 high = terrain.frame.map(box.high).head<2>();
+  const Vec2 low = terrain.frame.to_map(box.low).head<2>();
+  const Vec2 high = terrain.frame.to_map(box.high).head<2>();
   const double reach = (high - low).maxCoeff();
   for (const Vec2& place : positions) {
     if ((place.array() > low.array() - reach).all() &&
@@ -85,7 +86,8 @@ void check_near_ground(const Terrain& terrain, std::span<const Vec2> positions,
     }
     throw InputError(name + " at " + format_map_point({place.x(), place.y(), 0.0}) +
                      " is far off the ground, which begins at " +
-                     format_map_point({low.x(), low.y(), 0.0}) + "; bring both into one map system");
+                     format_map_point({low.x(), low.y(), 0.0}) +
+                     "; bring both into one map system");
   }
 }
 
@@ -106,8 +108,9 @@ std::optional<std::string> border_warning(const Terrain& terrain, std::span<cons
   if (near == 0) return std::nullopt;
   return std::to_string(near) + " of " + std::to_string(positions.size()) +
          " release points are nearer than " + format_significant(distance, 4) +
-         " m to the border of the ground, the nearest, " + format_significant(nearest, 3) + " m, at " +
-         format_map_point(nearest_at) + "; blocks may leave the survey there, extend it";
+         " m to the border of the ground, the nearest, " + format_significant(nearest, 3) +
+         " m, at " + format_map_point(nearest_at) +
+         "; blocks may leave the survey there, extend it";
 }
 
 std::optional<std::string> cell_size_warning(const Terrain& terrain, double smallest,

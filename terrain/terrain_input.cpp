@@ -108,7 +108,7 @@ void move_to_local_origin(Terrain& terrain) {
     origin.head<2>() = centre.head<2>().array().round();
   }
   if (largest.z() > kLargeCoordinate) origin.z() = std::round(centre.z());
-  for (Vec3& vertex : terrain.surface.vertices) vertex = terrain.frame.local(vertex);
+  for (Vec3& vertex : terrain.surface.vertices) vertex = terrain.frame.to_local(vertex);
 }
 
 void note_doubts(Terrain& terrain) {
@@ -211,9 +211,9 @@ void TerrainOptions::check() const {
   resolve_up_axis(up, {});
   const auto check_range = [](const char* field, const std::optional<double>& value,
                               const NumberRange& range) {
-    if (!value || range.holds(*value)) return;
+    if (!value || range.contains(*value)) return;
     throw InputError(std::string(field) + " = " + format_significant(*value, 6) + ": must be " +
-                     range.words());
+                     range.describe());
   };
   check_range("resolution", resolution, kCellSize);
   check_range("percentile", percentile, kPercentile);

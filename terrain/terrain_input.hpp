@@ -63,7 +63,7 @@ struct ZoneFile {
   std::filesystem::path path;
   std::map<long, std::string> names = {};  ///< of class numbers; empty: the number is the name
 
-  std::vector<std::string> zones() const;  ///< as in TerrainOptions
+  std::vector<std::string> option_texts() const;  ///< as in TerrainOptions
 };
 
 /// `zones` as a zone file ("zones.asc", "zones.asc:1=blue,2=gray", polygons.geojson), or none when

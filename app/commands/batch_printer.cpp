@@ -36,17 +36,17 @@ BatchPrinter::BatchPrinter(std::size_t scans, const BatchOptions& options,
   if (!report.empty()) report_.emplace(report, options.replace || options.resume);
 }
 
-void BatchPrinter::made(const Block& block, const BlockOrigin& origin) {
+void BatchPrinter::on_block_made(const Block& block, const BlockOrigin& origin) {
   std::optional<PhotoSummary> evidence;
   if (origin.photos != nullptr && (report_ || json_)) {
-    evidence = summarise_photos(*origin.photos, *origin.found, origin.up);
+    evidence = summarise_photos(*origin.photos, *origin.field_block, origin.up);
     Json photos = photo_json(*origin.photos, *evidence);
     const std::lock_guard lock(mutex_);
     photos_[block.id] = std::move(photos);
   }
   if (!report_) return;
   report_->prepare(block, {.raw = origin.raw,
-                           .found = origin.found,
+                           .found = origin.field_block,
                            .options = options_.scan.scan,
                            .up = origin.up,
                            .scale = describe_block_scale(options_.scan),
@@ -55,9 +55,9 @@ void BatchPrinter::made(const Block& block, const BlockOrigin& origin) {
                            .evidence = evidence ? &*evidence : nullptr});
 }
 
-void BatchPrinter::accept(const Block& block) { accepted_ = block_json(block); }
+void BatchPrinter::check_block(const Block& block) { accepted_ = block_json(block); }
 
-void BatchPrinter::added(const Block& block) {
+void BatchPrinter::on_block_added(const Block& block) {
   std::unique_lock lock(mutex_);
   const auto photos = photos_.extract(block.id);
   lock.unlock();
@@ -80,16 +80,16 @@ void BatchPrinter::added(const Block& block) {
   }
 }
 
-void BatchPrinter::kept(const Block& block) {
+void BatchPrinter::on_block_retained(const Block& block) {
   if (report_) report_->add_earlier(block);
 }
 
-void BatchPrinter::refused(const std::string& id) {
+void BatchPrinter::on_block_refused(const std::string& id) {
   std::erase_if(made_.get_ref<Json::array_t&>(),
                 [&](const Json& json) { return json["id"] == id; });
 }
 
-void BatchPrinter::failed(const ScanFile& scan, const std::string& reason) {
+void BatchPrinter::on_scan_failed(const ScanFile& scan, const std::string& reason) {
   bar_.clear();
   const std::string path = scan.path.string();
   if (report_) report_->add_failure(path, reason);
@@ -101,7 +101,7 @@ void BatchPrinter::failed(const ScanFile& scan, const std::string& reason) {
   if (scans_ > 1) print();
 }
 
-void BatchPrinter::noted(const std::string& text) {
+void BatchPrinter::on_note(const std::string& text) {
   bar_.clear();
   std::cerr << "clast: " << shown(text) << "\n";
 }

@@ -24,18 +24,18 @@ class BatchPrinter : public BatchObserver {
   BatchPrinter(std::size_t scans, const BatchOptions& options, const std::string& report,
                bool json);
 
-  void made(const Block& block, const BlockOrigin& origin) override;
-  void accept(const Block& block) override;
-  void added(const Block& block) override;
-  void kept(const Block& block) override;
-  void refused(const std::string& id) override;
-  void failed(const ScanFile& scan, const std::string& reason) override;
-  void noted(const std::string& text) override;
+  void on_block_made(const Block& block, const BlockOrigin& origin) override;
+  void check_block(const Block& block) override;
+  void on_block_added(const Block& block) override;
+  void on_block_retained(const Block& block) override;
+  void on_block_refused(const std::string& id) override;
+  void on_scan_failed(const ScanFile& scan, const std::string& reason) override;
+  void on_note(const std::string& text) override;
 
   /// Updates the progress bar; slow steps have a line of their own unless several scans run in
   /// parallel.
   void show(const ProgressUpdate& step) {
-    bar_.update(step.done, step.what, step.is_slow && options_.jobs == 1);
+    bar_.update(step.done, step.activity, step.is_slow && options_.jobs == 1);
   }
   /// Prints the summary and writes the summary page.
   /// @throws InputError  if a scan gave no block; for a single scan with its own reason

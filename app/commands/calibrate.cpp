@@ -56,7 +56,8 @@ void print_members(const Calibration& calibration, const Shard& shard) {
   std::cout << escape_nonprintable(calibration.file.string()) << ": " << members << " of "
             << format_count(calibration.study.design.members, "member")
             << " simulated. When those of all shards are, join them: "
-            << escape_nonprintable(format_shell_command({"clast", "calibrate", calibration.study.file.string()}))
+            << escape_nonprintable(
+                   format_shell_command({"clast", "calibrate", calibration.study.file.string()}))
             << " --merge PARTS\n";
 }
 
@@ -83,7 +84,7 @@ void calibrate_with(ProcessTeam& team, const CalibrateArgs& args, CalibrateOptio
   ProgressBar bar("members", study.sites.size() * study.design.members);
   bool started = false;
   options.progress = [&](const ProgressUpdate& step) {
-    if (!std::exchange(started, true)) bar.start_from(step.before);
+    if (!std::exchange(started, true)) bar.start_from(step.done_before);
     bar.update(step.done);
     if (!watch.interrupted() || step.done == step.total) return;
     bar.clear();

@@ -96,7 +96,7 @@ std::string memory_line(const CampaignPlan& prepared) {
 
 /// "66 bodies made of 1 block of scans.h5"; empty where blocks run as they are.
 std::string made_text(const CampaignPlan& prepared) {
-  const BlockChoice& choice = prepared.choice;
+  const CampaignBlocks& choice = prepared.choice;
   if (choice.parents.empty()) return "";
   return format_count(choice.library.size(), "body", "bodies") + " made of " +
          format_count(choice.parents.size(), "block") + " of " +

@@ -90,7 +90,7 @@ void compare_results(const CompareArgs& args) {
 /// The first screen alone; no folder is written.
 void print_summary(const CompareArgs& args) {
   const Comparison comparison = read_and_compare(args);
-  print_lines(describe_first_screen(comparison, answer(comparison)));
+  print_lines(describe_first_screen(comparison, summarise_key_results(comparison)));
   print_effects(args, comparison);
 }
 

@@ -89,24 +89,23 @@ void print_mass(const ReleasedMass& mass) {
   TextTable table{{"body", "m3", "m2 in plan", "m thick", "x", "y", "z", ""}, {}};
   std::vector<std::pair<const MassBody*, const char*>> bodies;
   for (const MassBody& body : mass.bodies) bodies.emplace_back(&body, "taken");
-  for (const MassBody& body : mass.left_out) bodies.emplace_back(&body, "left out");
+  for (const MassBody& body : mass.excluded) bodies.emplace_back(&body, "left out");
   std::sort(bodies.begin(), bodies.end(),
-            [](const auto& a, const auto& b) { return a.first->number < b.first->number; });
+            [](const auto& a, const auto& b) { return a.first->rank < b.first->rank; });
   for (const auto& [body, what] : bodies) {
     if (table.rows.size() == kMostBodies) break;
-    table.rows.push_back({std::to_string(body->number), format_rounded(body->volume),
-                          format_rounded(body->plan_area), format_rounded(body->max_thickness, 3),
-                          format_decimals(body->centre.x(), 1),
-                          format_decimals(body->centre.y(), 1),
-                          format_decimals(body->centre.z(), 1), what});
+    table.rows.push_back(
+        {std::to_string(body->rank), format_rounded(body->volume), format_rounded(body->plan_area),
+         format_rounded(body->max_thickness, 3), format_decimals(body->centre.x(), 1),
+         format_decimals(body->centre.y(), 1), format_decimals(body->centre.z(), 1), what});
   }
   std::cout << table.text() << "mass of " << format_significant(mass.volume(), 4) << " m3 in "
             << format_count(mass.bodies.size(), "body", "bodies") << "; left out: ";
-  if (mass.left_out.empty()) {
+  if (mass.excluded.empty()) {
     std::cout << "none\n";
   } else {
-    std::cout << format_count(mass.left_out.size(), "body", "bodies") << " of "
-              << format_significant(mass.left_out_volume(), 3) << " m3 together\n";
+    std::cout << format_count(mass.excluded.size(), "body", "bodies") << " of "
+              << format_significant(mass.excluded_volume(), 3) << " m3 together\n";
   }
   std::cout << "edges of the surfaces, median: " << format_significant(mass.edge_before, 3)
             << " m before, " << format_significant(mass.edge_after, 3) << " m after\n";
@@ -161,11 +160,11 @@ void check_sources(const CutArgs& args) {
 
 void print_cut_blocks(const CutArgs& args, const RockMassBlocks& made,
                       const BlockLibrary& library) {
-  for (std::size_t i = 0; i < std::min(kMostNamedBlocks, made.failed.size()); ++i) {
-    std::cerr << "clast: warning: " << shown(made.failed[i]) << "\n";
+  for (std::size_t i = 0; i < std::min(kMostNamedBlocks, made.failures.size()); ++i) {
+    std::cerr << "clast: warning: " << shown(made.failures[i]) << "\n";
   }
-  if (made.failed.size() > kMostNamedBlocks) {
-    std::cerr << "clast: warning: " << made.failed.size() - kMostNamedBlocks
+  if (made.failures.size() > kMostNamedBlocks) {
+    std::cerr << "clast: warning: " << made.failures.size() - kMostNamedBlocks
               << " more pieces could not be made into blocks\n";
   }
   const double share = made.block_volume / made.volume;
@@ -210,10 +209,10 @@ void cut(CutArgs args) {
   if (args.joints.empty()) return;
   if (made.blocks.empty()) {
     throw GeometryError((args.mass.empty() ? args.before : args.mass) +
-                        ": no piece became a block; the first: " + made.failed.front());
+                        ": no piece became a block; the first: " + made.failures.front());
   }
   const BlockLibrary library =
-      update_library(args.output, {.make = true}, [&](BlockLibrary& changed) {
+      update_library(args.output, {.create_if_missing = true}, [&](BlockLibrary& changed) {
         for (const Block& block : made.blocks) changed.add(block, args.replace);
       });
   print_cut_blocks(args, made, library);

@@ -57,7 +57,7 @@ void run_export(const ExportArgs& args) {
                                "add for example --format ply --what skin");
   }
   const BlockLibrary library = BlockLibrary::read(args.library);
-  const std::vector<const Block*> blocks = library.chosen(args.ids);
+  const std::vector<const Block*> blocks = library.select_blocks(args.ids);
   if (blocks.empty()) throw InputError(args.library + ": there is no block in it to export");
   const std::vector<std::filesystem::path> written =
       export_blocks(blocks, args.folder, args.options,

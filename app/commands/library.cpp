@@ -41,12 +41,13 @@ void add_part(BlockLibrary& library, const BlockLibrary& part, const std::string
 void merge(const MergeArgs& args) {
   std::vector<BlockLibrary> parts;
   for (const std::string& input : args.inputs) parts.push_back(BlockLibrary::read(input));
-  const BlockLibrary joined = update_library(
-      args.output, {.make = true, .waiting = say_waiting(args.output)}, [&](BlockLibrary& library) {
-        for (std::size_t i = 0; i < parts.size(); ++i) {
-          add_part(library, parts[i], args.inputs[i], args.replace);
-        }
-      });
+  const BlockLibrary joined =
+      update_library(args.output, {.create_if_missing = true, .on_wait = say_waiting(args.output)},
+                     [&](BlockLibrary& library) {
+                       for (std::size_t i = 0; i < parts.size(); ++i) {
+                         add_part(library, parts[i], args.inputs[i], args.replace);
+                       }
+                     });
   std::cout << escape_nonprintable(args.output) << ": "
             << format_count(joined.blocks().size(), "block") << "\n";
 }
@@ -73,9 +74,9 @@ struct RemoveArgs {
 
 void remove_blocks(const RemoveArgs& args) {
   const BlockLibrary library = update_library(
-      args.library, {.waiting = say_waiting(args.library)}, [&](BlockLibrary& changed) {
+      args.library, {.on_wait = say_waiting(args.library)}, [&](BlockLibrary& changed) {
         for (const std::string& id : args.ids)
-          changed.block(id);  // all are there, or none is removed
+          changed.find_block(id);  // all are there, or none is removed
         for (const std::string& id : args.ids) changed.remove(id);
       });
   std::cout << escape_nonprintable(args.library) << ": " << format_count(args.ids.size(), "block")
@@ -127,13 +128,13 @@ Axes axes_from(const std::string& text) {
   std::vector<double> lengths;
   for (const std::string& item : items) {
     const std::optional<double> length = parse_number(item);
-    if (length && kBlockLength.holds(*length)) lengths.push_back(*length);
+    if (length && kBlockLength.contains(*length)) lengths.push_back(*length);
   }
   if (items.size() == 3 && lengths.size() == 3) {
     return Axes::sorted(lengths[0], lengths[1], lengths[2]);
   }
   throw CLI::ValidationError("--taped", "\"" + text + "\" is not three lengths " +
-                                            kBlockLength.words() + ", such as 0.65,0.53,0.38");
+                                            kBlockLength.describe() + ", such as 0.65,0.53,0.38");
 }
 
 void set_field_notes(const SetArgs& args) {
@@ -142,15 +143,15 @@ void set_field_notes(const SetArgs& args) {
   }
   const std::optional<Axes> taped =
       args.taped ? std::optional<Axes>(axes_from(*args.taped)) : std::nullopt;
-  const BlockLibrary library = update_library(args.library, {.waiting = say_waiting(args.library)},
-                                              [&](BlockLibrary& changed) {
-                                                FieldNotes& field = changed.block(args.id).field;
-                                                if (args.site) field.site = to_utf8(*args.site);
-                                                if (args.note) field.note = to_utf8(*args.note);
-                                                if (taped) field.taped = taped;
-                                                if (args.weighed) field.weighed_mass = args.weighed;
-                                              });
-  const Block& block = library.block(args.id);
+  const BlockLibrary library = update_library(
+      args.library, {.on_wait = say_waiting(args.library)}, [&](BlockLibrary& changed) {
+        FieldNotes& field = changed.find_block(args.id).field;
+        if (args.site) field.site = to_utf8(*args.site);
+        if (args.note) field.note = to_utf8(*args.note);
+        if (taped) field.taped_axes = taped;
+        if (args.weighed) field.weighed_mass = args.weighed;
+      });
+  const Block& block = library.find_block(args.id);
 
   std::cout << escape_nonprintable(args.library) << ": field notes of block "
             << escape_nonprintable(args.id) << " stored\n";

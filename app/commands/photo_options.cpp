@@ -22,12 +22,12 @@ ScaleBar bar_from(const std::string& text) {
                      numbers[1] >= 0.0 && numbers[0] < 1e5 && numbers[1] < 1e5 &&
                      numbers[0] == static_cast<int>(numbers[0]) &&
                      numbers[1] == static_cast<int>(numbers[1]) && numbers[0] != numbers[1] &&
-                     kBarLength.holds(numbers[2]);
+                     kBarLength.contains(numbers[2]);
   if (!whole) {
     throw CLI::ValidationError(
         "--scale-bar", "\"" + text +
                            "\" is not two different markers and the distance of their centres, " +
-                           kBarLength.words() + ", such as 0,3,1.254");
+                           kBarLength.describe() + ", such as 0,3,1.254");
   }
   return {static_cast<int>(numbers[0]), static_cast<int>(numbers[1]), numbers[2]};
 }

@@ -51,7 +51,8 @@ MeasuredLength measured_length(const std::string& text) {
     throw CLI::ValidationError(
         "--scale-length", "\"" + text + "\" " + what +
                               "; expected two points of the scan and the metres between them (" +
-                              kBlockLength.words() + "), such as \"0.2,1.1,0;3.9,1.3,0.4;0.52\"");
+                              kBlockLength.describe() +
+                              "), such as \"0.2,1.1,0;3.9,1.3,0.4;0.52\"");
   };
   if (numbers.size() != 7)
     refuse("has " + format_count(numbers.size(), "number") + " and not seven");
@@ -59,12 +60,13 @@ MeasuredLength measured_length(const std::string& text) {
     if (!std::isfinite(number)) refuse("holds what is no number");
   }
   const Vec3 a(numbers[0], numbers[1], numbers[2]), b(numbers[3], numbers[4], numbers[5]);
-  if (!kBlockLength.holds(numbers[6])) refuse("gives a length that is not " + kBlockLength.words());
+  if (!kBlockLength.contains(numbers[6]))
+    refuse("gives a length that is not " + kBlockLength.describe());
   if (a == b) refuse("gives the same point twice");
   const double unit = numbers[6] / (b - a).norm();
-  if (!kLengthUnit.holds(unit)) {
+  if (!kLengthUnit.contains(unit)) {
     refuse("makes a unit of the scan " + format_significant(unit, 6) + " m long, and it must be " +
-           kLengthUnit.words());
+           kLengthUnit.describe());
   }
   return {{a, b}, unit};
 }
@@ -142,7 +144,7 @@ void add_scan_options(CLI::App& command, ReconstructArgs& args) {
   command.add_flag("--split", args.batch.scan.split,
                    "Make a block of everything that stands on the ground of a scan, as ID_1, ID_2 "
                    "... in order of x, and not only of what stands near its middle");
-  command.add_flag("--any-size", args.batch.scan.any_size,
+  command.add_flag("--any-size", args.batch.scan.allow_any_size,
                    "Take blocks over 20 m, over 10,000 t or under 1 mm too");
 }
 

@@ -56,16 +56,17 @@ void show(const ShowArgs& args) {
   std::optional<OutputFolder> folder;
   if (!args.report.empty()) folder.emplace(args.report, gallery_folder_kind(), args.replace);
   const BlockLibrary library = BlockLibrary::read(args.library);
-  const std::vector<const Block*> blocks = library.chosen(args.ids);
+  const std::vector<const Block*> blocks = library.select_blocks(args.ids);
   if (folder) {
     const fs::path name = fs::path(args.library).filename();
-    write_gallery(blocks, "Blocks of " + escape_nonprintable(name.string()), folder->temporary_path());
+    write_gallery(blocks, "Blocks of " + escape_nonprintable(name.string()),
+                  folder->temporary_path());
     folder->commit();
   }
   print_shown_blocks(args, blocks);
   if (folder && !args.json) {
-    std::cout << "\nReport: " << escape_nonprintable((fs::path(args.report) / "gallery.html").string())
-              << "\n";
+    std::cout << "\nReport: "
+              << escape_nonprintable((fs::path(args.report) / "gallery.html").string()) << "\n";
   }
 }
 

@@ -178,7 +178,8 @@ void simulate_with(ProcessTeam& team, const SimulateArgs& args,
     return;
   }
   if (finished) {
-    if (team.is_leader()) print_results(output, args, summary, "nothing to do, has all runs already");
+    if (team.is_leader())
+      print_results(output, args, summary, "nothing to do, has all runs already");
     return;
   }
   std::vector<std::string> resume = {"clast", "simulate", args.campaign, "-o", args.output};
@@ -196,8 +197,8 @@ void simulate_with(ProcessTeam& team, const SimulateArgs& args,
   options.team = &team;
   bool started = false;
   options.progress = [&](const ProgressUpdate& step) {
-    if (!std::exchange(started, true)) bar.start_from(step.before);
-    bar.update(step.done, step.what);
+    if (!std::exchange(started, true)) bar.start_from(step.done_before);
+    bar.update(step.done, step.activity);
     if (!watch.interrupted() || step.done == step.total) return;
     bar.clear();
     throw SimulationError(

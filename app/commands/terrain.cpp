@@ -74,8 +74,8 @@ std::vector<ZoneExtent> zone_extents(const Terrain& terrain) {
 void print_report(const Terrain& terrain) {
   const TerrainReport& report = terrain.report;
   const Bounds box = bounds(terrain.surface);
-  const Vec3 low = terrain.frame.map(box.low);
-  const Vec3 high = terrain.frame.map(box.high);
+  const Vec3 low = terrain.frame.to_map(box.low);
+  const Vec3 high = terrain.frame.to_map(box.high);
   std::cout << format_count(terrain.surface.triangles.size(), "triangle") << " of "
             << report.triangles_read << " read, in " << format_count(report.components, "component")
             << " with " << format_count(report.boundary_edges, "border edge") << "\n";
@@ -104,8 +104,8 @@ nlohmann::ordered_json report_json(const Terrain& terrain) {
   using Json = nlohmann::ordered_json;
   const TerrainReport& report = terrain.report;
   const Bounds box = bounds(terrain.surface);
-  const Vec3 low = terrain.frame.map(box.low);
-  const Vec3 high = terrain.frame.map(box.high);
+  const Vec3 low = terrain.frame.to_map(box.low);
+  const Vec3 high = terrain.frame.to_map(box.high);
   Json zones = Json::array();
   const std::vector<ZoneExtent> extents = zone_extents(terrain);
   for (std::size_t i = 0; i < extents.size(); ++i) {

@@ -53,11 +53,12 @@ BoxRatios read_ratios(const std::string& text) {
 /// "sneed-folk:10" or "zingg:5".
 FormGrid read_grid(const std::string& text, double least) {
   const std::size_t colon = text.find(':');
-  const double steps = colon == text.npos ? 0.0 : parse_number(text.substr(colon + 1)).value_or(0.0);
-  if (!kGridSteps.holds(steps) || steps != std::floor(steps)) {
+  const double steps =
+      colon == text.npos ? 0.0 : parse_number(text.substr(colon + 1)).value_or(0.0);
+  if (!kGridSteps.contains(steps) || steps != std::floor(steps)) {
     throw InputError("--grid " + text +
                      ": give sneed-folk:STEPS or zingg:STEPS, a whole number of steps " +
-                     kGridSteps.words());
+                     kGridSteps.describe());
   }
   return {text.substr(0, colon), static_cast<int>(steps), least};
 }
@@ -65,7 +66,7 @@ FormGrid read_grid(const std::string& text, double least) {
 /// What every block is varied by, but for --like, which needs the library.
 SeriesTargets steps_wanted(const VaryArgs& args) {
   SeriesTargets steps = args.steps;
-  for (const std::string& form : args.forms) steps.to.push_back(read_ratios(form));
+  for (const std::string& form : args.forms) steps.ratios.push_back(read_ratios(form));
   if (!args.grid.empty()) steps.grid = read_grid(args.grid, args.least);
   return steps;
 }
@@ -98,8 +99,9 @@ void print_series(const VaryArgs& args, const SeriesResult& made) {
   }
   if (made.fit) std::cout << "\n" << describe_copula_fit(*made.fit);
   std::cout << "\n"
-            << escape_nonprintable(args.output) << ": " << format_count(series.blocks.size(), "body", "bodies")
-            << " written, " << format_count(made.in_all, "block") << " in all\n";
+            << escape_nonprintable(args.output) << ": "
+            << format_count(series.blocks.size(), "body", "bodies") << " written, "
+            << format_count(made.output_blocks, "block") << " in all\n";
 }
 
 void vary(const VaryArgs& args) {
@@ -115,7 +117,7 @@ void vary(const VaryArgs& args) {
   const SeriesResult made = make_bodies(request);
   for (const std::string& note : made.notes) std::cerr << "clast: note: " << shown(note) << "\n";
   print_series(args, made);
-  const std::vector<std::string>& failed = made.series.failed;
+  const std::vector<std::string>& failed = made.series.failures;
   for (std::size_t i = 0; i < std::min(kMostNamedBodies, failed.size()); ++i) {
     std::cerr << "clast: warning: " << shown(failed[i]) << "\n";
   }
@@ -140,7 +142,7 @@ void add_form_options(CLI::App& command, VaryArgs& args) {
       ->type_name("RATIO")
       ->capture_default_str();
   command
-      .add_option("--like", args.request.like,
+      .add_option("--like", args.request.like_ids,
                   "Stretch to the ratios of these blocks of the library")
       ->type_name("ID");
 }

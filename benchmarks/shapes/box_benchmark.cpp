@@ -13,7 +13,7 @@ std::vector<Vec3> corners(std::int64_t count) {
   Random random(1);
   std::vector<Vec3> points;
   for (std::int64_t i = 0; i < count; ++i) {
-    points.push_back(random.direction().cwiseProduct(Vec3(1.0, 0.7, 0.45)));
+    points.push_back(random.unit_vector().cwiseProduct(Vec3(1.0, 0.7, 0.45)));
   }
   return points;
 }

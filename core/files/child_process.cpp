@@ -86,9 +86,9 @@ std::filesystem::path find_executable(const std::string& name) {
 }
 
 ProcessResult run_child_process(const std::vector<std::string>& command,
-                   const std::vector<std::pair<std::string, std::string>>& environment,
-                   const std::filesystem::path& log, double seconds,
-                   const std::function<void()>& waiting) {
+                                const std::vector<std::pair<std::string, std::string>>& environment,
+                                const std::filesystem::path& log, double time_limit,
+                                const std::function<void()>& on_wait) {
   // Everything that allocates comes before the fork: another thread may hold the heap's lock.
   const ProgramCall call(command, environment);
   const std::string log_name = log.string();
@@ -107,14 +107,14 @@ ProcessResult run_child_process(const std::vector<std::string>& command,
     if (ended == child) break;
     if (ended < 0 && errno != EINTR) throw InputError(command[0] + " was lost");
     const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - start;
-    if (spent.count() > seconds) {
+    if (spent.count() > time_limit) {
       end.timed_out = true;
       ::kill(-child, SIGKILL);
       while (::waitpid(child, &status, 0) < 0 && errno == EINTR) {
       }
       break;
     }
-    if (waiting && polls % kPollsPerCall == 0) waiting();
+    if (on_wait && polls % kPollsPerCall == 0) on_wait();
     std::this_thread::sleep_for(kPoll);
   }
   end.exit_code = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);

@@ -21,9 +21,9 @@ struct ProcessResult {
 /// @param waiting      called about twice a second while it runs
 /// @throws InputError  it can't be started
 ProcessResult run_child_process(const std::vector<std::string>& command,
-                   const std::vector<std::pair<std::string, std::string>>& environment,
-                   const std::filesystem::path& log, double seconds,
-                   const std::function<void()>& waiting = {});
+                                const std::vector<std::pair<std::string, std::string>>& environment,
+                                const std::filesystem::path& log, double time_limit,
+                                const std::function<void()>& on_wait = {});
 
 /// The file that a name stands for, by PATH; itself where it holds a slash. Empty: there is none
 /// that may be run.

@@ -46,7 +46,7 @@ void CsvWriter::write_separator() {
   first_ = false;
 }
 
-void CsvWriter::cell(std::string_view text) {
+void CsvWriter::write_cell(std::string_view text) {
   write_separator();
   const std::string written = escape_formula(text);
   if (written.size() == text.size() && text.find_first_of(",\"\r\n") == std::string_view::npos) {
@@ -58,7 +58,7 @@ void CsvWriter::cell(std::string_view text) {
   text_ += '"';
 }
 
-void CsvWriter::cell(double value) {
+void CsvWriter::write_cell(double value) {
   write_separator();
   if (!std::isfinite(value)) return;
   std::array<char, 32> text;
@@ -68,10 +68,12 @@ void CsvWriter::cell(double value) {
   text_.append(text.data(), end.ptr);
 }
 
-void CsvWriter::count(std::uint64_t value) { cell(std::string_view(std::to_string(value))); }
+void CsvWriter::write_count(std::uint64_t value) {
+  write_cell(std::string_view(std::to_string(value)));
+}
 
 void CsvWriter::write_empty_cells(int count) {
-  for (int i = 0; i < count; ++i) cell(std::string_view());
+  for (int i = 0; i < count; ++i) write_cell(std::string_view());
 }
 
 void CsvWriter::end_row() {
@@ -79,11 +81,11 @@ void CsvWriter::end_row() {
   first_ = true;
 }
 
-void CsvWriter::header(std::string_view names) {
+void CsvWriter::write_header(std::string_view names) {
   text_ += names;
   end_row();
 }
 
-std::string CsvWriter::take() { return std::exchange(text_, {}); }
+std::string CsvWriter::take_text() { return std::exchange(text_, {}); }
 
 }  // namespace clast

@@ -24,17 +24,17 @@ std::string_view unescape_formula(std::string_view cell);
 /// @cite rfc4180
 class CsvWriter {
  public:
-  void cell(std::string_view text);
-  void cell(const char* text) { cell(std::string_view(text)); }
-  void cell(double value);  ///< empty when it is not finite
-  void count(std::uint64_t value);
+  void write_cell(std::string_view text);
+  void write_cell(const char* text) { write_cell(std::string_view(text)); }
+  void write_cell(double value);  ///< empty when it is not finite
+  void write_count(std::uint64_t value);
   void write_empty_cells(int count);
   void end_row();
   /// @param names  with commas between them
-  void header(std::string_view names);
+  void write_header(std::string_view names);
 
   /// What was written since the last call.
-  std::string take();
+  std::string take_text();
 
  private:
   void write_separator();

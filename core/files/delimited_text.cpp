@@ -186,7 +186,7 @@ void DelimitedTextReader::read_fields(Record& record) {
   }
 }
 
-bool DelimitedTextReader::next(Record& record) {
+bool DelimitedTextReader::read_record(Record& record) {
   while (position_ < text_.size()) {
     record.fields.clear();
     unquoted_.clear();

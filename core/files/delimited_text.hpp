@@ -48,14 +48,15 @@ inline constexpr const char* kDecimalCommaHint =
 /// How a table differs from the usual.
 struct TableDialect {
   std::optional<char> separator = {};  ///< none: as the first row has it
-  bool inline_comments = false;  ///< a # ends its row wherever it stands, not only at its start
-  bool any_heading_width = false;     ///< the first row may have any number of fields
+  bool inline_comments = false;    ///< a # ends its row wherever it stands, not only at its start
+  bool any_heading_width = false;  ///< the first row may have any number of fields
 };
 
 /// Iterates over the rows of a text. Empty rows and rows that begin with # are skipped.
 class DelimitedTextReader {
  public:
-  /// Finds the separator on the first row: a line "sep=;" as Excel writes it, else `detect_separator`.
+  /// Finds the separator on the first row: a line "sep=;" as Excel writes it, else
+  /// `detect_separator`.
   /// @param text  from `decode_text`; outlives this
   /// @param file  its name, for messages
   DelimitedTextReader(std::string_view text, std::string file, const TableDialect& rules = {});
@@ -63,7 +64,7 @@ class DelimitedTextReader {
   /// False at the end.
   /// @throws InputError  a quote that is never closed, or a row with more or fewer fields than the
   ///                     first; file, line and both numbers
-  bool next(Record& record);
+  bool read_record(Record& record);
   char separator() const { return separator_; }
 
  private:

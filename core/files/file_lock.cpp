@@ -85,7 +85,7 @@ FileLock::FileLock(const fs::path& target, NotLocked) : file_(lock_path(target))
   if (file_.has_parent_path()) fs::create_directories(file_.parent_path(), code);
 }
 
-bool FileLock::take(const fs::path& target) {
+bool FileLock::try_lock(const fs::path& target) {
   const int descriptor = opened_or_made(file_);
   if (descriptor < 0) refuse_lock(file_, target, errno);
   if (::flock(descriptor, LOCK_EX | LOCK_NB) == 0) {
@@ -106,14 +106,14 @@ bool FileLock::take(const fs::path& target) {
 
 std::unique_ptr<FileLock> FileLock::try_acquire(const fs::path& target) {
   std::unique_ptr<FileLock> lock(new FileLock(target, NotLocked{}));
-  return lock->take(target) ? std::move(lock) : nullptr;
+  return lock->try_lock(target) ? std::move(lock) : nullptr;
 }
 
 FileLock::FileLock(const fs::path& target, const FileLockOptions& options)
     : FileLock(target, NotLocked{}) {
   const auto begin = std::chrono::steady_clock::now();
   bool said = false;
-  while (!take(target)) {
+  while (!try_lock(target)) {
     if (std::chrono::steady_clock::now() - begin > options.timeout) {
       const auto waited = std::chrono::duration_cast<std::chrono::seconds>(options.timeout);
       throw InputError(target.string() + ": another program " +
@@ -122,7 +122,7 @@ FileLock::FileLock(const fs::path& target, const FileLockOptions& options)
                             : "is writing to it") +
                        "; wait until it ends, or end it, and try again");
     }
-    if (!said && options.waiting) options.waiting();
+    if (!said && options.on_wait) options.on_wait();
     said = true;
     std::this_thread::sleep_for(kBetweenTries);
   }

@@ -10,7 +10,7 @@ namespace clast {
 struct FileLockOptions {
   std::chrono::milliseconds timeout = std::chrono::minutes(5);
   /// Called once, when another process has the lock.
-  std::function<void()> waiting = {};
+  std::function<void()> on_wait = {};
 };
 
 /// Holds the lock on `target` for its lifetime: an exclusive flock(2) on ".NAME.lock" beside it.
@@ -45,7 +45,7 @@ class FileLock {
   FileLock(const std::filesystem::path& target, NotLocked);
   /// Opens and locks the lock file.
   /// @return  false if another process or thread holds it
-  bool take(const std::filesystem::path& target);
+  bool try_lock(const std::filesystem::path& target);
 
   std::filesystem::path file_;
   int descriptor_ = -1;

@@ -69,13 +69,13 @@ struct Hdf5Group::Handle {
     throw InputError(where(name) + " " + what);
   }
   [[noreturn]] void fail_damaged(const std::string& name) const {
-    fail(name, "can't be read" + reason() + kDamaged);
+    fail(name, "can't be read" + last_error_message() + kDamaged);
   }
   [[noreturn]] void fail_missing(const std::string& name) const {
     fail(name, std::string("is missing") + kDamaged);
   }
   [[noreturn]] void fail_write(const std::string& name) const {
-    fail(name, "can't be written" + reason() + "; is the disk full? Free some space");
+    fail(name, "can't be written" + last_error_message() + "; is the disk full? Free some space");
   }
 
   /// What can't be read is not missing: an optional part must not be lost that way.
@@ -109,7 +109,7 @@ struct Hdf5Group::Handle {
   ScopedId dataset(const std::string& name) const {
     if (!has(name)) fail_missing(name);
     ScopedId dataset(H5Dopen2(get(), name.c_str(), H5P_DEFAULT), H5Dclose);
-    if (!dataset.valid()) fail(name, "is not a readable dataset" + reason() + kDamaged);
+    if (!dataset.valid()) fail(name, "is not a readable dataset" + last_error_message() + kDamaged);
     return dataset;
   }
 
@@ -127,14 +127,15 @@ struct Hdf5Group::Handle {
   std::size_t check_type(const ScopedId& dataset, const std::string& name) const {
     const ScopedId type(H5Dget_type(dataset), H5Tclose);
     if (!type.valid()) fail_damaged(name);
-    if (!is_lossless_conversion<T>(type)) fail(name, std::string("does not hold ") + type_name<T>() + kDamaged);
+    if (!is_lossless_conversion<T>(type))
+      fail(name, std::string("does not hold ") + type_name<T>() + kDamaged);
     return std::max<std::size_t>(1, H5Tget_size(type));
   }
 };
 
-bool Hdf5Group::has(const std::string& name) const { return handle_->has(name); }
+bool Hdf5Group::contains(const std::string& name) const { return handle_->has(name); }
 
-std::vector<std::string> Hdf5Group::names() const {
+std::vector<std::string> Hdf5Group::child_names() const {
   std::vector<std::string> result;
   hsize_t position = 0;
   const herr_t status = H5Literate(
@@ -149,16 +150,16 @@ std::vector<std::string> Hdf5Group::names() const {
   return result;
 }
 
-Hdf5Group Hdf5Group::group(const std::string& name) const {
-  if (!has(name)) handle_->fail_missing(name);
+Hdf5Group Hdf5Group::open_group(const std::string& name) const {
+  if (!contains(name)) handle_->fail_missing(name);
   ScopedId id(H5Gopen2(handle_->get(), name.c_str(), H5P_DEFAULT), H5Gclose);
-  if (!id.valid()) handle_->fail(name, "is not a readable group" + reason() + kDamaged);
+  if (!id.valid()) handle_->fail(name, "is not a readable group" + last_error_message() + kDamaged);
   handle_->verify(id, name, 0);
   return Hdf5Group(std::make_shared<Handle>(handle_->child(std::move(id), name)));
 }
 
 Hdf5Group Hdf5Group::create_group(const std::string& name) {
-  if (has(name)) handle_->fail(name, "is there already");
+  if (contains(name)) handle_->fail(name, "is there already");
   const hid_t parent = handle_->get();
   const ScopedId properties(H5Pcreate(H5P_GROUP_CREATE), H5Pclose);
   H5Pset_obj_track_times(properties, false);
@@ -169,7 +170,7 @@ Hdf5Group Hdf5Group::create_group(const std::string& name) {
 }
 
 void Hdf5Group::remove(const std::string& name) {
-  if (!has(name)) handle_->fail(name, "is missing; there is nothing to remove");
+  if (!contains(name)) handle_->fail(name, "is missing; there is nothing to remove");
   if (H5Ldelete(handle_->get(), name.c_str(), H5P_DEFAULT) < 0) handle_->fail_write(name);
 }
 
@@ -177,7 +178,7 @@ template <class T>
 void Hdf5Group::write(const std::string& name, std::span<const T> values,
                       const std::vector<std::size_t>& shape) {
   const hid_t parent = handle_->get();
-  if (has(name)) handle_->fail(name, "is there already");
+  if (contains(name)) handle_->fail(name, "is there already");
   std::vector<hsize_t> sizes(shape.begin(), shape.end());
   if (sizes.empty()) sizes = {values.size()};
   std::size_t row = 1;  // elements below the first index
@@ -187,16 +188,17 @@ void Hdf5Group::write(const std::string& name, std::span<const T> values,
   }
 
   const WriteBuffer<T> stored(values);
-  const ScopedId space(H5Screate_simple(static_cast<int>(sizes.size()), sizes.data(), nullptr), H5Sclose);
+  const ScopedId space(H5Screate_simple(static_cast<int>(sizes.size()), sizes.data(), nullptr),
+                       H5Sclose);
   const ScopedId properties = dataset_properties();
-  if (values.size() * stored.element > kSmallest) {
-    set_chunked_compression(properties, sizes, row * stored.element);
+  if (values.size() * stored.element_size > kSmallest) {
+    set_chunked_compression(properties, sizes, row * stored.element_size);
   }
-  const ScopedId dataset(
-      H5Dcreate2(parent, name.c_str(), stored.in_file, space, H5P_DEFAULT, properties, H5P_DEFAULT),
-      H5Dclose);
+  const ScopedId dataset(H5Dcreate2(parent, name.c_str(), stored.file_type, space, H5P_DEFAULT,
+                                    properties, H5P_DEFAULT),
+                         H5Dclose);
   if (!dataset.valid()) handle_->fail_write(name);
-  const std::size_t bytes = values.size() * stored.element;
+  const std::size_t bytes = values.size() * stored.element_size;
   handle_->note_change(dataset, name, values_checksum(stored.data(), bytes, values.size()));
   if (values.empty()) return;
   if (H5Dwrite(dataset, stored.memory_type, H5S_ALL, H5S_ALL, H5P_DEFAULT, stored.data()) < 0) {
@@ -218,7 +220,8 @@ std::vector<T> Hdf5Group::read(const std::string& name) const {
   }
   if (count > 0 && has_damaged_chunks(dataset, extent)) handle_->fail_damaged(name);
   const auto verified = [&](const auto& bytes) {
-    handle_->verify(dataset, name, values_checksum(bytes.data(), bytes.size() * sizeof bytes[0], count));
+    handle_->verify(dataset, name,
+                    values_checksum(bytes.data(), bytes.size() * sizeof bytes[0], count));
   };
   const auto read_into = [&](hid_t type, void* out) {
     if (count == 0) return;
@@ -231,7 +234,8 @@ std::vector<T> Hdf5Group::read(const std::string& name) const {
       verified(bytes);
       std::vector<T> values;
       values.reserve(count);
-      for (hsize_t i = 0; i < count; ++i) values.push_back(unpadded_string(bytes, i * element, element));
+      for (hsize_t i = 0; i < count; ++i)
+        values.push_back(unpadded_string(bytes, i * element, element));
       return values;
     } else {
       std::vector<T> values(count);
@@ -260,7 +264,7 @@ template <class T>
 void Hdf5Group::set_attribute(const std::string& name, const T& value) {
   const hid_t parent = handle_->get();
   const WriteBuffer<T> stored(std::span<const T>(&value, 1));
-  std::uint64_t change = attribute_checksum(name, stored.data(), stored.element);
+  std::uint64_t change = attribute_checksum(name, stored.data(), stored.element_size);
   if (has_attribute(name)) {
     const std::optional<std::uint64_t> before = attribute_checksum(parent, name);
     if (!before || H5Adelete(parent, name.c_str()) < 0) handle_->fail_write("@" + name);
@@ -268,7 +272,8 @@ void Hdf5Group::set_attribute(const std::string& name, const T& value) {
   }
   const ScopedId space(H5Screate(H5S_SCALAR), H5Sclose);
   const ScopedId attribute(
-      H5Acreate2(parent, name.c_str(), stored.in_file, space, H5P_DEFAULT, H5P_DEFAULT), H5Aclose);
+      H5Acreate2(parent, name.c_str(), stored.file_type, space, H5P_DEFAULT, H5P_DEFAULT),
+      H5Aclose);
   if (!attribute.valid() || H5Awrite(attribute, stored.memory_type, stored.data()) < 0) {
     handle_->fail_write("@" + name);
   }
@@ -276,7 +281,7 @@ void Hdf5Group::set_attribute(const std::string& name, const T& value) {
 }
 
 template <class T>
-T Hdf5Group::attribute(const std::string& name) const {
+T Hdf5Group::read_attribute(const std::string& name) const {
   if (!has_attribute(name)) {
     handle_->fail_missing("@" + name);
   }
@@ -290,7 +295,8 @@ T Hdf5Group::attribute(const std::string& name) const {
   if constexpr (std::is_same_v<T, std::string>) {
     const std::size_t width = H5Tget_size(type);
     std::string bytes(width, '\0');
-    if (H5Aread(attribute, fixed_string_type(width), bytes.data()) < 0) handle_->fail_damaged("@" + name);
+    if (H5Aread(attribute, fixed_string_type(width), bytes.data()) < 0)
+      handle_->fail_damaged("@" + name);
     return unpadded_string(bytes, 0, width);
   } else {
     T value{};
@@ -303,17 +309,17 @@ bool Hdf5Group::has_attribute(const std::string& name) const {
   return handle_->has_attribute(name);
 }
 
-Hdf5Group Hdf5Group::dataset(const std::string& name) const {
+Hdf5Group Hdf5Group::open_dataset(const std::string& name) const {
   return Hdf5Group(std::make_shared<Handle>(handle_->child(handle_->dataset(name), name)));
 }
 
 void Hdf5Group::set_unit(const std::string& name, const std::string& unit) {
-  dataset(name).set_attribute("unit", unit);
+  open_dataset(name).set_attribute("unit", unit);
 }
 
 std::string Hdf5Group::unit(const std::string& name) const {
-  const Hdf5Group holder = dataset(name);
-  return holder.has_attribute("unit") ? holder.attribute<std::string>("unit") : "";
+  const Hdf5Group holder = open_dataset(name);
+  return holder.has_attribute("unit") ? holder.read_attribute<std::string>("unit") : "";
 }
 
 Hdf5File Hdf5File::create(const fs::path& path, const std::string& format, int schema_version) {
@@ -326,7 +332,7 @@ Hdf5File Hdf5File::create(const fs::path& path, const std::string& format, int s
     throw InputError(path.string() +
                      ": can't be written; check the folder and that no other "
                      "program has the file open" +
-                     reason());
+                     last_error_message());
   }
   Hdf5File file(
       std::make_shared<Hdf5Group::Handle>(Hdf5Group::Handle{std::move(id), path.string(), ""}));
@@ -350,9 +356,9 @@ Hdf5File Hdf5File::open(const fs::path& path, const std::string& format, int new
     throw InputError(path.string() + ": is not an HDF5 file" + expected);
   }
   ScopedId id(H5Fopen(path.c_str(), writable ? H5F_ACC_RDWR : H5F_ACC_RDONLY, access_properties()),
-        H5Fclose);
+              H5Fclose);
   if (!id.valid()) {
-    throw InputError(path.string() + ": can't be opened" + reason() +
+    throw InputError(path.string() + ": can't be opened" + last_error_message() +
                      "; it is cut short or damaged, not permitted, or open in another program: "
                      "close that, allow reading it, or make it again");
   }
@@ -364,12 +370,12 @@ Hdf5File Hdf5File::open(const fs::path& path, const std::string& format, int new
     throw InputError(path.string() + ": is an HDF5 file that clast did not write" + expected);
   }
   file.handle_->verify(file.handle_->get(), "", 0);
-  const std::string found = root.attribute<std::string>("format");
+  const std::string found = root.read_attribute<std::string>("format");
   if (found != format) throw InputError(path.string() + ": is a \"" + found + "\" file" + expected);
-  const std::int64_t schema = root.attribute<std::int64_t>("schema_version");
+  const std::int64_t schema = root.read_attribute<std::int64_t>("schema_version");
   if (schema > newest_schema_version) {
     throw InputError(path.string() + ": has schema version " + std::to_string(schema) +
-                     ", written by clast " + root.attribute<std::string>("program_version") +
+                     ", written by clast " + root.read_attribute<std::string>("program_version") +
                      "; this is clast " + version() + " and reads up to version " +
                      std::to_string(newest_schema_version) + ": use a newer clast");
   }
@@ -388,7 +394,7 @@ std::string Hdf5File::read_format(const fs::path& path) {
       Hdf5Group::Handle{std::move(id), path.string(), "", false}));
   try {
     const Hdf5Group root = file.root();
-    return root.has_attribute("format") ? root.attribute<std::string>("format") : "";
+    return root.has_attribute("format") ? root.read_attribute<std::string>("format") : "";
   } catch (const InputError&) {  // damaged, or another program's "format" that is no text
     return "";
   }
@@ -396,7 +402,8 @@ std::string Hdf5File::read_format(const fs::path& path) {
 
 Hdf5Group Hdf5File::root() const {
   ScopedId id(H5Gopen2(handle_->get(), "/", H5P_DEFAULT), H5Gclose);
-  if (!id.valid()) throw InputError(handle_->file + ": has no root group" + reason() + kDamaged);
+  if (!id.valid())
+    throw InputError(handle_->file + ": has no root group" + last_error_message() + kDamaged);
   return Hdf5Group(std::make_shared<Hdf5Group::Handle>(
       Hdf5Group::Handle{std::move(id), handle_->file, "", handle_->checked}));
 }
@@ -404,7 +411,8 @@ Hdf5Group Hdf5File::root() const {
 void Hdf5File::flush() {
   errno = 0;
   if (H5Fflush(handle_->get(), H5F_SCOPE_GLOBAL) < 0) {
-    const std::string why = errno != 0 ? std::string(" (") + std::strerror(errno) + ")" : reason();
+    const std::string why =
+        errno != 0 ? std::string(" (") + std::strerror(errno) + ")" : last_error_message();
     throw InputError(handle_->file + ": can't be written" + why +
                      "; free some space on the disk or name another place");
   }
@@ -426,7 +434,7 @@ CLAST_HDF5_ELEMENT(std::string)
 
 #define CLAST_HDF5_ATTRIBUTE(T)                                            \
   template void Hdf5Group::set_attribute<T>(const std::string&, const T&); \
-  template T Hdf5Group::attribute<T>(const std::string&) const;
+  template T Hdf5Group::read_attribute<T>(const std::string&) const;
 CLAST_HDF5_ATTRIBUTE(double)
 CLAST_HDF5_ATTRIBUTE(std::int64_t)
 CLAST_HDF5_ATTRIBUTE(std::string)

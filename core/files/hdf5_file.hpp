@@ -24,10 +24,10 @@ namespace clast {
 /// does not agree with its checksum.
 class Hdf5Group {
  public:
-  bool has(const std::string& name) const;
+  bool contains(const std::string& name) const;
   /// Names of the groups and datasets in here, sorted.
-  std::vector<std::string> names() const;
-  Hdf5Group group(const std::string& name) const;
+  std::vector<std::string> child_names() const;
+  Hdf5Group open_group(const std::string& name) const;
   Hdf5Group create_group(const std::string& name);
   /// Unlinks a child; the space is given back when the file is rewritten.
   void remove(const std::string& name);
@@ -46,7 +46,7 @@ class Hdf5Group {
   void set_attribute(const std::string& name,
                      const T& value);  ///< double, std::int64_t, std::string
   template <class T>
-  T attribute(const std::string& name) const;
+  T read_attribute(const std::string& name) const;
   bool has_attribute(const std::string& name) const;
   /// Attribute "unit" of the dataset `name`, for example "kg m^2".
   void set_unit(const std::string& name, const std::string& unit);
@@ -58,7 +58,7 @@ class Hdf5Group {
   struct Handle;
   explicit Hdf5Group(std::shared_ptr<Handle> handle) : handle_(std::move(handle)) {}
   /// A dataset seen as a holder of attributes.
-  Hdf5Group dataset(const std::string& name) const;
+  Hdf5Group open_dataset(const std::string& name) const;
   std::shared_ptr<Handle> handle_;
 };
 

@@ -82,7 +82,8 @@ std::optional<std::vector<std::size_t>> columns_named(const Record& heading, cha
     refuse(error.what());
   }
   if (!columns) {
-    if (heading.fields.size() != table.names.size() || !is_possible_heading(heading.fields, separator)) {
+    if (heading.fields.size() != table.names.size() ||
+        !is_possible_heading(heading.fields, separator)) {
       return std::nullopt;
     }
     refuse("its heading does not name the columns; a line must be " + table.meaning +
@@ -123,10 +124,10 @@ class RowReader {
       refuse(record,
              "\"" + std::string(field.substr(0, 40)) + "\" is not a number" +
                  (is_ambiguous_number(field, separator_) ? "; " + std::string(kDecimalCommaHint)
-                                                        : ""));
+                                                         : ""));
     }
-    if (!table_.range.holds(*value)) {
-      refuse(record, std::string(field) + " is not a number " + table_.range.words());
+    if (!table_.range.contains(*value)) {
+      refuse(record, std::string(field) + " is not a number " + table_.range.describe());
     }
     return *value;
   }
@@ -154,20 +155,20 @@ std::string strip_unit(std::string_view field) {
 }
 
 std::vector<NumericRow> read_numeric_table(const std::filesystem::path& file,
-                                         const NumericTableSpec& table) {
+                                           const NumericTableSpec& table) {
   const std::string name = file.string();
   const DecodedText content = decode_text(read_text_file(file), name);
   DelimitedTextReader text(content.text, name,
-                     {.separator = separator_of_numbers(content.text),
-                      .inline_comments = true,
-                      .any_heading_width = true});
+                           {.separator = separator_of_numbers(content.text),
+                            .inline_comments = true,
+                            .any_heading_width = true});
   std::vector<std::size_t> columns;
   for (std::size_t i = 0; i < table.names.size(); ++i) columns.push_back(i);
   std::size_t fields = columns.size();
   const RowReader reader(name, table, text.separator());
   std::vector<NumericRow> rows;
   Record record;
-  for (std::size_t row = 0; text.next(record); ++row) {
+  for (std::size_t row = 0; text.read_record(record); ++row) {
     if (row == 0 && !reader.has_numbers(record)) {
       if (const auto named = columns_named(record, text.separator(), table, name)) {
         columns = *named;

@@ -117,7 +117,7 @@ void OutputFile::commit() {
                      "); check the permissions of its folder or name another place");
   }
   committed_ = true;
-  staging_->release();
+  staging_->unlock();
 }
 
 void write_output(const fs::path& target, std::string_view content, const OverwritePolicy& rules) {

@@ -38,7 +38,7 @@ class OutputFile {
 
   /// Where to write. Same extension as the target, so that writers that go by it still work.
   const std::filesystem::path& temporary_path() const { return staging_->path(); }
-  const std::filesystem::path& target() const { return target_; }
+  const std::filesystem::path& target_path() const { return target_; }
   /// Writes the whole content to `temporary_path`.
   /// @throws InputError  the disk is full, or the file too large
   void write(std::string_view content);

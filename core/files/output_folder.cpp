@@ -155,7 +155,7 @@ void OutputFolder::commit() {
   std::error_code code = rename_without_replacing(temporary_path(), target_);
   if (!code) {
     committed_ = true;
-    staging_->release();
+    staging_->unlock();
     return;
   }
   if (code != std::errc::file_exists) refuse_exchange(target_, code);
@@ -185,7 +185,7 @@ void OutputFolder::commit() {
   committed_ = true;
   fs::remove_all(temporary_path(), code);
   fs::remove_all(backup_path, code);
-  staging_->release();
+  staging_->unlock();
 }
 
 }  // namespace clast

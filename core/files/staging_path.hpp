@@ -21,7 +21,7 @@ class StagingPath {
 
   const std::filesystem::path& path() const { return path_; }
   /// Gives up the lock, when nothing is left under the name.
-  void release() { lock_.reset(); }
+  void unlock() { lock_.reset(); }
   /// Beside it, for what is taken out of the target meanwhile: ".NAME.partPID.former".
   std::filesystem::path backup_path() const;
 

@@ -39,7 +39,8 @@ const TableColumn<Row>& find_column(const TableColumns<Row>& columns, const std:
 
 /// The columns of these names, in their order.
 template <class Row>
-TableColumns<Row> chosen(const TableColumns<Row>& columns, const std::vector<std::string>& names) {
+TableColumns<Row> selected_columns(const TableColumns<Row>& columns,
+                                   const std::vector<std::string>& names) {
   TableColumns<Row> result;
   for (const std::string& name : names) result.push_back(find_column(columns, name));
   return result;
@@ -69,7 +70,7 @@ TableColumns<Row> array_columns(const std::vector<std::string>& names, const std
 }
 
 template <class Row>
-TableColumns<Row> joined(std::initializer_list<TableColumns<Row>> parts) {
+TableColumns<Row> concatenated(std::initializer_list<TableColumns<Row>> parts) {
   TableColumns<Row> all;
   for (const TableColumns<Row>& part : parts) all.insert(all.end(), part.begin(), part.end());
   return all;
@@ -88,9 +89,9 @@ template <class Row>
 void append_row(CsvWriter& csv, const TableColumns<Row>& columns, const Row& row) {
   for (const TableColumn<Row>& column : columns) {
     const TableCell cell = column.value(row);
-    if (const auto* count = std::get_if<std::uint64_t>(&cell)) csv.count(*count);
-    if (const auto* number = std::get_if<double>(&cell)) csv.cell(*number);
-    if (const auto* text = std::get_if<std::string>(&cell)) csv.cell(*text);
+    if (const auto* count = std::get_if<std::uint64_t>(&cell)) csv.write_count(*count);
+    if (const auto* number = std::get_if<double>(&cell)) csv.write_cell(*number);
+    if (const auto* text = std::get_if<std::string>(&cell)) csv.write_cell(*text);
   }
   csv.end_row();
 }
@@ -99,9 +100,9 @@ void append_row(CsvWriter& csv, const TableColumns<Row>& columns, const Row& row
 template <class Row>
 std::string format_csv(const TableColumns<Row>& columns, const std::vector<Row>& rows) {
   CsvWriter csv;
-  csv.header(csv_header(columns));
+  csv.write_header(csv_header(columns));
   for (const Row& row : rows) append_row(csv, columns, row);
-  return csv.take();
+  return csv.take_text();
 }
 
 }  // namespace clast

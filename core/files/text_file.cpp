@@ -11,14 +11,14 @@
 namespace clast {
 
 void read_in_chunks(const std::filesystem::path& path,
-                    const std::function<void(std::string_view)>& take) {
+                    const std::function<void(std::string_view)>& consume) {
   check_input_file(path);
   std::ifstream stream(path, std::ios::binary);
   constexpr std::size_t kPiece = 1 << 20;
   std::string piece(kPiece, '\0');
   while (stream.good()) {
     stream.read(piece.data(), kPiece);
-    take(std::string_view(piece).substr(0, static_cast<std::size_t>(stream.gcount())));
+    consume(std::string_view(piece).substr(0, static_cast<std::size_t>(stream.gcount())));
   }
   if (!stream.eof()) {
     throw InputError(path.string() + ": can't be read; check its permissions");

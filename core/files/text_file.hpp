@@ -10,7 +10,7 @@ namespace clast {
 /// Gives the content of a file in pieces of a megabyte, in order.
 /// @throws InputError  missing, a folder, a pipe, a device, or unreadable; names the path
 void read_in_chunks(const std::filesystem::path& path,
-                    const std::function<void(std::string_view)>& take);
+                    const std::function<void(std::string_view)>& consume);
 
 /// The content of a file.
 /// @throws InputError  missing, a folder, a pipe, a device, or unreadable; names the path

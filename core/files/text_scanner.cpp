@@ -40,7 +40,7 @@ bool TextScanner::next_line() {
   return true;
 }
 
-std::string_view TextScanner::word() {
+std::string_view TextScanner::next_word() {
   std::size_t begin = 0;
   while (begin < line_.size() && is_blank(line_[begin])) ++begin;
   std::size_t end = begin;
@@ -50,16 +50,16 @@ std::string_view TextScanner::word() {
   return found;
 }
 
-double TextScanner::number() {
-  const std::string_view text = word();
+double TextScanner::next_number() {
+  const std::string_view text = next_word();
   if (const std::optional<double> value = parse_number_token(text)) return *value;
-  throw InputError(here() + "a number is needed, " + quoted(text));
+  throw InputError(line_prefix() + "a number is needed, " + quoted(text));
 }
 
-std::int64_t TextScanner::integer() {
-  const std::string_view text = word();
+std::int64_t TextScanner::next_integer() {
+  const std::string_view text = next_word();
   if (const std::optional<std::int64_t> value = parse_integer_token(text)) return *value;
-  throw InputError(here() + "a whole number is needed, " + quoted(text));
+  throw InputError(line_prefix() + "a whole number is needed, " + quoted(text));
 }
 
 std::optional<double> parse_number_token(std::string_view word) {

@@ -21,16 +21,16 @@ class TextScanner {
   /// What is left of the current line.
   std::string_view rest_of_line() const { return line_; }
   /// The next word of the line; empty when there is none.
-  std::string_view word();
+  std::string_view next_word();
   /// Text after the current line.
   std::string_view remaining_text() const { return text_; }
 
   /// The next word of the line as a number.
   /// @throws InputError  naming line and word
-  double number();
-  std::int64_t integer();
+  double next_number();
+  std::int64_t next_integer();
   /// "line 12: " to put before a message.
-  std::string here() const { return "line " + std::to_string(line_number_) + ": "; }
+  std::string line_prefix() const { return "line " + std::to_string(line_number_) + ": "; }
 
  private:
   std::string_view text_, line_;

@@ -70,7 +70,7 @@ TomlNode converted(const toml::node& node, const SourceText& source) {
   using Kind = TomlNode::Kind;
   TomlNode result;
   result.line = node.source().begin.line;
-  result.written = source.quoted(node.source());
+  result.source_text = source.quoted(node.source());
   if (const auto* table = node.as_table()) {
     for (const auto& [key, value] : *table) {
       result.table.push_back({std::string(key.str()), converted(value, source)});
@@ -225,7 +225,7 @@ TomlTable::TomlTable(const TomlNode& node, std::string file, std::string title,
     : node_(&node), file_(std::move(file)), title_(std::move(title)) {
   if (node.kind != TomlNode::Kind::kTable) {
     throw InputError(file_ + ":" + std::to_string(node.line) + ": " + title_ + " = " +
-                     node.written + ": must be a table");
+                     node.source_text + ": must be a table");
   }
   for (const auto& [key, value] : node.table) {
     if (std::find(known_keys.begin(), known_keys.end(), key) != known_keys.end()) continue;
@@ -240,8 +240,8 @@ TomlTable::TomlTable(const TomlNode& node, std::string file, std::string title,
 void TomlTable::refuse(const std::string& key, const TomlNode& node,
                        const std::string& problem) const {
   throw InputError(file_ + ":" + std::to_string(node.line) + ": " + title_ +
-                   (title_.empty() ? "" : " ") + escape_nonprintable(key) + " = " + node.written +
-                   ": " + problem);
+                   (title_.empty() ? "" : " ") + escape_nonprintable(key) + " = " +
+                   node.source_text + ": " + problem);
 }
 
 void TomlTable::refuse(const std::string& problem) const {
@@ -275,7 +275,7 @@ std::optional<double> TomlTable::number(const std::string& key, const NumberRang
   const TomlNode* node = find(key);
   if (!node) return std::nullopt;
   if (!node->is_number()) refuse(key, *node, "must be a number");
-  if (!range.holds(node->number)) refuse(key, *node, "must be " + range.words());
+  if (!range.contains(node->number)) refuse(key, *node, "must be " + range.describe());
   return node->number;
 }
 
@@ -291,7 +291,7 @@ std::optional<std::uint64_t> TomlTable::count(const std::string& key, std::uint6
   return static_cast<std::uint64_t>(node->integer);
 }
 
-std::optional<std::vector<std::string>> TomlTable::texts(const std::string& key) const {
+std::optional<std::vector<std::string>> TomlTable::strings(const std::string& key) const {
   const TomlNode* node = find(key);
   if (!node) return std::nullopt;
   if (node->kind == TomlNode::Kind::kString) return std::vector<std::string>{*text(key)};
@@ -323,7 +323,8 @@ std::vector<double> TomlTable::numbers(const std::string& key, const TomlNode& n
   }
   if (!good) refuse(key, node, "must be " + expected);
   for (const double value : values) {
-    if (!range.holds(value)) refuse(key, node, "must be " + expected + ", each " + range.words());
+    if (!range.contains(value))
+      refuse(key, node, "must be " + expected + ", each " + range.describe());
   }
   return values;
 }

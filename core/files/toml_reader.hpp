@@ -21,7 +21,7 @@ struct TomlNode {
   enum class Kind { kBoolean, kInteger, kFloat, kString, kList, kTable, kDate };
   Kind kind = Kind::kTable;
   std::size_t line = 1;
-  std::string written;  ///< as in the file, on one line
+  std::string source_text;  ///< as in the file, on one line
   bool boolean = false;
   std::int64_t integer = 0;
   double number = 0.0;  ///< of integers too
@@ -68,7 +68,7 @@ class TomlTable {
   std::optional<std::uint64_t> count(const std::string& key, std::uint64_t least,
                                      std::uint64_t most) const;
   /// A text or a list of texts, none of them empty.
-  std::optional<std::vector<std::string>> texts(const std::string& key) const;
+  std::optional<std::vector<std::string>> strings(const std::string& key) const;
   /// @param range  of each component
   std::optional<Vec2> vec2(const std::string& key, const NumberRange& range) const;
   std::optional<Vec3> vec3(const std::string& key, const NumberRange& range) const;

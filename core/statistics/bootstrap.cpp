@@ -45,12 +45,13 @@ std::optional<Interval> bootstrap_difference(const ClusteredValues& a, const Clu
   for (std::size_t draw = 0; draw < draws; ++draw) {
     Sum sum_a, sum_b;
     for (std::size_t i = 0; i < of_a.size(); ++i) {
-      const std::size_t cluster = random.below(of_a.size());
+      const std::size_t cluster = random.uniform_index(of_a.size());
       sum_a.add(of_a[cluster]);
       if (clusters > 1) sum_b.add(of_b[cluster]);
     }
     if (clusters <= 1) {
-      for (std::size_t i = 0; i < of_b.size(); ++i) sum_b.add(of_b[random.below(of_b.size())]);
+      for (std::size_t i = 0; i < of_b.size(); ++i)
+        sum_b.add(of_b[random.uniform_index(of_b.size())]);
     }
     // Clusters that one group has nothing in can leave it empty.
     if (sum_a.count > 0 && sum_b.count > 0) differences.push_back(sum_a.mean() - sum_b.mean());
@@ -68,7 +69,8 @@ std::optional<Interval> bootstrap_mean(const ClusteredValues& values, std::size_
   std::vector<double> means;
   for (std::size_t draw = 0; draw < draws; ++draw) {
     Sum sum;
-    for (std::size_t i = 0; i < pieces.size(); ++i) sum.add(pieces[random.below(pieces.size())]);
+    for (std::size_t i = 0; i < pieces.size(); ++i)
+      sum.add(pieces[random.uniform_index(pieces.size())]);
     means.push_back(sum.mean());
   }
   return percentile_interval(std::move(means));

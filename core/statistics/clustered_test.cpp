@@ -79,7 +79,7 @@ class Deal {
   template <class T>
   static void put_in_front(std::vector<T>& items, std::size_t count, Random& random) {
     for (std::size_t i = 0; i < count; ++i) {
-      std::swap(items[i], items[i + random.below(items.size() - i)]);
+      std::swap(items[i], items[i + random.uniform_index(items.size() - i)]);
     }
   }
 
@@ -93,8 +93,8 @@ class Deal {
 }  // namespace
 
 std::optional<TestResult> clustered_ks_test(const ClusteredValues& a, const ClusteredValues& b,
-                                       std::size_t clusters, std::uint64_t seed,
-                                       std::size_t draws) {
+                                            std::size_t clusters, std::uint64_t seed,
+                                            std::size_t draws) {
   if (clusters <= 1 || a.values.empty() || b.values.empty()) {
     return two_sample_ks_test(a.values, b.values);
   }

@@ -91,7 +91,7 @@ std::vector<Stratum> strata_of(const TrendSample& sample) {
 }  // namespace
 
 std::optional<TestResult> clustered_trend_test(const TrendSample& sample, std::uint64_t seed,
-                                          std::size_t draws) {
+                                               std::size_t draws) {
   check_trend_sample(sample);
   std::vector<Stratum> strata = strata_of(sample);
   std::size_t units = 0;
@@ -118,7 +118,7 @@ std::optional<TestResult> clustered_trend_test(const TrendSample& sample, std::u
   for (std::size_t draw = 0; draw < draws; ++draw) {
     for (Stratum& stratum : strata) {
       for (std::size_t i = stratum.property.size(); i > 1; --i) {
-        std::swap(stratum.property[i - 1], stratum.property[random.below(i)]);
+        std::swap(stratum.property[i - 1], stratum.property[random.uniform_index(i)]);
       }
     }
     as_far += std::abs(statistic()) >= std::abs(result.statistic) - kSame ? 1 : 0;

@@ -9,7 +9,8 @@ namespace clast {
 
 Verdict Contrast::verdict() const {
   if (!p_holm) return Verdict::kUntested;
-  if (found()) return excludes_zero() ? Verdict::kSignificant : Verdict::kDistributionDiffers;
+  if (is_significant())
+    return excludes_zero() ? Verdict::kSignificant : Verdict::kDistributionDiffers;
   return excludes_zero() ? Verdict::kInsignificantAfterCorrection : Verdict::kInsignificant;
 }
 

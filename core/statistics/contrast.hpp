@@ -13,27 +13,28 @@ namespace clast {
 
 /// The verdict on a difference.
 enum class Verdict {
-  kSignificant,   ///< it is more than chance gives
-  kDistributionDiffers,      ///< it can be chance, but the values are distributed in another way
-  kInsignificantAfterCorrection,        ///< its interval excludes zero, but one of so many does that by chance
-  kInsignificant,      ///< it can be chance
-  kGroundDependent,  ///< its sign depends on the draw of the ground
+  kSignificant,          ///< it is more than chance gives
+  kDistributionDiffers,  ///< it can be chance, but the values are distributed in another way
+  kInsignificantAfterCorrection,  ///< its interval excludes zero, but one of so many does that by
+                                  ///< chance
+  kInsignificant,                 ///< it can be chance
+  kGroundDependent,               ///< its sign depends on the draw of the ground
   kUntested,  ///< nothing shows what is chance: one realisation only, or values that do not scatter
-  kTooFewValues,    ///< too few values to judge by
+  kTooFewValues,  ///< too few values to judge by
 };
 
 /// One group less another.
 struct Contrast {
   double estimate = 0.0;
   double standard_error = NAN;       ///< not a number where the interval is from a bootstrap
-  double degrees_of_freedom = NAN;              ///< degrees of freedom of the standard error
+  double degrees_of_freedom = NAN;   ///< degrees of freedom of the standard error
   std::optional<Interval> interval;  ///< 95 %; none without a test
   std::optional<double> p_value;     ///< uncorrected, two-sided
   std::optional<double> p_holm;      ///< corrected for all that were tested with it
   std::size_t tests = 0;             ///< that it was corrected for
 
   /// The corrected test is below 5 %.
-  bool found() const { return p_holm && *p_holm < 0.05; }
+  bool is_significant() const { return p_holm && *p_holm < 0.05; }
   bool excludes_zero() const { return interval && (interval->low > 0.0 || interval->high < 0.0); }
   /// By the corrected test and the interval.
   Verdict verdict() const;

@@ -109,7 +109,7 @@ SobolSequence::SobolSequence(std::size_t dimensions, std::uint64_t seed) : point
   }
 }
 
-std::vector<double> SobolSequence::next() {
+std::vector<double> SobolSequence::next_point() {
   std::vector<double> coordinates;
   for (const std::uint64_t digits : point_) {
     coordinates.push_back(static_cast<double>(digits) * 0x1.0p-52);

@@ -26,7 +26,7 @@ class SobolSequence {
   SobolSequence(std::size_t dimensions, std::uint64_t seed);
 
   /// The next point, coordinates in [0, 1).
-  std::vector<double> next();
+  std::vector<double> next_point();
 
  private:
   static constexpr std::size_t kBits = 52;

@@ -39,9 +39,9 @@ double quantile(std::span<const double> sorted, double p) {
   return sorted[below] + fraction * (sorted[above] - sorted[below]);
 }
 
-int known_decimals(const Interval& interval, int most) {
+int known_decimals(const Interval& interval, int max_decimals) {
   int decimals = 0;
-  for (double step = 1.0; decimals < most && !(5.0 * step <= interval.high - interval.low);
+  for (double step = 1.0; decimals < max_decimals && !(5.0 * step <= interval.high - interval.low);
        step /= 10.0) {
     ++decimals;
   }
@@ -64,11 +64,11 @@ Interval wilson_interval(std::size_t hits, std::size_t trials) {
   return wilson_interval_of_proportion(static_cast<double>(hits) / n, n);
 }
 
-Interval wilson_interval_of_proportion(double share, double trials) {
-  assert(share >= 0.0 && share <= 1.0 && trials > 0.0);
+Interval wilson_interval_of_proportion(double proportion, double trials) {
+  assert(proportion >= 0.0 && proportion <= 1.0 && trials > 0.0);
   constexpr double kZ = 1.959963984540054;  // 97.5 % quantile of the standard normal
   const double n = trials;
-  const double p = share;
+  const double p = proportion;
   const double shrink = 1.0 + kZ * kZ / n;
   const double middle = (p + kZ * kZ / (2.0 * n)) / shrink;
   const double half = kZ / shrink * std::sqrt(p * (1.0 - p) / n + kZ * kZ / (4.0 * n * n));

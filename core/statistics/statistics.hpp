@@ -37,9 +37,9 @@ struct Interval {
   double high = 1.0;
 };
 
-/// Decimals that are known of a value with that interval, `most` at most: the interval is five
-/// steps of the last one wide, or more.
-int known_decimals(const Interval& interval, int most);
+/// Decimals that are known of a value with that interval, `max_decimals` at most: the interval is
+/// five steps of the last one wide, or more.
+int known_decimals(const Interval& interval, int max_decimals);
 
 /// Wilson's 95 % interval for a probability seen `hits` times in `trials` independent trials; [0,
 /// 1] when there was none.
@@ -50,6 +50,6 @@ Interval wilson_interval(std::size_t hits, std::size_t trials);
 /// where trials weigh unequally.
 /// @param share   in [0, 1]
 /// @param trials  positive
-Interval wilson_interval_of_proportion(double share, double trials);
+Interval wilson_interval_of_proportion(double proportion, double trials);
 
 }  // namespace clast

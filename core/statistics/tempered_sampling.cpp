@@ -91,8 +91,8 @@ void move(const LogLikelihood& log_likelihood, double power, int moves, double& 
       sample.log_likelihood[i] = logs[i];
       ++accepted;
     }
-    sample.accepted = static_cast<double>(accepted) / static_cast<double>(count);
-    scale = std::clamp(scale * std::exp(sample.accepted - kAimed), 1e-3, 10.0);
+    sample.acceptance_rate = static_cast<double>(accepted) / static_cast<double>(count);
+    scale = std::clamp(scale * std::exp(sample.acceptance_rate - kAimed), 1e-3, 10.0);
   }
 }
 
@@ -104,7 +104,7 @@ void TemperedSamplingOptions::check() const {
                      " is out of range");
   };
   if (draws < 10 || draws > 1'000'000) refuse("draws", static_cast<double>(draws));
-  if (!(kept > 0.0 && kept < 1.0)) refuse("kept", kept);
+  if (!(effective_fraction > 0.0 && effective_fraction < 1.0)) refuse("kept", effective_fraction);
   if (moves < 1 || moves > 10'000) refuse("moves", moves);
 }
 
@@ -124,7 +124,8 @@ TemperedSample sample_tempered(std::size_t dimensions, const LogLikelihood& log_
   double scale = 2.38 / std::sqrt(static_cast<double>(dimensions));
   for (double power = 0.0; power < 1.0; ++sample.temperatures) {
     const double further =
-        next_power(sample.log_likelihood, options.kept * static_cast<double>(count), 1.0 - power);
+        next_power(sample.log_likelihood, options.effective_fraction * static_cast<double>(count),
+                   1.0 - power);
     const VectorXd weights = weights_of(sample.log_likelihood, further);
     sample.log_evidence += further * sample.log_likelihood.maxCoeff() + std::log(weights.mean());
     power = further >= 1.0 - power ? 1.0 : power + further;

@@ -11,8 +11,9 @@ using LogLikelihood = std::function<Eigen::VectorXd(const Eigen::MatrixXd&)>;
 
 struct TemperedSamplingOptions {
   std::size_t draws = 2000;
-  double kept = 0.5;  ///< share of the draws that a step of the temperature leaves effective
-  int moves = 10;     ///< of every draw at each temperature
+  double effective_fraction =
+      0.5;         ///< share of the draws that a step of the temperature leaves effective
+  int moves = 10;  ///< of every draw at each temperature
   std::uint64_t seed = 1;
 
   void check() const;  ///< throws InputError naming the field and its value
@@ -23,7 +24,7 @@ struct TemperedSample {
   Eigen::VectorXd log_likelihood;  ///< of each
   double log_evidence = 0.0;       ///< logarithm of the mean likelihood over the cube
   std::size_t temperatures = 0;    ///< that were gone through
-  double accepted = 0.0;           ///< share of the moves at the last temperature
+  double acceptance_rate = 0.0;    ///< share of the moves at the last temperature
 };
 
 /// Tempered sequential Monte Carlo from the uniform distribution over the cube to the one that is

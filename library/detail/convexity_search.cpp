@@ -28,7 +28,7 @@ class BlendConvexity {
         hull_volume_(sphero_mass_properties(hull, 1.0).volume) {}
 
   SpheroPolyhedron body(double part, std::size_t edge_flips) const {
-    return make_sphero_polyhedron(blend_.at(part, edge_flips), radius_);
+    return make_sphero_polyhedron(blend_.interpolate(part, edge_flips), radius_);
   }
   double at(double part, std::size_t edge_flips) const {
     return sphero_mass_properties(body(part, edge_flips), 1.0, kVolumeAccuracy).volume /
@@ -62,12 +62,13 @@ HullInterpolation blend_of(const SpheroPolyhedron& body, double target) {
 
 }  // namespace
 
-SpheroPolyhedron find_body_of_convexity(const SpheroPolyhedron& body, double own, double target) {
-  if (std::abs(target - own) <= kSameConvexity) return body;
-  if (!(target <= 1.0 && target > own)) {
+SpheroPolyhedron find_body_of_convexity(const SpheroPolyhedron& body, double initial_convexity,
+                                        double target) {
+  if (std::abs(target - initial_convexity) <= kSameConvexity) return body;
+  if (!(target <= 1.0 && target > initial_convexity)) {
     throw GeometryError("a convexity of " + format_significant(target, 4) +
                         " can't be reached: hollows can be filled, from its own " +
-                        format_significant(own, 4) + " to 1");
+                        format_significant(initial_convexity, 4) + " to 1");
   }
   const SpheroPolyhedron hull = make_sphero_polyhedron(convex_hull(body.vertices), body.radius);
   if (target > 1.0 - kSameConvexity) return hull;
@@ -76,7 +77,7 @@ SpheroPolyhedron find_body_of_convexity(const SpheroPolyhedron& body, double own
   const std::size_t edge_flips = fewest_turns(convexity, blend.edge_flips(), target);
   // False position with halving (Illinois), since the volume is close to a cubic in the part.
   double low = 0.0, high = 1.0;
-  double below = (edge_flips == 0 ? own : convexity.at(0.0, edge_flips)) - target;
+  double below = (edge_flips == 0 ? initial_convexity : convexity.at(0.0, edge_flips)) - target;
   double above = convexity.at(1.0, edge_flips) - target;
   if (below > 0.0 || above < 0.0) {
     return std::abs(above) <= kVariationTolerance * target ? convexity.body(1.0, edge_flips) : hull;

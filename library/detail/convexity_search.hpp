@@ -9,6 +9,7 @@ namespace clast::library_detail {
 /// @param own  convexity of `body`
 /// @throws GeometryError  a target below the body's own or above 1; a body that is not star-shaped,
 ///                        unless the target is its own or 1
-SpheroPolyhedron find_body_of_convexity(const SpheroPolyhedron& body, double own, double target);
+SpheroPolyhedron find_body_of_convexity(const SpheroPolyhedron& body, double initial_convexity,
+                                        double target);
 
 }  // namespace clast::library_detail

@@ -7,8 +7,8 @@
 
 namespace clast::library_detail {
 
-void require(bool fine, const std::string& where, const std::string& what) {
-  if (!fine) {
+void require(bool condition, const std::string& where, const std::string& what) {
+  if (!condition) {
     throw InputError(where + ": " + what +
                      "; the file is damaged: restore a backup, or make it again");
   }
@@ -27,7 +27,7 @@ void write_matrix(Hdf5Group group, const std::string& name, const Eigen::MatrixX
 }
 
 std::vector<double> read_array(const Hdf5Group& group, const std::string& name,
-                                 const std::vector<std::size_t>& shape, const std::string& where) {
+                               const std::vector<std::size_t>& shape, const std::string& where) {
   std::vector<double> values = group.read<double>(name);
   require(group.shape(name) == shape, where, name + " has the wrong shape");
   for (const double value : values) require(std::isfinite(value), where, name + " is not finite");
@@ -48,7 +48,7 @@ Mat3 read_matrix(const Hdf5Group& group, const std::string& name, const std::str
 
 double read_scalar(const Hdf5Group& group, const std::string& name, double least,
                    const std::string& where) {
-  const double value = group.attribute<double>(name);
+  const double value = group.read_attribute<double>(name);
   require(std::isfinite(value) && value >= least, where,
           name + " can't be " + format_significant(value, 6));
   return value;

@@ -11,14 +11,14 @@
 
 namespace clast::library_detail {
 
-/// @throws InputError  not `fine`: a value of the file can't be
-void require(bool fine, const std::string& where, const std::string& what);
+/// @throws InputError  not `condition`: a value of the file can't be
+void require(bool condition, const std::string& where, const std::string& what);
 
 void write_matrix(Hdf5Group group, const std::string& name, const Eigen::MatrixXd& values,
                   const std::string& unit);
 /// Finite numbers of this shape.
 std::vector<double> read_array(const Hdf5Group& group, const std::string& name,
-                                 const std::vector<std::size_t>& shape, const std::string& where);
+                               const std::vector<std::size_t>& shape, const std::string& where);
 Vec3 read_vector(const Hdf5Group& group, const std::string& name, const std::string& where);
 Mat3 read_matrix(const Hdf5Group& group, const std::string& name, const std::string& where);
 /// A finite attribute, `least` or more.

@@ -60,69 +60,71 @@ Vec3 spread(const MassProperties& properties) {
 
 }  // namespace
 
-VariedBody vary_body(const Block& parent, const StretchVariation& wanted) {
+VariedBody vary_body(const Block& parent, const StretchVariation& target) {
   refuse_round_bodies(parent);
-  StretchedBody stretched = stretch_to_ratios(parent.body, wanted.ratios);
-  if (stretched.gap > kVariationTolerance) {
+  StretchedBody stretched = stretch_to_ratios(parent.body, target.ratios);
+  if (stretched.ratio_difference > kVariationTolerance) {
     const BoxRatios nearest = box_ratios(smallest_box(stretched.body));
-    throw GeometryError("I/L = " + format_significant(wanted.ratios.i_l, 4) + " and S/L = " +
-                        format_significant(wanted.ratios.s_l, 4) + " can't be reached; the nearest are " +
-                        format_significant(nearest.i_l, 4) + " and " + format_significant(nearest.s_l, 4));
+    throw GeometryError("I/L = " + format_significant(target.ratios.i_l, 4) +
+                        " and S/L = " + format_significant(target.ratios.s_l, 4) +
+                        " can't be reached; the nearest are " + format_significant(nearest.i_l, 4) +
+                        " and " + format_significant(nearest.s_l, 4));
   }
   const Vec3& s = stretched.stretch;
   return {std::move(stretched.body), "stretch=" + format_significant(s[0], 4) + "," +
-                                         format_significant(s[1], 4) + "," + format_significant(s[2], 4)};
+                                         format_significant(s[1], 4) + "," +
+                                         format_significant(s[2], 4)};
 }
 
-VariedBody vary_body(const Block& parent, const ConvexityVariation& wanted) {
+VariedBody vary_body(const Block& parent, const ConvexityVariation& target) {
   refuse_round_bodies(parent);
   const double own = convexity(parent.body, parent.mass.volume);
-  return {find_body_of_convexity(parent.body, own, wanted.convexity),
+  return {find_body_of_convexity(parent.body, own, target.convexity),
           "parent_convexity=" + format_significant(own, 4)};
 }
 
-VariedBody vary_body(const Block& parent, const RoundingVariation& wanted) {
+VariedBody vary_body(const Block& parent, const RoundingVariation& target) {
   refuse_round_bodies(parent);
-  if (!(wanted.radius_share >= 0.0 && wanted.radius_share <= kLargestVariedRadiusShare)) {
-    throw InputError("a radius of " + format_significant(wanted.radius_share, 4) +
+  if (!(target.radius_share >= 0.0 && target.radius_share <= kLargestVariedRadiusShare)) {
+    throw InputError("a radius of " + format_significant(target.radius_share, 4) +
                      " of S can't be reached: must be from 0 to " +
                      format_significant(kLargestVariedRadiusShare, 2));
   }
   const double own = radius_share(parent.body);
   const std::string figures = "parent_radius_share=" + format_significant(own, 4);
-  if (std::abs(wanted.radius_share - own) <= kSameShare) return {parent.body, figures};
-  return {with_form_of(parent, parent.body, wanted.radius_share).body, figures};
+  if (std::abs(target.radius_share - own) <= kSameShare) return {parent.body, figures};
+  return {with_form_of(parent, parent.body, target.radius_share).body, figures};
 }
 
-VariedBody vary_body(const Block& parent, const VertexCountVariation& wanted) {
+VariedBody vary_body(const Block& parent, const VertexCountVariation& target) {
   refuse_round_bodies(parent);
   const std::size_t own = parent.body.vertices.size();
-  if (wanted.vertices < kMinVariedVertices || wanted.vertices > own) {
-    throw InputError(format_count(wanted.vertices, "vertex", "vertices") + " can't be reached: from " +
-                     std::to_string(kMinVariedVertices) + " to the " + std::to_string(own) +
-                     " it has can; more come from its scan, by reconstruct");
+  if (target.vertices < kMinVariedVertices || target.vertices > own) {
+    throw InputError(format_count(target.vertices, "vertex", "vertices") +
+                     " can't be reached: from " + std::to_string(kMinVariedVertices) + " to the " +
+                     std::to_string(own) + " it has can; more come from its scan, by reconstruct");
   }
   const std::string figures = "parent_vertices=" + std::to_string(own);
-  if (wanted.vertices == own) return {parent.body, figures};
+  if (target.vertices == own) return {parent.body, figures};
   TriangleMesh core = core_mesh(parent.body);
   // About its middle, or map coordinates would cost digits.
   for (Vec3& vertex : core.vertices) vertex -= parent.box.centre;
-  std::optional<TriangleMesh> fewer = untangle_self_intersections(decimate(core, wanted.vertices));
+  std::optional<TriangleMesh> fewer = untangle_self_intersections(decimate(core, target.vertices));
   if (!fewer || !(signed_volume(*fewer) > 0.0)) {
-    throw GeometryError("with " + std::to_string(wanted.vertices) +
+    throw GeometryError("with " + std::to_string(target.vertices) +
                         " vertices its core would cross itself; ask for more");
   }
   for (Vec3& vertex : fewer->vertices) vertex += parent.box.centre;
-  return {
-      with_form_of(parent, make_sphero_polyhedron(*fewer, parent.body.radius), radius_share(parent.body))
-          .body,
-      figures};
+  return {with_form_of(parent, make_sphero_polyhedron(*fewer, parent.body.radius),
+                       radius_share(parent.body))
+              .body,
+          figures};
 }
 
-VariedBody vary_body(const Block& parent, const DetailVariation& wanted) {
+VariedBody vary_body(const Block& parent, const DetailVariation& target) {
   refuse_round_bodies(parent);
-  const SurfaceDetailOptions options = {wanted.gain, wanted.degree};
-  if (wanted.gain == 1.0) return {parent.body, "coarse_form=unchanged"};
+  const SurfaceDetailOptions options = {target.gain, target.degree};
+  if (target.gain == 1.0) return {parent.body, "coarse_form=unchanged"};
   const DetailedSurface surface = scale_surface_detail(core_mesh(parent.body), options);
   const bool harmonics = surface.coarse == CoarseShape::kHarmonics;
   return {with_form_of(parent, make_sphero_polyhedron(surface.mesh, parent.body.radius),
@@ -131,57 +133,58 @@ VariedBody vary_body(const Block& parent, const DetailVariation& wanted) {
           std::string("coarse_form=") + (harmonics ? "spherical_harmonics" : "bilaplacian")};
 }
 
-VariedBody vary_body(const Block& parent, const ReferenceVariation& wanted) {
+VariedBody vary_body(const Block& parent, const ReferenceVariation& target) {
   const double share = std::min(parent.body.faces.empty() ? 0.0 : radius_share(parent.body),
                                 kLargestVariedRadiusShare);
-  return {
-      make_reference_body(
-          wanted.form,
-          {.ratios = box_ratios(parent.box), .radius_share = share, .exponent = wanted.exponent}),
-      wanted.form == ReferenceShape::kSuperellipsoid ? "exponent=" + format_significant(wanted.exponent, 4)
-                                                    : ""};
+  return {make_reference_body(target.form, {.ratios = box_ratios(parent.box),
+                                            .radius_share = share,
+                                            .exponent = target.exponent}),
+          target.form == ReferenceShape::kSuperellipsoid
+              ? "exponent=" + format_significant(target.exponent, 4)
+              : ""};
 }
 
-VariedBody vary_body(const Block& parent, const InertiaVariation& wanted) {
-  const Vec3 target = spread(parent.mass);
+VariedBody vary_body(const Block& parent, const InertiaVariation& target) {
+  const Vec3 target_spread = spread(parent.mass);
   const double side = parent.body.faces.empty() ? 0.0 : radius_share(parent.body);
   const double share = std::min(side, kLargestVariedRadiusShare);
   // Half-axes a of an ellipsoid have a^2/5, half-sides of a box a^2/3; the order is that of z, y,
   // x.
-  const double part = wanted.form == ReferenceShape::kEllipsoid ? 5.0 : 3.0;
-  const Vec3 half = (part * target).cwiseSqrt();
+  const double part = target.form == ReferenceShape::kEllipsoid ? 5.0 : 3.0;
+  const Vec3 half = (part * target_spread).cwiseSqrt();
   const BoxRatios ratios = {half[1] / half[2], half[0] / half[2]};
-  SpheroPolyhedron body =
-      scaled(make_reference_body(wanted.form, {.ratios = ratios, .radius_share = share}), 2.0 * half[2]);
+  SpheroPolyhedron body = scaled(
+      make_reference_body(target.form, {.ratios = ratios, .radius_share = share}), 2.0 * half[2]);
   double gap = 1.0;
   for (int round = 0; round < kMomentRounds && gap > kSameMoments; ++round) {
     const Vec3 now = spread(sphero_mass_properties(body, 1.0));
-    const Vec3 factors = target.cwiseQuotient(now).cwiseSqrt();
+    const Vec3 factors = target_spread.cwiseQuotient(now).cwiseSqrt();
     gap = (factors - Vec3::Ones()).cwiseAbs().maxCoeff();
     // x is the longest: the largest spread.
     for (Vec3& v : body.vertices) v = v.cwiseProduct(Vec3(factors[2], factors[1], factors[0]));
   }
   if (gap > kVariationTolerance) {
-    throw GeometryError("no " + name_of(wanted.form) + " with a radius of " +
-                        format_significant(share, 4) + " of S has its principal moments; the nearest is " +
-                        format_percent(gap) + " off in length");
+    throw GeometryError("no " + name_of(target.form) + " with a radius of " +
+                        format_significant(share, 4) +
+                        " of S has its principal moments; the nearest is " + format_percent(gap) +
+                        " off in length");
   }
   return {std::move(body), ""};
 }
 
-VariedBody vary_body(const Block& parent, const SampledFormVariation& wanted) {
+VariedBody vary_body(const Block& parent, const SampledFormVariation& target) {
   refuse_round_bodies(parent);
   Block filled = parent;
   std::string figures;
-  if (wanted.convexity) {
+  if (target.convexity) {
     const double own = convexity(parent.body, parent.mass.volume);
-    if (*wanted.convexity > own) {
-      filled.body = find_body_of_convexity(parent.body, own, *wanted.convexity);
+    if (*target.convexity > own) {
+      filled.body = find_body_of_convexity(parent.body, own, *target.convexity);
     }
     figures = " parent_convexity=" + format_significant(own, 4);
   }
-  VariedBody stretched = vary_body(filled, StretchVariation{wanted.ratios});
-  stretched.figures += figures;
+  VariedBody stretched = vary_body(filled, StretchVariation{target.ratios});
+  stretched.record += figures;
   return stretched;
 }
 

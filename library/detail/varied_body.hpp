@@ -9,16 +9,16 @@ namespace clast::library_detail {
 
 struct VariedBody {
   SpheroPolyhedron body;
-  std::string figures;  ///< "key=value" pairs beyond those of the variation
+  std::string record;  ///< "key=value" pairs beyond those of the variation
 };
 
-VariedBody vary_body(const Block& parent, const StretchVariation& wanted);
-VariedBody vary_body(const Block& parent, const ConvexityVariation& wanted);
-VariedBody vary_body(const Block& parent, const RoundingVariation& wanted);
-VariedBody vary_body(const Block& parent, const VertexCountVariation& wanted);
-VariedBody vary_body(const Block& parent, const DetailVariation& wanted);
-VariedBody vary_body(const Block& parent, const ReferenceVariation& wanted);
-VariedBody vary_body(const Block& parent, const InertiaVariation& wanted);
-VariedBody vary_body(const Block& parent, const SampledFormVariation& wanted);
+VariedBody vary_body(const Block& parent, const StretchVariation& target);
+VariedBody vary_body(const Block& parent, const ConvexityVariation& target);
+VariedBody vary_body(const Block& parent, const RoundingVariation& target);
+VariedBody vary_body(const Block& parent, const VertexCountVariation& target);
+VariedBody vary_body(const Block& parent, const DetailVariation& target);
+VariedBody vary_body(const Block& parent, const ReferenceVariation& target);
+VariedBody vary_body(const Block& parent, const InertiaVariation& target);
+VariedBody vary_body(const Block& parent, const SampledFormVariation& target);
 
 }  // namespace clast::library_detail

@@ -11,16 +11,16 @@ namespace clast::mesh_detail {
 /// Collects points and hands them over in batches of a size that suits the cache.
 class PointSink {
  public:
-  explicit PointSink(const std::function<void(const PointBatch&)>& take) : take_(take) {}
+  explicit PointSink(const std::function<void(const PointBatch&)>& consume) : take_(consume) {}
 
   /// Points that are not finite are counted and left out.
-  void add(const Vec3& point);
-  void add(const Vec3& point, std::uint8_t asprs_class);
+  void add_point(const Vec3& point);
+  void add_point(const Vec3& point, std::uint8_t asprs_class);
   /// Hands over the rest.
   CloudSummary finish(CloudSummary summary);
 
  private:
-  bool usable(const Vec3& point);
+  bool is_usable(const Vec3& point);
   void flush_batch();
 
   const std::function<void(const PointBatch&)>& take_;

@@ -148,7 +148,7 @@ CloudSummary read_las(std::istream& stream, PointSink& sink) {
       }
       const Vec3 steps(number_at<std::int32_t>(record, 0), number_at<std::int32_t>(record, 4),
                        number_at<std::int32_t>(record, 8));
-      sink.add(steps.cwiseProduct(header.scale) + header.offset, flags.asprs_class);
+      sink.add_point(steps.cwiseProduct(header.scale) + header.offset, flags.asprs_class);
     }
     done += now;
   }

@@ -33,9 +33,10 @@ struct PcdHeader {
 };
 
 std::size_t whole(TextScanner& text, std::int64_t most) {
-  const std::int64_t value = text.integer();
+  const std::int64_t value = text.next_integer();
   if (value < 0 || value > most) {
-    throw InputError(text.here() + std::to_string(value) + " can't be; the header is corrupt");
+    throw InputError(text.line_prefix() + std::to_string(value) +
+                     " can't be; the header is corrupt");
   }
   return static_cast<std::size_t>(value);
 }
@@ -54,18 +55,18 @@ PcdHeader read_pcd_header(TextScanner& text) {
   std::size_t width = 0, height = 1;
   bool has_points = false;
   while (text.next_line()) {
-    const std::string keyword = in_case(text.word(), std::toupper);
+    const std::string keyword = in_case(text.next_word(), std::toupper);
     if (keyword == "FIELDS" || keyword == "COLUMNS") {
-      for (std::string_view name = text.word(); !name.empty(); name = text.word()) {
+      for (std::string_view name = text.next_word(); !name.empty(); name = text.next_word()) {
         header.fields.push_back({std::string(name)});
       }
     } else if (keyword == "SIZE") {
       for (Field& field : header.fields) field.size = whole(text, 8);
     } else if (keyword == "TYPE") {
       for (Field& field : header.fields) {
-        const std::string type = in_case(text.word(), std::toupper);
+        const std::string type = in_case(text.next_word(), std::toupper);
         if (type != "I" && type != "U" && type != "F") {
-          throw InputError(text.here() + "a TYPE is I, U or F");
+          throw InputError(text.line_prefix() + "a TYPE is I, U or F");
         }
         field.type = type[0];
       }
@@ -79,7 +80,7 @@ PcdHeader read_pcd_header(TextScanner& text) {
       header.points = whole(text, kMostPoints);
       has_points = true;
     } else if (keyword == "DATA") {
-      header.data = in_case(text.word(), std::tolower);
+      header.data = in_case(text.next_word(), std::tolower);
       if (!has_points) header.points = width * height;
       return header;
     }
@@ -160,7 +161,7 @@ void read_pcd_ascii(TextScanner& text, const PcdHeader& header, PointSink& sink)
   const std::array<std::size_t, 3> axes = axes_of(header);
   std::size_t left = header.points;
   while (left > 0 && text.next_line()) {
-    std::string_view word = text.word();
+    std::string_view word = text.next_word();
     if (word.empty()) continue;
     Vec3 point = Vec3::Zero();
     for (std::size_t f = 0; f < header.fields.size(); ++f) {
@@ -169,15 +170,16 @@ void read_pcd_ascii(TextScanner& text, const PcdHeader& header, PointSink& sink)
         if (axis != axes.end()) {
           const std::optional<double> value = parse_number_token(word);
           if (!value)
-            throw InputError(text.here() + "a number is needed for " + header.fields[f].name);
+            throw InputError(text.line_prefix() + "a number is needed for " +
+                             header.fields[f].name);
           point[axis - axes.begin()] = *value;
         } else if (word.empty()) {
-          throw InputError(text.here() + "fewer values than FIELDS says");
+          throw InputError(text.line_prefix() + "fewer values than FIELDS says");
         }
-        word = text.word();
+        word = text.next_word();
       }
     }
-    sink.add(point);
+    sink.add_point(point);
     --left;
   }
   if (left > 0) {
@@ -212,7 +214,7 @@ void read_pcd_binary(std::string_view bytes, const PcdHeader& header, bool by_fi
       point[static_cast<Eigen::Index>(axis)] =
           pcd_number_at(bytes.data() + start[axis] + i * stride[axis], header.fields[axes[axis]]);
     }
-    sink.add(point);
+    sink.add_point(point);
   }
 }
 

@@ -50,25 +50,26 @@ Type parse_type(const TextScanner& text, std::string_view name) {
       {"float", {'f', 4}}, {"float32", {'f', 4}}, {"double", {'f', 8}}, {"float64", {'f', 8}}};
   const auto found = kTypes.find(name);
   if (found == kTypes.end()) {
-    throw InputError(text.here() + "unknown type \"" + std::string(name.substr(0, 40)) + "\"");
+    throw InputError(text.line_prefix() + "unknown type \"" + std::string(name.substr(0, 40)) +
+                     "\"");
   }
   return found->second;
 }
 
 PlyHeader read_ply_header(TextScanner& text) {
-  if (!text.next_line() || text.word() != "ply") {
+  if (!text.next_line() || text.next_word() != "ply") {
     throw InputError("is not a PLY file: it does not start with \"ply\"");
   }
   PlyHeader header;
   bool has_format = false;
   while (text.next_line()) {
-    const std::string_view keyword = text.word();
+    const std::string_view keyword = text.next_word();
     if (keyword == "end_header") {
       if (!has_format) throw InputError("the PLY header has no \"format\" line");
       return header;
     }
     if (keyword == "format") {
-      const std::string_view name = text.word();
+      const std::string_view name = text.next_word();
       has_format = true;
       if (name == "ascii") {
         header.format = Format::kAscii;
@@ -77,25 +78,26 @@ PlyHeader read_ply_header(TextScanner& text) {
       } else if (name == "binary_big_endian") {
         header.format = Format::kBig;
       } else {
-        throw InputError(text.here() + "unknown PLY format");
+        throw InputError(text.line_prefix() + "unknown PLY format");
       }
     } else if (keyword == "element") {
       Element element;
-      element.name = text.word();
-      element.count = text.integer();
-      if (element.count < 0) throw InputError(text.here() + "a negative number of elements");
+      element.name = text.next_word();
+      element.count = text.next_integer();
+      if (element.count < 0) throw InputError(text.line_prefix() + "a negative number of elements");
       header.elements.push_back(element);
     } else if (keyword == "property") {
-      if (header.elements.empty()) throw InputError(text.here() + "a property of no element");
+      if (header.elements.empty())
+        throw InputError(text.line_prefix() + "a property of no element");
       Property property;
-      std::string_view type = text.word();
+      std::string_view type = text.next_word();
       if (type == "list") {
         property.is_list = true;
-        property.count_type = parse_type(text, text.word());
-        type = text.word();
+        property.count_type = parse_type(text, text.next_word());
+        type = text.next_word();
       }
       property.type = parse_type(text, type);
-      property.name = text.word();
+      property.name = text.next_word();
       if (property.name == "X" || property.name == "Y" || property.name == "Z") {
         property.name[0] = static_cast<char>(property.name[0] - 'A' + 'a');
       }

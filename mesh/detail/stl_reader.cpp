@@ -53,19 +53,19 @@ TriangleMesh read_ascii_stl(std::string_view content) {
   TextScanner text(content);
   bool in_facet = false;
   while (text.next_line()) {
-    const std::string_view keyword = text.word();
+    const std::string_view keyword = text.next_word();
     if (equals_ignoring_case(keyword, "facet")) {
-      if (in_facet) throw InputError(text.here() + "a facet starts inside another");
+      if (in_facet) throw InputError(text.line_prefix() + "a facet starts inside another");
       in_facet = true;
     } else if (equals_ignoring_case(keyword, "vertex")) {
-      if (!in_facet) throw InputError(text.here() + "a vertex outside of any facet");
-      const double x = text.number(), y = text.number();
-      mesh.vertices.emplace_back(x, y, text.number());
+      if (!in_facet) throw InputError(text.line_prefix() + "a vertex outside of any facet");
+      const double x = text.next_number(), y = text.next_number();
+      mesh.vertices.emplace_back(x, y, text.next_number());
     } else if (equals_ignoring_case(keyword, "endfacet")) {
       const std::size_t corners = mesh.vertices.size() - 3 * mesh.triangles.size();
       if (!in_facet || corners != 3) {
-        throw InputError(text.here() + "the facet that ends here has " + std::to_string(corners) +
-                         " corners instead of 3");
+        throw InputError(text.line_prefix() + "the facet that ends here has " +
+                         std::to_string(corners) + " corners instead of 3");
       }
       in_facet = false;
       const auto first = static_cast<std::uint32_t>(mesh.vertices.size() - 3);

@@ -73,7 +73,8 @@ class Lines {
 /// Formats a text, which may hold bytes of any kind, in quotes for a message.
 /// @param most  bytes
 std::string quoted(std::string_view text, std::size_t most = 40) {
-  return "\"" + escape_nonprintable(text.substr(0, most)) + (text.size() > most ? "..." : "") + "\"";
+  return "\"" + escape_nonprintable(text.substr(0, most)) + (text.size() > most ? "..." : "") +
+         "\"";
 }
 
 std::string_view trimmed_field(std::string_view text) {
@@ -139,7 +140,7 @@ class LinesOfPoints {
     count_up(point.x());
     if (!named_ && points_ <= kSurveyed) survey_columns();
     ++points_of_scan_;
-    sink_.add(point);
+    sink_.add_point(point);
   }
 
   /// Returns the units that the headings declare.
@@ -314,8 +315,8 @@ class LinesOfPoints {
       const std::string unit(units[columns_.axes[axis]]);
       const ColumnHeading heading = parse_heading("x [" + unit + "]");
       if (!heading.length) continue;
-      LengthUnitDeclaration declared{.source = "unit \"" + escape_nonprintable(unit) + "\" of line " +
-                                           std::to_string(head.number)};
+      LengthUnitDeclaration declared{.source = "unit \"" + escape_nonprintable(unit) +
+                                               "\" of line " + std::to_string(head.number)};
       (axis < 2 ? declared.plan : declared.height) =
           DeclaredUnit{heading.length->factor, heading.length->name};
       columns_.lengths.push_back(std::move(declared));

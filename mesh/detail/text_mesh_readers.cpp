@@ -14,8 +14,8 @@ namespace clast::mesh_detail {
 namespace {
 
 Vec3 read_point(TextScanner& text) {
-  const double x = text.number(), y = text.number();
-  return {x, y, text.number()};
+  const double x = text.next_number(), y = text.next_number();
+  return {x, y, text.next_number()};
 }
 
 /// A face line; the vertices it names may come later in the file.
@@ -74,11 +74,11 @@ std::string joined_lines(std::string_view content) {
 /// @param vertices  read so far, from which negative numbers count back
 std::vector<std::int64_t> read_corners(TextScanner& text, std::size_t vertices) {
   std::vector<std::int64_t> corners;
-  for (std::string_view corner = text.word(); !corner.empty() && corner.front() != '#';
-       corner = text.word()) {
+  for (std::string_view corner = text.next_word(); !corner.empty() && corner.front() != '#';
+       corner = text.next_word()) {
     const auto number = parse_integer_token(corner.substr(0, corner.find('/')));
     if (!number || *number == 0) {
-      throw InputError(text.here() + "\"" + std::string(corner.substr(0, 40)) +
+      throw InputError(text.line_prefix() + "\"" + std::string(corner.substr(0, 40)) +
                        "\" is not a vertex number (they start at 1)");
     }
     corners.push_back(*number > 0 ? *number - 1 : static_cast<std::int64_t>(vertices) + *number);
@@ -95,7 +95,7 @@ std::optional<TriangleMesh> read_obj(std::string_view content) {
   TextScanner text(joined.empty() ? content : joined);
   bool recognised = false;
   while (text.next_line()) {
-    const std::string_view keyword = text.word();
+    const std::string_view keyword = text.next_word();
     if (keyword == "v") {
       recognised = true;
       mesh.vertices.push_back(read_point(text));
@@ -104,7 +104,7 @@ std::optional<TriangleMesh> read_obj(std::string_view content) {
       faces.push_back({text.line_number(), read_corners(text, mesh.vertices.size())});
     } else if (keyword == "surf" || keyword == "curv" || keyword == "curv2" ||
                keyword == "cstype") {
-      throw InputError(text.here() + "\"" + std::string(keyword) +
+      throw InputError(text.line_prefix() + "\"" + std::string(keyword) +
                        "\" begins a free-form curve or surface, which is not read; export it as "
                        "polygons");
     }
@@ -117,25 +117,25 @@ std::optional<TriangleMesh> read_obj(std::string_view content) {
 std::optional<TriangleMesh> read_off(std::string_view content) {
   TextScanner text(content);
   if (!next_content_line(text)) throw InputError("is not an OFF file");
-  std::string_view keyword = text.word();
+  std::string_view keyword = text.next_word();
   if (!keyword.ends_with("OFF")) throw InputError("is not an OFF file: it starts without \"OFF\"");
   // 4OFF and nOFF have other coordinates, BINARY is not text: assimp may know them.
   keyword.remove_suffix(3);
   if (keyword.find_first_not_of("STCN") != std::string_view::npos) return std::nullopt;
   if (text.rest_of_line().find("BINARY") != std::string_view::npos) return std::nullopt;
 
-  std::string_view first = text.word();
+  std::string_view first = text.next_word();
   if (first.empty() || first[0] == '#') {
     if (!next_content_line(text)) throw InputError("the file ends before the numbers of vertices");
-    first = text.word();
+    first = text.next_word();
   }
   const std::optional<std::int64_t> vertices = parse_integer_token(first);
-  if (!vertices) throw InputError(text.here() + "the number of vertices is needed here");
-  const std::int64_t faces = text.integer();
+  if (!vertices) throw InputError(text.line_prefix() + "the number of vertices is needed here");
+  const std::int64_t faces = text.next_integer();
   // Every vertex and face takes a line of at least two bytes: a wrong count ends here.
   const auto lines = static_cast<std::int64_t>(content.size() / 2);
   if (*vertices < 0 || faces < 0 || *vertices > lines || faces > lines) {
-    throw InputError(text.here() + "says " + std::to_string(*vertices) + " vertices and " +
+    throw InputError(text.line_prefix() + "says " + std::to_string(*vertices) + " vertices and " +
                      std::to_string(faces) + " faces, more than the file can hold");
   }
   TriangleMesh mesh;
@@ -153,13 +153,13 @@ std::optional<TriangleMesh> read_off(std::string_view content) {
       throw InputError("the file ends after " + std::to_string(f) + " of " + std::to_string(faces) +
                        " faces; it was cut short");
     }
-    const std::int64_t count = text.integer();
+    const std::int64_t count = text.next_integer();
     if (count < 0 || count > static_cast<std::int64_t>(text.rest_of_line().size())) {
-      throw InputError(text.here() + "a face of " + std::to_string(count) + " corners");
+      throw InputError(text.line_prefix() + "a face of " + std::to_string(count) + " corners");
     }
     if (count < 3) continue;  // points and lines of a mixed file
     pending.push_back({text.line_number(), {}});
-    for (std::int64_t k = 0; k < count; ++k) pending.back().corners.push_back(text.integer());
+    for (std::int64_t k = 0; k < count; ++k) pending.back().corners.push_back(text.next_integer());
   }
   append_pending(mesh, pending);
   return mesh;
@@ -171,16 +171,16 @@ std::optional<TriangleMesh> read_tab(std::string_view content) {
   TextScanner text(content);
   std::int64_t smallest = 1, largest = 0;
   while (next_content_line(text)) {
-    const std::string_view keyword = text.word();
+    const std::string_view keyword = text.next_word();
     if (keyword == "v") {
       mesh.vertices.push_back(read_point(text));
     } else if (keyword == "f") {
-      const std::int64_t i = text.integer(), j = text.integer(), k = text.integer();
+      const std::int64_t i = text.next_integer(), j = text.next_integer(), k = text.next_integer();
       faces.push_back({text.line_number(), {i, j, k}});
       smallest = std::min({smallest, i, j, k});
       largest = std::max({largest, i, j, k});
     } else {
-      throw InputError(text.here() + "is not a line \"v x y z\" or \"f i j k\"");
+      throw InputError(text.line_prefix() + "is not a line \"v x y z\" or \"f i j k\"");
     }
   }
   // Tables count from 0 or from 1; only the latter reach the number of vertices.

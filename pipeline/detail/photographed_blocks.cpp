@@ -21,8 +21,8 @@ PhotographedBlocks reconstruct_photographs(const std::filesystem::path& folder,
                                            const ScanCallbacks& callbacks) {
   PhotoScanOptions photos = options.photos;
   if (options.scale_points || reading.scan.unit != 1.0) photos.metres_per_unit = reading.scan.unit;
-  PhotoScan scan =
-      reconstruct_from_photos(folder, photos, [&](const std::string& what) { callbacks.begin(what, true); });
+  PhotoScan scan = reconstruct_from_photos(folder, photos,
+                              [&](const std::string& what) { callbacks.begin_step(what, true); });
   if (!scan.metric && options.block.mass) {
     throw InputError(folder.string() +
                      ": `mass` needs a scale, and these photos have none; give `bars` or "
@@ -31,8 +31,8 @@ PhotographedBlocks reconstruct_photographs(const std::filesystem::path& folder,
   reading.scan.unit = 1.0;
   reading.surface.cell = kPhotoCell;
   reading.free_space = &scan.cloud.free_space;
-  callbacks.begin("finding the surface in " + std::to_string(scan.cloud.points.size()) + " points",
-                  true);
+  callbacks.begin_step(
+      "finding the surface in " + std::to_string(scan.cloud.points.size()) + " points", true);
   FieldScan found;
   try {
     found.blocks = extract_field_blocks(scan.cloud.points, folder.string(), reading);

@@ -30,7 +30,7 @@ std::string likely_unit(double raw) {
 
 void check_scan_size(const Bounds& box, const std::string& id, const ScanToBlockOptions& options) {
   const double length = (box.high - box.low).maxCoeff();
-  if (options.any_size || (length <= kMaxUsualLength && length >= kMinUsualLength)) return;
+  if (options.allow_any_size || (length <= kMaxUsualLength && length >= kMinUsualLength)) return;
   const std::string size = "block " + id + " would be " + format_rounded(length, 3) + " m long, ";
   const std::string anyway = "; `any_size` takes it as it is";
   if (options.scale_points) {
@@ -42,8 +42,9 @@ void check_scan_size(const Bounds& box, const std::string& id, const ScanToBlock
 }
 
 void check_block_mass(const Block& block, const ScanToBlockOptions& options) {
-  if (options.any_size || block.mass.mass <= kMaxUsualMass) return;
-  throw InputError("block " + block.id + " would be " + format_significant(block.mass.mass / 1000.0, 4) +
+  if (options.allow_any_size || block.mass.mass <= kMaxUsualMass) return;
+  throw InputError("block " + block.id + " would be " +
+                   format_significant(block.mass.mass / 1000.0, 4) +
                    " t heavy; usually blocks are no heavier than " +
                    format_significant(kMaxUsualMass / 1000.0, 5) +
                    " t: check scale and density; `any_size` takes it as it is");
@@ -71,7 +72,8 @@ void note_distant_scale_points(FieldScan& found, const std::array<Vec3, 2>& poin
   for (FieldBlock& block : found.blocks) {
     block.scan.notes.insert(block.scan.notes.begin(),
                             "a point of `scale_points` lies " + format_rounded(off, 3) +
-                                " units off this scan, which is " + format_rounded(box.diagonal(), 3) +
+                                " units off this scan, which is " +
+                                format_rounded(box.diagonal(), 3) +
                                 " units across: check that both points are of this scan");
   }
 }

@@ -164,7 +164,7 @@ Missed missed_points(const TriangleMesh& surface, std::span<const Vec3> points) 
   for (std::size_t i = 0; i < points.size(); ++i) {
     const double own = spacings[i] * spacings[i];
     all += own;
-    if (std::sqrt(tree.closest(points[i]).squared_distance) < kMissed * spacings[i]) continue;
+    if (std::sqrt(tree.closest_point(points[i]).squared_distance) < kMissed * spacings[i]) continue;
     ++missed.count;
     area += own;
     if (own <= largest) continue;
@@ -216,7 +216,7 @@ Body body_through(const std::vector<Vec3>& points, std::span<const NormalsBy> wa
         "the surface misses " + std::to_string(missed.count) + " of the " +
         std::to_string(points.size()) + " points, " +
         format_significant(100.0 * missed.fraction, 2) + " % of the area they cover, near " +
-        position(missed.position) +
+        format_point(missed.position) +
         ": they belong to a second body that touches this one, or are too far apart "
         "for the thickness of the block; crop the cloud to one body, or scan it more "
         "densely there");
@@ -230,7 +230,7 @@ Body body_through(const std::vector<Vec3>& points, std::span<const NormalsBy> wa
 void add_volumes(SurfaceUncertainty& uncertainty, const Body& body) {
   Random random(kSeed);
   std::array<std::vector<Vec3>, 2> halves;
-  for (const Vec3& p : body.points) halves[random.below(2)].push_back(p);
+  for (const Vec3& p : body.points) halves[random.uniform_index(2)].push_back(p);
   const double whole = signed_volume(body.surface);
   std::array<double, 2> less{};
   for (std::size_t k = 0; k < 2; ++k) {

@@ -169,7 +169,7 @@ std::string format_file_place(const Vec3& point, const FieldBlock& block,
       10.0, std::floor(std::log10(1e-3 * bounds(block.scan.mesh).diagonal() / options.unit)));
   const Vec3 upright = block.block_from_file.inverse() * point;
   const Vec3 in_file = (options.up == "y" ? z_up_to_y_up(upright) : upright) / options.unit;
-  return position(((in_file / digit).array().round() * digit + 0.0).matrix());  // no "-0"
+  return format_point(((in_file / digit).array().round() * digit + 0.0).matrix());  // no "-0"
 }
 
 /// States the bounds of a block without an unseen side, if they are worth it.
@@ -196,7 +196,7 @@ void leave_out_neighbour(FieldBlock& block, const Plane& seam, double fraction) 
   if (!block.bounds->sides) return;
   std::vector<Vec3> alone;
   std::copy_if(whole.begin(), whole.end(), std::back_inserter(alone),
-               [&](const Vec3& vertex) { return seam.height(vertex) <= 0.0; });
+               [&](const Vec3& vertex) { return seam.signed_distance(vertex) <= 0.0; });
   const Vec3 shrinks =
       smallest_box(alone).lengths.cwiseQuotient(smallest_box(whole).lengths).cwiseMin(1.0);
   block.bounds->sides->lower = block.bounds->sides->lower.cwiseProduct(shrinks);

@@ -40,7 +40,7 @@ constexpr double kBaseFraction = 0.7, kBaseHeight = 0.3;
 /// How far below the planes of a convex hull a point lies.
 double depth_below(const std::vector<Plane>& planes, const Vec3& point) {
   double depth = std::numeric_limits<double>::infinity();
-  for (const Plane& plane : planes) depth = std::min(depth, -plane.height(point));
+  for (const Plane& plane : planes) depth = std::min(depth, -plane.signed_distance(point));
   return depth;
 }
 

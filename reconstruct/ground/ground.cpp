@@ -58,7 +58,7 @@ struct Sides {
 Sides sides_of(std::span<const Vec3> points, const Plane& plane, double tolerance) {
   Sides sides;
   for (const Vec3& p : points) {
-    const double height = plane.height(p);
+    const double height = plane.signed_distance(p);
     sides.on += std::abs(height) < tolerance;
     sides.above += height > 3.0 * tolerance;
     sides.below += height < -3.0 * tolerance;
@@ -79,7 +79,7 @@ Plane consensus_plane(std::span<const Vec3> points, double tolerance,
   Plane best;
   double best_score = -1e300;
   for (int trial = 0; trial < options.trials; ++trial) {
-    const auto draw = [&] { return points[random.below(points.size())]; };
+    const auto draw = [&] { return points[random.uniform_index(points.size())]; };
     const Vec3 a = draw(), b = draw(), c = draw();
     const Vec3 normal = (b - a).cross(c - a);
     if (!(normal.norm() > 1e-3 * (b - a).norm() * (c - a).norm())) continue;
@@ -96,7 +96,7 @@ Plane consensus_plane(std::span<const Vec3> points, double tolerance,
   for (int i = 0; i < 10; ++i) {
     std::vector<Vec3> held;
     for (const Vec3& p : points) {
-      if (std::abs(best.height(p)) < tolerance) held.push_back(p);
+      if (std::abs(best.signed_distance(p)) < tolerance) held.push_back(p);
     }
     if (held.size() < 3) break;
     best = plane_through(held);
@@ -161,7 +161,7 @@ bool goes_on_around(std::span<const Vec3> points, const Plane& plane, double tol
   for (const Vec3& p : points) {
     const Vec3 flat = rotation * p;
     const PlanCell at(std::lround(flat.x() / cell), std::lround(flat.y() / cell));
-    const double height = plane.height(p);
+    const double height = plane.signed_distance(p);
     if (height > 3.0 * tolerance) above.insert(at);
     if (std::abs(height) < tolerance) on.insert(at);
   }

@@ -79,7 +79,7 @@ bool is_inside_block(const TriangleMesh& component, const TriangleMesh& block,
   Vec3 farthest = component.vertices[0];
   double distance = -1.0;
   const auto ask = [&](const Vec3& point) {
-    const double squared = tree.closest(point).squared_distance;
+    const double squared = tree.closest_point(point).squared_distance;
     if (squared <= distance) return;
     distance = squared;
     farthest = point;
@@ -100,7 +100,7 @@ bool is_inside_block(const TriangleMesh& component, const TriangleMesh& block,
 bool is_on_surface(const TriangleMesh& component, const TriangleTree& tree, double distance) {
   std::uint32_t hint = 0;
   return std::all_of(component.vertices.begin(), component.vertices.end(), [&](const Vec3& vertex) {
-    const TriangleTree::Closest found = tree.closest(vertex, hint);
+    const TriangleTree::Closest found = tree.closest_point(vertex, hint);
     hint = found.triangle;
     return found.squared_distance <= distance * distance;
   });

@@ -196,7 +196,7 @@ std::size_t orient_vertex_attached_fragments(TriangleMesh& mesh) {
     std::vector<std::uint32_t> next;
     for (const std::uint32_t t : of_component[here]) {
       for (const std::uint32_t v : mesh.triangles[t]) {
-        for (const std::uint32_t corner : around.at(v)) {
+        for (const std::uint32_t corner : around.corners_of(v)) {
           const std::uint32_t there = component[corner / 3];
           if (there == here) continue;
           if (settled[there]) agreement += normal[t].dot(normal[corner / 3]);

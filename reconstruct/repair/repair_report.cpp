@@ -48,7 +48,7 @@ class Sentences {
   static std::string metres(double length) { return format_significant(length, 3) + " m"; }
 
   static std::string near(const Defect& defect) {
-    return defect.position ? " near " + position(*defect.position) : "";
+    return defect.position ? " near " + format_point(*defect.position) : "";
   }
 
   static std::string worth_of(const Defect& defect) {
@@ -81,12 +81,12 @@ class Sentences {
         break;
     }
     const double volume = copy.retained_volume, change = copy.volume_change;
-    text += volume > 0.0
-                ? "; it has a volume of " + format_significant(volume, 4) +
-                      " m3, with the other one it would be " + format_significant(volume + change, 4) +
-                      " m3"
-                : "; with the other one the volume would be " + format_significant(std::abs(change), 3) +
-                      " m3 " + (change < 0.0 ? "smaller" : "larger");
+    text += volume > 0.0 ? "; it has a volume of " + format_significant(volume, 4) +
+                               " m3, with the other one it would be " +
+                               format_significant(volume + change, 4) + " m3"
+                         : "; with the other one the volume would be " +
+                               format_significant(std::abs(change), 3) + " m3 " +
+                               (change < 0.0 ? "smaller" : "larger");
     return text + ". Register the scans again, or delete one";
   }
 
@@ -96,10 +96,11 @@ class Sentences {
         return format_count(d.count, "vertex", "vertices") + " joined to a neighbour closer than " +
                format_significant(d.size, 4) + " m";
       case DefectKind::kDegenerate:
-        return format_count(d.count, "triangle", "triangles") + " without area or stored twice dropped";
+        return format_count(d.count, "triangle", "triangles") +
+               " without area or stored twice dropped";
       case DefectKind::kFoldedPair:
-        return format_count(d.count, "triangle", "triangles") + " back to back with another dropped" +
-               worth_of(d);
+        return format_count(d.count, "triangle", "triangles") +
+               " back to back with another dropped" + worth_of(d);
       case DefectKind::kFin:
         return format_count(d.count, "triangle that stands", "triangles that stand") +
                " on the surface or double it dropped" + worth_of(d) + ", the first" + near(d);
@@ -109,7 +110,8 @@ class Sentences {
       case DefectKind::kInconsistentOrientation:
         return format_count(d.count, "triangle", "triangles") + " turned to agree with neighbours";
       case DefectKind::kNonManifoldVertex:
-        return format_count(d.count, "vertex", "vertices") + " where the surface touches itself split";
+        return format_count(d.count, "vertex", "vertices") +
+               " where the surface touches itself split";
       case DefectKind::kDuplicateSheet:
         return format_count(d.count, "sheet that lies", "sheets that lie") +
                " on the block dropped (a part scanned twice)" + worth_of(d) + ", the largest" +
@@ -131,7 +133,7 @@ class Sentences {
         return "the surface faced inwards and was turned";
       case DefectKind::kTunnel:
         return format_count(d.count, "tunnel goes through the block and stays",
-                       "tunnels go through the block and stay") +
+                            "tunnels go through the block and stay") +
                " open; if the rock has none, fill in the scan what makes one";
       case DefectKind::kHole:
       case DefectKind::kDuplicateShell:
@@ -156,17 +158,17 @@ class Sentences {
       }
     }
     if (fans > 0) {
-      notes.push_back(format_count(fans, "hole", "holes") + " with " +
-                      format_count(fan_edges, "border edge", "border edges") + " in all closed by " +
-                      (largest_fan <= reconstruct_detail::kFanEdges
-                           ? "a fan"
-                           : "triangles between their corners"));
+      notes.push_back(
+          format_count(fans, "hole", "holes") + " with " +
+          format_count(fan_edges, "border edge", "border edges") + " in all closed by " +
+          (largest_fan <= reconstruct_detail::kFanEdges ? "a fan"
+                                                        : "triangles between their corners"));
     }
     if (largest != nullptr) {
       notes.push_back(format_count(fillings, "hole", "holes") + " filled; the largest has " +
                       std::to_string(largest->border_edges) + " border edges, is " +
                       metres(largest->perimeter) + " round and reaches " + metres(largest->radius) +
-                      " from its middle at " + position(largest->centre));
+                      " from its middle at " + format_point(largest->centre));
     }
     if (report_.filled_fraction >= kWorthNoting) {
       std::string open;
@@ -179,7 +181,7 @@ class Sentences {
     }
     for (const FilledHole& hole : report_.holes) {
       if (hole.area_fraction <= kLargeHole) continue;
-      notes.push_back("the filling at " + position(hole.centre) + " is " +
+      notes.push_back("the filling at " + format_point(hole.centre) + " is " +
                       in_percent(hole.area_fraction) +
                       " of the surface: a guess that volume and axes depend on; scan that side, "
                       "or check the volume by weighing (`mass` with `density`)");

@@ -181,7 +181,7 @@ RepairChange remove_border_fins(TriangleMesh& mesh) {
   for (std::size_t t = 0; t < drop.size(); ++t) {
     const Triangle& corners = mesh.triangles[t];
     drop[t] = shared[t] == 1 && std::any_of(corners.begin(), corners.end(), [&](std::uint32_t v) {
-                return around.at(v).size() == 1;
+                return around.corners_of(v).size() == 1;
               });
   }
   return remove_triangles(mesh, drop);
@@ -190,14 +190,14 @@ RepairChange remove_border_fins(TriangleMesh& mesh) {
 OrientationResult orient_consistently(TriangleMesh& mesh) {
   const ConsistentOrientation facing = find_consistent_orientation(mesh, triangle_neighbours(mesh));
   OrientationResult result;
-  result.orientable = !facing.conflict;
-  result.conflict = facing.conflict.value_or(0);
+  result.orientable = !facing.conflict_vertex;
+  result.conflict = facing.conflict_vertex.value_or(0);
   for (const std::vector<std::uint32_t>& component : facing.components) {
     const auto against = std::count_if(component.begin(), component.end(),
-                                       [&](std::uint32_t t) { return facing.against[t]; });
+                                       [&](std::uint32_t t) { return facing.is_flipped[t]; });
     const bool most = 2 * static_cast<std::size_t>(against) > component.size();
     for (const std::uint32_t t : component) {
-      if (facing.against[t] == most) continue;
+      if (facing.is_flipped[t] == most) continue;
       std::swap(mesh.triangles[t][1], mesh.triangles[t][2]);
       if (result.turned++ == 0) result.first = mesh.triangles[t][0];
     }

@@ -114,7 +114,7 @@ class Surroundings {
   }
 
  private:
-  std::size_t degree(std::uint32_t v) const { return corners_.at(v).size(); }
+  std::size_t degree(std::uint32_t v) const { return corners_.corners_of(v).size(); }
 
   static std::uint32_t next(std::uint32_t c) { return c % 3 == 2 ? c - 2 : c + 1; }
 
@@ -124,7 +124,7 @@ class Surroundings {
 
   template <class Use>
   void for_each_corner(std::uint32_t v, const Use& use) const {
-    for (const std::uint32_t c : corners_.at(v)) use(c);
+    for (const std::uint32_t c : corners_.corners_of(v)) use(c);
   }
 
   /// Normal, as long as the doubled area, of the triangle across from a corner.

@@ -65,7 +65,7 @@ std::vector<SurfaceFoot> feet_of(const std::vector<Sample>& samples, const Trian
   std::vector<SurfaceFoot> feet;
   std::uint32_t hint = 0;
   for (const Sample& sample : samples) {
-    const TriangleTree::Closest found = tree.closest(sample.position, hint);
+    const TriangleTree::Closest found = tree.closest_point(sample.position, hint);
     hint = found.triangle;
     const Vec3& normal = tree.face_normal(found.triangle);
     feet.push_back(
@@ -170,7 +170,8 @@ std::optional<SurfaceCopy> match_surface_copy(const TriangleMesh& component, con
 
 void move_best_copy_first(std::vector<Component>& components) {
   const auto better = [](const Component& a, const Component& b) {
-    const bool a_closed = inspect_mesh(a.mesh).closed(), b_closed = inspect_mesh(b.mesh).closed();
+    const bool a_closed = inspect_mesh(a.mesh).is_closed(),
+               b_closed = inspect_mesh(b.mesh).is_closed();
     if (a_closed != b_closed) return a_closed;
     return static_cast<double>(a.mesh.triangles.size()) >
            kFiner * static_cast<double>(b.mesh.triangles.size());
@@ -189,20 +190,20 @@ void move_best_copy_first(std::vector<Component>& components) {
 DuplicateSurface describe_copy(const SurfaceCopy& copy, const Component& dropped,
                              const TriangleMesh& kept, const TriangleTree& tree) {
   DuplicateSurface doubled;
-  doubled.closed = inspect_mesh(dropped.mesh).closed();
+  doubled.closed = inspect_mesh(dropped.mesh).is_closed();
   doubled.area_fraction = dropped.area / surface_area(kept);
   doubled.offset = copy.offset;
   doubled.distance = copy.distance;
   doubled.scale = copy.scale;
   const std::size_t of_kept = kept.triangles.size(), of_copy = dropped.mesh.triangles.size();
-  if (inspect_mesh(kept).closed() && !doubled.closed) {
+  if (inspect_mesh(kept).is_closed() && !doubled.closed) {
     doubled.retention_reason = RetentionReason::kClosed;
   } else if (doubled.area_fraction < kCompleteCopy) {
     doubled.retention_reason = RetentionReason::kWhole;
   } else if (static_cast<double>(of_kept) > kFiner * static_cast<double>(of_copy)) {
     doubled.retention_reason = RetentionReason::kFiner;
   }
-  if (inspect_mesh(kept).closed()) doubled.retained_volume = std::abs(signed_volume(kept));
+  if (inspect_mesh(kept).is_closed()) doubled.retained_volume = std::abs(signed_volume(kept));
   if (doubled.closed && doubled.retained_volume > 0.0) {
     doubled.volume_change = std::abs(signed_volume(dropped.mesh)) - doubled.retained_volume;
     return doubled;
@@ -212,7 +213,7 @@ DuplicateSurface describe_copy(const SurfaceCopy& copy, const Component& dropped
     const Vec3 &a = dropped.mesh.vertices[t[0]], &b = dropped.mesh.vertices[t[1]],
                &c = dropped.mesh.vertices[t[2]];
     const Vec3 middle = (a + b + c) / 3.0;
-    const TriangleTree::Closest found = tree.closest(middle, hint);
+    const TriangleTree::Closest found = tree.closest_point(middle, hint);
     hint = found.triangle;
     doubled.volume_change += 0.5 * (b - a).cross(c - a).norm() *
                              tree.face_normal(found.triangle).dot(middle - found.point);

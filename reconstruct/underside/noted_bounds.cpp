@@ -75,7 +75,7 @@ bool ScannedSurface::contains(const Vec3& position) const {
     const PointTree::Neighbour near = points_->nearest(position, 1)[0];
     return near.distance <= kGap * spacings_[near.point];
   }
-  return tree_ && tree_->closest(position).squared_distance <= reach_ * reach_;
+  return tree_ && tree_->closest_point(position).squared_distance <= reach_ * reach_;
 }
 
 std::optional<NotedBounds> bracket_closed_scan(const ClosedScan& scan, const RepairReport& report) {

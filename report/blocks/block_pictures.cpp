@@ -47,7 +47,8 @@ Rgb deviation_colour(double share) {
   return colour;
 }
 
-std::string render_thumbnail_png(const TriangleMesh& mesh, std::uint32_t width, std::uint32_t height) {
+std::string render_thumbnail_png(const TriangleMesh& mesh, std::uint32_t width,
+                                 std::uint32_t height) {
   std::array<Camera, 1> camera = {make_camera(default_view_direction())};
   frame(camera, mesh.vertices, width, height);
   Canvas canvas(camera[0]);
@@ -55,11 +56,11 @@ std::string render_thumbnail_png(const TriangleMesh& mesh, std::uint32_t width, 
   return shaded_png(canvas);
 }
 
-std::string thumbnail(const TriangleMesh& mesh, const std::string& name, std::uint32_t width,
-                      std::uint32_t height) {
+std::string render_thumbnail(const TriangleMesh& mesh, const std::string& name, std::uint32_t width,
+                             std::uint32_t height) {
   return "<img width=\"" + std::to_string(width) + "\" height=\"" + std::to_string(height) +
-         "\" alt=\"" + escape_html(name) + "\" src=\"" + png_data_uri(render_thumbnail_png(mesh, width, height)) +
-         "\"/>";
+         "\" alt=\"" + escape_html(name) + "\" src=\"" +
+         png_data_uri(render_thumbnail_png(mesh, width, height)) + "\"/>";
 }
 
 }  // namespace clast::report_detail

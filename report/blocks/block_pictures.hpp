@@ -28,7 +28,7 @@ std::string render_thumbnail_png(const TriangleMesh& mesh, std::uint32_t width,
                                  std::uint32_t height);
 
 /// Renders a thumbnail as an HTML <img> element.
-std::string thumbnail(const TriangleMesh& mesh, const std::string& name, std::uint32_t width = 120,
-                      std::uint32_t height = 96);
+std::string render_thumbnail(const TriangleMesh& mesh, const std::string& name,
+                             std::uint32_t width = 120, std::uint32_t height = 96);
 
 }  // namespace clast::report_detail

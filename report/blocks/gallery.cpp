@@ -56,7 +56,7 @@ std::string class_choices(std::span<const Block* const> blocks) {
   std::string options = option("all:", "all");
   for (const Scheme& scheme : schemes()) {
     std::map<std::string, std::size_t> counts;
-    for (const Block* block : blocks) ++counts[scheme.block_class_of_group(block->axes())];
+    for (const Block* block : blocks) ++counts[scheme.class_of(block->axes())];
     options += "<optgroup label=\"" + std::string(scheme.name) + "\">\n";
     for (const auto& [name, count] : counts) {
       options +=
@@ -94,7 +94,7 @@ std::string details(const Block& block) {
   const TextTable table = block_table({&one, 1});
   std::string html = "<dl class=\"facts\">";
   for (std::size_t i = 1; i < table.headings.size(); ++i) {
-    html += fact(table.headings[i], table.rows.front()[i]);
+    html += format_fact(table.headings[i], table.rows.front()[i]);
   }
   html += "</dl>";
   HtmlTable more({"what", "value"}, 2);
@@ -114,18 +114,18 @@ std::string card(const Block& block, const std::string& source) {
                            "\"";
   std::string classes;
   for (const Scheme& scheme : schemes()) {
-    const std::string name = scheme.block_class_of_group(axes);
+    const std::string name = scheme.class_of(axes);
     attributes += " data-" + std::string(scheme.key) + "=\"" + escape_html(name) + "\"";
     classes += (classes.empty() ? "" : ", ") + name;
   }
   return "<article class=\"card\"" + attributes +
          "><button type=\"button\" class=\"open\" title=\"turn it\">" +
-         thumbnail(block.surface, block.id, kGalleryWidth, kGalleryHeight) + "</button>\n<h3>" +
-         escape_html(block.id) + "</h3>\n<div class=\"file\">" + escape_html(block.source.file) +
-         "</div>\n<dl>" + term("class", classes) +
+         render_thumbnail(block.surface, block.id, kGalleryWidth, kGalleryHeight) +
+         "</button>\n<h3>" + escape_html(block.id) + "</h3>\n<div class=\"file\">" +
+         escape_html(block.source.file) + "</div>\n<dl>" + term("class", classes) +
          term("mass", metric ? format_rounded(block.mass.mass) + " kg" : "none: unscaled") +
-         term("L x I x S",
-              format_rounded(axes.L, 3) + " x " + format_rounded(axes.I, 3) + " x " + format_rounded(axes.S, 3) + u) +
+         term("L x I x S", format_rounded(axes.L, 3) + " x " + format_rounded(axes.I, 3) + " x " +
+                               format_rounded(axes.S, 3) + u) +
          term("volume", format_rounded(block.mass.volume) + (metric ? " m3" : " u3")) +
          term("s_c", format_rounded(elongation_index(axes), 3)) +
          term("vertices", std::to_string(block.body.vertices.size())) +
@@ -156,12 +156,14 @@ std::filesystem::path write_gallery(std::span<const Block* const> blocks, const 
                      format_count(blocks.size(), "block") +
                      "; a click on a picture shows the block in 3-D, with all its numbers</p>\n";
   if (const std::string note = describe_unscaled(blocks); !note.empty()) body += paragraph(note);
-  body += format_series_matrices(blocks) + bar(blocks) + "<div " + kMark + ">\n" + cards + "</div>\n";
+  body +=
+      format_series_matrices(blocks) + bar(blocks) + "<div " + kMark + ">\n" + cards + "</div>\n";
   body +=
       "<dialog class=\"block\"><button type=\"button\" class=\"close\" "
       "aria-label=\"close\">\xC3\x97</button><h2></h2>\n" +
-      (three ? format_turntable_view("") : std::string()) + "<div class=\"numbers\"></div></dialog>\n" +
-      data + turntable_script() + "<footer>clast " + escape_html(version()) + "</footer>\n";
+      (three ? format_turntable_view("") : std::string()) +
+      "<div class=\"numbers\"></div></dialog>\n" + data + turntable_script() + "<footer>clast " +
+      escape_html(version()) + "</footer>\n";
   const std::string style = std::string(assets::gallery_css) + std::string(assets::turntable_css);
   const std::filesystem::path target = folder / kPage;
   write_text_file(target, page(title, body, {.style = style, .script = assets::gallery_js}));

@@ -41,7 +41,8 @@ std::string picture(const Member& member) {
   const std::string source = "block-" + std::to_string(member.number);
   return "<button type=\"button\" class=\"cell\" data-source=\"" + source + "\" title=\"" +
          escape_html(member.block->id) + "\">" +
-         thumbnail(seen_surface(*member.block), member.block->id, kMatrixWidth, kMatrixHeight) +
+         render_thumbnail(seen_surface(*member.block), member.block->id, kMatrixWidth,
+                          kMatrixHeight) +
          "</button>";
 }
 
@@ -61,7 +62,8 @@ class PictureTable {
   }
   std::string html(const std::string& corner) const {
     std::string head = "<th>" + escape_html(corner) + "</th>";
-    for (const std::string& text : heads_) head += "<th scope=\"col\">" + escape_html(text) + "</th>";
+    for (const std::string& text : heads_)
+      head += "<th scope=\"col\">" + escape_html(text) + "</th>";
     return "<div class=\"series-scroll\"><table class=\"series\"><thead><tr>" + head +
            "</tr></thead><tbody>\n" + rows_ + "</tbody></table></div>\n";
   }

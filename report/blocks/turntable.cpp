@@ -72,7 +72,7 @@ Json deviation_json(const TriangleMesh& skin, const TriangleMesh& scan, double r
       for (int column = 0; column <= row; ++column) {
         const Vec3 place = a + (b - a) * (static_cast<double>(row - column) / n) +
                            (c - a) * (static_cast<double>(column) / n);
-        const TriangleTree::Signed found = tree.signed_closest_point(place, hint);
+        const TriangleTree::SignedClosest found = tree.signed_closest_point(place, hint);
         hint = found.triangle;
         shares.push_back(static_cast<std::int8_t>(
             std::lround(kShareSteps * std::clamp(found.distance / reach, -1.0, 1.0))));
@@ -97,7 +97,8 @@ void TurntableLimits::check() const {
                      ": must be 100 or more");
   }
   if (!(deviation_cells >= 1.0 && deviation_cells <= kMostPieces)) {
-    throw InputError("deviation_cells = " + format_significant(deviation_cells, 6) + ": must be 1 to 200");
+    throw InputError("deviation_cells = " + format_significant(deviation_cells, 6) +
+                     ": must be 1 to 200");
   }
 }
 
@@ -137,7 +138,8 @@ std::string format_turntable_view(const std::string& source) {
 
 std::string turntable_script() {
   if (!three_is_installed()) return paragraph(explain_missing_three("write the pages again"));
-  return format_script_element(assets::unpack_js) + three_scripts() + format_script_element(assets::turntable_js);
+  return format_script_element(assets::unpack_js) + three_scripts() +
+         format_script_element(assets::turntable_js);
 }
 
 std::string format_turntable_section(const Block& block) {

@@ -33,7 +33,7 @@ const ClassFraction& share_of(const std::vector<ClassFraction>& shares, const st
 /// Outlines, darker where more blocks are; a class without a block keeps its outline.
 std::string fields_svg(const std::vector<Field>& fields, const std::vector<ClassFraction>& shares) {
   double largest = 1e-9;
-  for (const ClassFraction& share : shares) largest = std::max(largest, share.share);
+  for (const ClassFraction& share : shares) largest = std::max(largest, share.fraction);
   std::string svg;
   for (const Field& field : fields) {
     const ClassFraction& share = share_of(shares, field.name);
@@ -42,10 +42,10 @@ std::string fields_svg(const std::vector<Field>& fields, const std::vector<Class
       points += fixed(corner.x(), 1) + "," + fixed(corner.y(), 1) + " ";
     }
     svg += "<polygon points=\"" + points + "\" fill=\"" + kDataColours[5] + "\" fill-opacity=\"" +
-           fixed(0.45 * share.share / largest, 3) + "\" stroke=\"#5b6775\"><title>" +
+           fixed(0.45 * share.fraction / largest, 3) + "\" stroke=\"#5b6775\"><title>" +
            escape_html(field.name + ": " + std::to_string(share.count) + " blocks, " +
-                   format_percent(share.share) + " (95 % interval " + format_percent(share.low) + " to " +
-                   format_percent(share.high) + ")") +
+                       format_percent(share.fraction) + " (95 % interval " +
+                       format_percent(share.low) + " to " + format_percent(share.high) + ")") +
            "</title></polygon>\n";
   }
   return svg;
@@ -58,7 +58,7 @@ std::string labels_svg(const std::vector<Field>& fields, const std::vector<Class
     svg += svg_text(field.label.x(), field.label.y() - 2, field.name,
                     std::string("font-size=\"13\" font-weight=\"700\"") + kDiagramHalo);
     svg += svg_text(field.label.x(), field.label.y() + 12,
-                    share.count > 0 ? format_percent(share.share) : std::string("0"),
+                    share.count > 0 ? format_percent(share.fraction) : std::string("0"),
                     std::string("font-size=\"11\"") + kDiagramHalo);
   }
   return svg;
@@ -69,14 +69,15 @@ std::string blocks_svg(const Population& population, std::size_t number,
                        const PopulationOptions& options, const Vec2& corner, Place place_of) {
   std::vector<Vec2> places;
   places.reserve(population.blocks.size());
-  for (const MeasuredBlock& block : population.blocks) places.push_back(place_of(block.axes_as_written));
+  for (const MeasuredBlock& block : population.blocks)
+    places.push_back(place_of(block.axes_as_written));
   if (places.size() > kMostSingleBlocks) return draw_density_squares(places, corner, "blocks");
   std::string svg;
   for (std::size_t i = 0; i < places.size(); ++i) {
     const MeasuredBlock& block = population.blocks[i];
     svg += draw_shape_mark(places[i].x(), places[i].y(), garcia_class(block.axes_as_written), true,
-                      "class=\"block\" data-block=\"" + block_element_id(number, i) + "\"",
-                      format_block_title(block, options)) +
+                           "class=\"block\" data-block=\"" + block_element_id(number, i) + "\"",
+                           format_block_title(block, options)) +
            "\n";
   }
   return svg;

@@ -27,7 +27,7 @@ inline std::string format_colour(const Rgb& colour) {
 }
 
 /// Mixes a colour with a fraction of another; "#ffffff" makes it paler.
-inline std::string mixed(const std::string& colour, const std::string& other, double share) {
+inline std::string mix_colours(const std::string& colour, const std::string& other, double share) {
   Rgb parts{};
   for (std::size_t i = 0; i < parts.size(); ++i) {
     const auto part = [&](const std::string& text) {

@@ -28,20 +28,21 @@ std::string s_c_chart(const PopulationReport& report) {
     all.push_back(std::move(series));
   }
   return draw_histogram({"Elongation s_c (Garcia et al. 2022)",
-                          "s_c = L/I \xE2\x88\x92 1 (-)",
-                          false,
-                          {{kGarciaLimit, "elongated above 0.3"}}},
-                         all);
+                         "s_c = L/I \xE2\x88\x92 1 (-)",
+                         false,
+                         {{kGarciaLimit, "elongated above 0.3"}}},
+                        all);
 }
 
-Share share_bar(const ClassFraction& share, bool by_mass) {
-  Share bar{by_mass ? share.mass_share : share.share,
-            by_mass ? share.mass_low : share.low,
-            by_mass ? share.mass_high : share.high,
-            {}};
-  bar.note = (by_mass ? format_block_mass(share.mass) + " kg" : std::to_string(share.count) + " blocks") +
-             ", " + format_percent(bar.value) + " (95 % interval " + format_percent(bar.low) + " to " +
-             format_percent(bar.high) + ")";
+FractionWithInterval share_bar(const ClassFraction& share, bool by_mass) {
+  FractionWithInterval bar{by_mass ? share.mass_fraction : share.fraction,
+                           by_mass ? share.mass_low : share.low,
+                           by_mass ? share.mass_high : share.high,
+                           {}};
+  bar.note =
+      (by_mass ? format_block_mass(share.mass) + " kg" : std::to_string(share.count) + " blocks") +
+      ", " + format_percent(bar.value) + " (95 % interval " + format_percent(bar.low) + " to " +
+      format_percent(bar.high) + ")";
   return bar;
 }
 
@@ -61,10 +62,10 @@ std::string shares_chart(const PopulationReport& report, std::size_t scheme) {
   const bool two = report.populations.size() > 1;
   for (const ReportedPopulation& reported : report.populations) {
     add(reported, two ? reported.population.name : "by number", false);
-    if (!two && reported.summary.weighed > 0) add(reported, "by mass", true);
+    if (!two && reported.summary.with_mass > 0) add(reported, "by mass", true);
   }
-  return draw_class_fractions("Shares of classes: " + report.populations[0].summary.schemes[scheme].scheme,
-                     classes, all);
+  return draw_class_fractions(
+      "Shares of classes: " + report.populations[0].summary.schemes[scheme].scheme, classes, all);
 }
 
 Series size_series(const ReportedPopulation& reported, std::size_t number, bool by_mass) {
@@ -94,7 +95,7 @@ Curve law_curve(const FittedSizeLaw& law, double smallest, double largest) {
   for (int k = 0; k <= kSteps; ++k) {
     const double size =
         0.5 * smallest * std::pow(4.0 * largest / smallest, static_cast<double>(k) / kSteps);
-    curve.points.emplace_back(size, law.below(size));
+    curve.points.emplace_back(size, law.fraction_below(size));
   }
   return curve;
 }
@@ -137,7 +138,9 @@ bool has_sizes(const ReportedPopulation& reported) {
   return reported.summary.size.by_number.blocks > 0;
 }
 
-std::string format_block_mass(double mass) { return mass < 1e4 ? significant(mass, 4) : fixed(mass, 0); }
+std::string format_block_mass(double mass) {
+  return mass < 1e4 ? significant(mass, 4) : fixed(mass, 0);
+}
 
 std::string fractions_file_name(const PopulationReport& report, std::size_t scheme) {
   return "shares_" + class_column_name(report.populations.front().summary.schemes[scheme].scheme);

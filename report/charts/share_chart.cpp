@@ -47,13 +47,13 @@ BarLegend legend_from(const std::vector<ClassFractionSeries>& series, double top
 }  // namespace
 
 std::string draw_class_fractions(const std::string& title, const std::vector<std::string>& classes,
-                        const std::vector<ClassFractionSeries>& series) {
+                                 const std::vector<ClassFractionSeries>& series) {
   std::size_t longest = 4;
   for (const std::string& name : classes) longest = std::max(longest, name.size());
   const double left = std::min(250.0, 16.0 + kCharacter * static_cast<double>(longest));
   double highest = 0.0;
   for (const ClassFractionSeries& one : series) {
-    for (const Share& share : one.shares) highest = std::max(highest, share.high);
+    for (const FractionWithInterval& share : one.shares) highest = std::max(highest, share.high);
   }
   const Ticks marks = ticks(0.0, 100.0 * std::max(highest, 0.01), 5);
   const double scale =
@@ -67,7 +67,7 @@ std::string draw_class_fractions(const std::string& title, const std::vector<std
   for (const double value : marks.values) {
     const double x = left + scale * value;
     svg += format_svg_line(x, kBarsTop, x, bottom,
-                    value == 0.0 ? "stroke=\"#5b6775\"" : "stroke=\"#e2e6ea\"");
+                           value == 0.0 ? "stroke=\"#5b6775\"" : "stroke=\"#e2e6ea\"");
     svg += svg_text(x, bottom + 16, fixed(value, marks.decimals) + " %",
                     std::string(kBarText) + " text-anchor=\"middle\"");
   }
@@ -76,7 +76,7 @@ std::string draw_class_fractions(const std::string& title, const std::vector<std
     svg += svg_text(left - 8, top + 0.5 * (row - kGap) + 4, classes[k],
                     std::string(kBarText) + " text-anchor=\"end\"");
     for (std::size_t i = 0; i < series.size(); ++i) {
-      const Share& share = series[i].shares[k];
+      const FractionWithInterval& share = series[i].shares[k];
       const double y = top + kBar * static_cast<double>(i), middle = y + 0.5 * kBar;
       const double low = left + scale * 100.0 * share.low, high = left + scale * 100.0 * share.high;
       svg += "<g><title>" + escape_html(classes[k] + ", " + series[i].name + ": " + share.note) +

@@ -6,7 +6,7 @@
 namespace clast::report_detail {
 
 /// Fraction in [0, 1] with its 95 % interval.
-struct Share {
+struct FractionWithInterval {
   double value = 0.0;
   double low = 0.0;
   double high = 1.0;
@@ -17,7 +17,7 @@ struct Share {
 struct ClassFractionSeries {
   std::string name;
   std::string colour;
-  std::vector<Share> shares;  ///< one per class
+  std::vector<FractionWithInterval> shares;  ///< one per class
 };
 
 /// Draws one row per class, including empty ones: bars from zero with intervals as whiskers.

@@ -96,7 +96,7 @@ std::string dash_style(const std::string& dash) {
 /// Limits that lie in the range, dashed, with their words at the top.
 std::string limit_lines(const ChartText& text, const AxisRange& range, double top, double bottom) {
   std::string svg;
-  for (const Limit& limit : text.limits) {
+  for (const LimitLine& limit : text.limits) {
     if (limit.value < range.low || limit.value > range.high) continue;
     const double x = x_at(range, limit.value);
     const bool right = x > kChartLeft + 0.6 * kPlotWidth;  // no room on that side for words
@@ -154,8 +154,8 @@ std::string named_marks(const Series& series, const std::vector<Step>& steps,
            " cx=\"" + fixed(x_at(range, step.value), 1) + "\" cy=\"" +
            fixed(top + height * (1.0 - step.share), 1) + "\" r=\"2.6\" fill=\"" + series.colour +
            "\"><title>" +
-           escape_html(series.names[step.index] + "\n" + format_percent(step.share) + " up to here, " +
-                   series.name) +
+           escape_html(series.names[step.index] + "\n" + format_percent(step.share) +
+                       " up to here, " + series.name) +
            "</title></circle>\n";
   }
   return svg;
@@ -251,7 +251,7 @@ std::string draw_histogram(const ChartText& text, const std::vector<Series>& ser
   constexpr double kRow = 92.0, kGap = 24.0;
   const AxisRange data = axis_range(series);
   std::vector<double> limits;
-  for (const Limit& limit : text.limits) limits.push_back(limit.value);
+  for (const LimitLine& limit : text.limits) limits.push_back(limit.value);
   const Bins bins = bins_of({data.low, data.high}, limits);
   const AxisRange range{bins.low, bins.low + bins.width * static_cast<double>(bins.count)};
 
@@ -292,7 +292,7 @@ std::string draw_histogram(const ChartText& text, const std::vector<Series>& ser
              "\" width=\"" + fixed(width - 1.0, 1) + "\" height=\"" + fixed(height, 1) +
              "\" fill=\"" + series[i].colour + "\"><title>" +
              escape_html(significant(low, 4) + " to " + significant(low + bins.width, 4) + ": " +
-                     format_percent(shares[i][k]) + names_in_bin(names[i][k])) +
+                         format_percent(shares[i][k]) + names_in_bin(names[i][k])) +
              "</title></rect>";
     }
     svg += format_svg_line(kChartLeft, base, kChartWidth - kChartRight, base, kAxis);

@@ -18,7 +18,7 @@ struct Curve {
 };
 
 /// Vertical line with a label.
-struct Limit {
+struct LimitLine {
   double value = 0.0;
   std::string text;
 };
@@ -28,7 +28,7 @@ struct ChartText {
   std::string title;
   std::string x_label;
   bool logarithmic = false;  ///< logarithmic x axis of a cumulative chart; values must be positive
-  std::vector<Limit> limits = {};
+  std::vector<LimitLine> limits = {};
 };
 
 /// Maximum number of named marks per series.

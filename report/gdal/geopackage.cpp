@@ -89,7 +89,7 @@ std::vector<Layer::Field> with_run_fields(const std::vector<Layer::Field>& more)
 }
 
 void write_stops(Layer layer, const Comparison& comparison) {
-  const auto columns = chosen(run_columns(), layer.fields());
+  const auto columns = selected_columns(run_columns(), layer.fields());
   for (const RunRow& row : comparison.rows) {
     if (!row.stop.allFinite()) continue;  // a failed run may have no place
     Feature feature = layer.feature();
@@ -99,7 +99,7 @@ void write_stops(Layer layer, const Comparison& comparison) {
 }
 
 void write_crossings(Layer layer, const Comparison& comparison) {
-  const auto columns = chosen(crossing_columns(), layer.fields());
+  const auto columns = selected_columns(crossing_columns(), layer.fields());
   for (const BarrierCrossing& row : comparison.crossings) {
     Feature feature = layer.feature();
     set_fields(*feature, columns, {comparison, row});
@@ -108,8 +108,9 @@ void write_crossings(Layer layer, const Comparison& comparison) {
 }
 
 void write_barriers(Layer layer, const Comparison& comparison) {
-  const auto columns = chosen(barrier_table_columns(), {"runs", "crossings", "probability",
-                                                  "height_p95_m", "total_energy_p95_j"});
+  const auto columns =
+      selected_columns(barrier_table_columns(),
+                       {"runs", "crossings", "probability", "height_p95_m", "total_energy_p95_j"});
   for (std::size_t line = 0; line < comparison.lines.size(); ++line) {
     const BarrierLine& barrier = comparison.lines[line];
     Feature feature = layer.feature();
@@ -128,7 +129,7 @@ void write_barriers(Layer layer, const Comparison& comparison) {
 
 /// The way of every run with a stored trajectory, as a line through its frames.
 void write_trajectories(Layer layer, const Comparison& comparison) {
-  const auto columns = chosen(run_columns(), layer.fields());
+  const auto columns = selected_columns(run_columns(), layer.fields());
   for_each_trajectory(comparison,
                       [&](std::size_t index, const Trajectory& trajectory, const TerrainSurface&) {
                         const RunRow& row = comparison.rows[index];

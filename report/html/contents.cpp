@@ -2,7 +2,7 @@
 
 namespace clast::report_detail {
 
-std::string contents(std::string_view body) {
+std::string make_contents_list(std::string_view body) {
   constexpr std::string_view kOpen = "<section id=\"", kMiddle = "\">\n<h2>", kEnd = "</h2>";
   std::string links;
   if (body.find("<header id=\"answer\">") != body.npos) {

@@ -6,6 +6,6 @@
 namespace clast::report_detail {
 
 /// Formats links to the answer, if `body` has one, and to each section in order.
-std::string contents(std::string_view body);
+std::string make_contents_list(std::string_view body);
 
 }  // namespace clast::report_detail

@@ -195,7 +195,8 @@ std::string section(std::string_view title, std::string_view body) {
          std::string(body) + "</section>\n";
 }
 
-std::string folded(std::string_view line, std::string_view body, PrintedState on_paper) {
+std::string format_folded_section(std::string_view line, std::string_view body,
+                                  PrintedState on_paper) {
   const std::string classes = on_paper == PrintedState::kOpen ? "fold paper" : "fold";
   return "<details class=\"" + classes + "\"><summary>" + escape_html(line) + "</summary>\n" +
          std::string(body) + "</details>\n";
@@ -209,12 +210,13 @@ std::string figure(std::string_view svg, std::string_view caption) {
   return html + "</figure>\n";
 }
 
-std::string fact(std::string_view name, std::string_view value) {
+std::string format_fact(std::string_view name, std::string_view value) {
   return "<div><dt>" + escape_html(name) + "</dt><dd>" + escape_html(value) + "</dd></div>\n";
 }
 
 std::string format_note_box(std::string_view title, const std::vector<std::string>& notes) {
-  std::string html = "<div class=\"warnings\" role=\"note\"><h2>" + escape_html(title) + "</h2><ul>\n";
+  std::string html =
+      "<div class=\"warnings\" role=\"note\"><h2>" + escape_html(title) + "</h2><ul>\n";
   for (const std::string& note : notes) html += "<li>" + with_code(note) + "</li>\n";
   return html + "</ul></div>\n";
 }

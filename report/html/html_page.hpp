@@ -61,14 +61,14 @@ std::string section(std::string_view title, std::string_view body);
 /// State of a collapsible section in print.
 enum class PrintedState { kLeftOut, kOpen };
 /// Formats a collapsible section: a plain-text line, and HTML shown after a click.
-std::string folded(std::string_view line, std::string_view body,
-                   PrintedState on_paper = PrintedState::kLeftOut);
+std::string format_folded_section(std::string_view line, std::string_view body,
+                                  PrintedState on_paper = PrintedState::kLeftOut);
 /// Formats a paragraph of plain text; text in backticks becomes code.
 std::string paragraph(std::string_view text);
 /// Formats a figure with caption.
 std::string figure(std::string_view svg, std::string_view caption = {});
 /// Formats one entry of a "<dl class=facts>" list.
-std::string fact(std::string_view name, std::string_view value);
+std::string format_fact(std::string_view name, std::string_view value);
 /// Formats a highlighted box with a list of warnings.
 std::string format_note_box(std::string_view title, const std::vector<std::string>& notes);
 

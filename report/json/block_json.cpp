@@ -25,7 +25,8 @@ Json field_json(const FieldNotes& field) {
   Json json = Json::object();
   if (!field.site.empty()) json["site"] = field.site;
   if (!field.note.empty()) json["note"] = field.note;
-  if (field.taped) json["taped_m"] = {field.taped->L, field.taped->I, field.taped->S};
+  if (field.taped_axes)
+    json["taped_m"] = {field.taped_axes->L, field.taped_axes->I, field.taped_axes->S};
   if (field.weighed_mass) json["weighed_kg"] = *field.weighed_mass;
   return json;
 }
@@ -40,7 +41,7 @@ Json boxes_json(const Block& block) {
 }
 
 Json unseen_json(const Block& block) {
-  const VolumeBracket& unseen = *block.unseen;
+  const VolumeBracket& unseen = *block.volume_bracket;
   const BlockBracket range = derive_block_bracket(block);
   const auto known = [](const std::optional<double>& value) {
     return value ? Json(*value) : Json(nullptr);
@@ -140,7 +141,7 @@ Json block_json(const Block& block) {
                          {"body_to_scan", block.deviation.body_to_scan},
                          {"area_relative", block.deviation.area_relative},
                          {"moments_relative", block.deviation.moments_relative}};
-  if (block.unseen) json["unseen"] = unseen_json(block);
+  if (block.volume_bracket) json["unseen"] = unseen_json(block);
   json["warnings"] = block.warnings;
   const Json field = field_json(block.field);
   if (!field.empty()) json["field"] = field;

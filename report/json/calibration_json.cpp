@@ -14,7 +14,7 @@ Json unknown_json(const Unknown& unknown) {
 }
 
 Json figure_json(const CalibrationStudy& study, const Observation& observation,
-                 const Figure& figure) {
+                 const SummaryStatistic& figure) {
   return {{"observation", observation.name},
           {"site", study.sites[observation.site].name},
           {"use", observation.fitted ? "fit" : "keep"},
@@ -44,7 +44,7 @@ Json figures_json(const Calibration& calibration) {
   for (std::size_t o = 0, at = 0; o < calibration.study.observations.size(); ++o) {
     const Observation& observation = calibration.study.observations[o];
     for (std::size_t i = 0; i < observation.figures.size(); ++i, ++at) {
-      const Figure& figure = observation.figures[i];
+      const SummaryStatistic& figure = observation.figures[i];
       Json json = figure_json(calibration.study, observation, figure);
       for (const PredictedStatistic& one : calibration.posterior.predicted) {
         if (one.observation != o || one.figure != i) continue;
@@ -105,7 +105,7 @@ Json study_json(const CalibrationStudy& study) {
   }
   for (const Unknown& unknown : study.unknowns) unknowns.push_back(unknown_json(unknown));
   for (const Observation& observation : study.observations) {
-    for (const Figure& figure : observation.figures) {
+    for (const SummaryStatistic& figure : observation.figures) {
       figures.push_back(figure_json(study, observation, figure));
     }
   }

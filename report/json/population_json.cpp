@@ -15,10 +15,10 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 Json certainty_json(const ClassCertainty& certainty) {
-  return {{"class", certainty.name},        {"ratio", certainty.ratio},
-          {"value", certainty.value},       {"nearest_limit", certainty.limit},
-          {"distance", certainty.distance}, {"near_limit", certainty.near_limit},
-          {"survives", certainty.is_certain}, {"others", certainty.others}};
+  return {{"class", certainty.name},          {"ratio", certainty.ratio},
+          {"value", certainty.value},         {"nearest_limit", certainty.limit},
+          {"distance", certainty.distance},   {"near_limit", certainty.near_limit},
+          {"survives", certainty.is_certain}, {"others", certainty.possible_others}};
 }
 
 Json curve_json(const SizeCurve& curve) {
@@ -102,12 +102,12 @@ Json shares_json(const PopulationSummary& summary) {
     for (const ClassFraction& share : scheme.shares) {
       Json row = {{"class", share.name},
                   {"blocks", share.count},
-                  {"share", share.share},
+                  {"share", share.fraction},
                   {"low", share.low},
                   {"high", share.high}};
-      if (summary.weighed > 0) {
+      if (summary.with_mass > 0) {
         row["mass_kg"] = share.mass;
-        row["mass_share"] = share.mass_share;
+        row["mass_share"] = share.mass_fraction;
         row["mass_low"] = share.mass_low;
         row["mass_high"] = share.mass_high;
       }
@@ -145,7 +145,7 @@ Json comparison_json(const PopulationComparison& comparison) {
   for (const MeasureDifference& one : comparison.measures) {
     Json json = {{"measure", one.measure->name}};
     json.update(test_json(one.test, "ks_distance"));
-    json["words"] = one.words;
+    json["words"] = one.description;
     measures.push_back(json);
   }
   for (const ClassDifference& one : comparison.schemes) {
@@ -155,7 +155,7 @@ Json comparison_json(const PopulationComparison& comparison) {
     json["smallest_expected"] = one.test ? Json(one.test->smallest_expected) : Json();
     json["random_tables"] = one.test ? Json(one.test->draws) : Json();
     json["p_value"] = one.test ? Json(one.test->p_value) : Json();
-    json["words"] = one.words;
+    json["words"] = one.description;
     schemes.push_back(json);
   }
   return {{"a", comparison.name_a},

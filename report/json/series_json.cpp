@@ -42,7 +42,7 @@ nlohmann::ordered_json series_json(const BlockSeries& series, const std::optiona
   nlohmann::ordered_json json;
   json["bodies"] = nlohmann::ordered_json::array();
   for (const Block& block : series.blocks) json["bodies"].push_back(body_json(block));
-  json["failed"] = series.failed;
+  json["failed"] = series.failures;
   json["fit"] = nullptr;
   if (!fit) return json;
   nlohmann::ordered_json pairs = nlohmann::ordered_json::array();

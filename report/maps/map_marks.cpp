@@ -19,7 +19,8 @@ std::string draw_release_outline(const std::string& path, const std::string& tit
   return "<path fill=\"none\" stroke=\"#fff\" stroke-width=\"4\" d=\"" + path +
          "\"/><path fill=\"none\" stroke=\"#111\" stroke-width=\"1.8\" "
          "stroke-dasharray=\"6 4\" d=\"" +
-         path + "\">" + (title.empty() ? "" : "<title>" + escape_html(title) + "</title>") + "</path>";
+         path + "\">" + (title.empty() ? "" : "<title>" + escape_html(title) + "</title>") +
+         "</path>";
 }
 
 CountArrow make_count_arrow(const BarrierLine& line) {
@@ -38,9 +39,9 @@ std::string draw_relief_image(const SiteMap& site, std::uint32_t columns) {
   const MapFrame& frame = site.terrain->frame;
   const Vec2 origin = frame.origin.head<2>();
   const Relief relief =
-      sampled(*site.terrain, {site.window.low - origin, site.window.high - origin}, columns);
-  return png_data_uri(
-      render_relief_png(relief, site.terrain->zone_names, frame.origin.z(), site.contour_interval()));
+      sample_relief(*site.terrain, {site.window.low - origin, site.window.high - origin}, columns);
+  return png_data_uri(render_relief_png(relief, site.terrain->zone_names, frame.origin.z(),
+                                        site.contour_interval()));
 }
 
 }  // namespace clast::report_detail

@@ -72,7 +72,7 @@ void add_releases(const Comparison& comparison, SiteMap& site) {
       continue;
     }
     const std::size_t blocks = release.starts.size() / release.realisations.size();
-    site.outlines.push_back({"release of " + counted(blocks, "block"), std::move(corners)});
+    site.outlines.push_back({"release of " + format_count(blocks, "block"), std::move(corners)});
   }
   drop_repeats(site.places);
 }
@@ -93,7 +93,7 @@ SiteMap whole_site(const Terrain& terrain, std::span<const Vec2> releases,
     for (const Vec2& point : line.through) marks.include(point);
   }
   const Bounds ground = bounds(terrain.surface);
-  const Vec3 low = terrain.frame.map(ground.low), high = terrain.frame.map(ground.high);
+  const Vec3 low = terrain.frame.to_map(ground.low), high = terrain.frame.to_map(ground.high);
   marks.include(low.head<2>());
   marks.include(high.head<2>());
   site.window = marks.window();
@@ -134,7 +134,7 @@ SiteMap make_site_map(const Comparison& comparison) {
 SiteMap make_site_map(const CampaignHeader& header) {
   std::vector<Vec2> releases;
   for (const Vec3& point : header.release_points) {
-    releases.push_back(header.frame.map(point).head<2>());
+    releases.push_back(header.frame.to_map(point).head<2>());
   }
   std::vector<BarrierLine> lines;
   for (const Barrier& barrier : header.barriers) {
@@ -149,7 +149,7 @@ SiteMap make_site_map(const CampaignHeader& header) {
 }
 
 SiteMap make_site_map(const Terrain& terrain, std::span<const Vec2> releases,
-                 const std::vector<std::vector<Vec2>>& lines) {
+                      const std::vector<std::vector<Vec2>>& lines) {
   check_near_ground(terrain, releases, "the release point");
   std::vector<BarrierLine> barriers;
   for (const std::vector<Vec2>& line : lines) {

@@ -16,7 +16,8 @@ constexpr double kTurn = 2.0 * kPi;            // rad per revolution
 constexpr const char* kDash = "\xE2\x80\x93";  // en dash, for ranges
 
 /// Groups that met a barrier, classes first.
-std::vector<const BarrierGroupStatistics*> shown_groups(const Comparison& comparison, std::size_t line) {
+std::vector<const BarrierGroupStatistics*> shown_groups(const Comparison& comparison,
+                                                        std::size_t line) {
   std::vector<const BarrierGroupStatistics*> shown;
   for (const GroupKind kind :
        {GroupKind::kGarcia, GroupKind::kBlock, GroupKind::kSneedFolk, GroupKind::kAll}) {
@@ -75,8 +76,8 @@ std::string impact_table(const Comparison& comparison, std::size_t line) {
     for (const double energy : {group->total.mean, group->total.p95, group->total.max}) {
       cells.push_back(significant(energy / 1000.0));
     }
-    cells.push_back(group->total.mean > 0.0 ? format_percent(group->rotational.mean / group->total.mean)
-                                            : "-");
+    cells.push_back(
+        group->total.mean > 0.0 ? format_percent(group->rotational.mean / group->total.mean) : "-");
     const Summary& rate = group->rotation_rate;
     for (const double value : {rate.mean, rate.p95, rate.max}) {
       cells.push_back(fixed(value / kTurn, 2));
@@ -123,15 +124,16 @@ std::string barrier_ends(const BarrierLine& barrier) {
 std::string barrier_charts(const Comparison& comparison, std::size_t line) {
   const std::vector<const Crossing*> first = find_counted_crossings(comparison, line);
   const auto chart = [&](const std::string& title, const std::string& label, auto value) {
-    return draw_plotly_chart({title, label, "share of crossings", true},
-                        make_cumulative_traces(make_value_series(comparison, GroupKind::kGarcia,
-                                                    [&](std::size_t row) -> std::optional<double> {
-                                                      if (first[row] == nullptr) {
-                                                        return std::nullopt;
-                                                      }
-                                                      return value(*first[row]);
-                                                    }),
-                                          true));
+    return draw_plotly_chart(
+        {title, label, "share of crossings", true},
+        make_cumulative_traces(make_value_series(comparison, GroupKind::kGarcia,
+                                                 [&](std::size_t row) -> std::optional<double> {
+                                                   if (first[row] == nullptr) {
+                                                     return std::nullopt;
+                                                   }
+                                                   return value(*first[row]);
+                                                 }),
+                               true));
   };
   return chart(comparison.lines[line].name + ": crossings above an energy",
                "total kinetic energy, kJ",
@@ -178,12 +180,12 @@ std::string format_barrier_section(const ComparisonAnalyses& analyses) {
       charts += barrier_charts(comparison, line) + draw_crossing_charts(comparison, passages, line);
     else
       figures += paragraph("No run crossed " + barrier.name + ".");
-    figures +=
-        folded("Figures at " + barrier.name,
-               "<p class=\"note\">" + escape_html(barrier_ends(barrier)) + "; " +
-                   directions_of(comparison, line) + ".</p>\n" + crossing_table(comparison, line) +
-                   impact_table(comparison, line) + format_crossing_table(comparison, passages, line),
-               PrintedState::kOpen);
+    figures += format_folded_section(
+        "Figures at " + barrier.name,
+        "<p class=\"note\">" + escape_html(barrier_ends(barrier)) + "; " +
+            directions_of(comparison, line) + ".</p>\n" + crossing_table(comparison, line) +
+            impact_table(comparison, line) + format_crossing_table(comparison, passages, line),
+        PrintedState::kOpen);
   }
   if (!charts.empty()) html += "<div class=\"charts by-three\">\n" + charts + "</div>\n";
   html += figures;

@@ -32,10 +32,13 @@ std::string calibration_head(const Calibration& calibration) {
   std::string html = "<header id=\"answer\">\n<h1>Ground found from what was observed</h1>\n";
   html += "<p class=\"lead\">" +
           escape_html(calibration.study.file.filename().string() + ": " +
-                  format_count(design.members, "member") + " of " + format_count(design.releases, "release") +
-                  " at " + format_count(calibration.study.sites.size(), "site")) +
-          "</p>\n<p class=\"answer\">" + escape_html(describe_calibration_result(calibration)) + "</p>\n";
-  for (const std::string& finding : describe_calibration_findings(calibration)) html += paragraph(finding);
+                      format_count(design.members, "member") + " of " +
+                      format_count(design.releases, "release") + " at " +
+                      format_count(calibration.study.sites.size(), "site")) +
+          "</p>\n<p class=\"answer\">" + escape_html(describe_calibration_result(calibration)) +
+          "</p>\n";
+  for (const std::string& finding : describe_calibration_findings(calibration))
+    html += paragraph(finding);
   return html + "</header>\n";
 }
 
@@ -62,7 +65,7 @@ std::string marginal_chart(const Calibration& calibration, std::size_t unknown) 
   }
   const std::string axis = (own.logarithmic ? "log10 of " : "") + label_of(own);
   return draw_plotly_chart({describe_unknown(own.parameter), axis, "share of the draws", true},
-                      {posterior, prior});
+                           {posterior, prior});
 }
 
 std::string unknowns_section(const Calibration& calibration) {
@@ -171,7 +174,7 @@ std::string prediction_section(const Calibration& calibration) {
   std::vector<IntervalMark> marks;
   for (const PredictedStatistic& one : calibration.posterior.predicted) {
     const Observation& observation = calibration.study.observations[one.observation];
-    const Figure& figure = observation.figures[one.figure];
+    const SummaryStatistic& figure = observation.figures[one.figure];
     table.row({observation.name, observation.fitted ? "fit" : "keep", figure.name,
                significant(figure.observed, 4), significant(one.median, 4), significant(one.low, 4),
                significant(one.high, 4), significant(one.prior.low, 4),
@@ -191,7 +194,7 @@ std::string prediction_section(const Calibration& calibration) {
   return section(
       "Observed against predicted",
       draw_interval_chart("Predicted less observed",
-                     "predicted less observed, in half widths of the 95 % interval", marks) +
+                          "predicted less observed, in half widths of the 95 % interval", marks) +
           table.html() +
           paragraph(
               "Intervals are of what would be observed: they hold the uncertainty of the "
@@ -209,7 +212,7 @@ std::string sensitivity_table(const Calibration& calibration, double SobolIndice
   HtmlTable table(heads, 1);
   std::size_t at = 0;
   for (const Observation& observation : calibration.study.observations) {
-    for (const Figure& figure : observation.figures) {
+    for (const SummaryStatistic& figure : observation.figures) {
       const std::vector<SobolIndices>& shares = calibration.posterior.sensitivities[at++];
       if (shares.empty()) continue;
       std::vector<std::string> row = {observation.name + ": " + figure.name};
@@ -224,7 +227,7 @@ std::string surrogate_table(const Calibration& calibration) {
   HtmlTable table({"figure", "members", "error", "explained", "inflation", "roughness"}, 1);
   std::size_t at = 0;
   for (const Observation& observation : calibration.study.observations) {
-    for (const Figure& figure : observation.figures) {
+    for (const SummaryStatistic& figure : observation.figures) {
       const std::optional<SurrogateQuality>& quality = calibration.posterior.surrogates[at++];
       const std::string name = observation.name + ": " + figure.name;
       if (!quality) {
@@ -245,32 +248,37 @@ std::string influence_section(const Calibration& calibration) {
       sensitivity_table(calibration, &SobolIndices::total) +
           paragraph("Share of the variance of each figure over the ranges that goes with a "
                     "parameter, alone or together with others (Sobol's total index).") +
-          folded("With a parameter alone",
-                 sensitivity_table(calibration, &SobolIndices::first_order)) +
-          folded("How well the surrogates say members that they have not seen",
-                 surrogate_table(calibration) +
-                     paragraph("Error is the root mean square of leave-one-out errors, in the unit "
-                               "of the figure; explained is what is left of the variance without "
-                               "it. Their variances are multiplied by the inflation, and "
-                               "roughness, what is neither smooth nor chance, is added.")));
+          format_folded_section("With a parameter alone",
+                                sensitivity_table(calibration, &SobolIndices::first_order)) +
+          format_folded_section(
+              "How well the surrogates say members that they have not seen",
+              surrogate_table(calibration) +
+                  paragraph("Error is the root mean square of leave-one-out errors, in the unit "
+                            "of the figure; explained is what is left of the variance without "
+                            "it. Their variances are multiplied by the inflation, and "
+                            "roughness, what is neither smooth nor chance, is added.")));
 }
 
 std::string format_provenance_section(const Calibration& calibration) {
   std::string facts =
-      fact("Report by", std::string("clast ") + version()) +
-      fact("Posterior", calibration.file.string()) +
-      fact("Study", calibration.study.file.string() + " " + calibration.study.sha256) +
-      fact("Seed", std::to_string(calibration.study.design.seed)) +
-      fact("Draws", std::to_string(calibration.posterior.draws.cols()) + " after " +
-                        std::to_string(calibration.posterior.temperatures) + " temperatures, " +
-                        format_percent(calibration.posterior.accepted, 0) + " of the last moves accepted");
+      format_fact("Report by", std::string("clast ") + version()) +
+      format_fact("Posterior", calibration.file.string()) +
+      format_fact("Study", calibration.study.file.string() + " " + calibration.study.sha256) +
+      format_fact("Seed", std::to_string(calibration.study.design.seed)) +
+      format_fact("Draws", std::to_string(calibration.posterior.draws.cols()) + " after " +
+                               std::to_string(calibration.posterior.temperatures) +
+                               " temperatures, " +
+                               format_percent(calibration.posterior.accepted, 0) +
+                               " of the last moves accepted");
   std::string inputs;
   for (const std::string& input : calibration.stored.inputs) inputs += paragraph(input);
-  return section("For campaigns", "<pre>" + escape_html(format_ground_block(calibration)) + "</pre>\n") +
+  return section("For campaigns",
+                 "<pre>" + escape_html(format_ground_block(calibration)) + "</pre>\n") +
          section("Provenance",
                  "<dl class=\"facts\">\n" + facts + "</dl>\n" +
-                     folded("Input files and their SHA-256", inputs) +
-                     folded("Study file", "<pre>" + escape_html(calibration.study.text) + "</pre>\n"));
+                     format_folded_section("Input files and their SHA-256", inputs) +
+                     format_folded_section(
+                         "Study file", "<pre>" + escape_html(calibration.study.text) + "</pre>\n"));
 }
 
 }  // namespace
@@ -278,10 +286,11 @@ std::string format_provenance_section(const Calibration& calibration) {
 std::string make_calibration_page(const Calibration& calibration) {
   const std::string sections = calibration_head(calibration) + unknowns_section(calibration) +
                                prediction_section(calibration) + ridges_section(calibration) +
-                               influence_section(calibration) + format_provenance_section(calibration);
-  return make_report_page(
-      "Calibration: " + calibration.study.file.stem().string(),
-      format_script_element(assets::unpack_js) + contents(sections) + sections + charts_script());
+                               influence_section(calibration) +
+                               format_provenance_section(calibration);
+  return make_report_page("Calibration: " + calibration.study.file.stem().string(),
+                          format_script_element(assets::unpack_js) + make_contents_list(sections) +
+                              sections + charts_script());
 }
 
 }  // namespace clast

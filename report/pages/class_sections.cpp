@@ -35,20 +35,22 @@ std::string format_class_section(const Comparison& comparison) {
       blocks.insert(comparison.rows[row].block->id);
       mass += comparison.rows[row].block->mass;
     }
-    std::vector<std::string> cells = {short_group_name(group),
-                                      std::to_string(blocks.size()),
-                                      std::to_string(deposit.started),
-                                      std::to_string(deposit.stops.rest),
-                                      significant(mass / static_cast<double>(group.rows.size()), 4),
-                                      format_mean_and_deviation(deposit.runout, 1),
-                                      measured(deposit.runout.median, deposit.runout, 1),
-                                      measured(deposit.runout.p95, deposit.runout, 1),
-                                      measured(deposit.runout.max, deposit.runout, 1),
-                                      format_mean_and_deviation(deposit.lateral, 1, kDegreesPerRadian)};
+    std::vector<std::string> cells = {
+        short_group_name(group),
+        std::to_string(blocks.size()),
+        std::to_string(deposit.started),
+        std::to_string(deposit.stops.rest),
+        significant(mass / static_cast<double>(group.rows.size()), 4),
+        format_mean_and_deviation(deposit.runout, 1),
+        measured(deposit.runout.median, deposit.runout, 1),
+        measured(deposit.runout.p95, deposit.runout, 1),
+        measured(deposit.runout.max, deposit.runout, 1),
+        format_mean_and_deviation(deposit.lateral, 1, kDegreesPerRadian)};
     for (std::size_t line = 0; line < comparison.lines.size(); ++line) {
       std::string cell = "-";
       for (const BarrierGroupStatistics& barrier : comparison.barriers) {
-        if (barrier.line == line && barrier.group_index == g) cell = format_percent(barrier.probability);
+        if (barrier.line == line && barrier.group_index == g)
+          cell = format_percent(barrier.probability);
       }
       cells.push_back(cell);
     }
@@ -83,12 +85,16 @@ std::string format_block_section(const Comparison& comparison) {
     stops.row({short_group_name(group), std::to_string(deposit.started),
                std::to_string(deposit.stops.rest), std::to_string(deposit.stops.left_terrain),
                std::to_string(deposit.stops.max_time), std::to_string(deposit.stops.error),
-               format_mean_and_deviation(deposit.runout, 1), measured(deposit.runout.p95, deposit.runout, 1),
-               format_mean_and_deviation(deposit.lateral, 1, kDegreesPerRadian), fixed(fastest, 1)});
+               format_mean_and_deviation(deposit.runout, 1),
+               measured(deposit.runout.p95, deposit.runout, 1),
+               format_mean_and_deviation(deposit.lateral, 1, kDegreesPerRadian),
+               fixed(fastest, 1)});
   }
-  return section("Blocks", folded("Shapes: L, I, S are the sides of the smallest box",
-                                  shapes.html(), PrintedState::kOpen) +
-                               folded("Runs of every block", stops.html(), PrintedState::kOpen));
+  return section(
+      "Blocks",
+      format_folded_section("Shapes: L, I, S are the sides of the smallest box", shapes.html(),
+                            PrintedState::kOpen) +
+          format_folded_section("Runs of every block", stops.html(), PrintedState::kOpen));
 }
 
 std::string format_runout_section(const Comparison& comparison) {
@@ -105,17 +111,19 @@ std::string format_runout_section(const Comparison& comparison) {
   const std::vector<Series> by_class = make_value_series(comparison, GroupKind::kGarcia, along);
   std::string charts = "<div class=\"charts\">\n";
   charts += draw_plotly_chart({"Runout by class", "runout, m", "share of runs", true},
-                         make_histogram_traces(by_class));
+                              make_histogram_traces(by_class));
+  charts += draw_plotly_chart(
+      {"Lateral angle by class", "angle, deg (+ to the right)", "share of runs", true},
+      make_histogram_traces(make_value_series(comparison, GroupKind::kGarcia, lateral)));
   charts +=
-      draw_plotly_chart({"Lateral angle by class", "angle, deg (+ to the right)", "share of runs", true},
-                   make_histogram_traces(make_value_series(comparison, GroupKind::kGarcia, lateral)));
-  charts += draw_plotly_chart({"Share of runs that stop before, by class", "runout, m", "share", true},
-                         make_cumulative_traces(by_class));
+      draw_plotly_chart({"Share of runs that stop before, by class", "runout, m", "share", true},
+                        make_cumulative_traces(by_class));
   // Shades and dashes distinguish a dozen curves of either class.
   constexpr std::size_t kMostCurves = 24;
   if (select_groups(comparison, GroupKind::kBlock).size() <= kMostCurves) {
-    charts += draw_plotly_chart({"Share of runs that stop before, by block", "runout, m", "share", true},
-                           make_cumulative_traces(make_value_series(comparison, GroupKind::kBlock, along)));
+    charts += draw_plotly_chart(
+        {"Share of runs that stop before, by block", "runout, m", "share", true},
+        make_cumulative_traces(make_value_series(comparison, GroupKind::kBlock, along)));
   }
   return section("Runout", paragraph("Runout of the runs at rest, their number in brackets.") +
                                charts + "</div>\n");

@@ -22,14 +22,16 @@ std::string make_comparison_page(const ComparisonAnalyses& analyses) {
   const std::string sections = link_glossary_terms(
       "<div class=\"opening\">\n" + format_head_section(comparison, analyses.answer()) +
       format_map_section(comparison, analyses.paths(), analyses.deposits().rasters) + "</div>\n" +
-      format_class_section(comparison) + format_differences_section(comparison) + format_measured_section(comparison) +
-      format_runout_section(comparison) + format_barrier_section(analyses) +
-      format_slope_section(comparison, analyses.profiles()) + format_deposit_section(analyses) +
-      format_energy_section(analyses) + format_persistent_blocks_section(comparison) + format_ensemble_section(analyses) +
-      format_effects_section(analyses) + scene_section(comparison) + format_block_section(comparison) +
-      format_quality_section(comparison) + format_provenance_section(comparison));
-  return make_report_page(
-      title, format_script_element(assets::unpack_js) + contents(sections) + sections + charts_script());
+      format_class_section(comparison) + format_differences_section(comparison) +
+      format_measured_section(comparison) + format_runout_section(comparison) +
+      format_barrier_section(analyses) + format_slope_section(comparison, analyses.profiles()) +
+      format_deposit_section(analyses) + format_energy_section(analyses) +
+      format_persistent_blocks_section(comparison) + format_ensemble_section(analyses) +
+      format_effects_section(analyses) + scene_section(comparison) +
+      format_block_section(comparison) + format_quality_section(comparison) +
+      format_provenance_section(comparison));
+  return make_report_page(title, format_script_element(assets::unpack_js) +
+                                     make_contents_list(sections) + sections + charts_script());
 }
 
 }  // namespace clast::report_detail

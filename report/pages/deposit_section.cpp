@@ -65,11 +65,13 @@ std::string pair_in_words(const Comparison& comparison,
     fewest = std::min({fewest, one->first.summary.count, one->second.summary.count});
     tests = std::max(tests, one->tests);
     const Verdict verdict = one->verdict();
-    const bool with_gap = verdict == Verdict::kSignificant || verdict == Verdict::kInsignificantAfterCorrection;
-    append_item(lists[verdict], words + (with_gap ? " " + describe_difference(*one) : std::string()));
+    const bool with_gap =
+        verdict == Verdict::kSignificant || verdict == Verdict::kInsignificantAfterCorrection;
+    append_item(lists[verdict],
+                words + (with_gap ? " " + describe_difference(*one) : std::string()));
   }
-  const std::string names = capitalized(file_name(comparison, pair.front()->first.file)) + " against " +
-                            file_name(comparison, pair.front()->second.file);
+  const std::string names = capitalized(file_name(comparison, pair.front()->first.file)) +
+                            " against " + file_name(comparison, pair.front()->second.file);
   if (tests == 0) {
     return paragraph(names + ": no interval of a difference can be given, " +
                      (fewest < 2 ? "which takes two realisations of each file."
@@ -79,15 +81,16 @@ std::string pair_in_words(const Comparison& comparison,
   return (clear.empty() ? paragraph(names + ": no figure differs more than by chance.")
                         : format_headed_list(names + ", more than chance:", clear)) +
          format_headed_list("Not clear, since one of " + std::to_string(tests) +
-                         " differences tested can be as large by chance:",
-                     lists[Verdict::kInsignificantAfterCorrection]) +
+                                " differences tested can be as large by chance:",
+                            lists[Verdict::kInsignificantAfterCorrection]) +
          format_headed_list("Not distinguished, the 95 % interval of the difference holds zero:",
-                     lists[Verdict::kInsignificant]) +
+                            lists[Verdict::kInsignificant]) +
          format_headed_list("Without an interval, since realisations do not differ:",
-                     lists[Verdict::kUntested]);
+                            lists[Verdict::kUntested]);
 }
 
-std::string differences_table(const Comparison& comparison, const DepositQuantityComparison& figures) {
+std::string differences_table(const Comparison& comparison,
+                              const DepositQuantityComparison& figures) {
   HtmlTable table({"quantity", "first", "second", "realisations", "first mean", "second mean",
                    "difference", "95 % interval", "p", "p (Holm)", "distinguished"},
                   3);
@@ -102,15 +105,16 @@ std::string differences_table(const Comparison& comparison, const DepositQuantit
                fixed(one.estimate, figure.decimals), interval_text(one.interval, figure.decimals),
                one.p_value ? format_significant(*one.p_value, 2) : "-",
                one.p_holm ? format_significant(*one.p_holm, 2) : "-",
-               !one.p_holm                                 ? "-"
+               !one.p_holm                              ? "-"
                : one.verdict() == Verdict::kSignificant ? "yes"
-                                                           : "no"});
+                                                        : "no"});
   }
   return table.html();
 }
 
 /// The files against each other; empty where one file has realisations.
-std::string differences_of_files(const Comparison& comparison, const DepositQuantityComparison& figures) {
+std::string differences_of_files(const Comparison& comparison,
+                                 const DepositQuantityComparison& figures) {
   if (figures.differences.empty()) {
     std::size_t files = 0;
     for (const DepositQuantitySummary& one : figures.files) files += one.figure == 0;
@@ -133,12 +137,13 @@ std::string differences_of_files(const Comparison& comparison, const DepositQuan
     if (pairs.size() <= kMostPairs || with_first) html += pair_in_words(comparison, pair);
   }
   return html +
-         folded("Differences between the files",
-                paragraph("Realisations are independent of each other. Intervals are Welch's, for "
-                          "groups whose spreads differ. A difference is distinguished where p is "
-                          "below 0.05 after Holm's correction for all in the table, which is also "
-                          "realisation_differences.csv.") +
-                    differences_table(comparison, figures));
+         format_folded_section(
+             "Differences between the files",
+             paragraph("Realisations are independent of each other. Intervals are Welch's, for "
+                       "groups whose spreads differ. A difference is distinguished where p is "
+                       "below 0.05 after Holm's correction for all in the table, which is also "
+                       "realisation_differences.csv.") +
+                 differences_table(comparison, figures));
 }
 
 /// The blocks together against the same alone; empty where no single runs are compared.
@@ -164,11 +169,12 @@ std::string mobility_of(const Comparison& comparison, const std::vector<DepositM
                one.difference.p_value ? format_significant(*one.difference.p_value, 2) : "-",
                fixed(one.together_toe.mean, 2), fixed(one.alone_toe, 2)});
   }
-  return html + folded("Together and alone",
-                       paragraph("Runouts of blocks that came to rest. Toe together is the largest "
-                                 "of a realisation, toe alone the expected largest of as many "
-                                 "single runs.") +
-                           table.html());
+  return html + format_folded_section(
+                    "Together and alone",
+                    paragraph("Runouts of blocks that came to rest. Toe together is the largest "
+                              "of a realisation, toe alone the expected largest of as many "
+                              "single runs.") +
+                        table.html());
 }
 
 }  // namespace
@@ -183,7 +189,7 @@ std::string format_deposit_section(const ComparisonAnalyses& analyses) {
                 std::string(has_several_files(comparison) ? " of all files" : "") + ", m.") +
           format_deposit_map(comparison, analyses.deposits().rasters) +
           differences_of_files(comparison, figures) + mobility_of(comparison, analyses.mobility()) +
-          folded(
+          format_folded_section(
               "Figures of the deposit",
               paragraph("Blocks that came to rest and were not removed. The crest is the highest "
                         "start, the toe the stop farthest from it; H / L between them is the "

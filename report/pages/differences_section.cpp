@@ -82,18 +82,19 @@ std::string words_for(const Comparison& comparison, const Picture& picture) {
   for (const Difference* one : picture.rows) {
     const Verdict verdict = one->verdict();
     const bool with_gap = verdict == Verdict::kSignificant || verdict == Verdict::kUntested;
-    append_item(lists[verdict],
-                row_name(comparison, *one) + (with_gap ? " " + describe_difference(*one) : std::string()));
+    append_item(lists[verdict], row_name(comparison, *one) +
+                                    (with_gap ? " " + describe_difference(*one) : std::string()));
     tests = std::max(tests, one->tests);
   }
   return format_headed_list(picture.title + ", more than chance:", lists[Verdict::kSignificant]) +
-         format_headed_list("Equal on average, but spread differently:", lists[Verdict::kDistributionDiffers]) +
+         format_headed_list("Equal on average, but spread differently:",
+                            lists[Verdict::kDistributionDiffers]) +
          format_headed_list("Not clear, since one of " + std::to_string(tests) +
-                         " differences tested can be as large by chance:",
-                     lists[Verdict::kInsignificantAfterCorrection]) +
+                                " differences tested can be as large by chance:",
+                            lists[Verdict::kInsignificantAfterCorrection]) +
          format_headed_list("No clear difference:", lists[Verdict::kInsignificant]) +
          format_headed_list(picture.title + ", of one realisation, not tested for chance:",
-                     lists[Verdict::kUntested]);
+                            lists[Verdict::kUntested]);
 }
 
 std::string make_table(const Comparison& comparison) {
@@ -107,13 +108,16 @@ std::string make_table(const Comparison& comparison) {
     if (first.kind != GroupKind::kGarcia && first.kind != GroupKind::kColumn) continue;
     table.row({first.name, comparison.groups[one.second].name, one.quantity,
                format_significant(one.first_mean, 3), format_significant(one.second_mean, 3),
-               format_significant(one.estimate, 3), one.interval ? format_significant(one.interval->low, 3) : "-",
+               format_significant(one.estimate, 3),
+               one.interval ? format_significant(one.interval->low, 3) : "-",
                one.interval ? format_significant(one.interval->high, 3) : "-",
-               format_significant(one.cliffs_delta, 3), one.hedges_g ? format_significant(*one.hedges_g, 3) : "-",
-               format_significant(one.ks_distance, 3), one.p_holm ? format_significant(*one.p_holm, 2) : "-",
-               !one.p_holm   ? "-"
-               : one.found() ? "yes"
-                             : "no"});
+               format_significant(one.cliffs_delta, 3),
+               one.hedges_g ? format_significant(*one.hedges_g, 3) : "-",
+               format_significant(one.ks_distance, 3),
+               one.p_holm ? format_significant(*one.p_holm, 2) : "-",
+               !one.p_holm            ? "-"
+               : one.is_significant() ? "yes"
+                                      : "no"});
   }
   return table.html();
 }
@@ -156,7 +160,8 @@ std::string format_differences_section(const Comparison& comparison) {
     html += words_for(comparison, picture) + difference_chart(comparison, picture);
   }
   if (!pictures.empty()) {
-    html += folded("Tests and corrections", method_of(comparison) + make_table(comparison));
+    html += format_folded_section("Tests and corrections",
+                                  method_of(comparison) + make_table(comparison));
   }
   return html.empty() ? html : section("Differences", html);
 }

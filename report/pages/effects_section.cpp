@@ -18,8 +18,8 @@ std::string triangles(const ComparisonAnalyses& analyses) {
   std::string html, links;
   for (const ResponseFigure& picture : pictures) {
     html += figure(picture.svg, picture.caption);
-    links += (links.empty() ? "" : ", ") + ("<a href=\"" + format_link_target(picture.file) + "\" download>" +
-                                            escape_html(picture.file) + "</a>");
+    links += (links.empty() ? "" : ", ") + ("<a href=\"" + format_link_target(picture.file) +
+                                            "\" download>" + escape_html(picture.file) + "</a>");
   }
   return html + "<p>The surface passes through the mean of every form. As files: " + links +
          "; the data: <a href=\"responses.csv\" download>responses.csv</a>.</p>\n";
@@ -63,7 +63,7 @@ std::string format_effects_section(const ComparisonAnalyses& analyses) {
     shares = paragraph(
                  "There are too few blocks to say how much of what differs between runs goes with "
                  "the block, and how much with the attitude in which it is released.") +
-             folded("Shares of the variance", shares);
+             format_folded_section("Shares of the variance", shares);
   }
   return section("Sources of variability", shares + triangles(analyses) + trends(analyses));
 }

@@ -69,9 +69,9 @@ std::string uses_chart(const Comparison& comparison, const EnergyRealisations& r
   std::vector<double> below;
   const auto add = [&](const std::string& words, const std::string& colour,
                        const EnergyValue& value) {
-    const RealisationCurve curve = compute_energy_curve(realisations, [&](const EnergySample& sample) {
-      return kKilojoulesPerJoule * value(sample);
-    });
+    const RealisationCurve curve = compute_energy_curve(
+        realisations,
+        [&](const EnergySample& sample) { return kKilojoulesPerJoule * value(sample); });
     if (below.empty()) {
       below.assign(curve.time.size(), 0.0);
       Trace zero{words, colour, "", Trace::Kind::kLine, curve.time, below};
@@ -84,7 +84,7 @@ std::string uses_chart(const Comparison& comparison, const EnergyRealisations& r
     traces.push_back(std::move(top));
   };
   for (const Use& use : uses()) {
-    add(use.words, mixed(use.colour, use.blend, kPaler),
+    add(use.words, mix_colours(use.colour, use.blend, kPaler),
         [&](const EnergySample& sample) { return sample.*use.place.*use.part; });
   }
   add("kinetic energy", "#555555", kinetic);
@@ -104,14 +104,14 @@ std::string kinetic_chart(const Comparison& comparison,
         " of " + format_count(masses[i].size(), "realisation");
     add_realisation_curve(traces, name, series_colour(i), Trace::Kind::kLine,
                           compute_energy_curve(masses[i],
-                                       [](const EnergySample& sample) {
-                                         return kKilojoulesPerJoule * kinetic(sample);
-                                       }),
+                                               [](const EnergySample& sample) {
+                                                 return kKilojoulesPerJoule * kinetic(sample);
+                                               }),
                           masses[i].size());
   }
-  return draw_plotly_chart({"Kinetic energy of all blocks together", "time since the first release, s",
-                       "kinetic energy, kJ"},
-                      traces);
+  return draw_plotly_chart({"Kinetic energy of all blocks together",
+                            "time since the first release, s", "kinetic energy, kJ"},
+                           traces);
 }
 
 std::string shares_table(const Comparison& comparison,
@@ -172,12 +172,14 @@ std::string dissipation_in_words(const Comparison& comparison,
   const double between =
       mean([](const EnergyFractions& shares) { return shares.between_blocks.sum(); });
   if (!std::isfinite(between)) return "";
-  const std::string of =
-      has_several_files(comparison) ? " of " + file_name(comparison, realisations.front()->file) : "";
+  const std::string of = has_several_files(comparison)
+                             ? " of " + file_name(comparison, realisations.front()->file)
+                             : "";
   return paragraph("Of the energy dissipated in contacts" + of + ", friction took " +
                    format_percentage(by(&Dissipation::friction)) + ", normal forces " +
                    format_percentage(by(&Dissipation::normal)) + " and rolling resistance " +
-                   format_percentage(by(&Dissipation::rolling)) + "; " + format_percentage(between) +
+                   format_percentage(by(&Dissipation::rolling)) + "; " +
+                   format_percentage(between) +
                    " was dissipated between blocks, the rest on the ground.");
 }
 
@@ -201,7 +203,7 @@ std::string format_energy_section(const ComparisonAnalyses& analyses) {
   return section(
       "Where the energy goes",
       body +
-          folded(
+          format_folded_section(
               "How the energy was dissipated",
               paragraph(
                   "Totals at the end of each realisation; means, smallest and largest shares over "

@@ -94,9 +94,10 @@ std::string format_ensemble_section(const ComparisonAnalyses& analyses) {
   return section(
       "Uncertain ground",
       sentences +
-          folded("Every parameter",
-                 table.html() + paragraph("Every run was simulated on each draw of the ground. The "
-                                          "share of variance is given from 40 draws on.")));
+          format_folded_section(
+              "Every parameter",
+              table.html() + paragraph("Every run was simulated on each draw of the ground. The "
+                                       "share of variance is given from 40 draws on.")));
 }
 
 }  // namespace clast::report_detail

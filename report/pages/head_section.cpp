@@ -41,7 +41,7 @@ std::string figures_of(const Comparison& comparison, const KeyResults& answer) {
 std::string caution_line(const ComparisonWarning& caution) {
   std::string texts;
   for (const std::string& text : caution.texts) texts += paragraph(text);
-  return folded(caution.brief, texts);
+  return format_folded_section(caution.brief, texts);
 }
 
 std::string cautions_of(const Comparison& comparison) {
@@ -52,7 +52,8 @@ std::string cautions_of(const Comparison& comparison) {
     (i < kMostCautions ? html : more) += caution_line(cautions[i]);
   }
   if (!more.empty()) {
-    html += folded(format_count(cautions.size() - kMostCautions, "more caution"), more);
+    html +=
+        format_folded_section(format_count(cautions.size() - kMostCautions, "more caution"), more);
   }
   return html + "</div>\n";
 }

@@ -9,13 +9,13 @@ namespace clast::report_detail {
 
 std::string format_deposit_map(const Comparison& comparison, const MapRasterSet& rasters) {
   return format_page_map(comparison, {.id = "deposit-map",
-                               .label = "map of the thickness of the deposit",
-                               .marks = false,
-                               .rasters = {&rasters}});
+                                      .label = "map of the thickness of the deposit",
+                                      .marks = false,
+                                      .rasters = {&rasters}});
 }
 
 std::string format_map_section(const Comparison& comparison, const MapRasterSet& paths,
-                        const MapRasterSet& deposits) {
+                               const MapRasterSet& deposits) {
   const bool density = comparison.rows.size() > kMostSingleStops;
   const std::string stops =
       density ? "The " + std::to_string(comparison.rows.size()) +
@@ -34,9 +34,9 @@ std::string format_map_section(const Comparison& comparison, const MapRasterSet&
       (has_several_files(comparison) ? "; the surface is that of file 1." : ".");
   return section("Where the blocks stop",
                  format_page_map(comparison, {.id = "map",
-                                       .label = "map of stops, release points and barriers",
-                                       .rasters = {&paths, &deposits}}) +
-                     folded("How to read and use the map", paragraph(reading)));
+                                              .label = "map of stops, release points and barriers",
+                                              .rasters = {&paths, &deposits}}) +
+                     format_folded_section("How to read and use the map", paragraph(reading)));
 }
 
 }  // namespace clast::report_detail

@@ -71,12 +71,14 @@ std::string format_measured_section(const Comparison& comparison) {
               kSimulatedColour, "", traces);
     add_curve(group.curve, "measured (" + std::to_string(group.measured) + ")", kFieldColour, "6 3",
               traces);
-    html += draw_plotly_chart({group_title(comparison.groups[group.group]) + ": share that stops before",
-                          "runout, m", "share of stops", true},
-                         traces);
+    html += draw_plotly_chart(
+        {group_title(comparison.groups[group.group]) + ": share that stops before", "runout, m",
+         "share of stops", true},
+        traces);
   }
   html += "</div>\n" + paragraph("Bands are 95 % intervals of each curve.");
-  return section(title, html + folded("Figures and tests", measured_table(comparison)));
+  return section(title,
+                 html + format_folded_section("Figures and tests", measured_table(comparison)));
 }
 
 }  // namespace clast::report_detail

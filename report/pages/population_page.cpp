@@ -28,12 +28,12 @@ std::string population_head(const PopulationReport& report) {
   for (const ReportedPopulation& reported : report.populations) {
     title += (title.empty() ? "" : " and ") + reported.population.name;
     std::string text = format_count(reported.summary.blocks, "block");
-    if (reported.summary.weighed > 0) {
-      text += ", " + std::to_string(reported.summary.weighed) + " with a mass, " +
+    if (reported.summary.with_mass > 0) {
+      text += ", " + std::to_string(reported.summary.with_mass) + " with a mass, " +
               format_block_mass(reported.summary.size.total_mass) + " kg";
     }
-    facts += fact(reported.population.name, text);
-    facts += fact("L, I, S of " + reported.population.name, reported.measured);
+    facts += format_fact(reported.population.name, text);
+    facts += format_fact("L, I, S of " + reported.population.name, reported.measured);
     for (std::size_t i = 0; i < std::min(kMostNotes, reported.notes.size()); ++i) {
       notes.push_back(reported.population.name + ": " + reported.notes[i]);
     }
@@ -48,11 +48,11 @@ std::string population_head(const PopulationReport& report) {
           " the diagrams show densities, not single blocks; every block is in classes.csv");
     }
   }
-  facts += fact("Size", name_of(report.options.size) +
-                            (report.options.size == SizeMeasure::kIntermediate
-                                 ? ", the axis that decides which sieve lets a block through"
-                                 : ", the side of a cube as large as the block's box"));
-  facts += fact("Report by", std::string("clast ") + version());
+  facts += format_fact("Size", name_of(report.options.size) +
+                                   (report.options.size == SizeMeasure::kIntermediate
+                                        ? ", the axis that decides which sieve lets a block through"
+                                        : ", the side of a cube as large as the block's box"));
+  facts += format_fact("Report by", std::string("clast ") + version());
   return "<h1>Shapes and sizes of blocks</h1>\n<p class=\"lead\">" + escape_html(title) + "</p>\n" +
          (notes.empty() ? std::string() : format_note_box("Read this first", notes)) +
          "<dl class=\"facts\">\n" + facts + "</dl>\n";
@@ -63,9 +63,9 @@ std::string comparison_section(const PopulationReport& report) {
   const PopulationComparison& comparison = *report.comparison;
   std::string html = "<ul>\n";
   for (const ClassDifference& one : comparison.schemes)
-    html += "<li>" + escape_html(one.words) + "</li>\n";
+    html += "<li>" + escape_html(one.description) + "</li>\n";
   for (const MeasureDifference& one : comparison.measures) {
-    html += "<li>" + escape_html(one.words) + "</li>\n";
+    html += "<li>" + escape_html(one.description) + "</li>\n";
   }
   const std::size_t tests = comparison.schemes.size() + comparison.measures.size();
   html += "</ul>\n" +
@@ -81,9 +81,10 @@ std::string classes_section(const PopulationReport& report, const Diagrams& diag
   const std::size_t schemes = report.populations.front().summary.schemes.size();
   for (std::size_t scheme = 0; scheme < schemes; ++scheme) {
     html += "<h3>" + escape_html(report.populations[0].summary.schemes[scheme].scheme) + "</h3>\n";
-    html += "<div class=\"beside\">" + figure(diagrams.at(fractions_file_name(report, scheme))) + "<div>";
+    html += "<div class=\"beside\">" + figure(diagrams.at(fractions_file_name(report, scheme))) +
+            "<div>";
     for (const ReportedPopulation& reported : report.populations) {
-      const bool weighed = reported.summary.weighed > 0;
+      const bool weighed = reported.summary.with_mass > 0;
       std::vector<std::string> heads = {"class", "blocks", "share", "95 % interval"};
       if (weighed) {
         for (const char* name : {"mass, kg", "by mass", "95 % interval"}) heads.push_back(name);
@@ -92,10 +93,11 @@ std::string classes_section(const PopulationReport& report, const Diagrams& diag
       HtmlTable table(heads, 1);
       for (const ClassFraction& share : reported.summary.schemes[scheme].shares) {
         std::vector<std::string> cells = {share.name, std::to_string(share.count),
-                                          format_percent(share.share), range_text(share.low, share.high)};
+                                          format_percent(share.fraction),
+                                          range_text(share.low, share.high)};
         if (weighed) {
           cells.push_back(format_block_mass(share.mass));
-          cells.push_back(format_percent(share.mass_share));
+          cells.push_back(format_percent(share.mass_fraction));
           cells.push_back(range_text(share.mass_low, share.mass_high));
         }
         table.row(std::move(cells));
@@ -130,8 +132,8 @@ std::string boxes_section(const PopulationReport& report) {
   for (const ReportedPopulation& reported : report.populations) {
     const std::vector<MeasuredBlock>& blocks = reported.population.blocks;
     std::string words;
-    for (const BoxConventionEffect& effect :
-         compare_box_conventions(blocks, report.options.selected_schemes(), report.options.limits)) {
+    for (const BoxConventionEffect& effect : compare_box_conventions(
+             blocks, report.options.selected_schemes(), report.options.limits)) {
       words += "<li>" + escape_html(describe_box_effect(effect)) + "</li>\n";
     }
     if (words.empty()) continue;
@@ -216,11 +218,11 @@ std::string make_population_page(const PopulationReport& report, const Diagrams&
   for (const ReportedPopulation& reported : report.populations) {
     title += (&reported == &report.populations.front() ? ": " : ", ") + reported.population.name;
   }
-  return make_report_page(title, population_head(report) + comparison_section(report) +
-                                classes_section(report, diagrams) +
-                                diagrams_section(report, diagrams) +
-                                format_size_section(report, diagrams) + blocks_section(report) +
-                                boxes_section(report) + sources_section(report));
+  return make_report_page(
+      title, population_head(report) + comparison_section(report) +
+                 classes_section(report, diagrams) + diagrams_section(report, diagrams) +
+                 format_size_section(report, diagrams) + blocks_section(report) +
+                 boxes_section(report) + sources_section(report));
 }
 
 }  // namespace clast::report_detail

@@ -88,44 +88,48 @@ std::string released(const CampaignResults& results) {
   if (!results.stay) {
     const std::size_t members = count_ensemble_members(results);
     const std::size_t sets = results.blocks.size() * points * members;
-    return format_count(results.blocks.size(), "block") + " \xC3\x97 " + format_count(points, "point") +
-           " \xC3\x97 " + format_count(sets > 0 ? results.planned_runs / sets : 0, "orientation") +
+    return format_count(results.blocks.size(), "block") + " \xC3\x97 " +
+           format_count(points, "point") + " \xC3\x97 " +
+           format_count(sets > 0 ? results.planned_runs / sets : 0, "orientation") +
            (members > 1 ? " \xC3\x97 " + format_count(members, "draw") + " of the ground" : "");
   }
-  const auto removed = static_cast<std::size_t>(
-      std::count_if(results.stays.begin(), results.stays.end(),
-                    [](const PersistentBlockRecord& stay) { return std::isfinite(stay.removed_at); }));
+  const auto removed = static_cast<std::size_t>(std::count_if(
+      results.stays.begin(), results.stays.end(),
+      [](const PersistentBlockRecord& stay) { return std::isfinite(stay.removed_at); }));
   return format_count(results.planned_runs / results.stay->blocks_each, "realisation") + " of " +
          format_count(results.stay->blocks_each, "block") +
          (results.stay->at_once
-              ? ", released " +
-                    (points > 1 ? "as " + format_count(points, "mass", "masses") : "at once as one mass")
+              ? ", released " + (points > 1 ? "as " + format_count(points, "mass", "masses")
+                                            : "at once as one mass")
               : ", released one after the other from " + format_count(points, "point")) +
          " and left where they stop" +
-         (removed > 0 ? ", but for " +
-                            format_count(removed, "block that was removed", "blocks that were removed")
+         (removed > 0 ? ", but for " + format_count(removed, "block that was removed",
+                                                    "blocks that were removed")
                       : "");
 }
 
 /// What holds for all runs of a file.
 std::string settings_of(const Comparison& comparison, const CampaignResults& results) {
   std::string html = "<dl class=\"facts\">\n";
-  html += fact("Runs", std::to_string(results.runs.size()) + " of " +
-                           std::to_string(results.planned_runs) + " planned");
-  html += fact("Released", released(results));
-  html += fact("Contact law", "energy restitution, weights " + name_of(results.weights));
+  html += format_fact("Runs", std::to_string(results.runs.size()) + " of " +
+                                  std::to_string(results.planned_runs) + " planned");
+  html += format_fact("Released", released(results));
+  html += format_fact("Contact law", "energy restitution, weights " + name_of(results.weights));
   const std::vector<std::string> cells =
       format_stiffness_cells(over_all(collect_stiffness_by_block(results, results.runs)));
-  html += fact("Stiffness and time step", "k_n " + cells[0] + " N/m, step " + cells[3] + " s");
-  html += fact("Downslope (x, y)",
-               fixed(comparison.downslope.x(), 4) + ", " + fixed(comparison.downslope.y(), 4) +
-                   (comparison.downslope_asked ? " (as specified)" : " (mean release to stop)"));
-  html += fact("Coordinates", results.frame.crs.empty() ? "map frame of the terrain, no CRS given"
-                                                        : reference_system_name(results.frame.crs));
+  html +=
+      format_fact("Stiffness and time step", "k_n " + cells[0] + " N/m, step " + cells[3] + " s");
+  html +=
+      format_fact("Downslope (x, y)",
+                  fixed(comparison.downslope.x(), 4) + ", " + fixed(comparison.downslope.y(), 4) +
+                      (comparison.downslope_asked ? " (as specified)" : " (mean release to stop)"));
+  html += format_fact("Coordinates", results.frame.crs.empty()
+                                         ? "map frame of the terrain, no CRS given"
+                                         : reference_system_name(results.frame.crs));
   return html +
-         (results.has_contacts() ? fact("Simulated with", "clast " + results.program_version)
-                                 : fact("Computed by", results.engine + ", read by clast " +
-                                                           results.program_version)) +
+         (results.has_contacts() ? format_fact("Simulated with", "clast " + results.program_version)
+                                 : format_fact("Computed by", results.engine + ", read by clast " +
+                                                                  results.program_version)) +
          "</dl>\n";
 }
 
@@ -144,15 +148,16 @@ std::string notes_of(const Comparison& comparison) {
   std::string items;
   std::size_t count = 0;
   for (const std::string& warning : comparison.warnings) {
-    const bool above = std::any_of(
-        comparison.cautions.begin(), comparison.cautions.end(), [&](const ComparisonWarning& caution) {
-          return std::count(caution.texts.begin(), caution.texts.end(), warning) > 0;
-        });
+    const bool above =
+        std::any_of(comparison.cautions.begin(), comparison.cautions.end(),
+                    [&](const ComparisonWarning& caution) {
+                      return std::count(caution.texts.begin(), caution.texts.end(), warning) > 0;
+                    });
     if (above) continue;
     items += paragraph(warning);
     ++count;
   }
-  return items.empty() ? "" : folded(format_count(count, "more warning"), items);
+  return items.empty() ? "" : format_folded_section(format_count(count, "more warning"), items);
 }
 
 }  // namespace
@@ -161,18 +166,21 @@ std::string format_provenance_section(const Comparison& comparison) {
   std::string html;
   for (std::size_t file = 0; file < comparison.results.size(); ++file) {
     const CampaignResults& results = comparison.results[file];
-    html += "<h3>" +
-            escape_html("File " + std::to_string(file + 1) + ": " + results.file.filename().string()) +
-            "</h3>\n";
+    html +=
+        "<h3>" +
+        escape_html("File " + std::to_string(file + 1) + ": " + results.file.filename().string()) +
+        "</h3>\n";
     html += settings_of(comparison, results) + scales_of(results) + ground_table(results);
-    html += folded("Stiffness and time step of every block", stiffness_table(results));
+    html +=
+        format_folded_section("Stiffness and time step of every block", stiffness_table(results));
     std::string inputs = "<p>Campaign SHA-256 <code>" + escape_html(results.campaign_sha256) +
                          "</code></p>\n<ul class=\"note\">\n";
     for (const std::string& input : results.inputs) {
       inputs += "<li><code>" + escape_html(input) + "</code></li>\n";
     }
-    html += folded("Input files", inputs + "</ul>\n");
-    html += folded("Campaign file", "<pre>" + escape_html(results.campaign_text) + "</pre>");
+    html += format_folded_section("Input files", inputs + "</ul>\n");
+    html += format_folded_section("Campaign file",
+                                  "<pre>" + escape_html(results.campaign_text) + "</pre>");
   }
   return section("What was run", html + notes_of(comparison)) + "<footer>Made by clast " +
          escape_html(version()) +

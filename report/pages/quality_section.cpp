@@ -28,7 +28,8 @@ std::vector<std::string> extreme(const Comparison& comparison, const std::string
   if (worst == nullptr) return {what + unit, "not known", "-", "-", "-"};
   const Summary summary = summarise(values);
   const std::string run =
-      (has_several_files(comparison) ? "file " + std::to_string(worst->file + 1) + ", run " : "run ") +
+      (has_several_files(comparison) ? "file " + std::to_string(worst->file + 1) + ", run "
+                                     : "run ") +
       std::to_string(worst->record->run) + ", block " + worst->block->id;
   return {what + unit, run, significant(summary.mean), significant(summary.p95),
           significant(largest)};
@@ -58,7 +59,8 @@ std::string lost_runs(const Comparison& comparison) {
     html += paragraph("The first " + std::to_string(kMostListed) + " of " + std::to_string(count) +
                       "; the others are in runs.csv.");
   }
-  return folded(format_count(count, "run") + " did not come to rest on the terrain", html);
+  return format_folded_section(format_count(count, "run") + " did not come to rest on the terrain",
+                               html);
 }
 
 }  // namespace
@@ -67,9 +69,10 @@ std::string format_quality_section(const Comparison& comparison) {
   HtmlTable table({"measure", "worst run", "mean", "p95", "largest"}, 2);
   table.row(extreme(comparison, "energy not accounted for, share of the dissipated", "",
                     [](const RunRow& row) { return row.record->result.energy.error; }));
-  table.row(extreme(
-      comparison, "energy where contacts or weights change, share of the dissipated", "",
-      [](const RunRow& row) { return reassigned_energy_fraction(row.record->result.energy).value_or(NAN); }));
+  table.row(extreme(comparison, "energy where contacts or weights change, share of the dissipated",
+                    "", [](const RunRow& row) {
+                      return reassigned_energy_fraction(row.record->result.energy).value_or(NAN);
+                    }));
   table.row(extreme(comparison, "largest penetration", ", mm",
                     [](const RunRow& row) { return row.record->result.max_penetration * 1000.0; }));
   table.row(extreme(comparison, "largest penetration, share of S", "", [](const RunRow& row) {
@@ -96,7 +99,7 @@ std::string format_quality_section(const Comparison& comparison) {
                 std::to_string(stops.left_terrain) + ", still moving at max_time " +
                 std::to_string(stops.max_time) + ", error " + std::to_string(stops.error) +
                 "; below ground " + std::to_string(below) + ".") +
-          without + folded("Energy balance, penetration and time", table.html()) +
+          without + format_folded_section("Energy balance, penetration and time", table.html()) +
           lost_runs(comparison));
 }
 

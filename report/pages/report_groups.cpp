@@ -43,8 +43,9 @@ std::string block_class_of_group(const Comparison& comparison, const Group& grou
   return same ? first : std::string();
 }
 
-std::pair<std::string, std::string> choose_curve_style(const Comparison& comparison, const Group& group,
-                                                const std::vector<std::string>& classes_before) {
+std::pair<std::string, std::string> choose_curve_style(
+    const Comparison& comparison, const Group& group,
+    const std::vector<std::string>& classes_before) {
   if (group.kind == GroupKind::kGarcia) {
     return {class_colour(group.key), kDashes[group.file.value_or(0) % kDashes.size()]};
   }
@@ -52,8 +53,8 @@ std::pair<std::string, std::string> choose_curve_style(const Comparison& compari
   const std::string colour = class_colour(name);
   const auto before =
       static_cast<std::size_t>(std::count(classes_before.begin(), classes_before.end(), name));
-  const std::array<std::string, 3> shades = {colour, mixed(colour, "#ffffff", 0.45),
-                                             mixed(colour, "#000000", 0.45)};
+  const std::array<std::string, 3> shades = {colour, mix_colours(colour, "#ffffff", 0.45),
+                                             mix_colours(colour, "#000000", 0.45)};
   return {shades[before / kDashes.size() % shades.size()], kDashes[before % kDashes.size()]};
 }
 

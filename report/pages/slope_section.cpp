@@ -165,7 +165,8 @@ std::vector<std::size_t> groups_with_a_path(const Comparison& comparison) {
 
 }  // namespace
 
-std::string format_slope_section(const Comparison& comparison, const std::vector<ProfileBin>& bins) {
+std::string format_slope_section(const Comparison& comparison,
+                                 const std::vector<ProfileBin>& bins) {
   const std::string title = "Along the slope";
   if (bins.empty()) {
     return section(title, paragraph("The results hold no trajectories: set [run] "
@@ -182,7 +183,8 @@ std::string format_slope_section(const Comparison& comparison, const std::vector
       return chart;
     };
     const std::string least = least_demand(comparison, bins, all);
-    if (!least.empty()) words += (file ? short_group_name(comparison.groups[all]) + ": " : "") + least;
+    if (!least.empty())
+      words += (file ? short_group_name(comparison.groups[all]) + ": " : "") + least;
     ChartAxes share = axes("Runs that reach a distance", "share of runs");
     share.y_in_percent = true;
     charts += share_against_distance(comparison, bins, file, share);
@@ -194,8 +196,8 @@ std::string format_slope_section(const Comparison& comparison, const std::vector
                                &ProfileBin::height, 1.0);
     charts += against_distance(comparison, bins, file, axes("Speed against distance", "speed, m/s"),
                                &ProfileBin::speed, 1.0);
-    tables += folded("What a barrier would meet at every distance" + where,
-                     barrier_table(comparison, bins, all));
+    tables += format_folded_section("What a barrier would meet at every distance" + where,
+                                    barrier_table(comparison, bins, all));
   }
   for (const std::size_t group : groups_with_a_path(comparison)) {
     const std::string name = short_group_name(comparison.groups[group]);

@@ -35,7 +35,7 @@ std::string with_bounds(double value, double low, const std::optional<double>& h
 std::string range_facts(const Block& block, const std::string& unit) {
   const BlockBracket range = derive_block_bracket(block);
   const std::string not_known = "not known: too much of the block was not seen";
-  if (!range.axes) return fact("bounds of L, I, S; possible shapes", not_known);
+  if (!range.axes) return format_fact("bounds of L, I, S; possible shapes", not_known);
   const auto& [low, high] = *range.axes;
   const auto between = [](double from, double to) {
     return significant(from, 3) + " to " + significant(to, 3);
@@ -46,44 +46,47 @@ std::string range_facts(const Block& block, const std::string& unit) {
       shapes += (shapes.empty() ? "" : ", ") + name;
     }
   }
-  return fact("bounds of L; I; S, " + unit, between(low.L, high.L) + "; " + between(low.I, high.I) +
-                                                "; " + between(low.S, high.S)) +
-         fact("possible shapes", shapes);
+  return format_fact("bounds of L; I; S, " + unit, between(low.L, high.L) + "; " +
+                                                       between(low.I, high.I) + "; " +
+                                                       between(low.S, high.S)) +
+         format_fact("possible shapes", shapes);
 }
 
 std::string facts(const Block& block, const std::string& scale) {
   const Axes axes = block.axes();
   double low_volume = 0.0, low_mass = 0.0;
   std::optional<double> high_volume = 0.0, high_mass = 0.0;
-  if (block.unseen) {
+  if (block.volume_bracket) {
     const BlockBracket range = derive_block_bracket(block);
-    low_volume = block.unseen->lower_volume, high_volume = block.unseen->upper_volume;
+    low_volume = block.volume_bracket->lower_volume,
+    high_volume = block.volume_bracket->upper_volume;
     low_mass = range.lower_mass, high_mass = range.upper_mass;
   }
   std::string html = "<dl class=\"facts\">";
   const bool metric = !is_unscaled(block);
   const std::string unit = metric ? "m" : "units";
-  html += fact("L x I x S, " + unit, significant(axes.L, 3) + " x " + significant(axes.I, 3) +
-                                         " x " + significant(axes.S, 3));
-  html += fact(metric ? "volume, m3" : "volume, cubic units",
-               with_bounds(block.mass.volume, low_volume, high_volume));
-  html += fact("mass, kg",
-               metric ? with_bounds(block.mass.mass, low_mass, high_mass) : "none: unscaled");
-  html += fact("density, kg/m3", significant(block.density, 4));
   html +=
-      fact("shape", sneed_folk_class(axes) + ", " + zingg_class(axes) + ", " + garcia_class(axes));
-  if (block.unseen) html += range_facts(block, unit);
-  html += fact("vertices of the block", std::to_string(block.body.vertices.size()));
-  html += fact("radius of its rounding, " + unit, significant(block.body.radius, 3));
-  html += fact("surface not seen but filled in", block.unseen
-                                                     ? format_percent(block.unseen->filled_fraction)
-                                                     : "none, or small holes alone");
+      format_fact("L x I x S, " + unit, significant(axes.L, 3) + " x " + significant(axes.I, 3) +
+                                            " x " + significant(axes.S, 3));
+  html += format_fact(metric ? "volume, m3" : "volume, cubic units",
+                      with_bounds(block.mass.volume, low_volume, high_volume));
+  html += format_fact(
+      "mass, kg", metric ? with_bounds(block.mass.mass, low_mass, high_mass) : "none: unscaled");
+  html += format_fact("density, kg/m3", significant(block.density, 4));
+  html += format_fact(
+      "shape", sneed_folk_class(axes) + ", " + zingg_class(axes) + ", " + garcia_class(axes));
+  if (block.volume_bracket) html += range_facts(block, unit);
+  html += format_fact("vertices of the block", std::to_string(block.body.vertices.size()));
+  html += format_fact("radius of its rounding, " + unit, significant(block.body.radius, 3));
+  html += format_fact("surface not seen but filled in",
+                      block.volume_bracket ? format_percent(block.volume_bracket->filled_fraction)
+                                           : "none, or small holes alone");
   if (!block.from_core) {
-    html += fact("farthest from the scan",
-                 significant(block.deviation.hausdorff, 2) + " " + unit + " (" +
-                     format_percent(block.deviation.hausdorff / axes.L) + " of L)");
+    html += format_fact("farthest from the scan",
+                        significant(block.deviation.hausdorff, 2) + " " + unit + " (" +
+                            format_percent(block.deviation.hausdorff / axes.L) + " of L)");
   }
-  return html + fact("scale", metric ? scale : "none") + "</dl>\n";
+  return html + format_fact("scale", metric ? scale : "none") + "</dl>\n";
 }
 
 std::string notes(const Block& block) {
@@ -101,12 +104,13 @@ std::string certificate(const Block& block, const FieldBlock& found) {
                                d.hausdorff, !is_unscaled(block));
   }
   html += "<dl class=\"facts\">";
-  html += fact("scan to block, at most", significant(d.scan_to_body, 3) + unit);
-  html += fact("block to scan, at most", significant(d.body_to_scan, 3) + unit);
-  html += fact("mean distance", significant(d.mean, 3) + unit);
-  html += fact("volume against the scan", significant(100.0 * d.volume_relative, 2) + " %");
-  html += fact("area against the scan", significant(100.0 * d.area_relative, 2) + " %");
-  html += fact("principal moments, at most", significant(100.0 * d.moments_relative, 2) + " %");
+  html += format_fact("scan to block, at most", significant(d.scan_to_body, 3) + unit);
+  html += format_fact("block to scan, at most", significant(d.body_to_scan, 3) + unit);
+  html += format_fact("mean distance", significant(d.mean, 3) + unit);
+  html += format_fact("volume against the scan", significant(100.0 * d.volume_relative, 2) + " %");
+  html += format_fact("area against the scan", significant(100.0 * d.area_relative, 2) + " %");
+  html +=
+      format_fact("principal moments, at most", significant(100.0 * d.moments_relative, 2) + " %");
   return section("The block against the scan",
                  html + "</dl>\n" +
                      paragraph("Both largest distances are upper bounds over the whole of either "
@@ -134,9 +138,9 @@ std::string mass_check(const Block& block, bool density_given) {
   std::string text = "Volume times density gives " + significant(block.mass.mass, 4) + " kg, " +
                      format_percent(std::abs(gap)) + (gap < 0.0 ? " less" : " more") +
                      " than the weighed " + significant(*weighed, 4) + " kg.";
-  if (block.unseen) {
-    const double low = block.density * block.unseen->lower_volume;
-    const std::optional<double>& upper = block.unseen->upper_volume;
+  if (block.volume_bracket) {
+    const double low = block.density * block.volume_bracket->lower_volume;
+    const std::optional<double>& upper = block.volume_bracket->upper_volume;
     const bool inside = low <= *weighed && (!upper || *weighed <= block.density * *upper);
     text += " The unseen side allows " +
             (upper ? significant(low, 4) + " to " + significant(block.density * *upper, 4)

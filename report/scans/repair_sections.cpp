@@ -28,7 +28,7 @@ std::string closing(const FilledHole& hole) {
 }  // namespace
 
 std::string format_repair_section(const RepairReport& report, bool cloud, bool open_side,
-                           const std::string& unit) {
+                                  const std::string& unit) {
   std::string html = paragraph(
       (!cloud       ? "As read and welded: "
        : !open_side ? "The surface fitted to the points: "
@@ -48,7 +48,7 @@ std::string format_repair_section(const RepairReport& report, bool cloud, bool o
   for (const Defect& defect : report.defects) {
     defects.row({name_of(defect.kind), std::to_string(++number), std::to_string(defect.count),
                  share(defect.area_fraction), length(defect.size),
-                 defect.place ? place(*defect.place) : ""});
+                 defect.place ? format_point(*defect.place) : ""});
   }
   html += defects.html();
   if (report.wrap_bias) {
@@ -63,7 +63,8 @@ std::string format_repair_section(const RepairReport& report, bool cloud, bool o
       const FilledHole& hole = report.holes[i];
       holes.row({"H" + std::to_string(i + 1), closing(hole), std::to_string(hole.border_edges),
                  format_significant(hole.perimeter, 3), format_significant(hole.radius, 3),
-                 format_significant(hole.area, 3), share(hole.area_fraction), place(hole.centre)});
+                 format_significant(hole.area, 3), share(hole.area_fraction),
+                 format_point(hole.centre)});
     }
     html += "<h3>Holes that were filled, the largest first</h3>\n" + holes.html();
     if (report.holes.size() > kMostHoles) {
@@ -94,14 +95,15 @@ std::string format_underside_section(const Underside& side, const std::string& u
   HtmlTable table({"shape", "how", "volume " + unit + "3", "against best"}, 2);
   const auto row = [&](const char* name, const char* how, double volume) {
     const double change = volume / side.estimated_volume - 1.0;
-    table.row({name, how, format_significant(volume, 4), (change > 0.0 ? "+" : "") + format_percent(change)});
+    table.row({name, how, format_significant(volume, 4),
+               (change > 0.0 ? "+" : "") + format_percent(change)});
   };
   row("lower", "filled straight across the rim, with hollows as deep as the seen ones",
       side.lower_volume);
   row("best", "likeliest depth below the rim; the block is made of this", side.estimated_volume);
   std::string text = "The scan was open on the unseen side: a rim of " +
-                     std::to_string(side.rim_edges) + " edges, " + format_significant(side.rim_length, 3) +
-                     " " + unit + " round";
+                     std::to_string(side.rim_edges) + " edges, " +
+                     format_significant(side.rim_length, 3) + " " + unit + " round";
   if (side.open_sides > 1) {
     const std::size_t others = side.open_sides - 1;
     text += ", and " + std::to_string(others) +
@@ -120,8 +122,8 @@ std::string format_underside_section(const Underside& side, const std::string& u
   }
   std::string html = paragraph(text);
   if (side.gap > 0.0) {
-    html +=
-        paragraph("The rim stands " + format_significant(side.gap, 3) + " " + unit + " above the ground.");
+    html += paragraph("The rim stands " + format_significant(side.gap, 3) + " " + unit +
+                      " above the ground.");
   }
   return section("The side nobody saw", html + table.html());
 }

@@ -64,7 +64,8 @@ std::string scale_bar(const Camera& camera, bool metric) {
   const double length = round_down_to_nice(kLongestBar * camera.width * camera.pixel);
   const double left = 14.0, y = camera.height - 14.0, right = left + length / camera.pixel;
   const char* const stroke = "stroke=\"#1d2733\" stroke-width=\"2\"";
-  return format_svg_line(left, y, right, y, stroke) + format_svg_line(left, y - 5, left, y + 5, stroke) +
+  return format_svg_line(left, y, right, y, stroke) +
+         format_svg_line(left, y - 5, left, y + 5, stroke) +
          format_svg_line(right, y - 5, right, y + 5, stroke) +
          svg_text(left + 5, y - 8, length_text(length, metric),
                   "font-size=\"15\" fill=\"#1d2733\" stroke=\"#fff\" stroke-width=\"3\" "
@@ -72,8 +73,8 @@ std::string scale_bar(const Camera& camera, bool metric) {
 }
 
 /// One view with its name, scale bar and marks.
-std::string view(const Canvas& canvas, const std::string& name, const std::vector<PositionMark>& marks,
-                 bool metric) {
+std::string view(const Canvas& canvas, const std::string& name,
+                 const std::vector<PositionMark>& marks, bool metric) {
   const Camera& camera = canvas.camera();
   const std::string size = "width=\"" + std::to_string(camera.width) + "\" height=\"" +
                            std::to_string(camera.height) + "\"";
@@ -166,12 +167,12 @@ class Invented {
     const auto& [a, b, c] = mesh_.triangles[triangle];
     const Vec3 middle = (mesh_.vertices[a] + mesh_.vertices[b] + mesh_.vertices[c]) / 3.0;
     if (best_) {
-      const auto closest = best_->closest(middle, best_hint_);
+      const auto closest = best_->closest_point(middle, best_hint_);
       best_hint_ = closest.triangle;
       if (closest.triangle >= first_) return true;
     }
     if (!scanned_) return false;
-    const auto closest = scanned_->closest(middle, scan_hint_);
+    const auto closest = scanned_->closest_point(middle, scan_hint_);
     scan_hint_ = closest.triangle;
     return closest.squared_distance > reach_ * reach_;
   }
@@ -208,8 +209,8 @@ std::string colour_bar(double reach, bool metric) {
 }  // namespace
 
 std::string draw_before_and_after(const TriangleMesh& raw, const ScanOptions& options,
-                             const FieldBlock& block, const std::vector<PositionMark>& marks,
-                             bool metric) {
+                                  const FieldBlock& block, const std::vector<PositionMark>& marks,
+                                  bool metric) {
   const auto to_block = [&](Vec3 p) -> Vec3 {
     p *= options.unit;
     if (options.up == "y") p = y_up_to_z_up(p);
@@ -259,7 +260,7 @@ std::string draw_before_and_after(const TriangleMesh& raw, const ScanOptions& op
 }
 
 std::string draw_deviation_map(const TriangleMesh& skin, const TriangleMesh& scan, double reach,
-                          bool metric) {
+                               bool metric) {
   const TriangleTree tree(scan);
   std::uint32_t hint = 0;
   return three_views(

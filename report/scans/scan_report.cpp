@@ -62,7 +62,7 @@ ScanReport::ScanReport(fs::path folder, bool replace) : impl_(std::make_unique<I
   }
   check_output_target(summary, {.kind = "text", .replace = replace});
   check_output_target(impl_->folder / "index.html", {.kind = kPageKind, .replace = replace});
-  impl_->csv.header(
+  impl_->csv.write_header(
       "block,outcome,scan,L_m,I_m,S_m,volume_m3,volume_lower_m3,volume_upper_m3,invented_share,"
       "density_kg_m3,mass_kg,weighed_kg,sneed_folk,zingg,shape,vertices,radius_m,scan_to_body_m,"
       "body_to_scan_m,notes,sha256,scale,reason");
@@ -98,7 +98,7 @@ void ScanReport::Impl::add_row(const Block& block, const std::string& outcome) {
 
 void ScanReport::Impl::add_page_row(const Block& block) {
   const Axes axes = block.axes();
-  const std::optional<VolumeBracket>& unseen = block.unseen;
+  const std::optional<VolumeBracket>& unseen = block.volume_bracket;
   const bool metric = !is_unscaled(block);
   const std::string u = metric ? "" : " u";
   std::string name = escape_html(block.id);
@@ -113,7 +113,7 @@ void ScanReport::Impl::add_page_row(const Block& block) {
               (unseen->upper_volume ? cubed(*unseen->upper_volume) : "not known") + "</div>";
   }
   blocks.html_row({name + "<div class=\"file\">" + escape_html(block.source.file) + "</div>",
-                   thumbnail(block.surface, block.id),
+                   render_thumbnail(block.surface, block.id),
                    escape_html(garcia_class(axes) + ", " + sneed_folk_class(axes)),
                    metric ? significant(block.mass.mass, 4) : "-", significant(axes.L, 3) + u,
                    significant(axes.I, 3) + u, significant(axes.S, 3) + u,
@@ -125,35 +125,35 @@ void ScanReport::Impl::add_page_row(const Block& block) {
 
 void ScanReport::Impl::add_csv_row(const Block& block, const std::string& outcome) {
   const Axes axes = block.axes();
-  const std::optional<VolumeBracket>& unseen = block.unseen;
+  const std::optional<VolumeBracket>& unseen = block.volume_bracket;
   const bool metric = !is_unscaled(block);
-  csv.cell(block.id);
-  csv.cell(outcome);
-  csv.cell(block.source.file);
+  csv.write_cell(block.id);
+  csv.write_cell(outcome);
+  csv.write_cell(block.source.file);
   const auto metric_cell = [&](double value) {
-    metric ? csv.cell(value) : csv.write_empty_cells(1);
+    metric ? csv.write_cell(value) : csv.write_empty_cells(1);
   };
   for (const double size : {axes.L, axes.I, axes.S, block.mass.volume}) metric_cell(size);
   if (unseen) {
     metric_cell(unseen->lower_volume);
     metric_cell(unseen->upper_volume.value_or(std::nan("")));
-    csv.cell(unseen->filled_fraction);
+    csv.write_cell(unseen->filled_fraction);
   } else {
     csv.write_empty_cells(3);
   }
-  csv.cell(block.density);
+  csv.write_cell(block.density);
   metric_cell(block.mass.mass);
-  csv.cell(block.field.weighed_mass.value_or(std::nan("")));
-  csv.cell(sneed_folk_class(axes));
-  csv.cell(zingg_class(axes));
-  csv.cell(garcia_class(axes));
-  csv.count(block.body.vertices.size());
+  csv.write_cell(block.field.weighed_mass.value_or(std::nan("")));
+  csv.write_cell(sneed_folk_class(axes));
+  csv.write_cell(zingg_class(axes));
+  csv.write_cell(garcia_class(axes));
+  csv.write_count(block.body.vertices.size());
   metric_cell(block.body.radius);
   metric_cell(block.deviation.scan_to_body);
   metric_cell(block.deviation.body_to_scan);
-  csv.count(block.warnings.size());
-  csv.cell(block.source.sha256);
-  csv.cell(metric ? "metric" : "none");
+  csv.write_count(block.warnings.size());
+  csv.write_cell(block.source.sha256);
+  csv.write_cell(metric ? "metric" : "none");
   csv.write_empty_cells(1);
   csv.end_row();
 }
@@ -162,10 +162,10 @@ void ScanReport::add_failure(const std::string& scan, const std::string& reason)
   ++impl_->failed;
   impl_->failures.row({to_utf8(scan), to_utf8(reason)});
   impl_->csv.write_empty_cells(1);
-  impl_->csv.cell("failed");
-  impl_->csv.cell(to_utf8(scan));
+  impl_->csv.write_cell("failed");
+  impl_->csv.write_cell(to_utf8(scan));
   impl_->csv.write_empty_cells(20);
-  impl_->csv.cell(to_utf8(reason));
+  impl_->csv.write_cell(to_utf8(reason));
   impl_->csv.end_row();
 }
 
@@ -186,7 +186,7 @@ void ScanReport::finish() {
   }
   body += "<footer>clast " + escape_html(version()) +
           "; the same as a table: <a href=\"summary.csv\">summary.csv</a></footer>\n";
-  write_output(impl_->folder / "summary.csv", impl_->csv.take(),
+  write_output(impl_->folder / "summary.csv", impl_->csv.take_text(),
                {.kind = "text", .replace = impl_->replace});
   write_output(impl_->folder / "index.html", make_scan_page("Blocks from scans", body),
                {.kind = kPageKind, .replace = impl_->replace});

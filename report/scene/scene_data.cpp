@@ -50,8 +50,8 @@ Vec3 scene_origin(const Comparison& comparison) {
 /// A grid in place of a terrain with too many triangles: its top, over the extent of the terrain.
 Terrain resampled(const Terrain& terrain, std::size_t columns) {
   Bounds box = bounds(terrain.surface);
-  const Relief relief = sampled(terrain, {box.low.head<2>(), box.high.head<2>()},
-                                static_cast<std::uint32_t>(columns));
+  const Relief relief = sample_relief(terrain, {box.low.head<2>(), box.high.head<2>()},
+                                      static_cast<std::uint32_t>(columns));
   Terrain grid;
   grid.zone_names = terrain.zone_names;
   constexpr std::uint32_t kNone = 0xffffffffu;
@@ -143,7 +143,7 @@ SceneRuns scene_runs(const Comparison& comparison, const DrawnRuns& all, const B
     for (std::size_t k = 0; k < trajectory.time.size(); ++k) {
       const RigidState& state = trajectory.states[k];
       scene.frames.push_back(static_cast<float>(trajectory.time[k]));
-      const Vec3 place = results.frame.map(state.position) - origin;
+      const Vec3 place = results.frame.to_map(state.position) - origin;
       append_vector(scene.frames, Vec3(visible_digits(place.x()), visible_digits(place.y()),
                                        visible_digits(place.z())));
       for (const double q : {state.orientation.w(), state.orientation.x(), state.orientation.y(),
@@ -159,7 +159,8 @@ SceneRuns scene_runs(const Comparison& comparison, const DrawnRuns& all, const B
 Json tints_json(const std::vector<std::string>& zone_names) {
   Json tints = Json::array();
   for (std::size_t zone = 0; zone < std::max<std::size_t>(zone_names.size(), 1); ++zone) {
-    tints.push_back(format_colour(zone_colour(zone < zone_names.size() ? zone_names[zone] : "", zone)));
+    tints.push_back(
+        format_colour(zone_colour(zone < zone_names.size() ? zone_names[zone] : "", zone)));
   }
   return tints;
 }

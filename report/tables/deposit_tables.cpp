@@ -15,7 +15,7 @@ const TableColumns<DepositMeasures>& realisation_columns() {
   const auto degrees = [](const Vec3& from, const Vec3& to) {
     return kDegreesPerRadian * std::atan(height_length_ratio(from, to));
   };
-  static const auto columns = joined<Row>(
+  static const auto columns = concatenated<Row>(
       {{{"realisation", "", "from 1", [](const Row& row) { return row.realisation + 1; }},
         {"blocks", "", "released", &Row::blocks},
         {"lying", "", "that came to rest and were not removed; what follows is of these",
@@ -24,13 +24,13 @@ const TableColumns<DepositMeasures>& realisation_columns() {
         {"mass_kg", "kg", "of the blocks", &Row::mass},
         {"volume_m3", "m3", "of the blocks, without the space between them", &Row::volume}},
        array_columns<Row>({"first_x_m", "first_y_m", "first_z_m"}, "m",
-                            "their centre of mass where they started", &Row::first_centre),
+                          "their centre of mass where they started", &Row::first_centre),
        array_columns<Row>({"x_m", "y_m", "z_m"}, "m", "their centre of mass where they lie",
-                            &Row::centre),
+                          &Row::centre),
        array_columns<Row>({"crest_x_m", "crest_y_m", "crest_z_m"}, "m",
-                            "highest start of all blocks", &Row::crest),
+                          "highest start of all blocks", &Row::crest),
        array_columns<Row>({"toe_x_m", "toe_y_m", "toe_z_m"}, "m",
-                            "stop that is farthest from the crest in plan", &Row::toe),
+                          "stop that is farthest from the crest in plan", &Row::toe),
        {{"centre_angle_deg", "deg", "slope of the line from first to last centre of mass",
          [=](const Row& row) { return degrees(row.first_centre, row.centre); }},
         {"travel_angle_deg", "deg", "slope of the line from crest to toe (Fahrb\xC3\xB6schung)",
@@ -164,11 +164,11 @@ std::vector<ComparisonTable> report_detail::make_deposit_tables() {
   };
   using All = ComparisonAnalyses;
   return {make_table("realisations", realisation_columns(),
-                   part(&All::deposits, &DepositResults::realisations)),
+                     part(&All::deposits, &DepositResults::realisations)),
           make_table("realisation_figures", realisation_figure_columns(),
-                   part(&All::figures, &DepositQuantityComparison::files)),
+                     part(&All::figures, &DepositQuantityComparison::files)),
           make_table("realisation_differences", realisation_difference_columns(),
-                   part(&All::figures, &DepositQuantityComparison::differences)),
+                     part(&All::figures, &DepositQuantityComparison::differences)),
           make_table("mobility", mobility_columns(), &All::mobility)};
 }
 

@@ -16,13 +16,14 @@ struct EnergyOfFile {
 
 const TableColumns<EnergyOfFile>& energy_columns() {
   using Row = EnergyOfFile;
-  static const auto columns = joined<Row>(
+  static const auto columns = concatenated<Row>(
       {{{"realisation", "", "from 1", [](const Row& row) { return row.realisation + 1; }}},
        adapt_columns<Row>(
-           chosen(stored_energy_columns(),
-                  {"time_s", "moving", "translational_j", "rotational_j", "potential_j", "stored_j",
-                   "gone_j", "ground_normal_j", "ground_friction_j", "ground_rolling_j",
-                   "blocks_normal_j", "blocks_friction_j", "blocks_rolling_j", "reassigned_j"}),
+           selected_columns(
+               stored_energy_columns(),
+               {"time_s", "moving", "translational_j", "rotational_j", "potential_j", "stored_j",
+                "gone_j", "ground_normal_j", "ground_friction_j", "ground_rolling_j",
+                "blocks_normal_j", "blocks_friction_j", "blocks_rolling_j", "reassigned_j"}),
            [](const Row& row) -> const EnergyRecord& { return row.record; }),
        {{"file", "", "number of the results file", [](const Row& row) { return row.file + 1; }}}});
   return columns;

@@ -74,17 +74,17 @@ const std::string& group_name(const ComparisonRow<Item>& row) {
 const TableColumns<ComparisonRow<GroupDeposit>>& deposit_columns() {
   using Row = ComparisonRow<GroupDeposit>;
   const auto stops = [](const Row& row) { return row->deposit.stops; };
-  static const auto columns = joined<Row>(
+  static const auto columns = concatenated<Row>(
       {{{"group", "", "name", [](const Row& row) { return row->group.name; }},
         {"count", "", "runs that came to rest; the statistics are over these",
          [=](const Row& row) { return stops(row).rest; }}},
        summary_columns<Row>(kAllStatistics, "runout_*_m", "m", "runout of the runs at rest",
                             [](const Row& row) { return row->deposit.runout; }),
        array_columns<Row>({"mean_stop_x_m", "mean_stop_y_m", "mean_stop_z_m"}, "m", "mean stop",
-                            [=](const Row& row) {
-                              return stops(row).rest > 0 ? row->deposit.mean_stop
-                                                         : Vec3(Vec3::Constant(NAN));
-                            }),
+                          [=](const Row& row) {
+                            return stops(row).rest > 0 ? row->deposit.mean_stop
+                                                       : Vec3(Vec3::Constant(NAN));
+                          }),
        summary_columns<Row>(kMeanAndStd, "lateral_*_deg", "deg", "lateral angle, with its sign",
                             [](const Row& row) { return in_degrees(row->deposit.lateral); }),
        {{"runs", "", "runs started", [](const Row& row) { return row->deposit.started; }},
@@ -95,8 +95,8 @@ const TableColumns<ComparisonRow<GroupDeposit>>& deposit_columns() {
         {"error", "", "runs that ended in this way",
          [=](const Row& row) { return stops(row).error; }}},
        array_columns<Row>({"downslope_x", "downslope_y"}, "",
-                            "unit vector that runout is measured along",
-                            [](const Row& row) { return row.comparison.downslope; })});
+                          "unit vector that runout is measured along",
+                          [](const Row& row) { return row.comparison.downslope; })});
   return columns;
 }
 
@@ -140,7 +140,7 @@ const TableColumns<ComparisonRow<Difference>>& difference_columns() {
       {"found", "", "1 where `p_holm` is below 0.05; empty without a test",
        [](const Row& row) -> TableCell {
          if (!row->p_holm) return NAN;
-         return std::uint64_t{row->found() ? 1u : 0u};
+         return std::uint64_t{row->is_significant() ? 1u : 0u};
        }},
       {"words", "", "a sentence to quote",
        [](const Row& row) { return in_words(row.item, row.comparison); }}};
@@ -153,10 +153,10 @@ const TableColumns<ComparisonRow<MeasuredGroup>>& measured_columns() {
   const auto bounds = [](const char* low, const char* high, const char* unit,
                          std::optional<Interval> (*interval)(const Row&)) {
     return array_columns<Row>({low, high}, unit,
-                                "its 95 % confidence interval; empty for one realisation",
-                                [interval](const Row& row) { return bounds_of(interval(row)); });
+                              "its 95 % confidence interval; empty for one realisation",
+                              [interval](const Row& row) { return bounds_of(interval(row)); });
   };
-  static const auto columns = joined<Row>(
+  static const auto columns = concatenated<Row>(
       {{{"group", "", "name", group_name<Measured>},
         {"measured", "", "measured stops of the group", &Measured::measured},
         {"simulated", "", "runs at rest", &Measured::simulated}},
@@ -195,7 +195,7 @@ const TableColumns<ComparisonRow<MeasuredGroup>>& measured_columns() {
 const TableColumns<ComparisonRow<ProfileBin>>& profile_columns() {
   using Row = ComparisonRow<ProfileBin>;
   const char* along = "distance from each run's release point along downslope";
-  static const auto columns = joined<Row>(
+  static const auto columns = concatenated<Row>(
       {{{"group", "", "name", group_name<ProfileBin>},
         {"from_m", "m", along, &ProfileBin::from},
         {"to_m", "m", along, &ProfileBin::to},
@@ -230,7 +230,7 @@ const TableColumns<ComparisonRow<ZoneOfSet>>& ground_set_columns() {
     parameters.push_back({field.name, field.unit, field.meaning,
                           [=](const Row& row) { return ground(row).*field.value; }});
   }
-  static const auto columns = joined<Row>(
+  static const auto columns = concatenated<Row>(
       {{{"file", "", "number of the results file", [](const Row& row) { return row->file + 1; }},
         {"ground_set", "", "as in runs.csv", &ZoneOfSet::set},
         {"block_group", "", "as in runs.csv", [=](const Row& row) { return set(row).group; }},
@@ -271,7 +271,7 @@ const TableColumns<BarrierGroupStatistics>& report_detail::barrier_table_columns
                              Summary Row::*summary) {
     return summary_columns<Row>(kAllStatistics, name, unit, meaning, summary);
   };
-  static const auto columns = joined<Row>(
+  static const auto columns = concatenated<Row>(
       {{{"barrier", "", "name; of a ring with `(in)` or `(out)`", &Row::barrier},
         {"group", "", "name", &Row::group},
         {"runs", "",
@@ -288,8 +288,8 @@ const TableColumns<BarrierGroupStatistics>& report_detail::barrier_table_columns
          &Row::backward},
         {"probability", "", "`crossings` / `runs`", &Row::probability}},
        array_columns<Row>({"probability_low", "probability_high"}, "",
-                            "its 95 % confidence interval; empty for one realisation",
-                            [](const Row& row) { return bounds_of(row.interval); }),
+                          "its 95 % confidence interval; empty for one realisation",
+                          [](const Row& row) { return bounds_of(row.interval); }),
        statistics("height_*_m", "m", "height of the centre of mass above the ground below it",
                   &Row::height),
        statistics("clearance_*_m", "m", "height of the lowest skin point above the ground below it",

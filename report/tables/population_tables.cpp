@@ -83,12 +83,12 @@ TestRow row_of(const std::string& kind, const std::string& populations, const st
 
 TestRow row_of(const std::string& populations, const ClassDifference& one) {
   const std::string kind = "chi-squared";
-  if (!one.test) return {kind, populations, one.scheme, {}, {}, {}, "", one.words};
+  if (!one.test) return {kind, populations, one.scheme, {}, {}, {}, "", one.description};
   const ChiSquaredResult& test = *one.test;
   const std::string from = test.draws > 0 ? std::to_string(test.draws) + " random tables"
                                           : std::string("chi-squared distribution");
-  return {kind,         populations,  one.scheme, test.chi_squared,
-          test.degrees_of_freedom, test.p_value, from,       one.words};
+  return {kind,         populations, one.scheme,     test.chi_squared, test.degrees_of_freedom,
+          test.p_value, from,        one.description};
 }
 
 TableColumns<BlockRow> class_columns(const PopulationOptions& options) {
@@ -144,11 +144,11 @@ TableColumns<ShareRow> share_columns(const PopulationOptions&) {
        [](const Row& row) { return row.share.name; }},
       {"blocks", "", "number of blocks in the class",
        [](const Row& row) { return row.share.count; }},
-      number("share", &ClassFraction::share),
+      number("share", &ClassFraction::fraction),
       number("share_low", &ClassFraction::low),
       number("share_high", &ClassFraction::high),
       mass("mass_kg", "kg", "of the blocks of the class whose mass is known", &ClassFraction::mass),
-      mass("mass_share", "", by_mass, &ClassFraction::mass_share),
+      mass("mass_share", "", by_mass, &ClassFraction::mass_fraction),
       mass("mass_share_low", "", by_mass, &ClassFraction::mass_low),
       mass("mass_share_high", "", by_mass, &ClassFraction::mass_high)};
 }
@@ -189,7 +189,7 @@ TableColumns<TestRow> test_columns(const PopulationOptions&) {
 std::vector<ShareRow> share_rows(const PopulationReport& report) {
   std::vector<ShareRow> rows;
   for (const ReportedPopulation& reported : report.populations) {
-    const bool weighed = reported.summary.weighed > 0;
+    const bool weighed = reported.summary.with_mass > 0;
     for (const SchemeFractions& scheme : reported.summary.schemes) {
       for (const ClassFraction& share : scheme.shares) {
         rows.push_back({reported.population.name, scheme.scheme, share, weighed});
@@ -228,7 +228,7 @@ std::vector<TestRow> test_rows(const PopulationReport& report) {
     const std::string pair = report.comparison->name_a + " and " + report.comparison->name_b;
     for (const MeasureDifference& one : report.comparison->measures) {
       rows.push_back(row_of("kolmogorov-smirnov", pair, one.measure->name, one.test, "all deals",
-                            "limit for many blocks", one.words));
+                            "limit for many blocks", one.description));
     }
     for (const ClassDifference& one : report.comparison->schemes) {
       rows.push_back(row_of(pair, one));
@@ -287,7 +287,7 @@ void write_classes_csv(const PopulationReport& report, const std::filesystem::pa
         for (std::size_t i = begin; i < std::min(begin + kChunk, last); ++i) {
           append_row(csv, columns, {reported.population.name, blocks[i]});
         }
-        chunks[chunk] = csv.take();
+        chunks[chunk] = csv.take_text();
       });
       for (const std::string& chunk : chunks) stream << chunk;
     }

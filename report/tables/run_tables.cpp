@@ -23,7 +23,7 @@ struct RunStay {
 /// Columns of runs.csv for rows that belong to a run.
 template <class Row, class Run>
 TableColumns<Row> of_run(const std::vector<std::string>& names, const Run& run) {
-  return adapt_columns<Row>(chosen(run_columns(), names), [run](const Row& row) {
+  return adapt_columns<Row>(selected_columns(run_columns(), names), [run](const Row& row) {
     return ComparisonRow<RunRow>{row.comparison, run(row)};
   });
 }
@@ -54,28 +54,28 @@ const TableColumns<ComparisonRow<RunImpact>>& impact_columns() {
     return row.comparison.results[row->run.file];
   };
   const auto stored = [](const std::vector<std::string>& names) {
-    return adapt_columns<Row>(chosen(stored_impact_columns(), names),
-                                [](const Row& row) -> const Impact& { return row->impact; });
+    return adapt_columns<Row>(selected_columns(stored_impact_columns(), names),
+                              [](const Row& row) -> const Impact& { return row->impact; });
   };
   const auto energy = [](const char* name, double Impact::*value) {
     return TableColumn<Row>{name, "J", "kinetic energy, at the first and the last contact",
                             [value](const Row& row) { return row->impact.*value; }};
   };
-  static const auto columns =
-      joined<Row>({of_run<Row>({"run", "block", "class", "shape"}, run),
-                   {{"zone", "", "name of the ground zone of the first contact",
-                     [=](const Row& row) { return results(row).zone_names[row->impact.zone]; }}},
-                   stored({"time_s", "contact_s"}),
-                   array_columns<Row>(
-                       {"x_m", "y_m", "z_m"}, "m", "position at the first contact",
-                       [=](const Row& row) { return results(row).frame.map(row->impact.place); }),
-                   stored({"speed_before_m_s", "speed_after_m_s"}),
-                   {energy("translational_energy_before_j", &Impact::translational_before),
-                    energy("translational_energy_after_j", &Impact::translational_after),
-                    energy("rotational_energy_before_j", &Impact::rotational_before),
-                    energy("rotational_energy_after_j", &Impact::rotational_after)},
-                   stored({"depth_m"}),
-                   of_run<Row>({"file"}, run)});
+  static const auto columns = concatenated<Row>(
+      {of_run<Row>({"run", "block", "class", "shape"}, run),
+       {{"zone", "", "name of the ground zone of the first contact",
+         [=](const Row& row) { return results(row).zone_names[row->impact.zone]; }}},
+       stored({"time_s", "contact_s"}),
+       array_columns<Row>(
+           {"x_m", "y_m", "z_m"}, "m", "position at the first contact",
+           [=](const Row& row) { return results(row).frame.to_map(row->impact.place); }),
+       stored({"speed_before_m_s", "speed_after_m_s"}),
+       {energy("translational_energy_before_j", &Impact::translational_before),
+        energy("translational_energy_after_j", &Impact::translational_after),
+        energy("rotational_energy_before_j", &Impact::rotational_before),
+        energy("rotational_energy_after_j", &Impact::rotational_after)},
+       stored({"depth_m"}),
+       of_run<Row>({"file"}, run)});
   return columns;
 }
 
@@ -85,7 +85,7 @@ const TableColumns<ComparisonRow<RunStay>>& stay_columns() {
   const auto each = [](const Row& row) -> std::uint64_t {
     return row.comparison.results[row->run.file].runs_per_realisation();
   };
-  static const auto columns = joined<Row>(
+  static const auto columns = concatenated<Row>(
       {of_run<Row>({"run", "block", "class", "shape"}, run),
        {{"realisation", "", "from 1",
          [=](const Row& row) { return row->stay.run / each(row) + 1; }},
@@ -93,8 +93,9 @@ const TableColumns<ComparisonRow<RunStay>>& stay_columns() {
          [=](const Row& row) { return row->stay.run % each(row) + 1; }}},
        blank_unknown_cells(
            adapt_columns<Row>(
-               chosen(stored_stay_columns(),
-                      {"released_at_s", "raised_m", "moved_later_m", "blocks_hit", "removed_at_s"}),
+               selected_columns(
+                   stored_stay_columns(),
+                   {"released_at_s", "raised_m", "moved_later_m", "blocks_hit", "removed_at_s"}),
                [](const Row& row) -> const PersistentBlockRecord& { return row->stay; }),
            [](const Row& row) -> const CampaignResults& {
              return row.comparison.results[row->run.file];
@@ -121,9 +122,9 @@ const TableColumns<ComparisonRow<BarrierCrossing>>& report_detail::crossing_colu
     return row.comparison.lines[row->barrier];
   };
   const auto stored = [&](const std::vector<std::string>& names) {
-    return adapt_columns<Row>(chosen(stored_crossing_columns(), names), crossing);
+    return adapt_columns<Row>(selected_columns(stored_crossing_columns(), names), crossing);
   };
-  static const auto columns = joined<Row>(
+  static const auto columns = concatenated<Row>(
       {of_run<Row>({"run", "block", "class", "shape"}, run),
        {{"barrier", "", "name; for a ring as in barriers.csv",
          [=](const Row& row) { return line(row).name; }},
@@ -142,8 +143,8 @@ const TableColumns<ComparisonRow<BarrierCrossing>>& report_detail::crossing_colu
        {{"speed_m_s", "m/s", "speed of the centre of mass",
          [=](const Row& row) { return crossing(row).velocity.norm(); }}},
        array_columns<Row>({"velocity_x_m_s", "velocity_y_m_s", "velocity_z_m_s"}, "m/s",
-                            "velocity of the centre of mass",
-                            [=](const Row& row) { return crossing(row).velocity; }),
+                          "velocity of the centre of mass",
+                          [=](const Row& row) { return crossing(row).velocity; }),
        {{"rotation_rate_rad_s", "rad/s", "magnitude of the angular velocity",
          [=](const Row& row) { return crossing(row).angular_velocity.norm(); }}},
        array_columns<Row>(

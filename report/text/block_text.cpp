@@ -20,7 +20,7 @@ std::string vector_text(const Vec3& v) {
 
 /// What the unseen side leaves open, as names with values.
 NamedValues unseen_lines(const Block& block) {
-  const VolumeBracket& unseen = *block.unseen;
+  const VolumeBracket& unseen = *block.volume_bracket;
   const BlockBracket range = derive_block_bracket(block);
   const auto between = [](double low, const std::optional<double>& high, int digits) {
     return high ? format_rounded(low, digits) + " to " + format_rounded(*high, digits)
@@ -133,13 +133,14 @@ NamedValues describe_block(const Block& block) {
   line("volume against scan", format_rounded(block.deviation.volume_relative, 2));
   line("area against scan", format_rounded(block.deviation.area_relative, 2));
   line("moments against scan", format_rounded(block.deviation.moments_relative, 2));
-  if (block.unseen) {
+  if (block.volume_bracket) {
     for (const std::array<std::string, 2>& one : unseen_lines(block)) lines.push_back(one);
   }
   const FieldNotes& field = block.field;
   if (!field.site.empty()) line("site", field.site);
-  if (field.taped) {
-    line("taped L I S m", vector_text({field.taped->L, field.taped->I, field.taped->S}));
+  if (field.taped_axes) {
+    line("taped L I S m",
+         vector_text({field.taped_axes->L, field.taped_axes->I, field.taped_axes->S}));
   }
   if (field.weighed_mass) line("weighed kg", format_rounded(*field.weighed_mass));
   if (!field.note.empty()) line("note", field.note);

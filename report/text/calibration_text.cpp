@@ -42,8 +42,9 @@ std::string check_sentence(const PredictiveCheck& check, bool fitted) {
            "; as many parameters are determined as there are figures, so that nothing can "
            "contradict the fit";
   }
-  const std::string p = *check.p_value < 0.001 ? std::string(" (p below 0.001)")
-                                               : " (p = " + format_significant(*check.p_value, 2) + ")";
+  const std::string p = *check.p_value < 0.001
+                            ? std::string(" (p below 0.001)")
+                            : " (p = " + format_significant(*check.p_value, 2) + ")";
   if (!check.failed()) return text + ", and together they are such as the law gives" + p;
   return text + ", but together they are not such as the law gives" + p + ": " +
          (fitted ? "no ground within the ranges explains what was observed; the law, the ranges or "
@@ -87,7 +88,7 @@ void add_surrogate_warnings(const Calibration& calibration, std::vector<std::str
   std::vector<std::string> poor, none;
   std::size_t at = 0;
   for (const Observation& observation : calibration.study.observations) {
-    for (const Figure& figure : observation.figures) {
+    for (const SummaryStatistic& figure : observation.figures) {
       const std::optional<SurrogateQuality>& quality = calibration.posterior.surrogates[at++];
       const std::string name = figure.name + " of " + observation.name;
       if (!quality) none.push_back(name);
@@ -125,9 +126,9 @@ std::string describe_unknown(const std::string& parameter) {
     }
   }
   std::replace(words.begin(), words.end(), '_', ' ');
-  return words + (is_of_release(parameter)  ? " of release"
+  return words + (is_of_release(parameter)        ? " of release"
                   : is_block_parameter(parameter) ? " of blocks"
-                                            : " of contacts");
+                                                  : " of contacts");
 }
 
 std::string describe_calibration_result(const Calibration& calibration) {
@@ -192,15 +193,15 @@ std::string format_study_summary(const CalibrationStudy& study) {
   }
   TextTable figures{{"observation", "use", "figure", "observed"}, {}};
   for (const Observation& observation : study.observations) {
-    for (const Figure& figure : observation.figures) {
+    for (const SummaryStatistic& figure : observation.figures) {
       figures.rows.push_back({observation.name, observation.fitted ? "fit" : "keep", figure.name,
                               calibrated_value(figure.observed)});
     }
   }
   return std::to_string(study.runs()) + " runs: " + format_count(study.design.members, "member") +
          " of " + format_count(study.design.releases, "release") + " at " +
-         format_count(study.sites.size(), "site") + "\n\n" + unknowns.text() + "\n" + figures.text() +
-         "\n";
+         format_count(study.sites.size(), "site") + "\n\n" + unknowns.text() + "\n" +
+         figures.text() + "\n";
 }
 
 std::string format_unknowns_table(const Calibration& calibration) {
@@ -223,7 +224,7 @@ std::string format_statistics_table(const Calibration& calibration) {
   const std::vector<Observation>& observations = calibration.study.observations;
   for (std::size_t o = 0, at = 0; o < observations.size(); ++o) {
     for (std::size_t i = 0; i < observations[o].figures.size(); ++i, ++at) {
-      const Figure& figure = observations[o].figures[i];
+      const SummaryStatistic& figure = observations[o].figures[i];
       std::vector<std::string> row = {observations[o].name, observations[o].fitted ? "fit" : "keep",
                                       figure.name, calibrated_value(figure.observed)};
       const std::vector<PredictedStatistic>& predicted = calibration.posterior.predicted;
@@ -237,7 +238,8 @@ std::string format_statistics_table(const Calibration& calibration) {
              {found->median, found->low, found->high, found->prior.low, found->prior.high}) {
           row.push_back(calibrated_value(value));
         }
-        row.push_back(format_percent(std::max(0.0, calibration.posterior.surrogates[at]->explained), 0));
+        row.push_back(
+            format_percent(std::max(0.0, calibration.posterior.surrogates[at]->explained), 0));
       }
       table.rows.push_back(row);
     }
@@ -262,15 +264,16 @@ std::string format_ground_block(const Calibration& calibration) {
       text += "[ground." + format_toml_key(zone) + "]\n";
       for (const GroundParameterField& field : ground_fields()) {
         const std::optional<Distribution>& asked = ground.*field.asked;
-        if (asked) text += std::string(field.name) + " = " + format_significant(asked->first, 4) + "\n";
+        if (asked)
+          text += std::string(field.name) + " = " + format_significant(asked->first, 4) + "\n";
       }
     }
   }
   for (std::size_t i = 0; i < study.unknowns.size(); ++i) {
     const std::string& parameter = study.unknowns[i].parameter;
     if (is_ground_parameter(parameter)) continue;
-    text +=
-        "# " + parameter + " = " + format_significant(calibration.posterior.marginals[i].median, 4) + "\n";
+    text += "# " + parameter + " = " +
+            format_significant(calibration.posterior.marginals[i].median, 4) + "\n";
   }
   const bool all_ground =
       std::all_of(study.unknowns.begin(), study.unknowns.end(),

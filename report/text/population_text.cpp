@@ -20,10 +20,10 @@ std::string shares_text(const SchemeFractions& scheme, bool weighed) {
     }
   }
   for (const ClassFraction& share : scheme.shares) {
-    table.rows.push_back({share.name, std::to_string(share.count), percentage(share.share),
+    table.rows.push_back({share.name, std::to_string(share.count), percentage(share.fraction),
                           percentage(share.low), percentage(share.high)});
     if (!weighed) continue;
-    for (const std::string& cell : {format_rounded(share.mass), percentage(share.mass_share),
+    for (const std::string& cell : {format_rounded(share.mass), percentage(share.mass_fraction),
                                     percentage(share.mass_low), percentage(share.mass_high)}) {
       table.rows.back().push_back(cell);
     }
@@ -34,12 +34,13 @@ std::string shares_text(const SchemeFractions& scheme, bool weighed) {
 void add_laws(TextTable& table, const std::string& weighting, const SizeCurve& curve) {
   for (const FittedSizeLaw& law : curve.laws) {
     const bool normal = law.kind == SizeLawKind::kLogNormal;
-    table.rows.push_back({name_of(law.kind) + " " + weighting,
-                          std::string(normal ? "median " : "d63 ") + format_rounded(law.location, 3) +
-                              " +- " + format_rounded(law.location_error, 2) + " m",
-                          std::string(normal ? "sigma of ln " : "exponent ") +
-                              format_rounded(law.spread, 3) + " +- " + format_rounded(law.spread_error, 2),
-                          format_rounded(law.distance, 3), law.p_value ? format_p_value(*law.p_value) : "-"});
+    table.rows.push_back(
+        {name_of(law.kind) + " " + weighting,
+         std::string(normal ? "median " : "d63 ") + format_rounded(law.location, 3) + " +- " +
+             format_rounded(law.location_error, 2) + " m",
+         std::string(normal ? "sigma of ln " : "exponent ") + format_rounded(law.spread, 3) +
+             " +- " + format_rounded(law.spread_error, 2),
+         format_rounded(law.distance, 3), law.p_value ? format_p_value(*law.p_value) : "-"});
   }
 }
 
@@ -68,8 +69,8 @@ std::string format_blocks_table(const Population& population, const PopulationOp
   table.headings.push_back("how sure (" + first + ")");
   for (const MeasuredBlock& block : population.blocks) {
     const char* const unit = block.unscaled ? " u" : "";
-    table.rows.push_back({block.name, format_rounded(block.axes.L) + unit, format_rounded(block.axes.I) + unit,
-                          format_rounded(block.axes.S) + unit,
+    table.rows.push_back({block.name, format_rounded(block.axes.L) + unit,
+                          format_rounded(block.axes.I) + unit, format_rounded(block.axes.S) + unit,
                           format_rounded(elongation_index(block.axes_as_written), 3)});
     for (const std::string& scheme : schemes) {
       table.rows.back().push_back(shape_class(scheme, block.axes_as_written, options.limits));
@@ -85,7 +86,7 @@ std::string format_blocks_table(const Population& population, const PopulationOp
 std::string format_population_summary(const PopulationSummary& summary) {
   std::string text;
   for (const SchemeFractions& scheme : summary.schemes) {
-    text += "\n" + shares_text(scheme, summary.weighed > 0);
+    text += "\n" + shares_text(scheme, summary.with_mass > 0);
   }
   text += "\n" + size_text(summary.size) + "\n";
   for (const SizeShapeCorrelation& relation : summary.size_shape_correlations) {
@@ -95,9 +96,10 @@ std::string format_population_summary(const PopulationSummary& summary) {
 }
 
 std::string format_population_comparison(const PopulationComparison& comparison) {
-  std::string text = "\n" + escape_nonprintable(comparison.name_a + " against " + comparison.name_b) + ":\n";
-  for (const ClassDifference& one : comparison.schemes) text += one.words + "\n";
-  for (const MeasureDifference& one : comparison.measures) text += one.words + "\n";
+  std::string text =
+      "\n" + escape_nonprintable(comparison.name_a + " against " + comparison.name_b) + ":\n";
+  for (const ClassDifference& one : comparison.schemes) text += one.description + "\n";
+  for (const MeasureDifference& one : comparison.measures) text += one.description + "\n";
   return text;
 }
 

@@ -46,14 +46,14 @@ GaussImage::GaussImage(const TriangleMesh& mesh, double radius)
   });
 }
 
-double GaussImage::arc(std::size_t edge) const {
+double GaussImage::arc_length(std::size_t edge) const {
   const Vec3 a = normal(edges_[edge].face), b = normal(edges_[edge].other_face);
   return std::atan2(a.cross(b).norm(), a.dot(b));
 }
 
 Vec3 GaussImage::point_on_arc(std::size_t edge, double share) const {
   const Vec3 a = normal(edges_[edge].face), b = normal(edges_[edge].other_face);
-  const double angle = arc(edge);
+  const double angle = arc_length(edge);
   // Opposite normals, of which one is that of a face without area, have no arc between them.
   if (!(angle > kNoArc && angle < kPi - kNoArc)) return a;
   return (std::sin((1.0 - share) * angle) * a + std::sin(share * angle) * b).normalized();

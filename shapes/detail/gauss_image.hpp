@@ -27,10 +27,10 @@ class GaussImage {
   std::size_t edge_count() const { return edges_.size(); }
   Vec3 normal(std::size_t face) const { return normals_.row(static_cast<Eigen::Index>(face)); }
   double face_area(std::size_t face) const { return areas_[static_cast<Eigen::Index>(face)]; }
-  std::array<std::size_t, 2> faces_of(std::size_t edge) const {
+  std::array<std::size_t, 2> edge_faces(std::size_t edge) const {
     return {edges_[edge].face, edges_[edge].other_face};
   }
-  double arc(std::size_t edge) const;  ///< between the normals at an edge, rad
+  double arc_length(std::size_t edge) const;  ///< between the normals at an edge, rad
   /// At `fraction` of the way along the arc of an edge.
   Vec3 point_on_arc(std::size_t edge, double fraction) const;
 

@@ -15,11 +15,11 @@ constexpr double kShortestStep = 0.01;  ///< along a ray out of the body, in rad
 }  // namespace
 
 double RoundedSurfaceDistance::operator()(const Vec3& point, std::uint32_t& hint) const {
-  const TriangleTree::Signed near = core_.signed_closest_point(point, hint);
+  const TriangleTree::SignedClosest near = core_.signed_closest_point(point, hint);
   hint = near.triangle;
   if (near.distance >= radius_) return near.distance - radius_;
   if (radius_ == 0.0) return near.distance;
-  TriangleTree::Signed at = near;
+  TriangleTree::SignedClosest at = near;
   for (int i = 0; i < kProjections; ++i) {
     const Vec3 skin = at.foot + radius_ * at.outward;
     at = core_.signed_closest_point(skin, at.triangle);
@@ -44,7 +44,8 @@ double RoundedSurfaceDistance::operator()(const Vec3& point, std::uint32_t& hint
 double RoundedSurfaceDistance::exit_distance(const Vec3& point, const Vec3& direction,
                                              double longest, std::uint32_t& hint) const {
   for (double length = 0.0; length < longest;) {
-    const TriangleTree::Signed at = core_.signed_closest_point(point + length * direction, hint);
+    const TriangleTree::SignedClosest at =
+        core_.signed_closest_point(point + length * direction, hint);
     const double left = radius_ - at.distance;
     if (left <= 0.0) return length;
     length += std::max(left, kShortestStep * radius_);

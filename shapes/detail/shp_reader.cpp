@@ -61,7 +61,7 @@ class ShpReader {
   /// The next word that is no comment; empty at the end.
   std::string_view next_word() {
     for (;;) {
-      const std::string_view word = text_.word();
+      const std::string_view word = text_.next_word();
       const bool comment = word.starts_with('#') || word.starts_with('!') || word.starts_with("//");
       if (!word.empty() && !comment) return word;
       if (!text_.next_line()) return {};
@@ -159,13 +159,14 @@ class ShpReader {
   void read_keyword(ShpShape& shape) {
     const std::string key(word_);
     if (key == "name") {
-      shape.name = text_.word();
+      shape.name = text_.next_word();
       if (shape.name.empty()) fail("a name is needed on this line");
       shape_ = printable(shape.name);
     } else if (key == "radius") {
       shape.body.radius = number("the radius");
       if (shape.body.radius < 0.0) {
-        fail("the radius is " + format_significant(shape.body.radius, 6) + "; it must be 0 or more");
+        fail("the radius is " + format_significant(shape.body.radius, 6) +
+             "; it must be 0 or more");
       }
     } else if (key == "preCompDone") {
       const std::string_view answer = needed("y or n after preCompDone");

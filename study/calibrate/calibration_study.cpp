@@ -236,7 +236,7 @@ const std::vector<KeyTable>& calibration_key_tables() {
 std::vector<std::vector<double>> CalibrationDesign::places(std::size_t unknowns) const {
   SobolSequence sequence(unknowns, seed);
   std::vector<std::vector<double>> all;
-  for (std::uint32_t member = 0; member < members; ++member) all.push_back(sequence.next());
+  for (std::uint32_t member = 0; member < members; ++member) all.push_back(sequence.next_point());
   return all;
 }
 

@@ -38,7 +38,7 @@ struct SiteBlocks {
 };
 
 SiteBlocks blocks_of(const std::vector<const Observation*>& observations,
-                     const std::vector<std::vector<Seen>>& seen) {
+                     const std::vector<std::vector<SelectedOutcome>>& seen) {
   SiteBlocks site;
   std::map<std::array<std::string, 3>, std::size_t> numbers;
   std::set<std::uint32_t> points;
@@ -66,13 +66,13 @@ SiteBlocks blocks_of(const std::vector<const Observation*>& observations,
 /// as it had.
 /// @param whole  all of the sample for every observation
 VectorXd figures_of(const std::vector<const Observation*>& observations,
-                    const std::vector<std::vector<Seen>>& seen, const SiteBlocks& site,
+                    const std::vector<std::vector<SelectedOutcome>>& seen, const SiteBlocks& site,
                     const std::vector<Sample>& samples, bool whole) {
   std::vector<double> values;
   for (std::size_t o = 0; o < observations.size(); ++o) {
     const std::span<const std::size_t> all(samples[site.of_observation[o]]);
     const std::size_t count = whole ? all.size() : observations[o]->releases;
-    for (const Figure& figure : observations[o]->figures) {
+    for (const SummaryStatistic& figure : observations[o]->figures) {
       values.push_back(compute_statistic(figure, seen[o], all.first(std::min(count, all.size()))));
     }
   }
@@ -115,8 +115,8 @@ Moments moments_of(const std::vector<VectorXd>& draws) {
 using DrawSamples = std::function<std::vector<Sample>()>;
 
 Moments bootstrap_moments(const std::vector<const Observation*>& observations,
-                          const std::vector<std::vector<Seen>>& seen, const SiteBlocks& site,
-                          bool whole, const DrawSamples& draw) {
+                          const std::vector<std::vector<SelectedOutcome>>& seen,
+                          const SiteBlocks& site, bool whole, const DrawSamples& draw) {
   std::vector<VectorXd> draws;
   for (std::size_t i = 0; i < kScatterDraws; ++i) {
     draws.push_back(figures_of(observations, seen, site, draw(), whole));
@@ -127,7 +127,7 @@ Moments bootstrap_moments(const std::vector<const Observation*>& observations,
 Sample one_by_one(const SharedReleases& blocks, std::size_t count, Random& random) {
   Sample sample;
   if (blocks.rows == 0) return sample;
-  for (std::size_t i = 0; i < count; ++i) sample.push_back(random.below(blocks.rows));
+  for (std::size_t i = 0; i < count; ++i) sample.push_back(random.uniform_index(blocks.rows));
   return sample;
 }
 
@@ -135,10 +135,11 @@ Sample as_in_field(const SharedReleases& blocks, Random& random) {
   if (blocks.clusters.empty() || blocks.rows == 0) return one_by_one(blocks, blocks.most, random);
   Sample sample;
   for (const std::size_t count : blocks.clusters) {
-    const auto point = std::next(blocks.by_point.begin(),
-                                 static_cast<std::ptrdiff_t>(random.below(blocks.by_point.size())));
+    const auto point =
+        std::next(blocks.by_point.begin(),
+                  static_cast<std::ptrdiff_t>(random.uniform_index(blocks.by_point.size())));
     for (std::size_t i = 0; i < count; ++i) {
-      sample.push_back(point->second[random.below(point->second.size())]);
+      sample.push_back(point->second[random.uniform_index(point->second.size())]);
     }
   }
   return sample;
@@ -147,7 +148,7 @@ Sample as_in_field(const SharedReleases& blocks, Random& random) {
 std::vector<Sample> by_points(const SiteBlocks& site, Random& random) {
   std::vector<Sample> samples(site.blocks.size());
   for (std::size_t i = 0; i < site.points.size(); ++i) {
-    const std::uint32_t point = site.points[random.below(site.points.size())];
+    const std::uint32_t point = site.points[random.uniform_index(site.points.size())];
     for (std::size_t b = 0; b < site.blocks.size(); ++b) {
       const auto rows = site.blocks[b].by_point.find(point);
       if (rows == site.blocks[b].by_point.end()) continue;
@@ -189,9 +190,9 @@ void put_stated(const std::vector<const Observation*>& observations, const Vecto
                 StatisticScatter& scatter) {
   Index at = 0;
   for (const Observation* observation : observations) {
-    for (const Figure& figure : observation->figures) {
-      const bool unbiased =
-          figure.kind != Figure::Kind::kStdPlace && figure.kind != Figure::Kind::kPlace;
+    for (const SummaryStatistic& figure : observation->figures) {
+      const bool unbiased = figure.kind != SummaryStatistic::Kind::kStdPlace &&
+                            figure.kind != SummaryStatistic::Kind::kPlace;
       if (figure.error || unbiased) scatter.mean[at] = whole[at];
       if (figure.error) {
         scatter.field.row(at).setZero();
@@ -223,7 +224,8 @@ std::vector<SiteStatistics> group_by_site(const std::vector<Observation>& observ
 }
 
 StatisticScatter estimate_statistic_scatter(const std::vector<const Observation*>& observations,
-                             const std::vector<std::vector<Seen>>& seen, std::uint64_t seed) {
+                                            const std::vector<std::vector<SelectedOutcome>>& seen,
+                                            std::uint64_t seed) {
   const SiteBlocks site = blocks_of(observations, seen);
   std::vector<Sample> all;
   for (const SharedReleases& blocks : site.blocks) {
@@ -253,7 +255,7 @@ StatisticScatter estimate_statistic_scatter(const std::vector<const Observation*
   make_unbiased(observations, site, field_draws, field.covariance);
   make_unbiased(observations, site, rows, within.covariance);
   StatisticScatter scatter{field.mean, field.covariance, within.covariance,
-                        MatrixXd::Zero(whole.size(), whole.size())};
+                           MatrixXd::Zero(whole.size(), whole.size())};
   if (site.points.size() > 1) {
     const Moments points =
         bootstrap_moments(observations, seen, site, true, [&] { return by_points(site, random); });

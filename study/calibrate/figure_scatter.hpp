@@ -39,7 +39,7 @@ struct StatisticScatter {
 /// @param seen  selected outcomes of each observation
 /// @cite field2007, wood2010
 StatisticScatter estimate_statistic_scatter(const std::vector<const Observation*>& observations,
-                                            const std::vector<std::vector<Seen>>& seen,
+                                            const std::vector<std::vector<SelectedOutcome>>& seen,
                                             std::uint64_t seed);
 
 }  // namespace clast::study_detail

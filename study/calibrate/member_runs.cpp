@@ -17,8 +17,7 @@ constexpr double kKeepAfter = 20.0;
 constexpr char kSimulated = 's', kFailed = 'f';
 
 /// A member at a site, numbered for processes.
-std::uint32_t item_of(const CalibrationBackend& simulator, std::uint32_t member,
-                      std::size_t site) {
+std::uint32_t item_of(const CalibrationBackend& simulator, std::uint32_t member, std::size_t site) {
   return member * static_cast<std::uint32_t>(simulator.sites.size()) +
          static_cast<std::uint32_t>(site);
 }
@@ -104,8 +103,8 @@ std::pair<std::uint32_t, std::vector<ReleaseOutcome>> handed_in(const std::strin
 }  // namespace
 
 void simulate_missing_members(const CalibrationStudy& study, const CalibrationBackend& simulator,
-                      const std::filesystem::path& target, const CalibrateOptions& options,
-                      StoredCalibration& stored) {
+                              const std::filesystem::path& target, const CalibrateOptions& options,
+                              StoredCalibration& stored) {
   const Simulation simulation(study, simulator);
   std::vector<std::uint32_t> missing;
   ProgressUpdate step;
@@ -114,13 +113,13 @@ void simulate_missing_members(const CalibrationStudy& study, const CalibrationBa
     for (std::size_t site = 0; site < simulator.sites.size(); ++site) {
       ++step.total;
       if (stored.done[site][member]) {
-        ++step.before;
+        ++step.done_before;
       } else {
         missing.push_back(item_of(simulator, member, site));
       }
     }
   }
-  step.done = step.before;
+  step.done = step.done_before;
   Keeper keeper(study, target, options, step, stored);
   const auto here = [&](std::uint32_t item) { keeper.add(item, simulation.of(item)); };
   try {

@@ -52,23 +52,23 @@ double deviation_of(const std::vector<double>& values) {
   return std::sqrt(sum / static_cast<double>(values.size() - 1));
 }
 
-double figure_of_places(const Figure& figure, std::vector<double> along,
+double figure_of_places(const SummaryStatistic& figure, std::vector<double> along,
                         const std::vector<double>& aside) {
   if (along.empty()) return kNoFigure;
   switch (figure.kind) {
-    case Figure::Kind::kMeanPlace:
+    case SummaryStatistic::Kind::kMeanPlace:
       return mean_of_values(along);
-    case Figure::Kind::kStdPlace:
+    case SummaryStatistic::Kind::kStdPlace:
       return deviation_of(along);
-    case Figure::Kind::kPlace:
+    case SummaryStatistic::Kind::kPlace:
       std::sort(along.begin(), along.end());
       return quantile(along, figure.level);
-    case Figure::Kind::kBeyond: {
+    case SummaryStatistic::Kind::kBeyond: {
       const auto beyond = std::count_if(along.begin(), along.end(),
                                         [&](double place) { return place > figure.level; });
       return static_cast<double>(beyond) / static_cast<double>(along.size());
     }
-    case Figure::Kind::kMeanAside:
+    case SummaryStatistic::Kind::kMeanAside:
       return mean_of_values(aside);
     default:
       return kNoFigure;
@@ -76,17 +76,17 @@ double figure_of_places(const Figure& figure, std::vector<double> along,
 }
 
 /// What is measured at barriers and moments; null for other figures.
-double OutcomeAtMoment::*measured_member(Figure::Kind kind) {
+double OutcomeAtMoment::*measured_member(SummaryStatistic::Kind kind) {
   switch (kind) {
-    case Figure::Kind::kMeanSpeed:
+    case SummaryStatistic::Kind::kMeanSpeed:
       return &OutcomeAtMoment::speed;
-    case Figure::Kind::kMeanSpin:
+    case SummaryStatistic::Kind::kMeanSpin:
       return &OutcomeAtMoment::spin;
-    case Figure::Kind::kMeanHeight:
+    case SummaryStatistic::Kind::kMeanHeight:
       return &OutcomeAtMoment::height;
-    case Figure::Kind::kMeanEnergy:
+    case SummaryStatistic::Kind::kMeanEnergy:
       return &OutcomeAtMoment::energy;
-    case Figure::Kind::kMeanDepth:
+    case SummaryStatistic::Kind::kMeanDepth:
       return &OutcomeAtMoment::depth;
     default:
       return nullptr;
@@ -116,8 +116,9 @@ StopPosition stop_position_of(const Observation& observation, const SiteDescript
   return {offset.dot(site.downslope), offset.dot(right)};
 }
 
-std::vector<Seen> select_outcomes(const Observation& observation, const SiteDescription& site,
-                                  std::span<const ReleaseOutcome> outcomes) {
+std::vector<SelectedOutcome> select_outcomes(const Observation& observation,
+                                             const SiteDescription& site,
+                                             std::span<const ReleaseOutcome> outcomes) {
   check_known(observation, site, "block", observation.block, site.blocks);
   check_known(observation, site, "block of shape", observation.shape, site.shapes);
   check_known(observation, site, "barrier", observation.barrier, site.barriers);
@@ -126,7 +127,7 @@ std::vector<Seen> select_outcomes(const Observation& observation, const SiteDesc
       std::find(site.barriers.begin(), site.barriers.end(), observation.barrier) -
       site.barriers.begin());
   const std::size_t moment = place_of_moment(observation, site);
-  std::vector<Seen> seen;
+  std::vector<SelectedOutcome> seen;
   for (const ReleaseOutcome& outcome : outcomes) {
     if (!observation.block.empty() && site.blocks[outcome.block] != observation.block) continue;
     if (!observation.shape.empty() && site.shapes[outcome.block] != observation.shape) continue;
@@ -143,17 +144,17 @@ std::vector<Seen> select_outcomes(const Observation& observation, const SiteDesc
   return seen;
 }
 
-void check_enough(const Observation& observation, std::span<const Seen> seen) {
+void check_enough(const Observation& observation, std::span<const SelectedOutcome> seen) {
   if (seen.size() >= kFewestSeen) return;
   throw InputError("observation " + observation.name + ": a member has only " +
                    std::to_string(seen.size()) + " releases of these blocks, and " +
                    std::to_string(kFewestSeen) + " are needed; raise [design] releases");
 }
 
-double compute_statistic(const Figure& figure, std::span<const Seen> seen,
+double compute_statistic(const SummaryStatistic& figure, std::span<const SelectedOutcome> seen,
                          std::span<const std::size_t> sample) {
   std::vector<double> values, aside;
-  if (figure.kind == Figure::Kind::kPassed) {
+  if (figure.kind == SummaryStatistic::Kind::kPassed) {
     for (const std::size_t i : sample) values.push_back(seen[i].at.passed() ? 1.0 : 0.0);
     return mean_of_values(values);
   }
@@ -170,7 +171,7 @@ double compute_statistic(const Figure& figure, std::span<const Seen> seen,
   return figure_of_places(figure, std::move(values), aside);
 }
 
-double compute_statistic(const Figure& figure, std::span<const StopPosition> stops) {
+double compute_statistic(const SummaryStatistic& figure, std::span<const StopPosition> stops) {
   std::vector<double> along, aside;
   for (const StopPosition& stop : stops) {
     along.push_back(stop.along);

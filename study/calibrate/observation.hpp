@@ -12,7 +12,7 @@
 namespace clast {
 
 /// Summary statistic of a sample of releases.
-struct Figure {
+struct SummaryStatistic {
   enum class Kind {
     kMeanPlace,   ///< mean stop position along the path, m
     kStdPlace,    ///< standard deviation of the stop positions, m
@@ -60,7 +60,7 @@ struct Observation {
   std::size_t releases = 0;  ///< number of field releases; 0 if only values with errors are known
   /// Indices of the shared starts of field releases; empty: all starts differ.
   std::vector<std::size_t> clusters;
-  std::vector<Figure> figures;
+  std::vector<SummaryStatistic> figures;
   std::optional<Moment> moment = {};
   std::string release = {};  ///< only blocks of this release set; empty: any
 };
@@ -71,7 +71,7 @@ std::vector<Moment> observed_moments(const std::vector<Observation>& observation
 
 /// Outcome of a release as an observation uses it: its stop position, or its state at the barrier
 /// or moment.
-struct Seen {
+struct SelectedOutcome {
   std::uint32_t point = 0;  ///< release point; releases of one point share its ground
   double along = 0.0, aside = 0.0;
   OutcomeAtMoment at;  ///< state at the barrier or moment
@@ -80,12 +80,13 @@ struct Seen {
 /// Selects the releases of a member that belong to an observation.
 /// @throws InputError  if the site has no such block, shape, release set or barrier, or its members
 ///                     were simulated without the moment
-std::vector<Seen> select_outcomes(const Observation& observation, const SiteDescription& site,
-                                  std::span<const ReleaseOutcome> outcomes);
+std::vector<SelectedOutcome> select_outcomes(const Observation& observation,
+                                             const SiteDescription& site,
+                                             std::span<const ReleaseOutcome> outcomes);
 
 /// Checks that a member has enough releases of the observed blocks to estimate their scatter.
 /// @throws InputError  if there are fewer than `kFewestSeen`; names the observation and the number
-void check_enough(const Observation& observation, std::span<const Seen> seen);
+void check_enough(const Observation& observation, std::span<const SelectedOutcome> seen);
 /// Minimum number of selected releases per member.
 inline constexpr std::size_t kFewestSeen = 8;
 
@@ -95,10 +96,10 @@ StopPosition stop_position_of(const Observation& observation, const SiteDescript
 
 /// Computes a statistic of a sample, given by indices into `seen` with repetitions; NaN if
 /// undefined, such as the mean speed of no passage or the deviation of one stop.
-double compute_statistic(const Figure& figure, std::span<const Seen> seen,
+double compute_statistic(const SummaryStatistic& figure, std::span<const SelectedOutcome> seen,
                          std::span<const std::size_t> sample);
 
 /// Computes a statistic of observed stops.
-double compute_statistic(const Figure& figure, std::span<const StopPosition> stops);
+double compute_statistic(const SummaryStatistic& figure, std::span<const StopPosition> stops);
 
 }  // namespace clast

@@ -21,13 +21,13 @@ constexpr std::size_t kFewestStops = 3;
 /// A figure of a barrier or an impact that is given as [value, standard error].
 struct MeasuredQuantity {
   const char* key;
-  Figure::Kind kind;
+  SummaryStatistic::Kind kind;
 };
-constexpr MeasuredQuantity kQuantities[] = {{"speed_m_s", Figure::Kind::kMeanSpeed},
-                                            {"spin_rad_s", Figure::Kind::kMeanSpin},
-                                            {"height_m", Figure::Kind::kMeanHeight},
-                                            {"energy_j", Figure::Kind::kMeanEnergy},
-                                            {"depth_m", Figure::Kind::kMeanDepth}};
+constexpr MeasuredQuantity kQuantities[] = {{"speed_m_s", SummaryStatistic::Kind::kMeanSpeed},
+                                            {"spin_rad_s", SummaryStatistic::Kind::kMeanSpin},
+                                            {"height_m", SummaryStatistic::Kind::kMeanHeight},
+                                            {"energy_j", SummaryStatistic::Kind::kMeanEnergy},
+                                            {"depth_m", SummaryStatistic::Kind::kMeanDepth}};
 
 bool is_fitted(const std::string& use) { return use == "fit"; }
 
@@ -68,40 +68,44 @@ std::string source_of(const DeclaredTable& table) {
 }
 
 /// "mean", "std", "aside", or "p10" for a percentile.
-Figure figure_named(const TomlTable& table, const TomlNode& node, const std::string& name) {
-  if (name == "mean") return {Figure::Kind::kMeanPlace, 0.0, "mean_place_m", 0.0, {}};
-  if (name == "std") return {Figure::Kind::kStdPlace, 0.0, "std_place_m", 0.0, {}};
-  if (name == "aside") return {Figure::Kind::kMeanAside, 0.0, "mean_aside_m", 0.0, {}};
+SummaryStatistic figure_named(const TomlTable& table, const TomlNode& node,
+                              const std::string& name) {
+  if (name == "mean") return {SummaryStatistic::Kind::kMeanPlace, 0.0, "mean_place_m", 0.0, {}};
+  if (name == "std") return {SummaryStatistic::Kind::kStdPlace, 0.0, "std_place_m", 0.0, {}};
+  if (name == "aside") return {SummaryStatistic::Kind::kMeanAside, 0.0, "mean_aside_m", 0.0, {}};
   const std::optional<double> level =
       name.starts_with("p") ? parse_number(std::string_view(name).substr(1)) : std::nullopt;
   if (!level || !(*level >= 1.0 && *level <= 99.0)) {
     table.refuse("figures", node,
                  "must be \"mean\", \"std\", \"aside\", or a percentile from \"p1\" to \"p99\"");
   }
-  return {Figure::Kind::kPlace, *level / 100.0, name + "_place_m", 0.0, {}};
+  return {SummaryStatistic::Kind::kPlace, *level / 100.0, name + "_place_m", 0.0, {}};
 }
 
-std::vector<Figure> stop_figures(const DeclaredTable& table) {
-  std::vector<Figure> figures;
+std::vector<SummaryStatistic> stop_figures(const DeclaredTable& table) {
+  std::vector<SummaryStatistic> figures;
   if (const TomlNode* asked = table.find("figures")) {
-    const std::vector<std::string> names = *table.texts("figures");
+    const std::vector<std::string> names = *table.strings("figures");
     for (std::size_t i = 0; i < names.size(); ++i) {
       figures.push_back(figure_named(table, element(*asked, i), names[i]));
     }
   } else if (!table.find("beyond_m")) {
-    figures = {{Figure::Kind::kMeanPlace, 0.0, "mean_place_m", 0.0, {}},
-               {Figure::Kind::kStdPlace, 0.0, "std_place_m", 0.0, {}}};
+    figures = {{SummaryStatistic::Kind::kMeanPlace, 0.0, "mean_place_m", 0.0, {}},
+               {SummaryStatistic::Kind::kStdPlace, 0.0, "std_place_m", 0.0, {}}};
   }
   if (table.find("beyond_m")) {
     for (const double place : numbers_of(table, "beyond_m", "a list of places, [m, m, ...]")) {
-      figures.push_back(
-          {Figure::Kind::kBeyond, place, "beyond_" + format_significant(place, 6) + "_m", 0.0, {}});
+      figures.push_back({SummaryStatistic::Kind::kBeyond,
+                         place,
+                         "beyond_" + format_significant(place, 6) + "_m",
+                         0.0,
+                         {}});
     }
   }
   return figures;
 }
 
-void check_once(const DeclaredTable& table, const std::vector<Figure>& figures) {
+void check_once(const DeclaredTable& table, const std::vector<SummaryStatistic>& figures) {
   for (std::size_t i = 0; i < figures.size(); ++i) {
     for (std::size_t k = 0; k < i; ++k) {
       if (figures[i].name == figures[k].name) table.refuse("names " + figures[i].name + " twice");
@@ -148,14 +152,14 @@ void read_stops(const DeclaredTable& table, const SiteDescription& site, Observa
     places.push_back(stop_position_of(observation, site, stop.start.value_or(site.middle_of_starts),
                                       stop.place));
   }
-  for (Figure& figure : observation.figures) {
+  for (SummaryStatistic& figure : observation.figures) {
     figure.observed = compute_statistic(figure, places);
   }
 }
 
 /// Quantities that are given as [value, standard error].
-std::vector<Figure> stated_figures(const DeclaredTable& table) {
-  std::vector<Figure> figures;
+std::vector<SummaryStatistic> stated_figures(const DeclaredTable& table) {
+  std::vector<SummaryStatistic> figures;
   for (const MeasuredQuantity& quantity : kQuantities) {
     const TomlNode* node = table.find(quantity.key);
     if (!node) continue;
@@ -175,7 +179,7 @@ void read_impact(const DeclaredTable& table, Observation& observation) {
                         static_cast<double>(*table.value<std::uint64_t>("impact"))};
   observation.releases = table.value<std::uint64_t>("releases").value_or(1);
   observation.figures = stated_figures(table);
-  for (Figure& figure : observation.figures)
+  for (SummaryStatistic& figure : observation.figures)
     figure.measuring_error = *std::exchange(figure.error, {});
   if (observation.figures.empty()) {
     table.refuse("names nothing that was observed: speed_m_s, spin_rad_s, energy_j or depth_m");
@@ -183,26 +187,28 @@ void read_impact(const DeclaredTable& table, Observation& observation) {
 }
 
 /// The figures of trajectories at each time: places along the path, speed and spin.
-std::vector<Figure> trajectory_figures(const DeclaredTable& table) {
-  std::vector<Figure> figures;
+std::vector<SummaryStatistic> trajectory_figures(const DeclaredTable& table) {
+  std::vector<SummaryStatistic> figures;
   const auto add = [&](const std::string& name, const auto& place) {
     if (name == "speed") {
-      figures.push_back({Figure::Kind::kMeanSpeed, 0.0, "mean_speed_m_s", 0.0, {}});
+      figures.push_back({SummaryStatistic::Kind::kMeanSpeed, 0.0, "mean_speed_m_s", 0.0, {}});
     } else if (name == "spin") {
-      figures.push_back({Figure::Kind::kMeanSpin, 0.0, "mean_spin_rad_s", 0.0, {}});
+      figures.push_back({SummaryStatistic::Kind::kMeanSpin, 0.0, "mean_spin_rad_s", 0.0, {}});
     } else {
       figures.push_back(place());
     }
   };
   if (const TomlNode* asked = table.find("figures")) {
-    const std::vector<std::string> names = *table.texts("figures");
+    const std::vector<std::string> names = *table.strings("figures");
     for (std::size_t i = 0; i < names.size(); ++i) {
       add(names[i], [&] { return figure_named(table, element(*asked, i), names[i]); });
     }
   } else {
-    add("mean", [] { return Figure{Figure::Kind::kMeanPlace, 0.0, "mean_place_m", 0.0, {}}; });
-    add("speed", [] { return Figure(); });
-    add("spin", [] { return Figure(); });
+    add("mean", [] {
+      return SummaryStatistic{SummaryStatistic::Kind::kMeanPlace, 0.0, "mean_place_m", 0.0, {}};
+    });
+    add("speed", [] { return SummaryStatistic(); });
+    add("spin", [] { return SummaryStatistic(); });
   }
   return figures;
 }
@@ -237,7 +243,7 @@ std::vector<Observation> read_followed(const DeclaredTable& table, const SiteDes
     Observation own = common;
     own.moment = {Moment::Kind::kTime, time};
     own.name += " at " + own.moment->name();
-    std::vector<Seen> seen;
+    std::vector<SelectedOutcome> seen;
     std::vector<std::size_t> all;
     for (const ObservedTrajectory& one : followed.all) {
       const TrajectoryPoint point = point_at(one, time);
@@ -248,7 +254,8 @@ std::vector<Observation> read_followed(const DeclaredTable& table, const SiteDes
       all.push_back(seen.size());
       seen.push_back({0, place.along, place.aside, at});
     }
-    for (Figure& figure : own.figures) figure.observed = compute_statistic(figure, seen, all);
+    for (SummaryStatistic& figure : own.figures)
+      figure.observed = compute_statistic(figure, seen, all);
     observations.push_back(std::move(own));
   }
   return observations;
@@ -271,13 +278,13 @@ void read_passages(const DeclaredTable& table, const SiteDescription& site,
   }
   observation.releases = releases.value_or(0);
   if (passed) {
-    observation.figures.push_back({Figure::Kind::kPassed,
+    observation.figures.push_back({SummaryStatistic::Kind::kPassed,
                                    0.0,
                                    "passed",
                                    static_cast<double>(*passed) / static_cast<double>(*releases),
                                    {}});
   }
-  const std::vector<Figure> stated = stated_figures(table);
+  const std::vector<SummaryStatistic> stated = stated_figures(table);
   observation.figures.insert(observation.figures.end(), stated.begin(), stated.end());
   if (observation.figures.empty()) {
     table.refuse(

@@ -93,16 +93,16 @@ PredictedStatistic place_of_figure(const CalibrationStudy& study, std::size_t fi
 }
 
 /// The nearest value that the figure can have: the normal law of the prediction knows no bounds.
-double possible(const Figure& figure, double value) {
+double possible(const SummaryStatistic& figure, double value) {
   switch (figure.kind) {
-    case Figure::Kind::kBeyond:
-    case Figure::Kind::kPassed:
+    case SummaryStatistic::Kind::kBeyond:
+    case SummaryStatistic::Kind::kPassed:
       return std::clamp(value, 0.0, 1.0);
-    case Figure::Kind::kStdPlace:
-    case Figure::Kind::kMeanSpeed:
-    case Figure::Kind::kMeanSpin:
-    case Figure::Kind::kMeanEnergy:
-    case Figure::Kind::kMeanDepth:
+    case SummaryStatistic::Kind::kStdPlace:
+    case SummaryStatistic::Kind::kMeanSpeed:
+    case SummaryStatistic::Kind::kMeanSpin:
+    case SummaryStatistic::Kind::kMeanEnergy:
+    case SummaryStatistic::Kind::kMeanDepth:
       return std::max(value, 0.0);
     default:
       return value;
@@ -110,7 +110,7 @@ double possible(const Figure& figure, double value) {
 }
 
 /// From the draws of a figure, one row of `draws`.
-PredictedInterval interval_of(const Figure& figure, const MatrixXd& draws, Index row) {
+PredictedInterval interval_of(const SummaryStatistic& figure, const MatrixXd& draws, Index row) {
   const std::vector<double> values = sorted_values(row_of(draws, row));
   return {possible(figure, quantile(values, 0.5)), possible(figure, quantile(values, 0.025)),
           possible(figure, quantile(values, 0.975))};
@@ -122,7 +122,7 @@ MatrixXd prior_places(const CalibrationStudy& study) {
   MatrixXd places(static_cast<Index>(study.unknowns.size()),
                   static_cast<Index>(study.design.draws));
   for (Index i = 0; i < places.cols(); ++i) {
-    const std::vector<double> point = sequence.next();
+    const std::vector<double> point = sequence.next_point();
     places.col(i) = Eigen::Map<const VectorXd>(point.data(), places.rows());
   }
   return places;
@@ -144,7 +144,7 @@ PredictiveCheck predict_figures(const CalibrationStudy& study,
   const VectorXd observed = likelihood.observed(which);
   for (std::size_t i = 0; i < which.size(); ++i) {
     PredictedStatistic figure = place_of_figure(study, static_cast<std::size_t>(which[i]));
-    const Figure& asked = study.observations[figure.observation].figures[figure.figure];
+    const SummaryStatistic& asked = study.observations[figure.observation].figures[figure.figure];
     const PredictedInterval found = interval_of(asked, draws, static_cast<Index>(i));
     figure.median = found.median;
     figure.low = found.low;
@@ -241,7 +241,8 @@ NearestMembers nearest_members(const CalibrationStudy& study, const MemberStatis
 
 CalibrationPosterior infer_posterior(const CalibrationStudy& study, const CalibrationRuns& runs,
                                      unsigned threads) {
-  const MemberStatistics figures = compute_member_statistics(study, runs.sites, runs.outcomes, threads);
+  const MemberStatistics figures =
+      compute_member_statistics(study, runs.sites, runs.outcomes, threads);
   const SyntheticLikelihood likelihood(study, figures, threads);
   TemperedSamplingOptions options;
   options.draws = study.design.draws;
@@ -250,11 +251,11 @@ CalibrationPosterior infer_posterior(const CalibrationStudy& study, const Calibr
       study.unknowns.size(),
       [&](const MatrixXd& places) { return likelihood.log_likelihood(places); }, options);
   CalibrationPosterior posterior;
-  posterior.shares = std::move(sample.places);
+  posterior.shares = std::move(sample.points);
   posterior.log_likelihood = std::move(sample.log_likelihood);
   posterior.log_evidence = sample.log_evidence;
   posterior.temperatures = sample.temperatures;
-  posterior.accepted = sample.accepted;
+  posterior.accepted = sample.acceptance_rate;
   posterior.member_figures = figures.values;
   posterior.draws = posterior.shares;
   for (std::size_t i = 0; i < study.unknowns.size(); ++i) {

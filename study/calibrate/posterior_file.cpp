@@ -52,7 +52,7 @@ void write_figures(Hdf5Group group, const CalibrationStudy& study,
   std::vector<std::string> observation, site, use, name;
   std::vector<double> observed, error;
   for (const Observation& one : study.observations) {
-    for (const Figure& figure : one.figures) {
+    for (const SummaryStatistic& figure : one.figures) {
       observation.push_back(one.name);
       site.push_back(study.sites[one.site].name);
       use.emplace_back(one.fitted ? "fit" : "keep");
@@ -203,22 +203,22 @@ StoredCalibration read_calibration_runs(const std::filesystem::path& path) {
   const Hdf5File file = Hdf5File::open(path, kPosteriorFormat, kPosteriorSchema);
   const Hdf5Group root = file.root();
   StoredCalibration stored;
-  stored.design_sha256 = root.attribute<std::string>("design_sha256");
+  stored.design_sha256 = root.read_attribute<std::string>("design_sha256");
   if (root.has_attribute("physics_digest")) {
-    stored.physics_digest = root.attribute<std::string>("physics_digest");
+    stored.physics_digest = root.read_attribute<std::string>("physics_digest");
   }
   stored.inputs = root.read<std::string>("inputs");
-  const auto members = root.attribute<std::int64_t>("members");
+  const auto members = root.read_attribute<std::int64_t>("members");
   const CheckedGroup top{path.string(), "", root};
   if (members < 1 || members > 1'000'000) top.damaged("members", "is no number of members");
-  const Hdf5Group sites = root.group("sites");
-  for (std::size_t i = 0; sites.has(std::to_string(i)); ++i) {
+  const Hdf5Group sites = root.open_group("sites");
+  for (std::size_t i = 0; sites.contains(std::to_string(i)); ++i) {
     const std::string name = "/sites/" + std::to_string(i);
-    const CheckedGroup site{path.string(), name, sites.group(std::to_string(i))};
+    const CheckedGroup site{path.string(), name, sites.open_group(std::to_string(i))};
     stored.runs.sites.push_back(read_facts(site));
     const auto done = site.column<std::uint8_t>("done", static_cast<std::size_t>(members));
     stored.done.emplace_back(done.begin(), done.end());
-    const CheckedGroup runs{path.string(), name + "/runs", site.group.group("runs")};
+    const CheckedGroup runs{path.string(), name + "/runs", site.group.open_group("runs")};
     stored.runs.outcomes.push_back(
         read_release_outcomes(runs, stored.runs.sites.back(), static_cast<std::size_t>(members)));
   }

@@ -79,7 +79,7 @@ class MomentObserver {
     outcome.speed = state.velocity.norm();
     outcome.spin = state.angular_velocity.norm();
     outcome.energy = translational_energy(body_, state) + rotational_energy(body_, state);
-    outcome.place = frame_.map(state.position).head<2>();
+    outcome.place = frame_.to_map(state.position).head<2>();
     return outcome;
   }
 
@@ -97,8 +97,8 @@ ReleaseOutcome count_stop_reasons(const StoredRun& run, const CampaignPlan& prep
   outcome.block = run.record.block;
   outcome.point = run.record.point;
   outcome.release = prepared.header.set_of_point[run.record.point];
-  outcome.start = frame.map(run.record.start.position).head<2>();
-  outcome.stop = frame.map(run.record.result.final_state.position).head<2>();
+  outcome.start = frame.to_map(run.record.start.position).head<2>();
+  outcome.stop = frame.to_map(run.record.result.final_state.position).head<2>();
   outcome.barriers.resize(prepared.header.barriers.size());
   for (const Crossing& crossing : run.crossings) {
     OutcomeAtMoment& at = outcome.barriers[crossing.barrier];
@@ -159,7 +159,8 @@ struct SiteMemberSimulator::Impl {
   void check_largest_blocks() {
     const Campaign middle = prepared.campaign;
     for (const Unknown& unknown : unknowns) {
-      if (!is_block_parameter(unknown.parameter) || !fraction_class(unknown.parameter).empty()) continue;
+      if (!is_block_parameter(unknown.parameter) || !fraction_class(unknown.parameter).empty())
+        continue;
       if (has_parameter(middle, unknown.parameter)) {
         set_parameter(prepared.campaign, unknown.parameter, unknown.high);
       }
@@ -190,8 +191,10 @@ struct SiteMemberSimulator::Impl {
   }
 };
 
-SiteMemberSimulator::SiteMemberSimulator(const CalibrationSite& site, const std::vector<Unknown>& unknowns,
-                             const CalibrationDesign& design, const std::vector<Moment>& moments)
+SiteMemberSimulator::SiteMemberSimulator(const CalibrationSite& site,
+                                         const std::vector<Unknown>& unknowns,
+                                         const CalibrationDesign& design,
+                                         const std::vector<Moment>& moments)
     : impl_(std::make_unique<Impl>(prepare_campaign(with_middles(site.campaign, unknowns)))) {
   Impl& own = *impl_;
   own.name = site.name;
@@ -223,8 +226,8 @@ const SiteDescription& SiteMemberSimulator::facts() const { return impl_->facts;
 const std::vector<std::string>& SiteMemberSimulator::inputs() const { return impl_->inputs; }
 
 std::vector<ReleaseOutcome> SiteMemberSimulator::simulate(std::uint32_t member,
-                                                    const std::vector<double>& values,
-                                                    unsigned threads) {
+                                                          const std::vector<double>& values,
+                                                          unsigned threads) {
   Impl& own = *impl_;
   CampaignPlan& prepared = own.prepared;
   const std::string who = "site " + own.name + ", member " + std::to_string(member + 1) + ": ";

@@ -81,9 +81,9 @@ std::string full_command_name(const CalibrationStudy& study, std::size_t figure)
 
 }  // namespace
 
-MemberStatistics compute_member_statistics(const CalibrationStudy& study, const std::vector<SiteDescription>& sites,
-                             const std::vector<std::vector<std::vector<ReleaseOutcome>>>& simulated,
-                             unsigned threads) {
+MemberStatistics compute_member_statistics(
+    const CalibrationStudy& study, const std::vector<SiteDescription>& sites,
+    const std::vector<std::vector<std::vector<ReleaseOutcome>>>& simulated, unsigned threads) {
   const std::size_t members = study.design.members;
   MemberStatistics figures;
   figures.groups = group_by_site(study.observations);
@@ -100,7 +100,7 @@ MemberStatistics compute_member_statistics(const CalibrationStudy& study, const 
     for (std::size_t g = 0; g < figures.groups.size(); ++g) {
       const SiteStatistics& group = figures.groups[g];
       std::vector<const Observation*> observations;
-      std::vector<std::vector<Seen>> seen;
+      std::vector<std::vector<SelectedOutcome>> seen;
       for (const std::size_t o : group.observations) {
         const Observation& observation = study.observations[o];
         observations.push_back(&observation);
@@ -129,7 +129,7 @@ SyntheticLikelihood::SyntheticLikelihood(const CalibrationStudy& study,
   observed_.resize(static_cast<Index>(count));
   std::size_t at = 0;
   for (const Observation& observation : study.observations) {
-    for (const Figure& figure : observation.figures) {
+    for (const SummaryStatistic& figure : observation.figures) {
       fitted_[at] = observation.fitted;
       observed_[static_cast<Index>(at++)] = figure.observed;
     }

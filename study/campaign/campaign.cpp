@@ -28,7 +28,7 @@ void read_zone_names(const DeclaredTable& table, Campaign& campaign) {
   if (std::optional<ZoneFile> file =
           table.checked("zones", [&] { return parse_zone_file(terrain.zones); })) {
     file->path = input_file(table, "zones", element(*table.find("zones"), 0), file->path.string());
-    terrain.zones = file->zones();
+    terrain.zones = file->option_texts();
   } else if (terrain.zones.size() != terrain.surface.size() && !are_zone_rules(terrain.zones)) {
     table.refuse("zones",
                  "must name one zone per surface file (" + std::to_string(terrain.surface.size()) +
@@ -194,7 +194,8 @@ std::vector<Barrier> read_campaign_barriers(const TomlTable& top) {
       if (is_ring(barrier.through)) {
         table.refuse("direction", "is not for a ring, whose entries and exits both count");
       }
-      barrier.counted = table.checked("direction", [&] { return parse_counted_direction(*direction); });
+      barrier.counted =
+          table.checked("direction", [&] { return parse_counted_direction(*direction); });
     }
     check_new_name(table, barrier.name, barriers, "barrier");
     barriers.push_back(barrier);
@@ -205,8 +206,9 @@ std::vector<Barrier> read_campaign_barriers(const TomlTable& top) {
 void read_run(const TomlTable& top, Campaign& campaign) {
   for (const DeclaredTable& table : find_tables(top, run_keys())) {
     run_keys().read(table, campaign);
-    if (campaign.downslope && !kDirectionLength.holds(campaign.downslope->norm())) {
-      table.refuse("downslope", "must point somewhere, with a length " + kDirectionLength.words());
+    if (campaign.downslope && !kDirectionLength.contains(campaign.downslope->norm())) {
+      table.refuse("downslope",
+                   "must point somewhere, with a length " + kDirectionLength.describe());
     }
   }
 }
@@ -235,8 +237,8 @@ Campaign read_by_parts(const fs::path& file, const std::optional<std::string>& t
   const bool groups = ground && read([&] { campaign.groups = read_block_groups(top, campaign); });
   const bool ensemble = groups && read([&] { campaign.ensemble = read_ensemble(top, campaign); });
   const bool releases = terrain && read([&] {
-                          const std::string up =
-                              resolve_up_axis(campaign.terrain.up, campaign.terrain.surface.front());
+                          const std::string up = resolve_up_axis(campaign.terrain.up,
+                                                                 campaign.terrain.surface.front());
                           campaign.releases = read_releases(top, up == "y");
                         });
   if (blocks && groups && releases) {

@@ -64,7 +64,7 @@ struct CheckedGroup {
   }
 
   CheckedGroup into(const std::string& name) const {
-    return {file, path + "/" + name, group.group(name)};
+    return {file, path + "/" + name, group.open_group(name)};
   }
 };
 

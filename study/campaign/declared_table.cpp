@@ -86,7 +86,7 @@ std::optional<std::string> DeclaredTable::word(const std::string& key) const {
 }
 
 std::optional<std::vector<std::string>> DeclaredTable::word_or_words(const std::string& key) const {
-  const std::optional<std::vector<std::string>> names = texts(key);
+  const std::optional<std::vector<std::string>> names = strings(key);
   const std::vector<std::string>& words = form(key).leaf().words;
   for (std::size_t i = 0; names && !words.empty() && i < names->size(); ++i) {
     if (std::find(words.begin(), words.end(), (*names)[i]) == words.end()) {
@@ -139,7 +139,7 @@ std::optional<fs::path> DeclaredTable::file_of(const std::string& key) const {
 }
 
 std::optional<std::vector<fs::path>> DeclaredTable::files_of(const std::string& key) const {
-  const std::optional<std::vector<std::string>> names = texts(key);
+  const std::optional<std::vector<std::string>> names = strings(key);
   if (!names) return std::nullopt;
   std::vector<fs::path> files;
   for (std::size_t i = 0; i < names->size(); ++i) {
@@ -246,12 +246,12 @@ std::optional<Distribution> read_distribution(const TomlTable& table, const std:
       table.numbers(key, value, 2, 2, "two numbers, as in " + law, {-most, most});
   number.first = values[0];
   number.second = values[1];
-  if (!range.holds(number.first)) {
-    table.refuse(key, *node, "its first number must be " + range.words());
+  if (!range.contains(number.first)) {
+    table.refuse(key, *node, "its first number must be " + range.describe());
   }
   if (number.law == Distribution::Law::kUniform) {
-    if (!range.holds(number.second)) {
-      table.refuse(key, *node, "its second number must be " + range.words());
+    if (!range.contains(number.second)) {
+      table.refuse(key, *node, "its second number must be " + range.describe());
     }
     if (!(number.second > number.first)) {
       table.refuse(key, *node, "the lower bound must come first");
@@ -262,8 +262,8 @@ std::optional<Distribution> read_distribution(const TomlTable& table, const std:
   const NumberRange spread = number.law == Distribution::Law::kLogNormal
                                  ? kLogSigma
                                  : NumberRange{range.low, range.high, range.unit};
-  if (!spread.holds(number.second)) {
-    table.refuse(key, *node, "its second number, the spread, must be " + spread.words());
+  if (!spread.contains(number.second)) {
+    table.refuse(key, *node, "its second number, the spread, must be " + spread.describe());
   }
   if (number.law == Distribution::Law::kLogNormal && !(number.first > 0.0)) {
     table.refuse(key, *node, "a median must be more than zero");

@@ -12,14 +12,14 @@ PosteriorDraws read_posterior_draws(const std::filesystem::path& path) {
   const Hdf5File file = Hdf5File::open(path, kPosteriorFormat, kPosteriorSchema);
   const Hdf5Group root = file.root();
   PosteriorDraws draws{path, {}, {}};
-  draws.parameters = root.group("unknowns").read<std::string>("parameter");
-  if (!root.has("posterior")) {
+  draws.parameters = root.open_group("unknowns").read<std::string>("parameter");
+  if (!root.contains("posterior")) {
     throw InputError(
         path.string() +
         ": is a calibration without draws, interrupted or one of several shards; go on with "
         "it, or join the shards first");
   }
-  const Hdf5Group posterior = root.group("posterior");
+  const Hdf5Group posterior = root.open_group("posterior");
   const std::vector<double> values = posterior.read<double>("draws");
   const std::size_t each = draws.parameters.size();
   const CheckedGroup group{path.string(), "/posterior", posterior};

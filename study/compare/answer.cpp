@@ -87,7 +87,8 @@ RunoutEstimate runout_of(const Comparison& comparison, std::size_t group) {
   found.p95 = deposit.runout.p95;
   found.farthest = deposit.runout.max;
   const std::vector<std::size_t>& rows = comparison.groups[group].rows;
-  if (const std::vector<GroundDrawRows> draws = group_rows_by_draw(comparison, rows); !draws.empty()) {
+  if (const std::vector<GroundDrawRows> draws = group_rows_by_draw(comparison, rows);
+      !draws.empty()) {
     std::vector<double> means;
     for (const GroundDrawRows& draw : draws) {
       if (const auto mean = mean_at_rest(comparison, draw.rows)) means.push_back(*mean);
@@ -115,8 +116,10 @@ RunoutEstimate runout_of(const Comparison& comparison, std::size_t group) {
 /// two files are independent, so that each of one is set against all of the other.
 std::vector<double> gaps_by_draw(const Comparison& comparison, std::size_t first,
                                  std::size_t second) {
-  const std::vector<GroundDrawRows> a = group_rows_by_draw(comparison, comparison.groups[first].rows);
-  const std::vector<GroundDrawRows> b = group_rows_by_draw(comparison, comparison.groups[second].rows);
+  const std::vector<GroundDrawRows> a =
+      group_rows_by_draw(comparison, comparison.groups[first].rows);
+  const std::vector<GroundDrawRows> b =
+      group_rows_by_draw(comparison, comparison.groups[second].rows);
   std::vector<double> gaps;
   for (const GroundDrawRows& of_first : a) {
     const std::optional<double> mean = mean_at_rest(comparison, of_first.rows);
@@ -129,8 +132,8 @@ std::vector<double> gaps_by_draw(const Comparison& comparison, std::size_t first
   return gaps;
 }
 
-RunoutContrast gap_between(const Comparison& comparison, const RunoutEstimate& a, const RunoutEstimate& b,
-                      const std::optional<Difference>& difference) {
+RunoutContrast gap_between(const Comparison& comparison, const RunoutEstimate& a,
+                           const RunoutEstimate& b, const std::optional<Difference>& difference) {
   const bool ahead = a.mean >= b.mean;
   RunoutContrast gap;
   gap.farther = ahead ? a.group : b.group;
@@ -204,7 +207,7 @@ CrossingEstimate share_of(const Comparison& comparison, const BarrierGroupStatis
 }
 
 const BarrierGroupStatistics* barrier_group(const Comparison& comparison, std::size_t line,
-                                  std::size_t group) {
+                                            std::size_t group) {
   for (const BarrierGroupStatistics& one : comparison.barriers) {
     if (one.line == line && one.group_index == group) return &one;
   }
@@ -219,7 +222,8 @@ double place_downslope(const Comparison& comparison, std::size_t line) {
   return comparison.downslope.dot(through.front() + sum / static_cast<double>(through.size()));
 }
 
-std::vector<BarrierSummary> passages_of(const Comparison& comparison, const FileSummary& statement) {
+std::vector<BarrierSummary> passages_of(const Comparison& comparison,
+                                        const FileSummary& statement) {
   std::vector<BarrierSummary> found;
   for (std::size_t line = 0; line < comparison.lines.size(); ++line) {
     if (comparison.lines[line].counts == BarrierLine::Counts::kExits) continue;
@@ -236,11 +240,12 @@ std::vector<BarrierSummary> passages_of(const Comparison& comparison, const File
     }
     found.push_back(std::move(passage));
   }
-  std::stable_sort(found.begin(), found.end(), [&](const BarrierSummary& a, const BarrierSummary& b) {
-    const bool passed = a.all.crossed > 0, other = b.all.crossed > 0;
-    if (passed != other) return passed;
-    return place_downslope(comparison, a.line) > place_downslope(comparison, b.line);
-  });
+  std::stable_sort(
+      found.begin(), found.end(), [&](const BarrierSummary& a, const BarrierSummary& b) {
+        const bool passed = a.all.crossed > 0, other = b.all.crossed > 0;
+        if (passed != other) return passed;
+        return place_downslope(comparison, a.line) > place_downslope(comparison, b.line);
+      });
   return found;
 }
 
@@ -300,7 +305,7 @@ bool KeyResults::has_draws() const {
                      [](const FileSummary& statement) { return statement.draws > 0; });
 }
 
-KeyResults answer(const Comparison& comparison) {
+KeyResults summarise_key_results(const Comparison& comparison) {
   KeyResults answer;
   const std::size_t files = comparison.results.size();
   if (files == 1 || are_classes_apart(comparison)) {
@@ -316,7 +321,8 @@ KeyResults answer(const Comparison& comparison) {
       share_points(comparison.results[*answer.statements[0].file],
                    comparison.results[*answer.statements[1].file])) {
     const RunoutEstimate &a = answer.statements[0].all, &b = answer.statements[1].all;
-    answer.files = gap_between(comparison, a, b, compute_runout_difference(comparison, a.group, b.group));
+    answer.files =
+        gap_between(comparison, a, b, compute_runout_difference(comparison, a.group, b.group));
   }
   return answer;
 }

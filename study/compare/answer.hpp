@@ -104,6 +104,6 @@ inline constexpr double kGapOfFew = 0.25;
 inline constexpr std::size_t kFewestPassages = 20;
 
 /// Computes the key results of a comparison.
-KeyResults answer(const Comparison& comparison);
+KeyResults summarise_key_results(const Comparison& comparison);
 
 }  // namespace clast

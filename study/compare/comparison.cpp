@@ -138,8 +138,8 @@ std::vector<RunRow> collect_rows(const std::vector<CampaignResults>& results) {
       row.file = static_cast<std::uint32_t>(file);
       row.record = &run;
       row.block = &one.blocks[run.block];
-      row.start = one.frame.map(run.start.position);
-      row.stop = one.frame.map(run.result.final_state.position);
+      row.start = one.frame.to_map(run.start.position);
+      row.stop = one.frame.to_map(run.result.final_state.position);
       rows.push_back(row);
     }
   }
@@ -253,7 +253,8 @@ DepositStatistics deposits_of(const Group& group, const std::vector<RunRow>& row
 
 }  // namespace
 
-std::vector<const Crossing*> find_counted_crossings(const Comparison& comparison, std::size_t line) {
+std::vector<const Crossing*> find_counted_crossings(const Comparison& comparison,
+                                                    std::size_t line) {
   std::vector<const Crossing*> found(comparison.rows.size(), nullptr);
   for (const BarrierCrossing& crossing : comparison.crossings) {
     if (crossing.counted && crossing.barrier == line) found[crossing.row] = crossing.crossing;
@@ -353,7 +354,7 @@ Comparison compare(std::vector<CampaignResults> results, const CompareOptions& o
   comparison.lines = std::move(barriers.lines);
   comparison.crossings = std::move(barriers.crossings);
   comparison.barriers = std::move(barriers.groups);
-  comparison.differences = differences(comparison);
+  comparison.differences = compute_differences(comparison);
   if (options.measured) {
     comparison.measured = read_measured_stops(*options.measured);
     compare_stops(comparison, *comparison.measured);

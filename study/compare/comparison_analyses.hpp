@@ -28,7 +28,7 @@ class ComparisonAnalyses {
 
   const Comparison& comparison() const { return comparison_; }
 
-  const KeyResults& answer() const { return kept(answer_, clast::answer); }
+  const KeyResults& answer() const { return kept(answer_, clast::summarise_key_results); }
   const std::vector<RealisationCrossings>& passages() const {
     return kept(passages_, collect_barrier_crossings);
   }

@@ -325,7 +325,7 @@ void warn_of_measured(Comparison& comparison) {
   for (const CampaignResults& results : comparison.results) {
     const Bounds extent = bounds(results.terrain.surface);
     grounds.push_back(
-        {results.terrain.frame.map(extent.low), results.terrain.frame.map(extent.high)});
+        {results.terrain.frame.to_map(extent.low), results.terrain.frame.to_map(extent.high)});
   }
   name("lie off the terrain; check their map system and units", true,
        [&](const MeasuredStop& stop) {

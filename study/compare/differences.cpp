@@ -146,7 +146,7 @@ std::map<std::pair<GroupKind, std::string>, std::vector<std::size_t>> families(
 
 }  // namespace
 
-std::vector<Difference> differences(const Comparison& comparison) {
+std::vector<Difference> compute_differences(const Comparison& comparison) {
   const std::vector<ComparedQuantity> all = quantities(comparison);
   std::vector<Difference> found;
   for (const auto& [kind, groups] : families(comparison)) {
@@ -169,7 +169,7 @@ std::vector<Difference> differences(const Comparison& comparison) {
 }
 
 std::optional<Difference> compute_runout_difference(const Comparison& comparison, std::size_t first,
-                                            std::size_t second) {
+                                                    std::size_t second) {
   std::optional<Difference> found =
       difference_between(comparison, first, second, quantities(comparison).front());
   if (found && found->p_value) {

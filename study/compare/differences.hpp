@@ -36,7 +36,7 @@ inline constexpr std::size_t kMostGroups = 12;
 /// files. Quantities: runout, lateral angle and path length of runs at rest; largest speed of runs
 /// without error; speed, energy and height at the first crossing of each barrier. Pairs with fewer
 /// than three values in a group are omitted.
-std::vector<Difference> differences(const Comparison& comparison);
+std::vector<Difference> compute_differences(const Comparison& comparison);
 
 /// Computes the runout difference of two groups as a single test: `p_holm` equals `p_value`.
 /// @return empty if a group has fewer than three runs at rest

@@ -39,8 +39,8 @@ Columns columns_of(const Record& header, const std::string& file) {
     }
     const ColumnHeading heading = parse_heading(header.fields[column]);
     if (heading.length && heading.length->factor != 1.0) {
-      refuse("\"" + escape_nonprintable(header.fields[column]) + "\" is in " + heading.length->name +
-             "; positions must be in m");
+      refuse("\"" + escape_nonprintable(header.fields[column]) + "\" is in " +
+             heading.length->name + "; positions must be in m");
     }
   };
   for (std::size_t i = 0; i < header.fields.size(); ++i) {
@@ -77,10 +77,10 @@ double coordinate(const Record& record, const Columns& columns, const std::strin
                   const DelimitedTextReader& table, const std::string& file) {
   const std::string_view text = field(record, columns, name);
   const std::optional<double> value = parse_number_field(text, table.separator());
-  if (value && kMapCoordinate.holds(*value)) return *value;
+  if (value && kMapCoordinate.contains(*value)) return *value;
   throw InputError(
       file + ":" + std::to_string(record.line) + ": " + name + " \"" + std::string(text) +
-      "\" is not a number " + kMapCoordinate.words() +
+      "\" is not a number " + kMapCoordinate.describe() +
       (is_ambiguous_number(text, table.separator()) ? "; " + std::string(kDecimalCommaHint) : ""));
 }
 
@@ -153,9 +153,10 @@ BootstrapIntervals bootstrap_intervals(
   const std::size_t draws = std::clamp<std::size_t>(kMostDrawn / (runs + seen.size()), 100, kDraws);
   for (std::size_t draw = 0; draw < draws; ++draw) {
     std::vector<double> a, b;
-    for (std::size_t i = 0; i < seen.size(); ++i) a.push_back(seen[random.below(seen.size())]);
+    for (std::size_t i = 0; i < seen.size(); ++i)
+      a.push_back(seen[random.uniform_index(seen.size())]);
     for (std::size_t i = 0; i < clusters.size(); ++i) {
-      const std::vector<double>& cluster = clusters[random.below(clusters.size())];
+      const std::vector<double>& cluster = clusters[random.uniform_index(clusters.size())];
       b.insert(b.end(), cluster.begin(), cluster.end());
     }
     std::sort(a.begin(), a.end());
@@ -204,9 +205,10 @@ MeasuredStops read_measured_stops(const std::filesystem::path& path) {
   DelimitedTextReader table(content.text, file);
   Record record;
   MeasuredStops measured{path, sha256(bytes), {}, {}};
-  if (!table.next(record)) throw InputError(file + ": is empty; it must be a table of stops");
+  if (!table.read_record(record))
+    throw InputError(file + ": is empty; it must be a table of stops");
   const Columns columns = columns_of(record, file);
-  while (table.next(record)) {
+  while (table.read_record(record)) {
     if (detect_summary_label(record.fields.front()) == SummaryLabel::kCertain) {
       throw InputError(file + ":" + std::to_string(record.line) + ": \"" +
                        escape_nonprintable(record.fields.front()) +
@@ -231,8 +233,9 @@ void compare_stops(const Comparison& comparison, MeasuredStops& measured) {
   const Vec2 mean = mean_release(comparison);
   for (MeasuredStop& stop : measured.stops) {
     const Vec2 start = stop.start.value_or(mean);
-    const RunoutDistances offset = runout(Vec3(start.x(), start.y(), 0.0),
-                                 Vec3(stop.place.x(), stop.place.y(), 0.0), comparison.downslope);
+    const RunoutDistances offset =
+        runout(Vec3(start.x(), start.y(), 0.0), Vec3(stop.place.x(), stop.place.y(), 0.0),
+               comparison.downslope);
     stop.runout = offset.along;
     stop.lateral = offset.lateral;
   }

@@ -27,7 +27,7 @@ std::uint64_t ensemble_member(const Row& row) {
 /// What is not a column of the results file: of the block, of the comparison, and on the map.
 TableColumns<Row> own_columns() {
   const auto block = [](const Row& row) -> const BlockSummary& { return *row->block; };
-  return joined<Row>(
+  return concatenated<Row>(
       {{{"block", "", "id of the block", [=](const Row& r) { return block(r).id; }},
         {"class", "", "Sneed and Folk class", [=](const Row& r) { return block(r).sneed_folk; }},
         {"zingg", "", "Zingg class", [=](const Row& r) { return block(r).zingg; }},
@@ -48,14 +48,14 @@ TableColumns<Row> own_columns() {
         {"s_c", "", "of the block as it ran",
          [=](const Row& r) { return elongation_index(block(r).axes); }}},
        array_columns<Row>({"L_m", "I_m", "S_m"}, "m", "sides of the smallest box",
-                            [=](const Row& r) {
-                              const Axes& axes = block(r).axes;
-                              return Vec3(axes.L, axes.I, axes.S);
-                            }),
-       array_columns<Row>({"start_x_m", "start_y_m", "start_z_m"}, "m",
-                            "centre of mass at release", &RunRow::start),
+                          [=](const Row& r) {
+                            const Axes& axes = block(r).axes;
+                            return Vec3(axes.L, axes.I, axes.S);
+                          }),
+       array_columns<Row>({"start_x_m", "start_y_m", "start_z_m"}, "m", "centre of mass at release",
+                          &RunRow::start),
        array_columns<Row>({"stop_x_m", "stop_y_m", "stop_z_m"}, "m", "centre of mass at the end",
-                            &RunRow::stop),
+                          &RunRow::stop),
        {{"runout_m", "m", "along downslope, see [theory](theory.md#statistics)", &RunRow::runout},
         {"lateral_deg", "deg", "from downslope, see [theory](theory.md#statistics)",
          [](const Row& r) { return r->lateral * kDegreesPerRadian; }},
@@ -76,42 +76,42 @@ TableColumns<Row> own_columns() {
 
 /// Own columns first: where the file has one of the same name, it holds an index, or is local.
 const TableColumns<Row>& all_columns() {
-  static const TableColumns<Row> columns = joined<Row>(
-      {own_columns(), blank_unknown_cells(adapt_columns<Row>(stored_run_columns(),
-                                                            [](const Row& row) -> const RunRecord& {
-                                                              return *row->record;
-                                                            }),
-                                       results_of)});
+  static const TableColumns<Row> columns = concatenated<Row>(
+      {own_columns(),
+       blank_unknown_cells(
+           adapt_columns<Row>(stored_run_columns(),
+                              [](const Row& row) -> const RunRecord& { return *row->record; }),
+           results_of)});
   return columns;
 }
 
 const TableColumns<Row>& group_columns() {
-  static const TableColumns<Row> columns = chosen(all_columns(), {"block",
-                                                                  "class",
-                                                                  "shape",
-                                                                  "point",
-                                                                  "orientation",
-                                                                  "stop_reason",
-                                                                  "max_speed_m_s",
-                                                                  "file",
-                                                                  "mass_kg",
-                                                                  "impacts",
-                                                                  "library_block",
-                                                                  "parent",
-                                                                  "variation",
-                                                                  "block_group",
-                                                                  "scale",
-                                                                  "volume_m3",
-                                                                  "s_c",
-                                                                  "release_set",
-                                                                  "ground_set",
-                                                                  "ensemble_member",
-                                                                  "longest_flight_m",
-                                                                  "zingg",
-                                                                  "L_m",
-                                                                  "I_m",
-                                                                  "S_m",
-                                                                  "engine"});
+  static const TableColumns<Row> columns = selected_columns(all_columns(), {"block",
+                                                                            "class",
+                                                                            "shape",
+                                                                            "point",
+                                                                            "orientation",
+                                                                            "stop_reason",
+                                                                            "max_speed_m_s",
+                                                                            "file",
+                                                                            "mass_kg",
+                                                                            "impacts",
+                                                                            "library_block",
+                                                                            "parent",
+                                                                            "variation",
+                                                                            "block_group",
+                                                                            "scale",
+                                                                            "volume_m3",
+                                                                            "s_c",
+                                                                            "release_set",
+                                                                            "ground_set",
+                                                                            "ensemble_member",
+                                                                            "longest_flight_m",
+                                                                            "zingg",
+                                                                            "L_m",
+                                                                            "I_m",
+                                                                            "S_m",
+                                                                            "engine"});
   return columns;
 }
 
@@ -119,7 +119,8 @@ const TableColumns<Row>& group_columns() {
 using Value = std::pair<double, std::string>;
 
 Value value_of(const TableCell& cell) {
-  if (const auto* number = std::get_if<double>(&cell)) return {*number, format_significant(*number, 6)};
+  if (const auto* number = std::get_if<double>(&cell))
+    return {*number, format_significant(*number, 6)};
   if (const auto* whole = std::get_if<std::uint64_t>(&cell)) {
     return {static_cast<double>(*whole), std::to_string(*whole)};
   }
@@ -149,60 +150,60 @@ Value quarter(const std::vector<double>& sorted, double value) {
 }  // namespace
 
 const TableColumns<Row>& run_columns() {
-  static const TableColumns<Row> columns = chosen(all_columns(), {"run",
-                                                                  "block",
-                                                                  "class",
-                                                                  "shape",
-                                                                  "point",
-                                                                  "orientation",
-                                                                  "stop_reason",
-                                                                  "duration_s",
-                                                                  "stop_x_m",
-                                                                  "stop_y_m",
-                                                                  "stop_z_m",
-                                                                  "runout_m",
-                                                                  "lateral_deg",
-                                                                  "max_speed_m_s",
-                                                                  "max_penetration_m",
-                                                                  "energy_error",
-                                                                  "file",
-                                                                  "mass_kg",
-                                                                  "start_x_m",
-                                                                  "start_y_m",
-                                                                  "start_z_m",
-                                                                  "path_length_m",
-                                                                  "settled_penetration_m",
-                                                                  "below_ground",
-                                                                  "contact_steps",
-                                                                  "impacts",
-                                                                  "stop_qw",
-                                                                  "stop_qx",
-                                                                  "stop_qy",
-                                                                  "stop_qz",
-                                                                  "energy_initial_j",
-                                                                  "energy_final_j",
-                                                                  "energy_normal_j",
-                                                                  "energy_friction_j",
-                                                                  "energy_rolling_j",
-                                                                  "energy_reassigned_j",
-                                                                  "message",
-                                                                  "library_block",
-                                                                  "block_group",
-                                                                  "scale",
-                                                                  "volume_m3",
-                                                                  "s_c",
-                                                                  "release_set",
-                                                                  "ground_set",
-                                                                  "ensemble_member",
-                                                                  "contact_time_s",
-                                                                  "mean_contact_points",
-                                                                  "most_contact_points",
-                                                                  "longest_flight_m",
-                                                                  "max_energy_j",
-                                                                  "max_spin_rad_s",
-                                                                  "engine",
-                                                                  "parent",
-                                                                  "variation"});
+  static const TableColumns<Row> columns = selected_columns(all_columns(), {"run",
+                                                                            "block",
+                                                                            "class",
+                                                                            "shape",
+                                                                            "point",
+                                                                            "orientation",
+                                                                            "stop_reason",
+                                                                            "duration_s",
+                                                                            "stop_x_m",
+                                                                            "stop_y_m",
+                                                                            "stop_z_m",
+                                                                            "runout_m",
+                                                                            "lateral_deg",
+                                                                            "max_speed_m_s",
+                                                                            "max_penetration_m",
+                                                                            "energy_error",
+                                                                            "file",
+                                                                            "mass_kg",
+                                                                            "start_x_m",
+                                                                            "start_y_m",
+                                                                            "start_z_m",
+                                                                            "path_length_m",
+                                                                            "settled_penetration_m",
+                                                                            "below_ground",
+                                                                            "contact_steps",
+                                                                            "impacts",
+                                                                            "stop_qw",
+                                                                            "stop_qx",
+                                                                            "stop_qy",
+                                                                            "stop_qz",
+                                                                            "energy_initial_j",
+                                                                            "energy_final_j",
+                                                                            "energy_normal_j",
+                                                                            "energy_friction_j",
+                                                                            "energy_rolling_j",
+                                                                            "energy_reassigned_j",
+                                                                            "message",
+                                                                            "library_block",
+                                                                            "block_group",
+                                                                            "scale",
+                                                                            "volume_m3",
+                                                                            "s_c",
+                                                                            "release_set",
+                                                                            "ground_set",
+                                                                            "ensemble_member",
+                                                                            "contact_time_s",
+                                                                            "mean_contact_points",
+                                                                            "most_contact_points",
+                                                                            "longest_flight_m",
+                                                                            "max_energy_j",
+                                                                            "max_spin_rad_s",
+                                                                            "engine",
+                                                                            "parent",
+                                                                            "variation"});
   return columns;
 }
 

@@ -73,7 +73,7 @@ std::string scene_text(const CampaignPlan& prepared, const EngineSceneOptions& o
                      "\n";
   for (const std::string& input : prepared.header.inputs) text += "input " + input + "\n";
   text += "\nSI units, z up, in the local frame of the terrain: map = scene + (" +
-          exact(prepared.header.terrain.frame.origin) + ") m\n\nshapes, groups and blocks\n";
+          format_exact(prepared.header.terrain.frame.origin) + ") m\n\nshapes, groups and blocks\n";
   for (std::size_t i = 0; i < set.shapes.size(); ++i) {
     text += "  " + set.shapes[i].shape.name + "  group " + std::to_string(i) + "  block " +
             set.shapes[i].block + ", " + format_significant(set.shapes[i].density, 6) + " kg/m^3\n";

@@ -54,10 +54,10 @@ ProposedBlocks propose_blocks(const BlockLibrary& library, double extent) {
   }
   std::vector<double> sides;
   for (const Block& block : all) {
-    const std::string why = blocks.mass ? ""
-                            : is_unscaled(block)
-                                ? block.id + " has no size"
-                                : describe_unusual_size(block.id, block.axes().L, block.mass.mass, extent);
+    const std::string why = blocks.mass          ? ""
+                            : is_unscaled(block) ? block.id + " has no size"
+                                                 : describe_unusual_size(block.id, block.axes().L,
+                                                                         block.mass.mass, extent);
     if (!why.empty()) {
       blocks.left_out.push_back(why);
       continue;
@@ -81,7 +81,8 @@ CampaignProposal propose_campaign(const BlockLibrary& library, const Terrain& te
   CampaignProposal proposal;
   const Bounds box = bounds(terrain.surface);
   proposal.blocks = propose_blocks(library, (box.high - box.low).head<2>().maxCoeff());
-  proposal.places = propose_release_and_barrier(terrain, make_terrain_surface(terrain), proposal.blocks.longest_side);
+  proposal.places = propose_release_and_barrier(terrain, make_terrain_surface(terrain),
+                                                proposal.blocks.longest_side);
   for (const std::string& zone : terrain.zone_names) {
     const GroundType* type = find_ground_type(zone);
     proposal.ground.push_back({zone, type ? *type : default_ground_type(), type != nullptr});
@@ -114,7 +115,8 @@ void try_runs(const CampaignPlan& prepared, CampaignProposal& proposal) {
   // Full minutes.
   proposal.max_time = std::min(60.0 * std::ceil(2.0 * trial.longest / 60.0), kLongestTime);
   if (static_cast<double>(trial.passed) >= kFewPass * static_cast<double>(trial.count)) return;
-  std::string doubt = std::to_string(trial.passed) + " of " + format_count(trial.count, "trial run") +
+  std::string doubt = std::to_string(trial.passed) + " of " +
+                      format_count(trial.count, "trial run") +
                       " passed the foot of the slope, and half of them went less than " +
                       format_decimals(std::max(trial.median_distance, 0.0), 1) + " m";
   if (trial.median_distance > kLeastDistance * places.block_length &&
@@ -147,9 +149,10 @@ std::vector<std::string> assumptions(const CampaignProposal& proposal) {
                      format_significant(*proposal.blocks.mass, 6) + " kg each is an assumption");
   }
   if (const std::vector<std::string>& out = proposal.blocks.left_out; !out.empty()) {
-    doubts.push_back(format_count(out.size(), "block of the library is", "blocks of the library are") +
-                     " left out: " + out.front() +
-                     (out.size() > 1 ? ", and " + std::to_string(out.size() - 1) + " more" : ""));
+    doubts.push_back(
+        format_count(out.size(), "block of the library is", "blocks of the library are") +
+        " left out: " + out.front() +
+        (out.size() > 1 ? ", and " + std::to_string(out.size() - 1) + " more" : ""));
   }
   return doubts;
 }
@@ -176,15 +179,15 @@ CampaignProposal write_new_campaign(const fs::path& library, const std::vector<f
   } catch (const InputError& error) {
     throw InputError(library.string() + " on " + surface.front().string() + ": " + error.what());
   }
-  const fs::path folder = fs::weakly_canonical(fs::absolute(output.target())).parent_path();
+  const fs::path folder = fs::weakly_canonical(fs::absolute(output.target_path())).parent_path();
   std::vector<std::string> surface_paths;
   for (const fs::path& path : surface) surface_paths.push_back(relative_path(path, folder));
   const std::string library_path = relative_path(library, folder);
   proposal.max_time = kLongestTime;
   proposal.doubts = assumptions(proposal);
-  output.write(campaign_text(proposal, library_path, surface_paths));
+  output.write(format_campaign_text(proposal, library_path, surface_paths));
   try_runs(prepare_campaign(read_campaign(output.temporary_path())), proposal);
-  output.write(campaign_text(proposal, library_path, surface_paths));
+  output.write(format_campaign_text(proposal, library_path, surface_paths));
   output.commit();
   return proposal;
 }

@@ -86,8 +86,8 @@ void place_barrier(const Terrain& terrain, const TerrainSurface& surface, double
 
 /// Formats the campaign file, with a comment for each value.
 /// @param library, surface  paths as written in the file
-std::string campaign_text(const CampaignProposal& proposal, const std::string& library,
-                          const std::vector<std::string>& surface);
+std::string format_campaign_text(const CampaignProposal& proposal, const std::string& library,
+                                 const std::vector<std::string>& surface);
 
 /// Writes a campaign that `simulate` accepts: it is read, prepared and tried with a few runs before
 /// it is renamed. If hardly any trial run passes the foot, the barrier is placed where half of them

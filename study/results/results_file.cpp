@@ -172,7 +172,8 @@ void write_trajectory(Hdf5Group& group, std::uint32_t run, const Trajectory& tra
   visit_columns(kRowsOf<RigidState>, [&](const auto&, const auto&, const auto&, const auto& field) {
     for (const RigidState& state : trajectory.states) rows.push_back(field(state));
   });
-  group.write<double>(trajectory_dataset_name(run), rows, {trajectory_row_count(), trajectory.time.size()});
+  group.write<double>(trajectory_dataset_name(run), rows,
+                      {trajectory_row_count(), trajectory.time.size()});
 }
 
 }  // namespace
@@ -219,7 +220,8 @@ void write_results_file(const fs::path& target, const CampaignHeader& header, st
   output.commit();
 }
 
-void check_results_disk_space(const fs::path& target, const CampaignHeader& header, std::size_t runs) {
+void check_results_disk_space(const fs::path& target, const CampaignHeader& header,
+                              std::size_t runs) {
   const OutputFile trial(target, {.kind = kResultsFormat});
   {
     Hdf5File file = Hdf5File::create(trial.temporary_path(), kResultsFormat, kResultsSchema);
@@ -228,7 +230,8 @@ void check_results_disk_space(const fs::path& target, const CampaignHeader& head
   }
   const std::uint64_t without_runs = fs::file_size(trial.temporary_path());
   fs::resize_file(trial.temporary_path(), 0);  // what it takes is free again
-  check_disk_space(trial.target(), {without_runs, runs * ResultsJournal::smallest_record_size()});
+  check_disk_space(trial.target_path(),
+                   {without_runs, runs * ResultsJournal::smallest_record_size()});
 }
 
 }  // namespace clast::study_detail

@@ -32,7 +32,7 @@ void serialize_row(Bytes& bytes, Row& row) {
 
 template <class Bytes, class Row>
 void serialize_rows(Bytes& bytes, std::vector<Row>& rows) {
-  rows.resize(bytes.count(rows.size()));
+  rows.resize(bytes.archive_size(rows.size()));
   for (Row& row : rows) serialize_row(bytes, row);
 }
 

@@ -21,11 +21,11 @@ namespace fs = std::filesystem;
 namespace {
 
 void read_shapes(const CheckedGroup& reader, CampaignHeader& results) {
-  const std::size_t count = reader.group.names().size();
+  const std::size_t count = reader.group.child_names().size();
   for (std::size_t i = 0; i < count; ++i) {
     const std::string name = std::to_string(i);
     results.shapes.push_back(
-        read_body(reader.group.group(name), reader.file + ": " + reader.path + "/" + name));
+        read_body(reader.group.open_group(name), reader.file + ": " + reader.path + "/" + name));
   }
 }
 
@@ -33,7 +33,7 @@ void read_shapes(const CheckedGroup& reader, CampaignHeader& results) {
 std::vector<GroundParameters> read_ground_parameters(const CheckedGroup& reader, std::size_t rows) {
   std::vector<GroundParameters> parameters(rows);
   for (const GroundParameterField& field : ground_fields()) {
-    if (!field.required && !reader.group.has(field.name)) continue;
+    if (!field.required && !reader.group.contains(field.name)) continue;
     const auto values = reader.column<double>(field.name, rows);
     for (std::size_t i = 0; i < rows; ++i) parameters[i].*field.value = values[i];
   }
@@ -60,7 +60,8 @@ void check_blocks(const CheckedGroup& reader, const CampaignHeader& results) {
     const auto require = [&](bool fine, const char* name, std::initializer_list<double> values) {
       if (fine) return;
       std::string list;
-      for (const double value : values) list += (list.empty() ? "" : ", ") + format_significant(value, 6);
+      for (const double value : values)
+        list += (list.empty() ? "" : ", ") + format_significant(value, 6);
       reader.damaged(name, "is " + list + ", which is impossible for block " + block.id);
     };
     require(block.mass > 0.0 && std::isfinite(block.mass), "mass_kg", {block.mass});
@@ -97,8 +98,8 @@ void read_blocks(const CheckedGroup& reader, CampaignHeader& results) {
     reader.damaged("principal_moments_kg_m2", "has not one row per block");
   // Added to schema 4 later.
   const auto text_or_none = [&](const char* name) {
-    return reader.group.has(name) ? reader.column<std::string>(name, rows)
-                                  : std::vector<std::string>(rows);
+    return reader.group.contains(name) ? reader.column<std::string>(name, rows)
+                                       : std::vector<std::string>(rows);
   };
   const std::vector<std::string> parents = text_or_none("parent");
   const std::vector<std::string> variations = text_or_none("variation");
@@ -123,13 +124,13 @@ void read_blocks(const CheckedGroup& reader, CampaignHeader& results) {
 
 void read_stored_barriers(const CheckedGroup& reader, CampaignHeader& results) {
   const std::vector<std::string> names = reader.group.read<std::string>("name");
-  if (reader.group.has("points_m")) {
+  if (reader.group.contains("points_m")) {
     const auto counts = reader.column<std::uint32_t>("point_count", names.size());
     const auto points = reader.vectors<Vec2>("points_m");
     // Added to schema 4 later.
     const std::vector<std::string> directions =
-        reader.group.has("direction") ? reader.column<std::string>("direction", names.size())
-                                      : std::vector<std::string>(names.size(), "either");
+        reader.group.contains("direction") ? reader.column<std::string>("direction", names.size())
+                                           : std::vector<std::string>(names.size(), "either");
     std::size_t at = 0;
     for (std::size_t i = 0; i < names.size(); ++i) {
       if (counts[i] < 2 || counts[i] > points.size() - at) {
@@ -178,7 +179,7 @@ void read_terrain_group(const CheckedGroup& reader, CampaignHeader& results) {
   terrain.sources = reader.group.read<std::string>("sources");
   const std::vector<Vec3> origin = reader.vectors<Vec3>("origin_m");
   if (origin.size() != 1) reader.damaged("origin_m", "is not one point");
-  terrain.frame = {origin.front(), reader.group.attribute<std::string>("crs")};
+  terrain.frame = {origin.front(), reader.group.read_attribute<std::string>("crs")};
   results.frame = terrain.frame;
 }
 
@@ -241,7 +242,8 @@ std::map<std::string, double> common_stiffness(const Hdf5Group& contact) {
   std::map<std::string, double> common;
   visit_stiffness([&](const char* name, const auto&...) {
     if (common.empty() && !contact.has_attribute(name)) return;
-    common[name] = contact.has_attribute(name) ? contact.attribute<double>(name) : std::nan("");
+    common[name] =
+        contact.has_attribute(name) ? contact.read_attribute<double>(name) : std::nan("");
   });
   return common;
 }
@@ -262,7 +264,7 @@ void check_events(const CheckedGroup& reader, const std::vector<Event>& events,
 
 /// Added to schema 4 later; absent where every run had the terrain to itself.
 void read_stays(const CheckedGroup& reader, CampaignResults& results) {
-  const auto each = reader.group.attribute<std::int64_t>("blocks_each");
+  const auto each = reader.group.read_attribute<std::int64_t>("blocks_each");
   if (each < 1 || results.planned_runs % each != 0) {
     reader.damaged("@blocks_each", "is " + std::to_string(each) + " of " +
                                        std::to_string(results.planned_runs) + " runs");
@@ -270,15 +272,15 @@ void read_stays(const CheckedGroup& reader, CampaignResults& results) {
   GroundParameters between_blocks;
   for (const GroundParameterField& field : ground_fields()) {
     if (!field.required && !reader.group.has_attribute(field.name)) continue;
-    between_blocks.*field.value = reader.group.attribute<double>(field.name);
+    between_blocks.*field.value = reader.group.read_attribute<double>(field.name);
   }
   results.stay = {static_cast<std::uint32_t>(each), between_blocks};
   // Masses and removal came later still: without them, blocks came one by one, and all stayed.
   if (reader.group.has_attribute("at_once")) {
-    results.stay->at_once = reader.group.attribute<std::int64_t>("at_once") != 0;
+    results.stay->at_once = reader.group.read_attribute<std::int64_t>("at_once") != 0;
   }
   std::map<std::string, double> absent;
-  if (!reader.group.has("removed_at_s")) absent["removed_at_s"] = std::nan("");
+  if (!reader.group.contains("removed_at_s")) absent["removed_at_s"] = std::nan("");
   read_rows(reader, results.stays, absent, results.has_contacts());
   check_events(reader, results.stays, results);
 }
@@ -293,31 +295,31 @@ CampaignResults read_results(const fs::path& path) {
   }
   const Hdf5File file = Hdf5File::open(path, kResultsFormat, kResultsSchema);
   const CheckedGroup root{path.string(), "", file.root()};
-  const auto schema = root.group.attribute<std::int64_t>("schema_version");
+  const auto schema = root.group.read_attribute<std::int64_t>("schema_version");
   if (schema < kOldestResultsSchema) {
     throw InputError(path.string() + ": has schema version " + std::to_string(schema) +
                      " of an older clast, which kept less of each run; run the campaign again");
   }
   CampaignResults results;
   results.file = path;
-  results.program_version = root.group.attribute<std::string>("program_version");
-  results.campaign_sha256 = root.group.attribute<std::string>("campaign_sha256");
+  results.program_version = root.group.read_attribute<std::string>("program_version");
+  results.campaign_sha256 = root.group.read_attribute<std::string>("campaign_sha256");
   results.campaign_text = root.column<std::string>("campaign", 1).front();
   results.inputs = root.group.read<std::string>("inputs");
   results.warnings = root.group.read<std::string>("warnings");
   // Added to schema 4 later.
   if (root.group.has_attribute("engine")) {
-    results.engine = root.group.attribute<std::string>("engine");
+    results.engine = root.group.read_attribute<std::string>("engine");
   }
   if (root.group.has_attribute("physics_digest")) {
-    results.physics_digest = root.group.attribute<std::string>("physics_digest");
+    results.physics_digest = root.group.read_attribute<std::string>("physics_digest");
   }
-  const auto planned = root.group.attribute<std::int64_t>("planned_runs");
+  const auto planned = root.group.read_attribute<std::int64_t>("planned_runs");
   if (planned < 0 || planned > std::numeric_limits<std::uint32_t>::max()) {
     root.damaged("@planned_runs", "is " + std::to_string(planned));
   }
   results.planned_runs = static_cast<std::uint32_t>(planned);
-  if (root.group.has("downslope")) {
+  if (root.group.contains("downslope")) {
     const std::vector<Vec2> downslope = root.vectors<Vec2>("downslope");
     if (downslope.size() != 1) root.damaged("downslope", "is not one direction");
     results.downslope = downslope.front();
@@ -332,9 +334,9 @@ CampaignResults read_results(const fs::path& path) {
   read_ground(root.into("ground"), results);
   read_ground_sets(root.into("ground_sets"), results);
 
-  const Hdf5Group contact = root.group.group("contact");
-  results.law = parse_contact_law(contact.attribute<std::string>("law"));
-  results.weights = parse_contact_weighting(contact.attribute<std::string>("weights"));
+  const Hdf5Group contact = root.group.open_group("contact");
+  results.law = parse_contact_law(contact.read_attribute<std::string>("law"));
+  results.weights = parse_contact_weighting(contact.read_attribute<std::string>("weights"));
   read_terrain_group(root.into("terrain"), results);
 
   read_rows(root.into("runs"), results.runs, common_stiffness(contact), results.has_contacts());
@@ -346,8 +348,8 @@ CampaignResults read_results(const fs::path& path) {
   read_rows(impacts, results.impacts);
   check_below(impacts, "zone", results.impacts, &Impact::zone, results.zone_names.size());
   check_events(impacts, results.impacts, results);
-  if (root.group.has("stays")) read_stays(root.into("stays"), results);
-  if (root.group.has("energies")) {
+  if (root.group.contains("stays")) read_stays(root.into("stays"), results);
+  if (root.group.contains("energies")) {
     const CheckedGroup energies = root.into("energies");
     read_rows(energies, results.energies);
     check_events(energies, results.energies, results);

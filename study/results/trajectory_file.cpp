@@ -10,7 +10,7 @@ namespace fs = std::filesystem;
 struct TrajectoryFile::Impl {
   explicit Impl(const fs::path& path)
       : file(Hdf5File::open(path, kResultsFormat, kResultsSchema)),
-        reader{path.string(), "/trajectories", file.root().group("trajectories")} {}
+        reader{path.string(), "/trajectories", file.root().open_group("trajectories")} {}
   Hdf5File file;
   CheckedGroup reader;
 };
@@ -22,7 +22,7 @@ TrajectoryFile::TrajectoryFile(TrajectoryFile&&) noexcept = default;
 std::size_t TrajectoryFile::frames(std::uint32_t run) const {
   const CheckedGroup& reader = impl_->reader;
   const std::string name = trajectory_dataset_name(run);
-  if (!reader.group.has(name)) return 0;
+  if (!reader.group.contains(name)) return 0;
   const std::vector<std::size_t> shape = reader.group.shape(name);
   if (shape.size() != 2 || shape[0] != trajectory_row_count()) {
     reader.damaged(name, "is not a table of " + std::to_string(trajectory_row_count()) + " rows");
@@ -34,8 +34,8 @@ Trajectory TrajectoryFile::read(std::uint32_t run) const {
   const CheckedGroup& reader = impl_->reader;
   const std::string name = trajectory_dataset_name(run);
   const std::size_t count = frames(run);
-  if (!reader.group.has(name)) {
-    const bool any = !reader.group.names().empty();
+  if (!reader.group.contains(name)) {
+    const bool any = !reader.group.child_names().empty();
     throw InputError(reader.file + ": no trajectory of run " + std::to_string(run) + "; " +
                      (any ? "there is no such run"
                           : "none were stored, set [run] trajectory_interval_s above zero"));

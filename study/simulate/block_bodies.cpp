@@ -12,7 +12,7 @@ RigidBody rigid_body(const Block& block) {
           .smallest_side = block.axes().S};
 }
 
-BlockBodies::BlockBodies(const BlockChoice& choice) {
+BlockBodies::BlockBodies(const CampaignBlocks& choice) {
   for (const Block& block : choice.library) library_.push_back(rigid_body(block));
   std::map<std::pair<std::size_t, double>, std::uint32_t> first;
   for (const CampaignBlock& block : choice.blocks) {

@@ -16,7 +16,7 @@ RigidBody rigid_body(const Block& block);
 class BlockBodies {
  public:
   BlockBodies() = default;
-  explicit BlockBodies(const BlockChoice& choice);
+  explicit BlockBodies(const CampaignBlocks& choice);
 
   std::size_t size() const { return blocks_.size(); }
   /// Makes the scaled body of a block of `BlockChoice::blocks`.

@@ -26,7 +26,7 @@ bool passes(const BlockFilter& filter, const Block& block) {
 std::vector<Block> selected_from(const BlockLibrary& library, const Campaign& campaign) {
   const BlockSelection& selection = campaign.blocks;
   std::vector<Block> blocks;
-  for (const std::string& id : selection.filter.ids) blocks.push_back(library.block(id));
+  for (const std::string& id : selection.filter.ids) blocks.push_back(library.find_block(id));
   if (!selection.filter.ids.empty()) return blocks;
   for (const Block& block : library.blocks()) {
     if (passes(selection.filter, block)) blocks.push_back(block);
@@ -43,7 +43,7 @@ std::vector<Block> selected_from(const BlockLibrary& library, const Campaign& ca
 
 /// The bodies that are made of the blocks, in place of them.
 void vary(const Campaign& campaign, const BlockLibrary& library,
-          const BlockPreparationOptions& making, BlockChoice& choice) {
+          const BlockPreparationOptions& making, CampaignBlocks& choice) {
   SeriesRequest request = *campaign.blocks.vary;
   request.library = campaign.blocks.library;
   for (const Block& block : choice.library) request.ids.push_back(block.id);
@@ -54,7 +54,7 @@ void vary(const Campaign& campaign, const BlockLibrary& library,
   };
   SeriesResult made = with_rewritten_error(of_campaign, [&] {
     SeriesResult series = make_series(request, library);
-    const std::vector<std::string>& failed = series.series.failed;
+    const std::vector<std::string>& failed = series.series.failures;
     if (!failed.empty()) {
       throw GeometryError(
           std::to_string(failed.size()) + " of " + format_count(series.wanted, "body", "bodies") +
@@ -113,11 +113,11 @@ std::vector<CampaignBlock> all_of(const std::vector<Block>& blocks, const BlockS
 
 /// Ids of a group that no block has are slips of the keyboard; blocks that do not run are not.
 void check_named(const Campaign& campaign, const BlockGroup& group, const BlockLibrary& library,
-                 const BlockChoice& choice) {
+                 const CampaignBlocks& choice) {
   for (const std::string& id : group.filter.ids) {
     const bool runs = std::any_of(choice.library.begin(), choice.library.end(),
                                   [&](const Block& block) { return block.id == id; });
-    if (runs || (choice.parents.empty() && library.has(id))) continue;
+    if (runs || (choice.parents.empty() && library.contains(id))) continue;
     const std::string start =
         campaign.file.string() + ": the block group \"" + group.name + "\" names " + id + ", ";
     if (choice.parents.empty()) {
@@ -130,7 +130,7 @@ void check_named(const Campaign& campaign, const BlockGroup& group, const BlockL
   }
 }
 
-void put_in_groups(const Campaign& campaign, BlockChoice& choice) {
+void put_in_groups(const Campaign& campaign, CampaignBlocks& choice) {
   for (std::size_t g = 0; g < campaign.groups.size(); ++g) {
     const BlockGroup& group = campaign.groups[g];
     bool any = false;
@@ -215,7 +215,7 @@ std::size_t count_of_volume(const Campaign& campaign, const std::vector<Block>& 
 }
 
 // Draws need not touch every block of the library.
-void drop_unused(BlockChoice& choice) {
+void drop_unused(CampaignBlocks& choice) {
   std::vector<std::size_t> place(choice.library.size(), choice.library.size());
   std::vector<Block> used;
   for (CampaignBlock& block : choice.blocks) {
@@ -231,8 +231,8 @@ void drop_unused(BlockChoice& choice) {
 
 }  // namespace
 
-BlockChoice choose_blocks(const Campaign& campaign, const BlockPreparationOptions& making) {
-  BlockChoice choice;
+CampaignBlocks choose_blocks(const Campaign& campaign, const BlockPreparationOptions& making) {
+  CampaignBlocks choice;
   const BlockLibrary library = BlockLibrary::read(campaign.blocks.library);
   choice.library = selected_from(library, campaign);
   if (campaign.blocks.vary) vary(campaign, library, making, choice);
@@ -262,7 +262,7 @@ std::vector<CampaignBlock> draw_blocks(const Campaign& campaign, const std::vect
                       : study_detail::derive_seed(draw.seed, "realisation " + std::to_string(k)));
     for (std::size_t pool = 0; pool < pools.size(); ++pool) {
       for (std::size_t i = 0; i < counts[pool]; ++i) {
-        const std::size_t block = pools[pool][random.below(pools[pool].size())];
+        const std::size_t block = pools[pool][random.uniform_index(pools[pool].size())];
         const double mass = blocks[block].mass.mass;
         const double scale = draw.mass ? std::cbrt(draw.mass->draw(random) / mass) : 1.0;
         drawn.push_back(

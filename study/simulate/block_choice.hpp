@@ -20,7 +20,7 @@ struct CampaignBlock {
 };
 
 /// Blocks of a campaign and the library blocks they are made of.
-struct BlockChoice {
+struct CampaignBlocks {
   std::vector<Block> library;        ///< those that occur, unscaled
   std::vector<std::string> parents;  ///< blocks from which others were varied; empty if none was
   std::vector<std::string> notes;    ///< remarks on a table that forms were sampled from
@@ -41,7 +41,7 @@ struct BlockPreparationOptions {
 ///                     mass or volume; a sampled class has no block; a group has no block, names an
 ///                     unknown block or shares one with another group; or a body is requested twice
 /// @throws GeometryError  if a body cannot be made
-BlockChoice choose_blocks(const Campaign& campaign, const BlockPreparationOptions& making = {});
+CampaignBlocks choose_blocks(const Campaign& campaign, const BlockPreparationOptions& making = {});
 
 /// Reads the library blocks that [blocks] selects, unscaled, before sampling.
 /// @throws InputError  if an id is missing or nothing is selected

@@ -62,7 +62,8 @@ class Collector {
  private:
   void report_progress(const std::string& what = "") const {
     if (!options_.progress) return;
-    options_.progress({.done = done_, .total = planned_, .before = before_.size(), .what = what});
+    options_.progress(
+        {.done = done_, .total = planned_, .done_before = before_.size(), .activity = what});
   }
 
   ResultsWriter& writer_;
@@ -154,8 +155,8 @@ TimeProbe probe_time(const CampaignPlan& prepared, double budget) {
   const bool at_once = prepared.header.stay && prepared.header.stay->at_once;
   const double max_time = prepared.campaign.max_time;
   const double longest_run =  // s, simulated
-      at_once ? prepared.campaign.stay->settling_time() + prepared.campaign.stay->last_release_time() +
-                    max_time
+      at_once ? prepared.campaign.stay->settling_time() +
+                    prepared.campaign.stay->last_release_time() + max_time
               : together * max_time;
   const auto begin = std::chrono::steady_clock::now();
   const auto spent = [&] {

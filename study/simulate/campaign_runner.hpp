@@ -31,7 +31,7 @@ struct MultiBlockStart {
 struct CampaignPlan {
   Campaign campaign;
   CampaignHeader header;
-  BlockChoice choice;
+  CampaignBlocks choice;
   BlockBodies bodies;                     ///< bodies of `choice.blocks`
   std::optional<TerrainSurface> surface;  ///< surface of `header.terrain`; always set
   /// Planned runs, in order of blocks, release sets, points, orientations and ensemble members

@@ -116,7 +116,7 @@ std::vector<GroundParameterSet> draw_ground_sets(const Campaign& campaign,
     random.emplace_back(derive_seed(campaign.ensemble.seed, group.name));
   }
   for (std::uint32_t member = 0; member < members; ++member) {
-    const std::vector<double> shares = design ? design->next() : std::vector<double>();
+    const std::vector<double> shares = design ? design->next_point() : std::vector<double>();
     auto share = shares.begin();
     Values base;
     for (std::size_t g = 0; g < groups; ++g) {

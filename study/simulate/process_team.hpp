@@ -46,7 +46,7 @@ class ProcessTeam {
     unsigned from = 0;
     std::string done;
   };
-  std::optional<TeamMessage> delivery();
+  std::optional<TeamMessage> receive_message();
   /// Sends the next item, or none, to a process; leader only.
   void answer(unsigned to, std::optional<std::size_t> item);
 

@@ -21,7 +21,7 @@ ProcessTeam::~ProcessTeam() = default;
 
 void ProcessTeam::agree(const std::function<std::string()>& prepare) { prepare(); }
 std::optional<std::size_t> ProcessTeam::exchange(const std::string&) { return std::nullopt; }
-std::optional<ProcessTeam::TeamMessage> ProcessTeam::delivery() { return std::nullopt; }
+std::optional<ProcessTeam::TeamMessage> ProcessTeam::receive_message() { return std::nullopt; }
 void ProcessTeam::answer(unsigned, std::optional<std::size_t>) {}
 
 }  // namespace clast

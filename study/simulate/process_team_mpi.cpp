@@ -93,7 +93,7 @@ std::optional<std::size_t> ProcessTeam::exchange(const std::string& done) {
   return static_cast<std::size_t>(item);
 }
 
-std::optional<ProcessTeam::TeamMessage> ProcessTeam::delivery() {
+std::optional<ProcessTeam::TeamMessage> ProcessTeam::receive_message() {
   int there = 0;
   MPI_Status status;
   MPI_Iprobe(MPI_ANY_SOURCE, kDone, MPI_COMM_WORLD, &there, &status);
@@ -101,7 +101,7 @@ std::optional<ProcessTeam::TeamMessage> ProcessTeam::delivery() {
   int length = 0;
   MPI_Get_count(&status, MPI_CHAR, &length);
   TeamMessage delivery{static_cast<unsigned>(status.MPI_SOURCE),
-                    std::string(static_cast<std::size_t>(length), '\0')};
+                       std::string(static_cast<std::size_t>(length), '\0')};
   MPI_Recv(delivery.done.data(), length, MPI_CHAR, status.MPI_SOURCE, kDone, MPI_COMM_WORLD,
            MPI_STATUS_IGNORE);
   return delivery;

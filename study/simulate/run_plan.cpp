@@ -31,18 +31,18 @@ std::vector<Vec3> local_points(const Campaign& campaign, const ReleaseSet& relea
     Vec3 map = release.points[i];
     // A plan position has no height of its own, and 0 can be far from the local origin.
     if (release.drop_height) map.z() = frame.origin.z();
-    const Vec3 point = frame.local(map);
+    const Vec3 point = frame.to_local(map);
     if (!surface.covers(point.x(), point.y())) {
-      const Vec3 low = frame.map(surface.extent().low);
-      const Vec3 high = frame.map(surface.extent().high);
+      const Vec3 low = frame.to_map(surface.extent().low);
+      const Vec3 high = frame.to_map(surface.extent().high);
       const auto range = [&](int axis) {
         return format_decimals(low[axis], 3) + " to " + format_decimals(high[axis], 3);
       };
       const bool inside =
           map.x() > low.x() && map.x() < high.x() && map.y() > low.y() && map.y() < high.y();
-      throw InputError(campaign.file.string() + ": " + format_release_set_name(release) + "release point " +
-                       std::to_string(i + 1) + " at x " + format_decimals(map.x(), 3) + ", y " +
-                       format_decimals(map.y(), 3) +
+      throw InputError(campaign.file.string() + ": " + format_release_set_name(release) +
+                       "release point " + std::to_string(i + 1) + " at x " +
+                       format_decimals(map.x(), 3) + ", y " + format_decimals(map.y(), 3) +
                        (inside ? " is over a hole in the terrain" : " is off the terrain") +
                        ", which lies in x " + range(0) + ", y " + range(1) +
                        " m on the map, z up; check the point, the map frame and \"up\"");
@@ -84,10 +84,10 @@ void clear_ground(const CampaignPlan& prepared, const MeasuredBody& measured,
   const std::string table = release.name.empty() ? "[release]" : "[[release]] " + release.name;
   throw SimulationError(
       "run " + std::to_string(run.run) + ", block " + prepared.header.blocks[run.block].id + ", " +
-      format_release_set_name(release) + "release point " + std::to_string(point_of_set + 1) + ", orientation " +
-      std::to_string(run.orientation + 1) + ": starts " + format_decimals(*depth, 3) +
-      " m inside the ground, with its centre at " +
-      format_map_point(prepared.header.frame.map(run.start.position)) +
+      format_release_set_name(release) + "release point " + std::to_string(point_of_set + 1) +
+      ", orientation " + std::to_string(run.orientation + 1) + ": starts " +
+      format_decimals(*depth, 3) + " m inside the ground, with its centre at " +
+      format_map_point(prepared.header.frame.to_map(run.start.position)) +
       (release.drop_height ? "; raise " + table + " height_m"
                            : "; raise the release point or use " + table + " height_m"));
 }
@@ -119,7 +119,7 @@ class Planner {
         const std::vector<Quat> orientations =
             release.fresh_orientations
                 ? draw_run_orientations(release, chosen.id, std::to_string(of_set),
-                                     release.orientations.size())
+                                        release.orientations.size())
                 : release.orientations;
         for (std::uint32_t turn = 0; turn < orientations.size(); ++turn) {
           RunRecord run;
@@ -200,8 +200,8 @@ class Planner {
     const std::string name = "realisation " + std::to_string(realisation);
     Random random(derive_seed(release.seed, name));
     for (const std::uint32_t block : order_of(realisation, random)) {
-      const std::uint64_t point = random.below(points_.front().size());
-      const std::uint64_t turn = random.below(release.orientations.size());
+      const std::uint64_t point = random.uniform_index(points_.front().size());
+      const std::uint64_t turn = random.uniform_index(release.orientations.size());
       const Quat orientation =
           release.fresh_orientations
               ? draw_run_orientations(release, prepared_.choice.blocks[block].id, name, 1).front()
@@ -223,7 +223,7 @@ class Planner {
     std::iota(order.begin(), order.end(), prepared_.campaign.blocks.draw ? realisation * each : 0);
     if (!prepared_.campaign.stay->random_order) return order;
     for (std::size_t left = order.size(); left > 1; --left) {
-      std::swap(order[left - 1], order[random.below(left)]);
+      std::swap(order[left - 1], order[random.uniform_index(left)]);
     }
     return order;
   }
@@ -342,7 +342,7 @@ void plan_runs(CampaignPlan& prepared) {
 }
 
 std::vector<RunRecord> make_planned_runs(CampaignPlan& prepared,
-                                    std::span<const std::uint32_t> numbers) {
+                                         std::span<const std::uint32_t> numbers) {
   Planner planner(prepared);
   std::vector<RunRecord> runs;
   for (const std::uint32_t number : numbers) runs.push_back(planner.planned_run(number));

@@ -49,7 +49,7 @@ void lead_work(ProcessTeam& team, const std::vector<std::uint32_t>& items, unsig
     });
   }
   for (std::size_t waiting = std::size_t{team.size() - 1} * threads; waiting > 0;) {
-    const std::optional<ProcessTeam::TeamMessage> delivery = team.delivery();
+    const std::optional<ProcessTeam::TeamMessage> delivery = team.receive_message();
     if (!delivery) {
       std::this_thread::sleep_for(kLookAround);
       continue;

@@ -71,7 +71,7 @@ void each_common_corner(
   const PlanIndex index(base_boxes);
   for (std::uint32_t t = 0; t < top.triangles.size(); ++t) {
     const PlanTriangle ring = paired_plan_triangle(top, top.triangles[t]);
-    for (const std::uint32_t b : index.near(boxes[t])) {
+    for (const std::uint32_t b : index.boxes_near(boxes[t])) {
       if (top_spans[t][1] - base_spans[b][0] <= thickness) continue;
       if ((base_boxes[b].low.array() > boxes[t].high.array()).any() ||
           (boxes[t].low.array() > base_boxes[b].high.array()).any()) {
@@ -132,7 +132,7 @@ std::vector<Match> matched(const TriangleMesh& divided, const TriangleMesh& othe
     if (!inside || !(area_vector(divided, triangle).z() > 0.0)) continue;
     double highest = -1e300;
     std::optional<std::uint32_t> found;
-    for (const std::uint32_t o : index.near(middle)) {
+    for (const std::uint32_t o : index.boxes_near(middle)) {
       const std::optional<double> z = height_on_triangle(other, o, middle);
       if (!z || *z <= highest) continue;
       highest = *z;
@@ -214,8 +214,8 @@ HeightDifferenceRange height_difference_range(const TriangleMesh& top, const Tri
         const auto at = [&] {
           return Vec3(corner.x(), corner.y(), plane_height(upper, upper.triangles[t], corner));
         };
-        if (apart < range.low) range.low = apart, range.low_at = at();
-        if (apart > range.high) range.high = apart, range.high_at = at();
+        if (apart < range.low) range.low = apart, range.low_position = at();
+        if (apart > range.high) range.high = apart, range.high_position = at();
       });
   return range;
 }

@@ -32,7 +32,7 @@ SurfaceOverlay overlay_surfaces(const TriangleMesh& top, const TriangleMesh& bas
 /// The least and the greatest height of one surface above another, with their places.
 struct HeightDifferenceRange {
   double low = 1e300, high = -1e300;  ///< m; `low` exceeds `high` where they share no place
-  Vec3 low_at = Vec3::Zero(), high_at = Vec3::Zero();  ///< on the upper surface
+  Vec3 low_position = Vec3::Zero(), high_position = Vec3::Zero();  ///< on the upper surface
 };
 HeightDifferenceRange height_difference_range(const TriangleMesh& top, const TriangleMesh& base);
 

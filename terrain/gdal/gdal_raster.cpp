@@ -104,7 +104,7 @@ void read_row(GDALRasterBand& band, int row, std::vector<double>& values,
       band.GetMaskBand()->RasterIO(GF_Read, 0, row, columns, 1, mask.data(), columns, 1, GDT_Byte,
                                    0, 0, nullptr) != CE_None) {
     throw InputError(path.string() + ": row " + std::to_string(row + 1) + " can't be read (" +
-                     GdalSession::message() +
+                     GdalSession::last_message() +
                      "); the file may be cut short: copy or export it again");
   }
   for (std::size_t i = 0; i < values.size(); ++i) {
@@ -170,8 +170,9 @@ void check_zunits(const std::filesystem::path& path) {
 /// @param system  null: GDAL finds none
 std::vector<std::string> check_raster_map(const std::filesystem::path& path,
                                           const OGRSpatialReference* system, const Vec2& middle) {
-  const LengthUnitUse metres{.way = "gdalwarp -t_srs EPSG:CODE",
-                         .correction_command = "gdal_edit.py -a_srs EPSG:CODE " + path.filename().string()};
+  const LengthUnitUse metres{
+      .conversion_command = "gdalwarp -t_srs EPSG:CODE",
+      .correction_command = "gdal_edit.py -a_srs EPSG:CODE " + path.filename().string()};
   std::vector<LengthUnitDeclaration> declared = parse_geotiff_keys(read_geotiff_keys(path)).lengths;
   const std::string wkt = system ? full_wkt(*system) : std::string();
   if (system && system->IsProjected()) {  // its scale at the place is known
@@ -180,7 +181,7 @@ std::vector<std::string> check_raster_map(const std::filesystem::path& path,
   if (!wkt.empty()) declared.push_back(describe_system(wkt, "reference system"));
   check_zunits(path);
   std::vector<std::string> notes = check_length_units(path.string(), declared, metres);
-  check_map_scale(path.string(), wkt, middle, metres.way);
+  check_map_scale(path.string(), wkt, middle, metres.conversion_command);
   return notes;
 }
 
@@ -207,8 +208,9 @@ void check_height_unit(const std::filesystem::path& path, const std::string& uni
     const double factor = other != kOtherUnits.end() ? other->second : 0.3048;
     throw InputError(path.string() + ": its heights are in " +
                      (factor > 0.3 && factor < 0.31 ? "feet" : word) + " (unit \"" +
-                     escape_nonprintable(unit) + "\"); bring them to metres first (gdal_calc.py -A " + file +
-                     " --calc=A*" + format_significant(factor, 10) + " --outfile=metres.tif)");
+                     escape_nonprintable(unit) +
+                     "\"); bring them to metres first (gdal_calc.py -A " + file + " --calc=A*" +
+                     format_significant(factor, 10) + " --outfile=metres.tif)");
   }
   throw InputError(
       path.string() + ": its heights are in the unit \"" + escape_nonprintable(unit) +
@@ -253,7 +255,7 @@ Raster read_raster(const std::filesystem::path& path) {
       lower_case_extension(path) == ".asc" ? as_doubles : nullptr, nullptr));
   if (!dataset) {
     throw InputError(path.string() + ": is not a raster that GDAL can read (" +
-                     GdalSession::message() + "); export it as GeoTIFF");
+                     GdalSession::last_message() + "); export it as GeoTIFF");
   }
   int bands = 0;
   for (int i = 1; i <= dataset->GetRasterCount(); ++i) {
@@ -282,7 +284,7 @@ Raster read_raster(const std::filesystem::path& path) {
 
 void check_written(bool done, const std::filesystem::path& target, const std::string& what) {
   if (done) return;
-  throw InputError(target.string() + ": can't write " + what + " (" + GdalSession::message() +
+  throw InputError(target.string() + ": can't write " + what + " (" + GdalSession::last_message() +
                    "); free some space on the disk or name another place");
 }
 

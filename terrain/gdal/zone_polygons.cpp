@@ -76,7 +76,7 @@ ReadPolygon polygon_of(const OGRFeature& feature, const std::string& zone,
   }
   if (!geometry->IsValid()) {
     throw InputError(feature_name(feature, path) + named + " crosses itself (" +
-                     GdalSession::message() +
+                     GdalSession::last_message() +
                      "); repair it, for example with \"Fix geometries\" of QGIS");
   }
   return {std::move(result), std::move(geometry)};
@@ -161,7 +161,8 @@ std::vector<ZonePolygon> read_zone_polygons(const std::filesystem::path& path,
   return polygons;
 }
 
-std::vector<ZonePolygon> read_outline_polygons(const std::filesystem::path& path, const std::string& crs) {
+std::vector<ZonePolygon> read_outline_polygons(const std::filesystem::path& path,
+                                               const std::string& crs) {
   const GdalSession session;
   const DatasetPointer dataset = open_feature_file(path, "polygons");
   OGRLayer& layer = find_geometry_layer(*dataset, path, "polygons");

@@ -32,7 +32,8 @@ void check_one_height(const TriangleMesh& mesh, double cell, const std::filesyst
   if (count == 0) return;
   throw GeometryError(path.string() + ": " + std::to_string(count) + " of " +
                       std::to_string(mesh.triangles.size()) +
-                      " triangles stand upright or overhang, the first at " + format_map_point(first) +
+                      " triangles stand upright or overhang, the first at " +
+                      format_map_point(first) +
                       "; a grid has one height over every place, so that it can't hold them. Leave "
                       "out resolution, or simplify the mesh with a tolerance, which keeps them");
 }
@@ -92,7 +93,7 @@ std::vector<std::uint16_t> sources_for(const TriangleMesh& grid, const RawSurfac
   for (std::uint32_t t = 0; t < sources.size(); ++t) {
     const PlanTriangle corners = sampled_plan_triangle(grid, t);
     std::map<std::uint16_t, double> covered;
-    for (const std::uint32_t old : index.near(boxes[t])) {
+    for (const std::uint32_t old : index.boxes_near(boxes[t])) {
       covered[surface.source[old]] +=
           clipped_area(sampled_plan_triangle(surface.mesh, old), corners);
     }
@@ -114,7 +115,7 @@ void note_change(const TriangleMesh& mesh, const TriangleMesh& grid, double cell
   double largest = 0.0;
   Vec3 largest_at = Vec3::Zero();
   for (const Vec3& vertex : mesh.vertices) {
-    for (const std::uint32_t t : index.near(Vec2(vertex.head<2>()))) {
+    for (const std::uint32_t t : index.boxes_near(Vec2(vertex.head<2>()))) {
       const std::optional<double> z = height_on_triangle(grid, t, vertex.head<2>());
       if (!z) continue;
       if (std::abs(*z - vertex.z()) > largest) {
@@ -127,9 +128,10 @@ void note_change(const TriangleMesh& mesh, const TriangleMesh& grid, double cell
   std::string note = "resampled to cells of " + format_significant(cell, 9) +
                      " m: " + std::to_string(grid.triangles.size()) + " triangles for " +
                      std::to_string(mesh.triangles.size()) + ", over " +
-                     format_significant(plan_area(grid), 6) + " of " + format_significant(plan_area(mesh), 6) +
-                     " m2 in plan; vertices of the mesh are up to " + format_significant(largest, 3) +
-                     " m above or below it";
+                     format_significant(plan_area(grid), 6) + " of " +
+                     format_significant(plan_area(mesh), 6) +
+                     " m2 in plan; vertices of the mesh are up to " +
+                     format_significant(largest, 3) + " m above or below it";
   if (largest > 0.0) note += ", as at " + format_map_point(largest_at);
   report.notes.push_back(note);
 }
@@ -137,12 +139,12 @@ void note_change(const TriangleMesh& mesh, const TriangleMesh& grid, double cell
 }  // namespace
 
 TriangleMesh grid_highest_surface(const TriangleMesh& mesh, double cell,
-                          const std::filesystem::path& path) {
+                                  const std::filesystem::path& path) {
   return triangulate_grid(heights_of(mesh, cell, path), path);
 }
 
-RawSurface resample_surface(const RawSurface& surface, double cell, const std::filesystem::path& path,
-                     TerrainReport& report) {
+RawSurface resample_surface(const RawSurface& surface, double cell,
+                            const std::filesystem::path& path, TerrainReport& report) {
   check_one_height(surface.mesh, cell, path);
   const HeightGrid grid = heights_of(surface.mesh, cell, path);
   RawSurface result{.mesh = triangulate_grid(grid, path),

@@ -46,7 +46,7 @@ std::vector<BorderSide> border_sides(const TriangleMesh& mesh, const TriangleNei
   std::vector<BorderSide> sides;
   for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
     for (std::size_t k = 0; k < 3; ++k) {
-      if (links.on_border(t, k)) sides.push_back({t, k});
+      if (links.is_border_side(t, k)) sides.push_back({t, k});
     }
   }
   return sides;
@@ -69,7 +69,7 @@ std::set<std::uint32_t> neighbours_of(const TriangleMesh& mesh, const Border& bo
                                       const std::vector<std::uint32_t>& cluster) {
   std::set<std::uint32_t> result;
   for (const std::uint32_t v : cluster) {
-    for (const std::uint32_t corner : border.corners.at(v)) {
+    for (const std::uint32_t corner : border.corners.corners_of(v)) {
       const Triangle& t = mesh.triangles[corner / 3];
       result.insert(t.begin(), t.end());
     }
@@ -81,7 +81,7 @@ std::set<std::uint32_t> neighbours_of(const TriangleMesh& mesh, const Border& bo
 /// Whether the triangles at `vertex` keep their sides when it moves to `to`.
 bool may_move(const TriangleMesh& mesh, const Border& border, std::uint32_t vertex,
               const Vec3& to) {
-  for (const std::uint32_t corner : border.corners.at(vertex)) {
+  for (const std::uint32_t corner : border.corners.corners_of(vertex)) {
     const Triangle& t = mesh.triangles[corner / 3];
     std::array<Vec3, 3> place = {mesh.vertices[t[0]], mesh.vertices[t[1]], mesh.vertices[t[2]]};
     place[corner % 3] = to;
@@ -117,7 +117,7 @@ void join_vertices(TriangleMesh& mesh, double width, Closed& closed) {
   std::vector<std::tuple<double, std::uint32_t, std::uint32_t>> pairs;
   for (std::uint32_t i = 0; i < boxes.size(); ++i) {
     const std::uint32_t v = border.vertices[i];
-    for (const std::uint32_t k : index.near(boxes[i].expanded(width))) {
+    for (const std::uint32_t k : index.boxes_near(boxes[i].expanded(width))) {
       const std::uint32_t other = border.vertices[k];
       const double gap = (mesh.vertices[v] - mesh.vertices[other]).norm();
       if (k > i && gap <= width) pairs.emplace_back(gap, v, other);
@@ -169,7 +169,7 @@ EdgesNearBorder edges_near(const TriangleMesh& mesh, const Border& border) {
     edges.on_border.insert(edge_key(mesh.triangles[t][k], mesh.triangles[t][(k + 1) % 3]));
   }
   for (const std::uint32_t v : border.vertices) {
-    for (const std::uint32_t corner : border.corners.at(v)) {
+    for (const std::uint32_t corner : border.corners.corners_of(v)) {
       const Triangle& t = mesh.triangles[corner / 3];
       for (std::size_t k = 0; k < 3; ++k) {
         const EdgeKey edge = edge_key(t[k], t[(k + 1) % 3]);
@@ -200,7 +200,7 @@ std::map<std::size_t, std::vector<Junction>> junctions_within(double width,
     const Vec3& point = mesh.vertices[v];
     PlanBox here;
     here.include(point.head<2>());
-    for (const std::uint32_t s : index.near(here.expanded(width))) {
+    for (const std::uint32_t s : index.boxes_near(here.expanded(width))) {
       const auto& [t, k] = border.sides[s];
       const Triangle& triangle = mesh.triangles[t];
       if (std::find(triangle.begin(), triangle.end(), v) != triangle.end()) continue;
@@ -290,7 +290,8 @@ void close_cracks(RawSurface& surface, double width, TerrainReport& report) {
   report.notes.push_back("cracks were closed: " + std::to_string(closed.joined) +
                          " border vertices joined to others, " + std::to_string(closed.divided) +
                          " made corners of the triangle beside them; the widest, " +
-                         format_significant(closed.widest, 3) + " m, at " + format_map_point(closed.at));
+                         format_significant(closed.widest, 3) + " m, at " +
+                         format_map_point(closed.at));
 }
 
 void note_gaps(const RawSurface& surface, double reach, TerrainReport& report) {
@@ -308,7 +309,7 @@ void note_gaps(const RawSurface& surface, double reach, TerrainReport& report) {
     PlanBox here;
     here.include(point.head<2>());
     double nearest = 1e300;
-    for (const std::uint32_t s : index.near(here.expanded(reach))) {
+    for (const std::uint32_t s : index.boxes_near(here.expanded(reach))) {
       const auto& [other, k] = sides[s];
       if (component[other] == component[triangle]) continue;
       const Vec3& a = mesh.vertices[mesh.triangles[other][k]];

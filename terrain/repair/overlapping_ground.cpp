@@ -37,7 +37,7 @@ std::vector<std::uint32_t> doubles_of(const TriangleMesh& mesh, double width) {
     if (!(area_vector(mesh, mesh.triangles[t]).z() > 0.0)) continue;
     const Vec3 middle = centroid(mesh, mesh.triangles[t]);
     hits.assign(1, {middle.z(), t, true});
-    for (const std::uint32_t other : index.near(Vec2(middle.head<2>()))) {
+    for (const std::uint32_t other : index.boxes_near(Vec2(middle.head<2>()))) {
       const PlanBox& box = boxes[other];
       if (other == t || middle.x() < box.low.x() || middle.y() < box.low.y() ||
           middle.x() > box.high.x() || middle.y() > box.high.y()) {

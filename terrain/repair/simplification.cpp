@@ -51,7 +51,7 @@ std::vector<bool> kept_triangles(const TriangleMesh& mesh) {
   if (steep.empty()) return kept;
   const PlanIndex index(steep);
   for (std::uint32_t t = 0; t < kept.size(); ++t) {
-    for (const std::uint32_t s : index.near(boxes[t])) {
+    for (const std::uint32_t s : index.boxes_near(boxes[t])) {
       kept[t] = kept[t] || ((steep[s].low.array() <= boxes[t].high.array()).all() &&
                             (steep[s].high.array() >= boxes[t].low.array()).all());
     }
@@ -202,7 +202,7 @@ class Growing {
       PlanBox box;
       box.include((from + part / parts * along).head<2>());
       box.include((from + (part + 1.0) / parts * along).head<2>());
-      for (const std::uint32_t i : edge_index_.near(box)) {
+      for (const std::uint32_t i : edge_index_.boxes_near(box)) {
         const auto& [a, b] = edges_[i];
         if (a == ends[0] || a == ends[1] || b == ends[0] || b == ends[1]) continue;
         const Vec3 across = vertices_[b] - vertices_[a], apart = vertices_[a] - from;
@@ -252,7 +252,7 @@ void put_in_rows(std::vector<std::uint32_t>& vertices, const std::vector<Vec3>& 
 /// The free triangle under a place of the plan.
 std::optional<std::uint32_t> triangle_under(const TriangleMesh& mesh, const PlanIndex& index,
                                             const std::vector<bool>& kept, const Vec2& at) {
-  for (const std::uint32_t t : index.near(at)) {
+  for (const std::uint32_t t : index.boxes_near(at)) {
     if (!kept[t] && height_on_triangle(mesh, t, at)) return t;
   }
   return std::nullopt;
@@ -275,7 +275,7 @@ FreeSurface free_surface(const RawSurface& surface, const std::vector<bool>& kep
     for (std::size_t k = 0; k < 3; ++k) {
       const std::uint32_t a = mesh.triangles[t][k], b = mesh.triangles[t][(k + 1) % 3];
       in_free[a] = true;
-      const std::uint32_t other = links.across[t][k];
+      const std::uint32_t other = links.neighbour[t][k];
       if (other == kNoIndex || kept[other] || surface.source[other] != surface.source[t]) {
         fixed[a] = fixed[b] = true;
         free.constraints.push_back(edge_key(a, b));

@@ -66,7 +66,7 @@ class Surroundings {
     for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
       const TriangleMesh::Triangle& corners = mesh.triangles[t];
       for (std::size_t k = 0; k < 3; ++k) {
-        if (!links.on_border(t, k)) continue;
+        if (!links.is_border_side(t, k)) continue;
         const std::uint32_t a = corners[k], b = corners[(k + 1) % 3];
         border[a] = border[b] = true;
         sides_.push_back({a, b});
@@ -108,7 +108,7 @@ class Surroundings {
     PlanBox here;
     here.include(at);
     std::optional<double> best;
-    for (const std::uint32_t s : side_index_->near(here.expanded(width_))) {
+    for (const std::uint32_t s : side_index_->boxes_near(here.expanded(width_))) {
       const auto [a, b] = sides_[s];
       if (a == vertex || b == vertex) continue;
       const Vec3 &from = mesh_.vertices[a], &to = mesh_.vertices[b];
@@ -136,7 +136,7 @@ class Surroundings {
     PlanBox here;
     here.include(at);
     std::set<std::uint32_t> result, joined;
-    for (const std::uint32_t s : side_index_->near(here.expanded(width_))) {
+    for (const std::uint32_t s : side_index_->boxes_near(here.expanded(width_))) {
       const auto& [a, b] = sides_[s];
       if (a == v) joined.insert(b);
       if (b == v) joined.insert(a);
@@ -228,7 +228,7 @@ void level_group(TriangleMesh& mesh, const std::vector<std::uint32_t>& group,
   if (!plane) return;
   const auto off = [&](std::uint32_t v) {
     const Vec3& p = mesh.vertices[v];
-    return std::abs(p.z() - plane->at((p - first).head<2>()));
+    return std::abs(p.z() - plane->height_at((p - first).head<2>()));
   };
   double roughness = 0.0;
   for (const std::uint32_t v : wide) roughness = std::max(roughness, off(v));
@@ -243,7 +243,7 @@ void level_group(TriangleMesh& mesh, const std::vector<std::uint32_t>& group,
       levelled.farthest = by;
       levelled.at = mesh.vertices[v];
     }
-    mesh.vertices[v].z() = plane->at((mesh.vertices[v] - first).head<2>());
+    mesh.vertices[v].z() = plane->height_at((mesh.vertices[v] - first).head<2>());
   }
   // At a cut onto the other tile: first onto its vertices, then onto its border between them.
   for (const std::uint32_t v : moved) {
@@ -286,7 +286,8 @@ void level_spike_groups(TriangleMesh& mesh, double steepness, double width, Terr
   report.notes.push_back(std::to_string(levelled.count) +
                          " vertices far above or below the ground, in groups or on a border, were "
                          "brought to the plane of the ground around, the farthest, by " +
-                         format_significant(levelled.farthest, 3) + " m, at " + format_map_point(levelled.at));
+                         format_significant(levelled.farthest, 3) + " m, at " +
+                         format_map_point(levelled.at));
 }
 
 }  // namespace clast::terrain_detail

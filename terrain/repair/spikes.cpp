@@ -42,7 +42,7 @@ Rings rings_of(const TriangleMesh& mesh) {
   const auto each_end = [&](const auto& visit) {
     for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
       for (std::size_t k = 0; k < 3; ++k) {
-        const std::uint32_t other = links.across[t][k];
+        const std::uint32_t other = links.neighbour[t][k];
         if (other != kNoIndex && other < t) continue;
         const std::uint32_t a = mesh.triangles[t][k], b = mesh.triangles[t][(k + 1) % 3];
         visit(a, b, other == kNoIndex);
@@ -80,7 +80,7 @@ double farthest_around(const TriangleMesh& mesh, const Rings& rings, std::uint32
   for (const std::uint32_t v : around) {
     if (v == vertex) continue;
     const Vec3 d = mesh.vertices[v] - mesh.vertices[vertex];
-    const double on_plane = plane.at(d.head<2>());
+    const double on_plane = plane.height_at(d.head<2>());
     const double off = std::abs(mesh.vertices[v].z() - on_plane);
     second = std::max(second, std::min(first, off));
     first = std::max(first, off);
@@ -102,7 +102,7 @@ std::optional<RingPlane> plane_without_one(const TriangleMesh& mesh, const Rings
     double farthest = 0.0;
     for (const std::uint32_t v : others) {
       const Vec3 d = mesh.vertices[v] - mesh.vertices[vertex];
-      const double on_plane = plane->at(d.head<2>());
+      const double on_plane = plane->height_at(d.head<2>());
       farthest = std::max(farthest, std::abs(mesh.vertices[v].z() - on_plane));
     }
     if (best && farthest >= flattest) continue;
@@ -226,7 +226,8 @@ void smooth_surface(TriangleMesh& mesh, int rounds, TerrainReport& report) {
     largest_at = mesh.vertices[v];
   }
   report.notes.push_back("smoothed " + std::to_string(rounds) + " times; the largest change, " +
-                         format_significant(largest, 3) + " m, is at " + format_map_point(largest_at));
+                         format_significant(largest, 3) + " m, is at " +
+                         format_map_point(largest_at));
 }
 
 }  // namespace clast::terrain_detail

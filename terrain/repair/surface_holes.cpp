@@ -38,7 +38,7 @@ std::optional<Side> next_side(const TriangleMesh& mesh, const TriangleNeighbours
   Side next{at.triangle, (at.side + 1) % 3};
   // Around a vertex there are no more triangles than in all.
   for (std::size_t steps = 0; steps <= mesh.triangles.size(); ++steps) {
-    const std::uint32_t other = links.across[next.triangle][next.side];
+    const std::uint32_t other = links.neighbour[next.triangle][next.side];
     if (other == kNoIndex) return next;
     const Triangle& corners = mesh.triangles[other];
     const std::size_t k =
@@ -197,13 +197,14 @@ void fill_surface_holes(RawSurface& surface, double widest, double slit, Terrain
     report.boundary_edges -= loop.vertices.size();
   }
   if (report.filled_holes > 0) {
-    report.notes.push_back(std::to_string(report.filled_holes) +
-                           " holes were filled, the widest, " + format_significant(widest_filled, 3) +
-                           " m, around " + format_map_point(filled_at));
+    report.notes.push_back(
+        std::to_string(report.filled_holes) + " holes were filled, the widest, " +
+        format_significant(widest_filled, 3) + " m, around " + format_map_point(filled_at));
   }
   if (report.open_holes > 0) {
     report.notes.push_back(std::to_string(report.open_holes) + " holes stay open, the widest, " +
-                           format_significant(widest_open, 3) + " m, around " + format_map_point(open_at) +
+                           format_significant(widest_open, 3) + " m, around " +
+                           format_map_point(open_at) +
                            "; a block that gets there leaves the terrain; fill = " +
                            format_significant(widest_open * 1.01, 3) + " m fills them");
   }

@@ -71,7 +71,8 @@ void weld_surface(RawSurface& surface, TerrainReport& report) {
 }
 
 void remove_invalid_triangles(RawSurface& surface, const std::vector<std::string>& files,
-                            const std::vector<std::uint16_t>& zone_of_file, TerrainReport& report) {
+                              const std::vector<std::uint16_t>& zone_of_file,
+                              TerrainReport& report) {
   TriangleMesh& mesh = surface.mesh;
   const std::vector<bool> is_copy = copies_of_triangles(surface, files, zone_of_file);
   std::vector<bool> keep(mesh.triangles.size(), true);
@@ -114,14 +115,15 @@ void orient_upwards(RawSurface& surface, TerrainReport& report) {
                         "; surfaces overlap or cross there, remove one of them");
   }
   const ConsistentOrientation facing = find_consistent_orientation(mesh, links);
-  if (facing.conflict) {
-    throw GeometryError("the ground at " + format_map_point(mesh.vertices[*facing.conflict]) +
+  if (facing.conflict_vertex) {
+    throw GeometryError("the ground at " +
+                        format_map_point(mesh.vertices[*facing.conflict_vertex]) +
                         " is twisted into itself and has no upper side; cut it there");
   }
   report.components += facing.components.size();
-  std::vector<bool> turn = facing.against;
+  std::vector<bool> turn = facing.is_flipped;
   for (const std::vector<std::uint32_t>& component : facing.components) {
-    const std::optional<bool> up = faces_up(mesh, component, facing.against);
+    const std::optional<bool> up = faces_up(mesh, component, facing.is_flipped);
     if (!up) {
       report.notes.push_back("a component of " + std::to_string(component.size()) +
                              " triangles at " +

@@ -26,7 +26,7 @@ class CutMesh {
  public:
   explicit CutMesh(TriangleMesh& mesh)
       : mesh_(mesh),
-        across_(triangle_neighbours(mesh).across),
+        across_(triangle_neighbours(mesh).neighbour),
         parts_(mesh.triangles.size()),
         index_(plan_boxes(mesh)) {
     for (std::uint32_t t = 0; t < parts_.size(); ++t) {
@@ -69,7 +69,7 @@ class CutMesh {
 
   std::vector<std::uint32_t> triangles_near(const PlanBox& box) const {
     std::vector<std::uint32_t> found;
-    for (const std::uint32_t first : index_.near(box.expanded(kNear))) {
+    for (const std::uint32_t first : index_.boxes_near(box.expanded(kNear))) {
       found.insert(found.end(), parts_[first].begin(), parts_[first].end());
     }
     return found;

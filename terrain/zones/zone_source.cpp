@@ -185,7 +185,7 @@ ZoneMap polygon_zones(const ZoneFile& source, const std::string& crs) {
     PlanBox box;
     for (const Vec2& point : triangle) box.include(point);
     Shares shares;
-    if (index.near(box).empty()) {
+    if (index.boxes_near(box).empty()) {
       const std::uint32_t label = at((triangle[0] + triangle[1] + triangle[2]) / 3.0);
       if (label != kNoIndex) shares.emplace_back(label, signed_area(triangle));
       return shares;
@@ -253,7 +253,7 @@ void number_zones(Terrain& terrain, const std::vector<std::string>& labels,
 
 void check_extent(const ZoneMap& map, const Terrain& terrain, const ZoneFile& source) {
   const Bounds box = bounds(terrain.surface);
-  const Vec3 low = terrain.frame.map(box.low), high = terrain.frame.map(box.high);
+  const Vec3 low = terrain.frame.to_map(box.low), high = terrain.frame.to_map(box.high);
   if ((map.extent.low.array() <= high.head<2>().array()).all() &&
       (map.extent.high.array() >= low.head<2>().array()).all()) {
     return;
@@ -284,7 +284,7 @@ void assign_zones(Terrain& terrain, const ZoneFile& source, bool cut) {
   Bare bare;
   for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
     const Vec3 area = area_vector(mesh, mesh.triangles[t]);
-    const Vec3 middle = terrain.frame.map(centroid(mesh, mesh.triangles[t]));
+    const Vec3 middle = terrain.frame.to_map(centroid(mesh, mesh.triangles[t]));
     const double plan = std::abs(area.z()) / 2.0;
     double covered = 0.0;
     if (std::abs(area.z()) < kUpright * area.norm()) {
@@ -292,7 +292,7 @@ void assign_zones(Terrain& terrain, const ZoneFile& source, bool cut) {
     } else {
       PlanTriangle triangle;
       for (std::size_t k = 0; k < 3; ++k) {
-        triangle[k] = terrain.frame.map(mesh.vertices[mesh.triangles[t][k]]).head<2>();
+        triangle[k] = terrain.frame.to_map(mesh.vertices[mesh.triangles[t][k]]).head<2>();
       }
       if (area.z() < 0.0) std::swap(triangle[1], triangle[2]);
       double most = 0.0;
@@ -333,10 +333,10 @@ void assign_zones(Terrain& terrain, const std::vector<std::string>& texts) {
   Bare bare;
   for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
     const Vec3 area = area_vector(mesh, mesh.triangles[t]);
-    const Vec3 middle = terrain.frame.map(centroid(mesh, mesh.triangles[t]));
+    const Vec3 middle = terrain.frame.to_map(centroid(mesh, mesh.triangles[t]));
     const double slope = std::atan2(area.head<2>().norm(), area.z());
     for (std::size_t r = 0; r < rules.size() && label[t] == kNoIndex; ++r) {
-      if (rules[r].holds(slope, middle.z())) label[t] = label_of[r];
+      if (rules[r].applies(slope, middle.z())) label[t] = label_of[r];
     }
     if (label[t] != kNoIndex) continue;
     if (bare.triangles++ == 0) bare.at = middle;

@@ -90,7 +90,7 @@ TEST_F(AuthumeChain, BlocksStartWhereThePublishedRunsDoAndFallFreely) {
   for (double x, y, z; points >> x >> y >> z;) published.emplace_back(x, -z, y);
   ASSERT_EQ(published.size(), 4u);
   for (const RunRecord& run : results.runs) {
-    const Vec3 start = results.frame.map(run.start.position);
+    const Vec3 start = results.frame.to_map(run.start.position);
     EXPECT_LT((start - published[run.point]).norm(), 1e-9);
     // The lowest block starts with its centre 1.4 m above ground: 0.2 s are free for all.
     const Trajectory track = read_trajectory(path("results.h5"), run.run);
@@ -114,7 +114,7 @@ TEST_F(AuthumeChain, OrientationsTurnTheBlockAsItsFileHoldsIt) {
   line >> w >> x >> y >> z;
   const Quat in_file = Quat(w, x, y, z).normalized();
   for (const RunRecord& run : results.runs) {
-    const Block& block = library.block(results.blocks[run.block].id);
+    const Block& block = library.find_block(results.blocks[run.block].id);
     const Vec3 corner = block.body.vertices.front();
     const Vec3 turned = in_file * (corner - block.mass.centre);
     const Vec3 expected = run.start.position + Vec3(turned.x(), -turned.z(), turned.y());

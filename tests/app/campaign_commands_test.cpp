@@ -79,7 +79,7 @@ TEST_F(Campaigns, DryRunListsTheStiffnessOfEveryBlock) {
   EXPECT_NE(blocks[0]["stiffness_n_m"], blocks[1]["stiffness_n_m"]);
   const BlockLibrary library = BlockLibrary::read(folder / "blocks.h5");
   for (const Json& row : blocks) {
-    const Block& block = library.block(row["block"].get<std::string>());
+    const Block& block = library.find_block(row["block"].get<std::string>());
     // Rest decides here: m g/(e_n^2 d) with d = 2 % of S.
     const double normal = block.mass.mass * 9.81 / (0.01 * 0.02 * block.axes().S);
     EXPECT_NEAR(row["stiffness_n_m"][0].get<double>(), normal, 1e-9 * normal);

@@ -81,7 +81,7 @@ class WithLibrary : public WorkingFolder {
                                      {"long", noisy_ellipsoid(2, {0.9, 0.3, 0.28})}});
     BlockLibrary library = BlockLibrary::read("blocks.h5");
     for (const char* id : {"flat", "long"}) {
-      SurfaceDeviation& off = library.block(id).deviation;
+      SurfaceDeviation& off = library.find_block(id).deviation;
       off.hausdorff = off.scan_to_body = off.body_to_scan = 0.01;  // as if it were of a scan
     }
     library.write("blocks.h5");

@@ -86,7 +86,7 @@ TEST(TextSafety, CellsThatASpreadsheetWouldRunAreTextAndComeBack) {
   DelimitedTextReader text(classes, "classes.csv");
   Record record;
   std::vector<std::string> names;
-  while (text.next(record)) names.emplace_back(record.fields.at(1));
+  while (text.read_record(record)) names.emplace_back(record.fields.at(1));
   EXPECT_EQ(names, (std::vector<std::string>{"block", "=1+1", "@SUM(A1)", "-B7"}));
   ASSERT_EQ(run_clast({"classify", "out/classes.csv", "-o", "again"}, folder.path()).exit_code, 0);
   const std::string again = read_text_file(folder / "again" / "classes.csv");

@@ -113,7 +113,7 @@ TEST_P(AuthumeBoxes, ConventionDecidesTheElongation) {
     EXPECT_TRUE(certainty.near_limit);
     const ClassCertainty taped = class_certainty("sneed-folk", axes, kTapeError);
     EXPECT_FALSE(taped.is_certain);
-    EXPECT_EQ(std::count(taped.others.begin(), taped.others.end(), "E"), 1);
+    EXPECT_EQ(std::count(taped.possible_others.begin(), taped.possible_others.end(), "E"), 1);
   }
 }
 

@@ -31,9 +31,9 @@ TEST(BoxConventionEffect, CountsTheBlocksThatChangeTheirClass) {
     EXPECT_EQ(effects[i].scheme, schemes[i / 3]);
     EXPECT_EQ(effects[i].blocks, 2u) << "a row of a tape table has no boxes";
   }
-  for (std::size_t i = 0; i < 3; ++i) EXPECT_EQ(effects[i].differ, 1u);
+  for (std::size_t i = 0; i < 3; ++i) EXPECT_EQ(effects[i].reclassified, 1u);
   // I/L falls from 0.8 to 1/1.5, which is still the limit: spheroid by all boxes.
-  for (std::size_t i = 3; i < 6; ++i) EXPECT_EQ(effects[i].differ, 0u);
+  for (std::size_t i = 3; i < 6; ++i) EXPECT_EQ(effects[i].reclassified, 0u);
   EXPECT_EQ(describe_box_effect(effects[0]),
             "By the inertia box 1 of 2 blocks has another class of garcia.");
   EXPECT_EQ(describe_box_effect(effects[3]),
@@ -45,10 +45,11 @@ TEST(BoxConventionEffect, IsCountedFromTheAxesInUse) {
   MeasuredBlock block = divided();
   block.axes = block.axes_as_written = block.axes_by_box[1];
   const std::vector<std::string> schemes = {"garcia"};
-  const std::vector<BoxConventionEffect> effects = compare_box_conventions(std::span(&block, 1), schemes);
+  const std::vector<BoxConventionEffect> effects =
+      compare_box_conventions(std::span(&block, 1), schemes);
   ASSERT_EQ(effects.size(), 1u) << "the other three have the same axes";
   EXPECT_EQ(effects[0].convention, BoxConvention::kSmallest);
-  EXPECT_EQ(effects[0].differ, 1u);
+  EXPECT_EQ(effects[0].reclassified, 1u);
 }
 
 TEST(BoxConventionEffect, TapeTablesHaveNoneAndUnknownSchemesAreRefused) {

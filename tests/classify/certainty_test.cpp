@@ -33,7 +33,7 @@ TEST(Certainty, ErrorOfTheAxesDecidesWhatIsPossible) {
   EXPECT_TRUE(class_certainty("sneed-folk", axes, 0.5).is_certain);
   const ClassCertainty certainty = class_certainty("sneed-folk", axes, 1.0);
   EXPECT_FALSE(certainty.is_certain);
-  EXPECT_EQ(certainty.others, std::vector<std::string>{"C"});
+  EXPECT_EQ(certainty.possible_others, std::vector<std::string>{"C"});
   // s_c = 0.25: 126/99 - 1 = 0.273, 130/95 - 1 = 0.368.
   EXPECT_TRUE(class_certainty("garcia", {125, 100, 50}, 1.0).is_certain);
   EXPECT_FALSE(class_certainty("garcia", {125, 100, 50}, 5.0).is_certain);
@@ -44,7 +44,7 @@ TEST(Certainty, AnErrorLargerThanTheAxesIsNoTrouble) {
   for (const std::string& scheme : scheme_names()) {
     const ClassCertainty certainty = class_certainty(scheme, {0.10, 0.06, 0.03}, 0.05);
     EXPECT_FALSE(certainty.is_certain) << scheme;
-    EXPECT_FALSE(certainty.others.empty()) << scheme;
+    EXPECT_FALSE(certainty.possible_others.empty()) << scheme;
   }
 }
 
@@ -65,7 +65,7 @@ std::set<std::string> scanned_classes(const std::string& scheme, const Axes& axe
 }
 
 std::set<std::string> said_classes(const ClassCertainty& certainty) {
-  std::set<std::string> said(certainty.others.begin(), certainty.others.end());
+  std::set<std::string> said(certainty.possible_others.begin(), certainty.possible_others.end());
   said.insert(certainty.name);
   return said;
 }
@@ -73,7 +73,7 @@ std::set<std::string> said_classes(const ClassCertainty& certainty) {
 // Blocks of the Authume quarry whose corners of the error miss a class that lies between them.
 TEST(Certainty, ClassesBetweenTheExtremesArePossibleToo) {
   const auto others = [](const Axes& axes) {
-    return class_certainty("sneed-folk", axes, kTapeError).others;
+    return class_certainty("sneed-folk", axes, kTapeError).possible_others;
   };
   const auto holds = [](const std::vector<std::string>& names, const std::string& name) {
     return std::find(names.begin(), names.end(), name) != names.end();
@@ -135,7 +135,7 @@ TEST(Certainty, AClassThatOnlyTouchesItsLimitSurvives) {
   const ClassCertainty certainty = class_certainty("en-933-4", {1.0, 0.7, 0.4}, 0.05);
   EXPECT_EQ(certainty.name, "cubical");
   EXPECT_TRUE(certainty.is_certain);
-  EXPECT_TRUE(certainty.others.empty());
+  EXPECT_TRUE(certainty.possible_others.empty());
   // A hair more and 1.0501/0.3499 is above it.
   EXPECT_FALSE(class_certainty("en-933-4", {1.0, 0.7, 0.4}, 0.0501).is_certain);
 }
@@ -143,7 +143,7 @@ TEST(Certainty, AClassThatOnlyTouchesItsLimitSurvives) {
 // I^2 = L S between oblate and prolate is a class of its own, if one without an area.
 TEST(Certainty, TheLineOfWilliamsIsPossibleWhereItIsCrossed) {
   const std::vector<std::string> others =
-      class_certainty("williams", {1.0, 0.72, 0.5}, 0.05).others;
+      class_certainty("williams", {1.0, 0.72, 0.5}, 0.05).possible_others;
   EXPECT_EQ(others, (std::vector<std::string>{"neither", "prolate"}));
   // 0.84^2 > 1.01 * 0.51: far from the line.
   EXPECT_TRUE(class_certainty("williams", {1.0, 0.85, 0.5}, 0.01).is_certain);
@@ -151,7 +151,8 @@ TEST(Certainty, TheLineOfWilliamsIsPossibleWhereItIsCrossed) {
 
 TEST(Certainty, HoldsForAxesOfAnySize) {
   for (const double size : {1e-9, 1e-3, 1e3, 1e9}) {
-    EXPECT_EQ(class_certainty("sneed-folk", {size, 0.85 * size, 0.69 * size}, 0.01 * size).others,
+    EXPECT_EQ(class_certainty("sneed-folk", {size, 0.85 * size, 0.69 * size}, 0.01 * size)
+                  .possible_others,
               std::vector<std::string>{"C"});
   }
 }

@@ -307,14 +307,14 @@ TEST_F(Tables, ARowOfAnotherLengthThanTheHeaderIsRefusedWithItsLine) {
 // What `clast classify -o DIR` writes is a table of its own.
 TEST_F(Tables, NamesThatASpreadsheetWouldRunComeBack) {
   CsvWriter csv;
-  csv.header("block,L_m,I_m,S_m");
+  csv.write_header("block,L_m,I_m,S_m");
   const std::vector<std::string> names = {"=1+1", "@x", "-B7", "+A", "'=2", "B, \"8\""};
   for (const std::string& name : names) {
-    csv.cell(name);
-    for (const double axis : {3.0, 2.0, 1.0}) csv.cell(axis);
+    csv.write_cell(name);
+    for (const double axis : {3.0, 2.0, 1.0}) csv.write_cell(axis);
     csv.end_row();
   }
-  const DimensionTable table = read(csv.take());
+  const DimensionTable table = read(csv.take_text());
   ASSERT_EQ(table.blocks.size(), names.size());
   for (std::size_t i = 0; i < names.size(); ++i) EXPECT_EQ(table.blocks[i].name, names[i]);
 }

@@ -25,7 +25,7 @@ void expect_counts(const Equilibria& e, std::size_t S, std::size_t U, std::size_
   EXPECT_EQ(e.stable, S);
   EXPECT_EQ(e.unstable, U);
   EXPECT_EQ(e.saddle, H);
-  EXPECT_TRUE(e.consistent());
+  EXPECT_TRUE(e.is_consistent());
 }
 
 // A regular polyhedron stands on each face, each vertex and each edge.
@@ -68,7 +68,7 @@ TEST(Equilibria, ALeaningPrismDoesNotStandOnItsEnds) {
   expect_counts(equilibria(upright), 7, 10, 15);
   const Equilibria leans = equilibria(leaning);
   EXPECT_LT(leans.stable, 6u);
-  EXPECT_TRUE(leans.consistent());
+  EXPECT_TRUE(leans.is_consistent());
 }
 
 // A triaxial ellipsoid has two of each. On a mesh of it each becomes a flock, symmetric as the
@@ -86,24 +86,24 @@ TEST(Equilibria, OfAMeshedEllipsoidComeInFlocks) {
   EXPECT_GE(e.unstable, 2u);
   EXPECT_GE(e.stable, 2u);
   EXPECT_EQ(e.unstable % 2, 0u);
-  EXPECT_TRUE(e.consistent());
+  EXPECT_TRUE(e.is_consistent());
 }
 
 TEST(Equilibria, PoincareHopfHoldsForAnyCentreInside) {
   for (std::uint64_t seed = 0; seed < 200; ++seed) {
     Random random(seed);
     std::vector<Vec3> points;
-    const std::uint64_t count = 5 + random.below(60);
+    const std::uint64_t count = 5 + random.uniform_index(60);
     for (std::uint64_t i = 0; i < count; ++i) {
-      points.push_back(random.direction().cwiseProduct(Vec3(1.0, 0.8, 0.5)) *
+      points.push_back(random.unit_vector().cwiseProduct(Vec3(1.0, 0.8, 0.5)) *
                        random.uniform(0.6, 1.0));
     }
     const TriangleMesh hull = convex_hull(points);
     const Vec3 middle = solid_mass_properties(hull, 1.0).centre;
     const Vec3 centre = middle + 0.5 * random.uniform() * (points[0] - middle);
     const Equilibria e = static_equilibria(make_sphero_polyhedron(hull, 0.1), centre);
-    EXPECT_TRUE(e.consistent()) << "seed " << seed << ": " << e.stable << " " << e.unstable << " "
-                                << e.saddle;
+    EXPECT_TRUE(e.is_consistent())
+        << "seed " << seed << ": " << e.stable << " " << e.unstable << " " << e.saddle;
     EXPECT_GE(e.stable, 1u);
     EXPECT_GE(e.unstable, 1u);
   }

@@ -48,10 +48,10 @@ TEST(FieldClasses, EveryClassWithinTheErrorOfTheTapeIsNamed) {
     std::vector<std::set<std::string>> said;
     for (const std::string& scheme : scheme_names()) {
       const ClassCertainty certainty = class_certainty(scheme, axes, kTapeError);
-      said.emplace_back(certainty.others.begin(), certainty.others.end());
+      said.emplace_back(certainty.possible_others.begin(), certainty.possible_others.end());
       said.back().insert(certainty.name);
       said.back().erase("neither");  // a line: a grid hits it only by chance
-      EXPECT_EQ(certainty.is_certain, certainty.others.empty());
+      EXPECT_EQ(certainty.is_certain, certainty.possible_others.empty());
     }
     std::vector<std::set<std::string>> seen(said.size());
     const auto at = [](double axis, int k) {

@@ -63,7 +63,7 @@ TEST(FormCopula, DrawsBlocksLikeThePopulation) {
   const FormCopula copula(from);
   Random random(1);
   std::vector<BlockForm> drawn;
-  for (int i = 0; i < 3000; ++i) drawn.push_back(copula.draw(random));
+  for (int i = 0; i < 3000; ++i) drawn.push_back(copula.sample(random));
   double longest = 0.0;
   for (const BlockForm& block : from) longest = std::max(longest, block.axes.L);
   for (const BlockForm& block : drawn) {
@@ -72,7 +72,7 @@ TEST(FormCopula, DrawsBlocksLikeThePopulation) {
     EXPECT_LE(block.axes.L, longest * (1.0 + 1e-12));
     EXPECT_FALSE(block.convexity);
   }
-  const CopulaFit fit = copula.fit(drawn);
+  const CopulaFit fit = copula.assess_fit(drawn);
   EXPECT_LT(fit.max_cdf_difference, 0.04);
   EXPECT_EQ(fit.removed_correlation, 0.0);
   ASSERT_EQ(fit.correlations.size(), 3u);
@@ -86,7 +86,7 @@ TEST(FormCopula, KeepsWhatIsTheSameOfAllBlocksAndRefusesTooFew) {
   std::vector<BlockForm> same(12, {{1.0, 0.8, 0.4}, 0.95});
   const FormCopula copula(same);
   Random random(2);
-  const BlockForm block = copula.draw(random);
+  const BlockForm block = copula.sample(random);
   EXPECT_NEAR(block.axes.S, 0.4, 1e-12);
   EXPECT_NEAR(block.convexity.value(), 0.95, 1e-12);
   EXPECT_TRUE(contains(refusal([&] { FormCopula{{same.data(), 9}}; }), "and there are 9"));

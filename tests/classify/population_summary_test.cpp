@@ -18,8 +18,8 @@ Population deposit(const std::string& name, std::uint64_t seed, int blocks, doub
   for (int i = 0; i < blocks; ++i) {
     const double elongation = s_c * std::exp(0.4 * random.normal());
     const double I = related ? 0.3 + elongation : 0.5 + 0.3 * random.uniform();
-    population.blocks.push_back(
-        make_measured_block("b" + std::to_string(i), {I * (1.0 + elongation), I, 0.7 * I}, 1000.0 * I));
+    population.blocks.push_back(make_measured_block(
+        "b" + std::to_string(i), {I * (1.0 + elongation), I, 0.7 * I}, 1000.0 * I));
   }
   return population;
 }
@@ -27,7 +27,7 @@ Population deposit(const std::string& name, std::uint64_t seed, int blocks, doub
 TEST(Summarised, HoldsEverySchemeAndMeasure) {
   const PopulationSummary summary = summarise_population(deposit("talus", 1, 40, 0.3));
   EXPECT_EQ(summary.blocks, 40u);
-  EXPECT_EQ(summary.weighed, 40u);
+  EXPECT_EQ(summary.with_mass, 40u);
   ASSERT_EQ(summary.schemes.size(), scheme_names().size());
   for (const SchemeFractions& scheme : summary.schemes) {
     EXPECT_EQ(scheme.shares.size(), class_names(scheme.scheme).size());
@@ -35,7 +35,7 @@ TEST(Summarised, HoldsEverySchemeAndMeasure) {
     double mass = 0.0;
     for (const ClassFraction& share : scheme.shares) {
       count += share.count;
-      mass += share.mass_share;
+      mass += share.mass_fraction;
     }
     EXPECT_EQ(count, 40u);
     EXPECT_NEAR(mass, 1.0, 1e-12);
@@ -69,7 +69,8 @@ TEST(Summarised, UnscaledBlocksHaveClassesAndNoSizes) {
   EXPECT_EQ(summary.size.by_number.d90, metric.size.by_number.d90);
   EXPECT_EQ(summary.size.by_mass->d50, metric.size.by_mass->d50);
   EXPECT_EQ(summary.size.total_mass, metric.size.total_mass);
-  EXPECT_EQ(summary.size_shape_correlations[0].test->statistic, metric.size_shape_correlations[0].test->statistic);
+  EXPECT_EQ(summary.size_shape_correlations[0].test->statistic,
+            metric.size_shape_correlations[0].test->statistic);
 
   const PopulationSummary alone = summarise_population({"models", {model, model}});
   EXPECT_EQ(alone.size.by_number.blocks, 0u);
@@ -84,7 +85,7 @@ TEST(Summarised, OneBlockAndOneSizeSayWhatCanBeSaid) {
   EXPECT_FALSE(summary.size_shape_correlations[0].test);
   EXPECT_EQ(summary.size_shape_correlations[2].blocks, 0u);  // d of L = S is not defined
   EXPECT_TRUE(summary.size.by_number.laws.empty());
-  EXPECT_EQ(summary.weighed, 0u);
+  EXPECT_EQ(summary.with_mass, 0u);
   EXPECT_EQ(summarise_population({"one", {make_measured_block("x", {3, 2, 1})}}).blocks, 1u);
   EXPECT_TRUE(contains(refusal([] { summarise_population({"none", {}}); }), "none"));
 }
@@ -96,19 +97,19 @@ TEST(Compared, SaysThatDifferentDepositsDiffer) {
   EXPECT_LT(s_c.test->p_value, 1e-6);
   EXPECT_LT(s_c.median_a, s_c.median_b);
   for (const char* part : {"differ", "median", "P1 (60 blocks)", "P2 (80)", "less than 0.0001"}) {
-    EXPECT_TRUE(contains(s_c.words, part));
+    EXPECT_TRUE(contains(s_c.description, part));
   }
   const ClassDifference& garcia = comparison.schemes.at(2);
   EXPECT_EQ(garcia.scheme, "garcia");
   EXPECT_LT(garcia.test->p_value, 1e-6);
-  EXPECT_TRUE(contains(garcia.words, "compact") || contains(garcia.words, "elongated"));
+  EXPECT_TRUE(contains(garcia.description, "compact") || contains(garcia.description, "elongated"));
 }
 
 TEST(Compared, SaysThatNothingIsShownWhereNothingIs) {
   const PopulationComparison comparison =
       compare_populations(deposit("P1", 1, 30, 0.3), deposit("P2", 3, 30, 0.3));
-  EXPECT_TRUE(contains(comparison.measures.at(0).words, "No difference"));
-  EXPECT_TRUE(contains(comparison.schemes.at(2).words, "can be shown"));
+  EXPECT_TRUE(contains(comparison.measures.at(0).description, "No difference"));
+  EXPECT_TRUE(contains(comparison.schemes.at(2).description, "can be shown"));
 }
 
 TEST(Compared, EqualPopulationsHaveNoDistance) {
@@ -123,22 +124,22 @@ TEST(Compared, EqualPopulationsHaveNoDistance) {
 TEST(Compared, SmallExpectedCountsAreSaid) {
   const PopulationComparison comparison =
       compare_populations(deposit("P1", 1, 4, 0.2), deposit("P2", 2, 5, 0.5));
-  EXPECT_TRUE(contains(comparison.schemes.at(2).words, "random tables"));
+  EXPECT_TRUE(contains(comparison.schemes.at(2).description, "random tables"));
 }
 
 TEST(Compared, PopulationsOfOneClassHaveNothingToCompare) {
   Population cubes{"cubes", {make_measured_block("c", {1, 1, 1})}};
   const PopulationComparison comparison = compare_populations(cubes, cubes);
   EXPECT_FALSE(comparison.schemes.at(0).test);
-  EXPECT_TRUE(contains(comparison.schemes.at(0).words, "one sneed-folk class"));
+  EXPECT_TRUE(contains(comparison.schemes.at(0).description, "one sneed-folk class"));
   EXPECT_FALSE(comparison.measures.at(2).test);
-  EXPECT_TRUE(contains(comparison.measures.at(2).words, "not defined"));
+  EXPECT_TRUE(contains(comparison.measures.at(2).description, "not defined"));
 }
 
 // Ratios of decimals that are equal on paper: 1.1/0.8 and 0.55/0.4.
 TEST(ShapeMeasures, TiesOnPaperAreTies) {
-  const auto values = measure_values(shape_measures()[0],
-                                std::vector<Axes>{{1.1, 0.8, 0.5}, {0.55, 0.4, 0.2}, {1.3, 1, 1}});
+  const auto values = measure_values(
+      shape_measures()[0], std::vector<Axes>{{1.1, 0.8, 0.5}, {0.55, 0.4, 0.2}, {1.3, 1, 1}});
   EXPECT_EQ(values[0], values[1]);
   EXPECT_NEAR(values[2], 0.3, 1e-12);
 }

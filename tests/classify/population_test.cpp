@@ -24,13 +24,13 @@ TEST(ClassShares, IntervalsSolveWilsonsEquation) {
     ASSERT_EQ(shares.size(), 2u);
     const double n = a + b;
     for (const ClassFraction& share : shares) {
-      EXPECT_EQ(share.share, share.count / n);
+      EXPECT_EQ(share.fraction, share.count / n);
       for (const double limit : {share.low, share.high}) {
         const double error = std::sqrt(limit * (1.0 - limit) / n);
-        EXPECT_NEAR(std::abs(share.share - limit) / error, 1.959964, 1e-5);
+        EXPECT_NEAR(std::abs(share.fraction - limit) / error, 1.959964, 1e-5);
       }
-      EXPECT_LT(share.low, share.share);
-      EXPECT_GT(share.high, share.share);
+      EXPECT_LT(share.low, share.fraction);
+      EXPECT_GT(share.high, share.fraction);
     }
   }
 }
@@ -67,7 +67,7 @@ TEST(ClassShares, EqualMassesGiveTheSharesByNumber) {
   const auto blocks = population(43, 46);
   const std::vector<double> kg(89, 250.0);
   for (const ClassFraction& share : class_fractions(blocks, "garcia", {}, kg)) {
-    EXPECT_NEAR(share.mass_share, share.share, 1e-14);
+    EXPECT_NEAR(share.mass_fraction, share.fraction, 1e-14);
     EXPECT_NEAR(share.mass_low, share.low, 1e-12);
     EXPECT_NEAR(share.mass_high, share.high, 1e-12);
     EXPECT_EQ(share.mass, 250.0 * static_cast<double>(share.count));
@@ -80,7 +80,7 @@ TEST(ClassShares, OneHeavyBlockSaysLittleOfTheDeposit) {
   std::vector<double> kg(9, 1.0);
   kg.push_back(91.0);
   const auto shares = class_fractions(blocks, "garcia", {}, kg);
-  EXPECT_NEAR(shares[1].mass_share, 0.91, 1e-14);
+  EXPECT_NEAR(shares[1].mass_fraction, 0.91, 1e-14);
   EXPECT_LT(shares[1].mass_low, 0.35);
   EXPECT_NEAR(shares[0].mass_low, 1.0 - shares[1].mass_high, 1e-12);
 }
@@ -89,11 +89,11 @@ TEST(ClassShares, BlocksWithoutMassCountByNumberOnly) {
   const auto shares =
       class_fractions(population(2, 2), "garcia", {}, std::vector<double>{30, 0, 10, 0});
   EXPECT_EQ(shares[0].count, 2u);
-  EXPECT_EQ(shares[0].share, 0.5);
+  EXPECT_EQ(shares[0].fraction, 0.5);
   EXPECT_EQ(shares[0].mass, 30.0);
-  EXPECT_EQ(shares[0].mass_share, 0.75);
+  EXPECT_EQ(shares[0].mass_fraction, 0.75);
   const auto none = class_fractions(population(2, 2), "garcia");
-  EXPECT_EQ(none[0].mass_share, 0.0);
+  EXPECT_EQ(none[0].mass_fraction, 0.0);
   EXPECT_EQ(none[0].mass_low, 0.0);
   EXPECT_EQ(none[0].mass_high, 1.0);
 }
@@ -128,7 +128,7 @@ TEST(ClassShares, UnknownSchemeIsRefused) {
 
 TEST(Population, C40CountsSlabs) {
   const std::vector<Axes> blocks = {{1, 1, 0.4}, {1, 1, 0.41}, {1.1, 0.6, 0.44}, {1, 0.5, 0.1}};
-  EXPECT_EQ(c40(blocks), 0.75);
+  EXPECT_EQ(c40_index(blocks), 0.75);
 }
 
 }  // namespace

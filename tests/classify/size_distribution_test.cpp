@@ -61,12 +61,13 @@ TEST_P(BothLaws, ParametersAreRecoveredWithinTheirErrors) {
   }
 }
 
-/// Log-likelihood of a law by its own density, differenced from `below`.
+/// Log-likelihood of a law by its own density, differenced from `fraction_below`.
 double log_likelihood(const FittedSizeLaw& law, const std::vector<double>& sizes) {
   double sum = 0.0;
   for (const double size : sizes) {
     const double step = 1e-5 * size;
-    sum += std::log((law.below(size + step) - law.below(size - step)) / (2.0 * step));
+    sum += std::log((law.fraction_below(size + step) - law.fraction_below(size - step)) /
+                    (2.0 * step));
   }
   return sum;
 }
@@ -89,7 +90,7 @@ TEST_P(BothLaws, WholeWeightsStandForRepeatedSizes) {
   const std::vector<double> sizes = {0.4, 0.7, 1.3}, weights = {2.0, 3.0, 1.0};
   const std::vector<double> repeated = {0.4, 0.4, 0.7, 0.7, 0.7, 1.3};
   const FittedSizeLaw a = *fit_size_law(GetParam(), sizes, weights),
-                b = *fit_size_law(GetParam(), repeated);
+                      b = *fit_size_law(GetParam(), repeated);
   EXPECT_NEAR(a.location, b.location, 1e-12);
   EXPECT_NEAR(a.spread, b.spread, 1e-11);
 }
@@ -124,7 +125,7 @@ TEST(LogNormal, IsMeanAndDeviationOfTheLogarithms) {
   EXPECT_NEAR(law.spread, 0.5 * std::sqrt(3.0), 1e-14);
   EXPECT_NEAR(law.location_error, std::exp(0.5) * 0.5 * std::sqrt(3.0) / 2.0, 1e-14);
   EXPECT_NEAR(law.spread_error, 0.5 * std::sqrt(3.0) / std::sqrt(8.0), 1e-14);
-  EXPECT_NEAR(law.below(std::exp(0.5)), 0.5, 1e-15);
+  EXPECT_NEAR(law.fraction_below(std::exp(0.5)), 0.5, 1e-15);
 }
 
 TEST(RosinRammler, PassesTheShareItIsNamedFor) {
@@ -132,9 +133,9 @@ TEST(RosinRammler, PassesTheShareItIsNamedFor) {
   law.kind = SizeLawKind::kRosinRammler;
   law.location = 0.8;
   law.spread = 1.7;
-  EXPECT_NEAR(law.below(0.8), 1.0 - std::exp(-1.0), 1e-15);
-  EXPECT_NEAR(law.below(1.6), 1.0 - std::exp(-std::pow(2.0, 1.7)), 1e-15);
-  EXPECT_EQ(law.below(0.0), 0.0);
+  EXPECT_NEAR(law.fraction_below(0.8), 1.0 - std::exp(-1.0), 1e-15);
+  EXPECT_NEAR(law.fraction_below(1.6), 1.0 - std::exp(-std::pow(2.0, 1.7)), 1e-15);
+  EXPECT_EQ(law.fraction_below(0.0), 0.0);
 }
 
 /// Share of samples of the law that lie at least so far from their own fit.
@@ -233,12 +234,14 @@ TEST(Judge, FindsTheWrongLawInALargeSample) {
 TEST(ReadingStep, IsTheLargestCommonStep) {
   EXPECT_NEAR(find_reading_resolution(std::vector<double>{0.45, 0.8, 0.65, 1.1}), 0.05, 1e-12);
   EXPECT_NEAR(find_reading_resolution(std::vector<double>{0.45, 0.8, 0.66, 1.13}), 0.01, 1e-12);
-  EXPECT_NEAR(find_reading_resolution(std::vector<double>{3 * 0.0254, 5 * 0.0254, 8 * 0.0254}), 0.0254, 1e-12);
+  EXPECT_NEAR(find_reading_resolution(std::vector<double>{3 * 0.0254, 5 * 0.0254, 8 * 0.0254}),
+              0.0254, 1e-12);
   // One reading in twelve to the centimetre does not hide the 5 cm of the others; one in six does.
-  EXPECT_NEAR(find_reading_resolution(std::vector<double>{0.45, 0.8, 0.65, 1.1, 0.7, 0.85, 0.9, 0.95, 0.55,
-                                               0.6, 0.75, 0.62}),
+  EXPECT_NEAR(find_reading_resolution(std::vector<double>{0.45, 0.8, 0.65, 1.1, 0.7, 0.85, 0.9,
+                                                          0.95, 0.55, 0.6, 0.75, 0.62}),
               0.05, 1e-12);
-  EXPECT_NEAR(find_reading_resolution(std::vector<double>{0.45, 0.8, 0.65, 1.1, 0.7, 0.62}), 0.01, 1e-12);
+  EXPECT_NEAR(find_reading_resolution(std::vector<double>{0.45, 0.8, 0.65, 1.1, 0.7, 0.62}), 0.01,
+              1e-12);
   EXPECT_EQ(find_reading_resolution(std::vector<double>{0.8, 0.8}), 0.0);
   EXPECT_EQ(find_reading_resolution(std::vector<double>{}), 0.0);
   EXPECT_EQ(find_reading_resolution(log_normal_sample(1, 40, 1.0, 0.5)), 0.0);

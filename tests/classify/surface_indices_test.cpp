@@ -87,7 +87,7 @@ TEST(Convexity, OfAColumnWithPointsOnItsWallsIsOne) {
         for (int level = 0; level < 8; ++level) {
           const double angle = 0.3 + k * kPi / 3.0;
           places.push_back(Vec3(0.3 * std::cos(angle), 0.3 * std::sin(angle), 0.2 * level) +
-                           off * random.direction());
+                           off * random.unit_vector());
         }
       }
       const SpheroPolyhedron column = make_sphero_polyhedron(convex_hull(places), 0.005);
@@ -137,7 +137,7 @@ TEST(SurfaceOrientation, AgreesWithAFineSkin) {
     Random random(seed);
     std::vector<Vec3> points;
     for (int i = 0; i < 20; ++i) {
-      points.push_back(random.direction().cwiseProduct(Vec3(1.0, 0.6, 0.4)));
+      points.push_back(random.unit_vector().cwiseProduct(Vec3(1.0, 0.6, 0.4)));
     }
     const SpheroPolyhedron body = make_sphero_polyhedron(convex_hull(points), 0.15);
     const TriangleMesh skin = rounded_surface_mesh(body, 24);

@@ -22,10 +22,10 @@ TEST(Printable, WhatATerminalObeysIsEscaped) {
   EXPECT_EQ(escape_nonprintable("B1\rB2\nclast: done\t"), "B1\\rB2\\nclast: done\\t");
   EXPECT_EQ(escape_nonprintable(std::string("a\0b\x7f", 4)), "a\\u0000b\\u007f");
   EXPECT_EQ(escape_nonprintable("\xc2\x9b"
-                      "31m"),
+                                "31m"),
             "\\u009b31m");  // CSI in one character
   EXPECT_EQ(escape_nonprintable("gpj.\xe2\x80\xae"
-                      "exe"),
+                                "exe"),
             "gpj.\\u202eexe");  // right-to-left override
   EXPECT_EQ(escape_nonprintable("\xe2\x80\xa8\xe2\x81\xa6"), "\\u2028\\u2066");
 }
@@ -40,8 +40,8 @@ TEST(Printable, OfAnyBytesIsOneLineOfUtf8) {
   Random random(7);
   for (int i = 0; i < 2000; ++i) {
     std::string bytes;
-    for (std::size_t k = random.below(20); k > 0; --k) {
-      bytes += static_cast<char>(random.below(256));
+    for (std::size_t k = random.uniform_index(20); k > 0; --k) {
+      bytes += static_cast<char>(random.uniform_index(256));
     }
     const std::string shown = escape_nonprintable(bytes);
     EXPECT_TRUE(is_utf8(shown));

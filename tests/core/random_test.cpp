@@ -25,7 +25,7 @@ TEST(Random, MomentsOfTheDistributions) {
     variance += value * value / count;
     uniform_mean += random.uniform() / count;
     rotated += random.rotation().toRotationMatrix() / count;
-    direction += random.direction() / count;
+    direction += random.unit_vector() / count;
   }
   // Five standard errors.
   EXPECT_NEAR(mean, 0.0, 5.0 / std::sqrt(count));

@@ -109,11 +109,11 @@ TEST_P(BlockContactsOf, AreThoseOfAllFeatures) {
   for (int step = 0; step < GetParam().steps; ++step) {
     const double pace = GetParam().pace;
     const double turn = pace * random.uniform(0.0, 0.01);
-    Vec3 shift = pace * random.uniform(0.0, 0.004) * random.direction();
+    Vec3 shift = pace * random.uniform(0.0, 0.004) * random.unit_vector();
     const double closing = 0.003 + 0.006 * std::sin(0.05 * pace * step) - 0.4 * deepest;
     shift -= pace * closing * pose.translation.normalized();
     pose.rotation =
-        (Quat(Eigen::AngleAxisd(turn, random.direction())) * pose.rotation).normalized();
+        (Quat(Eigen::AngleAxisd(turn, random.unit_vector())) * pose.rotation).normalized();
     pose.translation += shift;
     displacement += shift.norm() + 2.0 * std::sin(0.5 * turn) * radius;
     const std::vector<ContactPoint> all = all_against_all(ground, block, size, pose);
@@ -183,7 +183,7 @@ TEST(CornersThatPointAside, AreNotPushedToTheFarSide) {
     const RigidBody second = rock(5, {0.30, 0.25, 0.20}, 0.01, 2650.0, 5 - seed);
     const BlockSurface ground(first.shape), block(second.shape);
     const double size = std::min(first.size(), second.size());
-    const Vec3 direction = random.direction();
+    const Vec3 direction = random.unit_vector();
     const Quat turn = random.rotation();
     for (double distance = 0.5; distance > 0.2; distance -= 0.01) {
       BlockNarrowPhase search(ground, block, size);

@@ -55,8 +55,8 @@ TEST(Landing, TumblingBlocksTouchAtTheRootOfTheExactFlight) {
     RigidState start;
     start.position.z() = random.uniform(1.2, 4.0);
     start.orientation = random.rotation();
-    start.velocity = random.uniform(0.0, 8.0) * random.direction();
-    start.angular_velocity = random.uniform(0.0, 12.0) * random.direction();
+    start.velocity = random.uniform(0.0, 8.0) * random.unit_vector();
+    start.angular_velocity = random.uniform(0.0, 12.0) * random.unit_vector();
     const auto height = [&](double t) {
       return lowest_point(body, free_flight(body, start, t, kTestGravity));
     };
@@ -153,10 +153,10 @@ TEST_P(Attitude, IsThatOfFineSteps) {
     if (kind == Kind::kNearlyEqual) j[1] = j[0] * (1.0 + 1e-9);
     if (kind == Kind::kSphere) j = Vec3::Constant(1.3);
     const auto axis = static_cast<int>(seed % 3);
-    Vec3 spin = 2.0 * random.direction();
+    Vec3 spin = 2.0 * random.unit_vector();
     if (kind == Kind::kPure) spin = 2.0 * Vec3::Unit(axis);
-    if (kind == Kind::kNearlyPure) spin = 2.0 * Vec3::Unit(axis) + 1e-6 * random.direction();
-    if (kind == Kind::kBesideUnstable) spin = 2.0 * Vec3::Unit(axis) + 1e-4 * random.direction();
+    if (kind == Kind::kNearlyPure) spin = 2.0 * Vec3::Unit(axis) + 1e-6 * random.unit_vector();
+    if (kind == Kind::kBesideUnstable) spin = 2.0 * Vec3::Unit(axis) + 1e-4 * random.unit_vector();
     RigidState state;
     state.orientation = random.rotation();
     state.angular_velocity = state.orientation * spin;

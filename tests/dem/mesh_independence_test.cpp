@@ -159,7 +159,7 @@ TEST_P(Plane, IsOnePlaneHoweverItIsMade) {
       start.position = {-12.0 + random.uniform(0.0, 1.0), random.uniform(-1.0, 1.0),
                         12.0 * std::tan(slope) + 2.0};
       start.velocity = {1.0, 0.3, 0.0};
-      start.angular_velocity = 2.0 * random.direction();
+      start.angular_velocity = 2.0 * random.unit_vector();
       const Path two = path_on(plane(1, slope), zone, body, start, settings, 5);
       expect_same(two, path_on(plane(57, slope), zone, body, start, settings, 5), 1e-6);
       expect_same(two, path_on(plane(40, slope, true), zone, body, start, settings, 5), 1e-6);

@@ -22,14 +22,14 @@ TEST_P(BroadPhaseWalk, MissesNoOverlap) {
   Random random(GetParam());
   std::vector<BoundingSphere> spheres;
   for (int i = 0; i < 60; ++i) {
-    spheres.push_back({3.0 * random.uniform() * random.direction(),
+    spheres.push_back({3.0 * random.uniform() * random.unit_vector(),
                        i == 0 ? 2.0 : random.uniform(0.05, 0.4), i % 10 == 0});
   }
   BroadPhase near;
   std::size_t lists = 0, overlaps = 0;
   for (int step = 0; step < 400; ++step) {
     for (BoundingSphere& sphere : spheres) {
-      if (!sphere.fixed) sphere.centre += random.uniform(0.0, 0.02) * random.direction();
+      if (!sphere.fixed) sphere.centre += random.uniform(0.0, 0.02) * random.unit_vector();
     }
     if (near.update_pairs(spheres, 0.1)) ++lists;
     ASSERT_TRUE(std::is_sorted(near.pairs().begin(), near.pairs().end()));
@@ -96,8 +96,8 @@ TEST_P(Walk, NothingTouchesUnseen) {
     const double turn = random.uniform(0.0, 0.01);
     Pose& pose = motion.world_from_body;
     pose.rotation =
-        (Quat(Eigen::AngleAxisd(turn, random.direction())) * pose.rotation).normalized();
-    pose.translation += random.uniform(0.0, 0.01) * random.direction();
+        (Quat(Eigen::AngleAxisd(turn, random.unit_vector())) * pose.rotation).normalized();
+    pose.translation += random.uniform(0.0, 0.01) * random.unit_vector();
   };
   std::size_t touched = 0, far = 0, compared = 0;
   bool been_deep = false;
@@ -142,7 +142,7 @@ TEST_P(Roles, FindTheSameContacts) {
   const BlockSurface a(first.shape), b(second.shape);
   int compared = 0;
   for (int trial = 0; trial < 3000 && compared < 150; ++trial) {
-    const Pose a_from_b{0.6 * random.direction(), random.rotation()};
+    const Pose a_from_b{0.6 * random.unit_vector(), random.rotation()};
     const std::vector<ContactPoint> as_block = search_pair_from_scratch(a, b, 0.35, a_from_b);
     const std::vector<ContactPoint> as_ground =
         search_pair_from_scratch(b, a, 0.35, a_from_b.inverse());

@@ -39,9 +39,9 @@ TEST_P(LongWalk, NothingTouchesUnseen) {
   std::size_t seen = 0;
   for (int i = 0; i < 3000; ++i) {
     const double turn = random.uniform(0.0, 0.01);
-    const Vec3 shift = random.uniform(0.0, 0.01) * random.direction();
+    const Vec3 shift = random.uniform(0.0, 0.01) * random.unit_vector();
     pose.rotation =
-        (Quat(Eigen::AngleAxisd(turn, random.direction())) * pose.rotation).normalized();
+        (Quat(Eigen::AngleAxisd(turn, random.unit_vector())) * pose.rotation).normalized();
     pose.translation += shift;
     displacement += shift.norm() + turn * body.bounding_radius();
     // Kept near the ground: between clear of it and a tenth of the block inside.
@@ -81,7 +81,7 @@ TEST(SafeTravel, NoContactBeforeIt) {
     const double safe = search.safe_displacement();
     for (int trial = 0; trial < 5; ++trial) {
       Pose moved = pose;
-      moved.translation += 0.999 * safe * random.direction();
+      moved.translation += 0.999 * safe * random.unit_vector();
       EXPECT_TRUE(from_scratch(terrain, body, moved).empty());
     }
   }
@@ -104,9 +104,9 @@ TEST(SafeTime, NoContactBeforeIt) {
     ASSERT_TRUE(gap);
     start.position.z() -= *gap - random.uniform(0.001, 0.1);  // close to the ground or in it
     // About as if it rolled.
-    start.angular_velocity = random.uniform(0.0, 20.0) * random.direction();
+    start.angular_velocity = random.uniform(0.0, 20.0) * random.unit_vector();
     start.velocity = start.angular_velocity.cross(Vec3(0.0, 0.0, 0.36)) +
-                     random.uniform(0.0, 1.0) * random.direction();
+                     random.uniform(0.0, 1.0) * random.unit_vector();
     TerrainNarrowPhase search(terrain.impl().surface, block, body.size());
     if (!search.find_contacts(start.world_from_body(), 0.0).empty()) continue;
     const double spin = std::sqrt(2.0 * rotational_energy(body, start) / body.moments.minCoeff());
@@ -140,7 +140,7 @@ TEST(BallisticSphere, TouchesNothingBeforeItsClearTime) {
         ground(rough_slope(24, 0.5, random.uniform(0.0, 0.8), 0.1, seed));
     const IndexedSurface& surface = terrain.impl().surface;
     BallisticSphere ball{.centre = {random.uniform(-4.0, 4.0), random.uniform(-4.0, 4.0), 0.0},
-                         .velocity = random.uniform(0.0, 15.0) * random.direction(),
+                         .velocity = random.uniform(0.0, 15.0) * random.unit_vector(),
                          .gravity = seed % 5 == 0 ? 0.0 : 9.81,
                          .radius = random.uniform(0.1, 1.0)};
     ball.centre.z() = *terrain.height(ball.centre.x(), ball.centre.y(), 0.0) + ball.radius +
@@ -218,10 +218,10 @@ TEST(LocalGround, AgreesWithTheWholeGround) {
     around.gather(whole, centre, 2.0);
     local.gather(whole.features, around, centre, 1.2);
     for (int k = 0; k < 20; ++k) {
-      const Vec3 query = centre + random.uniform(0.0, 0.6) * random.direction();
+      const Vec3 query = centre + random.uniform(0.0, 0.6) * random.unit_vector();
       const std::optional<NearestPoint> expected = whole.nearest(query, 5.0);
       ASSERT_TRUE(expected);
-      const auto guess = static_cast<std::uint32_t>(random.below(local.faces.size()));
+      const auto guess = static_cast<std::uint32_t>(random.uniform_index(local.faces.size()));
       const LocalFaces::NearestFace found = local.nearest(whole.features, query, 0.6, 0.3, guess);
       EXPECT_EQ(found.nearest.distance, expected->distance);
       EXPECT_EQ(found.nearest.face, expected->face);
@@ -240,8 +240,8 @@ TEST(LocalGround, AgreesWithTheWholeGround) {
 TEST(SegmentDistance, NoOtherPairOfPointsIsCloser) {
   Random random(7);
   for (int i = 0; i < 300; ++i) {
-    const Vec3 a = random.direction(), b = 0.5 * random.direction(), u = random.direction();
-    const Vec3 v = i % 10 == 0 ? u : random.direction();  // parallel ones too
+    const Vec3 a = random.unit_vector(), b = 0.5 * random.unit_vector(), u = random.unit_vector();
+    const Vec3 v = i % 10 == 0 ? u : random.unit_vector();  // parallel ones too
     const double length_a = random.uniform(0.1, 2.0), length_b = random.uniform(0.1, 2.0);
     const SegmentDistance closest = closest_points({a, u, length_a}, {b, v, length_b});
     EXPECT_LT((closest.between - (a + closest.first * u - b - closest.second * v)).norm(), 1e-12);
@@ -263,9 +263,9 @@ TEST(WayToCrossing, NothingCrossesBefore) {
   Random random(11);
   int bounded = 0, crossed_soon_after = 0;
   for (int i = 0; i < 20000; ++i) {
-    const Segment block{0.6 * random.direction(), random.direction(), random.uniform(0.1, 0.6)};
-    const Segment ground{block.at(random.uniform(-0.3, 0.9)) + 0.1 * random.direction(),
-                         random.direction(), random.uniform(0.1, 0.6)};
+    const Segment block{0.6 * random.unit_vector(), random.unit_vector(), random.uniform(0.1, 0.6)};
+    const Segment ground{block.at(random.uniform(-0.3, 0.9)) + 0.1 * random.unit_vector(),
+                         random.unit_vector(), random.uniform(0.1, 0.6)};
     const double radius = 1.2;  // of all that the block holds, about the origin
     const SegmentDistance closest = closest_points(block, ground);
     if (closest.crossing) continue;
@@ -276,8 +276,8 @@ TEST(WayToCrossing, NothingCrossesBefore) {
     const auto crosses_after = [&](double moved) {
       const double turning = random.uniform(0.0, 1.0);
       const double angle = 2.0 * std::asin(std::min(1.0, 0.5 * turning * moved / radius));
-      const Eigen::AngleAxisd turn(angle, random.direction());
-      const Vec3 shift = (1.0 - turning) * moved * random.direction();
+      const Eigen::AngleAxisd turn(angle, random.unit_vector());
+      const Vec3 shift = (1.0 - turning) * moved * random.unit_vector();
       return closest_points({turn * block.start + shift, turn * block.direction, block.length},
                             ground)
           .crossing;
@@ -360,7 +360,7 @@ TEST(NormalCone, OfAPitIsEmpty) {
   pit.triangles = {{0, 1, 5}, {1, 2, 5}, {2, 3, 5}, {3, 4, 5}, {4, 0, 5}};
   const SurfaceFeatures surface = extract_surface_features(pit);
   Random random(1);
-  for (int i = 0; i < 1000; ++i) EXPECT_FALSE(is_in_normal_cone(surface, 5, random.direction()));
+  for (int i = 0; i < 1000; ++i) EXPECT_FALSE(is_in_normal_cone(surface, 5, random.unit_vector()));
   EXPECT_FALSE(is_in_normal_cone(surface, 5, -Vec3::UnitZ()));
   EXPECT_FALSE(is_near_normal_cone(surface, 5, -Vec3::UnitZ()));
   for (Vec3& vertex : pit.vertices) vertex.z() = -vertex.z();

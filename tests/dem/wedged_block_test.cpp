@@ -112,7 +112,7 @@ TEST(Spikes, EdgesThatPassEachOtherInTheAirDoNotTouch) {
     RigidState start;
     start.orientation = random.rotation();
     start.position = {random.uniform(-0.3, 0.3), 0.0, 1.5};
-    start.angular_velocity = random.uniform(0.0, 5.0) * random.direction();
+    start.angular_velocity = random.uniform(0.0, 5.0) * random.unit_vector();
     const ReleaseResult result = simulate_release(terrain, zones, body, start, settings);
     EXPECT_EQ(result.stop_reason, StopReason::kRest) << seed;
     EXPECT_LT(std::abs(result.energy.reassigned), 0.05 * result.energy.dissipated()) << seed;
@@ -149,7 +149,7 @@ TEST(Needles, FeelEveryWallOfAPit) {
     start.position = {random.uniform(-0.3, 0.3), 0.0, -8.0};
     while (ground_gap(terrain, needle, start, 1.0).value_or(1.0) < 1e-3) start.position.z() += 0.1;
     start.velocity = {random.uniform(-1.0, 1.0), random.uniform(-1.0, 1.0), 0.0};
-    start.angular_velocity = random.uniform(0.0, 5.0) * random.direction();
+    start.angular_velocity = random.uniform(0.0, 5.0) * random.unit_vector();
     const ReleaseResult result = simulate_release(terrain, zones, needle, start, settings);
     EXPECT_EQ(result.stop_reason, StopReason::kRest) << seed;
     EXPECT_LT(std::abs(result.energy.reassigned), 0.05 * result.energy.dissipated()) << seed;

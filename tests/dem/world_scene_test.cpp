@@ -28,14 +28,14 @@ struct Launch {
 Launch random_launch(std::uint64_t seed) {
   Random random(seed);
   Launch launch;
-  const Vec3 line = random.direction();
+  const Vec3 line = random.unit_vector();
   for (const int i : {0, 1}) {
-    launch.shapes[i] = random.below(6);
+    launch.shapes[i] = random.uniform_index(6);
     RigidState& state = launch.states[i];
     state.orientation = random.rotation();
-    state.position = (i == 0 ? 0.25 : -0.25) * line + 0.03 * random.direction();
-    state.velocity = (i == 0 ? -2.0 : 2.0) * line + 0.3 * random.direction();
-    state.angular_velocity = 4.0 * random.direction();
+    state.position = (i == 0 ? 0.25 : -0.25) * line + 0.03 * random.unit_vector();
+    state.velocity = (i == 0 ? -2.0 : 2.0) * line + 0.3 * random.unit_vector();
+    state.angular_velocity = 4.0 * random.unit_vector();
   }
   return launch;
 }
@@ -161,7 +161,7 @@ struct FallingHeap {
       RigidState state = at({0.5 * static_cast<double>(i % 3), 0.5 * static_cast<double>(i / 3 % 3),
                              0.8 + 0.55 * static_cast<double>(i / 9)});
       state.orientation = random.rotation();
-      state.velocity = random.direction();
+      state.velocity = random.unit_vector();
       world.add_body(i % 3, state);
     }
     return world;

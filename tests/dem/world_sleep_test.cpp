@@ -76,10 +76,10 @@ TEST(Sleep, EndsWithEveryTouch) {
   for (int poke = 0; poke < 12; ++poke) {
     World world = sleeping_heap(terrain);
     ASSERT_EQ(world.statistics().sleeping_bodies, 6u);
-    Vec3 direction = random.direction();
+    Vec3 direction = random.unit_vector();
     direction.z() = -std::abs(direction.z()) - 0.1;
     direction.normalize();
-    const Vec3 target = world.state(random.below(6)).position;
+    const Vec3 target = world.state(random.uniform_index(6)).position;
     const std::size_t ball = world.add_body(2, at(target - 3.0 * direction, 6.0 * direction));
     bool hit = false;
     const double end = world.time() + 1.5;

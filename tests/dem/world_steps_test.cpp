@@ -113,8 +113,8 @@ TEST(WorldSteps, MissNoMeetingInFlight) {
         at({2.0, random.uniform(-0.2, 0.2), random.uniform(-0.2, 0.2)}, {-5.0, 0.3, 0.0});
     a.orientation = random.rotation();
     b.orientation = random.rotation();
-    a.angular_velocity = 4.0 * random.direction();
-    b.angular_velocity = 4.0 * random.direction();
+    a.angular_velocity = 4.0 * random.unit_vector();
+    b.angular_velocity = 4.0 * random.unit_vector();
     const std::vector<Vec3> exact = after_meeting(in_given_steps(settings, 16.0), a, b);
     const std::vector<Vec3> found = after_meeting(settings, a, b);
     const std::vector<Vec3> given = after_meeting(in_given_steps(settings), a, b);

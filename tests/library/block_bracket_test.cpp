@@ -16,12 +16,12 @@ Block half_seen() {
   block.mass.mass = 2500.0;
   block.field.weighed_mass.reset();
   block.box.lengths = {2.0, 1.0, 0.6};
-  block.unseen = VolumeBracket{.lower_volume = 0.9,
-                               .estimated_volume = 1.0,
-                               .upper_volume = 1.2,
-                               .sides = SideBounds{{2.0, 1.0, 0.5}, {2.0, 1.0, 0.8}},
-                               .filled_fraction = 0.17,
-                               .assumption = "the flanks go on"};
+  block.volume_bracket = VolumeBracket{.lower_volume = 0.9,
+                                       .estimated_volume = 1.0,
+                                       .upper_volume = 1.2,
+                                       .sides = SideBounds{{2.0, 1.0, 0.5}, {2.0, 1.0, 0.8}},
+                                       .filled_fraction = 0.17,
+                                       .assumption = "the flanks go on"};
   return block;
 }
 
@@ -57,7 +57,7 @@ TEST(BlockBracket, ClassesAreAllThatTheAxesAllow) {
 TEST(BlockBracket, AxesRunThroughTheirBoundsEachByItself) {
   Block block = half_seen();
   block.box.lengths = {1.5, 1.3, 1.0};
-  block.unseen->sides = SideBounds{{1.4, 1.2, 1.0}, {1.6, 1.4, 1.0}};
+  block.volume_bracket->sides = SideBounds{{1.4, 1.2, 1.0}, {1.6, 1.4, 1.0}};
   const BlockBracket range = derive_block_bracket(block);
   EXPECT_EQ(range.classes.at("garcia"), (std::vector<std::string>{"compact", "elongated"}));
   EXPECT_NEAR(range.lower_s_c.value(), 0.0, 1e-12);  // 1.4 / 1.4
@@ -66,7 +66,7 @@ TEST(BlockBracket, AxesRunThroughTheirBoundsEachByItself) {
 
 TEST(BlockBracket, TheBlocksOwnAxesAreWithinTheBounds) {
   Block block = half_seen();
-  block.unseen->sides = SideBounds{{2.05, 0.8, 0.65}, {2.1, 0.9, 0.7}};
+  block.volume_bracket->sides = SideBounds{{2.05, 0.8, 0.65}, {2.1, 0.9, 0.7}};
   const BlockBracket range = derive_block_bracket(block);
   EXPECT_EQ(range.axes->lower.L, 2.0);
   EXPECT_EQ(range.axes->upper.I, 1.0);
@@ -76,8 +76,8 @@ TEST(BlockBracket, TheBlocksOwnAxesAreWithinTheBounds) {
 /// The same block of which too much is not seen.
 Block hardly_seen() {
   Block block = half_seen();
-  block.unseen->upper_volume.reset();
-  block.unseen->sides.reset();
+  block.volume_bracket->upper_volume.reset();
+  block.volume_bracket->sides.reset();
   return block;
 }
 
@@ -117,7 +117,8 @@ TEST(BlockBracket, IsToldInWords) {
 
 TEST(BlockBracket, OfAScanThatWasNotOpenSaysSo) {
   Block block = half_seen();
-  block.unseen->filled_fraction = 0.0;  // points that lie apart, or two copies of the surface
+  block.volume_bracket->filled_fraction =
+      0.0;  // points that lie apart, or two copies of the surface
   EXPECT_EQ(
       describe_volume_bracket(block),
       "the surface is not known exactly; volume between 0.9 and 1.2 m3 (best 1), mass between "
@@ -126,9 +127,9 @@ TEST(BlockBracket, OfAScanThatWasNotOpenSaysSo) {
 
 TEST(BlockBracket, ThatMattersToNobodyIsToldAsSuch) {
   Block block = half_seen();
-  block.unseen->filled_fraction = 5e-4;
-  block.unseen->lower_volume = block.unseen->estimated_volume;
-  block.unseen->upper_volume = block.unseen->estimated_volume;
+  block.volume_bracket->filled_fraction = 5e-4;
+  block.volume_bracket->lower_volume = block.volume_bracket->estimated_volume;
+  block.volume_bracket->upper_volume = block.volume_bracket->estimated_volume;
   EXPECT_EQ(describe_volume_bracket(block),
             "the scan was only slightly open: 0.05 % of the surface is not seen but filled in, "
             "which leaves volume and mass uncertain by less than 0.1 %");

@@ -54,12 +54,12 @@ inline Block filled_block(const std::string& id) {
                      .area_relative = -2e-3,
                      .moments_relative = 3e-3};
   block.from_core = true;
-  block.unseen = VolumeBracket{.lower_volume = 5.5,
-                               .estimated_volume = 6.0,
-                               .upper_volume = 7.0,
-                               .sides = SideBounds{{3.0, 2.0, 0.9}, {3.1, 2.2, 1.2}},
-                               .filled_fraction = 0.2,
-                               .assumption = "the flanks go on"};
+  block.volume_bracket = VolumeBracket{.lower_volume = 5.5,
+                                       .estimated_volume = 6.0,
+                                       .upper_volume = 7.0,
+                                       .sides = SideBounds{{3.0, 2.0, 0.9}, {3.1, 2.2, 1.2}},
+                                       .filled_fraction = 0.2,
+                                       .assumption = "the flanks go on"};
   block.warnings = {"first", "second, with é"};
   block.field = {"Authume", "north face", Axes{2.9, 2.1, 1.1}, 14900.0};
   return block;

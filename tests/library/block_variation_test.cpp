@@ -22,7 +22,8 @@ namespace {
 const BlockSource kSource = {"blocks.h5", std::string(64, 'b'), "", ""};
 
 Block rock(const std::string& id = "R 1%") {
-  const SpheroPolyhedron body = make_sphero_polyhedron(rock_mesh(3, Vec3(1.0, 0.7, 0.5), 3, 0.3), 0.02);
+  const SpheroPolyhedron body =
+      make_sphero_polyhedron(rock_mesh(3, Vec3(1.0, 0.7, 0.5), 3, 0.3), 0.02);
   BlockOptions options;
   options.density = 2600.0;
   return make_block(id, body, {"rock.ply", std::string(64, 'a'), "", ""}, options);
@@ -55,8 +56,9 @@ TEST(BlockVariation, AreTheBlockItselfAtItsOwnFigures) {
   const Block parent = rock();
   const double share = parent.body.radius / parent.axes().S;
   for (const Variation& own :
-       {Variation{StretchVariation{box_ratios(parent.box)}}, Variation{ConvexityVariation{convexity_of(parent)}},
-        Variation{RoundingVariation{share}}, Variation{VertexCountVariation{parent.body.vertices.size()}},
+       {Variation{StretchVariation{box_ratios(parent.box)}},
+        Variation{ConvexityVariation{convexity_of(parent)}}, Variation{RoundingVariation{share}},
+        Variation{VertexCountVariation{parent.body.vertices.size()}},
         Variation{DetailVariation{.gain = 1.0, .degree = 4}}}) {
     const Block twin = varied(own);
     EXPECT_EQ(twin.body.vertices, parent.body.vertices) << variation_kind(own);
@@ -119,7 +121,8 @@ TEST(BlockVariation, ReachARoundnessOrSayTheNearest) {
   for (const double target : {0.6, 0.7}) {
     const Block twin = vary_block("V", convex, RoundnessVariation{target, 0.1}, kSource);
     const double stated = *parse_number(format_significant(edge, 4));
-    EXPECT_TRUE(contains(twin.source.options, "edge_m=" + format_significant(edge, 4) + " roundness=0."));
+    EXPECT_TRUE(
+        contains(twin.source.options, "edge_m=" + format_significant(edge, 4) + " roundness=0."));
     EXPECT_NEAR(block_roundness(twin, stated).value / target, 1.0, kRoundnessTolerance);
     EXPECT_LT(ratio_difference(box_ratios(twin.box), box_ratios(convex.box)), kVariationTolerance);
     EXPECT_NEAR(twin.mass.volume / convex.mass.volume, 1.0, 5e-4);
@@ -143,7 +146,8 @@ TEST(BlockVariation, SimplifyToAsManyVerticesAsAreAskedFor) {
     EXPECT_LT(ratio_difference(box_ratios(twin.box), box_ratios(parent.box)), kVariationTolerance);
     EXPECT_NEAR(twin.mass.volume / parent.mass.volume, 1.0, 5e-4);
   }
-  EXPECT_TRUE(contains(refusal([] { varied(VertexCountVariation{2000}); }), "from 8 to the 92 it has"));
+  EXPECT_TRUE(
+      contains(refusal([] { varied(VertexCountVariation{2000}); }), "from 8 to the 92 it has"));
 }
 
 TEST(BlockVariation, ReferencesHaveMassAndFormOfTheBlock) {
@@ -185,7 +189,8 @@ TEST(BlockVariation, SayWhatWasDone) {
   EXPECT_EQ(record->parent, "R 1%");
   EXPECT_EQ(record->form->i_l, 0.8);
   EXPECT_EQ(parse_variation(varied(ConvexityVariation{0.97}))->step, 0.97);
-  EXPECT_EQ(parse_variation(varied(ReferenceVariation{ReferenceShape::kEota221}))->reference, "eota-221");
+  EXPECT_EQ(parse_variation(varied(ReferenceVariation{ReferenceShape::kEota221}))->reference,
+            "eota-221");
   EXPECT_FALSE(parse_variation(rock()));
 }
 
@@ -194,25 +199,29 @@ TEST(BlockVariation, BallsAndUnknownNamesAreRefused) {
   body.vertices = {Vec3::Zero()};
   body.radius = 0.5;
   const Block ball = make_block("ball", body, kSource, {});
-  EXPECT_TRUE(
-      contains(refusal<GeometryError>([&] { vary_block("V", ball, RoundingVariation{0.1}, kSource); }),
-               "block ball: it is a ball or a capsule"));
+  EXPECT_TRUE(contains(
+      refusal<GeometryError>([&] { vary_block("V", ball, RoundingVariation{0.1}, kSource); }),
+      "block ball: it is a ball or a capsule"));
   EXPECT_TRUE(contains(refusal([] { parse_preserved_size("weight"); }), "\"weight\""));
-  EXPECT_TRUE(contains(refusal([] { varied(StretchVariation{{0.8, NAN}}); }), "block R 1%: S/L = nan"));
+  EXPECT_TRUE(contains(refusal([] {
+                         varied(StretchVariation{{0.8, NAN}});
+                       }),
+                       "block R 1%: S/L = nan"));
 }
 
 TEST(BlockSeries, IsTheSameOnAnyNumberOfThreadsAndOneBadBodyCostsNoOther) {
   const Block parent = rock();
   const Block* const one = &parent;
-  const std::vector<Variation> wanted = {StretchVariation{{0.9, 0.6}}, ConvexityVariation{0.2}, VertexCountVariation{20}};
+  const std::vector<Variation> wanted = {StretchVariation{{0.9, 0.6}}, ConvexityVariation{0.2},
+                                         VertexCountVariation{20}};
   const auto requests = combine_variations({&one, 1}, wanted);
   ASSERT_EQ(requests.size(), 3u);
   EXPECT_EQ(requests[0].id, "R 1%_il0.9_sl0.6");
   const BlockSeries alone = make_series(requests, kSource, {{}, 1});
   const BlockSeries both = make_series(requests, kSource, {{}, 2});
   ASSERT_EQ(alone.blocks.size(), 2u);
-  ASSERT_EQ(alone.failed.size(), 1u);
-  EXPECT_TRUE(contains(alone.failed[0], "convexity of 0.2"));
+  ASSERT_EQ(alone.failures.size(), 1u);
+  EXPECT_TRUE(contains(alone.failures[0], "convexity of 0.2"));
   for (std::size_t i = 0; i < 2; ++i) {
     EXPECT_EQ(alone.blocks[i].body.vertices, both.blocks[i].body.vertices);
     EXPECT_EQ(alone.blocks[i].mass.inertia, both.blocks[i].mass.inertia);
@@ -228,7 +237,7 @@ TEST(BlockSeries, DrawnBodiesHaveTheFiguresThatWereDrawn) {
   }
   const SampledSeries drawn = sample_series({&one, 1}, population, 5, 7, "D");
   const BlockSeries series = make_series(drawn.requests, kSource);
-  ASSERT_EQ(series.blocks.size(), 5u) << series.failed.front();
+  ASSERT_EQ(series.blocks.size(), 5u) << series.failures.front();
   for (std::size_t i = 0; i < 5; ++i) {
     const auto& wanted = std::get<SampledFormVariation>(drawn.requests[i].variation);
     EXPECT_EQ(series.blocks[i].id, "D000" + std::to_string(i + 1));

@@ -20,7 +20,7 @@ TriangleMesh random_rock(std::uint64_t seed) {
   Random random(seed);
   const Vec3 axes(random.uniform(0.5, 1.0), random.uniform(0.3, 0.5), random.uniform(0.2, 0.3));
   std::vector<Vec3> points;
-  for (int i = 0; i < 60; ++i) points.push_back(random.direction().cwiseProduct(axes));
+  for (int i = 0; i < 60; ++i) points.push_back(random.unit_vector().cwiseProduct(axes));
   return convex_hull(points);
 }
 

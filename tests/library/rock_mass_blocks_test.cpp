@@ -27,8 +27,8 @@ TEST(RockMassBlocks, RoundedPiecesStayInsideTheirPlaces) {
   options.cutting.least_volume = 0.05;
   const RockMassBlocks made = cut_rock_mass(mass, kScarSource, options);
   const JointedMass cut = cut_by_joints(mass, options.joints, options.cutting);
-  ASSERT_EQ(made.blocks.size() + made.failed.size(), cut.blocks.size());
-  EXPECT_LT(made.failed.size(), 3u);
+  ASSERT_EQ(made.blocks.size() + made.failures.size(), cut.blocks.size());
+  EXPECT_LT(made.failures.size(), 3u);
   EXPECT_EQ(made.blocks[0].id, "J0001");
   EXPECT_TRUE(made.blocks[0].source.options.find("joints=70/95/1.3/0.3,60/200/1.1/0.3,20/310/0.9/0 "
                                                  "least_volume_m3=0.05 seed=1") !=
@@ -76,8 +76,8 @@ TEST(RockMassBlocks, OfSeveralMassesAreNumberedInARow) {
     EXPECT_EQ(all.blocks[i].mass.centre, alone.mass.centre);
   }
   EXPECT_NEAR(all.volume, 27.0 + 8.0 + 0.05 * 0.05 * 0.05, 1e-9);
-  ASSERT_EQ(all.failed.size(), 1u);
-  EXPECT_TRUE(all.failed[0].starts_with("mass 2: ")) << all.failed[0];
+  ASSERT_EQ(all.failures.size(), 1u);
+  EXPECT_TRUE(all.failures[0].starts_with("mass 2: ")) << all.failures[0];
   EXPECT_THROW(cut_rock_masses(std::vector{tiny, tiny}, kScarSource, options), InputError);
 }
 
@@ -109,7 +109,7 @@ TEST(RockMassBlocks, AreTheSameOnAnyNumberOfThreads) {
   std::size_t reported = 0;
   options.progress = [&](const ProgressUpdate& step) {
     EXPECT_EQ(step.done, ++reported);
-    EXPECT_EQ(step.total, one.blocks.size() + one.failed.size());
+    EXPECT_EQ(step.total, one.blocks.size() + one.failures.size());
   };
   const RockMassBlocks two = cut_rock_mass(mass, kScarSource, options);
   ASSERT_EQ(one.blocks.size(), two.blocks.size());

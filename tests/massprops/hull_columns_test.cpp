@@ -24,18 +24,18 @@ Moments hull_by_columns(const TriangleMesh& hull, double r, int per_side) {
   Bounds all = bounds(hull);
   all.low -= Vec3::Constant(r);
   all.high += Vec3::Constant(r);
-  const auto add = [&](OffsetPiece::Round round, const Vec3& p, const Vec3& q) {
+  const auto add = [&](OffsetPiece::CurvedFace round, const Vec3& p, const Vec3& q) {
     OffsetPiece part;
     part.round = round;
     part.centre = p;
     part.box = all;
-    if (round == OffsetPiece::Round::cylinder) {
+    if (round == OffsetPiece::CurvedFace::cylinder) {
       part.axis = (q - p).normalized();
       part.planes = {{-part.axis, -part.axis.dot(p)}, {part.axis, part.axis.dot(q)}};
     }
     parts.push_back(part);
   };
-  for (const Vec3& v : hull.vertices) add(OffsetPiece::Round::sphere, v, v);
+  for (const Vec3& v : hull.vertices) add(OffsetPiece::CurvedFace::sphere, v, v);
   for (const auto& t : hull.triangles) {
     const Vec3 &a = hull.vertices[t[0]], &b = hull.vertices[t[1]], &c = hull.vertices[t[2]];
     const Vec3 n = (b - a).cross(c - a).normalized();
@@ -45,7 +45,7 @@ Moments hull_by_columns(const TriangleMesh& hull, double r, int per_side) {
     for (const auto& [p, q] : {std::pair(a, b), std::pair(b, c), std::pair(c, a)}) {
       const Vec3 outward = (q - p).cross(n);
       slab.planes.push_back({outward, outward.dot(p)});
-      add(OffsetPiece::Round::cylinder, p, q);
+      add(OffsetPiece::CurvedFace::cylinder, p, q);
     }
     parts.push_back(slab);
   }
@@ -56,12 +56,12 @@ Moments hull_by_columns(const TriangleMesh& hull, double r, int per_side) {
     const double y = all.low.y() + (j + 0.5) * step.y();
     std::vector<LineInterval> chords(per_side, LineInterval{1e300, -1e300});
     for (std::size_t part = 0; part < lines.size(); ++part) {
-      const LineInterval reach = lines.reach(part, y);
+      const LineInterval reach = lines.x_range(part, y);
       const int first = int(std::ceil((reach.low - all.low.x()) / step.x() - 0.5));
       for (int i = std::max(first, 0); i < per_side; ++i) {
         const double x = all.low.x() + (i + 0.5) * step.x();
         if (x > reach.high) break;
-        const LineInterval cut = lines.cut(part, x, y);
+        const LineInterval cut = lines.clip_line(part, x, y);
         if (!(cut.low < cut.high)) continue;
         chords[i].low = std::min(chords[i].low, cut.low);
         chords[i].high = std::max(chords[i].high, cut.high);
@@ -79,7 +79,7 @@ Moments hull_by_columns(const TriangleMesh& hull, double r, int per_side) {
       m.second.topRightCorner<2, 1>() = first * xy;
       m.second.bottomLeftCorner<1, 2>() = first * xy.transpose();
       m.second(2, 2) = (high * high * high - low * low * low) / 3.0;
-      sum.add(m, step.x() * step.y());
+      sum.add_scaled(m, step.x() * step.y());
     }
   }
   return sum;
@@ -90,7 +90,8 @@ class RandomHull : public testing::TestWithParam<unsigned> {};
 TEST_P(RandomHull, ClosedFormAgreesWithColumnsToAMillionth) {
   Random random(GetParam());
   std::vector<Vec3> points;
-  for (int i = 0; i < 12; ++i) points.push_back(random.direction().cwiseProduct(Vec3(1, 0.8, 0.6)));
+  for (int i = 0; i < 12; ++i)
+    points.push_back(random.unit_vector().cwiseProduct(Vec3(1, 0.8, 0.6)));
   const TriangleMesh hull = convex_hull(points);
   const double r = random.uniform(0.1, 0.3);
   const MassProperties exact = convex_sphero_mass_properties(make_sphero_polyhedron(hull, r), 1.0);

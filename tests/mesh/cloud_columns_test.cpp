@@ -185,8 +185,9 @@ TEST_F(Clouds, ColumnsThatAreAskedForAreTaken) {
 TEST_F(Clouds, UnitsOfHeadingsAreDeclared) {
   write_text_file(folder / "a.csv", "X (ft),Y (ft),Z (ft)\n1,2,3\n");
   const CloudSummary feet = stream_cloud(folder / "a.csv", [](const PointBatch&) {});
-  EXPECT_TRUE(contains(refusal([&] { check_length_units("a.csv", feet.lengths, {.way = "WAY"}); }),
-                       "its map unit is the ft (0.3048 m) (heading \"X (ft)\")"));
+  EXPECT_TRUE(contains(
+      refusal([&] { check_length_units("a.csv", feet.lengths, {.conversion_command = "WAY"}); }),
+      "its map unit is the ft (0.3048 m) (heading \"X (ft)\")"));
   write_text_file(folder / "b.csv", "X [m];Y [m];Z [mm]\n1;2;3\n");
   const CloudSummary mixed = stream_cloud(folder / "b.csv", [](const PointBatch&) {});
   EXPECT_TRUE(contains(refusal([&] { check_length_units("b.csv", mixed.lengths, {}); }),
@@ -197,7 +198,8 @@ TEST_F(Clouds, UnitsOfHeadingsAreDeclared) {
                        "its heights are in units of the ft (0.3048 m) (unit \"ft\" of line 2)"));
   write_text_file(folder / "c.csv", "X (deg);Y (deg);Z (m)\n1;2;3\n");
   const CloudSummary degrees = stream_cloud(folder / "c.csv", [](const PointBatch&) {});
-  EXPECT_TRUE(contains(refusal([&] { check_length_units("c.csv", degrees.lengths, {}); }), "degrees"));
+  EXPECT_TRUE(
+      contains(refusal([&] { check_length_units("c.csv", degrees.lengths, {}); }), "degrees"));
   write_text_file(folder / "d.csv", "X (m);Y (m);Z (m)\n1;2;3\n");
   const CloudSummary metres = stream_cloud(folder / "d.csv", [](const PointBatch&) {});
   EXPECT_TRUE(check_length_units("d.csv", metres.lengths, {}).empty());

@@ -428,9 +428,10 @@ TEST_P(DamagedFiles, AreReadOrRefusedButNeverCrash) {
   Random random(17);
   int refused = 0;
   for (int i = 0; i < 300; ++i) {
-    std::string damaged = whole.substr(0, i % 2 ? whole.size() : random.below(whole.size()));
-    for (std::uint64_t hits = random.below(8); hits > 0 && !damaged.empty(); --hits) {
-      damaged[random.below(damaged.size())] = static_cast<char>(random.next_bits());
+    std::string damaged =
+        whole.substr(0, i % 2 ? whole.size() : random.uniform_index(whole.size()));
+    for (std::uint64_t hits = random.uniform_index(8); hits > 0 && !damaged.empty(); --hits) {
+      damaged[random.uniform_index(damaged.size())] = static_cast<char>(random.next_bits());
     }
     write_text_file(folder / name, damaged);
     try {

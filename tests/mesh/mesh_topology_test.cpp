@@ -155,7 +155,7 @@ TEST_P(RandomRocks, LoseTrianglesAndCountTheirOpenEdges) {
   Random random(GetParam() + 100);
   for (int i = 0; i < 20; ++i) {
     rock.triangles.erase(rock.triangles.begin() +
-                         static_cast<std::ptrdiff_t>(random.below(rock.triangles.size())));
+                         static_cast<std::ptrdiff_t>(random.uniform_index(rock.triangles.size())));
   }
   const MeshReport report = inspect_mesh(rock);
   std::size_t in_loops = 0;

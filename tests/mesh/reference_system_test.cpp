@@ -159,7 +159,7 @@ class DeclaredLengths : public testing::Test {
   std::string refused(const LasDeclaration& says, double unit = 1.0) {
     return refusal([&] {
       check_length_units("a.las", read(says).lengths,
-                    {.unit = unit, .unit_given = unit != 1.0, .way = "WAY"});
+                         {.unit = unit, .unit_given = unit != 1.0, .conversion_command = "WAY"});
     });
   }
   ScratchFolder folder;
@@ -264,15 +264,15 @@ TEST_F(DeclaredLengths, AGivenUnitDecides) {
                        "its heights are in units of"));
   const std::vector<std::string> notes =
       check_length_units("a.las", read({.keys = {{1024, 1}, {3072, 26913}}}).lengths,
-                    {.unit = 0.001, .unit_given = true});
+                         {.unit = 0.001, .unit_given = true});
   ASSERT_EQ(notes.size(), 1u);
   EXPECT_TRUE(contains(notes[0], "its map unit is the metre (GeoTIFF key 3072 = 26913"));
   EXPECT_TRUE(contains(notes[0], "lengths were read as 0.001 m per unit, as asked"));
 }
 
 TEST_F(DeclaredLengths, ThatNobodyUnderstandsAreNoted) {
-  const std::vector<std::string> notes =
-      check_length_units("a.las", read({.keys = {{1024, 1}, {3072, 1}}, .wkt = "nonsense"}).lengths, {});
+  const std::vector<std::string> notes = check_length_units(
+      "a.las", read({.keys = {{1024, 1}, {3072, 1}}, .wkt = "nonsense"}).lengths, {});
   ASSERT_EQ(notes.size(), 2u);
   EXPECT_TRUE(
       contains(notes[0], "GeoTIFF key 3072 = 1 names no unit or reference system that is known"));
@@ -294,7 +294,8 @@ TEST(MapScale, IsTheStretchOfTheProjection) {
   EXPECT_NEAR(map_scale_factor("EPSG:32632", {5e5, 5.2e6})->x(), 0.9996, 1e-6);
   EXPECT_NEAR(map_scale_factor("EPSG:32632", {5e5, 5.2e6})->y(), 0.9996, 1e-6);
   EXPECT_NEAR(map_scale_factor("EPSG:2232", {3e6, 1.7e6})->x(), 1.0, 2e-4);  // in feet
-  EXPECT_NEAR(map_scale_factor("EPSG:3832", {3.33958e6, 0.0})->x(), 1.0, 1e-3) << "on the date line";
+  EXPECT_NEAR(map_scale_factor("EPSG:3832", {3.33958e6, 0.0})->x(), 1.0, 1e-3)
+      << "on the date line";
   EXPECT_FALSE(map_scale_factor("EPSG:4326", {10.0, 46.0}));
 }
 

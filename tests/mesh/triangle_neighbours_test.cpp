@@ -93,8 +93,8 @@ TEST(TriangleNeighbours, AreMutualAndShareTheSide) {
       EXPECT_EQ(find_edge_side(rock.triangles[t], b, a), k);
       open += links.is_border_side(t, k);
       if (links.is_border_side(t, k)) continue;
-      const std::uint32_t other = links.across[t][k];
-      EXPECT_EQ(links.across[other][find_edge_side(rock.triangles[other], a, b)], t);
+      const std::uint32_t other = links.neighbour[t][k];
+      EXPECT_EQ(links.neighbour[other][find_edge_side(rock.triangles[other], a, b)], t);
     }
   }
   EXPECT_EQ(open, links.border_edges);
@@ -117,18 +117,18 @@ TEST_P(TurnedRocks, AreFoundToDisagreeWhereTheyWereTurned) {
   const TriangleMesh sound = rock;
   Random random(GetParam());
   for (int i = 0; i < 40; ++i) {
-    TriangleMesh::Triangle& t = rock.triangles[random.below(rock.triangles.size())];
+    TriangleMesh::Triangle& t = rock.triangles[random.uniform_index(rock.triangles.size())];
     std::swap(t[1], t[2]);
   }
   const ConsistentOrientation facing = find_consistent_orientation(rock, triangle_neighbours(rock));
-  EXPECT_FALSE(facing.conflict);
+  EXPECT_FALSE(facing.conflict_vertex);
   ASSERT_EQ(facing.components.size(), 2u);
   for (const std::vector<std::uint32_t>& component : facing.components) {
     EXPECT_EQ(component.front(), *std::min_element(component.begin(), component.end()));
     const bool first_turned =
         rock.triangles[component.front()] != sound.triangles[component.front()];
     for (const std::uint32_t t : component) {
-      EXPECT_EQ(facing.against[t] != first_turned, rock.triangles[t] != sound.triangles[t]);
+      EXPECT_EQ(facing.is_flipped[t] != first_turned, rock.triangles[t] != sound.triangles[t]);
     }
   }
 }
@@ -138,7 +138,7 @@ INSTANTIATE_TEST_SUITE_P(Seeds, TurnedRocks, testing::Range(0, 10));
 TEST(ConsistentOrientation, ABandWithHalfATurnIsOneSided) {
   const TriangleMesh band = moebius_band(9);
   const std::optional<std::uint32_t> conflict =
-      find_consistent_orientation(band, triangle_neighbours(band)).conflict;
+      find_consistent_orientation(band, triangle_neighbours(band)).conflict_vertex;
   ASSERT_TRUE(conflict);
   EXPECT_LT(*conflict, band.vertices.size());
 }
@@ -148,9 +148,9 @@ TEST(VertexCorners, AreAllThatLieAtAVertexAscending) {
   const VertexCorners corners(rock);
   std::size_t count = 0;
   for (std::uint32_t v = 0; v < rock.vertices.size(); ++v) {
-    count += corners.at(v).size();
-    EXPECT_TRUE(std::is_sorted(corners.at(v).begin(), corners.at(v).end()));
-    for (const std::uint32_t c : corners.at(v)) EXPECT_EQ(rock.triangles[c / 3][c % 3], v);
+    count += corners.corners_of(v).size();
+    EXPECT_TRUE(std::is_sorted(corners.corners_of(v).begin(), corners.corners_of(v).end()));
+    for (const std::uint32_t c : corners.corners_of(v)) EXPECT_EQ(rock.triangles[c / 3][c % 3], v);
   }
   EXPECT_EQ(count, 3 * rock.triangles.size());
 }

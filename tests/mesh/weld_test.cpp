@@ -18,7 +18,7 @@ TriangleMesh exploded(const TriangleMesh& mesh, double shift = 0.0) {
   for (const TriangleMesh::Triangle& t : mesh.triangles) {
     const auto first = static_cast<std::uint32_t>(soup.vertices.size());
     for (const std::uint32_t v : t) {
-      soup.vertices.push_back(mesh.vertices[v] + shift * random.uniform() * random.direction());
+      soup.vertices.push_back(mesh.vertices[v] + shift * random.uniform() * random.unit_vector());
     }
     soup.triangles.push_back({first, first + 1, first + 2});
   }
@@ -81,11 +81,13 @@ TEST(Weld, TargetsStayThemselves) {
 TEST(Weld, CopiesOfATriangleAreFoundByTurn) {
   const std::vector<TriangleMesh::Triangle> triangles = {
       {4, 5, 6}, {0, 1, 2}, {2, 0, 1}, {1, 0, 2}};
-  const std::vector<DuplicateTriangle> same = find_duplicate_triangles(triangles, WindingMatch::kSame);
+  const std::vector<DuplicateTriangle> same =
+      find_duplicate_triangles(triangles, WindingMatch::kSame);
   ASSERT_EQ(same.size(), 1u);
   EXPECT_EQ(same[0].before, 1u);
   EXPECT_EQ(same[0].again, 2u);
-  const std::vector<DuplicateTriangle> either = find_duplicate_triangles(triangles, WindingMatch::kEither);
+  const std::vector<DuplicateTriangle> either =
+      find_duplicate_triangles(triangles, WindingMatch::kEither);
   ASSERT_EQ(either.size(), 2u);
   EXPECT_EQ(either[1].before, 2u);
   EXPECT_EQ(either[1].again, 3u);

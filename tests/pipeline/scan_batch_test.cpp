@@ -22,16 +22,16 @@ namespace fs = std::filesystem;
 /// Keeps what is said of a batch.
 class Log : public BatchObserver {
  public:
-  void made(const Block& block, const BlockOrigin&) override {
+  void on_block_made(const Block& block, const BlockOrigin&) override {
     const std::lock_guard lock(mutex_);
     made_blocks.insert(block.id);
   }
-  void added(const Block& block) override { said.push_back("added " + block.id); }
-  void kept(const Block& block) override { said.push_back("kept " + block.id); }
-  void failed(const ScanFile& scan, const std::string& reason) override {
+  void on_block_added(const Block& block) override { said.push_back("added " + block.id); }
+  void on_block_retained(const Block& block) override { said.push_back("kept " + block.id); }
+  void on_scan_failed(const ScanFile& scan, const std::string& reason) override {
     said.push_back("failed " + scan.id + ": " + reason);
   }
-  void noted(const std::string& text) override { said.push_back("noted " + text); }
+  void on_note(const std::string& text) override { said.push_back("noted " + text); }
 
   std::vector<std::string> said;
   std::set<std::string> made_blocks;
@@ -127,8 +127,8 @@ TEST_F(Batches, WhatWasDoneIsKeptWhenABatchIsCancelled) {
   }
   const ProgressCallback cancel = [](const ProgressUpdate& step) {
     EXPECT_EQ(step.total, 3u);
-    EXPECT_EQ(step.done, step.what.back() == 'a' ? 0u : step.what.back() == 'b' ? 1u : 2u);
-    if (step.what == "reading c") throw Cancelled();
+    EXPECT_EQ(step.done, step.activity.back() == 'a' ? 0u : step.activity.back() == 'b' ? 1u : 2u);
+    if (step.activity == "reading c") throw Cancelled();
   };
   EXPECT_THROW(run(scans, cancel), Cancelled);
   EXPECT_EQ(log.said, (std::vector<std::string>{"added a", "added b"}));

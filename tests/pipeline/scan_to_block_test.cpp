@@ -46,12 +46,12 @@ TEST_F(ScanToBlock, BlocksOnAGroundAreSplitAndNumbered) {
   std::vector<std::string> steps, made;
   const std::vector<Block> blocks = reconstruct_blocks(
       folder / "scene.obj", "scene", options,
-      {.progress = [&](const ProgressUpdate& step) { steps.push_back(step.what); },
-       .made =
+      {.progress = [&](const ProgressUpdate& step) { steps.push_back(step.activity); },
+       .on_block_made =
            [&](const Block& block, const BlockOrigin& origin) {
              made.push_back(block.id);
              EXPECT_EQ(origin.raw->triangles.size(), two_rocks_on_ground().triangles.size());
-             EXPECT_FALSE(origin.found->scan.mesh.triangles.empty());
+             EXPECT_FALSE(origin.field_block->scan.mesh.triangles.empty());
              EXPECT_EQ(origin.photos, nullptr);
            }});
   ASSERT_EQ(blocks.size(), 2u);
@@ -104,9 +104,9 @@ TEST_F(ScanToBlock, ASizeNoBlockHasIsRefusedWithTheLikelyUnit) {
   EXPECT_TRUE(contains(refused(cuboid(620, 500, 400)),
                        "block scan would be 620 m long, read with `units` m; it is probably in mm: "
                        "try `units` mm, which makes it 0.620 m; `any_size` takes it as it is"));
-  options.any_size = true;
+  options.allow_any_size = true;
   EXPECT_NEAR(block_of(cuboid(620, 500, 400)).mass.volume / 1.24e8, 1.0, 1e-3);
-  options.any_size = false;
+  options.allow_any_size = false;
   options.units = "mm";
   options.scan.unit = 0.001;
   EXPECT_NEAR(block_of(cuboid(620, 500, 400)).mass.volume, 0.124, 1e-4 * 0.124);
@@ -205,7 +205,8 @@ TEST_F(ScanToBlock, AToleranceThatLetsHalfABlockPassIsQuestioned) {
   for (const double tolerance : {1.0, 0.5, 0.2}) {
     options.block.tolerance = tolerance;
     const std::string said = notes(block_of(rock));
-    EXPECT_TRUE(contains(said, "`tolerance` " + format_significant(tolerance, 4) + " is a share of L"));
+    EXPECT_TRUE(
+        contains(said, "`tolerance` " + format_significant(tolerance, 4) + " is a share of L"));
     EXPECT_TRUE(contains(said, "was a length or a percentage meant? 0.01 is 1 %"));
   }
   options.block.tolerance = 0.05;

@@ -85,9 +85,10 @@ TEST(CloudSurface, IndicatorIsTheSameWhereverMemoryLies) {
   std::vector<std::unique_ptr<char[]>> held;
   std::set<double> values;
   for (int run = 0; run < 8; ++run) {
-    for (std::uint64_t n = random.below(2000); n > 0; --n) {
-      held.push_back(std::make_unique<char[]>(1 + random.below(run % 2 == 0 ? 500 : 50000)));
-      if (random.below(3) == 0) held[random.below(held.size())].reset();
+    for (std::uint64_t n = random.uniform_index(2000); n > 0; --n) {
+      held.push_back(
+          std::make_unique<char[]>(1 + random.uniform_index(run % 2 == 0 ? 500 : 50000)));
+      if (random.uniform_index(3) == 0) held[random.uniform_index(held.size())].reset();
     }
     const reconstruct_detail::IndicatorFunction indicator(points, normals);
     ASSERT_TRUE(indicator.found());

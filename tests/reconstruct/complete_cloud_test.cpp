@@ -94,7 +94,7 @@ std::vector<Kind> kinds(std::size_t points) {
           {"2 % outliers", {.points = points, .outliers = 0.02}, bars}};
 }
 
-std::string block_class_of_group(const Vec3& sides) { return sneed_folk_class({sides[0], sides[1], sides[2]}); }
+std::string class_of(const Vec3& sides) { return sneed_folk_class({sides[0], sides[1], sides[2]}); }
 
 /// Classes that sides off by up to `share` may have.
 bool is_class_within(const std::string& name, const Vec3& sides, double share) {
@@ -147,7 +147,7 @@ std::optional<std::string> fault_of(const Body& body, Kind kind, std::uint64_t s
   const Vec3 smallest = smallest_box(body.mesh.vertices).lengths;
   const double truth = solid_mass_properties(body.mesh, 1.0).volume;
   Random random(seed);
-  kind.sampling.along = random.direction();
+  kind.sampling.along = random.unit_vector();
   kind.sampling.noise *= smallest[0];
   try {
     const std::vector<Vec3> points = sampled_cloud(body.mesh, kind.sampling, seed);
@@ -156,17 +156,18 @@ std::optional<std::string> fault_of(const Body& body, Kind kind, std::uint64_t s
     const OrientedBox box = smallest_box(block.scan.mesh.vertices);
     const Vec3 sides = true_sides_along(box, body, kind.bars.side).value_or(smallest);
     const Vec3 off = box.lengths.cwiseQuotient(sides) - Vec3::Ones();
-    const std::string figures =
-        "volume " + format_significant(100.0 * (found / truth - 1.0), 3) + " %, L, I, S " +
-        format_significant(100.0 * off[0], 3) + ", " + format_significant(100.0 * off[1], 3) + ", " +
-        format_significant(100.0 * off[2], 3) + " %, " + block_class_of_group(box.lengths) + " for " + block_class_of_group(sides);
+    const std::string figures = "volume " + format_significant(100.0 * (found / truth - 1.0), 3) +
+                                " %, L, I, S " + format_significant(100.0 * off[0], 3) + ", " +
+                                format_significant(100.0 * off[1], 3) + ", " +
+                                format_significant(100.0 * off[2], 3) + " %, " +
+                                class_of(box.lengths) + " for " + class_of(sides);
     if (block.underside) return "a side called unseen; " + figures;
     if (!holds(block, truth, sides)) return "the truth is outside the bounds stated; " + figures;
     const double farthest = farthest_from_points(block.scan.mesh, points);
     if (farthest > kFarthest) return format_significant(farthest, 3) + " spacings off; " + figures;
     if (std::abs(found / truth - 1.0) > kind.bars.volume ||
         off.cwiseAbs().maxCoeff() > kind.bars.side ||
-        !is_class_within(block_class_of_group(box.lengths), sides, kind.bars.side)) {
+        !is_class_within(class_of(box.lengths), sides, kind.bars.side)) {
       return figures;
     }
   } catch (const Error& error) {

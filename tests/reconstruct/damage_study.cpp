@@ -20,7 +20,7 @@ double one_way(const TriangleMesh& from, const TriangleMesh& to) {
   double farthest = 0.0;
   std::uint32_t hint = 0;
   for (const Vec3& v : from.vertices) {
-    const auto found = tree.closest(v, hint);
+    const auto found = tree.closest_point(v, hint);
     hint = found.triangle;
     farthest = std::max(farthest, found.squared_distance);
   }

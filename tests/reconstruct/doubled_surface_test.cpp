@@ -60,7 +60,7 @@ TEST(DuplicateSurface, AShiftedCopyIsDropped) {
   Random random(2);
   for (const double share : {0.01, 0.03, 0.05}) {
     TriangleMesh copy = doubled_rock();
-    const Vec3 shift = share * bounds(doubled_rock()).diagonal() * random.direction();
+    const Vec3 shift = share * bounds(doubled_rock()).diagonal() * random.unit_vector();
     for (Vec3& v : copy.vertices) v += shift;
     const FieldBlock block = extract_field_blocks(merged(doubled_rock(), copy), "shifted")[0];
     ASSERT_EQ(block.scan.report.doubled.size(), 1u);

@@ -170,7 +170,7 @@ TEST(FieldScan, PointsFarFromTheBlockAreLeftOutAndCounted) {
   std::vector<Vec3> with_scrap = points;
   Random random(7);
   for (int i = 0; i < 300; ++i)
-    with_scrap.push_back(Vec3(3.0, 0.0, 5.0) + 0.02 * random.direction());
+    with_scrap.push_back(Vec3(3.0, 0.0, 5.0) + 0.02 * random.unit_vector());
   const FieldBlock block = extract_field_blocks(with_scrap, "rock.xyz")[0];
   EXPECT_NEAR(solid_volume(block.scan.mesh), solid_volume(alone.scan.mesh),
               0.01 * solid_volume(alone.scan.mesh));
@@ -213,7 +213,8 @@ TEST(FieldScan, ThreeBlocksAreSplitInOrder) {
   const int order[3] = {1, 2, 0};
   for (int k = 0; k < 3; ++k) {
     const double whole = solid_volume(rocks[static_cast<std::size_t>(order[k])]);
-    EXPECT_NEAR(all[static_cast<std::size_t>(k)].underside->estimated_volume, whole, 0.08 * whole) << k;
+    EXPECT_NEAR(all[static_cast<std::size_t>(k)].underside->estimated_volume, whole, 0.08 * whole)
+        << k;
   }
   EXPECT_NEAR(one[0].underside->estimated_volume, all[1].underside->estimated_volume, 1e-12);
 }

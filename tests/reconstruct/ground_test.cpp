@@ -39,7 +39,7 @@ TEST(Ground, PlaneOfASlopeIsFoundWithItsNormal) {
   const auto ground = find_ground(scene.points);
   ASSERT_TRUE(ground.has_value());
   EXPECT_LT(degrees_between(ground->plane().normal, Vec3(-0.2, 0.0, 1.0)), 0.2);
-  EXPECT_LT(std::abs(ground->plane().height({0.8, 0.8, 0.16})), 0.003);
+  EXPECT_LT(std::abs(ground->plane().signed_distance({0.8, 0.8, 0.16})), 0.003);
   // Gravel of 2 mm and noise of 1 mm along the normal.
   EXPECT_NEAR(ground->roughness(), std::hypot(0.002, 0.001), 0.0007);
 }
@@ -81,7 +81,7 @@ TEST(Ground, LocalSurfaceFollowsAHollow) {
     EXPECT_NEAR(ground->height({x, 0.4, bowl(x, 0.4)}), 0.0, 0.003) << x;
     const Plane below = ground->tangent_plane_below({x, 0.4, 1.0}, 0.1);
     EXPECT_LT(degrees_between(below.normal, Vec3(-0.1 * x, -0.04, 1.0)), 0.7) << x;
-    EXPECT_NEAR(below.height({x, 0.4, bowl(x, 0.4)}), 0.0, 0.003) << x;
+    EXPECT_NEAR(below.signed_distance({x, 0.4, bowl(x, 0.4)}), 0.0, 0.003) << x;
   }
 }
 

@@ -137,7 +137,7 @@ TEST(Repair, FinsAreDroppedAndNothingElse) {
   TriangleMesh dirty = rock();
   Random random(4);
   for (int i = 0; i < 40; ++i) {
-    const Triangle t = rock().triangles[random.below(rock().triangles.size())];
+    const Triangle t = rock().triangles[random.uniform_index(rock().triangles.size())];
     dirty.vertices.push_back(1.2 * dirty.vertices[t[0]]);
     dirty.triangles.push_back({t[0], t[1], static_cast<std::uint32_t>(dirty.vertices.size() - 1)});
   }

@@ -428,7 +428,7 @@ TEST_P(DirtyRocks, ComeBackSoundWithTheirVolume) {
   TriangleMesh dirty = merged(rock, inverted(scaled(random_rock(GetParam() + 50, 1), 0.3)));
   Random random(GetParam());
   dirty.triangles.erase(dirty.triangles.begin() +
-                        static_cast<std::ptrdiff_t>(random.below(rock.triangles.size())));
+                        static_cast<std::ptrdiff_t>(random.uniform_index(rock.triangles.size())));
   for (TriangleMesh::Triangle& t : dirty.triangles) {
     if (random.uniform() < 0.2) std::swap(t[0], t[1]);
   }
@@ -436,7 +436,7 @@ TEST_P(DirtyRocks, ComeBackSoundWithTheirVolume) {
   for (const TriangleMesh::Triangle& t : dirty.triangles) {
     const auto first = static_cast<std::uint32_t>(soup.vertices.size());
     for (const std::uint32_t v : t) {
-      soup.vertices.push_back(dirty.vertices[v] + 1e-6 * random.direction());
+      soup.vertices.push_back(dirty.vertices[v] + 1e-6 * random.unit_vector());
     }
     soup.triangles.push_back({first, first + 1, first + 2});
   }

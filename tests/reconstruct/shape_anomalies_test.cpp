@@ -36,7 +36,7 @@ TriangleMesh turned_at_random(TriangleMesh mesh, Random& random) {
 std::string notes_on(const TriangleMesh& closed) {
   std::string notes;
   for (const ShapeAnomaly& anomaly : find_shape_anomalies(closed)) {
-    notes += format_shape_anomaly(anomaly, [](const Vec3& p) { return position(p); }) + "\n";
+    notes += format_shape_anomaly(anomaly, [](const Vec3& p) { return format_point(p); }) + "\n";
   }
   return notes;
 }
@@ -85,9 +85,9 @@ TEST(DoubtfulForm, ASmallBallOnALargerOneIsFoundOnItsSide) {
     ASSERT_TRUE(seam) << second;
     const double cubed = second * second * second;
     EXPECT_NEAR(seam->smaller_fraction, cubed / (1.0 + cubed), 0.1 * cubed) << second;
-    EXPECT_GT(seam->plane.height(turn * Vec3(1.0 + second, 0.0, 0.0)), 0.0) << second;
-    EXPECT_LT(seam->plane.height(turn * Vec3(0.5, 0.0, 0.0)), 0.0) << second;
-    EXPECT_NEAR(seam->plane.height(seam->position), 0.0, 1e-9) << second;
+    EXPECT_GT(seam->plane.signed_distance(turn * Vec3(1.0 + second, 0.0, 0.0)), 0.0) << second;
+    EXPECT_LT(seam->plane.signed_distance(turn * Vec3(0.5, 0.0, 0.0)), 0.0) << second;
+    EXPECT_NEAR(seam->plane.signed_distance(seam->position), 0.0, 1e-9) << second;
   }
 }
 

@@ -73,7 +73,8 @@ Outcome looked_at(const NamedBody& body, const UnseenCase& hidden) {
   }
   result.holds[4] = true;
   for (const char* scheme : {"sneed-folk", "zingg", "garcia"}) {
-    const std::vector<std::string> listed = find_possible_classes(scheme, axes_of(low), axes_of(high));
+    const std::vector<std::string> listed =
+        find_possible_classes(scheme, axes_of(low), axes_of(high));
     const std::string truth = shape_class(scheme, axes_of(sides));
     const bool met = std::find(listed.begin(), listed.end(), truth) != listed.end();
     result.holds[4] = result.holds[4] && met;
@@ -154,7 +155,7 @@ void study(const std::vector<NamedBody>& bodies, std::size_t count, std::uint64_
   parallel_for(count, 0, [&](std::size_t i) {
     Random random(seed + 1000003 * i);
     const NamedBody& body = bodies[i % bodies.size()];
-    const std::string& kind = hiding_kinds()[random.below(hiding_kinds().size())];
+    const std::string& kind = hiding_kinds()[random.uniform_index(hiding_kinds().size())];
     if (const auto hidden = clast::hidden(body.mesh, kind, random)) {
       outcomes[i] = looked_at(body, *hidden);
     }

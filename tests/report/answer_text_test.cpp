@@ -25,7 +25,8 @@ using namespace report_detail;
 
 std::string sentences(const Comparison& comparison) {
   std::string text;
-  for (const std::string& sentence : describe_key_results(comparison, answer(comparison))) {
+  for (const std::string& sentence :
+       describe_key_results(comparison, summarise_key_results(comparison))) {
     text += sentence + "\n";
   }
   return text;
@@ -63,15 +64,16 @@ TEST(AnswerText, SaysWhichClassRunsFartherAndWhoPasses) {
   CampaignResults results = made_up_results();
   add_barrier(results, "EC22", 38.0);
   const Comparison comparison = compared(std::move(results));
-  const FileSummary statement = answer(comparison).statements.at(0);
+  const FileSummary statement = summarise_key_results(comparison).statements.at(0);
   const RunoutContrast& gap = *statement.gap;
   const BarrierSummary& passage = statement.passages.at(0);
   const int decimals = decimals_of_length(gap.gap, gap.interval);
   EXPECT_EQ(sentences(comparison),
             "Compact blocks run " + format_length(gap.gap, decimals) +
                 " farther than elongated ones (" + format_length_interval(*gap.interval, decimals) +
-                ", for runs of these 2 blocks only). " + format_percentage(passage.classes[0].share) +
-                " of compact and " + format_percentage(passage.classes[1].share) +
+                ", for runs of these 2 blocks only). " +
+                format_percentage(passage.classes[0].share) + " of compact and " +
+                format_percentage(passage.classes[1].share) +
                 " of elongated blocks pass EC22. Of those that pass, 95 % carry less than " +
                 format_energy_limit(passage.all.energy) + ", and the tops of 95 % stay below " +
                 format_height_limit(passage.all.top) + ".\n");
@@ -126,8 +128,9 @@ TEST(AnswerText, OneRealisationIsNotEvidence) {
   EXPECT_TRUE(
       contains(sentences(comparison), "; one realisation does not show whether this is chance."));
   EXPECT_FALSE(contains(sentences(comparison), "farther"));
-  EXPECT_TRUE(contains(describe_intervals(answer(comparison)), "One realisation: no interval"));
-  for (const KeyFigure& figure : key_figures(comparison, answer(comparison))) {
+  EXPECT_TRUE(contains(describe_intervals(summarise_key_results(comparison)),
+                       "One realisation: no interval"));
+  for (const KeyFigure& figure : key_figures(comparison, summarise_key_results(comparison))) {
     EXPECT_EQ(figure.range, "") << figure.label;
   }
 }
@@ -154,7 +157,7 @@ TEST(AnswerText, UncertainGroundIsInTheTiles) {
   draw_ground(results, 5, 3.0);
   add_barrier(results, "road", 30.0);
   const Comparison comparison = compared(std::move(results));
-  const KeyResults found = answer(comparison);
+  const KeyResults found = summarise_key_results(comparison);
   const std::vector<KeyFigure> figures = key_figures(comparison, found);
   ASSERT_EQ(figures.size(), 4u);
   for (const KeyFigure& figure : figures) {
@@ -183,27 +186,27 @@ TEST(AnswerText, DifferenceMadeByFewIsCalledSo) {
     if (run.block == 0 && run.run % 4 == 0) run.result.final_state.position.x() += 60.0;
   }
   const Comparison comparison = compared(std::move(results));
-  EXPECT_TRUE(answer(comparison).statements.at(0).gap->of_few);
+  EXPECT_TRUE(summarise_key_results(comparison).statements.at(0).gap->of_few);
   EXPECT_TRUE(contains(sentences(comparison), " farther than elongated ones on average ("));
   EXPECT_TRUE(
       contains(sentences(comparison), ": the means differ because more compact blocks run on"));
-  EXPECT_FALSE(answer(compared(made_up_results())).statements.at(0).gap->of_few);
+  EXPECT_FALSE(summarise_key_results(compared(made_up_results())).statements.at(0).gap->of_few);
 }
 
 TEST(AnswerText, LargeNumbersSayWhatClassesAndTheLargestAre) {
   CampaignResults results = made_up_results();
   add_barrier(results, "road", 30.0);
   const Comparison comparison = compared(std::move(results));
-  const KeyResults said = answer(comparison);
+  const KeyResults said = summarise_key_results(comparison);
   const std::vector<KeyFigure> figures = key_figures(comparison, said);
   ASSERT_EQ(figures.size(), 4u);
   const RunoutEstimate& compact = said.statements[0].classes[0];
   EXPECT_TRUE(figures[0].more.starts_with("half stop before " + format_decimals(compact.median, 0)))
       << figures[0].more;
   const BarrierSummary& road = said.statements[0].passages[0];
-  EXPECT_EQ(figures[2].more, "compact " + format_energy_limit(road.classes[0].energy) + ", elongated " +
-                                 format_energy_limit(road.classes[1].energy) + "; largest " +
-                                 format_energy(road.all.largest_energy));
+  EXPECT_EQ(figures[2].more, "compact " + format_energy_limit(road.classes[0].energy) +
+                                 ", elongated " + format_energy_limit(road.classes[1].energy) +
+                                 "; largest " + format_energy(road.all.largest_energy));
   EXPECT_TRUE(figures[1].more.starts_with(std::to_string(road.all.crossed) + " of 192 runs; "))
       << figures[1].more;
   EXPECT_TRUE(contains(figures[3].label, "top of the blocks at the road")) << figures[3].label;
@@ -227,7 +230,7 @@ TEST(AnswerText, NamesThatAreNounsHaveAnArticle) {
 TEST(AnswerText, SaysWhatWasNotRun) {
   const auto limits = [](CampaignResults results) {
     const Comparison comparison = compared(std::move(results));
-    return describe_limits(comparison, answer(comparison));
+    return describe_limits(comparison, summarise_key_results(comparison));
   };
   EXPECT_EQ(limits(made_up_results({.points = 1, .runs_each = 12})),
             "Not run: blocks above 300 kg, other ground, other release points.");
@@ -289,7 +292,7 @@ TEST(AnswerText, EveryFileHasItsSentence) {
   EXPECT_TRUE(contains(text, "File 1 (hard): compact blocks run "));
   EXPECT_TRUE(contains(text, "File 2 (soft): compact blocks run "));
   EXPECT_TRUE(contains(text, " farther in file 2 (soft) than in file 1 (hard) ("));
-  EXPECT_LE(key_figures(comparison, answer(comparison)).size(), 4u);
+  EXPECT_LE(key_figures(comparison, summarise_key_results(comparison)).size(), 4u);
 }
 
 TEST(AnswerText, MeasuredStopsHaveAVerdict) {
@@ -325,7 +328,7 @@ TEST(AnswerText, StandsWhatIsAlmostEmpty) {
   EXPECT_EQ(sentences(one), "Block round<1> runs 10.0 m (1 run).\n");
   EXPECT_TRUE(contains(sentences(hand_made_results()),
                        "There are too few runs to compare runouts (4 compact, 2 elongated)."));
-  for (const std::string& line : describe_first_screen(one, answer(one))) {
+  for (const std::string& line : describe_first_screen(one, summarise_key_results(one))) {
     EXPECT_EQ(line.find("nan"), std::string::npos) << line;
   }
   results.runs[0].result = ReleaseResult();
@@ -338,12 +341,14 @@ TEST(AnswerText, StandsWhatIsAlmostEmpty) {
 TEST(AnswerText, TheFirstScreenHasTheCautionsAndNoSettings) {
   const Comparison comparison = compared(hand_made_results());
   std::string text;
-  for (const std::string& line : describe_first_screen(comparison, answer(comparison))) text += line + "\n";
+  for (const std::string& line :
+       describe_first_screen(comparison, summarise_key_results(comparison)))
+    text += line + "\n";
   EXPECT_TRUE(contains(text, "- The classes differ in mass (compact 300 kg, elongated 500 kg)"));
   for (const char* setting : {"k_n", "1e-05", "clast 0"}) {
     EXPECT_EQ(text.find(setting), std::string::npos) << setting;
   }
-  const std::string html = format_head_section(comparison, answer(comparison));
+  const std::string html = format_head_section(comparison, summarise_key_results(comparison));
   EXPECT_EQ(unbalanced(html), "");
   EXPECT_TRUE(contains(html, "<p class=\"answer\">"));
   EXPECT_EQ(html.find("k_n"), std::string::npos);
@@ -352,7 +357,8 @@ TEST(AnswerText, TheFirstScreenHasTheCautionsAndNoSettings) {
 TEST(AnswerText, WhatTheCampaignAskedForIsNoWarning) {
   CampaignResults results = hand_made_results();
   results.blocks[0].scale = 1.25;
-  results.warnings = {describe_block_scale(results.blocks[0]), "block long: its underside was not seen"};
+  results.warnings = {describe_block_scale(results.blocks[0]),
+                      "block long: its underside was not seen"};
   const Comparison comparison = compared(std::move(results));
   for (const std::string& warning : comparison.warnings) {
     EXPECT_EQ(warning.find("is scaled by"), std::string::npos);
@@ -360,7 +366,8 @@ TEST(AnswerText, WhatTheCampaignAskedForIsNoWarning) {
   const std::string html = format_provenance_section(comparison);
   EXPECT_TRUE(contains(html, "As asked, block round&lt;1&gt; is scaled by 1.25 to 300 kg."));
   EXPECT_TRUE(contains(html, "its underside was not seen"));
-  EXPECT_EQ(format_head_section(comparison, answer(comparison)).find("underside"), std::string::npos);
+  EXPECT_EQ(format_head_section(comparison, summarise_key_results(comparison)).find("underside"),
+            std::string::npos);
 }
 
 }  // namespace

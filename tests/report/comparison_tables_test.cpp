@@ -31,7 +31,7 @@ TEST(RunsTable, ReadsBackToTheSameBits) {
   CampaignResults results = hand_made_results();
   Random random(3);
   for (RunRecord& run : results.runs) {
-    run.result.final_state.position = Vec3(40.0, 20.0, 10.0).cwiseProduct(random.direction());
+    run.result.final_state.position = Vec3(40.0, 20.0, 10.0).cwiseProduct(random.unit_vector());
     run.result.duration = 1.0 / 3.0 + random.uniform();
   }
   const Comparison comparison = compared(std::move(results));

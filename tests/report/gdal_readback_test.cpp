@@ -77,7 +77,7 @@ TEST(Png, IsReadBackByGdal) {
   Random random(5);
   const std::uint32_t width = 311, height = 257;  // more than one stored block of 65535 bytes
   std::vector<std::uint8_t> pixels(width * height);
-  for (std::uint8_t& pixel : pixels) pixel = static_cast<std::uint8_t>(random.below(200));
+  for (std::uint8_t& pixel : pixels) pixel = static_cast<std::uint8_t>(random.uniform_index(200));
   std::vector<Rgb> palette;
   for (int i = 0; i < 200; ++i) {
     palette.push_back({static_cast<std::uint8_t>(i), static_cast<std::uint8_t>(255 - i), 7});
@@ -104,7 +104,7 @@ TEST(Png, ColoursAreReadBackByGdal) {
   for (std::size_t i = 0; i < pixels.size(); ++i) {
     const bool noisy = i / width % 2 == 0;  // rows for either filter
     for (std::uint8_t& part : pixels[i]) {
-      part = static_cast<std::uint8_t>(noisy ? random.below(256) : i % width);
+      part = static_cast<std::uint8_t>(noisy ? random.uniform_index(256) : i % width);
     }
   }
   write_text_file(folder / "a.png", encode_rgb_png(width, height, pixels));

@@ -70,7 +70,7 @@ TEST(MapStyle, CountsAndSharesHaveOneTwoFiveAndOthersEvenLimits) {
 }
 
 /// The class of a value, as page and QGIS find it: the first limit that is not below.
-std::size_t block_class_of_group(const ValueStyle& style, float value) {
+std::size_t class_of(const ValueStyle& style, float value) {
   std::size_t k = 0;
   while (k < style.breaks.size() && static_cast<double>(value) > style.breaks[k]) ++k;
   return k;
@@ -93,7 +93,7 @@ TEST(MapStyle, EveryValueHasAClassAndTheOutermostAreNotEmpty) {
                 style.colours.size());
       EXPECT_TRUE(std::is_sorted(style.breaks.begin(), style.breaks.end()));
       std::set<std::size_t> classes;
-      for (const float value : values) classes.insert(block_class_of_group(style, value));
+      for (const float value : values) classes.insert(class_of(style, value));
       EXPECT_EQ(*classes.rbegin() + 1, style.breaks.size()) << name << " " << largest;
       if (style.breaks.size() == 8) continue;  // rare small values share the lowest class
       EXPECT_EQ(*classes.begin(), 0u) << name << " " << largest;
@@ -106,7 +106,7 @@ TEST(MapStyle, AValueOnALimitBelongsToTheClassBelow) {
   const std::vector<float> shares = {0.01F, 0.02F, 0.05F, 0.1F, 0.2F, 0.5F, 1.0F};
   const ValueStyle style = style_of("Reach_probability", shares);
   ASSERT_EQ(style.breaks.size(), shares.size());
-  for (std::size_t i = 0; i < shares.size(); ++i) EXPECT_EQ(block_class_of_group(style, shares[i]), i);
+  for (std::size_t i = 0; i < shares.size(); ++i) EXPECT_EQ(class_of(style, shares[i]), i);
   EXPECT_EQ(style_of("E_mean", {0.0F, 0.0F}).breaks.size(), 1u) << "nothing but zeros";
 }
 

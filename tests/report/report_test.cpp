@@ -28,7 +28,9 @@ namespace {
 
 using namespace report_detail;
 
-std::string comparison_report(const Comparison& comparison) { return make_comparison_page(comparison); }
+std::string comparison_report(const Comparison& comparison) {
+  return make_comparison_page(comparison);
+}
 
 TEST(HtmlReport, TagsAreBalanced) {
   EXPECT_EQ(unbalanced(comparison_report(compared(hand_made_results()))), "");
@@ -78,9 +80,9 @@ TEST(HtmlReport, AnEnsembleIsNeitherMoreOrientationsNorFixedParameters) {
   const std::string html = comparison_report(comparison);
   EXPECT_TRUE(contains(html, "1 orientation \xC3\x97 3 draws of the ground"));
   EXPECT_TRUE(contains(html, "0.500 to 0.700"));
-  EXPECT_TRUE(
-      contains(format_ensemble_section(comparison), "Over 3 draws of the ground the mean runout is"));
-  EXPECT_TRUE(contains(describe_key_results(comparison, answer(comparison)).front(),
+  EXPECT_TRUE(contains(format_ensemble_section(comparison),
+                       "Over 3 draws of the ground the mean runout is"));
+  EXPECT_TRUE(contains(describe_key_results(comparison, summarise_key_results(comparison)).front(),
                        "Over 3 draws of the ground, mean runout is"));
 }
 
@@ -259,7 +261,7 @@ TEST(Base64, EncodesTheVectorsOfRfc4648) {
 TEST(Relief, SamplesThePlaneAtCellCentres) {
   const CampaignResults results = hand_made_results();
   const PlanWindow window{Vec2(-20.0, -25.0), Vec2(60.0, 15.0)};
-  const Relief relief = sampled(results.terrain, window, 80);
+  const Relief relief = sample_relief(results.terrain, window, 80);
   ASSERT_EQ(relief.columns, 80u);
   ASSERT_EQ(relief.rows, 40u);
   for (std::uint32_t row = 0; row < relief.rows; ++row) {
@@ -284,7 +286,7 @@ TEST(Relief, ShowsTheUpperOfTwoSurfaces) {
   }
   terrain.surface.triangles = {{0, 1, 2}, {3, 4, 5}};
   terrain.zone = {1, 0};
-  const Relief relief = sampled(terrain, {Vec2(0, 0), Vec2(4, 4)}, 4);
+  const Relief relief = sample_relief(terrain, {Vec2(0, 0), Vec2(4, 4)}, 4);
   const std::size_t corner = 3 * 4;  // lower left
   EXPECT_EQ(relief.height[corner], 5.0);
   EXPECT_EQ(relief.zone[corner], 1);

@@ -40,7 +40,7 @@ class Unpack : public testing::Test {
 TEST_F(Unpack, GivesBackWhatWasPacked) {
   Random random(7);
   std::string text = "caf\xC3\xA9 </script> \\ \"quoted\"\n";
-  for (int i = 0; i < 100'000; ++i) text += static_cast<char>('a' + random.below(26));
+  for (int i = 0; i < 100'000; ++i) text += static_cast<char>('a' + random.uniform_index(26));
   EXPECT_EQ(evaluated(format_packed_element("a", text), "clastUnpacked('a')"), text);
   EXPECT_EQ(evaluated(format_packed_element("a", ""), "clastUnpacked('a')"), "");
 }

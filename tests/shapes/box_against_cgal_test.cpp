@@ -28,11 +28,11 @@ double cgal_box_volume(const std::vector<Vec3>& points) {
 TEST(SmallestBox, IsNeverLargerThanCgalsOnRandomHulls) {
   for (std::uint64_t seed = 0; seed < 200; ++seed) {
     Random random(seed);
-    const std::uint64_t count = 8 + random.below(100);
+    const std::uint64_t count = 8 + random.uniform_index(100);
     const Vec3 axes(1.0, random.uniform(0.3, 1.0), random.uniform(0.2, 1.0));
     std::vector<Vec3> points;
     for (std::uint64_t i = 0; i < count; ++i) {
-      points.push_back(random.direction().cwiseProduct(axes) * random.uniform(0.7, 1.0));
+      points.push_back(random.unit_vector().cwiseProduct(axes) * random.uniform(0.7, 1.0));
     }
     EXPECT_LE(smallest_box(points).volume(), cgal_box_volume(points) * (1.0 + 1e-9))
         << "seed " << seed;

@@ -39,7 +39,7 @@ std::vector<Vec3> random_box_points(std::uint64_t seed, int count = 60) {
   Random random(seed);
   const Vec3 axes(1.0, random.uniform(0.3, 1.0), random.uniform(0.2, 1.0));
   std::vector<Vec3> points;
-  for (int i = 0; i < count; ++i) points.push_back(random.direction().cwiseProduct(axes));
+  for (int i = 0; i < count; ++i) points.push_back(random.unit_vector().cwiseProduct(axes));
   return points;
 }
 
@@ -174,7 +174,7 @@ TEST_P(RandomPoints, GiveTheSameBitsInAnyOrder) {
   for (const Rule rule : kRules) before.push_back(rule(points, 0.1));
   Random random(7);
   for (std::size_t i = points.size(); i > 1; --i) {
-    std::swap(points[i - 1], points[random.below(i)]);
+    std::swap(points[i - 1], points[random.uniform_index(i)]);
   }
   points.push_back(points[3]);
   for (std::size_t i = 0; i < kRules.size(); ++i) {

@@ -15,7 +15,7 @@ namespace {
 std::vector<Vec3> shuffled(std::vector<Vec3> points, std::uint64_t seed) {
   Random random(seed);
   for (std::size_t i = points.size(); i > 1; --i) {
-    std::swap(points[i - 1], points[random.below(i)]);
+    std::swap(points[i - 1], points[random.uniform_index(i)]);
   }
   return points;
 }
@@ -64,8 +64,8 @@ TEST(ConvexHull, FlatFacesAreCutTheSameWhateverWasDoneBefore) {
   Random random(3);
   for (int i = 0; i < 10; ++i) {
     for (int k = 0; k < 200; ++k) {
-      kept.emplace_back(random.below(20000));
-      if (random.below(2) == 0) kept[random.below(kept.size())] = {};
+      kept.emplace_back(random.uniform_index(20000));
+      if (random.uniform_index(2) == 0) kept[random.uniform_index(kept.size())] = {};
     }
     const TriangleMesh again = convex_hull(prism);
     EXPECT_EQ(hull.vertices, again.vertices) << i;

@@ -23,8 +23,8 @@ TEST(JointSet, IsWrittenAsGeologistsDo) {
   EXPECT_NEAR(set.dip, 65.0 * kRadiansPerDegree, 1e-12);
   EXPECT_NEAR(set.dip_direction, 95.0 * kRadiansPerDegree, 1e-12);
   EXPECT_EQ(set.spacing, 1.2);
-  EXPECT_EQ(set.scatter, 0.3);
-  EXPECT_EQ(parse_joint_set("0/0/2").scatter, 0.0);
+  EXPECT_EQ(set.spacing_deviation, 0.3);
+  EXPECT_EQ(parse_joint_set("0/0/2").spacing_deviation, 0.0);
   // A plane that dips 30 degrees to the east descends eastwards: its normal leans there.
   const Vec3 normal = parse_joint_set("30/90/1").normal();
   EXPECT_LT((normal - Vec3(0.5, 0.0, std::sqrt(0.75))).norm(), 1e-12);
@@ -47,10 +47,10 @@ TEST(ConvexCell, CutsOfABoxAreClosedAndAddUp) {
   EXPECT_NEAR(whole.volume(), 24.0, 1e-12);
   Random random(2);
   for (int i = 0; i < 200; ++i) {
-    const Vec3 normal = random.direction();
+    const Vec3 normal = random.unit_vector();
     const Plane plane{normal, normal.dot(Vec3(1.0, -0.5, 1.0)) + random.uniform(-0.5, 0.5)};
-    const auto one = whole.below(plane, 1e-9),
-               other = whole.below({-normal, -plane.distance}, 1e-9);
+    const auto one = whole.clipped_below(plane, 1e-9),
+               other = whole.clipped_below({-normal, -plane.distance}, 1e-9);
     ASSERT_TRUE(one && other);
     EXPECT_NEAR(one->volume() + other->volume(), 24.0, 1e-10);
     for (const ConvexCell& part : {*one, *other}) {
@@ -61,10 +61,11 @@ TEST(ConvexCell, CutsOfABoxAreClosedAndAddUp) {
     }
   }
   // Through vertices, along a face, beside the box.
-  EXPECT_NEAR(whole.below({Vec3(1, 1, 0).normalized(), 0.0}, 1e-9)->volume(), 2.0 * 4.5, 1e-9);
-  EXPECT_EQ(whole.below({Vec3::UnitZ(), 2.0}, 1e-9)->vertices().size(), 8u);
-  EXPECT_FALSE(whole.below({Vec3::UnitZ(), 0.0}, 1e-9));
-  EXPECT_FALSE(whole.below({Vec3::UnitX(), -5.0}, 1e-9));
+  EXPECT_NEAR(whole.clipped_below({Vec3(1, 1, 0).normalized(), 0.0}, 1e-9)->volume(), 2.0 * 4.5,
+              1e-9);
+  EXPECT_EQ(whole.clipped_below({Vec3::UnitZ(), 2.0}, 1e-9)->vertices().size(), 8u);
+  EXPECT_FALSE(whole.clipped_below({Vec3::UnitZ(), 0.0}, 1e-9));
+  EXPECT_FALSE(whole.clipped_below({Vec3::UnitX(), -5.0}, 1e-9));
 }
 
 /// Blocks are closed, convex, inside the mass and share no inner point.

@@ -27,7 +27,7 @@ std::vector<Vec3> random_points(std::uint64_t seed, int count) {
   for (int i = 0; i < count; ++i) {
     points.push_back(
         seed % 2
-            ? Vec3(random.direction().cwiseProduct(axes))
+            ? Vec3(random.unit_vector().cwiseProduct(axes))
             : Vec3(Vec3(random.normal(), random.normal(), random.normal()).cwiseProduct(axes)));
   }
   return points;
@@ -83,7 +83,8 @@ class RandomHull : public testing::TestWithParam<int> {};
 TEST_P(RandomHull, NoRotationOfManyGivesASmallerBox) {
   const auto seed = static_cast<std::uint64_t>(GetParam());
   Random random(1000 + seed);
-  const std::vector<Vec3> points = random_points(seed, 8 + static_cast<int>(random.below(60)));
+  const std::vector<Vec3> points =
+      random_points(seed, 8 + static_cast<int>(random.uniform_index(60)));
   const double radius = seed % 3 == 0 ? 0.0 : random.uniform(0.0, 0.4);
   const OrientedBox box = smallest_box(points, radius);
   expect_tight(box, points, radius);
@@ -102,7 +103,7 @@ TEST_P(RandomHull, NoRotationOfManyGivesASmallerBox) {
   // Downhill from the best of them by ever smaller random turns.
   double reach = 0.1;
   for (int i = 0; i < 6000; ++i) {
-    const Vec3 turn = reach * random.uniform() * random.direction();
+    const Vec3 turn = reach * random.uniform() * random.unit_vector();
     const Mat3 axes = Eigen::AngleAxisd(turn.norm(), turn.normalized()) * best_axes;
     const double volume = box_with_axes(corners, axes, radius).volume();
     if (volume < best) {
@@ -121,7 +122,7 @@ TEST_P(RandomHull, SameBitsForAnyOrderOfThePoints) {
   const OrientedBox box = smallest_box(points, 0.1);
   Random random(seed);
   for (std::size_t i = points.size(); i > 1; --i) {
-    std::swap(points[i - 1], points[random.below(i)]);
+    std::swap(points[i - 1], points[random.uniform_index(i)]);
   }
   points.push_back(points.front());  // a repeated point is nothing new
   const OrientedBox other = smallest_box(points, 0.1);
@@ -192,7 +193,7 @@ TEST(SmallestBox, OfBodiesCutByPlanesHoldsTheBody) {
   for (std::uint64_t seed = 0; seed < 400; ++seed) {
     Random random(seed);
     std::vector<Vec3> points;
-    for (int i = 0; i < 4; ++i) points.push_back(random.direction());
+    for (int i = 0; i < 4; ++i) points.push_back(random.unit_vector());
     const Vec3 from(random.uniform(-1.0, 1.0), random.uniform(-1.0, 1.0), -1.0);
     const Vec3 to(random.uniform(-1.0, 1.0), random.uniform(-1.0, 1.0), -1.0);
     for (int i = 0; i < 5; ++i) points.push_back(from + random.uniform() * (to - from));

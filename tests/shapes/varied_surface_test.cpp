@@ -60,18 +60,18 @@ TEST(HullInterpolation, GoesFromTheRockToItsHullAndNeverCrossesItself) {
   const HullInterpolation blend(rock);
   const double hull = enclosed_volume(convex_hull(rock.vertices));
   EXPECT_NEAR(blend.hull_volume(), hull, 1e-9 * hull);
-  EXPECT_EQ(blend.at(0.0, 0).vertices, rock.vertices);
+  EXPECT_EQ(blend.interpolate(0.0, 0).vertices, rock.vertices);
   double before = enclosed_volume(rock);
   EXPECT_LT(before, 0.97 * hull);
   for (const double part : {0.3, 0.7, 1.0}) {
-    const double volume = enclosed_volume(blend.at(part, 0));
+    const double volume = enclosed_volume(blend.interpolate(part, 0));
     EXPECT_GT(volume, before);
     before = volume;
   }
   for (const double part : {0.0, 0.5, 0.95}) {
-    EXPECT_TRUE(find_self_intersections(blend.at(part, blend.turns())).empty());
+    EXPECT_TRUE(find_self_intersections(blend.interpolate(part, blend.edge_flips())).empty());
   }
-  EXPECT_NEAR(enclosed_volume(blend.at(1.0, blend.turns())), hull, 1e-6 * hull);
+  EXPECT_NEAR(enclosed_volume(blend.interpolate(1.0, blend.edge_flips())), hull, 1e-6 * hull);
   EXPECT_TRUE(
       contains(refusal<GeometryError>([] { HullInterpolation{ring()}; }), "not star-shaped"));
 }

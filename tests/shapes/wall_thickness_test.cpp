@@ -12,7 +12,7 @@ TEST(WallThickness, OfABoxIsItsShortestSide) {
   const auto wall = find_thinnest_wall(transformed(box_mesh({2, 0.3, 1}, 3), pose));
   ASSERT_TRUE(wall);
   EXPECT_NEAR(wall->thickness, 0.3, 1e-12);
-  const Vec3 place = pose.inverse() * wall->place;
+  const Vec3 place = pose.inverse() * wall->position;
   EXPECT_NEAR(place.y(), 0.15, 1e-12);
 }
 
@@ -27,8 +27,8 @@ TEST(WallThickness, AFinIsFoundWhereItIs) {
   const auto wall = find_thinnest_wall(block);
   ASSERT_TRUE(wall);
   EXPECT_NEAR(wall->thickness, 0.1, 1e-12);
-  EXPECT_NEAR(wall->place.z(), 0.05, 1e-12);
-  EXPECT_LT((wall->place - Vec3(0.5, 0.5, 0.05)).norm(), 0.5);
+  EXPECT_NEAR(wall->position.z(), 0.05, 1e-12);
+  EXPECT_LT((wall->position - Vec3(0.5, 0.5, 0.05)).norm(), 0.5);
 }
 
 TEST(WallThickness, NothingHasNone) { EXPECT_FALSE(find_thinnest_wall({})); }

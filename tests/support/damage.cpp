@@ -40,7 +40,9 @@ class Vandal {
   }
 
  private:
-  const Vec3& random_vertex() { return rock_.vertices[random_.below(rock_.vertices.size())]; }
+  const Vec3& random_vertex() {
+    return rock_.vertices[random_.uniform_index(rock_.vertices.size())];
+  }
 
   static Vec3 centre(const TriangleMesh& mesh, const Triangle& t) {
     return (mesh.vertices[t[0]] + mesh.vertices[t[1]] + mesh.vertices[t[2]]) / 3.0;
@@ -117,10 +119,10 @@ class Vandal {
   void add_fins(TriangleMesh& mesh) {
     const std::size_t sound = mesh.triangles.size();
     for (std::size_t i = 0; i < damage_.fins; ++i) {
-      const Triangle t = mesh.triangles[random_.below(sound)];
+      const Triangle t = mesh.triangles[random_.uniform_index(sound)];
       const double length = (mesh.vertices[t[1]] - mesh.vertices[t[0]]).norm();
       mesh.vertices.push_back(centre(mesh, t) +
-                              length * random_.uniform(0.5, 2.0) * random_.direction());
+                              length * random_.uniform(0.5, 2.0) * random_.unit_vector());
       mesh.triangles.push_back({t[0], t[1], static_cast<std::uint32_t>(mesh.vertices.size() - 1)});
     }
   }
@@ -128,7 +130,7 @@ class Vandal {
   TriangleMesh island(std::size_t number) {
     TriangleMesh scrap = unit_sphere(3);
     if (number % 2 == 0) scrap.triangles.resize(scrap.triangles.size() / 2);
-    const Vec3 place = middle_ + random_.uniform(0.6, 0.9) * diagonal_ * random_.direction();
+    const Vec3 place = middle_ + random_.uniform(0.6, 0.9) * diagonal_ * random_.unit_vector();
     const double size = diagonal_ * random_.uniform(0.003, 0.02);
     for (Vec3& v : scrap.vertices) v = place + size * v;
     return scrap;
@@ -136,7 +138,7 @@ class Vandal {
 
   TriangleMesh bubble() {
     TriangleMesh shell = unit_sphere(4);
-    const Vec3 place = middle_ + 0.05 * diagonal_ * random_.direction();
+    const Vec3 place = middle_ + 0.05 * diagonal_ * random_.unit_vector();
     const double size = diagonal_ * random_.uniform(0.005, 0.015);
     for (Vec3& v : shell.vertices) v = place + size * v;
     for (Triangle& t : shell.triangles) std::swap(t[0], t[1]);
@@ -149,7 +151,7 @@ class Vandal {
     }
     const std::size_t sound = mesh.triangles.size();
     for (std::size_t i = 0; i < damage_.duplicates; ++i) {
-      Triangle again = mesh.triangles[random_.below(sound)];
+      Triangle again = mesh.triangles[random_.uniform_index(sound)];
       if (i % 2 == 0) std::swap(again[0], again[1]);
       mesh.triangles.push_back(again);
     }
@@ -162,7 +164,7 @@ class Vandal {
       const auto first = static_cast<std::uint32_t>(soup.vertices.size());
       for (const std::uint32_t v : t) {
         const double shift = damage_.jitter * diagonal_ * random_.uniform();
-        soup.vertices.push_back(mesh.vertices[v] + shift * random_.direction());
+        soup.vertices.push_back(mesh.vertices[v] + shift * random_.unit_vector());
       }
       soup.triangles.push_back({first, first + 1, first + 2});
     }

@@ -26,7 +26,7 @@ inline void expect_no_flip_unnoticed(
   const std::size_t bits = 8 * whole.size();
   for (std::size_t i = 0; i < flips; ++i) {
     const std::size_t from = i * bits / flips, to = (i + 1) * bits / flips;
-    const std::size_t bit = from + random.below(to - from);
+    const std::size_t bit = from + random.uniform_index(to - from);
     std::string bytes = whole;
     bytes[bit / 8] = static_cast<char>(bytes[bit / 8] ^ (1 << bit % 8));
     write_text_file(damaged, bytes);

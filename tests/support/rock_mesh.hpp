@@ -57,7 +57,7 @@ inline TriangleMesh rock_mesh(int frequency, const Vec3& half_axes, std::uint64_
   std::array<Vec3, 6> waves;
   std::array<double, 6> phases;
   for (int i = 0; i < 6; ++i) {
-    waves[i] = random.uniform(2.0, 5.0) * random.direction();
+    waves[i] = random.uniform(2.0, 5.0) * random.unit_vector();
     phases[i] = random.uniform(0.0, 2.0 * kPi);
   }
   for (Vec3& vertex : mesh.vertices) {

@@ -126,7 +126,7 @@ TriangleMesh with_duplicates(TriangleMesh mesh, double share, Random& random) {
   const std::size_t sound = mesh.triangles.size();
   const auto count = static_cast<std::size_t>(std::ceil(share * static_cast<double>(sound)));
   for (std::size_t i = 0; i < count; ++i) {
-    Triangle again = mesh.triangles[random.below(sound)];
+    Triangle again = mesh.triangles[random.uniform_index(sound)];
     if (i % 2 == 0) std::swap(again[0], again[1]);
     mesh.triangles.push_back(again);
   }
@@ -146,7 +146,7 @@ TriangleMesh as_soup(const TriangleMesh& mesh, double gap, Random& random) {
     const auto first = static_cast<std::uint32_t>(soup.vertices.size());
     for (const std::uint32_t v : t) {
       const double shift = gap * random.uniform();
-      soup.vertices.push_back(mesh.vertices[v] + shift * random.direction());
+      soup.vertices.push_back(mesh.vertices[v] + shift * random.unit_vector());
     }
     soup.triangles.push_back({first, first + 1, first + 2});
   }
@@ -222,7 +222,7 @@ TriangleMesh with_crossing_balls(TriangleMesh mesh, std::size_t count, double ra
 TriangleMesh with_spikes(TriangleMesh mesh, std::size_t count, double height, Random& random) {
   const std::vector<Vec3> outward = outward_normals(mesh);
   std::set<std::uint64_t> chosen;
-  while (chosen.size() < count) chosen.insert(random.below(mesh.vertices.size()));
+  while (chosen.size() < count) chosen.insert(random.uniform_index(mesh.vertices.size()));
   for (const std::uint64_t v : chosen) {
     const double side = random.uniform() < 0.8 ? 1.0 : -1.0;
     mesh.vertices[v] += side * height * random.uniform(0.5, 1.0) * outward[v];
@@ -236,7 +236,7 @@ TriangleMesh jittered(TriangleMesh mesh, Jitter jitter, double amplitude, Random
     const double share = random.uniform();
     switch (jitter) {
       case Jitter::kAllWays:
-        mesh.vertices[v] += amplitude * share * random.direction();
+        mesh.vertices[v] += amplitude * share * random.unit_vector();
         break;
       case Jitter::kAlongNormals:
         mesh.vertices[v] += amplitude * (2.0 * share - 1.0) * outward[v];

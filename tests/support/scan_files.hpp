@@ -17,7 +17,7 @@ inline TriangleMesh noisy_ellipsoid(std::uint64_t seed, const Vec3& axes) {
   Random random(seed);
   std::vector<Vec3> points;
   for (int i = 0; i < 400; ++i) {
-    points.push_back((1.0 + 0.02 * random.normal()) * random.direction().cwiseProduct(axes));
+    points.push_back((1.0 + 0.02 * random.normal()) * random.unit_vector().cwiseProduct(axes));
   }
   return convex_hull(points);
 }

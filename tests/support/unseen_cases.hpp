@@ -32,7 +32,7 @@ inline TriangleMesh rough_hull(const Vec3& half_axes, std::uint64_t corners, std
   Random random(seed);
   std::vector<Vec3> points;
   for (std::uint64_t i = 0; i < corners; ++i) {
-    points.push_back(random.direction().cwiseProduct(half_axes));
+    points.push_back(random.unit_vector().cwiseProduct(half_axes));
   }
   const TriangleMesh hull = convex_hull(points);
   Vec3 middle = Vec3::Zero();
@@ -63,14 +63,14 @@ inline std::vector<NamedBody> made_bodies(int count, std::uint64_t seed) {
     if (i % 4 == 0) {
       bodies.push_back({"waves", rock_mesh(14, half, own, random.uniform(0.03, 0.25))});
     } else if (i % 4 == 1) {
-      bodies.push_back({"hull", rough_hull(half, 10 + random.below(30), own)});
+      bodies.push_back({"hull", rough_hull(half, 10 + random.uniform_index(30), own)});
     } else {
       RockRecipe recipe;
       recipe.lengths = 2.0 * half;
       recipe.joint_faces = i % 4 == 3 ? 6 : 0;
-      recipe.facets = 12 + static_cast<int>(random.below(24));
+      recipe.facets = 12 + static_cast<int>(random.uniform_index(24));
       recipe.sharpness = random.uniform(10.0, 40.0);
-      recipe.notch = random.below(4) == 0 ? random.uniform(0.05, 0.35) : 0.0;
+      recipe.notch = random.uniform_index(4) == 0 ? random.uniform(0.05, 0.35) : 0.0;
       recipe.roughness = random.uniform(0.0, 0.03);
       recipe.frequency = 14;
       recipe.seed = own;
@@ -147,9 +147,11 @@ inline std::optional<UnseenCase> hidden(const TriangleMesh& body, const std::str
       found.ground = Plane{Vec3::UnitZ(), lowest};
     }
     const bool balls = kind == "patch" || kind == "patches";
-    const std::uint64_t count = kind == "patch" ? 1 : kind == "patches" ? 2 + random.below(3) : 0;
+    const std::uint64_t count = kind == "patch"     ? 1
+                                : kind == "patches" ? 2 + random.uniform_index(3)
+                                                    : 0;
     for (std::uint64_t i = 0; i < count; ++i) {
-      const Vec3 at = mesh.vertices[random.below(mesh.vertices.size())];
+      const Vec3 at = mesh.vertices[random.uniform_index(mesh.vertices.size())];
       const double radius = size * random.uniform(0.05, count == 1 ? 0.35 : 0.2);
       for (std::size_t t = 0; t < keep.size(); ++t) {
         if ((middle(mesh.triangles[t]) - at).norm() < radius) keep[t] = false;

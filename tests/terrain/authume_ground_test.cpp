@@ -59,7 +59,8 @@ std::vector<std::array<Vec3, 3>> triangles_of(const Terrain& terrain) {
   std::vector<std::array<Vec3, 3>> result;
   for (const auto& [a, b, c] : terrain.surface.triangles) {
     const std::vector<Vec3>& v = terrain.surface.vertices;
-    result.push_back({terrain.frame.map(v[a]), terrain.frame.map(v[b]), terrain.frame.map(v[c])});
+    result.push_back(
+        {terrain.frame.to_map(v[a]), terrain.frame.to_map(v[b]), terrain.frame.to_map(v[c])});
   }
   return result;
 }
@@ -152,7 +153,7 @@ TEST(AuthumeGround, TheSameFromItsRasters) {
                      static_cast<int>(std::floor((at.y() - dem.south) / dem.cell)));
   };
   for (const Vec3& local : terrain.surface.vertices) {
-    const Vec3 v = terrain.frame.map(local);
+    const Vec3 v = terrain.frame.to_map(local);
     const auto [i, j] = cell(v);
     ASSERT_TRUE(dem.at(i, j)) << v.transpose();
     EXPECT_NEAR(v.x(), dem.west + dem.cell * (i + 0.5), 1e-9);

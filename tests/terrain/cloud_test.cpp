@@ -360,7 +360,7 @@ TEST_F(CloudGround, ClassifiedLidarWithoutGroundSaysSoAndLeavesOutWhatStandsOnIt
     write_text_file(folder_ / "wood.las", declared_las({}, plane.points, plane.classes));
     const Terrain terrain = read_terrain({.surface = {folder_ / "wood.las"}, .resolution = 2.0});
     for (const Vec3& v : terrain.surface.vertices) {
-      const Vec3 p = terrain.frame.map(v);
+      const Vec3 p = terrain.frame.to_map(v);
       EXPECT_NEAR(p.z(), 100 + (p.x() - 500000) / 2 + (p.y() - 4400000) / 4, 0.8);
     }
     const std::string note = terrain.report.notes.front();

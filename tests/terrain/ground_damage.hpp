@@ -38,7 +38,7 @@ TriangleMesh part_of(const TriangleMesh& mesh, const Wanted& wanted) {
 inline TriangleMesh cracked(const TriangleMesh& mesh, double at, double gap, Random& random) {
   const TriangleMesh left = part_of(mesh, [&](const Vec3& p) { return p.x() < at; });
   TriangleMesh right = part_of(mesh, [&](const Vec3& p) { return p.x() >= at; });
-  const Vec3 shift = gap * random.uniform(0.2, 1.0) * random.direction();
+  const Vec3 shift = gap * random.uniform(0.2, 1.0) * random.unit_vector();
   for (Vec3& v : right.vertices) v += shift;
   return merged(left, right);
 }
@@ -56,7 +56,7 @@ inline TriangleMesh with_t_junctions(const TriangleMesh& mesh, double at, double
       const Vec3 a = right.vertices[corners[k]], b = right.vertices[corners[(k + 1) % 3]];
       if (std::abs(a.x() - at) > 1e-9 || std::abs(b.x() - at) > 1e-9) continue;
       const auto middle = static_cast<std::uint32_t>(right.vertices.size());
-      right.vertices.push_back((a + b) / 2.0 + gap * random.uniform() * random.direction());
+      right.vertices.push_back((a + b) / 2.0 + gap * random.uniform() * random.unit_vector());
       right.triangles[t] = {corners[k], middle, corners[(k + 2) % 3]};
       right.triangles.push_back({middle, corners[(k + 1) % 3], corners[(k + 2) % 3]});
       break;
@@ -77,7 +77,7 @@ inline TriangleMesh flipped(TriangleMesh mesh, double share, Random& random) {
 inline TriangleMesh with_slivers(TriangleMesh mesh, int count, const std::vector<double>& cuts,
                                  Random& random) {
   for (int i = 0; i < count;) {
-    const std::size_t t = random.below(mesh.triangles.size());
+    const std::size_t t = random.uniform_index(mesh.triangles.size());
     if (std::any_of(cuts.begin(), cuts.end(),
                     [&](double at) { return std::abs(middle_of(mesh, t).x() - at) < 1.5; })) {
       continue;
@@ -117,7 +117,7 @@ inline TriangleMesh with_spikes(TriangleMesh mesh, int count, const std::vector<
                                 Random& random) {
   const Bounds box = bounds(mesh);
   for (int i = 0; i < count;) {
-    Vec3& v = mesh.vertices[random.below(mesh.vertices.size())];
+    Vec3& v = mesh.vertices[random.uniform_index(mesh.vertices.size())];
     const Vec2 plan = v.head<2>();
     if ((plan.array() < box.low.head<2>().array() + 3.0).any() ||
         (plan.array() > box.high.head<2>().array() - 3.0).any() ||
@@ -126,7 +126,7 @@ inline TriangleMesh with_spikes(TriangleMesh mesh, int count, const std::vector<
       continue;
     }
     ++i;
-    v.z() += (random.below(2) == 0 ? 1.0 : -1.0) * random.uniform(5.0, 15.0);
+    v.z() += (random.uniform_index(2) == 0 ? 1.0 : -1.0) * random.uniform(5.0, 15.0);
   }
   return mesh;
 }
@@ -137,7 +137,7 @@ inline TriangleMesh with_spike_groups(TriangleMesh mesh, int count, std::size_t 
                                       Random& random) {
   for (int i = 0; i < count; ++i) {
     std::vector<std::uint32_t> group = {
-        static_cast<std::uint32_t>(random.below(mesh.vertices.size()))};
+        static_cast<std::uint32_t>(random.uniform_index(mesh.vertices.size()))};
     for (const TriangleMesh::Triangle& t : mesh.triangles) {
       const bool beside = std::find(t.begin(), t.end(), group[0]) != t.end();
       for (const std::uint32_t v : t) {
@@ -148,7 +148,8 @@ inline TriangleMesh with_spike_groups(TriangleMesh mesh, int count, std::size_t 
       }
     }
     for (const std::uint32_t v : group) {
-      mesh.vertices[v].z() += (random.below(2) == 0 ? 1.0 : -1.0) * random.uniform(5.0, 15.0);
+      mesh.vertices[v].z() +=
+          (random.uniform_index(2) == 0 ? 1.0 : -1.0) * random.uniform(5.0, 15.0);
     }
   }
   return mesh;
@@ -160,8 +161,8 @@ inline TriangleMesh with_a_spike_at(TriangleMesh mesh, double at, Random& random
   for (std::size_t v = 0; v < mesh.vertices.size(); ++v) {
     if (std::abs(mesh.vertices[v].x() - at) < 0.05) there.push_back(v);
   }
-  mesh.vertices[there[random.below(there.size())]].z() +=
-      (random.below(2) == 0 ? 1.0 : -1.0) * random.uniform(5.0, 15.0);
+  mesh.vertices[there[random.uniform_index(there.size())]].z() +=
+      (random.uniform_index(2) == 0 ? 1.0 : -1.0) * random.uniform(5.0, 15.0);
   return mesh;
 }
 
@@ -169,7 +170,7 @@ inline TriangleMesh with_a_spike_at(TriangleMesh mesh, double at, Random& random
 inline TriangleMesh with_fins(TriangleMesh mesh, int count, Random& random) {
   const std::size_t ground = mesh.triangles.size();
   for (int i = 0; i < count;) {
-    const TriangleMesh::Triangle base = mesh.triangles[random.below(ground)];
+    const TriangleMesh::Triangle base = mesh.triangles[random.uniform_index(ground)];
     std::uint32_t a = base[0], b = base[1];
     const auto at_edge = std::count_if(mesh.triangles.begin(), mesh.triangles.end(),
                                        [&](const TriangleMesh::Triangle& t) {
@@ -178,7 +179,7 @@ inline TriangleMesh with_fins(TriangleMesh mesh, int count, Random& random) {
                                        });
     if (at_edge != 2) continue;
     ++i;
-    for (std::size_t k = random.below(3) + 1; k > 0; --k) {
+    for (std::size_t k = random.uniform_index(3) + 1; k > 0; --k) {
       const auto tip = static_cast<std::uint32_t>(mesh.vertices.size());
       mesh.vertices.push_back((mesh.vertices[a] + mesh.vertices[b]) / 2.0 +
                               Vec3(random.uniform(-0.3, 0.3), random.uniform(-0.3, 0.3), 0.8));

@@ -58,7 +58,7 @@ TEST_F(MeshGround, SquaresComeBackWeldedWithTheirBorder) {
 TEST_F(MeshGround, OnlyCopiesOfVerticesAreWelded) {
   TriangleMesh mesh = torn(squares(4, 0.5, wavy));
   Random random(5);
-  for (Vec3& v : mesh.vertices) v += 2e-7 * random.direction();  // copies, badly rounded
+  for (Vec3& v : mesh.vertices) v += 2e-7 * random.unit_vector();  // copies, badly rounded
   EXPECT_EQ(read(mesh).surface.vertices.size(), 25u);
   // A real edge of 5 micrometres stays.
   const TriangleMesh thin{{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {5e-6, 0, 0}}, {{0, 3, 2}, {3, 1, 2}}};
@@ -71,7 +71,7 @@ TEST_F(MeshGround, MixedUpTrianglesAreTurnedUp) {
     TriangleMesh mesh = squares(6, 0.5, wavy);
     std::size_t down = 0;
     for (TriangleMesh::Triangle& t : mesh.triangles) {
-      if (random.below(2) == 0) continue;
+      if (random.uniform_index(2) == 0) continue;
       std::swap(t[0], t[1]);
       ++down;
     }
@@ -145,7 +145,7 @@ TEST_F(MeshGround, LargeCoordinatesLoseNoDigitsToTheLocalOrigin) {
   EXPECT_EQ(terrain.frame.origin, Vec3(652001, 5203002, 0));
   EXPECT_LT(bounds(terrain.surface).high.cwiseAbs().maxCoeff(), 3.0);
   for (std::size_t i = 0; i < mesh.vertices.size(); ++i) {
-    EXPECT_EQ(terrain.frame.map(terrain.surface.vertices[i]), mesh.vertices[i]);
+    EXPECT_EQ(terrain.frame.to_map(terrain.surface.vertices[i]), mesh.vertices[i]);
   }
 }
 

@@ -120,7 +120,7 @@ TEST_F(RasterGround, MapSystemIsCarriedThroughAsItsCode) {
   EXPECT_EQ(terrain.frame.crs, "EPSG:2154");
   EXPECT_EQ(terrain.frame.origin, Vec3(652001, 6202999, 0));
   const Bounds box = bounds(terrain.surface);
-  EXPECT_EQ(terrain.frame.map(box.low), Vec3(652000.5, 6202998.5, 1));
+  EXPECT_EQ(terrain.frame.to_map(box.low), Vec3(652000.5, 6202998.5, 1));
 }
 
 // A height system beside the map system changes nothing but must be in metres.
@@ -386,7 +386,7 @@ TEST_F(RasterGround, EsriGridsMayBeginWithWordsForNoHeight) {
         // Beside a gap within a side, the corner of the grid belongs to no square.
         EXPECT_EQ(terrain.surface.vertices.size(), gap == 0 || gap == 3 ? 19u : 18u);
         for (const Vec3& v : terrain.surface.vertices) {
-          const Vec3 p = terrain.frame.map(v) - Vec3(600000.5, 5180000.5, 0);
+          const Vec3 p = terrain.frame.to_map(v) - Vec3(600000.5, 5180000.5, 0);
           EXPECT_NEAR(p.z(), 1000 - 2 * (3 - p.y()) + p.x(), 1e-9);
         }
       }

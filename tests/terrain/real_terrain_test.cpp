@@ -153,7 +153,7 @@ TEST(RealTerrain, TirolRasterHasTheHeightsOfItsAsciiForm) {
   for (std::size_t i = 0; i < grid.values.size(); ++i)
     heights[key(grid.centre(i))] = grid.values[i];
   for (const Vec3& local : tif.surface.vertices) {
-    const Vec3 v = tif.frame.map(local);
+    const Vec3 v = tif.frame.to_map(local);
     ASSERT_TRUE(heights.contains(key(v.head<2>()))) << v.transpose();
     EXPECT_NEAR(heights[key(v.head<2>())], v.z(), 1e-2);
   }

@@ -71,7 +71,7 @@ TEST_F(Released, AParaboloidHasItsVolume) {
     EXPECT_NEAR(mass.bodies[0].plan_area, area, 0.4 * 2.0 * std::numbers::pi * kRadius);
     EXPECT_NEAR(mass.bodies[0].max_thickness, kHeight, 0.01);
     expect_solid(mass.bodies[0].mesh);
-    EXPECT_TRUE(mass.left_out.empty());
+    EXPECT_TRUE(mass.excluded.empty());
     EXPECT_TRUE(mass.notes.empty());
     EXPECT_NEAR(mass.edge_before, 0.4, 0.15);
     EXPECT_NEAR(mass.edge_after, 0.57, 0.2);
@@ -167,14 +167,14 @@ TEST_F(Released, OfSeveralBodiesThoseAskedForAreTaken) {
       ground(squares(40, 1.0, [&](double x, double y) { return slope_.at(x, y); }));
   const ReleasedMass largest = find_released_mass(before, after, {.min_thickness = 0.0});
   ASSERT_EQ(largest.bodies.size(), 1u);
-  ASSERT_EQ(largest.left_out.size(), 2u);
+  ASSERT_EQ(largest.excluded.size(), 2u);
   EXPECT_NEAR(largest.volume() / kDomeVolume, 1.0, 5e-3);
-  EXPECT_NEAR(largest.left_out[0].volume / kDomeVolume, 0.125, 2e-3);
-  EXPECT_NEAR(largest.left_out_volume() / kDomeVolume, 0.125 + 1.0 / 64.0, 3e-3);
+  EXPECT_NEAR(largest.excluded[0].volume / kDomeVolume, 0.125, 2e-3);
+  EXPECT_NEAR(largest.excluded_volume() / kDomeVolume, 0.125 + 1.0 / 64.0, 3e-3);
   const ReleasedMass two = find_released_mass(before, after, {.bodies = "1,3"});
   ASSERT_EQ(two.bodies.size(), 2u);
-  EXPECT_EQ(two.bodies[1].number, 3u);
-  EXPECT_EQ(two.left_out[0].number, 2u);
+  EXPECT_EQ(two.bodies[1].rank, 3u);
+  EXPECT_EQ(two.excluded[0].rank, 2u);
   EXPECT_EQ(find_released_mass(before, after, {.bodies = "all"}).bodies.size(), 3u);
   EXPECT_EQ(
       find_released_mass(before, after, {.bodies = "all", .least_volume = 20.0}).bodies.size(), 2u);

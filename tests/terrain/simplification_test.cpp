@@ -102,7 +102,7 @@ TEST_F(Simplification, TheLargestDifferenceAnywhereIsWithinTheToleranceAndSaid) 
     TriangleMesh mesh = squares(14, 1.0, hills);
     for (Vec3& v : mesh.vertices) {
       const bool border = v.x() == 0.0 || v.y() == 0.0 || v.x() == 14.0 || v.y() == 14.0;
-      if (!border) v += 0.2 * random.direction();
+      if (!border) v += 0.2 * random.unit_vector();
     }
     const Terrain whole = read(mesh);
     const double tolerance = 0.03 * static_cast<double>(seed);

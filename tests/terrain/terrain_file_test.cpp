@@ -151,7 +151,7 @@ TEST_F(TerrainFile, MeshExportsAreOnTheMap) {
     const TriangleMesh mesh = read_mesh(folder_ / name);
     ASSERT_EQ(mesh.triangles, terrain.surface.triangles) << name;
     for (std::size_t i = 0; i < mesh.vertices.size(); ++i) {
-      EXPECT_EQ(mesh.vertices[i], terrain.frame.map(terrain.surface.vertices[i])) << name;
+      EXPECT_EQ(mesh.vertices[i], terrain.frame.to_map(terrain.surface.vertices[i])) << name;
     }
     EXPECT_FALSE(std::filesystem::exists(folder_ / (name + ".origin.txt")));
   }
@@ -197,7 +197,7 @@ TEST_F(TerrainFile, RasterExportHasTheHeightsAtCellCentres) {
   EXPECT_EQ(back.surface.vertices.size(), 32u * 16u);
   double worst = 0.0;
   for (const Vec3& local : back.surface.vertices) {
-    const Vec3 v = back.frame.map(local);
+    const Vec3 v = back.frame.to_map(local);
     worst = std::max(worst, std::abs(v.z() - file_dome(v.x() - 652000.0, v.y() - 5203000.0)));
   }
   EXPECT_LT(worst, 2.0 * 0.05 * 0.25 / 4.0 + 1e-4);

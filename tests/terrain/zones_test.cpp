@@ -52,7 +52,7 @@ class Zones : public testing::Test {
     for (std::size_t t = 0; t < terrain.zone.size(); ++t) {
       const auto& [a, b, c] = terrain.surface.triangles[t];
       const std::vector<Vec3>& v = terrain.surface.vertices;
-      const Vec3 centroid = terrain.frame.map((v[a] + v[b] + v[c]) / 3.0);
+      const Vec3 centroid = terrain.frame.to_map((v[a] + v[b] + v[c]) / 3.0);
       EXPECT_EQ(terrain.zone_names.at(terrain.zone[t]), expected(centroid.x(), centroid.y()))
           << centroid.transpose();
     }

@@ -9,7 +9,7 @@ void silence_errors() {
   static_cast<void>(done);
 }
 
-std::string reason() {
+std::string last_error_message() {
   std::string found;
   H5Ewalk2(
       H5E_DEFAULT, H5E_WALK_UPWARD,
@@ -45,7 +45,7 @@ std::string unpadded_string(const std::string& bytes, std::size_t begin, std::si
   return text.substr(0, text.find_last_not_of('\0') + 1);
 }
 
-std::size_t longest(std::span<const std::string> texts) {
+std::size_t longest_size(std::span<const std::string> texts) {
   std::size_t width = 1;
   for (const std::string& text : texts) width = std::max(width, text.size());
   return width;

@@ -31,7 +31,7 @@ class ScopedId {
 };
 
 /// The innermost reason HDF5 gives for the failure of its last call, in brackets, or nothing.
-std::string reason();
+std::string last_error_message();
 
 /// Text is stored at a fixed width, padded with zeros: HDF5's variable-length text lies in a heap
 /// without checksums, and following a damaged one crashes inside HDF5.
@@ -39,23 +39,23 @@ ScopedId fixed_string_type(std::size_t width);
 
 /// The type of numbers T as it lies in memory or, little-endian, in the file.
 template <class T>
-ScopedId number_type(bool in_file) {
+ScopedId number_type(bool file_type) {
   const auto copy = [](hid_t type) { return ScopedId(H5Tcopy(type), H5Tclose); };
   if constexpr (std::is_same_v<T, double>) {
-    return copy(in_file ? H5T_IEEE_F64LE : H5T_NATIVE_DOUBLE);
+    return copy(file_type ? H5T_IEEE_F64LE : H5T_NATIVE_DOUBLE);
   } else if constexpr (std::is_same_v<T, float>) {
-    return copy(in_file ? H5T_IEEE_F32LE : H5T_NATIVE_FLOAT);
+    return copy(file_type ? H5T_IEEE_F32LE : H5T_NATIVE_FLOAT);
   } else if constexpr (std::is_same_v<T, std::int64_t>) {
-    return copy(in_file ? H5T_STD_I64LE : H5T_NATIVE_INT64);
+    return copy(file_type ? H5T_STD_I64LE : H5T_NATIVE_INT64);
   } else if constexpr (std::is_same_v<T, std::int32_t>) {
-    return copy(in_file ? H5T_STD_I32LE : H5T_NATIVE_INT32);
+    return copy(file_type ? H5T_STD_I32LE : H5T_NATIVE_INT32);
   } else if constexpr (std::is_same_v<T, std::uint32_t>) {
-    return copy(in_file ? H5T_STD_U32LE : H5T_NATIVE_UINT32);
+    return copy(file_type ? H5T_STD_U32LE : H5T_NATIVE_UINT32);
   } else if constexpr (std::is_same_v<T, std::uint16_t>) {
-    return copy(in_file ? H5T_STD_U16LE : H5T_NATIVE_UINT16);
+    return copy(file_type ? H5T_STD_U16LE : H5T_NATIVE_UINT16);
   } else {
     static_assert(std::is_same_v<T, std::uint8_t>);
-    return copy(in_file ? H5T_STD_U8LE : H5T_NATIVE_UINT8);
+    return copy(file_type ? H5T_STD_U8LE : H5T_NATIVE_UINT8);
   }
 }
 
@@ -90,21 +90,21 @@ std::string padded_strings(std::span<const std::string> texts, std::size_t width
 /// One of them again.
 std::string unpadded_string(const std::string& bytes, std::size_t begin, std::size_t width);
 /// Bytes of the longest text, at least one.
-std::size_t longest(std::span<const std::string> texts);
+std::size_t longest_size(std::span<const std::string> texts);
 
 /// Values as they are handed to HDF5.
 template <class T>
 struct WriteBuffer {
   explicit WriteBuffer(std::span<const T> all)
-      : element(sizeof(T)),
-        in_file(number_type<T>(true)),
+      : element_size(sizeof(T)),
+        file_type(number_type<T>(true)),
         memory_type(number_type<T>(false)),
         values(all) {}
   WriteBuffer(std::span<const T> all, std::size_t) : WriteBuffer(all) {}
   const void* data() const { return values.data(); }
 
-  std::size_t element;  ///< bytes of one value in the file
-  ScopedId in_file;
+  std::size_t element_size;  ///< bytes of one value in the file
+  ScopedId file_type;
   ScopedId memory_type;
   std::span<const T> values;
 };
@@ -112,15 +112,15 @@ struct WriteBuffer {
 template <>
 struct WriteBuffer<std::string> {
   WriteBuffer(std::span<const std::string> all, std::size_t width)
-      : element(width),
-        in_file(fixed_string_type(width)),
+      : element_size(width),
+        file_type(fixed_string_type(width)),
         memory_type(fixed_string_type(width)),
         bytes(padded_strings(all, width)) {}
-  explicit WriteBuffer(std::span<const std::string> all) : WriteBuffer(all, longest(all)) {}
+  explicit WriteBuffer(std::span<const std::string> all) : WriteBuffer(all, longest_size(all)) {}
   const void* data() const { return bytes.data(); }
 
-  std::size_t element;
-  ScopedId in_file;
+  std::size_t element_size;
+  ScopedId file_type;
   ScopedId memory_type;
   std::string bytes;
 };

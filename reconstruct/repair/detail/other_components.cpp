@@ -70,7 +70,7 @@ void remove_other_components(TriangleMesh& block, std::span<const Component> com
   bool open = false;
   for (const Component& component : components.subspan(1)) {
     const TriangleMesh& mesh = component.mesh;
-    const bool closed = inspect_mesh(mesh).closed();
+    const bool closed = inspect_mesh(mesh).is_closed();
     const bool small = component.area < kIslandArea * components[0].area;
     if (!small) {
       if (const auto copy = match_surface_copy(mesh, tree, diagonal)) {

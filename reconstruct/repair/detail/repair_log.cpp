@@ -12,7 +12,7 @@ Vec3 RepairLog::to_reported_frame(const Vec3& local) const {
   return reported_place_ ? reported_place_(there) : there;
 }
 
-std::string RepairLog::at(const Vec3& local) const { return position(to_reported_frame(local)); }
+std::string RepairLog::at(const Vec3& local) const { return format_point(to_reported_frame(local)); }
 
 void RepairLog::note(DefectKind kind, std::size_t count, double area, std::optional<Vec3> where,
                      double size) {

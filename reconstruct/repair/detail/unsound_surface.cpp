@@ -40,7 +40,8 @@ std::string open_edges(TriangleMesh mesh, const RepairLog& log) {
           (mesh.vertices[loops[i][(k + 1) % loops[i].size()]] - mesh.vertices[loops[i][k]]).norm();
     }
     text += (i == 0 ? ": " : ", ") + format_count(loops[i].size(), "edge", "edges") + " and " +
-            format_significant(around, 3) + " m round near " + log.at(mesh.vertices[loops[i].front()]);
+            format_significant(around, 3) + " m round near " +
+            log.at(mesh.vertices[loops[i].front()]);
   }
   return text + (named < loops.size() ? ", and smaller ones" : "");
 }
@@ -55,7 +56,8 @@ void check_coordinates(const TriangleMesh& mesh) {
     }
     const double farthest = mesh.vertices[v].cwiseAbs().maxCoeff();
     if (farthest > kMaxCoordinate) {
-      throw GeometryError("vertex " + std::to_string(v + 1) + " lies " + format_significant(farthest, 3) +
+      throw GeometryError("vertex " + std::to_string(v + 1) + " lies " +
+                          format_significant(farthest, 3) +
                           " m from the origin: the file is damaged, or its unit is wrong; check "
                           "the unit it was read in");
     }
@@ -86,13 +88,14 @@ void check_hole(const FilledHole& hole, double largest, const TriangleMesh& weld
                 const RepairLog& log) {
   if (hole.area_fraction <= largest || hole.fan) return;
   throw GeometryError("the surface is an open sheet and no block: " + open_edges(welded, log) +
-                      "; closing it would invent " + format_significant(100.0 * hole.area_fraction, 3) +
+                      "; closing it would invent " +
+                      format_significant(100.0 * hole.area_fraction, 3) +
                       " % of its surface. A piece of ground is read by clast terrain; of a block, "
                       "scan more sides");
 }
 
 void check_closed(const TriangleMesh& mesh, const TriangleMesh& welded, const RepairLog& log) {
-  if (inspect_mesh(mesh).closed()) return;
+  if (inspect_mesh(mesh).is_closed()) return;
   std::string text = open_edges(welded, log);
   const TriangleNeighbours links = triangle_neighbours(welded);
   if (links.non_manifold_edges > 0) {

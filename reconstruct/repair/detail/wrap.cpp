@@ -8,7 +8,7 @@ namespace clast::reconstruct_detail {
 
 TriangleMesh wrap_surface(const TriangleMesh& closed, const WrapParameters& parameters) {
   const MeshReport report = inspect_mesh(closed);
-  if (!report.closed()) {
+  if (!report.is_closed()) {
     throw GeometryError("only a closed surface can be wrapped, this one has " + report.summary() +
                         "; repair it first");
   }

@@ -44,7 +44,7 @@ ClosureShape BottomClosure::shape_touching_ground(const Plane& ground, const Clo
 
 bool BottomClosure::touches(const Plane& ground, const ClosureShape& move) const {
   for (std::size_t i = 0; i < patch_.deflection.size(); ++i) {
-    if (ground.height(closed_.vertices[first_vertex_ + i]) <= vertex_drop(i, move)) return true;
+    if (ground.signed_distance(closed_.vertices[first_vertex_ + i]) <= vertex_drop(i, move)) return true;
   }
   return false;
 }

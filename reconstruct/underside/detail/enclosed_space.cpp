@@ -22,7 +22,8 @@ class Space {
  public:
   Space(const Vec3& centre, std::span<const Plane> planes, double farthest)
       : centre_(centre), planes_(planes), farthest_(farthest) {
-    for (const Plane& plane : planes) room_.push_back(std::max(0.0, -plane.height(centre)));
+    for (const Plane& plane : planes)
+      room_.push_back(std::max(0.0, -plane.signed_distance(centre)));
   }
 
   Carried carried(const Vec3& way) {

@@ -179,7 +179,7 @@ class Behind {
     const Vec3 position =
         closure.centre - kBefore * closure.width() * closure.vector_area.normalized();
     const bool within = std::all_of(planes.begin(), planes.end(), [&](const Plane& plane) {
-      return plane.height(position) < 0.0;
+      return plane.signed_distance(position) < 0.0;
     });
     return within ? position : middle_.position;
   }
@@ -380,13 +380,13 @@ std::vector<std::string> describe_hollows(const std::vector<PossibleHollow>& hol
     const std::string width = format_significant(hollow.width * unit, 2) + " m wide";
     notes.push_back(
         hollow.beyond
-            ? "a tunnel may join the unseen places near " + position(hollow.position) + " and " +
-                  position(*hollow.beyond) + ", " + width +
+            ? "a tunnel may join the unseen places near " + format_point(hollow.position) +
+                  " and " + format_point(*hollow.beyond) + ", " + width +
                   ": the surface turns inwards around both, and the lower bound of volume excludes "
                   "it; "
                   "scan its walls, or weigh the block"
-            : "a cavity may lie behind the unseen place near " + position(hollow.position) + ", " +
-                  width +
+            : "a cavity may lie behind the unseen place near " + format_point(hollow.position) +
+                  ", " + width +
                   ": the surface turns inwards around it, and the lower bound of volume excludes "
                   "what lies straight behind it; scan its walls, or weigh the block");
   }

@@ -25,16 +25,18 @@ constexpr OutcomeColumn place_column(const char* name) {
           [](OutcomeAtMoment& at, double value) { at.place[axis] = value; }};
 }
 using OutcomeColumns = std::span<const OutcomeColumn>;
-constexpr OutcomeColumn kBarrierColumns[] = {column_of<&OutcomeAtMoment::speed>("speed_m_s", "m/s"),
-                                             column_of<&OutcomeAtMoment::spin>("spin_rad_s", "rad/s"),
-                                             column_of<&OutcomeAtMoment::height>("height_m", "m"),
-                                             column_of<&OutcomeAtMoment::energy>("energy_j", "J")};
-constexpr OutcomeColumn kMomentColumns[] = {column_of<&OutcomeAtMoment::speed>("speed_m_s", "m/s"),
-                                            column_of<&OutcomeAtMoment::spin>("spin_rad_s", "rad/s"),
-                                            column_of<&OutcomeAtMoment::energy>("energy_j", "J"),
-                                            column_of<&OutcomeAtMoment::depth>("depth_m", "m"),
-                                            place_column<0>("x_m"),
-                                            place_column<1>("y_m")};
+constexpr OutcomeColumn kBarrierColumns[] = {
+    column_of<&OutcomeAtMoment::speed>("speed_m_s", "m/s"),
+    column_of<&OutcomeAtMoment::spin>("spin_rad_s", "rad/s"),
+    column_of<&OutcomeAtMoment::height>("height_m", "m"),
+    column_of<&OutcomeAtMoment::energy>("energy_j", "J")};
+constexpr OutcomeColumn kMomentColumns[] = {
+    column_of<&OutcomeAtMoment::speed>("speed_m_s", "m/s"),
+    column_of<&OutcomeAtMoment::spin>("spin_rad_s", "rad/s"),
+    column_of<&OutcomeAtMoment::energy>("energy_j", "J"),
+    column_of<&OutcomeAtMoment::depth>("depth_m", "m"),
+    place_column<0>("x_m"),
+    place_column<1>("y_m")};
 
 void write_doubles(Hdf5Group& group, const std::string& name, const std::string& unit,
                    const std::vector<double>& values, const std::vector<std::size_t>& shape = {}) {
@@ -59,8 +61,8 @@ void write_outcomes(Hdf5Group& group, OutcomeColumns columns, const Outcomes& me
 }
 
 void read_release_outcomes(const CheckedGroup& group, OutcomeColumns columns,
-                   std::vector<ReleaseOutcome>& runs, std::vector<OutcomeAtMoment> ReleaseOutcome::*of,
-                   std::size_t width) {
+                           std::vector<ReleaseOutcome>& runs,
+                           std::vector<OutcomeAtMoment> ReleaseOutcome::*of, std::size_t width) {
   if (width == 0) return;
   for (ReleaseOutcome& run : runs) (run.*of).resize(width);
   for (const OutcomeColumn& column : columns) {
@@ -83,7 +85,7 @@ void write_moments(Hdf5Group& group, const std::vector<Moment>& moments) {
 
 std::vector<Moment> read_moments(const Hdf5Group& group) {
   std::vector<Moment> moments;
-  if (!group.has("impacts")) return moments;
+  if (!group.contains("impacts")) return moments;
   for (const double number : group.read<double>("impacts")) {
     moments.push_back({Moment::Kind::kImpact, number});
   }
@@ -134,7 +136,7 @@ void write_site(Hdf5Group group, const SiteDescription& site, const Outcomes& me
 
 SiteDescription read_facts(const CheckedGroup& site) {
   SiteDescription facts;
-  facts.name = site.group.attribute<std::string>("name");
+  facts.name = site.group.read_attribute<std::string>("name");
   facts.blocks = site.group.read<std::string>("blocks");
   facts.shapes = site.column<std::string>("shapes", facts.blocks.size());
   facts.barriers = site.group.read<std::string>("barriers");
@@ -142,25 +144,27 @@ SiteDescription read_facts(const CheckedGroup& site) {
   const std::vector<double> middle = site.column<double>("middle_of_starts_m", 2);
   facts.downslope = {downslope[0], downslope[1]};
   facts.middle_of_starts = {middle[0], middle[1]};
-  if (site.group.has("releases")) facts.releases = site.group.read<std::string>("releases");
+  if (site.group.contains("releases")) facts.releases = site.group.read<std::string>("releases");
   facts.moments = read_moments(site.group);
   return facts;
 }
 
-Outcomes read_release_outcomes(const CheckedGroup& runs, const SiteDescription& facts, std::size_t members) {
+Outcomes read_release_outcomes(const CheckedGroup& runs, const SiteDescription& facts,
+                               std::size_t members) {
   const auto member = runs.group.read<std::uint32_t>("member");
   const std::size_t rows = member.size();
   const auto block = runs.column<std::uint32_t>("block", rows);
   const auto point = runs.column<std::uint32_t>("point", rows);
   const auto start = runs.column<double>("start_m", 2 * rows);
   const auto stop = runs.column<double>("stop_m", 2 * rows);
-  const auto release = runs.group.has("release") ? runs.column<std::uint32_t>("release", rows)
-                                                 : std::vector<std::uint32_t>(rows, 0);
+  const auto release = runs.group.contains("release") ? runs.column<std::uint32_t>("release", rows)
+                                                      : std::vector<std::uint32_t>(rows, 0);
   std::vector<ReleaseOutcome> outcomes(rows);
-  read_release_outcomes(runs, kBarrierColumns, outcomes, &ReleaseOutcome::barriers, facts.barriers.size());
+  read_release_outcomes(runs, kBarrierColumns, outcomes, &ReleaseOutcome::barriers,
+                        facts.barriers.size());
   if (!facts.moments.empty()) {
     read_release_outcomes(runs.into("moments"), kMomentColumns, outcomes, &ReleaseOutcome::moments,
-                  facts.moments.size());
+                          facts.moments.size());
   }
   Outcomes all(members);
   for (std::size_t i = 0; i < rows; ++i) {

@@ -36,7 +36,7 @@ BlockFilter read_filter(const DeclaredTable& table) {
     filter.shape_class = *choice(by_class, "class", class_names(filter.scheme));
     return filter;
   }
-  filter.ids = *table.texts("select");
+  filter.ids = *table.strings("select");
   for (std::size_t i = 0; i < filter.ids.size(); ++i) {
     const auto here = filter.ids.begin() + static_cast<std::ptrdiff_t>(i);
     if (std::find(filter.ids.begin(), here, *here) != here) {
@@ -114,7 +114,7 @@ MemberTable<GroundDistributions> zone_keys(bool complete) {
   for (const GroundParameterField& field : ground_fields()) {
     ValueFormat form = uncertain(field.range);
     if (complete && field.required) {
-      form = required(field.meaning + (", " + field.range.words()), std::move(form));
+      form = required(field.meaning + (", " + field.range.describe()), std::move(form));
     }
     keys.push_back({field.name, field.unit, field.explanation(), std::move(form), field.asked});
   }

@@ -56,7 +56,7 @@ std::set<std::string> taken_tables(const DeclaredTable& table, const PosteriorDr
                  "has " + comma_separated(posterior.parameters) + " alone, and " + same_blocks +
                      "posterior out");
   }
-  const std::optional<std::vector<std::string>> take = table.texts("take");
+  const std::optional<std::vector<std::string>> take = table.strings("take");
   if (!take) {
     for (const std::string& parameter : posterior.parameters) {
       if (is_ground_parameter(parameter)) continue;
@@ -105,9 +105,9 @@ void check_values(const TomlTable& table, const PosteriorDraws& posterior) {
     const auto check = [&] {
       const NumberRange allowed = parameter_range(parameter);
       for (const std::vector<double>& draw : posterior.draws) {
-        if (allowed.holds(draw[i])) continue;
+        if (allowed.contains(draw[i])) continue;
         throw InputError("has a draw of " + format_significant(draw[i], 6) + ", which must be " +
-                         allowed.words());
+                         allowed.describe());
       }
     };
     table.checked("posterior", check, parameter + " ");

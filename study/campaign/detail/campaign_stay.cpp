@@ -20,7 +20,7 @@ std::vector<std::string> read_cleared_zones(const DeclaredTable& table, const Ca
   }
   const DeclaredTable rule = table.inner("remove");
   const TomlNode& zone = rule.required("zone");
-  const std::vector<std::string> names = *rule.texts("zone");
+  const std::vector<std::string> names = *rule.strings("zone");
   for (const std::string& name : names) {
     if (std::count(names.begin(), names.end(), name) > 1) {
       rule.refuse("zone", zone, "names \"" + name + "\" more than once");
@@ -52,7 +52,7 @@ const MemberTable<GroundParameters>& between_blocks_keys() {
     for (const GroundParameterField& field : ground_fields()) {
       if (field.of_soil) continue;
       ValueFormat form = number(field.range);
-      if (field.required) form = required(field.range.words(), std::move(form));
+      if (field.required) form = required(field.range.describe(), std::move(form));
       all.push_back({field.name, field.unit, field.explanation(), std::move(form), field.value});
     }
     return MemberTable<GroundParameters>(

@@ -97,15 +97,15 @@ const MemberTable<SeriesRequest>& vary_keys() {
   static const MemberTable<SeriesRequest> keys(
       {"blocks.vary", "Bodies made of the blocks, that run in their place"},
       {{"to", "", "stretch to these ratios, [I/L, S/L] each",
-        list(list(number(kVariedRatio), 2, 2), 1), &read_ratios, kSteps, &Steps::to},
+        list(list(number(kVariedRatio), 2, 2), 1), &read_ratios, kSteps, &Steps::ratios},
        {"grid", "", "stretch to forms all over a diagram", table(grid_keys().keys), &read_grid,
         kSteps, &Steps::grid},
        {"like", "", "stretch to the ratios of these blocks of the library", texts(),
-        &SeriesRequest::like},
+        &SeriesRequest::like_ids},
        {"convexity", "", "fill hollows until the volume is this share of the hull's",
         numbers(kVariedConvexity), kSteps, &Steps::convexity},
-       {"rounding", "", "radius of edges and corners as a share of S", numbers(kVariedRadiusFraction),
-        kSteps, &Steps::rounding},
+       {"rounding", "", "radius of edges and corners as a share of S",
+        numbers(kVariedRadiusFraction), kSteps, &Steps::rounding},
        {"roundness", "", "round edges and corners until Wadell's roundness is this",
         numbers(kVariedRoundness), kSteps, &Steps::roundness},
        {"roundness_edge", "",
@@ -127,7 +127,8 @@ const MemberTable<SeriesRequest>& vary_keys() {
        {"population", "", "bodies with sizes and forms drawn as the blocks, or a table, have them",
         table(population_keys().keys), &read_population},
        {"keep", "", "what bodies have in common with their block", words({"mass", "volume", "L"}),
-        &kept_size, &SeriesRequest::options, &SeriesOptions::variation, &VariationOptions::keep}});
+        &parse_preserved_size, &SeriesRequest::options, &SeriesOptions::variation,
+        &VariationOptions::keep}});
   return keys;
 }
 
@@ -141,7 +142,7 @@ SeriesRequest read_vary(const DeclaredTable& blocks) {
   SeriesRequest request;
   vary_keys().read(table, request);
   check_steps(table, request.steps);
-  if (request.asks_for_nothing()) {
+  if (request.is_empty()) {
     table.refuse(
         "nothing is asked for; give to, grid, like, convexity, rounding, roundness, vertices, "
         "detail, reference, inertia or population");

@@ -79,7 +79,8 @@ std::map<std::pair<std::uint32_t, std::uint32_t>, std::size_t> rows_by_run(
 }
 
 std::vector<BarrierCrossing> collect_crossings(const std::vector<CampaignResults>& results,
-                                           const std::vector<RunRow>& rows, const Lines& lines) {
+                                               const std::vector<RunRow>& rows,
+                                               const Lines& lines) {
   const auto row_of = rows_by_run(results, rows);
   std::vector<BarrierCrossing> crossings;
   for (std::uint32_t file = 0; file < results.size(); ++file) {
@@ -94,7 +95,7 @@ std::vector<BarrierCrossing> collect_crossings(const std::vector<CampaignResults
       std::size_t line = lines.line_of[file][crossing.barrier];
       if (lines.lines[line].of_ring() && !lines.lines[line].counted(crossing)) ++line;  // an exit
       crossings.push_back(
-          {&crossing, row->second, line, results[file].frame.map(crossing.position), false});
+          {&crossing, row->second, line, results[file].frame.to_map(crossing.position), false});
     }
   }
   std::stable_sort(crossings.begin(), crossings.end(),
@@ -129,7 +130,7 @@ std::vector<double> farthest_skin_points(const std::vector<CampaignResults>& res
 
 /// @param farthest  skin point of each crossing's block, m from its centre
 BarrierGroupStatistics measure_crossings(const std::vector<const Crossing*>& crossings,
-                               const std::vector<double>& farthest) {
+                                         const std::vector<double>& farthest) {
   BarrierGroupStatistics group;
   std::vector<double> tops;
   for (std::size_t i = 0; i < crossings.size(); ++i) {
@@ -174,10 +175,11 @@ CrossingsOfLine first_crossings(const std::vector<BarrierCrossing>& crossings, s
 /// @param farthest  skin point of the block of every row, m from its centre
 /// @return none where no run met the barrier
 std::optional<BarrierGroupStatistics> group_at_line(const std::vector<CampaignResults>& results,
-                                          const std::vector<RunRow>& rows, const BarrierLine& line,
-                                          const CrossingsOfLine& of_line,
-                                          const std::vector<double>& farthest,
-                                          const std::vector<std::size_t>& members) {
+                                                    const std::vector<RunRow>& rows,
+                                                    const BarrierLine& line,
+                                                    const CrossingsOfLine& of_line,
+                                                    const std::vector<double>& farthest,
+                                                    const std::vector<std::size_t>& members) {
   std::size_t started = 0, backward = 0;
   std::vector<const Crossing*> crossings;
   std::vector<double> of_crossings;
@@ -237,8 +239,8 @@ BarrierComparison compare_barriers(const std::vector<CampaignResults>& results,
   return compared;
 }
 
-std::vector<BarrierGroupStatistics> barrier_groups_by_draw(const Comparison& comparison, std::size_t line,
-                                           const std::vector<GroundDrawRows>& draws) {
+std::vector<BarrierGroupStatistics> barrier_groups_by_draw(
+    const Comparison& comparison, std::size_t line, const std::vector<GroundDrawRows>& draws) {
   const CrossingsOfLine of_line =
       first_crossings(comparison.crossings, line, comparison.rows.size());
   const std::vector<double> farthest = farthest_skin_points(comparison.results, comparison.rows);

@@ -32,12 +32,13 @@ std::string contact_list(const std::string& name, const std::vector<SceneContact
 
 std::string stiffness_lists(const std::vector<SceneContact>& contacts) {
   using Contact = const SceneContact&;
-  return contact_list("kn", contacts, [](Contact c) { return exact(c.normal); }) +
-         contact_list("kt", contacts, [](Contact c) { return exact(c.tangential); }) +
-         contact_list("kr", contacts, [](Contact c) { return exact(c.rolling); }) +
-         contact_list("mu", contacts, [](Contact c) { return exact(c.parameters.friction); }) +
+  return contact_list("kn", contacts, [](Contact c) { return format_exact(c.normal); }) +
+         contact_list("kt", contacts, [](Contact c) { return format_exact(c.tangential); }) +
+         contact_list("kr", contacts, [](Contact c) { return format_exact(c.rolling); }) +
+         contact_list("mu", contacts,
+                      [](Contact c) { return format_exact(c.parameters.friction); }) +
          contact_list("damprate", contacts, [](Contact c) {
-           return exact(damping_rate(c.parameters.energy_restitution));
+           return format_exact(damping_rate(c.parameters.energy_restitution));
          });
 }
 
@@ -81,7 +82,8 @@ std::string contacts_text(const SceneContents& set, const Scene& scene) {
 
 std::string bounds_text(const Bounds& box) {
   const auto corner = [](const Vec3& v) {
-    return "[" + exact(v.x()) + ", " + exact(v.y()) + ", " + exact(v.z()) + "]";
+    return "[" + format_exact(v.x()) + ", " + format_exact(v.y()) + ", " + format_exact(v.z()) +
+           "]";
   };
   return "[" + corner(box.low) + ", " + corner(box.high) + "]";
 }
@@ -102,13 +104,14 @@ std::string drivers_text(const CampaignPlan& prepared, const SceneContents& set)
   const std::vector<std::size_t> drivers = drivers_of(set);
   for (std::size_t i = 0; i < drivers.size(); ++i) {
     text += "  - register_stl_mesh:\n     id: " + std::to_string(i) + "\n     filename: ../" +
-            set.zones[drivers[i]].shape.name + ".stl\n     minkowski: " + exact(radius) +
+            set.zones[drivers[i]].shape.name + ".stl\n     minkowski: " + format_exact(radius) +
             " m\n     params: { motion_type: STATIONARY }\n     binary: true\n";
   }
   return text;
 }
 
-std::string exadem_input(const CampaignPlan& prepared, const SceneContents& set, const Scene& scene) {
+std::string exadem_input(const CampaignPlan& prepared, const SceneContents& set,
+                         const Scene& scene) {
   const Campaign& campaign = prepared.campaign;
   double size = 0.0;
   for (const SceneBody& body : scene.bodies) {
@@ -127,24 +130,25 @@ std::string exadem_input(const CampaignPlan& prepared, const SceneContents& set,
          "input_data:\n  - read_conf_rockable:\n     filename: bodies.conf\n     bounds_mode: "
          "DOMAIN_BOUNDS\n" +
          contacts_text(set, scene) + "\n" + drivers_text(prepared, set) +
-         "\ncompute_force:\n  - gravity_force:\n     gravity: [0, 0, " + exact(-campaign.gravity) +
+         "\ncompute_force:\n  - gravity_force:\n     gravity: [0, 0, " +
+         format_exact(-campaign.gravity) +
          "]\n  - contact_multimat_polyhedron\n\nparticle_write_paraview_generic:\n  - "
          "write_paraview_polyhedra\n  - write_conf_rockable\n\ndomain:\n  cell_size: " +
-         exact(cell) + " m\n  periodic: [false, false, false]\n  grid_dims: [" +
+         format_exact(cell) + " m\n  periodic: [false, false, false]\n  grid_dims: [" +
          format_decimals(cells.x(), 0) + ", " + format_decimals(cells.y(), 0) + ", " +
          format_decimals(cells.z(), 0) + "]\n  bounds: " + bounds_text(box) +
          "\n  expandable: true\n\nglobal:\n  simulation_dump_frequency: -1\n  "
          "simulation_end_iteration: " +
          steps(campaign.max_time) + "\n  simulation_log_frequency: " + steps(interval) +
          "\n  simulation_paraview_frequency: " + steps(interval) +
-         "\n  dt: " + exact(scene.time_step) + " s\n  rcut_inc: " + exact(scene.search_margin) +
-         " m\n";
+         "\n  dt: " + format_exact(scene.time_step) +
+         " s\n  rcut_inc: " + format_exact(scene.search_margin) + " m\n";
 }
 
 std::string conf_text(const SceneContents& set, const Scene& scene) {
-  std::string text = "Rockable 29-11-2018\nt 0\ndt " + exact(scene.time_step) + "\n";
+  std::string text = "Rockable 29-11-2018\nt 0\ndt " + format_exact(scene.time_step) + "\n";
   for (std::size_t i = 0; i < set.shapes.size(); ++i) {
-    text += "density " + std::to_string(i) + " " + exact(set.shapes[i].density) + "\n";
+    text += "density " + std::to_string(i) + " " + format_exact(set.shapes[i].density) + "\n";
   }
   text +=
       "nDriven 0\nshapeFile ../shapes.shp\nParticles " + std::to_string(scene.bodies.size()) + "\n";

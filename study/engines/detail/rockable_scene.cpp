@@ -16,10 +16,11 @@ std::string contact_lines(const SceneContact& contact) {
   const std::string pair =
       " " + std::to_string(contact.first) + " " + std::to_string(contact.second) + " ";
   const GroundParameters& ground = contact.parameters;
-  return "knContact" + pair + exact(contact.normal) + "\nen2Contact" + pair +
-         exact(ground.energy_restitution) + "\nktContact" + pair + exact(contact.tangential) +
-         "\nmuContact" + pair + exact(ground.friction) + "\nkrContact" + pair +
-         exact(contact.rolling) + "\nmurContact" + pair + exact(ground.rolling_friction) + "\n\n";
+  return "knContact" + pair + format_exact(contact.normal) + "\nen2Contact" + pair +
+         format_exact(ground.energy_restitution) + "\nktContact" + pair +
+         format_exact(contact.tangential) + "\nmuContact" + pair + format_exact(ground.friction) +
+         "\nkrContact" + pair + format_exact(contact.rolling) + "\nmurContact" + pair +
+         format_exact(ground.rolling_friction) + "\n\n";
 }
 
 std::string bodies_text(const SceneContents& set, const Scene& scene) {
@@ -31,7 +32,8 @@ std::string bodies_text(const SceneContents& set, const Scene& scene) {
     ++driven;
   }
   for (const SceneBody& body : scene.bodies) {
-    lines += format_conf_line(set.shapes[body.shape].shape.name, body.shape, body.scale, body.start);
+    lines +=
+        format_conf_line(set.shapes[body.shape].shape.name, body.shape, body.scale, body.start);
   }
   return "nDriven " + std::to_string(driven) + "\nshapeFile ../shapes.shp\nParticles " +
          std::to_string(driven + scene.bodies.size()) + "\n" + lines;
@@ -50,22 +52,24 @@ std::string weights_of(ContactWeighting weights) {
   return "None";
 }
 
-std::string rockable_input(const CampaignPlan& prepared, const SceneContents& set, const Scene& scene) {
+std::string rockable_input(const CampaignPlan& prepared, const SceneContents& set,
+                           const Scene& scene) {
   const Campaign& campaign = prepared.campaign;
   const double interval =
       campaign.trajectory_interval > 0.0 ? campaign.trajectory_interval : kRockableSnapshot;
   std::string text = "Rockable 29-11-2018\n# written by clast; see ../SCENE.txt\n\nt 0\ntmax " +
-                     exact(campaign.max_time) + "\ndt " + exact(scene.time_step) +
-                     "\ninterVerlet " + exact(scene.search_interval) + "\ninterConf " +
-                     exact(interval) + "\nDVerlet " + exact(2.0 * scene.search_margin) +
-                     "\ndVerlet " + exact(scene.search_margin) + "\n\n";
+                     format_exact(campaign.max_time) + "\ndt " + format_exact(scene.time_step) +
+                     "\ninterVerlet " + format_exact(scene.search_interval) + "\ninterConf " +
+                     format_exact(interval) + "\nDVerlet " +
+                     format_exact(2.0 * scene.search_margin) + "\ndVerlet " +
+                     format_exact(scene.search_margin) + "\n\n";
   for (std::size_t i = 0; i < set.shapes.size(); ++i) {
-    text += "density " + std::to_string(i) + " " + exact(set.shapes[i].density) + "\n";
+    text += "density " + std::to_string(i) + " " + format_exact(set.shapes[i].density) + "\n";
   }
   for (std::size_t zone = 0; zone < set.zones.size(); ++zone) {
     text += "density " + std::to_string(set.zone_group(zone)) + " 2650\n";
   }
-  text += "\ngravity 0 0 " + exact(-campaign.gravity) +
+  text += "\ngravity 0 0 " + format_exact(-campaign.gravity) +
           "\n\nforceLaw Avalanche\nContactPartnership " + weights_of(campaign.weights) +
           "\nAddOrRemoveInteractions OBBtree\nUpdateNL bruteForce\nIntegrator velocityVerlet\n\n";
   for (const SceneContact& contact : scene.contacts) text += contact_lines(contact);
@@ -74,8 +78,8 @@ std::string rockable_input(const CampaignPlan& prepared, const SceneContents& se
 
 }  // namespace
 
-void write_rockable_scene(const CampaignPlan& prepared, const SceneContents& set, const Scene& scene,
-                          const std::filesystem::path& folder) {
+void write_rockable_scene(const CampaignPlan& prepared, const SceneContents& set,
+                          const Scene& scene, const std::filesystem::path& folder) {
   std::filesystem::create_directories(folder / scene.name);
   write_output(folder / scene.name / "input.txt", rockable_input(prepared, set, scene), {});
   if (scene.bodies.size() != 1) return;
@@ -83,8 +87,9 @@ void write_rockable_scene(const CampaignPlan& prepared, const SceneContents& set
   for (const SceneZone& zone : set.zones) block += zone.surface.triangles.empty() ? 0 : 1;
   write_output(folder / scene.name / "dataExtractors.txt",
                "TrackRockfall " + std::to_string(block) + " " +
-                   exact(std::sqrt(2.0 * prepared.campaign.rest_energy)) + " " +
-                   exact(kTrackedSpin) + " track.txt " + std::to_string(kTrackedSteps) + "\n",
+                   format_exact(std::sqrt(2.0 * prepared.campaign.rest_energy)) + " " +
+                   format_exact(kTrackedSpin) + " track.txt " + std::to_string(kTrackedSteps) +
+                   "\n",
                {});
 }
 

@@ -7,9 +7,9 @@
 namespace clast::study_detail {
 
 /// Formats a number with the fewest digits that restore its bits.
-std::string exact(double value);
+std::string format_exact(double value);
 /// Formats a point as "x y z".
-std::string exact(const Vec3& v);
+std::string format_exact(const Vec3& v);
 
 /// Formats a body as a line of a conf file: name, group, cluster, homothety, position, velocity,
 /// acceleration, orientation (w x y z), angular velocity and angular acceleration in world axes.

@@ -91,7 +91,8 @@ std::string filled(std::string_view text, const std::map<std::string, std::strin
 
 std::string toml_list(const std::vector<std::string>& texts) {
   std::string result;
-  for (const std::string& text : texts) result += (result.empty() ? "" : ", ") + format_toml_string(text);
+  for (const std::string& text : texts)
+    result += (result.empty() ? "" : ", ") + format_toml_string(text);
   return "[" + result + "]";
 }
 
@@ -104,9 +105,9 @@ std::string place_text(const Vec3& place) { return pair_text(place.x(), place.y(
 std::string format_blocks_table(const ProposedBlocks& blocks) {
   const std::string select =
       blocks.selected.empty() ? "" : "select             = " + toml_list(blocks.selected) + "\n";
-  const std::string about = blocks.mass
-                                ? filled(kUnscaledBlocks, {{"mass", format_significant(*blocks.mass, 6)}})
-                                : filled(kSizedBlocks, {{"count", format_count(blocks.count, "block")}});
+  const std::string about =
+      blocks.mass ? filled(kUnscaledBlocks, {{"mass", format_significant(*blocks.mass, 6)}})
+                  : filled(kSizedBlocks, {{"count", format_count(blocks.count, "block")}});
   return select + about;
 }
 
@@ -119,8 +120,8 @@ std::string commented(double value, const std::string& remark) {
 
 std::string zone_text(const ProposedGround& zone, double rolling_length) {
   const auto usual = [](const TypicalValue& number, const std::string& symbol) {
-    return commented(number.value, symbol + ", usual " + format_significant(number.low, 3) + " to " +
-                                       format_significant(number.high, 3));
+    return commented(number.value, symbol + ", usual " + format_significant(number.low, 3) +
+                                       " to " + format_significant(number.high, 3));
   };
   return filled(
       kZone, {{"why", zone.by_name ? "By its name:" : "Its name says no kind of ground; taken for"},
@@ -136,8 +137,8 @@ std::string zone_text(const ProposedGround& zone, double rolling_length) {
 
 }  // namespace
 
-std::string campaign_text(const CampaignProposal& proposal, const std::string& library,
-                          const std::vector<std::string>& surface) {
+std::string format_campaign_text(const CampaignProposal& proposal, const std::string& library,
+                                 const std::vector<std::string>& surface) {
   const ProposedLines& places = proposal.places;
   std::string notes, ground;
   for (const std::string& doubt : proposal.doubts) notes += "#\n# NOTE: " + doubt + "\n";

@@ -183,7 +183,7 @@ double distance_to_foot(const std::vector<Vec3>& path) {
 ProposedLine line_through(const UpperGround& ground, const MapFrame& frame, const Vec2& place,
                           const Vec2& half) {
   const auto on_map = [&](const Vec2& at) {
-    return frame.map({at.x(), at.y(), ground.height(at).value_or(0.0)});
+    return frame.to_map({at.x(), at.y(), ground.height(at).value_or(0.0)});
   };
   return {on_map(place - half), on_map(place + half)};
 }
@@ -191,7 +191,7 @@ ProposedLine line_through(const UpperGround& ground, const MapFrame& frame, cons
 }  // namespace
 
 ProposedLines propose_release_and_barrier(const Terrain& terrain, const TerrainSurface& surface,
-                              double block_length) {
+                                          double block_length) {
   const UpperGround ground(surface, block_length);
   ProposedLines places;
   places.block_length = block_length;

@@ -79,8 +79,8 @@ const BlockPacking::Cell* BlockPacking::find(std::int64_t i, std::int64_t j) con
 }
 
 std::optional<double> BlockPacking::find_rest_height(std::span<const CoveredCell> covered,
-                                                std::int64_t move_i, std::int64_t move_j,
-                                                std::optional<double> thickness) const {
+                                                     std::int64_t move_i, std::int64_t move_j,
+                                                     std::optional<double> thickness) const {
   double height = -std::numeric_limits<double>::infinity();
   double highest = std::numeric_limits<double>::infinity();  // that the thickness allows
   for (const CoveredCell& cell : covered) {
@@ -100,8 +100,8 @@ std::optional<RigidState> BlockPacking::place(const RigidBody& body, const Groun
   state.orientation = orientation.normalized();
   // The centre is in the middle of a cell.
   state.position = {0.5 * width_, 0.5 * width_, 0.0};
-  const std::vector<CoveredCell> covered =
-      compute_covered_cells(core_mesh(body.shape), body.shape.radius, state.world_from_body(), width_);
+  const std::vector<CoveredCell> covered = compute_covered_cells(
+      core_mesh(body.shape), body.shape.radius, state.world_from_body(), width_);
   struct Place {
     std::int64_t i = 0, j = 0;
     double height = 0.0;
@@ -109,7 +109,7 @@ std::optional<RigidState> BlockPacking::place(const RigidBody& body, const Groun
   } best;
   int found = 0;
   for (int draw = 0; draw < kPlaceDraws && found < kComparedPlaces; ++draw) {
-    const auto at = static_cast<std::int64_t>(inside_[random.below(inside_.size())]);
+    const auto at = static_cast<std::int64_t>(inside_[random.uniform_index(inside_.size())]);
     const std::int64_t i = first_i_ + at % columns_, j = first_j_ + at / columns_;
     const std::optional<double> height = find_rest_height(covered, i, j, thickness);
     if (!height) continue;

@@ -76,7 +76,7 @@ std::optional<std::string> CheckpointFile::read() const {
       difference = "the number of another realisation, " + std::to_string(of + 1);
     }
     if (difference.empty()) {
-      file.erase(0, file.size() - reader.left());
+      file.erase(0, file.size() - reader.remaining_bytes());
       return file;
     }
   }

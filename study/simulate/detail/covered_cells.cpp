@@ -65,7 +65,7 @@ class Cells {
     for (std::int64_t k = cell_of(low - radius_); k <= cell_of(high + radius_); ++k) {
       const double from = static_cast<double>(k) * width_ - radius_;
       const double to = static_cast<double>(k + 1) * width_ + radius_;
-      visit(k, below(below(polygon, {-Vec3::Unit(axis), -from}), {Vec3::Unit(axis), to}));
+      visit(k, clip_below(clip_below(polygon, {-Vec3::Unit(axis), -from}), {Vec3::Unit(axis), to}));
     }
   }
 
@@ -76,8 +76,8 @@ class Cells {
 
 }  // namespace
 
-std::vector<CoveredCell> compute_covered_cells(const TriangleMesh& core, double radius, const Pose& place,
-                                       double width) {
+std::vector<CoveredCell> compute_covered_cells(const TriangleMesh& core, double radius,
+                                               const Pose& place, double width) {
   const TriangleMesh placed = transformed(core, place);
   Cells cells(bounds(placed), radius, width);
   for (const TriangleMesh::Triangle& triangle : placed.triangles) {

@@ -56,8 +56,9 @@ MultiBlockPlacement::MultiBlockPlacement(const CampaignPlan& prepared)
     try {
       packings_.emplace_back(*prepared.surface, all[i], width);
     } catch (const InputError& error) {
-      throw InputError(prepared.campaign.file.string() + ": " + multi_block_release_name(prepared.campaign, i) +
-                       " " + error.what() + "; check its corners and the map frame");
+      throw InputError(prepared.campaign.file.string() + ": " +
+                       multi_block_release_name(prepared.campaign, i) + " " + error.what() +
+                       "; check its corners and the map frame");
     }
   }
   check_no_common_space();
@@ -70,7 +71,8 @@ void MultiBlockPlacement::check_no_common_space() const {
       if (area == 0.0) continue;
       throw InputError(prepared_.campaign.file.string() + ": the polygons of " +
                        multi_block_release_name(prepared_.campaign, other) + " and " +
-                       multi_block_release_name(prepared_.campaign, i) + " overlap on " + format_significant(area, 3) +
+                       multi_block_release_name(prepared_.campaign, i) + " overlap on " +
+                       format_significant(area, 3) +
                        " m^2, where blocks of both would be; move one of them, or draw one "
                        "polygon around both");
     }
@@ -84,10 +86,10 @@ void MultiBlockPlacement::begin(const std::string& name, const std::vector<std::
   placed_.assign(plans_.size(), {});
 }
 
-RigidState MultiBlockPlacement::place(std::size_t mass, std::uint32_t block, const MeasuredBody& body,
-                             Random& random) {
-  const RigidState state =
-      plans_[mass].in_place ? in_place(mass, block, body) : place_in_heap(mass, block, body, random);
+RigidState MultiBlockPlacement::place(std::size_t mass, std::uint32_t block,
+                                      const MeasuredBody& body, Random& random) {
+  const RigidState state = plans_[mass].in_place ? in_place(mass, block, body)
+                                                 : place_in_heap(mass, block, body, random);
   MultiBlockStart& placed = placed_[mass];
   ++placed.blocks;
   placed.volume += prepared_.header.blocks[block].volume;
@@ -107,16 +109,16 @@ std::vector<MultiBlockStart> MultiBlockPlacement::placed() const {
 }
 
 RigidState MultiBlockPlacement::in_place(std::size_t mass, std::uint32_t block,
-                                const MeasuredBody& body) const {
-  const BlockChoice& choice = prepared_.choice;
+                                         const MeasuredBody& body) const {
+  const CampaignBlocks& choice = prepared_.choice;
   const Pose place = choice.library[choice.blocks[block].library].source_from_body();
   RigidState state;
   state.position =
-      prepared_.header.frame.local(place.translation) + Vec3(0.0, 0.0, plans_[mass].raised);
+      prepared_.header.frame.to_local(place.translation) + Vec3(0.0, 0.0, plans_[mass].raised);
   state.orientation = place.rotation.normalized();
   const std::string where = prepared_.campaign.file.string() + ": [mass] in_place: block " +
                             prepared_.header.blocks[block].id + " with its centre at " +
-                            format_map_point(prepared_.header.frame.map(state.position));
+                            format_map_point(prepared_.header.frame.to_map(state.position));
   if (!prepared_.surface->covers(state.position.x(), state.position.y())) {
     throw InputError(where +
                      " is off the terrain; check the map frame and the axis that points up");
@@ -129,10 +131,10 @@ RigidState MultiBlockPlacement::in_place(std::size_t mass, std::uint32_t block,
                         "give [mass] height_m");
 }
 
-RigidState MultiBlockPlacement::place_in_heap(std::size_t mass, std::uint32_t block, const MeasuredBody& body,
-                               Random& random) {
+RigidState MultiBlockPlacement::place_in_heap(std::size_t mass, std::uint32_t block,
+                                              const MeasuredBody& body, Random& random) {
   const Quat turn = draw_run_orientations(prepared_.campaign.releases.front(),
-                                       prepared_.choice.blocks[block].id, name_, 1)
+                                          prepared_.choice.blocks[block].id, name_, 1)
                         .front();
   const std::optional<RigidState> start =
       packings_[mass].place(body.body, body.overlap, turn, plans_[mass].thickness, random);
@@ -144,8 +146,8 @@ void MultiBlockPlacement::refuse_block(std::size_t mass, std::uint32_t block) co
   const BlockSummary& summary = prepared_.header.blocks[block];
   const std::size_t realisation = prepared_.masses.size() / plans_.size() + 1;
   const std::string text =
-      prepared_.campaign.file.string() + ": " + multi_block_release_name(prepared_.campaign, mass) + " holds " +
-      std::to_string(placed_[mass].blocks) + " of " + std::to_string(expected_[mass]) +
+      prepared_.campaign.file.string() + ": " + multi_block_release_name(prepared_.campaign, mass) +
+      " holds " + std::to_string(placed_[mass].blocks) + " of " + std::to_string(expected_[mass]) +
       " blocks of realisation " + std::to_string(realisation) + ", and block " + summary.id +
       " with L = " + format_decimals(summary.axes.L, 3) + " m fits nowhere";
   const std::optional<double>& thickness = plans_[mass].thickness;

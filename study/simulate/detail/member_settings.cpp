@@ -34,7 +34,8 @@ MemberSettings settings_of(const Campaign& bare) {
 }
 
 bool has_settings(const PosteriorDraws& posterior) {
-  return !std::all_of(posterior.parameters.begin(), posterior.parameters.end(), is_ground_parameter);
+  return !std::all_of(posterior.parameters.begin(), posterior.parameters.end(),
+                      is_ground_parameter);
 }
 
 MemberSettings settings_of(Campaign bare, const PosteriorDraws& posterior, std::size_t draw) {
@@ -53,7 +54,7 @@ std::vector<std::size_t> choose_posterior_draws(const Ensemble& ensemble) {
   std::iota(order.begin(), order.end(), std::size_t{0});
   Random random(derive_seed(ensemble.seed, "posterior"));
   for (std::uint32_t member = 0; member < ensemble.members; ++member) {
-    std::swap(order[member], order[member + random.below(order.size() - member)]);
+    std::swap(order[member], order[member + random.uniform_index(order.size() - member)]);
   }
   order.resize(ensemble.members);
   return order;

@@ -11,7 +11,7 @@
 
 namespace clast::terrain_detail {
 
-/// While it lives, GDAL prints nothing; `message` is what it would have said last.
+/// While it lives, GDAL prints nothing; `last_message` is what it would have said last.
 class GdalSession {
  public:
   GdalSession() {
@@ -24,7 +24,7 @@ class GdalSession {
   GdalSession(const GdalSession&) = delete;
   GdalSession& operator=(const GdalSession&) = delete;
 
-  static std::string message() {
+  static std::string last_message() {
     const std::string text = CPLGetLastErrorMsg();
     return text.empty() ? std::string("GDAL gives no reason") : text;
   }

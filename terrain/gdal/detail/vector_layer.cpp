@@ -16,13 +16,13 @@ DatasetPointer open_feature_file(const std::filesystem::path& path, const std::s
       GDALDataset::Open(path.c_str(), GDAL_OF_VECTOR | GDAL_OF_READONLY | GDAL_OF_VERBOSE_ERROR));
   if (!dataset || dataset->GetLayerCount() < 1) {
     throw InputError(path.string() + ": holds no " + what + " that GDAL can read (" +
-                     GdalSession::message() + "); save them as GeoJSON or GeoPackage");
+                     GdalSession::last_message() + "); save them as GeoJSON or GeoPackage");
   }
   return dataset;
 }
 
 OGRLayer& find_geometry_layer(GDALDataset& dataset, const std::filesystem::path& path,
-                     const std::string& what) {
+                              const std::string& what) {
   std::vector<OGRLayer*> layers;
   std::string names;
   for (int i = 0; i < dataset.GetLayerCount(); ++i) {
@@ -44,7 +44,7 @@ OGRLayer& find_geometry_layer(GDALDataset& dataset, const std::filesystem::path&
 }
 
 Transformation make_transformation(OGRLayer& layer, const std::string& crs,
-                              const std::filesystem::path& path) {
+                                   const std::filesystem::path& path) {
   const OGRSpatialReference* from = layer.GetSpatialRef();
   OGREnvelope extent;
   if (!from || crs.empty() || layer.GetExtent(&extent) != OGRERR_NONE) return nullptr;
@@ -59,14 +59,14 @@ Transformation make_transformation(OGRLayer& layer, const std::string& crs,
   Transformation result(OGRCreateCoordinateTransformation(&source, &to));
   if (!result) {
     throw InputError(path.string() + ": can't be brought into the terrain's coordinate system (" +
-                     GdalSession::message() + "); save it in " + reference_system_name(crs));
+                     GdalSession::last_message() + "); save it in " + reference_system_name(crs));
   }
   return result;
 }
 
 std::unique_ptr<OGRGeometry> linearised_geometry(const OGRFeature& feature,
-                                               OGRCoordinateTransformation* transform,
-                                               const std::filesystem::path& path) {
+                                                 OGRCoordinateTransformation* transform,
+                                                 const std::filesystem::path& path) {
   constexpr double kStep = 2.0;  // degrees of an arc to a chord
   const OGRGeometry* stored = feature.GetGeometryRef();
   if (!stored) return nullptr;
@@ -74,7 +74,7 @@ std::unique_ptr<OGRGeometry> linearised_geometry(const OGRFeature& feature,
       stored->hasCurveGeometry() ? stored->getLinearGeometry(kStep) : stored->clone());
   if (geometry && transform && geometry->transform(transform) != OGRERR_NONE) {
     throw InputError(feature_name(feature, path) + " can't be projected (" +
-                     GdalSession::message() + "); check its coordinates and its map system");
+                     GdalSession::last_message() + "); check its coordinates and its map system");
   }
   return geometry;
 }

@@ -10,10 +10,10 @@
 
 namespace clast::terrain_detail {
 
-struct DestroyFeature {
+struct FeatureDeleter {
   void operator()(OGRFeature* feature) const { OGRFeature::DestroyFeature(feature); }
 };
-using FeaturePointer = std::unique_ptr<OGRFeature, DestroyFeature>;
+using FeaturePointer = std::unique_ptr<OGRFeature, FeatureDeleter>;
 
 struct TransformationDeleter {
   void operator()(OGRCoordinateTransformation* t) const {
@@ -31,21 +31,21 @@ DatasetPointer open_feature_file(const std::filesystem::path& path, const std::s
 /// do not count.
 /// @throws InputError  none, or several
 OGRLayer& find_geometry_layer(GDALDataset& dataset, const std::filesystem::path& path,
-                     const std::string& what);
+                              const std::string& what);
 
 /// From the layer's system to the terrain's; none when they agree or one is unknown. GeoJSON that
 /// names no system counts as WGS 84 degrees, but is often written in map metres: numbers beyond
 /// degrees are taken as they are.
 /// @throws InputError  systems that GDAL can't bring together
 Transformation make_transformation(OGRLayer& layer, const std::string& crs,
-                              const std::filesystem::path& path);
+                                   const std::filesystem::path& path);
 
 /// The geometry of a feature on the terrain's map, arcs as chords that stay within a thousandth of
 /// their radius; null where it has none.
 /// @throws InputError  it can't be projected
 std::unique_ptr<OGRGeometry> linearised_geometry(const OGRFeature& feature,
-                                               OGRCoordinateTransformation* transform,
-                                               const std::filesystem::path& path);
+                                                 OGRCoordinateTransformation* transform,
+                                                 const std::filesystem::path& path);
 
 /// "lines.geojson: feature 3"
 std::string feature_name(const OGRFeature& feature, const std::filesystem::path& path);

@@ -36,7 +36,8 @@ struct Cells {
     const Vec2 count = (high / cell).array().floor() - first.array() + 1.0;
     if (!(count.prod() < kMostCloudCells)) {
       throw InputError(path.string() + ": cells of " + format_significant(cell, 6) + " m over " +
-                       format_significant((high - low).x(), 6) + " x " + format_significant((high - low).y(), 6) +
+                       format_significant((high - low).x(), 6) + " x " +
+                       format_significant((high - low).y(), 6) +
                        " m are too many; use a larger `resolution`");
     }
     columns = static_cast<std::size_t>(count.x());
@@ -155,12 +156,13 @@ std::optional<Classes> ground_classes(const std::vector<ClassSurvey>& by_class,
 /// Refuses a cloud that is not in metres on the map of those before it.
 void check_cloud_map(const fs::path& path, const CloudSummary& summary, const Vec2& centre,
                      CloudGrid& result) {
-  const LengthUnitUse metres{.way = "pdal translate, filters.reprojection, EPSG:CODE",
-                         .correction_command = "pdal translate, writers.las.a_srs=EPSG:CODE"};
+  const LengthUnitUse metres{
+      .conversion_command = "pdal translate, filters.reprojection, EPSG:CODE",
+      .correction_command = "pdal translate, writers.las.a_srs=EPSG:CODE"};
   for (const std::string& note : check_length_units(path.string(), summary.lengths, metres)) {
     result.notes.push_back(path.string() + ": " + note);
   }
-  check_map_scale(path.string(), summary.crs, centre, metres.way);
+  check_map_scale(path.string(), summary.crs, centre, metres.conversion_command);
   const std::string crs = normalised_crs(summary.crs);
   if (!result.crs.empty() && !crs.empty() && !is_same_crs(result.crs, crs)) {
     throw InputError(path.string() + ": is in " + reference_system_name(crs) +
@@ -320,23 +322,26 @@ std::string cell_value(const TerrainOptions& options) {
   return "percentile " + format_significant(*options.percentile, 4) + " of the heights";
 }
 
-void note_fill(const HoleFillReport& filled, double widest, CloudGrid& result, const fs::path& path) {
+void note_fill(const HoleFillReport& filled, double widest, CloudGrid& result,
+               const fs::path& path) {
   if (filled.cells > 0) {
     result.notes.push_back(path.string() + ": " + std::to_string(filled.cells) +
                            " cells without points were filled from their surroundings, in " +
                            std::to_string(filled.holes) + " holes");
   }
-  if (filled.left > 0) {
-    result.notes.push_back(path.string() + ": " + std::to_string(filled.left) +
+  if (filled.remaining > 0) {
+    result.notes.push_back(path.string() + ": " + std::to_string(filled.remaining) +
                            " holes wider than " + format_significant(widest, 6) +
-                           " m were left open, the widest, " + format_significant(filled.widest_remaining, 4) +
-                           " m, around " + format_map_point(filled.left_at));
+                           " m were left open, the widest, " +
+                           format_significant(filled.widest_remaining, 4) + " m, around " +
+                           format_map_point(filled.widest_position));
   }
 }
 
 }  // namespace
 
-HeightGrid make_covering_grid(const Vec2& low, const Vec2& high, double cell, const fs::path& path) {
+HeightGrid make_covering_grid(const Vec2& low, const Vec2& high, double cell,
+                              const fs::path& path) {
   HeightGrid grid = Cells(low, high, cell, path).grid();
   std::fill(grid.heights.begin(), grid.heights.end(), kUnknown);
   return grid;
@@ -366,7 +371,8 @@ CloudGrid read_cloud_grid(const TerrainOptions& options) {
   const double size = options.resolution.value_or(default_cell(survey));
   const Cells cells(survey.box.low.head<2>(), survey.box.high.head<2>(), size, path);
   result.notes.push_back(path.string() + ": " + std::to_string(survey.points) + " points, " +
-                         cell_value(options) + " over cells of " + format_significant(size, 9) + " m");
+                         cell_value(options) + " over cells of " + format_significant(size, 9) +
+                         " m");
   HeightGrid& grid = result.grid;
   grid = cells.grid();
   std::vector<std::uint32_t> hits(cells.count(), 0);

@@ -102,11 +102,11 @@ HoleFillReport fill_holes(HeightGrid& grid, double widest) {
       result.cells += hole.cells.size();
       continue;
     }
-    ++result.left;
+    ++result.remaining;
     if (width <= result.widest_remaining) continue;
     result.widest_remaining = width;
     const Vec2 middle = (low + high) / 2.0;
-    result.left_at = {middle.x(), middle.y(), 0.0};
+    result.widest_position = {middle.x(), middle.y(), 0.0};
   }
   return result;
 }

@@ -9,9 +9,9 @@ namespace clast::terrain_detail {
 struct HoleFillReport {
   std::size_t holes = 0;
   std::size_t cells = 0;
-  std::size_t left = 0;         ///< holes that are wider
-  double widest_remaining = 0.0;     ///< m
-  Vec3 left_at = Vec3::Zero();  ///< middle of the widest that is left, on the map
+  std::size_t remaining = 0;            ///< holes that are wider
+  double widest_remaining = 0.0;        ///< m
+  Vec3 widest_position = Vec3::Zero();  ///< middle of the widest that is left, on the map
 };
 
 /// Fills the holes of a grid that are at most `widest` long and wide (the box around them, m). A

@@ -35,7 +35,7 @@ ZoneRule::Condition condition_of(const std::string& text, const std::string& rul
 
 }  // namespace
 
-bool ZoneRule::holds(double slope, double height) const {
+bool ZoneRule::applies(double slope, double height) const {
   for (const Condition& condition : conditions) {
     const double value = condition.of_slope ? slope : height;
     const bool holds = (condition.or_equal && value == condition.bound) ||

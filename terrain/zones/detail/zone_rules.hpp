@@ -18,7 +18,7 @@ struct ZoneRule {
   std::string zone;
   std::vector<Condition> conditions;  ///< none: always
 
-  bool holds(double slope, double height) const;
+  bool applies(double slope, double height) const;
 };
 
 /// "rock=slope>60", "scree=height<1450&slope>=30", "soil=else"; slopes in degrees from level (more

@@ -30,7 +30,8 @@ std::string las(int minor, std::uint8_t format, std::size_t record_size) {
   Random random(4);
   for (int i = 0; i < 40; ++i) {
     LasPoint point;
-    for (std::int32_t& step : point.steps) step = static_cast<std::int32_t>(random.below(100000));
+    for (std::int32_t& step : point.steps)
+      step = static_cast<std::int32_t>(random.uniform_index(100000));
     points.push_back(point);
   }
   return las_file(minor, format, record_size, points, Vec3::Constant(0.001), Vec3(6e5, 5e6, 100));

@@ -115,13 +115,13 @@ std::vector<Kind> lost_kinds() {
        "degrees about its direction",
        {30.0, 45.0, 60.0},
        [](const Body& body, double amount, Random& random) {
-         return of(body, without_side(body.fine, random.direction(), kRadiansPerDegree * amount));
+         return of(body, without_side(body.fine, random.unit_vector(), kRadiansPerDegree * amount));
        }},
       {"cut by a plane",
        "% of the height",
        {5.0, 10.0, 20.0, 25.0, 30.0, 40.0, 50.0, 60.0},
        [](const Body& body, double amount, Random& random) {
-         return of(body, cut_off(body.mesh, random.direction(), kPercent * amount));
+         return of(body, cut_off(body.mesh, random.unit_vector(), kPercent * amount));
        }},
       {"cut by several planes",
        "planes, 5 to 20 % of the height each",
@@ -130,7 +130,7 @@ std::vector<Kind> lost_kinds() {
          TriangleMesh mesh = body.mesh;
          for (int i = 0; i < static_cast<int>(amount); ++i) {
            const double share = random.uniform(0.05, 0.2);
-           mesh = cut_off(mesh, random.direction(), share);
+           mesh = cut_off(mesh, random.unit_vector(), share);
          }
          return of(body, std::move(mesh));
        }},
@@ -151,7 +151,7 @@ std::vector<Kind> added_kinds() {
        "% of L",
        {0.5, 1.0, 2.0, 5.0},
        [](const Body& body, double amount, Random& random) {
-         const Vec3 shift = kPercent * amount * random.direction();
+         const Vec3 shift = kPercent * amount * random.unit_vector();
          return of_two(body, with_copy(body.mesh, 1.0, shift, kWhole, random), 1.0);
        }},
       {"a patch doubled",
@@ -165,9 +165,9 @@ std::vector<Kind> added_kinds() {
        "% of L between them",
        {0.1, 1.0},
        [](const Body& body, double amount, Random& random) {
-         const Vec3 shift = kPercent * amount * random.direction();
+         const Vec3 shift = kPercent * amount * random.unit_vector();
          TriangleMesh moved = body.mesh;
-         const Vec3 direction = random.direction();
+         const Vec3 direction = random.unit_vector();
          for (Vec3& v : moved.vertices) {
            if (v.dot(direction) < 0.0) v += shift;
          }
@@ -238,7 +238,7 @@ std::vector<Kind> moved_kinds() {
 std::vector<Kind> cloud_kinds() {
   const auto uneven = [](auto&& density) {
     return [=](const Body& body, double amount, Random& random) {
-      const Vec3 direction = random.direction();
+      const Vec3 direction = random.unit_vector();
       return of_cloud(
           body,
           {.points = static_cast<std::size_t>(amount), .density = density(body.mesh, direction)},

@@ -25,7 +25,7 @@ TriangleMesh moved_to_touch(TriangleMesh mesh, const TriangleMesh& other, double
   for (int step = 0; step < 200; ++step) {
     double nearest = std::numeric_limits<double>::infinity();
     for (const Vec3& vertex : mesh.vertices) {
-      nearest = std::min(nearest, tree.closest(vertex).squared_distance);
+      nearest = std::min(nearest, tree.closest_point(vertex).squared_distance);
     }
     nearest = std::sqrt(nearest);
     if (nearest < gap) break;
@@ -68,7 +68,7 @@ DamagedScan cloud_without_base(const Body& body, double missing, Random& random)
 
 /// @param shift  of one half against the other, against L
 DamagedScan cloud_in_strips(const Body& body, double shift, Random& random) {
-  const Vec3 across = random.direction(), by = shift * random.direction();
+  const Vec3 across = random.unit_vector(), by = shift * random.unit_vector();
   TriangleMesh cloud;
   for (const Vec3& p : sampled_cloud(body.mesh, {.points = 12000, .noise = 0.001}, random)) {
     const double side = across.dot(p);

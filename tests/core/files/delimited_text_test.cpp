@@ -20,7 +20,7 @@ Rows make_comparison_rows(const std::string& content, const TableDialect& rules 
   DelimitedTextReader text(table.text, "t.csv", rules);
   Rows rows;
   Record record;
-  while (text.next(record)) rows.emplace_back(record.fields.begin(), record.fields.end());
+  while (text.read_record(record)) rows.emplace_back(record.fields.begin(), record.fields.end());
   return rows;
 }
 
@@ -80,19 +80,20 @@ TEST(DelimitedTextReader, GivesBackWhatCsvTextWrote) {
   const std::string letters = "=+-@'\"1a ,;";
   for (int i = 0; i < 2000; ++i) {
     std::string text = "'";  // something that is not a blank at both ends
-    text[0] = letters[random.below(8)];
-    for (std::size_t k = random.below(5); k > 0; --k) text += letters[random.below(11)];
+    text[0] = letters[random.uniform_index(8)];
+    for (std::size_t k = random.uniform_index(5); k > 0; --k)
+      text += letters[random.uniform_index(11)];
     texts.push_back(text + "x");
   }
   for (const std::string& text : texts) {
     CsvWriter csv;
-    csv.cell("name");
-    csv.cell("other");
+    csv.write_cell("name");
+    csv.write_cell("other");
     csv.end_row();
-    csv.cell(text);
-    csv.cell(1.0);
+    csv.write_cell(text);
+    csv.write_cell(1.0);
     csv.end_row();
-    EXPECT_EQ(make_comparison_rows(csv.take()).at(1).at(0), text);
+    EXPECT_EQ(make_comparison_rows(csv.take_text()).at(1).at(0), text);
   }
 }
 

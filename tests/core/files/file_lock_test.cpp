@@ -55,8 +55,7 @@ TEST(FileLock, IsWaitedForWithAWordAndNotForEver) {
   const ScratchFolder folder;
   const fs::path file = folder / "blocks.h5";
   int said = 0;
-  FileLockOptions options{.timeout = std::chrono::milliseconds(60),
-                          .waiting = [&] { ++said; }};
+  FileLockOptions options{.timeout = std::chrono::milliseconds(60), .on_wait = [&] { ++said; }};
   {
     const FileLock held(file);
     EXPECT_TRUE(fs::exists(FileLock::lock_path(file)));

@@ -35,7 +35,7 @@ void write_sample(const std::filesystem::path& path) {
 /// All that a reader can ask for.
 std::string content(const std::filesystem::path& path) {
   const Hdf5File file = Hdf5File::open(path, kChecksumFormat, 1);
-  const Hdf5Group group = file.root().group("g");
+  const Hdf5Group group = file.root().open_group("g");
   std::string all;
   const auto add = [&](const auto& values) {
     all.append(reinterpret_cast<const char*>(values.data()), values.size() * sizeof values[0]);
@@ -46,11 +46,11 @@ std::string content(const std::filesystem::path& path) {
   add(group.read<double>("none"));
   add(group.shape("none"));
   for (const std::string& word : group.read<std::string>("words")) all += word + ",";
-  for (const std::string& name : group.names()) all += name + group.unit(name) + ",";
+  for (const std::string& name : group.child_names()) all += name + group.unit(name) + ",";
   for (int i = 0; i < 12; ++i) {
-    all += std::to_string(group.attribute<double>("a" + std::to_string(i))) + ",";
+    all += std::to_string(group.read_attribute<double>("a" + std::to_string(i))) + ",";
   }
-  return all + group.attribute<std::string>("long");
+  return all + group.read_attribute<std::string>("long");
 }
 
 TEST(Hdf5Checksum, NoFlippedBitIsReadAsAnotherNumber) {
@@ -89,9 +89,10 @@ TEST(Hdf5Checksum, AFileWithoutAnyIsReadAndWithOnlySomeIsNot) {
   EXPECT_EQ(content(folder / "a.h5"), expected);
   // Adding to it adds none.
   { Hdf5File::open(folder / "a.h5", kChecksumFormat, 1, true).root().create_group("more"); }
-  EXPECT_EQ(
-      refusal([&] { Hdf5File::open(folder / "a.h5", kChecksumFormat, 1).root().group("more"); }),
-      "");
+  EXPECT_EQ(refusal([&] {
+              Hdf5File::open(folder / "a.h5", kChecksumFormat, 1).root().open_group("more");
+            }),
+            "");
   write_sample(folder / "b.h5");
   ASSERT_NO_FATAL_FAILURE(remove_checksum(folder / "b.h5", "g/few"));
   EXPECT_TRUE(
@@ -105,7 +106,7 @@ TEST(Hdf5Checksum, FollowsEveryChange) {
   write_sample(folder / "a.h5");
   {
     Hdf5File file = Hdf5File::open(folder / "a.h5", kChecksumFormat, 1, true);
-    Hdf5Group group = file.root().group("g");
+    Hdf5Group group = file.root().open_group("g");
     group.set_attribute<double>("a3", 7.0);
     group.set_attribute<std::string>("long", "short");
     group.set_unit("few", "m");
@@ -114,9 +115,9 @@ TEST(Hdf5Checksum, FollowsEveryChange) {
     file.flush();
   }
   const Hdf5File file = Hdf5File::open(folder / "a.h5", kChecksumFormat, 1);
-  const Hdf5Group group = file.root().group("g");
-  EXPECT_EQ(group.attribute<double>("a3"), 7.0);
-  EXPECT_EQ(group.attribute<std::string>("long"), "short");
+  const Hdf5Group group = file.root().open_group("g");
+  EXPECT_EQ(group.read_attribute<double>("a3"), 7.0);
+  EXPECT_EQ(group.read_attribute<std::string>("long"), "short");
   EXPECT_EQ(group.unit("few"), "m");
   EXPECT_EQ(group.read<double>("many"), std::vector<double>{1.0});
   EXPECT_EQ(group.read<double>("few").size(), 5u);

@@ -43,7 +43,7 @@ CrossedSample crossed_sample(const CrossedStudy& study, Random& random) {
       for (std::uint32_t k = 0; k < study.each; ++k) {
         const double value =
             of_unit + of_point[p] + (high ? of_half[p] : 0.0) + study.of_run * random.normal();
-        if (study.unbalanced && random.below(3) == 0) continue;
+        if (study.unbalanced && random.uniform_index(3) == 0) continue;
         sample.values.push_back(value);
         sample.high.push_back(high);
         sample.units.push_back(u);
@@ -123,7 +123,8 @@ TEST(CrossedDifference, PowerIsAsPredicted) {
     double degrees_of_freedom = 0.0;
     for (int i = 0; i < 50; ++i)
       degrees_of_freedom += crossed_difference(crossed_sample(study, random))->degrees_of_freedom;
-    const double predicted = test_power(difference, study.standard_error(), degrees_of_freedom / 50.0);
+    const double predicted =
+        test_power(difference, study.standard_error(), degrees_of_freedom / 50.0);
     EXPECT_NEAR(shares_of(study, 1.0).found, predicted, 0.03) << difference;
   }
 }

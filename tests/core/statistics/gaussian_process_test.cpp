@@ -21,7 +21,7 @@ MatrixXd even_places(std::size_t dimensions, std::size_t count, std::uint64_t se
   SobolSequence sequence(dimensions, seed);
   MatrixXd places(dimensions, count);
   for (std::size_t i = 0; i < count; ++i) {
-    const std::vector<double> point = sequence.next();
+    const std::vector<double> point = sequence.next_point();
     for (std::size_t d = 0; d < dimensions; ++d) {
       places(static_cast<Eigen::Index>(d), static_cast<Eigen::Index>(i)) = point[d];
     }
@@ -103,7 +103,8 @@ TEST_P(BothKernels, FindNoiseAndACoordinateWithoutInfluence) {
   for (Eigen::Index i = 0; i < 120; ++i) values[i] = smooth(places.col(i)) + 0.1 * random.normal();
   const GaussianProcess process(places, values, options());
   EXPECT_NEAR(std::sqrt(process.noise_variance()), 0.1, 0.02);
-  EXPECT_GT(process.shape().lengths[2], 5.0 * process.shape().lengths[0]);
+  EXPECT_GT(process.hyperparameters().length_scales[2],
+            5.0 * process.hyperparameters().length_scales[0]);
 }
 
 // By definition: the process without a value, its shape the same, says what that value would be.
@@ -133,7 +134,7 @@ TEST_P(BothKernels, LeaveOneOutIsWhatARefitSays) {
 // Slopes of the likelihood, with the belief in little influence, vanish where it is greatest.
 TEST_P(BothKernels, NoShapeNearbyIsLikelier) {
   const auto weighed = [](const GaussianProcess& process) {
-    return process.log_likelihood() - process.shape().lengths.cwiseInverse().sum();
+    return process.log_likelihood() - process.hyperparameters().length_scales.cwiseInverse().sum();
   };
   const MatrixXd places = even_places(2, 40);
   Random random(11);
@@ -142,8 +143,8 @@ TEST_P(BothKernels, NoShapeNearbyIsLikelier) {
   const GaussianProcess best(places, values, options());
   for (const double factor : {0.9, 1.1}) {
     for (Eigen::Index i = 0; i < 3; ++i) {
-      GaussianProcessHyperparameters shape = best.shape();
-      (i < 2 ? shape.lengths[i] : shape.nugget) *= factor;
+      GaussianProcessHyperparameters shape = best.hyperparameters();
+      (i < 2 ? shape.length_scales[i] : shape.nugget) *= factor;
       EXPECT_LE(weighed(GaussianProcess(places, values, shape, kernel())), weighed(best) + 1e-3);
     }
   }
@@ -160,7 +161,7 @@ TEST(GaussianProcess, ShiftedAndScaledValuesGiveTheSameShape) {
   const MatrixXd places = even_places(2, 30), other = even_places(2, 5, 8);
   const VectorXd values = values_at(places), scaled = 1e3 * values.array() + 5e6;
   const GaussianProcess a(places, values), b(places, scaled);
-  EXPECT_NEAR(a.shape().lengths[0], b.shape().lengths[0], 1e-3);
+  EXPECT_NEAR(a.hyperparameters().length_scales[0], b.hyperparameters().length_scales[0], 1e-3);
   EXPECT_NEAR(1e3 * a.predict(other).mean[2] + 5e6, b.predict(other).mean[2], 1e-2);
 }
 
@@ -169,7 +170,7 @@ TEST(GaussianProcess, TooFewPlacesAndSenselessBoundsAreRefused) {
             "a Gaussian process needs three places and a value of each; there are 2 places and 2 "
             "values");
   GaussianProcessOptions options;
-  options.longest = 0.01;
+  options.max_length_scale = 0.01;
   EXPECT_EQ(refusal<InputError>([&] { options.check(); }),
             "a Gaussian process: longest 0.01 is out of range");
 }

@@ -50,10 +50,12 @@ TEST(TwoSampleKs, EqualsTheCountOverAllDealsAlsoWithTies) {
   Random random(11);
   for (int trial = 0; trial < 40; ++trial) {
     Values a, b;
-    const auto m = 1 + random.below(7), n = 1 + random.below(7);
+    const auto m = 1 + random.uniform_index(7), n = 1 + random.uniform_index(7);
     const std::uint64_t different = trial % 2 ? 4 : 1'000'000;  // ties in every second trial
-    for (std::uint64_t i = 0; i < m; ++i) a.push_back(static_cast<double>(random.below(different)));
-    for (std::uint64_t i = 0; i < n; ++i) b.push_back(static_cast<double>(random.below(different)));
+    for (std::uint64_t i = 0; i < m; ++i)
+      a.push_back(static_cast<double>(random.uniform_index(different)));
+    for (std::uint64_t i = 0; i < n; ++i)
+      b.push_back(static_cast<double>(random.uniform_index(different)));
     const auto test = two_sample_ks_test(a, b);
     ASSERT_TRUE(test);
     EXPECT_TRUE(test->exact);
@@ -127,8 +129,8 @@ TEST(Spearman, BeyondNinePairsFollowsStudent) {
   for (int i = 0; i < 200; ++i) squares += (rank_x[i] - rank_y[i]) * (rank_x[i] - rank_y[i]);
   const double rho = 1.0 - 6.0 * squares / (200.0 * (200.0 * 200.0 - 1.0));
   EXPECT_NEAR(test->statistic, rho, 1e-12);
-  EXPECT_NEAR(test->p_value, student_two_sided_tail(rho * std::sqrt(198.0 / (1.0 - rho * rho)), 198),
-              1e-12);
+  EXPECT_NEAR(test->p_value,
+              student_two_sided_tail(rho * std::sqrt(198.0 / (1.0 - rho * rho)), 198), 1e-12);
   // Among samples without a relation one in twenty is below 5 %.
   int rejected = 0;
   for (int trial = 0; trial < 400; ++trial) {

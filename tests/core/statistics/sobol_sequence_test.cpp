@@ -13,7 +13,7 @@ namespace {
 
 std::vector<std::vector<double>> points_of(SobolSequence sequence, std::size_t count) {
   std::vector<std::vector<double>> points;
-  for (std::size_t i = 0; i < count; ++i) points.push_back(sequence.next());
+  for (std::size_t i = 0; i < count; ++i) points.push_back(sequence.next_point());
   return points;
 }
 
@@ -41,7 +41,7 @@ TEST(SobolSequence, EveryHalvedCubeHasOnePoint) {
     std::size_t cubes = 0;
     for (std::size_t i = 0; i < count; ++i) {
       std::size_t cube = 0;
-      for (const double x : sequence.next()) cube = 2 * cube + (x >= 0.5 ? 1 : 0);
+      for (const double x : sequence.next_point()) cube = 2 * cube + (x >= 0.5 ? 1 : 0);
       if (!seen[cube]) ++cubes;
       seen[cube] = true;
     }

@@ -47,7 +47,7 @@ class RandomSample : public testing::TestWithParam<unsigned> {};
 TEST_P(RandomSample, ShiftsAndScalesWithItsValues) {
   Random random(GetParam());
   std::vector<double> values, changed;
-  const std::size_t count = 2 + random.below(200);
+  const std::size_t count = 2 + random.uniform_index(200);
   for (std::size_t i = 0; i < count; ++i) {
     values.push_back(random.normal());
     changed.push_back(3.0 * values.back() + 5.0);
@@ -62,7 +62,7 @@ TEST_P(RandomSample, ShiftsAndScalesWithItsValues) {
 
 TEST_P(RandomSample, QuantileAtAnOrderStatisticIsThatValueAndNeverFalls) {
   Random random(GetParam());
-  std::vector<double> values(2 + random.below(50));
+  std::vector<double> values(2 + random.uniform_index(50));
   for (double& value : values) value = random.uniform(-10.0, 10.0);
   std::sort(values.begin(), values.end());
   const double last = static_cast<double>(values.size() - 1);

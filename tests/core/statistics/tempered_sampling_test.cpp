@@ -29,8 +29,8 @@ VectorXd ridge(const MatrixXd& places) {
 
 TEST(TemperedSampling, FindsARidgeAndLeavesTheRestUniform) {
   const TemperedSample sample = sample_tempered(3, ridge, {.draws = 4000, .seed = 2});
-  const VectorXd mean = sample.places.rowwise().mean();
-  const MatrixXd about = sample.places.colwise() - mean;
+  const VectorXd mean = sample.points.rowwise().mean();
+  const MatrixXd about = sample.points.colwise() - mean;
   const MatrixXd covariance = about * about.transpose() / 4000.0;
   // Standard errors: spread/sqrt(4000) = 0.0008 of independent draws; these go together somewhat.
   EXPECT_NEAR(mean[0], 0.4, 0.004);
@@ -52,9 +52,9 @@ TEST(TemperedSampling, KnowsTheMeanLikelihood) {
 TEST(TemperedSampling, KeepsToTheCubeAtItsSides) {
   const auto likelihood = [](const MatrixXd& places) -> VectorXd { return -20.0 * places.row(0); };
   const TemperedSample sample = sample_tempered(1, likelihood, {.draws = 4000});
-  EXPECT_GE(sample.places.minCoeff(), 0.0);
-  EXPECT_LE(sample.places.maxCoeff(), 1.0);
-  EXPECT_NEAR(sample.places.mean(), 0.05, 0.003);
+  EXPECT_GE(sample.points.minCoeff(), 0.0);
+  EXPECT_LE(sample.points.maxCoeff(), 1.0);
+  EXPECT_NEAR(sample.points.mean(), 0.05, 0.003);
 }
 
 TEST(TemperedSampling, ALevelLikelihoodLeavesTheCubeUniform) {
@@ -62,21 +62,21 @@ TEST(TemperedSampling, ALevelLikelihoodLeavesTheCubeUniform) {
     return VectorXd::Zero(places.cols());
   };
   const TemperedSample sample = sample_tempered(2, level, {.draws = 3000});
-  EXPECT_NEAR(sample.places.row(1).mean(), 0.5, 0.02);
+  EXPECT_NEAR(sample.points.row(1).mean(), 0.5, 0.02);
   EXPECT_EQ(sample.temperatures, 1u);
   EXPECT_NEAR(sample.log_evidence, 0.0, 1e-12);
 }
 
 TEST(TemperedSampling, SeedsDecideEveryBit) {
   const TemperedSample a = sample_tempered(3, ridge, {.draws = 200, .seed = 4});
-  EXPECT_EQ(a.places, sample_tempered(3, ridge, {.draws = 200, .seed = 4}).places);
-  EXPECT_NE(a.places, sample_tempered(3, ridge, {.draws = 200, .seed = 5}).places);
+  EXPECT_EQ(a.points, sample_tempered(3, ridge, {.draws = 200, .seed = 4}).points);
+  EXPECT_NE(a.points, sample_tempered(3, ridge, {.draws = 200, .seed = 5}).points);
 }
 
 TEST(TemperedSampling, RefusesSenselessOptionsAndALikelihoodThatIsNowhere) {
   EXPECT_EQ(refusal<InputError>([] { sample_tempered(1, ridge, {.draws = 2}); }),
             "tempered sampling: draws 2 is out of range");
-  EXPECT_EQ(refusal<InputError>([] { sample_tempered(1, ridge, {.kept = 1.0}); }),
+  EXPECT_EQ(refusal<InputError>([] { sample_tempered(1, ridge, {.effective_fraction = 1.0}); }),
             "tempered sampling: kept 1 is out of range");
   const auto nowhere = [](const MatrixXd& places) -> VectorXd {
     return VectorXd::Constant(places.cols(), -std::numeric_limits<double>::infinity());

@@ -33,7 +33,7 @@ Errors errors_of(const DenseCloud& cloud, const ToTruth& to_truth) {
   std::vector<double> distances;
   for (const Vec3& p : cloud.points) {
     const Vec3 position = to_truth * p;
-    const double distance = std::sqrt(tree.closest(position).squared_distance);
+    const double distance = std::sqrt(tree.closest_point(position).squared_distance);
     if (distance < 0.02 * kLength) near.push_back(position);
     // Near the ground its points can't be told from the rock's by distance.
     if (position.z() > 0.06 && distance < 0.02 * kLength) distances.push_back(distance / kLength);
@@ -108,7 +108,7 @@ TEST(DenseRock, MasksLeaveTheBlockAlone) {
   const TriangleTree tree(rock);
   std::size_t off = 0;
   for (const Vec3& p : cloud.points) {
-    off += std::sqrt(tree.closest(to_truth * p).squared_distance) > 0.02 * kLength ? 1 : 0;
+    off += std::sqrt(tree.closest_point(to_truth * p).squared_distance) > 0.02 * kLength ? 1 : 0;
   }
   std::cout << cloud.points.size() << " points, " << off << " of them off the rock\n";
   EXPECT_GT(cloud.points.size(), 20000u);

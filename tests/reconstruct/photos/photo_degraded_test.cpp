@@ -50,7 +50,7 @@ double mean_error(const DenseCloud& cloud, const ToTruth& to_truth) {
   double sum = 0.0, count = 0.0;
   for (std::size_t i = 0; i < cloud.points.size(); i += 7) {
     const Vec3 position = to_truth * cloud.points[i];
-    const double distance = std::sqrt(tree.closest(position).squared_distance);
+    const double distance = std::sqrt(tree.closest_point(position).squared_distance);
     if (position.z() < 0.06 || distance > 0.02) continue;
     sum += distance / 0.7294;
     count += 1.0;

@@ -105,7 +105,7 @@ std::vector<BoardCorner> corners(const CharucoBoard& board, double noise, std::u
   std::vector<BoardCorner> found;
   for (int k = 0; k < (board.columns - 1) * (board.rows - 1); ++k) {
     const Vec3 position = board.square * Vec3(k % (board.columns - 1), k / (board.columns - 1), 0.0);
-    found.push_back({k, (position + noise * random.direction()) / kBoardUnit, 8, 0.1});
+    found.push_back({k, (position + noise * random.unit_vector()) / kBoardUnit, 8, 0.1});
   }
   return found;
 }

@@ -76,7 +76,7 @@ TEST(PhotoRegion, WithoutGroundItHoldsThePointsThatCamerasLookAt) {
   add_ring(model, 12, 0.3, at);
   Random random(2);
   for (int i = 0; i < 2000; ++i) {
-    const Vec3 p = at + 0.5 * std::cbrt(random.uniform()) * random.direction();
+    const Vec3 p = at + 0.5 * std::cbrt(random.uniform()) * random.unit_vector();
     model.points.push_back({p, {0, 1, 2}});
   }
   const PhotoRegion region = find_photo_region(model);
@@ -91,10 +91,10 @@ TEST(PhotoRegion, ABlockOnAGroundIsHeldWithAMargin) {
   add_ring(model, 12, 0.4);
   Random random(3);
   for (int i = 0; i < 4000; ++i) {
-    Vec3 p = 0.4 * random.direction();  // a ball on the ground
+    Vec3 p = 0.4 * random.unit_vector();  // a ball on the ground
     if (i % 2 == 0) p = {random.uniform(-1.2, 1.2), random.uniform(-1.2, 1.2), -0.35};
     if (p.z() < -0.35 || (i % 2 == 0 && p.head<2>().norm() < 0.2)) continue;
-    model.points.push_back({p + 0.002 * random.direction(), {0, 1, 2}});
+    model.points.push_back({p + 0.002 * random.unit_vector(), {0, 1, 2}});
   }
   const PhotoRegion region = find_photo_region(model);
   EXPECT_TRUE(region.from_ground);

@@ -40,7 +40,7 @@ std::size_t drawn_pixels(const Canvas& canvas) {
 TEST(MeshPicture, CamerasAreUprightAndRightHanded) {
   Random random(3);
   for (int i = 0; i < 50; ++i) {
-    const Camera camera = make_camera(random.direction());
+    const Camera camera = make_camera(random.unit_vector());
     EXPECT_LT((camera.right.cross(camera.up) - camera.toward).norm(), 1e-12);
     EXPECT_NEAR(camera.right.z(), 0.0, 1e-12);
     EXPECT_GE(camera.up.z(), 0.0);

@@ -77,7 +77,7 @@ TEST_F(CalibrationFile, InterruptedGoesOnToTheSameBits) {
   std::size_t before = 0;
   CalibrateOptions options;
   options.resume = true;
-  options.progress = [&](const ProgressUpdate& step) { before = step.before; };
+  options.progress = [&](const ProgressUpdate& step) { before = step.done_before; };
   EXPECT_EQ(run(options).posterior.draws, whole.posterior.draws);
   EXPECT_EQ(simulated, 21u);
   EXPECT_EQ(before, 11u);

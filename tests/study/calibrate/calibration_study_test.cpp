@@ -252,7 +252,7 @@ TEST_F(StudyFile, ImpactsAndScarsAreSamplesOfOne) {
   EXPECT_EQ(hit.moment, (Moment{Moment::Kind::kImpact, 2.0}));
   EXPECT_EQ(hit.releases, 1u);
   ASSERT_EQ(hit.figures.size(), 2u);
-  EXPECT_EQ(hit.figures[1].kind, Figure::Kind::kMeanDepth);
+  EXPECT_EQ(hit.figures[1].kind, SummaryStatistic::Kind::kMeanDepth);
   EXPECT_EQ(hit.figures[1].observed, 0.12);
   EXPECT_EQ(hit.figures[1].measuring_error, 0.02);
   EXPECT_FALSE(hit.figures[1].error);

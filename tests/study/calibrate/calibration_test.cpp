@@ -55,7 +55,7 @@ TEST(Calibration, ASingleImpactScattersWithHowTheBlockHit) {
   const double of_many = made.posterior().marginals[0].width;
   EXPECT_LT(of_many, 0.8 * measured_well);
   for (Observation& observation : made.study.observations) {
-    for (Figure& figure : observation.figures) figure.measuring_error = 1e6;
+    for (SummaryStatistic& figure : observation.figures) figure.measuring_error = 1e6;
   }
   EXPECT_TRUE(made.posterior().marginals[0].is_undetermined());
 }
@@ -84,7 +84,7 @@ TEST(Calibration, IsTheSameToTheBitOnAnyThreads) {
 TEST(Calibration, StatedErrorsWeigh) {
   MadeUpStudy made = study_of({1.0});
   for (Observation& observation : made.study.observations) {
-    for (Figure& figure : observation.figures) figure.error = 1e6;
+    for (SummaryStatistic& figure : observation.figures) figure.error = 1e6;
   }
   // Errors that large determine nothing.
   for (const Marginal& marginal : made.posterior().marginals)
@@ -122,8 +122,8 @@ TEST(Calibration, AFewReleasesOfABlockAreRefused) {
 TEST(Calibration, PredictionsEndWhereFiguresDo) {
   MadeUpStudy made = study_of({1.0});
   for (const PredictedStatistic& one : made.posterior().predicted) {
-    const Figure& figure = made.study.observations[one.observation].figures[one.figure];
-    if (figure.kind != Figure::Kind::kPassed) continue;
+    const SummaryStatistic& figure = made.study.observations[one.observation].figures[one.figure];
+    if (figure.kind != SummaryStatistic::Kind::kPassed) continue;
     EXPECT_GE(one.low, 0.0);
     EXPECT_LE(one.high, 1.0);
   }

@@ -73,10 +73,11 @@ class DrawnBlocks : public CampaignRun {
       runs.outcomes[0].push_back(simulator.simulate(number++, study.values(place), 2));
     }
     const std::vector<ReleaseOutcome> field = simulator.simulate(1000, truth, 2);
-    const std::vector<Seen> seen = select_outcomes(observation, runs.sites[0], field);
+    const std::vector<SelectedOutcome> seen = select_outcomes(observation, runs.sites[0], field);
     std::vector<std::size_t> all(seen.size());
     std::iota(all.begin(), all.end(), std::size_t{0});
-    for (Figure& figure : observation.figures) figure.observed = compute_statistic(figure, seen, all);
+    for (SummaryStatistic& figure : observation.figures)
+      figure.observed = compute_statistic(figure, seen, all);
     observation.releases = seen.size();
     study.observations = {observation};
     return infer_posterior(study, runs, 2);
@@ -121,10 +122,10 @@ TEST_F(DrawnBlocks, EachMemberHasBlocksOfItsOwn) {
   CalibrationDesign design;
   design.releases = 120;  // all that the campaign plans
   SiteMemberSimulator simulator(north,
-                          {{"blocks.mass_median_kg", 100.0, 900.0, true},
-                           {"blocks.mass_sigma", 0.1, 0.5, false},
-                           {"blocks.share.elongated", 0.1, 0.9, false}},
-                          design);
+                                {{"blocks.mass_median_kg", 100.0, 900.0, true},
+                                 {"blocks.mass_sigma", 0.1, 0.5, false},
+                                 {"blocks.share.elongated", 0.1, 0.9, false}},
+                                design);
   EXPECT_EQ(simulator.facts().blocks, (std::vector<std::string>{"cube", "slab"}));
   EXPECT_EQ(simulator.facts().shapes, (std::vector<std::string>{"compact", "elongated"}));
   simulator.simulate(0, {800.0, 0.2, 0.2}, 2);
@@ -141,7 +142,8 @@ TEST_F(DrawnBlocks, EachMemberHasBlocksOfItsOwn) {
   ASSERT_EQ(member.size(), results.runs.size());
   for (std::size_t i = 0; i < member.size(); ++i) {
     const RunRecord& run = results.runs[i];
-    EXPECT_EQ(member[i].stop, results.frame.map(run.result.final_state.position).head<2>().eval());
+    EXPECT_EQ(member[i].stop,
+              results.frame.to_map(run.result.final_state.position).head<2>().eval());
     EXPECT_EQ(simulator.facts().blocks[member[i].block], results.blocks[run.block].library_block());
   }
 }
@@ -170,7 +172,7 @@ TEST_F(DrawnBlocks, EnergiesTellTheMedianMassAndNotTheGroundFurtherDown) {
   Observation impacts;
   impacts.name = "impacts";
   impacts.moment = Moment{Moment::Kind::kImpact, 1.0};
-  impacts.figures = {{Figure::Kind::kMeanEnergy, 0.0, "mean_energy_j", 0.0, {}, 1.0}};
+  impacts.figures = {{SummaryStatistic::Kind::kMeanEnergy, 0.0, "mean_energy_j", 0.0, {}, 1.0}};
   const CalibrationPosterior found = found_again(
       replaced_once(text(kLogNormal), "max_time_s = 6", "max_time_s = 1.2"),
       {{"blocks.mass_median_kg", 100.0, 900.0, true}, {"ground.flat.friction", 0.3, 0.9, false}},
@@ -184,8 +186,8 @@ TEST_F(DrawnBlocks, EnergiesTellTheMedianMassAndNotTheGroundFurtherDown) {
 TEST_F(DrawnBlocks, StopsTellTheShareOfAClass) {
   Observation stops;
   stops.name = "stops";
-  stops.figures = {{Figure::Kind::kMeanPlace, 0.0, "mean_place_m", 0.0, {}},
-                   {Figure::Kind::kStdPlace, 0.0, "std_place_m", 0.0, {}}};
+  stops.figures = {{SummaryStatistic::Kind::kMeanPlace, 0.0, "mean_place_m", 0.0, {}},
+                   {SummaryStatistic::Kind::kStdPlace, 0.0, "std_place_m", 0.0, {}}};
   const CalibrationPosterior found =
       found_again(text("{ count = 60, seed = 2, shares = { compact = 0.5, elongated = 0.5 } }"),
                   {{"blocks.share.elongated", 0.0, 1.0, false}}, {0.8}, stops);
@@ -196,7 +198,8 @@ TEST_F(DrawnBlocks, UnusualSizesAtTheUpperEndsAreRefused) {
   const CalibrationSite north = site(text(kLogNormal));
   const auto refused = [&](double high) {
     return clast::refusal<InputError>([&] {
-      SiteMemberSimulator(north, {{"blocks.mass_median_kg", 100.0, high, true}}, CalibrationDesign());
+      SiteMemberSimulator(north, {{"blocks.mass_median_kg", 100.0, high, true}},
+                          CalibrationDesign());
     });
   };
   EXPECT_EQ(refused(900.0), "");

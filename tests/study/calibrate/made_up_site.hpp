@@ -163,16 +163,17 @@ struct MadeUpStudy {
       impact.release = impact.name;
       impact.releases = 1;
       impact.moment = {Moment::Kind::kImpact, 1.0};
-      const auto measured = [&](Figure::Kind kind, const char* name, double value, double error) {
-        Figure figure{kind, 0.0, name, value + error * random.normal(), {}};
+      const auto measured = [&](SummaryStatistic::Kind kind, const char* name, double value,
+                                double error) {
+        SummaryStatistic figure{kind, 0.0, name, value + error * random.normal(), {}};
         figure.measuring_error = error;
         impact.figures.push_back(figure);
       };
-      measured(Figure::Kind::kMeanSpeed, "mean_speed_m_s", after.speed,
+      measured(SummaryStatistic::Kind::kMeanSpeed, "mean_speed_m_s", after.speed,
                MadeUpThrows::kMeasuringError);
-      measured(Figure::Kind::kMeanSpin, "mean_spin_rad_s", after.spin,
+      measured(SummaryStatistic::Kind::kMeanSpin, "mean_spin_rad_s", after.spin,
                MadeUpThrows::kMeasuringError);
-      measured(Figure::Kind::kMeanDepth, "mean_depth_m", after.depth, 0.005);
+      measured(SummaryStatistic::Kind::kMeanDepth, "mean_depth_m", after.depth, 0.005);
       study.observations.push_back(impact);
     }
   }
@@ -185,14 +186,14 @@ struct MadeUpStudy {
       const std::vector<ReleaseOutcome> field = field_releases(site, truth, shape, count, random);
       const std::string name = runs.sites[number].name + (shape == 0 ? " compact" : " elongated");
       Observation stops = blank(name + " stops", number, fitted, shape, count);
-      stops.figures = {{Figure::Kind::kMeanPlace, 0.0, "mean_place_m", 0.0, {}},
-                       {Figure::Kind::kStdPlace, 0.0, "std_place_m", 0.0, {}}};
+      stops.figures = {{SummaryStatistic::Kind::kMeanPlace, 0.0, "mean_place_m", 0.0, {}},
+                       {SummaryStatistic::Kind::kStdPlace, 0.0, "std_place_m", 0.0, {}}};
       observe_figures(stops, field);
       Observation passages = blank(name + " passages", number, fitted, shape, count);
       passages.barrier = "EC";
-      passages.figures = {{Figure::Kind::kPassed, 0.0, "passed", 0.0, {}},
-                          {Figure::Kind::kMeanSpeed, 0.0, "mean_speed_m_s", 0.0, {}},
-                          {Figure::Kind::kMeanSpin, 0.0, "mean_spin_rad_s", 0.0, {}}};
+      passages.figures = {{SummaryStatistic::Kind::kPassed, 0.0, "passed", 0.0, {}},
+                          {SummaryStatistic::Kind::kMeanSpeed, 0.0, "mean_speed_m_s", 0.0, {}},
+                          {SummaryStatistic::Kind::kMeanSpin, 0.0, "mean_spin_rad_s", 0.0, {}}};
       observe_figures(passages, field);
     }
   }
@@ -213,10 +214,12 @@ struct MadeUpStudy {
     return observation;
   }
   void observe_figures(Observation& observation, const std::vector<ReleaseOutcome>& field) {
-    const std::vector<Seen> seen = select_outcomes(observation, runs.sites[observation.site], field);
+    const std::vector<SelectedOutcome> seen =
+        select_outcomes(observation, runs.sites[observation.site], field);
     std::vector<std::size_t> all(seen.size());
     for (std::size_t i = 0; i < all.size(); ++i) all[i] = i;
-    for (Figure& figure : observation.figures) figure.observed = compute_statistic(figure, seen, all);
+    for (SummaryStatistic& figure : observation.figures)
+      figure.observed = compute_statistic(figure, seen, all);
     study.observations.push_back(observation);
   }
 };

@@ -30,7 +30,7 @@ class SiteSimulation : public CampaignRun {
     for (std::size_t i = 0; i < member.size(); ++i) {
       const RunRecord& run = results.runs[i];
       EXPECT_EQ(member[i].stop,
-                results.frame.map(run.result.final_state.position).head<2>().eval());
+                results.frame.to_map(run.result.final_state.position).head<2>().eval());
       EXPECT_EQ(member[i].point, run.point);
       EXPECT_EQ(member[i].block, run.block);
       if (member[i].barriers[0].passed()) ++passed;
@@ -141,16 +141,18 @@ TEST_F(SiteSimulation, TheGroundIsFoundAgainFromImpactsAlone) {
   impacts.name = "impacts";
   impacts.moment = moments[0];
   impacts.releases = 200;
-  impacts.figures = {{Figure::Kind::kMeanSpeed, 0.0, "mean_speed_m_s", 0.0, {}, 0.02},
-                     {Figure::Kind::kMeanSpin, 0.0, "mean_spin_rad_s", 0.0, {}, 0.05}};
+  impacts.figures = {{SummaryStatistic::Kind::kMeanSpeed, 0.0, "mean_speed_m_s", 0.0, {}, 0.02},
+                     {SummaryStatistic::Kind::kMeanSpin, 0.0, "mean_spin_rad_s", 0.0, {}, 0.05}};
   CalibrationDesign all_runs = study.design;
   all_runs.releases = 200;
   const std::vector<ReleaseOutcome> field =
-      SiteMemberSimulator(study.sites[0], study.unknowns, all_runs, moments).simulate(number, truth, 2);
-  const std::vector<Seen> seen = select_outcomes(impacts, runs.sites[0], field);
+      SiteMemberSimulator(study.sites[0], study.unknowns, all_runs, moments)
+          .simulate(number, truth, 2);
+  const std::vector<SelectedOutcome> seen = select_outcomes(impacts, runs.sites[0], field);
   std::vector<std::size_t> all(seen.size());
   std::iota(all.begin(), all.end(), std::size_t{0});
-  for (Figure& figure : impacts.figures) figure.observed = compute_statistic(figure, seen, all);
+  for (SummaryStatistic& figure : impacts.figures)
+    figure.observed = compute_statistic(figure, seen, all);
   study.observations = {impacts};
   const CalibrationPosterior found = infer_posterior(study, runs, 2);
   EXPECT_LE(found.marginals[0].low, truth[0]);

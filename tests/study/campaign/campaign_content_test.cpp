@@ -40,7 +40,7 @@ orientations = { random = 2, seed = 3 })");
     EXPECT_EQ(run.point, i % 8 < 6 ? i % 8 / 3 : 2);
     EXPECT_EQ(run.start.velocity.x(), run.point == 2 ? 2.0 : 0.0);
   }
-  EXPECT_NEAR(plan.header.frame.map(plan.runs[6].start.position).x(), -5.0, 1e-12);
+  EXPECT_NEAR(plan.header.frame.to_map(plan.runs[6].start.position).x(), -5.0, 1e-12);
   EXPECT_TRUE(contains(refusal(with("[release]\n" + kPoints, R"([[release]]
 name = "a"
 points = [[-12, -3, 9.5]]
@@ -126,7 +126,8 @@ draw = { count = 4, shares = { elongated = 1.0 } }
 }
 
 TEST(Quotas, AddUpAndFollowTheLargestRemainder) {
-  EXPECT_EQ(allocate_quotas({0.5, 0.3, 0.2}, 7), (std::vector<std::size_t>{4, 2, 1}));  // 3.5, 2.1, 1.4
+  EXPECT_EQ(allocate_quotas({0.5, 0.3, 0.2}, 7),
+            (std::vector<std::size_t>{4, 2, 1}));  // 3.5, 2.1, 1.4
   EXPECT_EQ(allocate_quotas({1.0}, 3), (std::vector<std::size_t>{3}));
   EXPECT_EQ(allocate_quotas({0.4, 0.6}, 0), (std::vector<std::size_t>{0, 0}));
 }
@@ -273,8 +274,7 @@ TEST_F(CampaignContent, SobolEnsembleFillsTheLawsEvenly) {
     const GroundParameterSet& set = plan.header.ground_sets[member];
     const GroundParameterSet& group = plan.header.ground_sets[32 + member];
     friction.insert(static_cast<int>((set.zones[0].friction - 0.3) / 0.2 * 32));
-    rolling.insert(
-        static_cast<int>(normal_cdf((set.zones[1].rolling_friction - 0.3) / 0.05) * 32));
+    rolling.insert(static_cast<int>(normal_cdf((set.zones[1].rolling_friction - 0.3) / 0.05) * 32));
     of_group.insert(static_cast<int>((group.zones[0].friction - 0.1) / 0.1 * 32));
     EXPECT_EQ(group.zones[1].rolling_friction, set.zones[1].rolling_friction);
   }

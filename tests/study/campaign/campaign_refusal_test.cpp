@@ -336,9 +336,10 @@ TEST_F(CampaignFile, DamagedTextIsReadOrRefusedButNeverMore) {
   std::size_t refused = 0;
   for (int i = 0; i < 300; ++i) {
     std::string text = kCampaign;
-    if (i % 3 == 0) text.resize(random.below(text.size()));
-    if (i % 3 == 1) text[random.below(text.size())] = static_cast<char>(random.below(256));
-    if (i % 3 == 2) text.erase(random.below(text.size() - 20), random.below(20));
+    if (i % 3 == 0) text.resize(random.uniform_index(text.size()));
+    if (i % 3 == 1)
+      text[random.uniform_index(text.size())] = static_cast<char>(random.uniform_index(256));
+    if (i % 3 == 2) text.erase(random.uniform_index(text.size() - 20), random.uniform_index(20));
     if (!refusal(text).empty()) ++refused;
   }
   EXPECT_GT(refused, 150u);

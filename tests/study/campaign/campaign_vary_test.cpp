@@ -70,7 +70,7 @@ TEST_F(CampaignVary, RunsTheSameBitsAsALibraryOfTheBodies) {
   const std::string vary = "vary = { to = [[0.8, 0.5]], reference = [\"ellipsoid\", \"box\"] }";
   SeriesRequest request;
   request.library = *folder_ / "blocks.h5";
-  request.steps.to = {{0.8, 0.5}};
+  request.steps.ratios = {{0.8, 0.5}};
   request.steps.reference = {"ellipsoid", "box"};
   request.output = *folder_ / "series.h5";
   make_series(request);

@@ -19,7 +19,7 @@ TEST(KeyResults, ADifferenceThatIsThereIsToldWithItsInterval) {
   int inside = 0;
   for (std::uint64_t seed = 0; seed < 20; ++seed) {
     const Comparison comparison = compared(made_up_results({.seed = seed}));
-    const KeyResults found = answer(comparison);
+    const KeyResults found = summarise_key_results(comparison);
     const RunoutContrast& gap = only(found).gap.value();
     EXPECT_EQ(comparison.groups[gap.farther].key, "compact");
     EXPECT_EQ(gap.verdict, Verdict::kSignificant) << seed;
@@ -32,7 +32,7 @@ TEST(KeyResults, ADifferenceThatIsThereIsToldWithItsInterval) {
 
 TEST(KeyResults, TheFartherClassIsNamedFirstAndItsGapIsPositive) {
   const Comparison comparison = compared(made_up_results({.compact = 30.0, .elongated = 40.0}));
-  const RunoutContrast gap = *only(answer(comparison)).gap;
+  const RunoutContrast gap = *only(summarise_key_results(comparison)).gap;
   EXPECT_EQ(comparison.groups[gap.farther].key, "elongated");
   EXPECT_GT(gap.gap, 0.0);
   EXPECT_GT(gap.interval->low, 0.0);
@@ -45,7 +45,7 @@ TEST(KeyResults, WhatIsNotThereIsSeldomTold) {
   for (std::uint64_t seed = 0; seed < 40; ++seed) {
     const Comparison comparison =
         compared(made_up_results({.compact = 30.0, .elongated = 30.0, .seed = seed}));
-    const RunoutContrast gap = *only(answer(comparison)).gap;
+    const RunoutContrast gap = *only(summarise_key_results(comparison)).gap;
     found += gap.verdict == Verdict::kSignificant ? 1 : 0;
   }
   EXPECT_LE(found, 5) << "of 40";
@@ -59,7 +59,7 @@ TEST(KeyResults, AnotherSpreadAroundTheSameMeanIsNoOtherRunout) {
     if (run.block == 1) run.result.final_state.position.x() += i++ % 2 == 0 ? 12.0 : -12.0;
   }
   const Comparison comparison = compared(std::move(results));
-  EXPECT_EQ(only(answer(comparison)).gap->verdict, Verdict::kDistributionDiffers);
+  EXPECT_EQ(only(summarise_key_results(comparison)).gap->verdict, Verdict::kDistributionDiffers);
 }
 
 TEST(KeyResults, RunsThatLeaveTheTerrainLeaveNothingToCompare) {
@@ -68,8 +68,9 @@ TEST(KeyResults, RunsThatLeaveTheTerrainLeaveNothingToCompare) {
     if (run.block == 0 && run.run % 3 != 0) run.result.stop_reason = StopReason::kLeftTerrain;
   }
   const Comparison comparison = compared(std::move(results));
-  const FileSummary statement = only(answer(comparison));
-  EXPECT_EQ(statement.gap->verdict, Verdict::kTooFewValues) << "a third of the compact runs is left";
+  const FileSummary statement = only(summarise_key_results(comparison));
+  EXPECT_EQ(statement.gap->verdict, Verdict::kTooFewValues)
+      << "a third of the compact runs is left";
   EXPECT_FALSE(statement.gap->interval);
   EXPECT_GT(statement.stops.left_terrain, 0u);
 }
@@ -78,7 +79,7 @@ TEST(KeyResults, OneRealisationTellsNothingOfChance) {
   CampaignResults results = made_up_results();
   let_stay(results, 1);
   const Comparison comparison = compared(std::move(results));
-  const FileSummary statement = only(answer(comparison));
+  const FileSummary statement = only(summarise_key_results(comparison));
   EXPECT_EQ(statement.gap->verdict, Verdict::kUntested);
   EXPECT_FALSE(statement.gap->interval);
   EXPECT_FALSE(statement.all.interval);
@@ -91,7 +92,7 @@ TEST(KeyResults, TheLastBarrierThatIsPassedComesFirst) {
   add_barrier(results, "lower", 38.0);
   add_barrier(results, "never", 500.0);
   const Comparison comparison = compared(std::move(results));
-  const std::vector<BarrierSummary> passages = only(answer(comparison)).passages;
+  const std::vector<BarrierSummary> passages = only(summarise_key_results(comparison)).passages;
   ASSERT_EQ(passages.size(), 3u);
   EXPECT_EQ(comparison.lines[passages[0].line].name, "lower");
   EXPECT_EQ(comparison.lines[passages[1].line].name, "upper");
@@ -123,7 +124,7 @@ TEST(KeyResults, OfFewPassagesTheLargestIsSaid) {
   CampaignResults results = made_up_results({.points = 1, .runs_each = 12});
   add_barrier(results, "B", 40.0);
   const Comparison comparison = compared(std::move(results));
-  const BarrierSummary passage = only(answer(comparison)).passages.at(0);
+  const BarrierSummary passage = only(summarise_key_results(comparison)).passages.at(0);
   ASSERT_GT(passage.all.crossed, 0u);
   ASSERT_LT(passage.all.crossed, kFewestPassages);
   EXPECT_TRUE(passage.all.largest);
@@ -139,7 +140,7 @@ TEST(KeyResults, SharesOfRunsThatDependOnTheirPointHaveWiderIntervals) {
   CampaignResults results = made_up_results({.scatter = 0.01, .places = 20.0, .runs_each = 40});
   add_barrier(results, "B", 40.0);
   const Comparison comparison = compared(std::move(results));
-  const CrossingEstimate all = only(answer(comparison)).passages.at(0).all;
+  const CrossingEstimate all = only(summarise_key_results(comparison)).passages.at(0).all;
   const Interval runs = wilson_interval(all.crossed, all.started);
   EXPECT_GT(all.interval->high - all.interval->low, 3.0 * (runs.high - runs.low));
 }
@@ -147,7 +148,7 @@ TEST(KeyResults, SharesOfRunsThatDependOnTheirPointHaveWiderIntervals) {
 TEST(KeyResults, FilesOfOneClassEachAreComparedAsOneStudy) {
   const Comparison comparison =
       compared(made_up_results({.elongated = NAN}), made_up_results({.compact = NAN, .seed = 2}));
-  const KeyResults found = answer(comparison);
+  const KeyResults found = summarise_key_results(comparison);
   ASSERT_EQ(found.statements.size(), 1u);
   EXPECT_FALSE(found.files);
   EXPECT_EQ(only(found).gap->verdict, Verdict::kSignificant);
@@ -161,7 +162,7 @@ TEST(KeyResults, SitesAreNotMixed) {
   CampaignResults far = made_up_results({.compact = 90.0, .elongated = 80.0, .seed = 2});
   std::erase_if(far.runs, [](const RunRecord& run) { return run.block == 0 && run.run % 4 != 0; });
   const Comparison comparison = compared(std::move(near), std::move(far));
-  const KeyResults found = answer(comparison);
+  const KeyResults found = summarise_key_results(comparison);
   ASSERT_EQ(found.statements.size(), 2u);
   for (const FileSummary& statement : found.statements) {
     EXPECT_EQ(comparison.groups[statement.gap->farther].key, "compact");
@@ -192,7 +193,7 @@ TEST(KeyResults, UncertainGroundGivesRangesOverItsDraws) {
   add_barrier(results, "road", 35.0);
   const Comparison comparison = compared(std::move(results));
   const CampaignResults& stored = comparison.results[0];
-  const FileSummary statement = only(answer(comparison));
+  const FileSummary statement = only(summarise_key_results(comparison));
   EXPECT_EQ(statement.draws, 5u);
   std::vector<double> means, gaps, shares, energies;
   for (std::uint32_t draw = 0; draw < 5; ++draw) {
@@ -230,7 +231,7 @@ TEST(KeyResults, ManyDrawsGiveTheRangeOfNineOfTen) {
   CampaignResults results = made_up_results({.runs_each = 20});
   draw_ground(results, 20, 1.0);
   const Comparison comparison = compared(std::move(results));
-  const std::optional<Interval> range = only(answer(comparison)).all.interval;
+  const std::optional<Interval> range = only(summarise_key_results(comparison)).all.interval;
   ASSERT_TRUE(range);
   EXPECT_NEAR(range->high - range->low, 17.1, 4.0) << "19 m from first to last draw";
 }
@@ -243,7 +244,7 @@ TEST(KeyResults, WhichRunsFartherCanDependOnTheDraw) {
     if (run.block == 1 && run.ground_set == 3) run.result.final_state.position.x() += 15.0;
   }
   const Comparison comparison = compared(std::move(results));
-  const RunoutContrast gap = *only(answer(comparison)).gap;
+  const RunoutContrast gap = *only(summarise_key_results(comparison)).gap;
   EXPECT_EQ(gap.verdict, Verdict::kGroundDependent);
   EXPECT_LT(gap.interval->low, 0.0);
   EXPECT_GT(gap.interval->high, 0.0);
@@ -251,15 +252,15 @@ TEST(KeyResults, WhichRunsFartherCanDependOnTheDraw) {
 
 TEST(KeyResults, OneDrawIsNoRange) {
   const Comparison comparison = compared(made_up_results());
-  const FileSummary statement = only(answer(comparison));
+  const FileSummary statement = only(summarise_key_results(comparison));
   EXPECT_EQ(statement.draws, 0u);
-  EXPECT_FALSE(answer(comparison).has_draws());
+  EXPECT_FALSE(summarise_key_results(comparison).has_draws());
 }
 
 TEST(KeyResults, IntervalsOfTheSameBlocksEverywhereSpeakOfThemAlone) {
   const Comparison same = compared(made_up_results());
-  EXPECT_EQ(only(answer(same)).blocks, 2u);
-  EXPECT_FALSE(only(answer(same)).samples_blocks);
+  EXPECT_EQ(only(summarise_key_results(same)).blocks, 2u);
+  EXPECT_FALSE(only(summarise_key_results(same)).samples_blocks);
   // Each realisation draws its blocks out of many.
   CampaignResults drawn = made_up_results({.runs_each = 12});
   let_stay(drawn, 8);
@@ -272,8 +273,8 @@ TEST(KeyResults, IntervalsOfTheSameBlocksEverywhereSpeakOfThemAlone) {
     run.block += 2 * (2 * realisation + run.run % 2);
   }
   const Comparison sampled = compared(std::move(drawn));
-  EXPECT_TRUE(only(answer(sampled)).samples_blocks);
-  EXPECT_GT(only(answer(sampled)).blocks, 20u);
+  EXPECT_TRUE(only(summarise_key_results(sampled)).samples_blocks);
+  EXPECT_GT(only(summarise_key_results(sampled)).blocks, 20u);
 }
 
 }  // namespace

@@ -26,7 +26,7 @@ const DepositStatistics& deposit(const Comparison& comparison, const std::string
 }
 
 const BarrierGroupStatistics& at_barrier(const Comparison& comparison, const std::string& barrier,
-                               const std::string& group) {
+                                         const std::string& group) {
   for (const BarrierGroupStatistics& one : comparison.barriers) {
     if (one.barrier == barrier && one.group == group) return one;
   }
@@ -77,7 +77,7 @@ TEST(RunoutDistances, OfABlockThatStaysIsZero) {
 TEST(RunoutDistances, TurnsWithTheSite) {
   Random random(7);
   for (int i = 0; i < 50; ++i) {
-    const Vec3 start = 10.0 * random.direction(), stop = 50.0 * random.direction();
+    const Vec3 start = 10.0 * random.unit_vector(), stop = 50.0 * random.unit_vector();
     const Eigen::Rotation2Dd turn(random.uniform(-kPi, kPi));
     const Eigen::AngleAxisd turn3(turn.angle(), Vec3::UnitZ());
     const RunoutDistances before = runout(start, stop, Vec2::UnitX());
@@ -403,7 +403,8 @@ TEST(ComparisonWarnings, SpeedsThatAreSeldomSeenAreQuestioned) {
     for (RunRecord& run : results.runs) run.result.max_speed = speed;
     const Comparison comparison = compared(std::move(results));
     const bool said = std::any_of(
-        comparison.cautions.begin(), comparison.cautions.end(), [](const ComparisonWarning& caution) {
+        comparison.cautions.begin(), comparison.cautions.end(),
+        [](const ComparisonWarning& caution) {
           return caution.brief.find("5 % of the runs are faster than 36 m/s") != std::string::npos;
         });
     EXPECT_EQ(said, questioned) << speed;

@@ -63,7 +63,8 @@ TEST(Differences, OneBlockEnteredAsTwoClassesIsSeldomCalledDifferent) {
     const Comparison comparison = compared(synthetic_results(seed, 0.0));
     bool any = false;
     for (const Difference& one : comparison.differences) {
-      any = any || (comparison.groups[one.first].kind == GroupKind::kGarcia && one.found());
+      any =
+          any || (comparison.groups[one.first].kind == GroupKind::kGarcia && one.is_significant());
     }
     flagged += any ? 1 : 0;
   }
@@ -76,7 +77,7 @@ TEST(Differences, OneThatIsThereIsFoundWithItsSize) {
   for (std::uint64_t seed = 0; seed < 20; ++seed) {
     const Comparison comparison = compared(synthetic_results(seed, -3.0));
     const Difference& runout = between_classes(comparison, "runout_m");
-    EXPECT_TRUE(runout.found()) << seed;
+    EXPECT_TRUE(runout.is_significant()) << seed;
     EXPECT_EQ(runout.points, 8u);
     EXPECT_EQ(runout.tests, 4u);
     EXPECT_GT(runout.cliffs_delta, 0.0);
@@ -107,7 +108,7 @@ TEST(Differences, OneRealisationGivesNeitherIntervalNorTest) {
     EXPECT_FALSE(difference.interval);
     EXPECT_FALSE(difference.p_value);
     EXPECT_FALSE(difference.p_holm);
-    EXPECT_FALSE(difference.found());
+    EXPECT_FALSE(difference.is_significant());
     EXPECT_EQ(difference.tests, 0u);
     EXPECT_EQ(difference.verdict(), Verdict::kUntested);
     EXPECT_NE(
@@ -204,9 +205,9 @@ TEST(Differences, AreSaidInASentence) {
   const int decimals = known_decimals(interval, 4);
   EXPECT_EQ(in_words(runout, comparison),
             "runout: class compact " + format_significant(runout.first_mean, 3) +
-                " m on average, class elongated " + format_significant(runout.second_mean, 3) + " m; " +
-                format_decimals(runout.first_mean - runout.second_mean, decimals) + " m more (" +
-                format_decimals(interval.low, decimals) + " to " +
+                " m on average, class elongated " + format_significant(runout.second_mean, 3) +
+                " m; " + format_decimals(runout.first_mean - runout.second_mean, decimals) +
+                " m more (" + format_decimals(interval.low, decimals) + " to " +
                 format_decimals(interval.high, decimals) + " m)");
   const Comparison same = compared(synthetic_results(5, 0.0));
   EXPECT_TRUE(in_words(between_classes(same, "runout_m"), same)
@@ -217,9 +218,10 @@ TEST(Differences, AreSaidInASentence) {
   std::swap(back.first_mean, back.second_mean);
   back.estimate = -runout.estimate;
   back.interval = Interval{-interval.high, -interval.low};
-  EXPECT_EQ(describe_difference(back), format_decimals(runout.first_mean - runout.second_mean, decimals) +
-                                    " m less (" + format_decimals(interval.low, decimals) + " to " +
-                                    format_decimals(interval.high, decimals) + " m)");
+  EXPECT_EQ(describe_difference(back),
+            format_decimals(runout.first_mean - runout.second_mean, decimals) + " m less (" +
+                format_decimals(interval.low, decimals) + " to " +
+                format_decimals(interval.high, decimals) + " m)");
 }
 
 TEST(Differences, NameTheirQuantitiesForReaders) {

@@ -35,7 +35,7 @@ TEST(NewCampaignAuthume, RunsDownTheQuarry) {
     EXPECT_EQ(zone.type.name, wall ? "rock" : slope ? "talus" : "soil medium");
   }
   const Bounds box = bounds(terrain.surface);
-  const double low = terrain.frame.map(box.low).z(), high = terrain.frame.map(box.high).z();
+  const double low = terrain.frame.to_map(box.low).z(), high = terrain.frame.to_map(box.high).z();
   EXPECT_GT(proposal.places.releases.from.z(), low + 0.5 * (high - low));
   EXPECT_GT(proposal.places.descent, 15.0);
 

@@ -38,7 +38,7 @@ void expect_sensible(const ProposedLines& places, const Terrain& terrain,
     EXPECT_GE(border_distance(terrain, plan(release)), places.margin);
     // In the upper half of the descent, on the slope and not on its foot.
     EXPECT_GT(release.z(),
-              1800.0 + 0.5 * (terrain.frame.map(bounds(terrain.surface).high).z() - 1800.0));
+              1800.0 + 0.5 * (terrain.frame.to_map(bounds(terrain.surface).high).z() - 1800.0));
     EXPECT_NEAR(release.z(), slope.height(plan(release)), 0.5);
   }
   EXPECT_NEAR(places.release_slope, slope.slope, 0.05);
@@ -62,7 +62,8 @@ TEST_P(SlopesFacing, GetReleasesAboveAndABarrierAtTheFoot) {
   const FacingSlope slope{.facing = GetParam() * kRadiansPerDegree};
   write_slope(folder / "slope.asc", slope);
   const Terrain terrain = terrain_of(folder / "slope.asc");
-  const ProposedLines places = propose_release_and_barrier(terrain, make_terrain_surface(terrain), 1.0);
+  const ProposedLines places =
+      propose_release_and_barrier(terrain, make_terrain_surface(terrain), 1.0);
   EXPECT_EQ(places.release_points, 5u);
   expect_sensible(places, terrain, slope);
 }
@@ -76,7 +77,8 @@ TEST(NewCampaign, ASlopeWithoutAFootHasTheBarrierOnTheGround) {
   const FacingSlope slope{.facing = 0.5, .slope = 33.0 * kRadiansPerDegree, .foot = 2.0};
   write_slope(folder / "slope.asc", slope);
   const Terrain terrain = terrain_of(folder / "slope.asc");
-  const ProposedLines places = propose_release_and_barrier(terrain, make_terrain_surface(terrain), 0.8);
+  const ProposedLines places =
+      propose_release_and_barrier(terrain, make_terrain_surface(terrain), 0.8);
   const Vec3 centre = 0.5 * (places.barrier.from + places.barrier.to);
   EXPECT_NO_THROW(check_over_ground(terrain, std::vector<Vec3>{centre}, "barrier"));
   EXPECT_GT(places.distance, 40.0);

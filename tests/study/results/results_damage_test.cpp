@@ -42,7 +42,7 @@ TEST(Results, StraightBarriersOfSchema2AreRead) {
     add_run(writer, 0);
     writer.finish();
     Hdf5File file = Hdf5File::open(folder / "old.h5", "clast results", 4, true);
-    Hdf5Group barriers = file.root().group("barriers");
+    Hdf5Group barriers = file.root().open_group("barriers");
     barriers.remove("point_count");
     barriers.remove("points_m");
     barriers.write<double>("from_m", std::vector<double>{25, -400, 36, -400}, {2, 2});
@@ -76,13 +76,13 @@ TEST(Results, DamageIsNamed) {
   const auto replaced = [&](const std::string& group, const std::string& name, auto values,
                             const std::vector<std::size_t>& shape = {}) {
     return after([&](Hdf5Group& root) {
-      Hdf5Group parent = root.group(group);
+      Hdf5Group parent = root.open_group(group);
       parent.remove(name);
       parent.write<typename decltype(values)::value_type>(name, values, shape);
     });
   };
   EXPECT_EQ(after([](Hdf5Group&) {}), "");
-  EXPECT_TRUE(contains(after([](Hdf5Group& root) { root.group("runs").remove("stop_x_m"); }),
+  EXPECT_TRUE(contains(after([](Hdf5Group& root) { root.open_group("runs").remove("stop_x_m"); }),
                        "bad.h5: /runs/stop_x_m is missing"));
   EXPECT_TRUE(contains(after([](Hdf5Group& root) { root.remove("terrain"); }),
                        "bad.h5: /terrain is missing"));

@@ -123,10 +123,10 @@ TEST(Results, WithoutRollingLengthsOrSoilAreReadAsStatingNone) {
   {
     Hdf5File file = Hdf5File::open(target, "clast results", 4, true);
     for (const char* group : {"ground", "ground_sets"}) {
-      file.root().group(group).remove("rolling_length_m");
+      file.root().open_group(group).remove("rolling_length_m");
       for (const char* soil : {"friction_min", "slip_growth_per_m", "slip_memory_s", "scar_drag",
                                "soil_density_kg_m3", "soil_memory_m"}) {
-        file.root().group(group).remove(soil);
+        file.root().open_group(group).remove(soil);
       }
     }
     file.flush();
@@ -150,7 +150,8 @@ TEST(Results, OneStiffnessForAllRunsIsReadAsEveryRuns) {
   }
   {
     Hdf5File file = Hdf5File::open(target, "clast results", 4, true);
-    Hdf5Group root = file.root(), runs = root.group("runs"), contact = root.group("contact");
+    Hdf5Group root = file.root(), runs = root.open_group("runs"),
+              contact = root.open_group("contact");
     root.set_attribute<std::int64_t>("schema_version", 3);
     double value = 1e8;
     for (const char* name : {"stiffness_n_m", "tangential_stiffness_n_m",

@@ -34,7 +34,7 @@ TEST_F(CampaignRun, PlansEveryBlockPointAndOrientationInOrder) {
   EXPECT_EQ(plan.header.ground[1].rolling_friction, 0.3);
   EXPECT_EQ(plan.header.inputs.size(), 4u);
   // Points are of the centre of mass, on the map.
-  const Vec3 start = plan.header.frame.map(plan.runs[4].start.position);
+  const Vec3 start = plan.header.frame.to_map(plan.runs[4].start.position);
   EXPECT_LT((start - Vec3(-12, 3, 9.5)).norm(), 1e-12);
   // The only bound there is for a body that starts at rest: the fall to the lowest ground.
   const double fastest = std::sqrt(2 * 9.81 * 9.5);
@@ -72,12 +72,12 @@ TEST_F(CampaignRun, DropHeightIsTheClearanceOfTheLowestSkinPoint) {
     const RigidBody body = plan.bodies[run.block];
     double clearance = 1e9;
     for (const Vec3& vertex : body.shape.vertices) {
-      const Vec3 point = plan.header.frame.map(run.start.world_from_body() * vertex);
+      const Vec3 point = plan.header.frame.to_map(run.start.world_from_body() * vertex);
       const double ground = point.x() < 0 ? -0.6 * point.x() : 0.0;
       clearance = std::min(clearance, point.z() - body.shape.radius - ground);
     }
     EXPECT_NEAR(clearance, 0.75, 1e-9);
-    EXPECT_NEAR(plan.header.frame.map(run.start.position).x(), run.point == 0 ? -12.0 : 10.0,
+    EXPECT_NEAR(plan.header.frame.to_map(run.start.position).x(), run.point == 0 ? -12.0 : 10.0,
                 1e-12);
   }
 }

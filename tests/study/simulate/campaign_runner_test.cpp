@@ -34,7 +34,7 @@ TEST_F(CampaignRun, EveryRunIsStoredWithItsCrossingsAndTrajectory) {
     EXPECT_NE(run.result.stop_reason, StopReason::kError) << run.result.message;
     EXPECT_FALSE(run.result.below_ground);
     // Who ends on the flat has crossed its edge.
-    const double stop_x = results.frame.map(run.result.final_state.position).x();
+    const double stop_x = results.frame.to_map(run.result.final_state.position).x();
     EXPECT_EQ(stop_x > 0.0, crossed.count(run.run) == 1) << run.run;
     const Trajectory trajectory = read_trajectory(target, run.run);
     ASSERT_GE(trajectory.time.size(), 2u);

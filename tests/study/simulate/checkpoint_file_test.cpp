@@ -17,7 +17,7 @@ namespace fs = std::filesystem;
 using study_detail::CheckpointFile;
 
 void write(const CheckpointFile& file, const std::string& content) {
-  file.write([&](ByteWriter& to) { to.raw(content.data(), content.size()); });
+  file.write([&](ByteWriter& to) { to.archive_bytes(content.data(), content.size()); });
 }
 
 TEST(CheckpointFiles, KeepTheLastState) {

@@ -75,8 +75,9 @@ class Company : public CampaignRun {
       run.trajectory = read_trajectory(file, record.run);
       crossings += run.crossings.size();
       impacts += run.impacts.size();
-      const Vec3 start = results.frame.map(record.start.position);
-      const std::string name = format_significant(start.y(), 6) + " " + format_significant(start.z(), 6) + " " +
+      const Vec3 start = results.frame.to_map(record.start.position);
+      const std::string name = format_significant(start.y(), 6) + " " +
+                               format_significant(start.z(), 6) + " " +
                                std::to_string(record.orientation) + " " +
                                std::to_string(results.ground_sets[record.ground_set].member);
       run.record.run = run.record.block = run.record.point = run.record.ground_set = 0;
@@ -150,9 +151,9 @@ TEST_F(Company, OtherMembersOfAnEnsembleChangeNothing) {
   for (const GroundParameterSet& set : plan.header.ground_sets) {
     const double restitution = set.zones[0].energy_restitution;
     drawn.insert(restitution);
-    const Runs own = runs_of(
-        "slab", of("\"slab\"", with("energy_restitution = 0.1",
-                                    "energy_restitution = " + format_significant(restitution, 17))));
+    const Runs own = runs_of("slab", of("\"slab\"", with("energy_restitution = 0.1",
+                                                         "energy_restitution = " +
+                                                             format_significant(restitution, 17))));
     for (const auto& [name, bytes] : own) {
       std::string of_member = name;
       of_member.back() = static_cast<char>('0' + set.member);

@@ -208,7 +208,7 @@ TEST_F(MassCampaign, ReleasesBlocksInPlace) {
   ASSERT_EQ(plan.runs.size(), made.blocks.size());
   EXPECT_NEAR(plan.masses[0].volume, made.block_volume, 1e-9);
   for (std::size_t i = 0; i < plan.runs.size(); ++i) {
-    const Vec3 place = plan.header.frame.map(plan.runs[i].start.position);
+    const Vec3 place = plan.header.frame.to_map(plan.runs[i].start.position);
     EXPECT_LT((place - made.blocks[i].mass.centre).norm(), 1e-9);
   }
   run_campaign(plan, *folder_ / "placed.h5");

@@ -41,7 +41,7 @@ TEST_F(SettledMass, StartsWhereItsBlocksCameToRest) {
   for (const RunRecord& record : results.runs) {
     ASSERT_EQ(record.result.stop_reason, StopReason::kRest) << record.result.message;
     EXPECT_LT(record.result.energy.error, 1e-3);
-    const Vec3 start = results.frame.map(record.start.position);
+    const Vec3 start = results.frame.to_map(record.start.position);
     EXPECT_GT(start.x(), -6.0);
     EXPECT_LT(start.x(), -4.0);
     EXPECT_LT(std::abs(start.y()), 1.0);
@@ -129,7 +129,7 @@ TEST_F(SettledMass, FillsItsSpaceAsRandomPackingsDo) {
     ASSERT_EQ(record.result.stop_reason, StopReason::kRest) << record.result.message;
     for (const bool at_rest : {false, true}) {
       RigidState state = at_rest ? record.start : plan.runs[record.run].start;
-      state.position = results.frame.map(state.position);
+      state.position = results.frame.to_map(state.position);
       (at_rest ? settled : packed).push_back(state);
     }
   }
@@ -190,7 +190,8 @@ TEST(ReflexCorner, IsFoundInEitherSense) {
   std::reverse(polygon.begin(), polygon.end());
   EXPECT_EQ(find_reflex_vertex(polygon), 1u);
   // A corner on a side, and the first corner again.
-  EXPECT_FALSE(find_reflex_vertex(std::vector<Vec2>{{0, 0}, {2, 0}, {4, 0}, {4, 2}, {0, 2}, {0, 0}}));
+  EXPECT_FALSE(
+      find_reflex_vertex(std::vector<Vec2>{{0, 0}, {2, 0}, {4, 0}, {4, 2}, {0, 2}, {0, 0}}));
   // A pentagram turns twice.
   std::vector<Vec2> star;
   for (int i = 0; i < 5; ++i) star.emplace_back(std::cos(0.8 * kPi * i), std::sin(0.8 * kPi * i));

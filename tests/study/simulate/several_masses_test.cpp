@@ -66,7 +66,7 @@ TEST_F(SeveralMasses, StartInTheirPolygons) {
   for (const RunRecord& run : plan.runs) {
     EXPECT_EQ(run.point, run.run % 9 < 6 ? 0u : 1u);
     blocks.insert(run.block);
-    const double x = plan.header.frame.map(run.start.position).x();
+    const double x = plan.header.frame.to_map(run.start.position).x();
     EXPECT_GT(x, run.point == 0 ? -9.0 : -5.0);
     EXPECT_LT(x, run.point == 0 ? -5.0 : -3.0);
     volume += plan.header.blocks[run.block].volume;
@@ -187,7 +187,7 @@ TEST_F(SeveralMasses, InPlaceDivideTheBlocksByTheirPolygons) {
   ASSERT_EQ(plan.masses.size(), 2u);
   EXPECT_EQ(plan.masses[0].blocks, 2u);
   EXPECT_EQ(plan.masses[1].blocks, 1u);
-  EXPECT_NEAR(plan.header.frame.map(plan.runs[2].start.position).z(), 8.0, 1e-9);
+  EXPECT_NEAR(plan.header.frame.to_map(plan.runs[2].start.position).z(), 8.0, 1e-9);
   const CampaignResults results = run(in_place(wide, east), "in_place.h5");
   EXPECT_EQ(results.stays[2].released_at, 3.0);
   const auto refused = [](const std::string& text, const std::string& part) {

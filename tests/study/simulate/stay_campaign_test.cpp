@@ -107,7 +107,7 @@ TEST_F(StayCampaign, EndsWithinARealisation) {
   const CampaignPlan plan = prepared(slow);
   std::string heard;
   const auto quit = [&](const ProgressUpdate& step) {
-    heard = step.what;
+    heard = step.activity;
     EXPECT_EQ(step.done, 0u);
     throw SimulationError("stopped");
   };
@@ -133,7 +133,7 @@ TEST_F(StayCampaign, GoesOnFromWhereItWasEndedWithinARealisation) {
   const std::filesystem::path checkpoint = file.string() + ".part.1";
   std::string heard;
   const auto quit = [&](const ProgressUpdate& step) {
-    heard = step.what;
+    heard = step.activity;
     if (step.done == 0) throw SimulationError("stopped");
   };
   int ends = 0;

@@ -13,7 +13,7 @@ class UnscaledCampaign : public CampaignRun {
   void SetUp() override {
     constexpr double kUnits = 3.7;
     BlockLibrary library = BlockLibrary::read(*folder_ / "blocks.h5");
-    if (library.has("model")) return;
+    if (library.contains("model")) return;
     const TriangleMesh mesh =
         transformed(centred_box_mesh(kUnits * Vec3(1.0, 0.6, 0.3)),
                     Pose{Vec3(5.0, 1.0, 2.0), Quat(Eigen::AngleAxisd(0.4, Vec3::UnitX()))});
