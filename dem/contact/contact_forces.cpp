@@ -59,7 +59,8 @@ double ContactForces::PairWrench::power_over_next_step(const RelativeMotion& mot
   // Events may have shifted the bodies since.
   const Vec3 arm = centre - motion.block.begin_position;
   const Vec3 arm_of_other = centre_of_other - motion.other.begin_position;
-  return power_over_previous_step(motion) + arm_of_other.cross(force).dot(motion.other.angular_velocity) -
+  return power_over_previous_step(motion) +
+         arm_of_other.cross(force).dot(motion.other.angular_velocity) -
          arm.cross(force).dot(motion.block.angular_velocity);
 }
 
@@ -77,7 +78,8 @@ ContactForces::Scratch& ContactForces::scratch() {
 }
 
 ContactLoad ContactForces::update(const std::vector<ContactPoint>& points, const BodyMotion& block,
-                                  const BodyMotion& other, double duration, EnergyBalance& energy_balance) {
+                                  const BodyMotion& other, double duration,
+                                  EnergyBalance& energy_balance) {
   if (points.empty() && contacts_.empty()) return {};
   const RelativeMotion motion(block, other, duration);
   return model_.visit_laws(
@@ -86,8 +88,9 @@ ContactLoad ContactForces::update(const std::vector<ContactPoint>& points, const
 
 template <NormalLaw Law>
 ContactLoad ContactForces::apply_law(const std::vector<Law>& laws,
-                                 const std::vector<ContactPoint>& points, const RelativeMotion& motion,
-                                 Scratch& scratch, EnergyBalance& energy_balance) {
+                                     const std::vector<ContactPoint>& points,
+                                     const RelativeMotion& motion, Scratch& scratch,
+                                     EnergyBalance& energy_balance) {
   std::vector<Contact>& now = scratch.now;
   ContactHistory& history = scratch.history;
   history.match_contacts(points, contacts_, near_);
@@ -96,16 +99,19 @@ ContactLoad ContactForces::apply_law(const std::vector<Law>& laws,
   if constexpr (Law::kNeedsEffectiveMass) compute_effective_masses(motion, scratch);
   if constexpr (Law::kIsPlastic) initialise_new_forces(scratch);
 
-  if (model_.has_slip_dependent_friction && contacts_.empty() && !now.empty()) decay_slip(now.front().zone);
+  if (model_.has_slip_dependent_friction && contacts_.empty() && !now.empty())
+    decay_slip(now.front().zone);
 
   ContactLoad load;
   energy_balance.reassigned += 0.5 * motion.duration * last_wrench_.power_over_next_step(motion);
   for (std::size_t i = 0; i < now.size(); ++i) {
-    compute_contact_load(now[i], history.previous(i, contacts_), laws[now[i].zone], motion, load, energy_balance);
+    compute_contact_load(now[i], history.previous_contact(i, contacts_), laws[now[i].zone], motion,
+                         load, energy_balance);
   }
   last_wrench_ = PairWrench(load, motion);
   load.torque_on_other = -last_wrench_.torque_on_other;
-  energy_balance.reassigned += 0.5 * motion.duration * last_wrench_.power_over_previous_step(motion);
+  energy_balance.reassigned +=
+      0.5 * motion.duration * last_wrench_.power_over_previous_step(motion);
   for (std::size_t j = 0; j < contacts_.size(); ++j) {
     if (history.is_continued(j)) continue;
     end_contact(contacts_[j], laws[contacts_[j].zone], motion, load, energy_balance);
@@ -131,8 +137,8 @@ void ContactForces::store_contacts(std::vector<Contact>& now) {
   }
 }
 
-void ContactForces::assign_weights(const std::vector<ContactPoint>& points, const RelativeMotion& motion,
-                               std::vector<Contact>& now) {
+void ContactForces::assign_weights(const std::vector<ContactPoint>& points,
+                                   const RelativeMotion& motion, std::vector<Contact>& now) {
   const std::span<const double> weights =
       patches_.compute_weights(points, motion.block.world_from_body.rotation);
   now.clear();
@@ -168,10 +174,10 @@ void ContactForces::compute_effective_masses(const RelativeMotion& motion, Scrat
 void ContactForces::initialise_new_forces(Scratch& scratch) const {
   auto& [now, history, patch_wrenches] = scratch;
   for (std::size_t i = 0; i < now.size(); ++i) {
-    if (history.previous(i, contacts_)) continue;
+    if (history.previous_contact(i, contacts_)) continue;
     double force = 0.0, weight = 0.0;
     for (std::size_t j = 0; j < now.size(); ++j) {
-      const Contact* previous = history.previous(j, contacts_);
+      const Contact* previous = history.previous_contact(j, contacts_);
       if (!previous || patches_.patch_of(j) != patches_.patch_of(i)) continue;
       force += previous->weight * previous->normal;
       weight += previous->weight;
@@ -182,43 +188,45 @@ void ContactForces::initialise_new_forces(Scratch& scratch) const {
 
 template <NormalLaw Law>
 void ContactForces::compute_contact_load(Contact& contact, const Contact* previous, const Law& law,
-                                 const RelativeMotion& motion, ContactLoad& load,
-                                 EnergyBalance& energy_balance) {
+                                         const RelativeMotion& motion, ContactLoad& load,
+                                         EnergyBalance& energy_balance) {
   const GroundParameters& ground = model_.zones[contact.zone];
   const ContactKinematics kinematics(contact, motion);
   const double w = contact.weight;
-  StepStart start =
-      previous ? step_start_of_continued(contact, *previous, motion) : step_start_of_new(contact, kinematics, law, motion);
+  StepStart start = previous ? step_start_of_continued(contact, *previous, motion)
+                             : step_start_of_new(contact, kinematics, law, motion);
   if constexpr (Law::kIsPlastic) {
     // On ground that unloads otherwise the force goes on, and with it the dent that it stands for.
     if (previous && previous->zone != contact.zone && previous->normal > 0.0) {
       start.normal = law.initial_state(start.path.before, 0.0, 0.0, previous->normal);
     }
     if (model_.soil && !previous && start.continuous) {
-      start.normal.residual_indentation = model_.soil->residual_indentation(contact.position, contact.zone);
+      start.normal.residual_indentation =
+          model_.soil->residual_indentation(contact.position, contact.zone);
     }
   }
 
   const NormalResponse response = normal_response(contact, start, law);
   contact.normal = response.force;
   contact.residual_indentation = response.residual_indentation;
-  const SpringResponse sliding =
-      friction(contact, kinematics, model_.stiffness.tangential, motion.duration,
-               model_.has_slip_dependent_friction ? ground.slip_dependent_friction(slip_) : ground.friction);
-  const SpringResponse rolling = rolling_resistance(contact, kinematics, model_.rolling[contact.zone],
-                                                    motion, ground.rolling_friction);
+  const SpringResponse sliding = friction(
+      contact, kinematics, model_.stiffness.tangential, motion.duration,
+      model_.has_slip_dependent_friction ? ground.slip_dependent_friction(slip_) : ground.friction);
+  const SpringResponse rolling = rolling_resistance(
+      contact, kinematics, model_.rolling[contact.zone], motion, ground.rolling_friction);
   if (model_.has_slip_dependent_friction) {
-    const Vec3 trial =
-        contact.tangential - model_.stiffness.tangential * motion.duration * kinematics.sliding;
-    slipped_ +=
-        w * model_.tangential_compliance * std::max(0.0, trial.norm() - std::sqrt(sliding.squared_norm));
+    const Vec3 trial = contact.tangential -
+                       model_.stiffness.tangential * motion.duration * kinematics.sliding_velocity;
+    slipped_ += w * model_.tangential_compliance *
+                std::max(0.0, trial.norm() - std::sqrt(sliding.squared_norm));
   }
   contact.tangential = sliding.load;
   contact.rolling = rolling.load;
 
   // Eq. 6: the loads of a point count by its weight.
   const double drop = law.force_drop(contact.point.overlap, contact.normal);
-  const double restored_ratio = kinematics.approach_speed > 0.0 ? 1.0 : law.unloading_ratio(model_.stiffness.normal);
+  const double restored_ratio =
+      kinematics.approach_speed > 0.0 ? 1.0 : law.unloading_ratio(model_.stiffness.normal);
   load.impact += 0.5 * w *
                  (restored_ratio * kinematics.approach_speed * kinematics.approach_speed +
                   drop * drop * motion.block.inverse_mass / model_.stiffness.normal);
@@ -230,24 +238,27 @@ void ContactForces::compute_contact_load(Contact& contact, const Contact* previo
   // With the mean weight of the step. What the forces took beyond these losses and what is stored,
   // because weights, zones, normals or the contacts changed, is booked apart.
   const double mean_weight = 0.5 * (start.weight + w);
-  const double stored_by_normal = law.stored_energy(contact.point.overlap, contact.residual_indentation);
-  const double by_normal =
-      mean_weight * (response.work - stored_by_normal +
-                     law.stored_energy(std::max(0.0, start.path.before), start.normal.residual_indentation));
+  const double stored_by_normal =
+      law.stored_energy(contact.point.overlap, contact.residual_indentation);
+  const double by_normal = mean_weight * (response.work - stored_by_normal +
+                                          law.stored_energy(std::max(0.0, start.path.before),
+                                                            start.normal.residual_indentation));
   const double by_friction = mean_weight * model_.tangential_compliance * sliding.loss;
   const double by_rolling = mean_weight * model_.rolling_compliance[contact.zone] * rolling.loss;
-  contact.stored =
-      w * (stored_by_normal + 0.5 * (sliding.squared_norm * model_.tangential_compliance +
-                                     rolling.squared_norm * model_.rolling_compliance[contact.zone]));
+  contact.stored = w * (stored_by_normal +
+                        0.5 * (sliding.squared_norm * model_.tangential_compliance +
+                               rolling.squared_norm * model_.rolling_compliance[contact.zone]));
   energy_balance.normal += by_normal;
   energy_balance.friction += by_friction;
   energy_balance.rolling += by_rolling;
-  energy_balance.reassigned -= by_normal + by_friction + by_rolling + (contact.stored - start.stored);
+  energy_balance.reassigned -=
+      by_normal + by_friction + by_rolling + (contact.stored - start.stored);
 }
 
 template <NormalLaw Law>
-void ContactForces::end_contact(const Contact& contact, const Law& law, const RelativeMotion& motion,
-                                ContactLoad& load, EnergyBalance& energy_balance) const {
+void ContactForces::end_contact(const Contact& contact, const Law& law,
+                                const RelativeMotion& motion, ContactLoad& load,
+                                EnergyBalance& energy_balance) const {
   const double duration = motion.duration, w = contact.weight;
   const Vec3& n = contact.point.normal;
   const Vec3 velocity = motion.velocity_of_start_point(contact.position);
@@ -259,11 +270,12 @@ void ContactForces::end_contact(const Contact& contact, const Law& law, const Re
     const NormalResponse response =
         law.integrate(path, {contact.normal, contact.residual_indentation}, contact.effective_mass);
     if (is_event(response)) add_law_event(load, response, contact, motion);
-    const double by_normal = w * (response.work + law.stored_energy(overlap, contact.residual_indentation));
+    const double by_normal =
+        w * (response.work + law.stored_energy(overlap, contact.residual_indentation));
     const double by_friction =
         ended_spring_loss(w, model_.tangential_compliance, contact.tangential, velocity, duration);
-    const double by_rolling =
-        ended_spring_loss(w, model_.rolling_compliance[contact.zone], contact.rolling, motion.spin, duration);
+    const double by_rolling = ended_spring_loss(w, model_.rolling_compliance[contact.zone],
+                                                contact.rolling, motion.spin, duration);
     energy_balance.normal += by_normal;
     energy_balance.friction += by_friction;
     energy_balance.rolling += by_rolling;
@@ -274,7 +286,7 @@ void ContactForces::end_contact(const Contact& contact, const Law& law, const Re
 
 template <NormalLaw Law>
 void ContactForces::update_overlaps(const std::vector<Law>& laws, const EventImpulse& event,
-                                   const BodyMotion& block, EnergyBalance& energy_balance) {
+                                    const BodyMotion& block, EnergyBalance& energy_balance) {
   const Vec3 shift = block.inverse_mass * event.moment;
   const Vec3 turn = block.apply_inverse_inertia(event.angular_moment);
   for (Contact& contact : contacts_) {
@@ -309,17 +321,20 @@ void ContactForces::accumulate_slip() {
   slipped_ = 0.0;
 }
 
-void ContactForces::add_drag(const RelativeMotion& motion, ContactLoad& load, EnergyBalance& energy_balance) {
+void ContactForces::add_drag(const RelativeMotion& motion, ContactLoad& load,
+                             EnergyBalance& energy_balance) {
   double lost = 0.0;
   const Vec3 force = drag_->update(contacts_, motion, lost);
   energy_balance.friction += lost;
   if (contacts_.empty()) return;
   load.force += force;
-  load.torque += (drag_->application_point() - motion.block.world_from_body.translation).cross(force);
-  load.torque_on_other -= (drag_->application_point() - motion.other.world_from_body.translation).cross(force);
+  load.torque +=
+      (drag_->application_point() - motion.block.world_from_body.translation).cross(force);
+  load.torque_on_other -=
+      (drag_->application_point() - motion.other.world_from_body.translation).cross(force);
 }
 
-double ContactForces::mobility(std::span<const double> vertex_mobilities) const {
+double ContactForces::contact_mobility(std::span<const double> vertex_mobilities) const {
   double sum = 0.0;
   for (const Contact& contact : contacts_) {
     const std::uint32_t feature = contact.point.block_feature;
@@ -328,7 +343,8 @@ double ContactForces::mobility(std::span<const double> vertex_mobilities) const 
       for (const std::uint32_t vertex : vertices) most = std::max(most, vertex_mobilities[vertex]);
       return most;
     };
-    sum += contact.weight * (contact.point.kind == ContactKind::kVertexGround ? vertex_mobilities[feature]
+    sum += contact.weight * (contact.point.kind == ContactKind::kVertexGround
+                                 ? vertex_mobilities[feature]
                              : contact.point.kind == ContactKind::kFaceVertex
                                  ? largest(block_.faces[feature].vertices)
                                  : largest(block_.edges[feature].vertices));
@@ -343,7 +359,8 @@ double ContactForces::weight() const {
 }
 
 void ContactForces::store_indentations(SoilMemory& soil) const {
-  for (const Contact& contact : contacts_) soil.add_indentation(contact.position, contact.zone, contact.residual_indentation);
+  for (const Contact& contact : contacts_)
+    soil.add_indentation(contact.position, contact.zone, contact.residual_indentation);
 }
 
 double ContactForces::stored_energy() const {
@@ -362,8 +379,8 @@ void ContactForces::find_deepest_contact() {
 std::optional<ContactForces::DeepestContact> ContactForces::deepest_contact() const {
   if (contacts_.empty()) return std::nullopt;
   const Contact& contact = contacts_[deepest_];
-  return DeepestContact{static_cast<std::uint32_t>(contacts_.size()), contact.point.overlap, contact.position,
-                 contact.zone};
+  return DeepestContact{static_cast<std::uint32_t>(contacts_.size()), contact.point.overlap,
+                        contact.position, contact.zone};
 }
 
 double ContactForces::settled_depth() {

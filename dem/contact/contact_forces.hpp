@@ -73,7 +73,7 @@ class ContactForces {
   /// Of all contacts together, 1/kg: with springs of stiffness k at each, weighted, the block has
   /// no frequency above the root of k times this.
   /// @param vertex_mobilities  of the block (`vertex_mobilities`)
-  double mobility(std::span<const double> vertex_mobilities) const;
+  double contact_mobility(std::span<const double> vertex_mobilities) const;
   /// Sum of the weights of all contacts.
   double weight() const;
   double stored_energy() const;  ///< what unloading would give back, J

@@ -22,7 +22,7 @@ Vec3 turned_into_plane(const Vec3& vector, const Vec3& before, const Vec3& norma
 }  // namespace
 
 void ContactHistory::match_contacts(const std::vector<ContactPoint>& points,
-                           const std::vector<Contact>& before, double max_distance) {
+                                    const std::vector<Contact>& before, double max_distance) {
   previous_of_.assign(points.size(), -1);
   continued_.assign(before.size(), 0);
   if (match_features(points, before) == points.size()) return;
@@ -62,7 +62,7 @@ std::size_t ContactHistory::match_features(const std::vector<ContactPoint>& poin
 
 template <class Related>
 void ContactHistory::match_by_relation(const std::vector<ContactPoint>& points,
-                                   const std::vector<Contact>& before, const Related& related) {
+                                       const std::vector<Contact>& before, const Related& related) {
   for (std::size_t i = 0; i < points.size(); ++i) {
     if (previous_of_[i] >= 0) continue;
     std::optional<std::size_t> best;
@@ -86,7 +86,7 @@ void ContactHistory::transfer_springs(std::vector<Contact>& now, const std::vect
   for (std::size_t i = 0; i < now.size(); ++i) {
     Contact& contact = now[i];
     double more = contact.weight;
-    if (const Contact* previous = this->previous(i, before)) {
+    if (const Contact* previous = this->previous_contact(i, before)) {
       contact.tangential =
           turned_into_plane(previous->tangential, previous->point.normal, contact.point.normal);
       contact.rolling = previous->rolling;

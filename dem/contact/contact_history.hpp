@@ -18,14 +18,16 @@ struct Contact {
   double normal = 0.0;             ///< N
   Vec3 tangential = Vec3::Zero();  ///< N
   Vec3 rolling = Vec3::Zero();     ///< N m
-  Vec3 position = Vec3::Zero();       ///< where the force acts
+  Vec3 position = Vec3::Zero();    ///< where the force acts
   double effective_mass = 0.0;     ///< of its patch, kg; only where a law asks for it
   double stored = 0.0;             ///< with its weight, J
-  double residual_indentation = 0.0;  ///< part of the overlap that stays, m; only where a law keeps one
+  double residual_indentation =
+      0.0;  ///< part of the overlap that stays, m; only where a law keeps one
 
   template <class Bytes>
   void serialize(Bytes& bytes) {
-    bytes(point, zone, weight, normal, tangential, rolling, position, effective_mass, stored, residual_indentation);
+    bytes(point, zone, weight, normal, tangential, rolling, position, effective_mass, stored,
+          residual_indentation);
   }
 };
 
@@ -35,9 +37,9 @@ class ContactHistory {
   /// Finds the contact of the step before that each point continues: each continues at most one.
   /// @param near  contacts closer than this may continue each other on other features, m
   void match_contacts(const std::vector<ContactPoint>& points, const std::vector<Contact>& before,
-             double max_distance);
+                      double max_distance);
   /// Of the last match: the contact that a point continues, none where it is new ...
-  const Contact* previous(std::size_t point, const std::vector<Contact>& before) const {
+  const Contact* previous_contact(std::size_t point, const std::vector<Contact>& before) const {
     return previous_of_[point] >= 0 ? &before[previous_of_[point]] : nullptr;
   }
   /// ... and whether a contact of the step before continues.
@@ -60,8 +62,8 @@ class ContactHistory {
   std::size_t match_features(const std::vector<ContactPoint>& points,
                              const std::vector<Contact>& before);
   template <class Related>
-  void match_by_relation(const std::vector<ContactPoint>& points, const std::vector<Contact>& before,
-                     const Related& related);
+  void match_by_relation(const std::vector<ContactPoint>& points,
+                         const std::vector<Contact>& before, const Related& related);
   void link_contacts(std::size_t point, std::size_t contact) {
     previous_of_[point] = static_cast<int>(contact);
     continued_[contact] = 1;
@@ -71,7 +73,7 @@ class ContactHistory {
   std::vector<char> continued_;   ///< contacts of the step before
   // Kept to spare the allocations.
   std::vector<SpringTransfer> spring_transfers_;  ///< by patch
-  std::vector<double> gained_;       ///< weight of each point, less what it had before
+  std::vector<double> gained_;                    ///< weight of each point, less what it had before
 };
 
 }  // namespace clast::dem_detail

@@ -69,16 +69,18 @@ Scratch& scratch() {
 }  // namespace
 
 std::span<const double> ContactPatches::compute_weights(const std::vector<ContactPoint>& points,
-                                              const Quat& orientation) {
+                                                        const Quat& orientation) {
   const std::size_t count = points.size();
-  std::vector<double>&point_weights = scratch().point_weights, &patch_overlap = scratch().patch_overlap;
+  std::vector<double>&point_weights = scratch().point_weights,
+  &patch_overlap = scratch().patch_overlap;
   if (count < 2) {  // by whatever rule
     patch_.assign(count, 0);
     point_weights.assign(count, 1.0);
     features_.clear();
     return point_weights;
   }
-  point_weights.assign(count, weights_ == ContactWeighting::kCount ? 1.0 / static_cast<double>(count) : 1.0);
+  point_weights.assign(
+      count, weights_ == ContactWeighting::kCount ? 1.0 / static_cast<double>(count) : 1.0);
   if (weights_ == ContactWeighting::kPatch) {
     find_patches(points, orientation);
   } else {
@@ -88,13 +90,14 @@ std::span<const double> ContactPatches::compute_weights(const std::vector<Contac
   }
   patch_overlap.assign(count, 0.0);
   for (std::size_t i = 0; i < count; ++i) patch_overlap[patch_[i]] += points[i].overlap;
-  for (std::size_t i = 0; i < count; ++i) point_weights[i] = points[i].overlap / patch_overlap[patch_[i]];
+  for (std::size_t i = 0; i < count; ++i)
+    point_weights[i] = points[i].overlap / patch_overlap[patch_[i]];
   return point_weights;
 }
 
 std::span<const std::uint32_t> ContactPatches::groups_of(
     const ContactPoint& point, std::array<std::uint32_t, 3>& buffer) const {
-  if (point.kind == ContactKind::kVertexGround) return groups_.at(point.block_feature);
+  if (point.kind == ContactKind::kVertexGround) return groups_.groups_at(point.block_feature);
   if (point.kind == ContactKind::kFaceVertex) {
     buffer[0] = groups_.group_of_face[point.block_feature];
     return {buffer.data(), 1};
@@ -140,7 +143,8 @@ void ContactPatches::list_candidate_links(const std::vector<ContactPoint>& point
   }
 }
 
-void ContactPatches::find_patches(const std::vector<ContactPoint>& points, const Quat& orientation) {
+void ContactPatches::find_patches(const std::vector<ContactPoint>& points,
+                                  const Quat& orientation) {
   const bool same_links = has_same_features(points);
   if (!same_links) list_candidate_links(points);
   std::vector<Vec3>& normals_in_body = scratch().normals_in_body;
@@ -150,7 +154,9 @@ void ContactPatches::find_patches(const std::vector<ContactPoint>& points, const
     const bool same = i > 0 && points[i].normal == points[i - 1].normal;
     normals_in_body[i] = same ? normals_in_body[i - 1] : Vec3(body_from_world * points[i].normal);
   }
-  const auto may_join = [&](const PointLink& link) { return is_linked(link, points, normals_in_body); };
+  const auto may_join = [&](const PointLink& link) {
+    return is_linked(link, points, normals_in_body);
+  };
   if (same_links && all_linked_ && std::all_of(links_.begin(), links_.end(), may_join)) return;
   std::iota(patch_.begin(), patch_.end(), 0u);
   all_linked_ = true;
@@ -179,7 +185,7 @@ void ContactPatches::list_group_points(const std::vector<ContactPoint>& points) 
 }
 
 void ContactPatches::link_remaining_points(const std::vector<ContactPoint>& points,
-                              std::span<const Vec3> normals_in_body) {
+                                           std::span<const Vec3> normals_in_body) {
   if (group_points_.empty()) list_group_points(points);
   for (const GroupPoint& on : group_points_) {
     for (std::uint32_t j = on.before; j != kNoFeature; j = group_points_[j].before) {
@@ -193,11 +199,11 @@ void ContactPatches::link_remaining_points(const std::vector<ContactPoint>& poin
 }
 
 bool ContactPatches::is_linked(const PointLink& link, const std::vector<ContactPoint>& points,
-                           std::span<const Vec3> normals_in_body) const {
+                               std::span<const Vec3> normals_in_body) const {
   const ContactPoint &point = points[link.point], &earlier = points[link.earlier];
   if (is_side_wall(link.group, normals_in_body[link.point])) return false;
-  return on_one_face(point, earlier) ||
-         (!is_side_wall(link.group, normals_in_body[link.earlier]) && smooth_between(point, earlier));
+  return on_one_face(point, earlier) || (!is_side_wall(link.group, normals_in_body[link.earlier]) &&
+                                         smooth_between(point, earlier));
 }
 
 void ContactPatches::merge_patches(std::uint32_t point, std::uint32_t other) {

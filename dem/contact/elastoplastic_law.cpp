@@ -17,11 +17,15 @@ double time_at(const OverlapPath& path, double level, double from, double to) {
 class Follower {
  public:
   Follower(const ElastoplasticLaw& law, const OverlapPath& path, const NormalState& state)
-      : law_(law), path_(path), integral_(path, state.force), force_(state.force), residual_indentation_(state.residual_indentation) {}
+      : law_(law),
+        path_(path),
+        integral_(path, state.force),
+        force_(state.force),
+        residual_indentation_(state.residual_indentation) {}
 
   void follow(double from, double to) {
     if (!(to > from)) return;
-    const double first = path_.at(from), last = path_.at(to);
+    const double first = path_.overlap_at(from), last = path_.overlap_at(to);
     last > first ? grow(from, to, first, last) : shrink(from, to, first, last);
   }
 
@@ -44,31 +48,36 @@ class Follower {
     const double yield = law_.loading_stiffness;
     if (force_ < yield * first * (1.0 - kOnLine) && law_.reloading_stiffness > yield) {
       // To where the rising force meets the line of first loading.
-      const double meet = (law_.reloading_stiffness * first - force_) / (law_.reloading_stiffness - yield);
+      const double meet =
+          (law_.reloading_stiffness * first - force_) / (law_.reloading_stiffness - yield);
       const double until = meet < last ? time_at(path_, meet, from, to) : to;
       press(from, until, first, std::min(meet, last), law_.reloading_stiffness);
       from = until;
       first = std::min(meet, last);
     }
     if (last > first) press(from, to, first, last, yield);
-    residual_indentation_ = std::max(residual_indentation_, last - force_ / law_.unloading_stiffness);
+    residual_indentation_ =
+        std::max(residual_indentation_, last - force_ / law_.unloading_stiffness);
   }
 
   /// From the force at `first`, by a stiffness.
   void press(double from, double to, double first, double last, double stiffness) {
     const double base = force_;
-    integral_.add(from, to,
-                  [&](double time) { return base + stiffness * (path_.at(time) - first); });
+    integral_.add_interval(
+        from, to, [&](double time) { return base + stiffness * (path_.overlap_at(time) - first); });
     force_ = base + stiffness * (last - first);
   }
 
   void shrink(double from, double to, double first, double last) {
     if (first > residual_indentation_ && force_ > 0.0) {
-      const double until = last < residual_indentation_ ? time_at(path_, residual_indentation_, from, to) : to;
-      integral_.add(from, until,
-                    [&](double time) { return law_.unloading_stiffness * (path_.at(time) - residual_indentation_); });
+      const double until =
+          last < residual_indentation_ ? time_at(path_, residual_indentation_, from, to) : to;
+      integral_.add_interval(from, until, [&](double time) {
+        return law_.unloading_stiffness * (path_.overlap_at(time) - residual_indentation_);
+      });
     }
-    force_ = force_ > 0.0 ? law_.unloading_stiffness * std::max(0.0, last - residual_indentation_) : 0.0;
+    force_ =
+        force_ > 0.0 ? law_.unloading_stiffness * std::max(0.0, last - residual_indentation_) : 0.0;
   }
 
   const ElastoplasticLaw& law_;
@@ -81,7 +90,8 @@ class Follower {
 
 ElastoplasticLaw ElastoplasticLaw::on_ground(double stiffness, const GroundParameters& ground) {
   const double unloading_stiffness = stiffness / ground.energy_restitution;
-  const double reloading_stiffness = ground.energy_restitution < 1.0 ? kReloading * unloading_stiffness : unloading_stiffness;
+  const double reloading_stiffness =
+      ground.energy_restitution < 1.0 ? kReloading * unloading_stiffness : unloading_stiffness;
   return {stiffness, unloading_stiffness, reloading_stiffness};
 }
 
@@ -94,7 +104,8 @@ NormalResponse ElastoplasticLaw::integrate(const OverlapPath& path, const Normal
   };
   const double reversal_time = path.reversal_time();
   if (reversal_time == path.duration) {  // mostly all of the step is on one line
-    const bool growing = path.rate > 0.0 || (path.rate == 0.0 && path.quadratic_coefficient() > 0.0);
+    const bool growing =
+        path.rate > 0.0 || (path.rate == 0.0 && path.quadratic_coefficient() > 0.0);
     if (growing && force > 0.0) {
       const bool yields = force >= loading_stiffness * path.before * (1.0 - kOnLine);
       const double end = force + (yields ? loading_stiffness : reloading_stiffness) * deeper;
@@ -104,7 +115,8 @@ NormalResponse ElastoplasticLaw::integrate(const OverlapPath& path, const Normal
     } else if (!growing && path.after >= residual_indentation && force > 0.0) {
       const double start = unloading_stiffness * (path.before - residual_indentation);
       if (std::abs(force - start) <= kOnLine * force) {
-        return smooth(unloading_stiffness * (path.after - residual_indentation), residual_indentation);
+        return smooth(unloading_stiffness * (path.after - residual_indentation),
+                      residual_indentation);
       }
     }
   }

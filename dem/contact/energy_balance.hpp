@@ -24,8 +24,8 @@ struct EnergyBalance {
     return *this;
   }
   /// Closes the balance. `drop`: what was there at the start, above the potential at the end, J.
-  void close(double at_end, double drop) {
-    final = at_end;
+  void close_balance(double final_energy, double drop) {
+    final = final_energy;
     const double lost = dissipated();
     error = std::abs(initial - final - lost) /
             std::max({std::abs(lost), 1e-3 * std::abs(drop), 1e-300});

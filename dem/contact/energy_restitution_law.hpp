@@ -28,40 +28,46 @@ struct EnergyRestitutionLaw {
     return {unloading_stiffness * overlap, 0.0};
   }
   double highest_frequency(double frequency) const { return frequency; }
-  double force_drop(double overlap, double force) const { return force - unloading_stiffness * overlap; }
+  double force_drop(double overlap, double force) const {
+    return force - unloading_stiffness * overlap;
+  }
   double unloading_ratio(double stiffness) const { return unloading_stiffness / stiffness; }
 
   NormalResponse integrate(const OverlapPath& path, const NormalState& state,
                            double /*effective_mass*/) const {
     double force = state.force;
     const double reversal_time = path.reversal_time();
-    const bool growing = path.rate > 0.0 || (path.rate == 0.0 && path.quadratic_coefficient() > 0.0);
+    const bool growing =
+        path.rate > 0.0 || (path.rate == 0.0 && path.quadratic_coefficient() > 0.0);
     if (reversal_time == path.duration && growing && path.before >= 0.0) {
       const double deeper = path.after - path.before;
       const double end = force + loading_stiffness * deeper;
       return {end, 0.5 * (force + end) * deeper, 0.0, 0.0};
     }
-    const bool on_return_line = std::abs(force - unloading_stiffness * path.before) <= kOnLine * force;
+    const bool on_return_line =
+        std::abs(force - unloading_stiffness * path.before) <= kOnLine * force;
     if (reversal_time == path.duration && !growing && path.after >= 0.0 && on_return_line) {
       const double end = unloading_stiffness * path.after;
       return {end, 0.5 * (force + end) * (path.after - path.before), 0.0, 0.0};
     }
 
     PathIntegral integral(path, force);
-    const auto returning = [&](double time) { return unloading_stiffness * path.at(time); };
+    const auto returning = [&](double time) { return unloading_stiffness * path.overlap_at(time); };
     const auto follow = [&](double from, double to) {
       if (!(to > from)) return;
-      const double first = path.at(from), last = path.at(to);
+      const double first = path.overlap_at(from), last = path.overlap_at(to);
       if (last > first) {
         if (last <= 0.0) return;
         const double touch = first < 0.0 ? path.zero_crossing(from, to) : from;
         const double base = first < 0.0 ? 0.0 : force - loading_stiffness * first;
-        const auto pressing = [&](double time) { return base + loading_stiffness * path.at(time); };
-        integral.add(touch, to, pressing);
+        const auto pressing = [&](double time) {
+          return base + loading_stiffness * path.overlap_at(time);
+        };
+        integral.add_interval(touch, to, pressing);
         force = pressing(to);
       } else {
         if (first > 0.0) {
-          integral.add(from, last < 0.0 ? path.zero_crossing(from, to) : to, returning);
+          integral.add_interval(from, last < 0.0 ? path.zero_crossing(from, to) : to, returning);
         }
         force = last > 0.0 ? returning(to) : 0.0;
       }

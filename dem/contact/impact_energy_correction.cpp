@@ -21,7 +21,7 @@ Vec3 angular_momentum_of(const BodyMotion& motion) {
 double apply_scaled_impulse(RigidBodyIntegrator& body, const Vec3& impulse,
                             const Vec3& angular_impulse, double owed) {
   // A share x more of the impulse gives the block the energy rate x + curve x^2.
-  const BodyMotion motion = body.motion();
+  const BodyMotion motion = body.current_motion();
   const double rate = impulse.dot(motion.velocity) + angular_impulse.dot(motion.angular_velocity);
   const double curve = 0.5 * (motion.inverse_mass * impulse.squaredNorm() +
                               angular_impulse.dot(motion.apply_inverse_inertia(angular_impulse)));
@@ -45,7 +45,7 @@ void ImpactEnergyCorrection::add_event_impulse(const EventImpulse& event) {
   angular_impulse_ += event.angular_impulse;
 }
 
-bool ImpactEnergyCorrection::end(RigidBodyIntegrator& body, double accounted) {
+bool ImpactEnergyCorrection::end_impact(RigidBodyIntegrator& body, double accounted) {
   const Vec3 impulse = std::exchange(impulse_, Vec3::Zero());
   const Vec3 angular_impulse = std::exchange(angular_impulse_, Vec3::Zero());
   if (!std::exchange(applies_, false)) {
@@ -56,7 +56,7 @@ bool ImpactEnergyCorrection::end(RigidBodyIntegrator& body, double accounted) {
   owed -= apply_scaled_impulse(body, impulse, angular_impulse, owed);
   // A block that rocked has got impulses one way and the other. Its energy is then in the spin, and
   // in the velocity along the impulse.
-  const BodyMotion motion = body.motion();
+  const BodyMotion motion = body.current_motion();
   const double squared = impulse.squaredNorm();
   const Vec3 along =
       squared > 0.0 ? Vec3(impulse.dot(motion.velocity) / squared * impulse) : Vec3(Vec3::Zero());

@@ -24,7 +24,7 @@ class ImpactEnergyCorrection {
   explicit ImpactEnergyCorrection(double energy) : expected_energy_(energy) {}
 
   /// Notes the ground that the block touches.
-  void touch(const GroundParameters& zone) { applies_ = applies_ || applies_to(zone); }
+  void add_touched_zone(const GroundParameters& zone) { applies_ = applies_ || applies_to(zone); }
   /// Adds the impulse of contact loads.
   void add_contact_load(double duration, const ContactLoad& load);
   void add_event_impulse(const EventImpulse& event);
@@ -35,7 +35,7 @@ class ImpactEnergyCorrection {
   /// began,
   ///                   J
   /// @returns  true if the impact was balanced
-  bool end(RigidBodyIntegrator& body, double accounted);
+  bool end_impact(RigidBodyIntegrator& body, double accounted);
   /// Within an impact that will be balanced: what will be accounted for when it has ended, J.
   std::optional<double> expected_energy() const {
     return applies_ ? std::optional(expected_energy_) : std::nullopt;

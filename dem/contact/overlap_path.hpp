@@ -16,7 +16,9 @@ struct OverlapPath {
   double quadratic_coefficient() const {
     return duration > 0.0 ? (after - before - rate * duration) / (duration * duration) : 0.0;
   }
-  double at(double time) const { return before + time * (rate + time * quadratic_coefficient()); }
+  double overlap_at(double time) const {
+    return before + time * (rate + time * quadratic_coefficient());
+  }
   double rate_at(double time) const { return rate + 2.0 * time * quadratic_coefficient(); }
   /// When the overlap turns from growing to shrinking or back; the end when it does not.
   double reversal_time() const {
@@ -40,7 +42,8 @@ struct OverlapPath {
 /// What a law knows of a contact when a step begins.
 struct NormalState {
   double force = 0.0;  ///< N
-  double residual_indentation = 0.0;   ///< part of the overlap that stays, m; only under a law that keeps one
+  double residual_indentation =
+      0.0;  ///< part of the overlap that stays, m; only under a law that keeps one
 };
 
 /// The response of a law to a path, per unit of weight.
@@ -54,7 +57,7 @@ struct NormalResponse {
   double work = 0.0;     ///< taken from the bodies along the path, J
   double impulse = 0.0;  ///< integral of the force, less the mean of both ends times the step, N s
   double moment = 0.0;   ///< integral of force times time left, less that of the first force, N s^2
-  double residual_indentation = 0.0;     ///< at the end, m
+  double residual_indentation = 0.0;  ///< at the end, m
 };
 
 /// Integrals of a force along a path, piece by piece.
@@ -65,7 +68,7 @@ class PathIntegral {
 
   /// Adds a piece on which `force(time)` is at most quadratic: two Gauss points are exact.
   template <class Force>
-  void add(double from, double to, const Force& force) {
+  void add_interval(double from, double to, const Force& force) {
     const double middle = 0.5 * (from + to), half = 0.5 * (to - from);
     for (const double node : {-0.5773502691896257, 0.5773502691896257}) {
       const double time = middle + node * half;

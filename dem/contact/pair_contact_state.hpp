@@ -49,9 +49,10 @@ class PairContactState {
   /// How far the two may move against each other from here before they can touch, m; 0 where that
   /// is not known.
   double clearance(const BodyMotion& reference, const BodyMotion& block) const;
-  /// Of all contacts together, for the block as `ContactForces::mobility`, and their weights.
-  double mobility(std::span<const double> vertex_mobilities) const {
-    return near_ ? near_->forces.mobility(vertex_mobilities) : 0.0;
+  /// Of all contacts together, for the block as `ContactForces::contact_mobility`, and their
+  /// weights.
+  double contact_mobility(std::span<const double> vertex_mobilities) const {
+    return near_ ? near_->forces.contact_mobility(vertex_mobilities) : 0.0;
   }
   double weight() const { return near_ ? near_->forces.weight() : 0.0; }
 

@@ -9,7 +9,7 @@ SoilMemory::SoilMemory(std::span<const GroundParameters> zones) {
   for (const GroundParameters& zone : zones) widths_.push_back(zone.soil_memory);
 }
 
-bool SoilMemory::any() const {
+bool SoilMemory::is_enabled() const {
   return std::any_of(widths_.begin(), widths_.end(), [](double width) { return width > 0.0; });
 }
 
@@ -21,7 +21,8 @@ std::uint64_t SoilMemory::cell(const Vec3& position, std::uint16_t zone) const {
     const double at = std::floor(coordinate / widths_[zone]) + kHalf;
     return static_cast<std::uint64_t>(std::clamp(at, 0.0, 2.0 * kHalf - 1.0));
   };
-  return (std::uint64_t{zone} << 2 * kBits) | (cell_index(position.x()) << kBits) | cell_index(position.y());
+  return (std::uint64_t{zone} << 2 * kBits) | (cell_index(position.x()) << kBits) |
+         cell_index(position.y());
 }
 
 double SoilMemory::residual_indentation(const Vec3& position, std::uint16_t zone) const {
@@ -30,7 +31,8 @@ double SoilMemory::residual_indentation(const Vec3& position, std::uint16_t zone
   return found == depth_.end() ? 0.0 : found->second;
 }
 
-void SoilMemory::add_indentation(const Vec3& position, std::uint16_t zone, double residual_indentation) {
+void SoilMemory::add_indentation(const Vec3& position, std::uint16_t zone,
+                                 double residual_indentation) {
   if (!(widths_[zone] > 0.0) || !(residual_indentation > 0.0)) return;
   double& depth = depth_[cell(position, zone)];
   depth = std::max(depth, residual_indentation);

@@ -18,7 +18,7 @@ class SoilMemory {
   explicit SoilMemory(std::span<const GroundParameters> zones);
 
   /// Does any zone remember?
-  bool any() const;
+  bool is_enabled() const;
   bool empty() const { return depth_.empty(); }
 
   /// @return below the surface along its normal, m; 0 where nothing is remembered

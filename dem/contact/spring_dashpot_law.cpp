@@ -44,27 +44,30 @@ NormalResponse SpringDashpotLaw::integrate(const OverlapPath& path, const Normal
   const double force = state.force;
   const double c = damping_coefficient(effective_mass);
   const double step = path.duration;
-  const auto law = [&](double time) { return stiffness * path.at(time) + c * path.rate_at(time); };
+  const auto law = [&](double time) {
+    return stiffness * path.overlap_at(time) + c * path.rate_at(time);
+  };
   const double end = path.after > 0.0 ? law(step) : 0.0;
   if (force > 0.0 && end > 0.0) {
     // Smooth all along: the parabola gives the work, the scheme's own mean the impulse.
     PathIntegral integral(path, force);
-    integral.add(0.0, step, law);
+    integral.add_interval(0.0, step, law);
     return {end, integral.response(end).work, 0.0, 0.0};
   }
 
   PathIntegral integral(path, force);
   if (path.before <= 0.0 && path.after > 0.0 && force == 0.0) {
     // Starts inside: the path knows nothing yet of the braking by the dashpot.
-    const double touch = path.zero_crossing(path.reversal_time() < step ? path.reversal_time() : 0.0, step);
+    const double touch =
+        path.zero_crossing(path.reversal_time() < step ? path.reversal_time() : 0.0, step);
     const double rate = path.rate_at(touch);
     const double brake = c / effective_mass;
     const auto braked = [&](double time) {
       const double since = time - touch;
-      return std::max(0.0,
-                      stiffness * path.at(time) + c * (path.rate_at(time) - brake * rate * since));
+      return std::max(
+          0.0, stiffness * path.overlap_at(time) + c * (path.rate_at(time) - brake * rate * since));
     };
-    integral.add(touch, step, braked);
+    integral.add_interval(touch, step, braked);
     return integral.response(braked(step));
   }
   // Ends or begins to press inside: the force is a parabola in time, taken piece by piece.
@@ -74,7 +77,7 @@ NormalResponse SpringDashpotLaw::integrate(const OverlapPath& path, const Normal
     const double first = law(from), last = law(to);
     if (first <= 0.0 && last <= 0.0) return;
     if (first > 0.0 && last > 0.0) {
-      integral.add(from, to, law);
+      integral.add_interval(from, to, law);
       return;
     }
     double pressing = first > 0.0 ? from : to, slack = first > 0.0 ? to : from;
@@ -82,7 +85,8 @@ NormalResponse SpringDashpotLaw::integrate(const OverlapPath& path, const Normal
       const double middle = 0.5 * (pressing + slack);
       (law(middle) > 0.0 ? pressing : slack) = middle;
     }
-    first > 0.0 ? integral.add(from, pressing, law) : integral.add(pressing, to, law);
+    first > 0.0 ? integral.add_interval(from, pressing, law)
+                : integral.add_interval(pressing, to, law);
   };
   follow(0.0, reversal_time);
   follow(reversal_time, step);

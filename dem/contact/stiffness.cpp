@@ -36,14 +36,15 @@ struct Demand {
   double smallest_side = 1e300;
 };
 
-Demand demand_of(std::span<const BodyRequirements> bodies, const GroundRequirements& ground, double fastest,
-                 double gravity) {
+Demand demand_of(std::span<const BodyRequirements> bodies, const GroundRequirements& ground,
+                 double fastest, double gravity) {
   Demand demand;
   for (const BodyRequirements& body : bodies) {
     const double depth = std::min(kSettledDepth, kSettledDepthFraction * body.smallest_side);
     const double deepest = kImpactDepthFraction * body.smallest_side;
-    demand.normal = std::max({demand.normal, body.mass * gravity / (ground.static_stiffness_ratio * depth),
-                              body.mass * fastest * fastest / (deepest * deepest)});
+    demand.normal =
+        std::max({demand.normal, body.mass * gravity / (ground.static_stiffness_ratio * depth),
+                  body.mass * fastest * fastest / (deepest * deepest)});
     demand.mobility = std::max(demand.mobility, body.mobility);
     demand.smallest_moment = std::min(demand.smallest_moment, body.smallest_moment);
     demand.smallest_side = std::min(demand.smallest_side, body.smallest_side);
@@ -62,8 +63,8 @@ double find_depths(StiffnessChoice& choice, std::span<const BodyRequirements> bo
     const double weight = body.mass * gravity;
     const double impact =
         (weight + std::sqrt(weight * weight + normal * body.mass * fastest * fastest)) / normal;
-    const double settled =
-        std::max(weight / (normal * ground.static_stiffness_ratio), ground.residual_indentation_ratio * impact);
+    const double settled = std::max(weight / (normal * ground.static_stiffness_ratio),
+                                    ground.residual_indentation_ratio * impact);
     choice.settled_depth = std::max(choice.settled_depth, settled);
     choice.impact_depth = std::max(choice.impact_depth, impact);
     deepest_share = std::max(deepest_share, settled / body.smallest_side);
@@ -83,12 +84,14 @@ std::string softness_warning(const StiffnessChoice& choice, double automatic,
 std::string cost_warning(const ContactStiffness& chosen, double static_stiffness_ratio) {
   return "energy_restitution = " + format_significant(static_stiffness_ratio, 3) +
          " lets blocks rest on that share of k_n only, so \"auto\" takes k_n = " +
-         format_significant(chosen.normal, 3) + " N/m and steps of " + format_significant(chosen.time_step, 3) +
+         format_significant(chosen.normal, 3) + " N/m and steps of " +
+         format_significant(chosen.time_step, 3) +
          " s: " + format_significant(std::sqrt(kUsualRestFraction / static_stiffness_ratio), 3) +
          " times the work of 0.01";
 }
 
-std::string stiff_unloading_warning(const ContactStiffness& chosen, const GroundRequirements& ground) {
+std::string stiff_unloading_warning(const ContactStiffness& chosen,
+                                    const GroundRequirements& ground) {
   const double restitution = 1.0 - ground.residual_indentation_ratio;
   return "energy_restitution = " + format_significant(restitution, 3) +
          " makes the ground unload 1/energy_restitution times as stiff as it loads, in steps of " +
@@ -124,13 +127,15 @@ BodyRequirements body_requirements(const RigidBody& body) {
 
 void GroundRequirements::include(const GroundRequirements& other) {
   static_stiffness_ratio = std::min(static_stiffness_ratio, other.static_stiffness_ratio);
-  rate = std::max(rate, other.rate);
+  frequency_ratio = std::max(frequency_ratio, other.frequency_ratio);
   rolling_length = std::max(rolling_length, other.rolling_length);
   all_rolling_lengths_stated = all_rolling_lengths_stated && other.all_rolling_lengths_stated;
-  residual_indentation_ratio = std::max(residual_indentation_ratio, other.residual_indentation_ratio);
+  residual_indentation_ratio =
+      std::max(residual_indentation_ratio, other.residual_indentation_ratio);
 }
 
-GroundRequirements ground_requirements(std::span<const GroundParameters> zones, const ContactLaw& law) {
+GroundRequirements ground_requirements(std::span<const GroundParameters> zones,
+                                       const ContactLaw& law) {
   if (zones.empty()) {
     throw SimulationError(
         "stiffness: there is no ground zone to choose it for; give the parameters of one");
@@ -155,11 +160,13 @@ StiffnessChoice choose_stiffness(std::span<const RigidBody> bodies,
                                  double gravity, const StiffnessOptions& options) {
   std::vector<BodyRequirements> asked;
   for (const RigidBody& body : bodies) asked.push_back(body_requirements(body));
-  return choose_stiffness(asked, ground_requirements(zones, options.law), fastest, gravity, options);
+  return choose_stiffness(asked, ground_requirements(zones, options.law), fastest, gravity,
+                          options);
 }
 
-StiffnessChoice choose_stiffness(std::span<const BodyRequirements> bodies, const GroundRequirements& ground,
-                                 double fastest, double gravity, const StiffnessOptions& options) {
+StiffnessChoice choose_stiffness(std::span<const BodyRequirements> bodies,
+                                 const GroundRequirements& ground, double fastest, double gravity,
+                                 const StiffnessOptions& options) {
   if (bodies.empty()) {
     throw SimulationError("stiffness: there is no block to choose it for; give one");
   }
@@ -168,28 +175,32 @@ StiffnessChoice choose_stiffness(std::span<const BodyRequirements> bodies, const
   ContactStiffness& chosen = choice.stiffness;
   chosen.normal = options.normal.value_or(demand.normal);
   // The elastic stiffness of the ground: that of unloading, where an impact leaves a dent.
-  chosen.tangential = options.tangential.value_or(chosen.normal / (1.0 - ground.residual_indentation_ratio));
+  chosen.tangential =
+      options.tangential.value_or(chosen.normal / (1.0 - ground.residual_indentation_ratio));
   const double arm = kRollingArmFraction * demand.smallest_side;
   chosen.rolling = options.rolling.value_or(chosen.tangential * arm * arm);
   const double stiffest_rolling =
       std::max(ground.all_rolling_lengths_stated ? 0.0 : chosen.rolling,
                chosen.normal * ground.rolling_length * ground.rolling_length);
-  const double frequency = std::max(ground.rate * std::sqrt(chosen.normal * demand.mobility),
-                                    std::sqrt(std::max(chosen.tangential * demand.mobility,
-                                                       stiffest_rolling / demand.smallest_moment)));
+  const double frequency =
+      std::max(ground.frequency_ratio * std::sqrt(chosen.normal * demand.mobility),
+               std::sqrt(std::max(chosen.tangential * demand.mobility,
+                                  stiffest_rolling / demand.smallest_moment)));
   // A step in contact may not carry a block past the ground, however soft that is.
-  const double displacement = fastest > 0.0 ? kDisplacementFraction * demand.smallest_side / fastest : 1e300;
-  const double impact_step = options.mass ? kMassImpactStep : kImpactStep;
+  const double displacement =
+      fastest > 0.0 ? kDisplacementFraction * demand.smallest_side / fastest : 1e300;
+  const double impact_step = options.multi_block ? kMassImpactStep : kImpactStep;
   const double resolved = std::min(impact_step / frequency, displacement);
   chosen.time_step = options.time_step.value_or(resolved);
   // Half of what may be travelled: contacts that are hard to move allow twice this step.
   if (!options.time_step) chosen.max_time_step = std::min(kMaxStep / frequency, 0.5 * displacement);
   const double most = std::min(kUnstableProduct / frequency, displacement);
   if (chosen.time_step > most) {
-    throw SimulationError(
-        "time step " + format_significant(chosen.time_step, 3) + " s is too long: beyond " +
-        format_significant(most, 3) + " s contacts make energy or blocks pass through the ground; " +
-        format_significant(resolved, 3) + " s resolves every contact: give that, or leave it out");
+    throw SimulationError("time step " + format_significant(chosen.time_step, 3) +
+                          " s is too long: beyond " + format_significant(most, 3) +
+                          " s contacts make energy or blocks pass through the ground; " +
+                          format_significant(resolved, 3) +
+                          " s resolves every contact: give that, or leave it out");
   }
 
   const double deepest_share = find_depths(choice, bodies, ground, fastest, gravity);

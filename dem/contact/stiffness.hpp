@@ -19,7 +19,7 @@ struct StiffnessOptions {
   ContactLaw law;                    ///< sets the settled depth and the fastest rate of a contact
   /// Of a mass: some impact is always going on, and what counts is all of them together. Steps in
   /// them are twice as long (docs/theory.md, Steps of a world).
-  bool mass = false;
+  bool multi_block = false;
 };
 
 /// How easily a force at the surface beyond each vertex of the body moves it there: the largest
@@ -37,15 +37,16 @@ BodyRequirements body_requirements(const RigidBody& body);
 
 /// What the most demanding ground zone requires under a law.
 struct GroundRequirements {
-  double static_stiffness_ratio = 1.0;          ///< of k_n that carries a body at rest: e_n^2, or 1 by law
-  double rate = 1.0;                ///< fastest rate of a contact over its spring's frequency
-  double rolling_length = 0.0;      ///< largest stated, m; 0: none
-  bool all_rolling_lengths_stated = true;  ///< no zone has the k_r of the contacts
-  double residual_indentation_ratio = 0.0;          ///< of the depth of an impact that stays, by law
+  double static_stiffness_ratio = 1.0;  ///< of k_n that carries a body at rest: e_n^2, or 1 by law
+  double frequency_ratio = 1.0;         ///< fastest rate of a contact over its spring's frequency
+  double rolling_length = 0.0;          ///< largest stated, m; 0: none
+  bool all_rolling_lengths_stated = true;   ///< no zone has the k_r of the contacts
+  double residual_indentation_ratio = 0.0;  ///< of the depth of an impact that stays, by law
 
   void include(const GroundRequirements& other);  ///< the more demanding of both in every respect
 };
-GroundRequirements ground_requirements(std::span<const GroundParameters> zones, const ContactLaw& law);
+GroundRequirements ground_requirements(std::span<const GroundParameters> zones,
+                                       const ContactLaw& law);
 
 /// A choice of stiffness, with warnings about what a user's own value leads to.
 struct StiffnessChoice {
@@ -66,8 +67,8 @@ struct StiffnessChoice {
 /// @param fastest  speed no block can exceed: from release heights and the lowest ground, m/s
 /// @throws SimulationError  nothing to choose for, or a time step of the user's beyond the limit of
 ///                          stability or a quarter of S at `fastest`
-StiffnessChoice choose_stiffness(std::span<const BodyRequirements> bodies, const GroundRequirements& ground,
-                                 double fastest, double gravity,
+StiffnessChoice choose_stiffness(std::span<const BodyRequirements> bodies,
+                                 const GroundRequirements& ground, double fastest, double gravity,
                                  const StiffnessOptions& options = {});
 StiffnessChoice choose_stiffness(std::span<const RigidBody> bodies,
                                  std::span<const GroundParameters> zones, double fastest,

@@ -27,7 +27,7 @@ FreeFlight::FreeFlight(const RigidBody& body, const RigidState& begin, double gr
       max_angular_speed_(std::sqrt(2.0 * rotational_energy(body, begin) / body.moments.minCoeff())),
       last_orientation_(begin.orientation) {}
 
-RigidState FreeFlight::after(double duration) {
+RigidState FreeFlight::state_after(double duration) {
   RigidState state = begin_;
   state.position += duration * begin_.velocity;
   state.position.z() -= 0.5 * gravity_ * duration * duration;
@@ -37,7 +37,7 @@ RigidState FreeFlight::after(double duration) {
         integrate_free_rotation(body_.moments, last_orientation_, momentum_, duration - last_time_);
   } else {
     if (!rotation_) rotation_.emplace(body_.moments, begin_.orientation, momentum_);
-    state.orientation = rotation_->after(duration);
+    state.orientation = rotation_->orientation_after(duration);
   }
   last_time_ = duration;
   last_orientation_ = state.orientation;

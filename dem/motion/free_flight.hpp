@@ -18,7 +18,7 @@ class FreeFlight {
   FreeFlight(const RigidBody& body, const RigidState& begin, double gravity);
 
   /// The state at a time since the beginning, s. Cheapest next to the last instant computed.
-  RigidState after(double duration);
+  RigidState state_after(double duration);
   const RigidState& begin() const { return begin_; }
   /// The spin never exceeds this, rad/s: the energy, all in the smallest moment.
   double max_angular_speed() const { return max_angular_speed_; }

@@ -172,7 +172,7 @@ FreeRotation::FreeRotation(const Vec3& moments, const Quat& orientation, const V
 }
 
 void FreeRotation::set_polhode(const Vec3& mobility, const Vec3& in_body, double size, double sign,
-                             double decider) {
+                               double decider) {
   // Differences of mobility from the pole's: all positive with this sign.
   const double to_middle = sign * (mobility[pole_] - mobility[middle_]);
   const double to_other = sign * (mobility[pole_] - mobility[other_]);
@@ -241,14 +241,16 @@ Mat3 FreeRotation::momentum_frame_at(double amplitude) const {
   return frame;
 }
 
-Quat FreeRotation::after(double duration) const {
+Quat FreeRotation::orientation_after(double duration) const {
   if (steady_) {
     return (rotation_from_vector(steady_rate_ * duration * direction_) * orientation_).normalized();
   }
   if (stepped_) return integrate_free_rotation(moments_, orientation_, momentum_, duration);
-  const double amplitude = jacobi_amplitude(first_argument_ + argument_rate_ * duration, complement_);
+  const double amplitude =
+      jacobi_amplitude(first_argument_ + argument_rate_ * duration, complement_);
   const double precessed =
-      precession_ * duration - nutation_ / argument_rate_ * (third_kind_integral(amplitude) - first_integral_);
+      precession_ * duration -
+      nutation_ / argument_rate_ * (third_kind_integral(amplitude) - first_integral_);
   const Mat3 turned = first_frame_ * momentum_frame_at(amplitude).transpose();
   return (rotation_from_vector(precessed * direction_) * orientation_ * Quat(turned)).normalized();
 }

@@ -14,14 +14,14 @@ class FreeRotation {
   FreeRotation(const Vec3& moments, const Quat& orientation, const Vec3& momentum);
 
   /// world_from_body after a time, s, of either sign.
-  Quat after(double duration) const;
+  Quat orientation_after(double duration) const;
 
  private:
   /// Sets what the closed form needs, once the axes are known.
   /// @param in_body  unit momentum along the body axes
   /// @param sign     makes all differences of mobility from the pole's positive
   void set_polhode(const Vec3& mobility, const Vec3& in_body, double size, double sign,
-                 double decider);
+                   double decider);
   /// Columns in body axes: the momentum, the pole's azimuth about it, and their product.
   Mat3 momentum_frame_at(double amplitude) const;
   double third_kind_integral(double amplitude) const;
@@ -39,7 +39,7 @@ class FreeRotation {
   int pole_ = 0, middle_ = 1, other_ = 2;
   double sense_ = 1.0;           ///< +1 when pole, middle, other are right-handed
   double side_ = 1.0;            ///< sign of the momentum along the pole
-  double argument_rate_ = 0.0;            ///< d(argument of the elliptic functions)/dt, rad/s
+  double argument_rate_ = 0.0;   ///< d(argument of the elliptic functions)/dt, rad/s
   double modulus_ = 0.0;         ///< k^2
   double complement_ = 1.0;      ///< 1 - k^2
   double characteristic_ = 0.0;  ///< nu: the precession's integrand is 1/(1 + nu sn^2)

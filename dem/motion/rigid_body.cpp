@@ -46,7 +46,7 @@ double lowest_point(const RigidBody& body, const RigidState& state) {
 
 RigidState free_flight(const RigidBody& body, const RigidState& state, double duration,
                        double gravity) {
-  return FreeFlight(body, state, gravity).after(duration);
+  return FreeFlight(body, state, gravity).state_after(duration);
 }
 
 }  // namespace clast

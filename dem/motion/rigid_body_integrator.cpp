@@ -17,7 +17,7 @@ void RigidBodyIntegrator::set_state(const RigidState& state) {
 }
 
 BodyMotion RigidBodyIntegrator::advance_flight(double duration, const Vec3& gravity) {
-  BodyMotion motion = this->motion();
+  BodyMotion motion = this->current_motion();
   const RigidState begin = state_;
   state_ = free_flight(body_, begin, duration, -gravity.z());
   motion.velocity = (state_.position - begin.position) / duration;
@@ -28,7 +28,7 @@ BodyMotion RigidBodyIntegrator::advance_flight(double duration, const Vec3& grav
 
 BodyMotion RigidBodyIntegrator::begin_step(double duration, const Vec3& force, const Vec3& torque,
                                            const Vec3& gravity) {
-  BodyMotion motion = this->motion();
+  BodyMotion motion = this->current_motion();
   motion.velocity = state_.velocity + 0.5 * duration * (gravity + force / body_.mass);
   momentum_ += 0.5 * duration * torque;
   const RotationStep turn =
@@ -54,7 +54,7 @@ double RigidBodyIntegrator::apply_event_impulse(const Vec3& impulse, const Vec3&
                                                 const Vec3& gravity) {
   const double before = kinetic_energy();
   const Vec3 shift = moment / body_.mass;
-  const Vec3 turn = motion().apply_inverse_inertia(angular_moment);
+  const Vec3 turn = current_motion().apply_inverse_inertia(angular_moment);
   state_.velocity += impulse / body_.mass;
   state_.position += shift;
   momentum_ += angular_impulse;
@@ -70,10 +70,10 @@ double RigidBodyIntegrator::verlet_start_loss(double duration, const Vec3& force
   const Vec3 weight = body_.mass * gravity;
   const double push = (force + weight).squaredNorm() - weight.squaredNorm();
   return 0.125 * duration * duration *
-         (push / body_.mass + torque.dot(motion().apply_inverse_inertia(torque)));
+         (push / body_.mass + torque.dot(current_motion().apply_inverse_inertia(torque)));
 }
 
-BodyMotion RigidBodyIntegrator::motion() const {
+BodyMotion RigidBodyIntegrator::current_motion() const {
   return {state_.world_from_body(), state_.velocity,
           state_.angular_velocity,  state_.position,
           state_.velocity,          state_.angular_velocity,

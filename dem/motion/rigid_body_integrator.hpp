@@ -34,7 +34,7 @@ class RigidBodyIntegrator {
                            const Vec3& gravity) const;
 
   /// Where it is and how it moves, without a step.
-  BodyMotion motion() const;
+  BodyMotion current_motion() const;
   double kinetic_energy() const;  ///< J
   /// It spins no faster than this without a torque, rad/s.
   double max_angular_speed() const;

@@ -8,8 +8,8 @@ namespace {
 constexpr double kHysteresis = 4.0;
 }  // namespace
 
-void SleepDetector::add(const RigidState& state, double step, double window, double tolerance,
-                        double radius) {
+void SleepDetector::add_step(const RigidState& state, double step, double window, double tolerance,
+                             double radius) {
   const Eigen::Vector4d rotation = state.orientation.coeffs();
   // Both signs of a quaternion are the same rotation.
   const double sign = sum_.rotation.dot(rotation) < 0.0 ? -1.0 : 1.0;

@@ -15,7 +15,8 @@ class SleepDetector {
   /// @param window  s
   /// @param near    distance of two means that agree, m, of any point of the body
   /// @param radius  of the body about its centre, m
-  void add(const RigidState& state, double step, double window, double tolerance, double radius);
+  void add_step(const RigidState& state, double step, double window, double tolerance,
+                double radius);
   /// Begins anew: the body moves.
   void reset() { *this = {}; }
 

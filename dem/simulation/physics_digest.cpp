@@ -68,7 +68,7 @@ ContactStiffness stiffness_of(std::span<const RigidBody> bodies,
                               const ContactLaw& law, bool mass) {
   StiffnessOptions options;
   options.law = law;
-  options.mass = mass;
+  options.multi_block = mass;
   return choose_stiffness(bodies, zones, kFastest, gravity, options).stiffness;
 }
 

@@ -50,7 +50,7 @@ class Release {
         radius_(body.bounding_radius()) {}
 
   ReleaseResult run() {
-    update_contacts(integrator_.motion(), 0.0);
+    update_contacts(integrator_.current_motion(), 0.0);
     result_.energy = {};
     result_.energy.initial = energy();
     if (std::any_of(zones_.begin(), zones_.end(), ImpactEnergyCorrection::applies_to)) {
@@ -72,7 +72,7 @@ class Release {
   }
 
   double start_overlap() {
-    update_contacts(integrator_.motion(), 0.0);
+    update_contacts(integrator_.current_motion(), 0.0);
     return std::max(forces_.max_overlap(),
                     edge_penetration_depth(terrain_.impl().surface, surface_,
                                            integrator_.state().world_from_body()));
@@ -114,7 +114,7 @@ class Release {
         (integrator_.state().velocity.norm() + flight_->max_angular_speed() * radius_) * time +
         0.5 * g * time * time;
     flown_ = flown;
-    integrator_.set_state(flight_->after(flown));
+    integrator_.set_state(flight_->state_after(flown));
     return search_.find_contacts(integrator_.state().world_from_body(), displacement_);
   }
 
@@ -156,7 +156,7 @@ class Release {
         (begin.velocity.norm() + 4.0 * middle_speed + integrator_.state().velocity.norm());
     resting_ = 0.0;
     ++result_.flight_segments;
-    update_contacts(integrator_.motion(), 0.0);
+    update_contacts(integrator_.current_motion(), 0.0);
     step_length_ = 0.0;
     advance(begin, duration, true);
   }
@@ -187,7 +187,7 @@ class Release {
 
   /// How long ago the deepest of the contacts began, to first order, s.
   double time_since_touch(const std::vector<ContactPoint>& contacts) const {
-    const BodyMotion motion = integrator_.motion();
+    const BodyMotion motion = integrator_.current_motion();
     double longest = 0.0;
     for (const ContactPoint& contact : contacts) {
       const double closing = -motion.velocity_at(contact.point()).dot(contact.normal);
@@ -206,7 +206,7 @@ class Release {
     if (!allows_longer_steps(contact)) return contact.time_step;
     const double specific =
         std::max(integrator_.kinetic_energy() / body_.mass, settings_.rest_energy);
-    return contact_time_step(contact, forces_.mobility(mobilities_) / largest_mobility_,
+    return contact_time_step(contact, forces_.contact_mobility(mobilities_) / largest_mobility_,
                              is_impact(load_.impact, specific));
   }
 
@@ -224,7 +224,7 @@ class Release {
       step_length_ = dt;
     }
     if (impact_correction_) {
-      impact_correction_->touch(zones_[forces_.deepest_contact()->zone]);
+      impact_correction_->add_touched_zone(zones_[forces_.deepest_contact()->zone]);
       impact_correction_->add_contact_load(0.5 * dt, load_);
     }
     const BodyMotion motion = integrator_.begin_step(dt, load_.force, load_.torque, gravity);
@@ -252,7 +252,7 @@ class Release {
 
   /// Ends a balanced impact and records the energy that its correction and its steps reassigned.
   void end_impact() {
-    if (!impact_correction_->end(integrator_, energy() + dissipated_by_law())) return;
+    if (!impact_correction_->end_impact(integrator_, energy() + dissipated_by_law())) return;
     result_.energy.reassigned = result_.energy.initial - energy() - dissipated_by_law();
   }
 
@@ -310,8 +310,8 @@ class Release {
     result_.settled_penetration = forces_.max_overlap();
     EnergyBalance& energy_balance = result_.energy;
     // The potential counts from the end height, so that the scale does not depend on the datum.
-    energy_balance.close(final_energy(),
-                         energy_balance.initial - body_.mass * settings_.gravity * position.z());
+    energy_balance.close_balance(
+        final_energy(), energy_balance.initial - body_.mass * settings_.gravity * position.z());
     const std::optional<double> ground = terrain_.height(position.x(), position.y(), position.z());
     result_.below_ground = (ground && position.z() < *ground) ||
                            (result_.stop_reason == StopReason::kRest &&

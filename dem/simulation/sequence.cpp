@@ -310,7 +310,7 @@ class Sequence {
     for (std::size_t i = 0; i < recorders_.size(); ++i) {
       potential += body_of(i).mass * settings_.world.gravity * world_.state(i).position.z();
     }
-    part.close(after.final, part.initial - potential);
+    part.close_balance(after.final, part.initial - potential);
     return part;
   }
 

@@ -15,7 +15,7 @@ struct FeatureGroups {
   std::vector<std::uint32_t> offsets;  ///< joints at vertex v: groups_of_vertices[offsets[v] ..]
   std::vector<std::uint32_t> groups_of_vertices;  ///< sorted within each vertex
 
-  std::span<const std::uint32_t> at(std::uint32_t vertex) const {
+  std::span<const std::uint32_t> groups_at(std::uint32_t vertex) const {
     return {groups_of_vertices.data() + offsets[vertex],
             groups_of_vertices.data() + offsets[vertex + 1]};
   }

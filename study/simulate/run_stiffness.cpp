@@ -58,7 +58,7 @@ std::vector<std::string> settle_together(CampaignPlan& prepared,
     }
     const std::size_t member = std::min<std::size_t>(runs.front().ground_set, members.size() - 1);
     StiffnessOptions options = members[member].stiffness;
-    options.mass = prepared.header.stay->at_once;
+    options.multi_block = prepared.header.stay->at_once;
     const StiffnessChoice choice =
         choose_stiffness(together, worst.ground, worst.fastest, campaign.gravity, options);
     for (RunRecord& run : runs) {

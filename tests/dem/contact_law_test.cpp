@@ -13,7 +13,8 @@ namespace {
 constexpr double kLawStiffness = 1e6;
 
 TEST(ContactLaw, NamesGoBothWaysAndOthersAreRefused) {
-  for (const std::string& name : contact_law_names()) EXPECT_EQ(name_of(parse_contact_law(name)), name);
+  for (const std::string& name : contact_law_names())
+    EXPECT_EQ(name_of(parse_contact_law(name)), name);
   EXPECT_EQ(name_of(ContactLaw()), "energy-restitution");
   try {
     parse_contact_law("hertz");
@@ -27,7 +28,8 @@ TEST(ContactLaw, NamesGoBothWaysAndOthersAreRefused) {
 
 /// A path h(t) = before + rate t + bend t^2.
 OverlapPath path(double duration, double before, double rate, double quadratic_coefficient) {
-  return {duration, before, before + rate * duration + quadratic_coefficient * duration * duration, rate};
+  return {duration, before, before + rate * duration + quadratic_coefficient * duration * duration,
+          rate};
 }
 
 /// Impulse, moment and work of a force over a path by many midpoints.
@@ -61,8 +63,8 @@ TEST(EnergyRestitution, ReversalInsideTheStepIsIntegratedExactly) {
   const OverlapPath turning = path(1e-3, 5e-3, 0.3, -500.0);  // deepest at 0.3 ms
   const double first = 4000.0;
   const NormalResponse exact = summed(turning, [&](double t) {
-    return t < 3e-4 ? first + kLawStiffness * (turning.at(t) - 5e-3)
-                    : 0.04 * kLawStiffness * turning.at(t);
+    return t < 3e-4 ? first + kLawStiffness * (turning.overlap_at(t) - 5e-3)
+                    : 0.04 * kLawStiffness * turning.overlap_at(t);
   });
   expect_corrects(law.integrate(turning, {first}, 0.0), turning, first, exact,
                   0.04 * kLawStiffness * turning.after);
@@ -73,24 +75,26 @@ TEST(EnergyRestitution, StartAndEndInsideTheStepAreIntegratedExactly) {
   const OverlapPath starting = path(1e-3, -4e-4, 1.0, 50.0);
   expect_corrects(
       law.integrate(starting, {0.0}, 0.0), starting, 0.0,
-      summed(starting, [&](double t) { return kLawStiffness * std::max(0.0, starting.at(t)); }),
+      summed(starting,
+             [&](double t) { return kLawStiffness * std::max(0.0, starting.overlap_at(t)); }),
       kLawStiffness * starting.after);
   const OverlapPath ending = path(1e-3, 4e-4, -1.0, -50.0);
   const double first = 0.25 * kLawStiffness * 4e-4;
   expect_corrects(
       law.integrate(ending, {first}, 0.0), ending, first,
-      summed(ending, [&](double t) { return 0.25 * kLawStiffness * std::max(0.0, ending.at(t)); }),
+      summed(ending,
+             [&](double t) { return 0.25 * kLawStiffness * std::max(0.0, ending.overlap_at(t)); }),
       0.0);
 }
 
 TEST(EnergyRestitution, ReloadingInsideTheStepStartsFromTheUnloadingLine) {
   const EnergyRestitutionLaw law = EnergyRestitutionLaw::on_ground(kLawStiffness, {0.25, 0.0, 0.0});
   const OverlapPath turning = path(1e-3, 2e-3, -0.4, 500.0);  // shallowest at 0.4 ms
-  const double shallowest = turning.at(4e-4);
+  const double shallowest = turning.overlap_at(4e-4);
   const auto force = [&](double t) {
-    return t < 4e-4
-               ? 0.25 * kLawStiffness * turning.at(t)
-               : 0.25 * kLawStiffness * shallowest + kLawStiffness * (turning.at(t) - shallowest);
+    return t < 4e-4 ? 0.25 * kLawStiffness * turning.overlap_at(t)
+                    : 0.25 * kLawStiffness * shallowest +
+                          kLawStiffness * (turning.overlap_at(t) - shallowest);
   };
   const double first = 0.25 * kLawStiffness * 2e-3;
   expect_corrects(law.integrate(turning, {first}, 0.0), turning, first, summed(turning, force),
@@ -110,7 +114,7 @@ TEST(SpringDashpot, EndOfThePushInsideTheStepIsIntegratedExactly) {
   const double c = law.damping_coefficient(2.0);
   const OverlapPath ending = path(1e-3, 8e-4, -0.2, -600.0);
   const auto force = [&](double t) {
-    return std::max(0.0, kLawStiffness * ending.at(t) + c * ending.rate_at(t));
+    return std::max(0.0, kLawStiffness * ending.overlap_at(t) + c * ending.rate_at(t));
   };
   ASSERT_GT(force(0.0), 0.0);
   ASSERT_EQ(force(1e-3), 0.0);
@@ -146,10 +150,11 @@ ElastoplasticLaw yielding() { return ElastoplasticLaw::on_ground(kLawStiffness, 
 
 TEST(Elastoplastic, FirstLoadingThatTurnsInsideTheStepIsIntegratedExactly) {
   const OverlapPath turning = path(1e-3, 5e-3, 0.3, -500.0);  // deepest at 0.3 ms
-  const double deepest = turning.at(3e-4), residual_indentation = deepest * (1.0 - kE);
+  const double deepest = turning.overlap_at(3e-4), residual_indentation = deepest * (1.0 - kE);
   const double first = kLawStiffness * 5e-3;
   const auto force = [&](double t) {
-    return t < 3e-4 ? kLawStiffness * turning.at(t) : kUnloading * (turning.at(t) - residual_indentation);
+    return t < 3e-4 ? kLawStiffness * turning.overlap_at(t)
+                    : kUnloading * (turning.overlap_at(t) - residual_indentation);
   };
   const NormalResponse response = yielding().integrate(turning, {first, 5e-3 * (1.0 - kE)}, 0.0);
   expect_corrects(response, turning, first, summed(turning, force), force(1e-3));
@@ -161,12 +166,16 @@ TEST(Elastoplastic, LetsGoAtTheDentAndIsLooseAboveIt) {
   const OverlapPath rising = path(1e-3, 3.2e-3, -0.5, -10.0);
   const double first = kUnloading * 0.2e-3;
   const NormalResponse response = yielding().integrate(rising, {first, residual_indentation}, 0.0);
-  expect_corrects(
-      response, rising, first,
-      summed(rising, [&](double t) { return std::max(0.0, kUnloading * (rising.at(t) - residual_indentation)); }),
-      0.0);
+  expect_corrects(response, rising, first,
+                  summed(rising,
+                         [&](double t) {
+                           return std::max(
+                               0.0, kUnloading * (rising.overlap_at(t) - residual_indentation));
+                         }),
+                  0.0);
   EXPECT_EQ(response.residual_indentation, residual_indentation);
-  const NormalResponse loose = yielding().integrate(path(1e-3, 1e-3, 0.5, 10.0), {0.0, residual_indentation}, 0.0);
+  const NormalResponse loose =
+      yielding().integrate(path(1e-3, 1e-3, 0.5, 10.0), {0.0, residual_indentation}, 0.0);
   EXPECT_EQ(loose.force, 0.0);
   EXPECT_EQ(loose.work, 0.0);
   EXPECT_EQ(loose.impulse, 0.0);
@@ -178,7 +187,7 @@ TEST(Elastoplastic, LoadsAgainFromTheDentUpToTheLineOfFirstLoading) {
   const double meet = kReloading * residual_indentation / (kReloading - kLawStiffness);
   ASSERT_LT(meet, falling.after);
   const auto force = [&](double t) {
-    const double h = falling.at(t);
+    const double h = falling.overlap_at(t);
     return h > meet ? kLawStiffness * h : kReloading * std::max(0.0, h - residual_indentation);
   };
   const NormalResponse response = yielding().integrate(falling, {0.0, residual_indentation}, 0.0);
@@ -211,7 +220,8 @@ TEST(Elastoplastic, LosesTheAreaBetweenItsLines) {
   EXPECT_NEAR(work, 8.0, 1e-6);  // k_1 h^2/2
   go(3.5e-3);
   EXPECT_NEAR(state.force, 2e3, 1e-6);
-  EXPECT_NEAR(law.stored_energy(overlap, state.residual_indentation), 2e3 * 2e3 / (2.0 * kUnloading), 1e-9);
+  EXPECT_NEAR(law.stored_energy(overlap, state.residual_indentation),
+              2e3 * 2e3 / (2.0 * kUnloading), 1e-9);
   // From (3.5 mm, 2 kN) by k_3 = 8 kN/mm to k_1 h at 26/7 mm, and on along that.
   go(5e-3);
   EXPECT_NEAR(state.force, 5e3, 1e-6);

@@ -57,7 +57,8 @@ class Range {
 double kept_of(double& residual_indentation) {
   const double k2 = 1.0 / kRestitution, k3 = ElastoplasticLaw::kReloading * k2;
   const double meet = k3 * residual_indentation / (k3 - 1.0);  // with the line of first loading
-  const double until_there = 0.5 * k3 * (meet - residual_indentation) * (meet - residual_indentation);
+  const double until_there =
+      0.5 * k3 * (meet - residual_indentation) * (meet - residual_indentation);
   const double deepest = std::sqrt(meet * meet + 2.0 * (0.5 - until_there));
   residual_indentation = (1.0 - kRestitution) * deepest;
   return kRestitution * deepest * deepest;
@@ -157,7 +158,7 @@ TEST(SoilMemory, LawsWithoutDentsAndSingleReleasesAreRefused) {
 TEST(SoilMemory, KeepsTheDeepestOfEachCell) {
   const std::vector<GroundParameters> zones = {remembering(0.5), remembering(0.0)};
   dem_detail::SoilMemory soil(zones), other(zones);
-  EXPECT_TRUE(soil.any());
+  EXPECT_TRUE(soil.is_enabled());
   soil.add_indentation({0.1, -0.1, 7.0}, 0, 0.03);
   soil.add_indentation({0.4, -0.4, -3.0}, 0, 0.01);
   soil.add_indentation({0.1, -0.1, 7.0}, 1, 0.5);

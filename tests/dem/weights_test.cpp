@@ -230,7 +230,7 @@ TEST(AutoStiffness, TimeStepFollowsTheLightestPoint) {
   const double point_mass = 1000.0 / (1.0 + 0.75 * 6.0);
   EXPECT_NEAR(choice.stiffness.time_step, 0.2 * std::sqrt(point_mass / 1e8), 1e-11);
   EXPECT_NEAR(choice.stiffness.max_time_step, 0.4 * std::sqrt(point_mass / 1e8), 1e-11);
-  options.mass = true;
+  options.multi_block = true;
   const ContactStiffness of_mass =
       choose_stiffness(std::span(&body, 1), zones, 10.0, kTestGravity, options).stiffness;
   EXPECT_EQ(of_mass.time_step, choice.stiffness.max_time_step);

@@ -62,7 +62,7 @@ inline Collapse collapse_column(const ColumnScene& scene) {
                                                {scene.energy_restitution, 0.0, 0.0}};
   StiffnessOptions options;
   options.law = scene.law;
-  options.mass = true;
+  options.multi_block = true;
   options.normal = scene.stiffness_factor * middle_mass * kGravity * scene.aspect * result.radius /
                    (0.01 * ground_requirements(zones, scene.law).static_stiffness_ratio);
   WorldSettings settings;

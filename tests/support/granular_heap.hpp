@@ -123,7 +123,7 @@ inline Heap heap_on_disc(const HeapScene& scene) {
 
   const std::vector<GroundParameters> zones = {{0.1, scene.friction, 0.0}};
   StiffnessOptions options;
-  options.mass = true;
+  options.multi_block = true;
   options.normal = scene.stiffness_factor * shapes[2].mass * kGravity * radius /
                    (0.01 * ground_requirements(zones, ContactLaw()).static_stiffness_ratio);
   WorldSettings settings;

@@ -23,11 +23,11 @@ struct ContactKinematics {
       : arm(contact.position - motion.block.world_from_body.translation),
         velocity(motion.velocity_at(contact.position)),
         approach_speed(-velocity.dot(contact.point.normal)),
-        sliding(velocity + approach_speed * contact.point.normal) {}
-  Vec3 arm;        ///< from the centre of the block
-  Vec3 velocity;   ///< m/s
+        sliding_velocity(velocity + approach_speed * contact.point.normal) {}
+  Vec3 arm;               ///< from the centre of the block
+  Vec3 velocity;          ///< m/s
   double approach_speed;  ///< against the normal
-  Vec3 sliding;    ///< along the surface
+  Vec3 sliding_velocity;  ///< along the surface
 };
 
 /// What a contact brings into the step.
@@ -40,38 +40,41 @@ struct StepStart {
 };
 
 /// Of a contact that continues another.
-inline StepStart step_start_of_continued(const Contact& contact, const Contact& previous, const RelativeMotion& motion) {
+inline StepStart step_start_of_continued(const Contact& contact, const Contact& previous,
+                                         const RelativeMotion& motion) {
   const ContactPoint &point = contact.point, &point_before = previous.point;
   StepStart start{.path = {motion.duration, point_before.overlap, point.overlap, 0.0},
-            .normal = {previous.normal, previous.residual_indentation},
-            .weight = previous.weight,
-            .stored = previous.stored};
+                  .normal = {previous.normal, previous.residual_indentation},
+                  .weight = previous.weight,
+                  .stored = previous.stored};
   // On another feature it goes on as before only if the surface does too.
   const bool same = point_before.kind == point.kind &&
                     point_before.block_feature == point.block_feature &&
                     (point_before.ground_feature == point.ground_feature ||
                      point_before.normal.dot(point.normal) > kSameNormal);
   start.path.rate = same ? -motion.start_velocity_at(previous.position).dot(point_before.normal)
-                        : (start.path.after - start.path.before) / motion.duration;
+                         : (start.path.after - start.path.before) / motion.duration;
   return start;
 }
 
 /// Of a contact that continues none: it has come from as far as its speed allows; an overlap that
 /// this does not explain begins as the law lets a contact without a past begin.
 template <NormalLaw Law>
-StepStart step_start_of_new(const Contact& contact, const ContactKinematics& kinematics, const Law& law,
-                 const RelativeMotion& motion) {
+StepStart step_start_of_new(const Contact& contact, const ContactKinematics& kinematics,
+                            const Law& law, const RelativeMotion& motion) {
   const double overlap = contact.point.overlap;
-  StepStart start{.path = {motion.duration, overlap - kinematics.approach_speed * motion.duration, overlap, 0.0},
-            .weight = contact.weight};
-  start.path.rate = -motion.start_velocity_at(contact.position - motion.duration * kinematics.velocity)
-                        .dot(contact.point.normal);
+  StepStart start{.path = {motion.duration, overlap - kinematics.approach_speed * motion.duration,
+                           overlap, 0.0},
+                  .weight = contact.weight};
+  start.path.rate =
+      -motion.start_velocity_at(contact.position - motion.duration * kinematics.velocity)
+           .dot(contact.point.normal);
   start.continuous = start.path.before <= kExplained * overlap;
   if (start.continuous) {
     start.path.before = std::min(0.0, start.path.before);
   } else {
-    start.normal =
-        law.initial_state(start.path.before, start.path.rate, contact.effective_mass, contact.normal);
+    start.normal = law.initial_state(start.path.before, start.path.rate, contact.effective_mass,
+                                     contact.normal);
   }
   return start;
 }

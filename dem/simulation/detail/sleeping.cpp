@@ -16,7 +16,9 @@ std::uint32_t other_of(const ContactPair& pair, std::uint32_t body) {
   return pair.block == body ? pair.reference : pair.block;
 }
 
-bool is_stationary(const WorldBody& body) { return body.is_idle() || body.sleep_detector.is_stationary(); }
+bool is_stationary(const WorldBody& body) {
+  return body.is_idle() || body.sleep_detector.is_stationary();
+}
 
 bool is_among_staying(std::uint32_t body, std::span<const WorldBody> bodies,
                       const ContactPairTable& pairs) {
@@ -28,15 +30,17 @@ bool is_among_staying(std::uint32_t body, std::span<const WorldBody> bodies,
 }
 
 /// @return  the kinetic energy that is gone, J
-double put_to_sleep(std::uint32_t index, std::span<WorldBody> bodies, const ContactPairTable& pairs) {
+double put_to_sleep(std::uint32_t index, std::span<WorldBody> bodies,
+                    const ContactPairTable& pairs) {
   WorldBody& body = bodies[index];
   const double energy = body.moving.kinetic_energy();
   RigidState state = body.moving.state();
   state.velocity = state.angular_velocity = Vec3::Zero();
   body.moving.set_state(state);
-  body.move(body.moving.motion());
+  body.move(body.moving.current_motion());
   body.asleep = true;
-  for (const std::uint32_t e : pairs.of(index)) pairs.all_pairs()[e].contacts->clear_event_impulse();
+  for (const std::uint32_t e : pairs.of(index))
+    pairs.all_pairs()[e].contacts->clear_event_impulse();
   return energy;
 }
 
@@ -54,7 +58,7 @@ void SleepManager::wake_touched(std::span<WorldBody> bodies, const ContactPairTa
 }
 
 void SleepManager::wake_around(std::uint32_t body, std::span<WorldBody> bodies,
-                           const ContactPairTable& pairs) {
+                               const ContactPairTable& pairs) {
   wake(body, bodies, pairs);
   for (const std::uint32_t e : pairs.of(body)) {
     const ContactPair& pair = pairs.all_pairs()[e];
@@ -67,7 +71,8 @@ void SleepManager::wake_around(std::uint32_t body, std::span<WorldBody> bodies,
   }
 }
 
-void SleepManager::wake(std::uint32_t body, std::span<WorldBody> bodies, const ContactPairTable& pairs) {
+void SleepManager::wake(std::uint32_t body, std::span<WorldBody> bodies,
+                        const ContactPairTable& pairs) {
   std::vector<std::uint32_t> waking = {body};
   while (!waking.empty()) {
     const std::uint32_t index = waking.back();
@@ -86,10 +91,11 @@ void SleepManager::wake(std::uint32_t body, std::span<WorldBody> bodies, const C
 }
 
 double SleepManager::let_sleep(std::span<WorldBody> bodies, std::span<const std::uint32_t> moving,
-                           const ContactPairTable& pairs) {
+                               const ContactPairTable& pairs) {
   double energy = 0.0;
   for (const std::uint32_t i : moving) {
-    if (bodies[i].is_idle() || !bodies[i].sleep_detector.is_stationary() || !is_among_staying(i, bodies, pairs)) {
+    if (bodies[i].is_idle() || !bodies[i].sleep_detector.is_stationary() ||
+        !is_among_staying(i, bodies, pairs)) {
       continue;
     }
     energy += put_to_sleep(i, bodies, pairs);

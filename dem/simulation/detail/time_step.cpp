@@ -27,7 +27,7 @@ double mobility_of(std::uint32_t index, std::span<const WorldBody> bodies,
     const bool is_block = pair.block == index;
     const std::uint32_t other = is_block ? pair.reference : pair.block;
     const double ends = other == ContactPair::kTerrain || bodies[other].is_idle() ? 1.0 : 2.0;
-    sum += ends * (is_block ? pair.contacts->mobility(shape.mobilities)
+    sum += ends * (is_block ? pair.contacts->contact_mobility(shape.mobilities)
                             : pair.contacts->weight() * shape.largest_mobility);
   }
   return sum;
@@ -54,12 +54,13 @@ double time_apart(const ContactPair& pair, std::span<const WorldBody> bodies,
 }  // namespace
 
 double contact_time_step(const ContactStiffness& contact, double mobility_ratio, bool impact) {
-  const double together = contact.max_time_step * std::min(1.0 / std::sqrt(mobility_ratio), kMaxStepGrowth);
+  const double together =
+      contact.max_time_step * std::min(1.0 / std::sqrt(mobility_ratio), kMaxStepGrowth);
   return impact ? std::min(contact.time_step, together) : together;
 }
 
 TimeStep choose_time_step(std::span<const WorldBody> bodies, std::span<const std::uint32_t> moving,
-                       const ContactPairTable& pairs, const WorldSettings& settings) {
+                          const ContactPairTable& pairs, const WorldSettings& settings) {
   const ContactStiffness& contact = settings.stiffness;
   const TimeStep shortest{contact.time_step, false};
   if (!allows_longer_steps(contact)) return shortest;
@@ -80,10 +81,12 @@ TimeStep choose_time_step(std::span<const WorldBody> bodies, std::span<const std
   for (const std::uint32_t i : moving) {
     const WorldBody& body = bodies[i];
     const double mobility_ratio = mobility_of(i, bodies, pairs) / body.shape->largest_mobility;
-    if (mobility_ratio > 0.0) length = std::min(length, contact.max_time_step / std::sqrt(mobility_ratio));
+    if (mobility_ratio > 0.0)
+      length = std::min(length, contact.max_time_step / std::sqrt(mobility_ratio));
     if (touching) continue;
-    length = std::min(length, min_travel_time(pairs.remaining_displacement(i, body.moving.state().position),
-                                        body.moving.state().velocity.norm(), settings.gravity));
+    length = std::min(length,
+                      min_travel_time(pairs.remaining_displacement(i, body.moving.state().position),
+                                      body.moving.state().velocity.norm(), settings.gravity));
   }
   for (const std::uint32_t e : pairs.active_pairs()) {
     const ContactPair& pair = pairs.all_pairs()[e];

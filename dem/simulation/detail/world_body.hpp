@@ -41,7 +41,10 @@ struct ConfinedBodies {
 struct WorldBody {
   /// @param of_shape  must outlive the body
   WorldBody(const BodyShape& of_shape, const RigidState& start, bool is_fixed)
-      : shape(&of_shape), moving(of_shape.body, start), fixed(is_fixed), motion(moving.motion()) {
+      : shape(&of_shape),
+        moving(of_shape.body, start),
+        fixed(is_fixed),
+        motion(moving.current_motion()) {
     if (fixed) motion = motion_at_rest();
   }
   BodyMotion motion_at_rest() const {

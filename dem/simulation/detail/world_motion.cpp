@@ -33,7 +33,7 @@ WorldMotion::WorldMotion(std::vector<RigidBody> of_shapes, const WorldSettings& 
     : settings_(with), terrain_(on), zones_(std::move(ground_zones)), team_(with.threads) {
   settings_.check();
   for (const GroundParameters& zone : zones_) zone.check("zone");
-  if (soil_.any() &&
+  if (soil_.is_enabled() &&
       !std::visit([]<NormalLaw Law>(const Law&) { return Law::kIsPlastic; }, with.law)) {
     throw InputError(
         "soil_memory of a ground zone needs the law elastoplastic, which leaves dents");
@@ -87,7 +87,7 @@ void WorldMotion::advance(double longest) {
   if (observer_) notify_observer(begin);
   remove_bodies_off_terrain();
   if (settings_.sleep_drift > 0.0) let_sleep();
-  if (soil_.any()) pairs_.store_indentations(bodies_, soil_);
+  if (soil_.is_enabled()) pairs_.store_indentations(bodies_, soil_);
 }
 
 void WorldMotion::update_moving_list() {
@@ -138,7 +138,7 @@ void WorldMotion::free(std::span<const std::size_t> bodies) {
   for (const std::size_t i : bodies) {
     WorldBody& body = bodies_[i];
     body.fixed = false;
-    body.move(body.moving.motion());
+    body.move(body.moving.current_motion());
     initial_ += body.energy(settings_.gravity);
   }
   pairs_.request_broad_phase();
@@ -239,14 +239,16 @@ void WorldMotion::end_body_steps(double dt, bool flight) {
     if (body.is_immobile()) return;
     if (!flight) body.moving.end_step(dt, body.force, body.torque, gravity());
     if (events && dt > 0.0) {  // else they were applied at the end of the step before
-      body.correction_energy = body.moving.apply_event_impulse(events->impulse, events->angular_impulse, events->moment,
-                                           events->angular_moment, gravity());
+      body.correction_energy =
+          body.moving.apply_event_impulse(events->impulse, events->angular_impulse, events->moment,
+                                          events->angular_moment, gravity());
     }
     const double specific = body.moving.kinetic_energy() / body.shape->body.mass;
     body.resting = touching > 0 && specific < settings_.rest_energy ? body.resting + dt : 0.0;
     if (touching > 0 && specific < kRockingEnergyFactor * settings_.rest_energy) {
-      body.sleep_detector.add(body.moving.state(), dt, settings_.sleep_duration,
-                     settings_.sleep_drift * body.shape->body.size(), body.shape->radius);
+      body.sleep_detector.add_step(body.moving.state(), dt, settings_.sleep_duration,
+                                   settings_.sleep_drift * body.shape->body.size(),
+                                   body.shape->radius);
     } else {
       body.sleep_detector.reset();
     }
@@ -265,7 +267,7 @@ void WorldMotion::remove_bodies_off_terrain() {
 
 void WorldMotion::deactivate(std::size_t body) {
   pairs_.end_contacts_of(static_cast<std::uint32_t>(body), bodies_);
-  if (soil_.any()) pairs_.store_indentations(bodies_, soil_);
+  if (soil_.is_enabled()) pairs_.store_indentations(bodies_, soil_);
   bodies_[body].gone = true;
   bodies_[body].move(bodies_[body].motion_at_rest());
   invalidate_lists();
@@ -282,11 +284,11 @@ void WorldMotion::notify_observer(double begin) {
   team_.run(start_states_.size(), kBodiesAtATime, [&](std::size_t of_began) {
     const StartState& start_state = start_states_[of_began];
     observer_(start_state.body, {.begin_time = begin,
-                           .end_time = time_,
-                           .begin = start_state.state,
-                           .end = bodies_[start_state.body].moving.state(),
-                           .flight = start_state.free,
-                           .touch = touch(start_state.body)});
+                                 .end_time = time_,
+                                 .begin = start_state.state,
+                                 .end = bodies_[start_state.body].moving.state(),
+                                 .flight = start_state.free,
+                                 .touch = touch(start_state.body)});
   });
 }
 
@@ -326,7 +328,7 @@ EnergyBalance WorldMotion::energy() const {
     energy += body.energy(settings_.gravity);
     datum += body.shape->body.mass * settings_.gravity * body.moving.state().position.z();
   }
-  energy_balance.close(energy, energy_balance.initial - datum);
+  energy_balance.close_balance(energy, energy_balance.initial - datum);
   return energy_balance;
 }
 

@@ -144,7 +144,7 @@ class WorldMotion {
       make_contact_model(zones_,
                          terrain_ ? std::span<const std::uint16_t>(terrain_->impl().zones)
                                   : std::span<const std::uint16_t>(),
-                         soil_.any() ? &soil_ : nullptr)};
+                         soil_.is_enabled() ? &soil_ : nullptr)};
   std::size_t prepared_count_ = 0;  ///< bodies that are part of the motion already
   SleepManager sleep_manager_;
   BodyObserver observer_;
