@@ -34,7 +34,7 @@ void ContactHistory::match_contacts(const std::vector<ContactPoint>& points,
             (a.kind != ContactKind::kVertexGround && a.ground_feature == b.ground_feature));
   });
   match_by_relation(points, before, [&](const ContactPoint& a, const ContactPoint& b) {
-    return (a.foot - b.foot).squaredNorm() < max_distance * max_distance;
+    return (a.surface_point - b.surface_point).squaredNorm() < max_distance * max_distance;
   });
 }
 

@@ -11,7 +11,7 @@ namespace clast::dem_detail {
 struct Contact {
   Contact() = default;
   Contact(const ContactPoint& at, std::uint16_t ground_zone, double weight_of_point)
-      : point(at), zone(ground_zone), weight(weight_of_point), position(at.point()) {}
+      : point(at), zone(ground_zone), weight(weight_of_point), position(at.position()) {}
   ContactPoint point;
   std::uint16_t zone = 0;
   double weight = 0.0;

@@ -20,7 +20,7 @@ constexpr double kFacingCosine = 0.5;
 /// True where the ground between the two is flat or smoothly convex.
 bool smooth_between(const ContactPoint& a, const ContactPoint& b) {
   if (a.normal.dot(b.normal) < kPatchCosine) return false;
-  const Vec3 between = b.foot - a.foot;
+  const Vec3 between = b.surface_point - a.surface_point;
   const double rise = kPatchRise * between.norm();
   return a.normal.dot(between) <= rise && b.normal.dot(between) >= -rise;
 }

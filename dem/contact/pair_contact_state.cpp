@@ -124,7 +124,7 @@ std::vector<ContactPoint>& PairContactState::find_contact_points(const Pose& wor
   const Mat3 rotation = world_from_reference.rotation.toRotationMatrix();
   for (ContactPoint& point : points) {
     point.normal = rotation * point.normal;
-    point.foot = rotation * point.foot + world_from_reference.translation;
+    point.surface_point = rotation * point.surface_point + world_from_reference.translation;
   }
   return points;
 }

@@ -44,8 +44,9 @@ Below part_below(const std::array<Vec3, 3>& corners, const std::array<double, 3>
 
 }  // namespace
 
-EmbeddedFrontalArea embedded_frontal_area(const SurfaceFeatures& block, double radius, const Vec3& ground,
-                             const Vec3& up, const Vec3& direction) {
+EmbeddedFrontalArea embedded_frontal_area(const SurfaceFeatures& block, double radius,
+                                          const Vec3& ground, const Vec3& up,
+                                          const Vec3& direction) {
   const auto height = [&](const Vec3& point) { return up.dot(point - ground) - radius; };
   if (block.faces.empty()) {
     const auto lowest =
@@ -89,7 +90,7 @@ Vec3 ScarDrag::drag_force(const std::vector<Contact>& contacts, const RelativeMo
     weight += contact.weight;
     drag_factors += contact.weight * drag_factors_[contact.zone];
     up += contact.weight * contact.point.normal;
-    foot += contact.weight * contact.point.foot;
+    foot += contact.weight * contact.point.surface_point;
   }
   if (!(weight > 0.0 && drag_factors > 0.0 && up.squaredNorm() > 0.0)) return Vec3::Zero();
   up.normalize();
@@ -105,7 +106,7 @@ Vec3 ScarDrag::drag_force(const std::vector<Contact>& contacts, const RelativeMo
   const Quat into_body = pose.rotation.conjugate();
   const EmbeddedFrontalArea front =
       embedded_frontal_area(block_.features, block_.radius, into_body * (foot - pose.translation),
-                     into_body * up, into_body * Vec3(slip / speed));
+                            into_body * up, into_body * Vec3(slip / speed));
   position_ = pose * front.centre;
   const Vec3 through = along(position_);
   return -(drag_factors / weight) * front.area * through.norm() * through;

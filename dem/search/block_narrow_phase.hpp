@@ -82,8 +82,8 @@ class BlockNarrowPhase {
   /// Travel before which an edge or face cannot touch one of the ground, m.
   double separated_until(const FeatureSeparation& separation, bool touches) const {
     return touches ? displacement_
-                   : displacement_ +
-                         std::max(separation.between.norm() - list_touching_, separation.clear);
+                   : displacement_ + std::max(separation.separation.norm() - list_touching_,
+                                              separation.safe_displacement);
   }
 
   void build_candidate_list();
@@ -103,8 +103,8 @@ class BlockNarrowPhase {
                           std::span<const std::uint32_t> ground_vertices);
   void collect_edge_pairs(const TransformedSide& side, std::span<const std::uint32_t> edges,
                           std::span<const std::uint32_t> ground_vertices);
-  void list(ContactKind kind, std::uint32_t side, std::uint32_t of_ground,
-            const FeatureSeparation& separation, bool touches);
+  void add_candidate_pair(ContactKind kind, std::uint32_t side, std::uint32_t of_ground,
+                          const FeatureSeparation& separation, bool touches);
 
   /// How far below the block's lowest point, or above the ground's highest, a feature may still
   /// touch, m.
@@ -113,7 +113,7 @@ class BlockNarrowPhase {
   double depth_beyond_plane(double along, double slack) const;
   double depth_beyond_plane(const EdgeNormalArc& arc) const {
     const double along = std::min(direction_.dot(arc.first), direction_.dot(arc.second));
-    return depth_beyond_plane(arc.any ? -1.0 : along, arc.slack);
+    return depth_beyond_plane(arc.is_unbounded ? -1.0 : along, arc.slack);
   }
 
   // Whether the two may face each other before the list ends. They touch only along normals that

@@ -28,7 +28,7 @@ double deepest_middle(const IndexedSurface& surface, const Vec3& start, const Ve
   double deepest = 0.0;
   for (std::size_t i = 0; i + 1 < shares.size(); ++i) {
     const Vec3 middle = start + 0.5 * (shares[i] + shares[i + 1]) * (end - start);
-    const auto nearest = surface.nearest(middle, 2.0 * (end - start).norm());
+    const auto nearest = surface.nearest_point(middle, 2.0 * (end - start).norm());
     if (nearest) deepest = std::max(deepest, -nearest->distance);
   }
   return deepest;

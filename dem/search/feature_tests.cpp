@@ -29,7 +29,7 @@ void add_unique(std::vector<ContactPoint>& contacts, const ContactPoint& contact
                                        (known.kind != ContactKind::kVertexGround &&
                                         known.ground_feature == contact.ground_feature));
     if (related && known.normal.dot(contact.normal) > 1.0 - 1e-12 &&
-        (known.foot - contact.foot).squaredNorm() < 1e-18) {
+        (known.surface_point - contact.surface_point).squaredNorm() < 1e-18) {
       return;
     }
   }
@@ -75,14 +75,14 @@ FeatureSeparation FeatureTests::test_edge_edge(std::uint32_t block_edge, std::ui
   const Segment of_ground = ground_.features.segment(other);
   const SegmentDistance closest = closest_points(of_block, of_ground);
   if (!closest.crossing) {
-    return {closest.between,
+    return {closest.separation,
             displacement_to_crossing(closest, of_block, of_ground, position_, bounding_radius_)};
   }
   Vec3 normal = of_block.direction.cross(other.direction);
   normal *= (normal.dot(ground_.features.edge_normal(other)) >= 0.0 ? 1.0 : -1.0) / normal.norm();
   const double gap = normal.dot(of_block.start - of_ground.start);
   if (gap >= reach_ || gap < -depth_limit_ || !can_edges_touch(other, edge, normal)) {
-    return {closest.between, 0.0};
+    return {closest.separation, 0.0};
   }
   contact.emplace();
   contact->kind = ContactKind::kEdgeEdge;
@@ -91,23 +91,23 @@ FeatureSeparation FeatureTests::test_edge_edge(std::uint32_t block_edge, std::ui
   contact->ground_face = other.faces[0];
   contact->normal = normal;
   contact->overlap = reach_ - gap;
-  contact->foot = of_ground.at(closest.second) + ground_.radius * normal;
-  return {closest.between, 0.0};
+  contact->surface_point = of_ground.point_at(closest.second) + ground_.radius * normal;
+  return {closest.separation, 0.0};
 }
 
 FeatureSeparation FeatureTests::test_edge_vertex(std::uint32_t block_edge,
                                                  std::uint32_t ground_vertex,
                                                  std::optional<ContactPoint>& contact) const {
   const SurfaceEdge& edge = block_.edges[block_edge];
-  const Vec3& corner = ground_.features.vertices[ground_vertex];
+  const Vec3& ground_point = ground_.features.vertices[ground_vertex];
   const Vec3 start = in_ground_frame(block_.vertices[edge.vertices[0]]);
   const Vec3 along = rotation_ * edge.direction;
-  const double s = along.dot(corner - start);
-  const Vec3 out = start + std::clamp(s, 0.0, edge.length) * along - corner;
+  const double s = along.dot(ground_point - start);
+  const Vec3 out = start + std::clamp(s, 0.0, edge.length) * along - ground_point;
   const double distance = out.norm();
   const double beyond = std::max(-s, s - edge.length);
   if (distance >= reach_ || beyond >= 0.0 || !(distance > 0.0)) {
-    return {out, std::max({0.0, distance - reach_, beyond / relative_motion_factor(corner)})};
+    return {out, std::max({0.0, distance - reach_, beyond / relative_motion_factor(ground_point)})};
   }
   const Vec3 normal = out / distance;
   if (can_edge_touch(block_edge, normal) &&
@@ -121,10 +121,10 @@ FeatureSeparation FeatureTests::test_face_vertex(std::uint32_t block_face,
                                                  std::uint32_t ground_vertex,
                                                  std::optional<ContactPoint>& contact) const {
   const SurfaceFace& face = block_.faces[block_face];
-  const Vec3& corner = ground_.features.vertices[ground_vertex];
-  const Vec3 in_body = rotation_.transpose() * (corner - position_);
+  const Vec3& ground_point = ground_.features.vertices[ground_vertex];
+  const Vec3 in_body = rotation_.transpose() * (ground_point - position_);
   const double height = face.normal.dot(in_body - block_.vertices[face.vertices[0]]);
-  const double moving = relative_motion_factor(corner);
+  const double moving = relative_motion_factor(ground_point);
   if (distance_inside_face(block_, face, in_body) < 0.0) {
     const Vec3 between = in_body - nearest_on_face(block_, block_face, in_body).point;
     const double beside = std::sqrt(std::max(0.0, between.squaredNorm() - height * height));
@@ -150,20 +150,20 @@ ContactPoint FeatureTests::vertex_contact(ContactKind kind, std::uint32_t block_
   contact.ground_face = ground_.face_of_vertex[ground_vertex];
   contact.normal = normal;
   contact.overlap = reach_ - distance;
-  contact.foot = ground_.features.vertices[ground_vertex] + ground_.radius * normal;
+  contact.surface_point = ground_.features.vertices[ground_vertex] + ground_.radius * normal;
   return contact;
 }
 
 Vec3 FeatureTests::push_direction(const NearestPoint& nearest, const Vec3& centre) const {
   // On the surface itself, and above a face, the direction to it is its normal. So it is beyond the
   // border of a survey: the way back to the border would lead down where the ground falls to it.
-  return nearest.within_face || nearest.distance > -1e-9 || on_border(ground_.features, nearest)
+  return nearest.within_face || nearest.distance > -1e-9 || is_on_border(ground_.features, nearest)
              ? nearest.normal
              : Vec3((nearest.point - centre) / -nearest.distance);
 }
 
 bool FeatureTests::pushes_through_block(std::uint32_t vertex, const Vec3& push) const {
-  return ground_.of_block && push.dot(rotation_ * block_.vertex_normals[vertex]) > 0.0;
+  return ground_.is_block && push.dot(rotation_ * block_.vertex_normals[vertex]) > 0.0;
 }
 
 NearestPoint FeatureTests::nearest_uninverted(std::uint32_t vertex, const Vec3& centre,
@@ -192,7 +192,7 @@ ContactPoint FeatureTests::inside_contact(std::uint32_t vertex, const Vec3& cent
   contact.normal = push_direction(nearest, centre);
   const double height = contact.normal.dot(centre - nearest.point);
   contact.overlap = reach_ - height;
-  contact.foot = centre + (ground_.radius - height) * contact.normal;
+  contact.surface_point = centre + (ground_.radius - height) * contact.normal;
   return contact;
 }
 
@@ -207,12 +207,12 @@ void FeatureTests::add_outside_contacts(std::uint32_t vertex, const Vec3& centre
     contact.ground_feature = contact.ground_face = face;
     contact.normal = normal;
     contact.overlap = reach_ - distance;
-    contact.foot = on_ground + ground_.radius * normal;
+    contact.surface_point = on_ground + ground_.radius * normal;
     add_unique(contacts, contact);
   };
   for (const LocalFaces::Face& local : faces) {
     const double near = reach_ + local.radius;
-    if ((centre - local.middle).squaredNorm() > near * near) continue;
+    if ((centre - local.centre).squaredNorm() > near * near) continue;
     const std::uint32_t f = local.face;
     const SurfaceFace& face = ground.faces[f];
     const double height = face.normal.dot(centre - ground.vertices[face.vertices[0]]);
@@ -240,14 +240,14 @@ void FeatureTests::add_outside_contacts(std::uint32_t vertex, const Vec3& centre
           }
         }
       }
-      const std::uint32_t corner = face.vertices[k];
-      if (!ground.is_pointed_vertex[corner]) continue;
-      const Vec3 out = centre - ground.vertices[corner];
+      const std::uint32_t ground_vertex = face.vertices[k];
+      if (!ground.is_pointed_vertex[ground_vertex]) continue;
+      const Vec3 out = centre - ground.vertices[ground_vertex];
       const double distance = out.norm();
       if (!(distance > 0.0 && distance < reach_)) continue;
       const Vec3 normal = out / distance;
-      if (is_in_normal_cone(ground, corner, normal) && can_vertex_touch(vertex, normal)) {
-        touch(f, ground.vertices[corner], normal, distance);
+      if (is_in_normal_cone(ground, ground_vertex, normal) && can_vertex_touch(vertex, normal)) {
+        touch(f, ground.vertices[ground_vertex], normal, distance);
       }
     }
   }

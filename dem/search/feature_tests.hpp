@@ -23,28 +23,28 @@ enum class ContactKind : std::uint8_t {
 
 /// A feature of the block and one of its ground.
 struct FeatureSeparation {
-  Vec3 between = Vec3::Zero();  ///< from the nearest point of the ground's to the block's, m
+  Vec3 separation = Vec3::Zero();  ///< from the nearest point of the ground's to the block's, m
   /// No contact of the two, however deep, before the block has moved so far, m: the shift of its
   /// centre and its bounding radius times the chord of its turn together. 0 where that is not
   /// known.
-  double clear = 0.0;
+  double safe_displacement = 0.0;
 };
 
 /// One point where the rounded block overlaps the ground's skin.
 struct ContactPoint {
   ContactKind kind = ContactKind::kVertexGround;
-  std::uint32_t block_feature = 0;   ///< vertex, edge or face of the block
-  std::uint32_t ground_feature = 0;  ///< edge or vertex of the ground; a face for kVertexGround
-  std::uint32_t ground_face = 0;     ///< a face next to the contact: gives the zone
-  Vec3 normal = Vec3::UnitZ();       ///< unit, out of the ground into the block
-  Vec3 foot = Vec3::Zero();          ///< on the ground's skin
-  double overlap = 0.0;              ///< m, positive
+  std::uint32_t block_feature = 0;    ///< vertex, edge or face of the block
+  std::uint32_t ground_feature = 0;   ///< edge or vertex of the ground; a face for kVertexGround
+  std::uint32_t ground_face = 0;      ///< a face next to the contact: gives the zone
+  Vec3 normal = Vec3::UnitZ();        ///< unit, out of the ground into the block
+  Vec3 surface_point = Vec3::Zero();  ///< on the ground's skin
+  double overlap = 0.0;               ///< m, positive
 
   /// Middle of the overlap: where forces act.
-  Vec3 point() const { return foot - 0.5 * overlap * normal; }
+  Vec3 position() const { return surface_point - 0.5 * overlap * normal; }
   template <class Bytes>
   void serialize(Bytes& bytes) {
-    bytes(kind, block_feature, ground_feature, ground_face, normal, foot, overlap);
+    bytes(kind, block_feature, ground_feature, ground_face, normal, surface_point, overlap);
   }
 };
 

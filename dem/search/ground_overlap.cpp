@@ -24,7 +24,7 @@ GroundOverlap::~GroundOverlap() = default;
 
 double GroundOverlap::max_overlap(const RigidState& state) const {
   const auto& [ground, body, surface] = *impl_;
-  if (!ground.nearest(state.position, body.bounding_radius() + ground.radius)) return 0.0;
+  if (!ground.nearest_point(state.position, body.bounding_radius() + ground.radius)) return 0.0;
   TerrainNarrowPhase search(ground, surface, body.size());
   double deepest = 0.0;
   for (const ContactPoint& contact : search.find_contacts(state.world_from_body(), 0.0)) {

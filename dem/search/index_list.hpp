@@ -21,7 +21,7 @@ class IndexList {
 
   /// Lists those before `end` that are wanted.
   template <class Wanted>
-  void list(std::uint32_t end, const Wanted& wanted) {
+  void fill_if(std::uint32_t end, const Wanted& wanted) {
     clear(end);
     std::uint32_t* const to = indices_.data();
     std::size_t count = 0;

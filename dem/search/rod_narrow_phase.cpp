@@ -86,7 +86,7 @@ void RodNarrowPhase::find_edge_contacts(std::uint32_t e) {
     const SegmentDistance closest = closest_points(of_block, of_ground);
     if (!closest.crossing) continue;  // of parallel rods the ends carry the contact
     contact.ground_feature = g;
-    set_contact(contact, of_ground.at(closest.second), of_block.at(closest.first));
+    set_contact(contact, of_ground.point_at(closest.second), of_block.point_at(closest.first));
   }
 }
 
@@ -98,7 +98,7 @@ void RodNarrowPhase::set_contact(ContactPoint& contact, const Vec3& on_ground,
   if (distance >= reach_ || !(distance > 0.0)) return;
   contact.normal = out / distance;
   contact.overlap = reach_ - distance;
-  contact.foot = on_ground + ground_.radius * contact.normal;
+  contact.surface_point = on_ground + ground_.radius * contact.normal;
   contacts_.push_back(contact);
 }
 

@@ -100,7 +100,7 @@ void TerrainNarrowPhase::list_expired_parts() {
   IndexList &expired_parts = scratch().expired_parts,
             &near_parts_to_update = scratch().near_parts_to_update;
   near_parts_to_update.clear(parts);
-  expired_parts.list(parts, [expired = part_expiry_.data(), now = moved_](std::uint32_t p) {
+  expired_parts.fill_if(parts, [expired = part_expiry_.data(), now = moved_](std::uint32_t p) {
     return expired[p] <= now;
   });
   if (expired_parts.size() == 0 || defer_all_parts()) return;
@@ -136,7 +136,8 @@ bool TerrainNarrowPhase::defer_all_parts() {
   const double look = bounding_radius_ + reach_ + 8.0 * margin_;
   double above = ground_.height_clearance(tests_.position(), 2.0 * look);
   if (above < look) {
-    const std::optional<NearestPoint> nearest = ground_.nearest(tests_.position(), 2.0 * look);
+    const std::optional<NearestPoint> nearest =
+        ground_.nearest_point(tests_.position(), 2.0 * look);
     above = nearest ? nearest->distance : 2.0 * look;
   }
   if (above <= bounding_radius_ + reach_ + margin_) return false;
@@ -149,7 +150,7 @@ void TerrainNarrowPhase::collect_ground(double complete) {
   if (ground_complete_ - (moved_ - ground_gathered_at_) >= complete) return;
   ground_complete_ = complete + kGroundMargins * margin_;
   ground_gathered_at_ = moved_;
-  local_.gather(ground_, tests_.position(), bounding_radius_ + ground_complete_);
+  local_.collect_near(ground_, tests_.position(), bounding_radius_ + ground_complete_);
   for (PartState& part : part_states_) part.near_face = 0;
 }
 
@@ -162,24 +163,24 @@ void TerrainNarrowPhase::update_part(std::uint32_t p, double until) {
   collect_ground(touching + 2.0 * kPartMargins * margin_);
   const double complete = ground_complete_ - (moved_ - ground_gathered_at_);
   const double enough = std::max(margin_, until - moved_);
-  double gap = std::min(local_.plane.clearance(centre) - part.radius, complete) - reach_;
-  gap = std::max(gap, state.gap - (centre - state.measured_centre).norm() -
-                          part.radius * (turned_ - state.measured_rotation));
-  if (gap <= enough) {
-    gap = measure_clearance(p);
+  double clearance = std::min(local_.plane.clearance(centre) - part.radius, complete) - reach_;
+  clearance = std::max(clearance, state.clearance - (centre - state.measured_centre).norm() -
+                                      part.radius * (turned_ - state.measured_rotation));
+  if (clearance <= enough) {
+    clearance = measure_clearance(p);
   }
-  if (gap > margin_) {
-    part_expiry_[p] = moved_ + gap;
+  if (clearance > margin_) {
+    part_expiry_[p] = moved_ + clearance;
     return;
   }
   // A part that slept is outside the ground. At the start that is not known, nor how deep it is.
   const bool slept = !(part_expiry_[p] < 0.0);
-  const double deepest = slept ? 0.0 : part.radius - gap - touching;
+  const double deepest = slept ? 0.0 : part.radius - clearance - touching;
   state.near = std::make_unique<NearPart>(part);
   for (VertexState& vertex : state.near->vertices) vertex.outside = slept;
   state.near->centre = centre;
   state.near->turned = turned_;
-  gather(p, deepest);
+  collect_part_ground(p, deepest);
 }
 
 double TerrainNarrowPhase::measure_clearance(std::uint32_t p) {
@@ -191,7 +192,7 @@ double TerrainNarrowPhase::measure_clearance(std::uint32_t p) {
   if (part_expiry_[p] < 0.0) {
     // Not measured yet: it may lie deep inside.
     const double far = touching + 8.0 * margin_ + 4.0 * bounding_radius_;
-    const std::optional<NearestPoint> nearest = ground_.nearest(centre, far);
+    const std::optional<NearestPoint> nearest = ground_.nearest_point(centre, far);
     distance = nearest ? nearest->distance : far;
   } else {
     const LocalFaces::NearestFace found =
@@ -199,10 +200,10 @@ double TerrainNarrowPhase::measure_clearance(std::uint32_t p) {
     state.near_face = found.entry;
     if (std::abs(found.nearest.distance) < complete) distance = found.nearest.distance;
   }
-  state.gap = distance - touching;
+  state.clearance = distance - touching;
   state.measured_centre = centre;
   state.measured_rotation = turned_;
-  return state.gap;
+  return state.clearance;
 }
 
 void TerrainNarrowPhase::update_displacement(std::uint32_t p) {
@@ -225,16 +226,16 @@ void TerrainNarrowPhase::refresh_ground_list(std::uint32_t p, double ahead) {
   }
   const double touching = parts_.parts[p].radius + reach_;
   collect_ground(touching + 2.0 * kPartMargins * margin_);
-  const double gap = measure_clearance(p);
-  if (gap > kFarMargins * margin_) {
+  const double clearance = measure_clearance(p);
+  if (clearance > kFarMargins * margin_) {
     part_states_[p].near.reset();
-    part_expiry_[p] = moved_ + gap;
+    part_expiry_[p] = moved_ + clearance;
     return;
   }
-  gather(p, deepest_ + last_move_);
+  collect_part_ground(p, deepest_ + last_move_);
 }
 
-void TerrainNarrowPhase::gather(std::uint32_t p, double deepest) {
+void TerrainNarrowPhase::collect_part_ground(std::uint32_t p, double deepest) {
   const BlockPart& part = parts_.parts[p];
   NearPart& state = *part_states_[p].near;
   const bool is_new = !(state.complete > 0.0);
@@ -242,7 +243,7 @@ void TerrainNarrowPhase::gather(std::uint32_t p, double deepest) {
   state.gathered_at = state.displacement.total;
   collect_ground(state.complete);
   const double reach = part.radius + state.complete;
-  state.ground.gather(ground_.features, local_, state.centre, reach);
+  state.ground.collect_near(ground_.features, local_, state.centre, reach);
   if (is_new || state.axis.dot(state.ground.plane.normal) < kSameAxis) update_axis(p);
   state.tilts.clear();
   for (const LocalFaces::Face& face : state.ground.faces) {
@@ -267,7 +268,7 @@ void TerrainNarrowPhase::gather(std::uint32_t p, double deepest) {
     state.features.push_back({.is_vertex = is_vertex, .index = index, .separation_bound = {}});
   };
   for (const std::uint32_t edge : local_.edges) {
-    list_near(false, edge, features.segment(features.edges[edge]).nearest(state.centre));
+    list_near(false, edge, features.segment(features.edges[edge]).nearest_point(state.centre));
   }
   for (const std::uint32_t pointed_vertex : local_.pointed_vertices) {
     list_near(true, pointed_vertex, features.vertices[pointed_vertex]);
@@ -299,11 +300,11 @@ double TerrainNarrowPhase::next_update(std::uint32_t p) const {
 }
 
 SeparationBound TerrainNarrowPhase::separation_bound(const NearPart& part, const Vec3& away,
-                                                     double apart, double others) const {
-  if (!(apart > 0.0 && others > 0.0)) return {};
+                                                     double distance, double others) const {
+  if (!(distance > 0.0 && others > 0.0)) return {};
   const double axial = std::min(std::abs(away.dot(part.axis)), 1.0);
   const double transverse = std::sqrt(1.0 - axial * axial);
-  const double per = 1.0 / apart, per_other = 1.0 / others;
+  const double per = 1.0 / distance, per_other = 1.0 / others;
   SeparationBound result{std::max(axial * per, per_other), std::max(transverse * per, per_other),
                          1.0};
   result.until += result.per_axial * part.displacement.axial +

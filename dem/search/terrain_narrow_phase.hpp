@@ -97,7 +97,7 @@ class TerrainNarrowPhase {
     /// plane goes on.
     double displacement_per_height;
 
-    bool at_border() const { return displacement_per_height == 0.0; }
+    bool is_at_border() const { return displacement_per_height == 0.0; }
     template <class Bytes>
     void serialize(Bytes& bytes) {
       bytes(axial, transverse, displacement_per_height);
@@ -158,14 +158,14 @@ class TerrainNarrowPhase {
   struct PartState {
     std::unique_ptr<NearPart> near;  ///< none: it is far from the ground
     // What was measured last while it was far: the gap, where the centre was, and `turned_`.
-    double gap = 0.0;
+    double clearance = 0.0;
     Vec3 measured_centre = Vec3::Zero();
     double measured_rotation = 0.0;
     std::uint32_t near_face = 0;  ///< entry of `local_` that was nearest
 
     template <class Bytes>
     void serialize(Bytes& bytes) {
-      bytes(gap, measured_centre, measured_rotation, near_face);
+      bytes(clearance, measured_centre, measured_rotation, near_face);
     }
   };
   /// A contact of a side, with what it is sorted by.
@@ -209,7 +209,7 @@ class TerrainNarrowPhase {
   double measure_clearance(std::uint32_t p);
   /// Lists the ground near the part.
   /// @param deepest  no point of the part is deeper inside the ground, m
-  void gather(std::uint32_t p, double deepest);
+  void collect_part_ground(std::uint32_t p, double deepest);
   /// Takes the mean normal of the ground listed as the axis; what was measured is due.
   void update_axis(std::uint32_t p);
   void update_displacement(std::uint32_t p);
@@ -245,10 +245,10 @@ class TerrainNarrowPhase {
   double completeness(const NearPart& part) const {
     return part.complete - (part.displacement.total - part.gathered_at);
   }
-  /// Asleep while something `apart` away along the unit vector `away` stays out of reach, and
+  /// Asleep while something `distance` away along the unit vector `away` stays out of reach, and
   /// nothing else comes closer than `others`, wherever it is; due at once when either is not above
   /// 0.
-  SeparationBound separation_bound(const NearPart& part, const Vec3& away, double apart,
+  SeparationBound separation_bound(const NearPart& part, const Vec3& away, double distance,
                                    double others) const;
 
   // Vertices by their number within the part; those that touch are added to `found`.

@@ -11,7 +11,8 @@ namespace clast {
 void MotionSettings::check() const {
   const auto require = [](bool fine, const char* field, double value, const char* range) {
     if (fine && std::isfinite(value)) return;
-    throw InputError(std::string(field) + " = " + format_significant(value, 6) + "; must be " + range);
+    throw InputError(std::string(field) + " = " + format_significant(value, 6) + "; must be " +
+                     range);
   };
   const auto positive = [&](const char* field, double value) {
     require(value > 0.0, field, value, "above 0");
@@ -39,7 +40,7 @@ void check_start(const TerrainSurface& terrain, const Vec3& position, const std:
                           format_significant(position.y(), 9) +
                           "), which is not on the terrain; move it onto the ground");
   }
-  const std::optional<double> ground = terrain.height(position.x(), position.y(), position.z());
+  const std::optional<double> ground = terrain.height_at(position.x(), position.y(), position.z());
   if (ground && position.z() < *ground) {
     throw SimulationError(name + " starts below the ground, " +
                           format_significant(*ground - position.z(), 6) + " m deep; raise it");

@@ -190,7 +190,7 @@ class Release {
     const BodyMotion motion = integrator_.current_motion();
     double longest = 0.0;
     for (const ContactPoint& contact : contacts) {
-      const double closing = -motion.velocity_at(contact.point()).dot(contact.normal);
+      const double closing = -motion.velocity_at(contact.position()).dot(contact.normal);
       longest = std::max(longest, closing > 0.0 ? contact.overlap / closing : 1e300);
     }
     return longest;
@@ -312,7 +312,8 @@ class Release {
     // The potential counts from the end height, so that the scale does not depend on the datum.
     energy_balance.close_balance(
         final_energy(), energy_balance.initial - body_.mass * settings_.gravity * position.z());
-    const std::optional<double> ground = terrain_.height(position.x(), position.y(), position.z());
+    const std::optional<double> ground =
+        terrain_.height_at(position.x(), position.y(), position.z());
     result_.below_ground = (ground && position.z() < *ground) ||
                            (result_.stop_reason == StopReason::kRest &&
                             forces_.settled_depth() > kSettledSlack * deepest_rest());

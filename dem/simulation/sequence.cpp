@@ -294,7 +294,7 @@ class Sequence {
     if (cleared.empty()) return false;
     const Vec3& position = world_.state(block).position;
     const std::optional<std::uint16_t> zone =
-        terrain_.zone(position.x(), position.y(), position.z());
+        terrain_.zone_at(position.x(), position.y(), position.z());
     return zone && std::find(cleared.begin(), cleared.end(), *zone) != cleared.end();
   }
 
@@ -339,7 +339,8 @@ class Sequence {
                           : result.removed_at || world_.is_resting(block) ? StopReason::kRest
                                                                           : StopReason::kMaxTime;
     const Vec3& position = release.final_state.position;
-    const std::optional<double> ground = terrain_.height(position.x(), position.y(), position.z());
+    const std::optional<double> ground =
+        terrain_.height_at(position.x(), position.y(), position.z());
     release.below_ground = ground && position.z() < *ground;
     result.later_displacement = (position - recorders_[block].first_rest).norm();
     return result;

@@ -52,7 +52,7 @@ void add_part(BlockParts& made, const std::vector<Item>& items, std::span<std::u
   Bounds box;
   for (const std::uint32_t i : members) {
     const BlockSide& side = items[i].side;
-    box.include(side.middle);
+    box.include(side.centre);
     if (items[i].is_vertex) {
       made.vertices.push_back(side.feature);
     } else {
@@ -63,7 +63,7 @@ void add_part(BlockParts& made, const std::vector<Item>& items, std::span<std::u
   part.arm = part.centre.norm();
   for (const std::uint32_t i : members) {
     const BlockSide& side = items[i].side;
-    part.radius = std::max(part.radius, (side.middle - part.centre).norm() + side.radius);
+    part.radius = std::max(part.radius, (side.centre - part.centre).norm() + side.radius);
   }
   part.end_vertex = static_cast<std::uint32_t>(made.vertices.size());
   part.end_side = static_cast<std::uint32_t>(made.sides.size());
@@ -74,13 +74,13 @@ void cut(BlockParts& made, const std::vector<Item>& items, std::span<std::uint32
          std::size_t largest) {
   if (members.size() <= largest) return add_part(made, items, members);
   Bounds box;
-  for (const std::uint32_t i : members) box.include(items[i].side.middle);
+  for (const std::uint32_t i : members) box.include(items[i].side.centre);
   Eigen::Index axis = 0;
   (box.high - box.low).maxCoeff(&axis);
   const std::size_t half = members.size() / 2;
   std::nth_element(members.begin(), members.begin() + static_cast<std::ptrdiff_t>(half),
                    members.end(), [&](std::uint32_t i, std::uint32_t j) {
-                     const double a = items[i].side.middle[axis], b = items[j].side.middle[axis];
+                     const double a = items[i].side.centre[axis], b = items[j].side.centre[axis];
                      return a < b || (a == b && i < j);
                    });
   cut(made, items, members.first(half), largest);

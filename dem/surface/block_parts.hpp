@@ -11,7 +11,7 @@ namespace clast::dem_detail {
 struct BlockSide {
   std::uint32_t feature = 0;
   bool is_face = false;
-  Vec3 middle = Vec3::Zero();
+  Vec3 centre = Vec3::Zero();
   double radius = 0.0;
 };
 

@@ -13,7 +13,7 @@ struct EdgeNormalArc {
   EdgeNormalArc(const SurfaceFeatures& surface, const SurfaceEdge& edge);
   Vec3 first = Vec3::Zero(), second = Vec3::Zero();  ///< normals of its faces, unit
   double slack = 0.0;                                ///< a sine
-  bool any = false;                                  ///< along any: an edge without two faces
+  bool is_unbounded = false;                         ///< along any: an edge without two faces
 };
 
 /// One per shape: in a pile thousands of pairs refer to a few of these, so that they stay in the

@@ -23,7 +23,8 @@ bool within_arc(const SurfaceFeatures& surface, const SurfaceEdge& edge, const V
   for (std::size_t i = 0; i < 2; ++i) {
     if (edge.faces[i] == kNoFeature) return true;
     const SurfaceFace& face = surface.faces[edge.faces[i]];
-    if (direction.dot(inward_direction(face, edge.direction, edge.along[i])) > slack) return false;
+    if (direction.dot(inward_direction(face, edge.direction, edge.forward[i])) > slack)
+      return false;
   }
   return true;
 }
@@ -40,7 +41,8 @@ bool within_cone(const SurfaceFeatures& surface, std::uint32_t vertex, const Vec
 
 }  // namespace
 
-bool is_in_normal_arc(const SurfaceFeatures& surface, const SurfaceEdge& edge, const Vec3& direction) {
+bool is_in_normal_arc(const SurfaceFeatures& surface, const SurfaceEdge& edge,
+                      const Vec3& direction) {
   return within_arc(surface, edge, direction, kConeSlack);
 }
 
@@ -50,7 +52,8 @@ double normal_arc_slack(const SurfaceFeatures& surface, const SurfaceEdge& edge)
          give_of(surface.faces[edge.faces[0]].normal, surface.faces[edge.faces[1]].normal);
 }
 
-bool is_near_normal_arc(const SurfaceFeatures& surface, const SurfaceEdge& edge, const Vec3& direction) {
+bool is_near_normal_arc(const SurfaceFeatures& surface, const SurfaceEdge& edge,
+                        const Vec3& direction) {
   if (is_in_normal_arc(surface, edge, direction)) return true;
   if (edge.kind != EdgeKind::kConvex ||
       !within_arc(surface, edge, direction, kConeSlack + kMostGive)) {
@@ -59,7 +62,8 @@ bool is_near_normal_arc(const SurfaceFeatures& surface, const SurfaceEdge& edge,
   return within_arc(surface, edge, direction, normal_arc_slack(surface, edge));
 }
 
-bool is_in_normal_cone(const SurfaceFeatures& surface, std::uint32_t vertex, const Vec3& direction) {
+bool is_in_normal_cone(const SurfaceFeatures& surface, std::uint32_t vertex,
+                       const Vec3& direction) {
   return within_cone(surface, vertex, direction, kConeSlack);
 }
 
@@ -68,13 +72,15 @@ double normal_cone_slack(const SurfaceFeatures& surface, std::uint32_t vertex) {
   for (const std::uint32_t e : surface.edges_at(vertex)) {
     for (const std::uint32_t f : surface.edges[e].faces) {
       if (f == kNoFeature) continue;
-      extra_slack = std::max(extra_slack, 2.0 * give_of(surface.vertex_normals[vertex], surface.faces[f].normal));
+      extra_slack = std::max(
+          extra_slack, 2.0 * give_of(surface.vertex_normals[vertex], surface.faces[f].normal));
     }
   }
   return kConeSlack + extra_slack;
 }
 
-bool is_near_normal_cone(const SurfaceFeatures& surface, std::uint32_t vertex, const Vec3& direction) {
+bool is_near_normal_cone(const SurfaceFeatures& surface, std::uint32_t vertex,
+                         const Vec3& direction) {
   if (is_in_normal_cone(surface, vertex, direction)) return true;
   if (!within_cone(surface, vertex, direction, kConeSlack + 2.0 * kMostGive)) return false;
   return within_cone(surface, vertex, direction, normal_cone_slack(surface, vertex));

@@ -27,7 +27,8 @@ void determine_side(const SurfaceFeatures& surface, const Vec3& query, NearestPo
   foot.distance = std::copysign(foot.distance, foot.normal.dot(query - foot.point));
 }
 
-NearestPoint project_onto_face(const SurfaceFeatures& surface, std::uint32_t face, const Vec3& query) {
+NearestPoint project_onto_face(const SurfaceFeatures& surface, std::uint32_t face,
+                               const Vec3& query) {
   const SurfaceFace& f = surface.faces[face];
   const Vec3& origin = surface.vertices[f.vertices[0]];
   const double height = f.normal.dot(query - origin);
@@ -70,7 +71,7 @@ NearestPoint project_onto_face(const SurfaceFeatures& surface, std::uint32_t fac
   return best;
 }
 
-bool on_border(const SurfaceFeatures& surface, const NearestPoint& nearest) {
+bool is_on_border(const SurfaceFeatures& surface, const NearestPoint& nearest) {
   const auto border = [&](std::uint32_t e) { return surface.edges[e].kind == EdgeKind::kBorder; };
   if (nearest.edge != kNoFeature) return border(nearest.edge);
   if (nearest.vertex == kNoFeature) return false;
@@ -91,7 +92,7 @@ PlanGrid::PlanGrid(const SurfaceFeatures& surface) {
   const auto face_range = [&](const SurfaceFace& face) {
     Bounds box;
     for (const std::uint32_t v : face.vertices) box.include(surface.vertices[v]);
-    return std::pair(range(box.low.x(), box.high.x(), box.low.y(), box.high.y()), box);
+    return std::pair(cells_over(box.low.x(), box.high.x(), box.low.y(), box.high.y()), box);
   };
   const std::size_t count = static_cast<std::size_t>(columns_) * rows_;
   offsets_.assign(count + 1, 0);
@@ -125,7 +126,8 @@ PlanGrid::PlanGrid(const SurfaceFeatures& surface) {
   }
 }
 
-PlanGrid::CellRange PlanGrid::range(double x_low, double x_high, double y_low, double y_high) const {
+PlanGrid::CellRange PlanGrid::cells_over(double x_low, double x_high, double y_low,
+                                         double y_high) const {
   const auto clamp_low = [&](double value, double corner, int count) {
     const double cell = std::floor((value - corner) / size_);
     return cell < 0.0 ? 0 : cell >= count ? count : static_cast<int>(cell);
@@ -143,8 +145,8 @@ PlanGrid::Cell PlanGrid::cell(int column, int row) const {
   return {{faces_.data() + offsets_[c], faces_.data() + offsets_[c + 1]}, lows_[c], highs_[c]};
 }
 
-std::optional<NearestPoint> IndexedSurface::nearest(const Vec3& query, double reach,
-                                                    std::uint32_t guess) const {
+std::optional<NearestPoint> IndexedSurface::nearest_point(const Vec3& query, double reach,
+                                                          std::uint32_t guess) const {
   std::optional<NearestPoint> best;
   double limit = reach;
   const auto measure = [&](std::uint32_t f) {
@@ -170,14 +172,14 @@ std::optional<NearestPoint> IndexedSurface::nearest(const Vec3& query, double re
   };
   if (guess != kNoFeature) measure(guess);
   // Rings of cells around the query; a ring k cells away is at least k - 1 cells distant.
-  const PlanGrid::CellRange all = grid.range(-1e300, 1e300, -1e300, 1e300);
-  const PlanGrid::CellRange home = grid.range(query.x(), query.x(), query.y(), query.y());
+  const PlanGrid::CellRange all = grid.cells_over(-1e300, 1e300, -1e300, 1e300);
+  const PlanGrid::CellRange home = grid.cells_over(query.x(), query.x(), query.y(), query.y());
   const int home_column = std::clamp(home.first_column, all.first_column, all.last_column);
   const int home_row = std::clamp(home.first_row, all.first_row, all.last_row);
-  const int last_ring = std::max(grid.columns(), grid.rows());
+  const int last_ring = std::max(grid.column_count(), grid.row_count());
   for (int ring = 0; ring <= last_ring; ++ring) {
     const PlanGrid::CellRange window =
-        grid.range(query.x() - limit, query.x() + limit, query.y() - limit, query.y() + limit);
+        grid.cells_over(query.x() - limit, query.x() + limit, query.y() - limit, query.y() + limit);
     const int left = home_column - ring, right = home_column + ring;
     const int front = home_row - ring, back = home_row + ring;
     if (ring > 0 && left < window.first_column && right > window.last_column &&
@@ -204,7 +206,7 @@ std::optional<NearestPoint> IndexedSurface::nearest(const Vec3& query, double re
 
 double IndexedSurface::height_clearance(const Vec3& query, double reach) const {
   const PlanGrid::CellRange window =
-      grid.range(query.x() - reach, query.x() + reach, query.y() - reach, query.y() + reach);
+      grid.cells_over(query.x() - reach, query.x() + reach, query.y() - reach, query.y() + reach);
   double clearance = reach;
   for (int row = window.first_row; row <= window.last_row; ++row) {
     for (int column = window.first_column; column <= window.last_column; ++column) {
@@ -219,7 +221,7 @@ std::vector<std::uint32_t> IndexedSurface::find_faces_near(const Bounds& box, do
   std::vector<std::uint32_t> found;
   const Vec3 low = box.low.array() - reach;
   const Vec3 high = box.high.array() + reach;
-  const PlanGrid::CellRange window = grid.range(low.x(), high.x(), low.y(), high.y());
+  const PlanGrid::CellRange window = grid.cells_over(low.x(), high.x(), low.y(), high.y());
   for (int row = window.first_row; row <= window.last_row; ++row) {
     for (int column = window.first_column; column <= window.last_column; ++column) {
       const PlanGrid::Cell cell = grid.cell(column, row);
@@ -241,7 +243,7 @@ std::vector<std::uint32_t> IndexedSurface::find_faces_near(const Bounds& box, do
 }
 
 IndexedSurface index_surface(const TriangleMesh& mesh, double radius,
-                               std::span<const std::array<std::uint32_t, 2>> wires) {
+                             std::span<const std::array<std::uint32_t, 2>> wires) {
   IndexedSurface surface;
   surface.features = extract_surface_features(mesh, wires);
   surface.radius = radius;
@@ -260,8 +262,8 @@ IndexedSurface index_surface(const SpheroPolyhedron& body) {
   const bool wire = body.faces.empty();
   IndexedSurface surface =
       index_surface(core_mesh(body), body.radius,
-                      wire ? std::span(body.edges) : std::span<const SpheroPolyhedron::Edge>());
-  surface.of_block = true;
+                    wire ? std::span(body.edges) : std::span<const SpheroPolyhedron::Edge>());
+  surface.is_block = true;
   return surface;
 }
 

@@ -23,13 +23,14 @@ struct NearestPoint {
 };
 
 /// True when the point nearest to a query lies where an open surface ends.
-bool on_border(const SurfaceFeatures& surface, const NearestPoint& nearest);
+bool is_on_border(const SurfaceFeatures& surface, const NearestPoint& nearest);
 
 /// Nearest point of one face to `query`; `distance` is signed by the normal of the feature hit.
 NearestPoint nearest_on_face(const SurfaceFeatures& surface, std::uint32_t face, const Vec3& query);
 /// The same in two steps, for those who look at many faces: first the point, without the side that
 /// the query lies on when that is no foot within the face, then the side.
-NearestPoint project_onto_face(const SurfaceFeatures& surface, std::uint32_t face, const Vec3& query);
+NearestPoint project_onto_face(const SurfaceFeatures& surface, std::uint32_t face,
+                               const Vec3& query);
 void determine_side(const SurfaceFeatures& surface, const Vec3& query, NearestPoint& foot);
 
 /// Plan grid: every cell lists the faces whose bounds reach into it, with their height range.
@@ -48,20 +49,20 @@ class PlanGrid {
   struct CellRange {
     int first_column, last_column, first_row, last_row;
   };
-  CellRange range(double x_low, double x_high, double y_low, double y_high) const;
+  CellRange cells_over(double x_low, double x_high, double y_low, double y_high) const;
   Cell cell(int column, int row) const;
   /// Top of the height range of a cell, m; -infinity where it lists no face.
-  double high(int column, int row) const {
+  double cell_top(int column, int row) const {
     return highs_[static_cast<std::size_t>(row) * columns_ + column];
   }
   /// Distance of a point from a cell in plan, m.
-  double distance(int column, int row, const Vec2& point) const {
+  double distance_to_cell(int column, int row, const Vec2& point) const {
     const Vec2 low = corner_ + size_ * Vec2(column, row);
     return (low - point).cwiseMax(point - low - Vec2::Constant(size_)).cwiseMax(0.0).norm();
   }
   double cell_size() const { return size_; }
-  int columns() const { return columns_; }
-  int rows() const { return rows_; }
+  int column_count() const { return columns_; }
+  int row_count() const { return rows_; }
 
  private:
   double size_ = 1.0;
@@ -78,13 +79,13 @@ struct IndexedSurface {
   std::vector<std::uint32_t> face_of_vertex;  ///< one face at every vertex: gives its zone
   double radius = 0.0;                        ///< the skin is this far outside the features, m
   Bounds extent;                              ///< of the vertices
-  bool of_block = false;                      ///< not of a terrain
+  bool is_block = false;                      ///< not of a terrain
   PlanGrid grid;
 
   /// Nearest point of the triangles (not the skin) to `query`, or none farther than `reach`.
   /// @param guess  a face that may be near: the answer is the same, but sooner found
-  std::optional<NearestPoint> nearest(const Vec3& query, double reach,
-                                      std::uint32_t guess = kNoFeature) const;
+  std::optional<NearestPoint> nearest_point(const Vec3& query, double reach,
+                                            std::uint32_t guess = kNoFeature) const;
   /// A lower bound of the distance from `query` to the triangles, by height ranges alone; 0 when
   /// they give none. Cheap, for points well above the ground.
   double height_clearance(const Vec3& query, double reach) const;
@@ -95,7 +96,7 @@ struct IndexedSurface {
 /// @param wires  edges that belong to no triangle (capsules), as vertex pairs
 /// @throws GeometryError  a triangle without area, or an edge with three or more triangles
 IndexedSurface index_surface(const TriangleMesh& mesh, double radius,
-                               std::span<const std::array<std::uint32_t, 2>> wires = {});
+                             std::span<const std::array<std::uint32_t, 2>> wires = {});
 /// The surface of a block, in the frame of its core.
 IndexedSurface index_surface(const SpheroPolyhedron& body);
 

@@ -18,7 +18,7 @@ LocalFaces::Face make_local_face(const SurfaceFeatures& features, std::uint32_t 
   return {face.normal, face.normal.dot(a), middle, radius, index};
 }
 
-void LocalGround::gather(const IndexedSurface& ground, const Vec3& centre, double reach) {
+void LocalGround::collect_near(const IndexedSurface& ground, const Vec3& centre, double reach) {
   const SurfaceFeatures& features = ground.features;
   faces.clear();
   edges.clear();
@@ -27,12 +27,13 @@ void LocalGround::gather(const IndexedSurface& ground, const Vec3& centre, doubl
   box.include(centre);
   for (const std::uint32_t f : ground.find_faces_near(box, reach)) {
     const Face found = make_local_face(features, f);
-    if ((centre - found.middle).norm() > reach + found.radius) continue;
+    if ((centre - found.centre).norm() > reach + found.radius) continue;
     faces.push_back(found);
     const SurfaceFace& face = features.faces[f];
     for (int k = 0; k < 3; ++k) {
       if (features.edges[face.edges[k]].is_convex()) edges.push_back(face.edges[k]);
-      if (features.is_pointed_vertex[face.vertices[k]]) pointed_vertices.push_back(face.vertices[k]);
+      if (features.is_pointed_vertex[face.vertices[k]])
+        pointed_vertices.push_back(face.vertices[k]);
     }
   }
   const auto each_once = [](std::vector<std::uint32_t>& indices) {
@@ -45,12 +46,12 @@ void LocalGround::gather(const IndexedSurface& ground, const Vec3& centre, doubl
   fit_bounding_plane(features);
 }
 
-void LocalFaces::gather(const SurfaceFeatures& features, const LocalFaces& from, const Vec3& centre,
-                        double reach) {
+void LocalFaces::collect_near(const SurfaceFeatures& features, const LocalFaces& from,
+                              const Vec3& centre, double reach) {
   faces.clear();
   for (const Face& face : from.faces) {
     const double near = reach + face.radius;
-    if ((centre - face.middle).squaredNorm() <= near * near) faces.push_back(face);
+    if ((centre - face.centre).squaredNorm() <= near * near) faces.push_back(face);
   }
   shrink_capacity(faces);
   fit_bounding_plane(features);
@@ -61,22 +62,23 @@ void LocalFaces::fit_bounding_plane(const SurfaceFeatures& features) {
   for (const Face& face : faces) sum += face.normal;
   const double length = sum.norm();
   plane.normal = length > 0.0 ? Vec3(sum / length) : Vec3(Vec3::UnitZ());
-  plane.top = -1e300;
+  plane.offset = -1e300;
   for (const Face& face : faces) {
     for (const std::uint32_t v : features.faces[face.face].vertices) {
-      plane.top = std::max(plane.top, plane.normal.dot(features.vertices[v]));
+      plane.offset = std::max(plane.offset, plane.normal.dot(features.vertices[v]));
     }
   }
 }
 
 LocalFaces::NearestFace LocalFaces::nearest(const SurfaceFeatures& features, const Vec3& query,
-                                        double limit, double beyond, std::uint32_t guess) const {
+                                            double limit, double beyond,
+                                            std::uint32_t guess) const {
   return find_nearest_face(faces, features, query, limit, beyond, guess);
 }
 
 LocalFaces::NearestFace find_nearest_face(std::span<const LocalFaces::Face> faces,
-                               const SurfaceFeatures& features, const Vec3& query, double limit,
-                               double beyond, std::uint32_t guess) {
+                                          const SurfaceFeatures& features, const Vec3& query,
+                                          double limit, double beyond, std::uint32_t guess) {
   LocalFaces::NearestFace found;
   found.nearest.distance = 1e300;
   found.second = limit;
@@ -86,7 +88,7 @@ LocalFaces::NearestFace find_nearest_face(std::span<const LocalFaces::Face> face
     const double distinguished = std::min(best, limit) + beyond;
     if (std::abs(face.normal.dot(query) - face.offset) > distinguished) return;
     const double near = distinguished + face.radius;
-    if ((query - face.middle).squaredNorm() > near * near) return;
+    if ((query - face.centre).squaredNorm() > near * near) return;
     const NearestPoint candidate = project_onto_face(features, face.face, query);
     const double distance = std::abs(candidate.distance);
     // Ties go to the smaller face number, so that the order of looking does not matter.

@@ -11,13 +11,13 @@ namespace clast::dem_detail {
 /// A plane that no ground of some region rises above: bounds the distance to all of it at once.
 struct BoundingPlane {
   Vec3 normal = Vec3::UnitZ();  ///< mean of the faces' normals
-  double top = -1e300;          ///< largest normal . point on the ground, m
+  double offset = -1e300;       ///< largest normal . point on the ground, m
 
   /// Lower bound of the distance of a point over the ground; negative when it gives none.
-  double clearance(const Vec3& point) const { return normal.dot(point) - top; }
+  double clearance(const Vec3& point) const { return normal.dot(point) - offset; }
   template <class Bytes>
   void serialize(Bytes& bytes) {
-    bytes(normal, top);
+    bytes(normal, offset);
   }
 };
 /// Some faces of the ground.
@@ -25,13 +25,13 @@ struct LocalFaces {
   struct Face {
     Vec3 normal;
     double offset;  ///< height of a point over the plane: normal . point - offset
-    Vec3 middle;    ///< with `radius`, a ball around the face
+    Vec3 centre;    ///< with `radius`, a ball around the face
     double radius;
     std::uint32_t face;
 
     template <class Bytes>
     void serialize(Bytes& bytes) {
-      bytes(normal, offset, middle, radius, face);
+      bytes(normal, offset, centre, radius, face);
     }
   };
   std::vector<Face> faces;
@@ -43,8 +43,8 @@ struct LocalFaces {
   }
 
   /// Takes those of `from` within `reach` of the point, in their order.
-  void gather(const SurfaceFeatures& features, const LocalFaces& from, const Vec3& centre,
-              double reach);
+  void collect_near(const SurfaceFeatures& features, const LocalFaces& from, const Vec3& centre,
+                    double reach);
 
   struct NearestFace {
     NearestPoint nearest;     ///< distance 1e300 when nothing is within the limit
@@ -52,8 +52,8 @@ struct LocalFaces {
     std::uint32_t entry = 0;  ///< of `faces`
   };
   /// As `find_nearest_face` all its faces.
-  NearestFace nearest(const SurfaceFeatures& features, const Vec3& query, double limit, double beyond,
-                  std::uint32_t guess) const;
+  NearestFace nearest(const SurfaceFeatures& features, const Vec3& query, double limit,
+                      double beyond, std::uint32_t guess) const;
 
  protected:
   void fit_bounding_plane(const SurfaceFeatures& features);
@@ -61,7 +61,7 @@ struct LocalFaces {
 
 /// All of the ground near a block, ordered by number.
 struct LocalGround : LocalFaces {
-  std::vector<std::uint32_t> edges;    ///< convex ones
+  std::vector<std::uint32_t> edges;             ///< convex ones
   std::vector<std::uint32_t> pointed_vertices;  ///< pointed vertices
 
   template <class Bytes>
@@ -71,7 +71,7 @@ struct LocalGround : LocalFaces {
   }
 
   /// Gathers everything within `reach` of the point.
-  void gather(const IndexedSurface& ground, const Vec3& centre, double reach);
+  void collect_near(const IndexedSurface& ground, const Vec3& centre, double reach);
 };
 
 /// A face as lists of the ground hold it.
@@ -82,7 +82,7 @@ LocalFaces::Face make_local_face(const SurfaceFeatures& features, std::uint32_t 
 /// @param beyond  m: how much farther than the nearest other faces are measured
 /// @param guess   entry of a face that may be near: the answer is the same, but sooner found
 LocalFaces::NearestFace find_nearest_face(std::span<const LocalFaces::Face> faces,
-                               const SurfaceFeatures& features, const Vec3& query, double limit,
-                               double beyond, std::uint32_t guess);
+                                          const SurfaceFeatures& features, const Vec3& query,
+                                          double limit, double beyond, std::uint32_t guess);
 
 }  // namespace clast::dem_detail

@@ -34,20 +34,20 @@ SegmentDistance closest_points(const Segment& a, const Segment& b) {
     closest.second = std::clamp(along_b + s * cosine, 0.0, b.length);
     closest.first = std::clamp(closest.second * cosine - along_a, 0.0, a.length);
   }
-  closest.between = apart + closest.first * a.direction - closest.second * b.direction;
+  closest.separation = apart + closest.first * a.direction - closest.second * b.direction;
   return closest;
 }
 
 double displacement_to_crossing(const SegmentDistance& closest, const Segment& a, const Segment& b,
-                       const Vec3& centre, double radius) {
+                                const Vec3& centre, double radius) {
   // A segment that ends before the other's line stays on its side of the plane of that line and the
   // common normal. The plane turns about the line, faster than the body by up to pi/2 over the
   // sine.
   const double turning = kHalfPi / (radius * closest.sine);
-  const auto displacement_of = [&](double beyond, const Segment& of, double line, const Segment& other,
-                          double moving) {
+  const auto displacement_of = [&](double beyond, const Segment& of, double line,
+                                   const Segment& other, double moving) {
     if (!(beyond > 0.0)) return 0.0;
-    const Vec3 out = of.at(line < 0.0 ? 0.0 : of.length) - other.start;
+    const Vec3 out = of.point_at(line < 0.0 ? 0.0 : of.length) - other.start;
     const double along = other.direction.dot(out);
     const double arm = std::sqrt(std::max(0.0, out.squaredNorm() - along * along));
     return beyond * closest.sine / (moving + turning * arm);
@@ -55,10 +55,11 @@ double displacement_to_crossing(const SegmentDistance& closest, const Segment& a
   const double first_beyond = std::max(-closest.line_first, closest.line_first - a.length);
   const double second_beyond = std::max(-closest.line_second, closest.line_second - b.length);
   // Seen from the body, what is farther from its centre than `radius` moves farther.
-  const Vec3 end = b.at(closest.line_second < 0.0 ? 0.0 : b.length);
+  const Vec3 end = b.point_at(closest.line_second < 0.0 ? 0.0 : b.length);
   const double moving = std::max(1.0, (end - centre).norm() / radius);
-  const double displacement = std::max(displacement_of(first_beyond, a, closest.line_first, b, 1.0),
-                              displacement_of(second_beyond, b, closest.line_second, a, moving));
+  const double displacement =
+      std::max(displacement_of(first_beyond, a, closest.line_first, b, 1.0),
+               displacement_of(second_beyond, b, closest.line_second, a, moving));
   return std::min(displacement, closest.sine * radius);
 }
 

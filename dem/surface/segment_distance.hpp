@@ -11,17 +11,17 @@ struct Segment {
   Vec3 direction = Vec3::UnitX();  ///< unit
   double length = 0.0;             ///< m
 
-  Vec3 at(double parameter) const { return start + parameter * direction; }
-  Vec3 nearest(const Vec3& point) const {
-    return at(std::clamp(direction.dot(point - start), 0.0, length));
+  Vec3 point_at(double parameter) const { return start + parameter * direction; }
+  Vec3 nearest_point(const Vec3& point) const {
+    return point_at(std::clamp(direction.dot(point - start), 0.0, length));
   }
 };
 
 struct SegmentDistance {
-  double first = 0.0;           ///< along the first segment, m
-  double second = 0.0;          ///< along the second, m
-  Vec3 between = Vec3::Zero();  ///< from the point on the second to the one on the first
-  bool crossing = false;        ///< both points are inside, where the lines themselves are closest
+  double first = 0.0;              ///< along the first segment, m
+  double second = 0.0;             ///< along the second, m
+  Vec3 separation = Vec3::Zero();  ///< from the point on the second to the one on the first
+  bool crossing = false;  ///< both points are inside, where the lines themselves are closest
   // The same of the lines, and the sine of the angle between them; all 0 where they are parallel.
   double line_first = 0.0, line_second = 0.0;
   double sine = 0.0;
@@ -34,6 +34,6 @@ SegmentDistance closest_points(const Segment& a, const Segment& b);
 /// together (docs/theory.md, Contact search).
 /// @param closest  of these two, not crossing
 double displacement_to_crossing(const SegmentDistance& closest, const Segment& a, const Segment& b,
-                       const Vec3& centre, double radius);
+                                const Vec3& centre, double radius);
 
 }  // namespace clast::dem_detail

@@ -24,7 +24,8 @@ void make_faces(SurfaceFeatures& surface, const TriangleMesh& mesh) {
     const Vec3& c = mesh.vertices[triangle[2]];
     const Vec3 area = (b - a).cross(c - a);
     if (!(area.norm() > 0.0)) {
-      throw GeometryError("triangle at " + format_point(a) + " has no area; remove degenerate triangles");
+      throw GeometryError("triangle at " + format_point(a) +
+                          " has no area; remove degenerate triangles");
     }
     face.normal = area.normalized();
     surface.faces.push_back(face);
@@ -57,12 +58,12 @@ void add_edge(SurfaceFeatures& surface, std::span<const HalfEdge> sides) {
     const auto corner = std::find(face.vertices.begin(), face.vertices.end(), sides[i].from());
     face.edges[corner - face.vertices.begin()] = static_cast<std::uint32_t>(surface.edges.size());
     edge.faces[i] = sides[i].triangle;
-    edge.along[i] = sides[i].forward;
+    edge.forward[i] = sides[i].forward;
   }
   if (sides.size() == 2) {
     const SurfaceFace& second = surface.faces[edge.faces[1]];
     edge.kind = kind_of(surface.faces[edge.faces[0]], second,
-                        inward_direction(second, edge.direction, edge.along[1]));
+                        inward_direction(second, edge.direction, edge.forward[1]));
   }
   surface.edges.push_back(edge);
 }
@@ -116,7 +117,8 @@ void find_pointed(SurfaceFeatures& surface) {
       ++sharp_count;
     }
     const bool goes_on =
-        sharp_count == 2 && are_collinear(surface.edge_direction_from(sharp[0], v), surface.edge_direction_from(sharp[1], v));
+        sharp_count == 2 && are_collinear(surface.edge_direction_from(sharp[0], v),
+                                          surface.edge_direction_from(sharp[1], v));
     surface.is_pointed_vertex[v] = is_convex && !goes_on;
   }
 }
@@ -140,7 +142,7 @@ void make_vertex_normals(SurfaceFeatures& surface) {
 }  // namespace
 
 SurfaceFeatures extract_surface_features(const TriangleMesh& mesh,
-                                 std::span<const std::array<std::uint32_t, 2>> wires) {
+                                         std::span<const std::array<std::uint32_t, 2>> wires) {
   SurfaceFeatures surface;
   surface.vertices = mesh.vertices;
   make_faces(surface, mesh);
@@ -161,7 +163,8 @@ Vec3 SurfaceFeatures::edge_normal(const SurfaceEdge& edge) const {
   return length > kFlatSine ? Vec3(sum / length) : first;
 }
 
-double distance_inside_face(const SurfaceFeatures& surface, const SurfaceFace& face, const Vec3& point) {
+double distance_inside_face(const SurfaceFeatures& surface, const SurfaceFace& face,
+                            const Vec3& point) {
   double depth = 1e300;
   for (int k = 0; k < 3; ++k) {
     const Vec3& corner = surface.vertices[face.vertices[k]];

@@ -14,7 +14,7 @@ inline constexpr std::uint32_t kNoFeature = 0xffffffffu;
 
 enum class EdgeKind : std::uint8_t {
   kFlat,    ///< both faces in one plane: never in contact by itself
-  kConvex,   ///< convex: the solid falls away on both sides
+  kConvex,  ///< convex: the solid falls away on both sides
   kReflex,  ///< reflex: nothing can reach it before its faces
   kBorder,  ///< one face only
   kWire,    ///< no face: an edge of a capsule
@@ -32,8 +32,8 @@ struct SurfaceEdge {
   Vec3 direction;                      ///< unit, from the first vertex to the second
   double length = 0.0;
   EdgeKind kind = EdgeKind::kFlat;
-  std::array<bool, 2> along = {true, false};  ///< either face runs from the first vertex to the
-                                              ///< second
+  std::array<bool, 2> forward = {true, false};  ///< either face runs from the first vertex to the
+                                                ///< second
 
   bool is_convex() const { return kind != EdgeKind::kFlat && kind != EdgeKind::kReflex; }
 };
@@ -44,9 +44,9 @@ struct SurfaceFeatures {
   std::vector<Vec3> vertices;
   std::vector<SurfaceFace> faces;
   std::vector<SurfaceEdge> edges;
-  std::vector<Vec3> vertex_normals;   ///< angle-weighted, unit (Baerentzen & Aanaes 2005)
-  std::vector<std::uint8_t> is_pointed_vertex;  ///< vertices that can be touched: a convex edge ends
-                                      ///< there and does not go straight on
+  std::vector<Vec3> vertex_normals;             ///< angle-weighted, unit (Baerentzen & Aanaes 2005)
+  std::vector<std::uint8_t> is_pointed_vertex;  ///< vertices that can be touched: a convex edge
+                                                ///< ends there and does not go straight on
   std::vector<std::uint32_t>
       edge_offsets;  ///< edges at vertex v: edges_at_vertex[edge_offsets[v] ..]
   std::vector<std::uint32_t> edges_at_vertex;  ///< sorted
@@ -70,16 +70,17 @@ struct SurfaceFeatures {
 /// @param wires  edges that belong to no triangle (capsules), as vertex pairs
 /// @throws GeometryError  a triangle without area, or an edge with three or more triangles
 SurfaceFeatures extract_surface_features(const TriangleMesh& mesh,
-                                 std::span<const std::array<std::uint32_t, 2>> wires = {});
+                                         std::span<const std::array<std::uint32_t, 2>> wires = {});
 
 /// How far inside the face the foot of the point on its plane lies, m; -1 when outside.
-double distance_inside_face(const SurfaceFeatures& surface, const SurfaceFace& face, const Vec3& point);
+double distance_inside_face(const SurfaceFeatures& surface, const SurfaceFace& face,
+                            const Vec3& point);
 
 /// The direction in the plane of a face that is perpendicular to its edge and points into the face;
 /// unit if `edge_direction` is.
-/// @param along  true if the face runs along the direction of the edge, `SurfaceEdge::along`
-inline Vec3 inward_direction(const SurfaceFace& face, const Vec3& edge_direction, bool along) {
-  return along ? face.normal.cross(edge_direction) : edge_direction.cross(face.normal);
+/// @param forward  true if the face runs along the direction of the edge, `SurfaceEdge::forward`
+inline Vec3 inward_direction(const SurfaceFace& face, const Vec3& edge_direction, bool forward) {
+  return forward ? face.normal.cross(edge_direction) : edge_direction.cross(face.normal);
 }
 
 /// True when two edges that leave a vertex along these rays go straight on into each other.

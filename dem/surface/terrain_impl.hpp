@@ -11,7 +11,7 @@ struct TerrainSurface::Impl {
     double height;       ///< z, m
     std::uint32_t face;  ///< number of its triangle
   };
-  /// As `TerrainSurface::height`.
+  /// As `TerrainSurface::height_at`.
   std::optional<SurfacePoint> find_surface_point(double x, double y, double z_near) const;
 
   TriangleMesh mesh;

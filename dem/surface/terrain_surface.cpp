@@ -58,10 +58,10 @@ double TerrainSurface::radius() const { return impl_->surface.radius; }
 std::uint16_t TerrainSurface::zone_count() const { return impl_->zone_count; }
 const Bounds& TerrainSurface::extent() const { return impl_->surface.extent; }
 
-std::optional<TerrainSurface::Impl::SurfacePoint> TerrainSurface::Impl::find_surface_point(double x, double y,
-                                                                     double z_near) const {
+std::optional<TerrainSurface::Impl::SurfacePoint> TerrainSurface::Impl::find_surface_point(
+    double x, double y, double z_near) const {
   std::optional<SurfacePoint> best;
-  const PlanGrid::CellRange home = surface.grid.range(x, x, y, y);
+  const PlanGrid::CellRange home = surface.grid.cells_over(x, x, y, y);
   for (int row = home.first_row; row <= home.last_row; ++row) {
     for (int column = home.first_column; column <= home.last_column; ++column) {
       for (const std::uint32_t f : surface.grid.cell(column, row).faces) {
@@ -77,18 +77,20 @@ std::optional<TerrainSurface::Impl::SurfacePoint> TerrainSurface::Impl::find_sur
   return best;
 }
 
-std::optional<double> TerrainSurface::height(double x, double y, double z_near) const {
-  const std::optional<Impl::SurfacePoint> find_surface_point = impl_->find_surface_point(x, y, z_near);
+std::optional<double> TerrainSurface::height_at(double x, double y, double z_near) const {
+  const std::optional<Impl::SurfacePoint> find_surface_point =
+      impl_->find_surface_point(x, y, z_near);
   return find_surface_point ? std::optional(find_surface_point->height) : std::nullopt;
 }
 
-std::optional<std::uint16_t> TerrainSurface::zone(double x, double y, double z_near) const {
-  const std::optional<Impl::SurfacePoint> find_surface_point = impl_->find_surface_point(x, y, z_near);
+std::optional<std::uint16_t> TerrainSurface::zone_at(double x, double y, double z_near) const {
+  const std::optional<Impl::SurfacePoint> find_surface_point =
+      impl_->find_surface_point(x, y, z_near);
   return find_surface_point ? std::optional(impl_->zones[find_surface_point->face]) : std::nullopt;
 }
 
 bool TerrainSurface::covers(double x, double y) const {
-  const PlanGrid::CellRange home = impl_->surface.grid.range(x, x, y, y);
+  const PlanGrid::CellRange home = impl_->surface.grid.cells_over(x, x, y, y);
   for (int row = home.first_row; row <= home.last_row; ++row) {
     for (int column = home.first_column; column <= home.last_column; ++column) {
       for (const std::uint32_t f : impl_->surface.grid.cell(column, row).faces) {

@@ -29,9 +29,9 @@ class TerrainSurface {
 
   /// Height of the skin on the vertical through (x, y): the surface nearest to `z_near`, out of all
   /// that face upwards there. None outside the surveyed plan area.
-  std::optional<double> height(double x, double y, double z_near) const;
+  std::optional<double> height_at(double x, double y, double z_near) const;
   /// Ground zone of that surface.
-  std::optional<std::uint16_t> zone(double x, double y, double z_near) const;
+  std::optional<std::uint16_t> zone_at(double x, double y, double z_near) const;
   /// True when some triangle is above or below (x, y).
   bool covers(double x, double y) const;
 

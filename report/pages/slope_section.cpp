@@ -136,7 +136,7 @@ std::string cut_along_the_mean_path(const Comparison& comparison,
   for (const ProfileBin* bin : along) {
     const Vec2 place = bin->place - results.frame.origin.head<2>();
     const double z =
-        surface.height(place.x(), place.y(), highest).value_or(NAN) + results.frame.origin.z();
+        surface.height_at(place.x(), place.y(), highest).value_or(NAN) + results.frame.origin.z();
     for (Trace* trace : {&ground, &most, &all}) trace->x.push_back(0.5 * (bin->from + bin->to));
     ground.y.push_back(z);
     most.y.push_back(bin->height.count > 0 ? z + bin->height.p95 : NAN);

@@ -62,7 +62,7 @@ std::optional<SegmentPassage> passage(const Vec2& from, const Vec2& to, const Ri
 std::optional<Crossing> crossing_at(double time, const RigidState& state, bool forward,
                                     const RigidBody& body, const TerrainSurface& terrain) {
   const Vec3& centre = state.position;
-  const std::optional<double> ground = terrain.height(centre.x(), centre.y(), centre.z());
+  const std::optional<double> ground = terrain.height_at(centre.x(), centre.y(), centre.z());
   if (!ground) return std::nullopt;
 
   Crossing crossing;
@@ -80,7 +80,7 @@ std::optional<Crossing> crossing_at(double time, const RigidState& state, bool f
   crossing.angular_velocity = state.angular_velocity;
   crossing.height = centre.z() - *ground;
   crossing.clearance =
-      lowest.z() - terrain.height(lowest.x(), lowest.y(), lowest.z()).value_or(*ground);
+      lowest.z() - terrain.height_at(lowest.x(), lowest.y(), lowest.z()).value_or(*ground);
   crossing.translational_energy = translational_energy(body, state);
   crossing.rotational_energy = rotational_energy(body, state);
   return crossing;

@@ -217,7 +217,7 @@ std::vector<std::size_t> stops_by_zone(const CampaignResults& results) {
   for (const RunRecord& run : results.runs) {
     if (run.result.stop_reason != StopReason::kRest) continue;
     const Vec3& place = run.result.final_state.position;
-    const std::optional<std::uint16_t> zone = ground.zone(place.x(), place.y(), place.z());
+    const std::optional<std::uint16_t> zone = ground.zone_at(place.x(), place.y(), place.z());
     if (zone && *zone < stops.size()) ++stops[*zone];
   }
   return stops;

@@ -94,7 +94,7 @@ std::map<MapCell, double> thicknesses(const CampaignResults& results, const Terr
   std::map<MapCell, double> thicknesses;
   for (const auto& [cell, top] : tops.heights()) {
     const Vec2 middle = tops.middle(cell);
-    const std::optional<double> below = ground.height(middle.x(), middle.y(), top);
+    const std::optional<double> below = ground.height_at(middle.x(), middle.y(), top);
     if (below && top > *below) thicknesses[cell] = top - *below;
   }
   return thicknesses;
@@ -102,8 +102,8 @@ std::map<MapCell, double> thicknesses(const CampaignResults& results, const Terr
 
 /// Adds up what is said of a realisation.
 DepositMeasures deposit_of(std::uint32_t file, std::uint32_t realisation,
-                              const std::vector<const RunRow*>& rows,
-                              const std::vector<const RunRow*>& lying) {
+                           const std::vector<const RunRow*>& rows,
+                           const std::vector<const RunRow*>& lying) {
   DepositMeasures deposit;
   deposit.file = file;
   deposit.realisation = realisation;
@@ -147,11 +147,11 @@ class Layers {
     if (cells_.empty()) return {};
     std::vector<MapCell> covered;
     for (const auto& [cell, sums] : cells_) covered.push_back(cell);
-    MapRasterSet rasters =
-        rasterize_cells(covered, width,
-                     {{"Deposit_mean", "thickness of the deposit, mean over realisations, m", {}},
-                      {"Deposit_max", "largest thickness of the deposit, m", {}},
-                      {"Deposit_probability", "share of realisations with a block there", {}}});
+    MapRasterSet rasters = rasterize_cells(
+        covered, width,
+        {{"Deposit_mean", "thickness of the deposit, mean over realisations, m", {}},
+         {"Deposit_max", "largest thickness of the deposit, m", {}},
+         {"Deposit_probability", "share of realisations with a block there", {}}});
     const auto count = static_cast<double>(realisations_);
     for (const auto& [cell, sums] : cells_) {
       const std::size_t at = rasters.index(cell);
@@ -177,7 +177,8 @@ class Layers {
 
 bool is_in_deposit(const Comparison& comparison, const RunRow& row) {
   if (row.record->result.stop_reason != StopReason::kRest) return false;
-  const PersistentBlockRecord* stay = comparison.results[row.file].find_persistent_block(row.record->run);
+  const PersistentBlockRecord* stay =
+      comparison.results[row.file].find_persistent_block(row.record->run);
   return stay && !std::isfinite(stay->removed_at);
 }
 

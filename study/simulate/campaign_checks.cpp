@@ -134,7 +134,8 @@ void tell_of_restitution(const CampaignPlan& prepared, std::vector<std::string>&
                      " returns more than half of the energy of an impact; with blocks that stay or "
                      "a rock mass, blocks could gain energy then (docs/theory.md, Weights and "
                      "energy). Give at most " +
-                     format_significant(kMostUnbalanced, 2) + ", or release the blocks one at a time");
+                     format_significant(kMostUnbalanced, 2) +
+                     ", or release the blocks one at a time");
   }
   if (header.stay) question("contact.blocks", header.stay->between_blocks.energy_restitution);
 }
@@ -172,8 +173,8 @@ int places_that_fall_forward(const Barrier& barrier, const TerrainSurface& surfa
     const Vec2 left = beside * Vec2(-along.y(), along.x()).normalized();
     for (int k = 0; k < kPlaces; ++k) {
       const Vec2 place = barrier.through[i] + (k + 0.5) / kPlaces * along;
-      const auto on_left = surface.height(place.x() + left.x(), place.y() + left.y(), top);
-      const auto on_right = surface.height(place.x() - left.x(), place.y() - left.y(), top);
+      const auto on_left = surface.height_at(place.x() + left.x(), place.y() + left.y(), top);
+      const auto on_right = surface.height_at(place.x() - left.x(), place.y() - left.y(), top);
       if (on_left && on_right) forward += *on_left > *on_right ? 1 : -1;
     }
   }
@@ -209,20 +210,21 @@ std::string format_release_set_name(const ReleaseSet& release) {
   return release.name.empty() ? "" : "release set " + release.name + ", ";
 }
 
-std::string describe_unusual_size(const std::string& block, double length, double mass, double extent) {
+std::string describe_unusual_size(const std::string& block, double length, double mass,
+                                  double extent) {
   std::string usual;
   if (length > kMaxUsualLength) {
     usual = "blocks are no longer than " + format_significant(kMaxUsualLength, 3) + " m";
   } else if (mass > kMaxUsualMass) {
     usual = "blocks are no heavier than " + format_significant(kMaxUsualMass / 1000.0, 5) + " t";
   } else if (length > kLargestShare * extent) {
-    usual = "a block is no longer than a tenth of the terrain, which is " + format_significant(extent, 4) +
-            " m across";
+    usual = "a block is no longer than a tenth of the terrain, which is " +
+            format_significant(extent, 4) + " m across";
   } else {
     return "";
   }
-  return block + " is " + format_significant(length, 3) + " m long and " + format_significant(mass / 1000.0, 3) +
-         " t heavy; usually " + usual;
+  return block + " is " + format_significant(length, 3) + " m long and " +
+         format_significant(mass / 1000.0, 3) + " t heavy; usually " + usual;
 }
 
 void check_sizes(const CampaignPlan& prepared) {

@@ -63,7 +63,7 @@ void place_above_ground(const TerrainSurface& surface, const RigidBody& body, do
   for (const Vec3& vertex : body.shape.vertices) {
     const Vec3 point = world_from_body * vertex;
     // At the rim of the terrain a vertex can be beside it.
-    if (const std::optional<double> ground = surface.height(point.x(), point.y(), sky)) {
+    if (const std::optional<double> ground = surface.height_at(point.x(), point.y(), sky)) {
       clearance = std::min(clearance, point.z() - body.shape.radius - *ground);
     }
   }
@@ -87,7 +87,7 @@ void clear_ground(const CampaignPlan& prepared, const MeasuredBody& measured,
       format_release_set_name(release) + "release point " + std::to_string(point_of_set + 1) +
       ", orientation " + std::to_string(run.orientation + 1) + ": starts " +
       format_decimals(*depth, 3) + " m inside the ground, with its centre at " +
-      format_map_point(prepared.header.frame.to_map(run.start.position)) +
+      format_map_point(prepared.header.frame.map(run.start.position)) +
       (release.drop_height ? "; raise " + table + " height_m"
                            : "; raise the release point or use " + table + " height_m"));
 }

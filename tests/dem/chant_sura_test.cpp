@@ -28,8 +28,8 @@ RigidBody eota(double mass, bool plate) {
   const MassProperties properties = solid_mass_properties(mesh, kConcrete);
   const PrincipalFrame frame = principal_frame(properties);
   RigidBody body;
-  body.shape =
-      transformed(make_sphero_polyhedron(mesh, 0.0), Pose{properties.centre, frame.rotation}.inverse());
+  body.shape = transformed(make_sphero_polyhedron(mesh, 0.0),
+                           Pose{properties.centre, frame.rotation}.inverse());
   body.mass = properties.mass;
   body.moments = frame.moments;
   body.smallest_side = std::cbrt(mass / kConcrete) * eota_sides(plate).minCoeff();
@@ -118,7 +118,7 @@ Throw thrown(const TerrainSurface& terrain, const RigidBody& body, RigidState st
       choose_stiffness(std::span(&body, 1), zones, fastest, kTestGravity, options).stiffness;
 
   const GroundOverlap overlap(terrain, body);
-  double low = *terrain.height(start.position.x(), start.position.y(), 0.0), high = low + 2.0;
+  double low = *terrain.height_at(start.position.x(), start.position.y(), 0.0), high = low + 2.0;
   while (high - low > 1e-5) {
     const double middle = 0.5 * (low + high);
     start.position.z() = middle;

@@ -24,7 +24,7 @@ std::vector<ContactPoint> points_under(const RigidBody& cube, Random& random) {
     const double tilt = 0.9 * point.ground_face;
     point.normal = Vec3(std::sin(tilt), 0.0, std::cos(tilt));
     point.overlap = 0.01 * (1.0 + random.uniform());
-    point.foot = cube.shape.vertices[v];
+    point.surface_point = cube.shape.vertices[v];
     points.push_back(point);
   }
   return points;

@@ -160,7 +160,7 @@ TEST_P(Roles, FindTheSameContacts) {
     const ContactPoint p = *deepest(as_block), q = *deepest(as_ground);
     EXPECT_NEAR(p.overlap, q.overlap, 1e-9) << trial;
     EXPECT_LT((p.normal + a_from_b.rotation * q.normal).norm(), 1e-6) << trial;
-    EXPECT_LT((p.point() - a_from_b * q.point()).norm(), 1e-6) << trial;
+    EXPECT_LT((p.position() - a_from_b * q.position()).norm(), 1e-6) << trial;
   }
   EXPECT_GE(compared, 100);
 }
@@ -219,7 +219,7 @@ TEST(RodNarrowPhase, OfRodsAndBalls) {
                              double overlap) {
     ASSERT_EQ(contacts.size(), 1u);
     EXPECT_NEAR(contacts[0].overlap, overlap, 1e-12);
-    EXPECT_LT((contacts[0].foot - foot).norm(), 1e-12);
+    EXPECT_LT((contacts[0].surface_point - foot).norm(), 1e-12);
   };
   const Quat quarter(Eigen::AngleAxisd(kPi / 2, Vec3::UnitZ()));
   RodNarrowPhase crossed(rod, rod), ball_on_rod(rod, sphere), rod_on_ball(sphere, rod);

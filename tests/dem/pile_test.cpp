@@ -23,7 +23,7 @@ TEST(PileOf500, HasTheSameBitsOnTwoThreadsAndAccountsForItsEnergy) {
     EXPECT_EQ(alone.state(i).orientation.coeffs(), together.state(i).orientation.coeffs());
     EXPECT_EQ(alone.state(i).velocity, together.state(i).velocity);
     const Vec3& position = alone.state(i).position;
-    EXPECT_GT(position.z(), *terrain.height(position.x(), position.y(), position.z()));
+    EXPECT_GT(position.z(), *terrain.height_at(position.x(), position.y(), position.z()));
   }
   // With e_n^2 = 0.01 a contact settles to F/(k_n e_n^2): 2 % of S under one block, and chains of
   // force carry some twenty of them on one patch. Deeper than that, but not through each other.

@@ -32,7 +32,7 @@ class SpringTransfer : public testing::TestWithParam<ContactWeighting> {
       point.block_feature = v;
       point.normal = Vec3::UnitZ();
       point.overlap = overlap;
-      point.foot = Vec3(cube_.shape.vertices[v].x(), cube_.shape.vertices[v].y(), 0.0);
+      point.surface_point = Vec3(cube_.shape.vertices[v].x(), cube_.shape.vertices[v].y(), 0.0);
       points.push_back(point);
     }
     motion_.velocity = motion_.begin_velocity = velocity;

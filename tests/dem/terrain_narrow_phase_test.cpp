@@ -45,7 +45,7 @@ TEST_P(LongWalk, NothingTouchesUnseen) {
     pose.translation += shift;
     displacement += shift.norm() + turn * body.bounding_radius();
     // Kept near the ground: between clear of it and a tenth of the block inside.
-    const double height = *terrain.height(pose.translation.x(), pose.translation.y(), 0.0);
+    const double height = *terrain.height_at(pose.translation.x(), pose.translation.y(), 0.0);
     const double wanted = std::clamp(pose.translation.z() - height, 0.24, 0.42);
     displacement += std::abs(height + wanted - pose.translation.z());
     pose.translation.z() = height + wanted;
@@ -74,8 +74,8 @@ TEST(SafeTravel, NoContactBeforeIt) {
   const TerrainSurface terrain = ground(rough_slope(30, 0.5, 0.4, 0.10));
   for (int i = 0; i < 200; ++i) {
     Pose pose{{random.uniform(-3, 3), random.uniform(-3, 3), 0.0}, random.rotation()};
-    pose.translation.z() =
-        *terrain.height(pose.translation.x(), pose.translation.y(), 0.0) + random.uniform(0.5, 3.0);
+    pose.translation.z() = *terrain.height_at(pose.translation.x(), pose.translation.y(), 0.0) +
+                           random.uniform(0.5, 3.0);
     TerrainNarrowPhase search(terrain.impl().surface, block, body.size());
     if (!search.find_contacts(pose, 0.0).empty()) continue;
     const double safe = search.safe_displacement();
@@ -99,7 +99,7 @@ TEST(SafeTime, NoContactBeforeIt) {
     RigidState start;
     start.position = {random.uniform(-3, 3), random.uniform(-3, 3), 0.0};
     start.orientation = random.rotation();
-    start.position.z() = *terrain.height(start.position.x(), start.position.y(), 0.0) + 2.0;
+    start.position.z() = *terrain.height_at(start.position.x(), start.position.y(), 0.0) + 2.0;
     const std::optional<double> gap = ground_gap(terrain, body, start, 3.0);
     ASSERT_TRUE(gap);
     start.position.z() -= *gap - random.uniform(0.001, 0.1);  // close to the ground or in it
@@ -143,7 +143,7 @@ TEST(BallisticSphere, TouchesNothingBeforeItsClearTime) {
                          .velocity = random.uniform(0.0, 15.0) * random.unit_vector(),
                          .gravity = seed % 5 == 0 ? 0.0 : 9.81,
                          .radius = random.uniform(0.1, 1.0)};
-    ball.centre.z() = *terrain.height(ball.centre.x(), ball.centre.y(), 0.0) + ball.radius +
+    ball.centre.z() = *terrain.height_at(ball.centre.x(), ball.centre.y(), 0.0) + ball.radius +
                       random.uniform(0.0, 3.0);
     const double time = ballistic_contact_free_time(surface.grid, ball, 3.0);
     flown += time;
@@ -151,7 +151,7 @@ TEST(BallisticSphere, TouchesNothingBeforeItsClearTime) {
       const double t = time * i / 40.0;
       const Vec3 centre =
           ball.centre + t * ball.velocity - Vec3(0.0, 0.0, 0.5 * ball.gravity * t * t);
-      const std::optional<NearestPoint> nearest = surface.nearest(centre, 2.0 * ball.radius);
+      const std::optional<NearestPoint> nearest = surface.nearest_point(centre, 2.0 * ball.radius);
       const double distance = nearest ? nearest->distance : 2.0 * ball.radius;
       EXPECT_TRUE(time == 0.0 || distance >= ball.radius) << seed;
     }
@@ -212,14 +212,14 @@ TEST(LocalGround, AgreesWithTheWholeGround) {
   const IndexedSurface& whole = terrain.impl().surface;
   for (int i = 0; i < 50; ++i) {
     Vec3 centre(random.uniform(-4, 4), random.uniform(-4, 4), 0.0);
-    centre.z() = *terrain.height(centre.x(), centre.y(), 0.0);
+    centre.z() = *terrain.height_at(centre.x(), centre.y(), 0.0);
     LocalGround around;
     LocalFaces local;
-    around.gather(whole, centre, 2.0);
-    local.gather(whole.features, around, centre, 1.2);
+    around.collect_near(whole, centre, 2.0);
+    local.collect_near(whole.features, around, centre, 1.2);
     for (int k = 0; k < 20; ++k) {
-      const Vec3 query = centre + random.uniform(0.0, 0.6) * random.unit_vector();
-      const std::optional<NearestPoint> expected = whole.nearest(query, 5.0);
+      const Vec3 query = centre + random.uniform(0.0, 0.6) * random.direction();
+      const std::optional<NearestPoint> expected = whole.nearest_point(query, 5.0);
       ASSERT_TRUE(expected);
       const auto guess = static_cast<std::uint32_t>(random.uniform_index(local.faces.size()));
       const LocalFaces::NearestFace found = local.nearest(whole.features, query, 0.6, 0.3, guess);
@@ -244,7 +244,8 @@ TEST(SegmentDistance, NoOtherPairOfPointsIsCloser) {
     const Vec3 v = i % 10 == 0 ? u : random.unit_vector();  // parallel ones too
     const double length_a = random.uniform(0.1, 2.0), length_b = random.uniform(0.1, 2.0);
     const SegmentDistance closest = closest_points({a, u, length_a}, {b, v, length_b});
-    EXPECT_LT((closest.between - (a + closest.first * u - b - closest.second * v)).norm(), 1e-12);
+    EXPECT_LT((closest.separation - (a + closest.first * u - b - closest.second * v)).norm(),
+              1e-12);
     double sampled = 1e300;
     for (int s = 0; s <= 100; ++s) {
       for (int t = 0; t <= 100; ++t) {
@@ -252,8 +253,8 @@ TEST(SegmentDistance, NoOtherPairOfPointsIsCloser) {
         sampled = std::min(sampled, between.norm());
       }
     }
-    EXPECT_LE(closest.between.norm(), sampled + 1e-12);
-    EXPECT_GE(closest.between.norm(), sampled - 0.01 * (length_a + length_b));
+    EXPECT_LE(closest.separation.norm(), sampled + 1e-12);
+    EXPECT_GE(closest.separation.norm(), sampled - 0.01 * (length_a + length_b));
   }
 }
 
@@ -263,9 +264,9 @@ TEST(WayToCrossing, NothingCrossesBefore) {
   Random random(11);
   int bounded = 0, crossed_soon_after = 0;
   for (int i = 0; i < 20000; ++i) {
-    const Segment block{0.6 * random.unit_vector(), random.unit_vector(), random.uniform(0.1, 0.6)};
-    const Segment ground{block.at(random.uniform(-0.3, 0.9)) + 0.1 * random.unit_vector(),
-                         random.unit_vector(), random.uniform(0.1, 0.6)};
+    const Segment block{0.6 * random.direction(), random.direction(), random.uniform(0.1, 0.6)};
+    const Segment ground{block.point_at(random.uniform(-0.3, 0.9)) + 0.1 * random.direction(),
+                         random.direction(), random.uniform(0.1, 0.6)};
     const double radius = 1.2;  // of all that the block holds, about the origin
     const SegmentDistance closest = closest_points(block, ground);
     if (closest.crossing) continue;
@@ -346,7 +347,7 @@ TEST(Contacts, BeyondTheBorderAreThoseOfThePlane) {
         ASSERT_EQ(contacts.size(), 1u) << x;
         EXPECT_LT((contacts[0].normal - normal).norm(), 1e-9);
         EXPECT_NEAR(contacts[0].overlap, depth + 0.25, 1e-9);
-        EXPECT_LT((contacts[0].foot - on_plane).norm(), 1e-9);
+        EXPECT_LT((contacts[0].surface_point - on_plane).norm(), 1e-9);
       }
     }
   }

@@ -133,7 +133,7 @@ TEST(WorldSteps, OfABlockOnASlopeSaveWorkAndKeepTheBalance) {
   const RigidBody body = tumbling();
   const auto run = [&](const WorldSettings& settings) {
     World world({body}, settings, terrain, kStepsGround);
-    RigidState start = at({-8.0, 0.0, *terrain.height(-8.0, 0.0, 0.0) + 2.0});
+    RigidState start = at({-8.0, 0.0, *terrain.height_at(-8.0, 0.0, 0.0) + 2.0});
     start.orientation = Random(8).rotation();
     world.add_body(0, start);
     world.run_until_rest(10.0);

@@ -30,7 +30,7 @@ inline std::optional<double> ground_gap(const TerrainSurface& terrain, const Rig
   for (const Vec3& vertex : block.vertices) {
     corners.push_back(world_from_body * vertex);
     box.include(corners.back());
-    if (const auto hit = ground.nearest(corners.back(), nearest)) {
+    if (const auto hit = ground.nearest_point(corners.back(), nearest)) {
       nearest = std::min(nearest, hit->distance);
     }
   }
@@ -53,7 +53,7 @@ inline std::optional<double> ground_gap(const TerrainSurface& terrain, const Rig
       const SegmentDistance closest = closest_points(
           {corners[edge.vertices[0]], along, edge.length},
           {ground.features.vertices[other.vertices[0]], other.direction, other.length});
-      nearest = std::min(nearest, closest.between.norm());
+      nearest = std::min(nearest, closest.separation.norm());
     }
   }
   if (nearest >= reach + radii) return std::nullopt;

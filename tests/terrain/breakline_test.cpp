@@ -48,11 +48,11 @@ TEST_F(Breaklines, AreEdgesAtTheirOwnHeights) {
   const TerrainSurface surface = make_terrain_surface(terrain);
   for (double y = 0.6; y < 19.4; y += 0.23) {
     for (const double x : {5.0, 9.7, 10.59, 10.6})
-      EXPECT_NEAR(*surface.height(x, y, 0.0), 6.0, 1e-4);
+      EXPECT_NEAR(*surface.height_at(x, y, 0.0), 6.0, 1e-4);
     for (const double x : {11.4, 11.41, 12.2, 16.0}) {
-      EXPECT_NEAR(*surface.height(x, y, 0.0), 2.0, 1e-4);
+      EXPECT_NEAR(*surface.height_at(x, y, 0.0), 2.0, 1e-4);
     }
-    EXPECT_NEAR(*surface.height(11.0, y, 0.0), 4.0, 1e-4);
+    EXPECT_NEAR(*surface.height_at(11.0, y, 0.0), 4.0, 1e-4);
   }
   bool noted = false;
   for (const std::string& note : terrain.report.notes) {

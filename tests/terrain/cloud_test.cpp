@@ -62,7 +62,7 @@ TEST_F(CloudGround, APlaneIsTheSameAsRasterTinAndCloud) {
   for (double x = 0.5; x < 9.0; x += 0.31) {
     for (double y = 0.5; y < 9.0; y += 0.37) {
       for (const TerrainSurface& surface : surfaces) {
-        EXPECT_NEAR(surface.height(x, y, 0.0).value_or(0.0), plane.at(x, y), 1e-6);
+        EXPECT_NEAR(surface.height_at(x, y, 0.0).value_or(0.0), plane.at(x, y), 1e-6);
       }
     }
   }

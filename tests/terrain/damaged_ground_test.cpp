@@ -104,7 +104,7 @@ TEST_P(DamagedGround, IsMendedAndLosesNoBlock) {
     RigidState start;
     const double x = random.uniform(2.0, 30.0), y = random.uniform(2.0, kSize - 2.0);
     start.orientation = random.rotation();
-    start.position = {x, y, *surface.height(x, y, 1e3) + random.uniform(1.2, 6.0)};
+    start.position = {x, y, *surface.height_at(x, y, 1e3) + random.uniform(1.2, 6.0)};
     start.velocity = {random.uniform(0.0, 4.0), random.uniform(-1.0, 1.0), 0.0};
     const ReleaseResult result = simulate_release(surface, zones, body, start, settings);
     const Vec3& end = result.final_state.position;
@@ -115,7 +115,7 @@ TEST_P(DamagedGround, IsMendedAndLosesNoBlock) {
       // The tile beyond the crack was moved by up to 5 mm, and its border with it.
       EXPECT_LT(to_border, 0.006) << "block " << i << " left at " << end.transpose();
     } else {
-      const std::optional<double> ground = surface.height(end.x(), end.y(), end.z());
+      const std::optional<double> ground = surface.height_at(end.x(), end.y(), end.z());
       ASSERT_TRUE(ground) << "block " << i << " at " << end.transpose();
       EXPECT_GT(end.z(), *ground - 1e-9) << "block " << i;
     }

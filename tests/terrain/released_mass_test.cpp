@@ -121,7 +121,7 @@ TEST_F(Released, IsTheIntegralOfTheThicknessOnRoughGround) {
     const double step = 0.02;
     for (double x = step / 2; x < 22.0; x += step) {
       for (double y = step / 2; y < 22.0; y += step) {
-        const auto top = upper.height(x, y, 0.0), base = lower.height(x, y, 0.0);
+        const auto top = upper.height_at(x, y, 0.0), base = lower.height_at(x, y, 0.0);
         if (top && base && *top - *base > least) sum += (*top - *base) * step * step;
       }
     }
@@ -129,8 +129,8 @@ TEST_F(Released, IsTheIntegralOfTheThicknessOnRoughGround) {
     for (const MassBody& body : mass.bodies) {
       expect_solid(body.mesh);
       for (const Vec3& corner : body.mesh.vertices) {
-        const auto top = upper.height(corner.x(), corner.y(), 0.0);
-        const auto base = lower.height(corner.x(), corner.y(), 0.0);
+        const auto top = upper.height_at(corner.x(), corner.y(), 0.0);
+        const auto base = lower.height_at(corner.x(), corner.y(), 0.0);
         if (!top || !base) continue;  // on the border
         EXPECT_LT(std::min(std::abs(*top - corner.z()), std::abs(*base - corner.z())), 1e-5);
       }

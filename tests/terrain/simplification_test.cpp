@@ -52,7 +52,8 @@ TEST_F(Simplification, KeepsWithinTheToleranceAndTurnsNoFaceOver) {
     for (int j = 0; j <= 80; ++j) {
       for (int i = 0; i <= 80; ++i) {  // vertices, and midpoints of all edges
         const double x = 0.5 * i, y = 0.5 * j;
-        worst = std::max(worst, std::abs(*after.height(x, y, 0.0) - *before.height(x, y, 0.0)));
+        worst =
+            std::max(worst, std::abs(*after.height_at(x, y, 0.0) - *before.height_at(x, y, 0.0)));
       }
     }
     EXPECT_LE(worst, tolerance * (1.0 + 1e-9));

@@ -82,7 +82,7 @@ TEST_F(TerrainFit, ABallOverAKnownNodeTouchesAtItsHeight) {
   for (int j = 0; j < kCells; ++j) {
     for (int i = 0; i < kCells; ++i) {
       const double x = 2.0 * i + 1.0, y = 2.0 * j + 1.0;
-      EXPECT_NEAR(surface.height(x, y, 0.0).value_or(0.0), peaks(x, y), 1e-12);
+      EXPECT_NEAR(surface.height_at(x, y, 0.0).value_or(0.0), peaks(x, y), 1e-12);
     }
   }
   const double x = 2.0 * 7 + 1.0, y = 2.0 * 4 + 1.0, peak = 100.0 + 0.875 + 1.0 + 1.5;

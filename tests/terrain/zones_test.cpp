@@ -369,11 +369,11 @@ TEST_F(Zones, BordersThatAreCutGiveZonesTheirExactArea) {
   const TerrainSurface before = make_terrain_surface(read_terrain({.surface = {ground_}}));
   const TerrainSurface after = make_terrain_surface(terrain);
   for (const Vec3& v : terrain.surface.vertices) {
-    EXPECT_NEAR(v.z(), *before.height(v.x(), v.y(), v.z()), 1e-9);
+    EXPECT_NEAR(v.z(), *before.height_at(v.x(), v.y(), v.z()), 1e-9);
   }
   for (double x = 0.05; x < 10.0; x += 0.37) {
     for (double y = 0.03; y < 10.0; y += 0.41) {
-      EXPECT_NEAR(*after.height(x, y, 0.0), *before.height(x, y, 0.0), 1e-9);
+      EXPECT_NEAR(*after.height_at(x, y, 0.0), *before.height_at(x, y, 0.0), 1e-9);
     }
   }
   // Without cutting the area is that of whole triangles.

@@ -16,7 +16,7 @@ namespace clast::dem_detail {
 struct TransformedSide {
   std::uint32_t index;  ///< of BlockParts::sides
   bool is_face;
-  Vec3 middle;
+  Vec3 centre;
   double radius;
   double lowest;  ///< of its vertices along the direction, m
   double beyond;  ///< `depth_beyond_plane` of it, m
@@ -188,7 +188,7 @@ void BlockNarrowPhase::collect_vertex(std::uint32_t vertex, const Vec3& centre, 
   // Inside the ground it is no deeper than it lies below the highest point of it.
   const double deepest = high_ - list_scratch().block_heights[vertex] + kListRounding;
   const std::optional<NearestPoint> nearest =
-      ground_.nearest(centre, std::max(listed, deepest), near_face_);
+      ground_.nearest_point(centre, std::max(listed, deepest), near_face_);
   if (!nearest) return;
   near_face_ = nearest->face;
   if (nearest->distance > listed) return;
@@ -200,8 +200,8 @@ void BlockNarrowPhase::collect_vertex(std::uint32_t vertex, const Vec3& centre, 
 
 void BlockNarrowPhase::collect_near_faces(const Vec3& centre, double reach) {
   const PlanGrid& grid = ground_.grid;
-  const PlanGrid::CellRange cells =
-      grid.range(centre.x() - reach, centre.x() + reach, centre.y() - reach, centre.y() + reach);
+  const PlanGrid::CellRange cells = grid.cells_over(centre.x() - reach, centre.x() + reach,
+                                                    centre.y() - reach, centre.y() + reach);
   const auto first = static_cast<std::ptrdiff_t>(faces_.size());
   for (int row = cells.first_row; row <= cells.last_row; ++row) {
     for (int column = cells.first_column; column <= cells.last_column; ++column) {
@@ -210,7 +210,7 @@ void BlockNarrowPhase::collect_near_faces(const Vec3& centre, double reach) {
       for (const std::uint32_t index : cell.faces) {
         const LocalFaces::Face& face = ground_.local_faces[index];
         if (std::abs(face.normal.dot(centre) - face.offset) <= reach &&
-            within(centre - face.middle, reach + face.radius)) {
+            within(centre - face.centre, reach + face.radius)) {
           faces_.push_back(index);
         }
       }
@@ -235,7 +235,7 @@ void BlockNarrowPhase::collect_sides(const BlockPart& part) {
         std::span(s.ground_vertices)
             .subspan(other.first_corner, other.end_corner - other.first_corner);
     for (const TransformedSide& side : s.sides) {
-      if (!within(side.middle - other.centre, side.radius + other.radius + room)) continue;
+      if (!within(side.centre - other.centre, side.radius + other.radius + room)) continue;
       if (side.is_face) {
         collect_face_pairs(side, ground_vertices);
       } else {
@@ -256,7 +256,7 @@ void BlockNarrowPhase::transform_sides(const BlockPart& part) {
                               : s.lowest_of_block(block_.features.edges[feature].vertices);
     if (lowest > high_ + listing_distance() + kListRounding) continue;
     TransformedSide side{
-        i,  of_body.is_face, tests_.in_ground_frame(of_body.middle), of_body.radius, lowest, 0.0,
+        i,  of_body.is_face, tests_.in_ground_frame(of_body.centre), of_body.radius, lowest, 0.0,
         {}, Vec3::Zero()};
     if (side.is_face) {
       side.arc.first = side.arc.second = block_.features.faces[feature].normal;
@@ -278,14 +278,15 @@ void BlockNarrowPhase::collect_face_pairs(const TransformedSide& side,
   const double room = listing_distance() + kListRounding;
   for (const std::uint32_t ground_vertex : ground_vertices) {
     if (s.ground_heights[ground_vertex] < low_ - side.beyond ||
-        !within(side.middle - ground_.features.vertices[ground_vertex], side.radius + room) ||
+        !within(side.centre - ground_.features.vertices[ground_vertex], side.radius + room) ||
         !vertex_may_oppose(ground_vertex, side.arc)) {
       continue;
     }
     std::optional<ContactPoint> contact;
     const FeatureSeparation separation =
         tests_.test_face_vertex(block_.parts.sides[side.index].feature, ground_vertex, contact);
-    list(ContactKind::kFaceVertex, side.index, ground_vertex, separation, contact.has_value());
+    add_candidate_pair(ContactKind::kFaceVertex, side.index, ground_vertex, separation,
+                       contact.has_value());
   }
 }
 
@@ -298,7 +299,7 @@ void BlockNarrowPhase::collect_edge_pairs(const TransformedSide& side,
   std::optional<ContactPoint> contact;
   for (const std::uint32_t i : edges) {
     const BlockSide& other = ground_.parts.sides[i];
-    if (!within(side.middle - other.middle, side.radius + other.radius + room) ||
+    if (!within(side.centre - other.centre, side.radius + other.radius + room) ||
         !arcs_may_oppose(ground_.arcs[other.feature],
                          ground_.features.edges[other.feature].direction, side.arc,
                          side.direction)) {
@@ -306,26 +307,29 @@ void BlockNarrowPhase::collect_edge_pairs(const TransformedSide& side,
     }
     contact.reset();
     const FeatureSeparation separation = tests_.test_edge_edge(feature, other.feature, contact);
-    list(ContactKind::kEdgeEdge, side.index, other.feature, separation, contact.has_value());
+    add_candidate_pair(ContactKind::kEdgeEdge, side.index, other.feature, separation,
+                       contact.has_value());
   }
   const double within_reach = tests_.reach() + margin_ + kListRounding;
   if (!(tests_.reach() > 0.0) || side.lowest > high_ + within_reach) return;
   for (const std::uint32_t ground_vertex : ground_vertices) {
     if (s.ground_heights[ground_vertex] < low_ - within_reach ||
-        !within(side.middle - ground_.features.vertices[ground_vertex],
+        !within(side.centre - ground_.features.vertices[ground_vertex],
                 side.radius + within_reach) ||
         !vertex_may_oppose(ground_vertex, side.arc)) {
       continue;
     }
     contact.reset();
     const FeatureSeparation separation = tests_.test_edge_vertex(feature, ground_vertex, contact);
-    list(ContactKind::kEdgeVertex, side.index, ground_vertex, separation, contact.has_value());
+    add_candidate_pair(ContactKind::kEdgeVertex, side.index, ground_vertex, separation,
+                       contact.has_value());
   }
 }
 
-void BlockNarrowPhase::list(ContactKind kind, std::uint32_t side, std::uint32_t of_ground,
-                            const FeatureSeparation& separation, bool touches) {
-  if (!within(separation.between, listing_distance() + kListRounding)) return;
+void BlockNarrowPhase::add_candidate_pair(ContactKind kind, std::uint32_t side,
+                                          std::uint32_t of_ground,
+                                          const FeatureSeparation& separation, bool touches) {
+  if (!within(separation.separation, listing_distance() + kListRounding)) return;
   pairs_.push_back({kind, side, of_ground, separated_until(separation, touches)});
 }
 
@@ -339,7 +343,7 @@ double BlockNarrowPhase::depth_beyond_plane(double along, double slack) const {
 
 bool BlockNarrowPhase::arcs_may_oppose(const EdgeNormalArc& of_ground, const Vec3& ground_direction,
                                        const EdgeNormalArc& arc, const Vec3& direction) const {
-  if (of_ground.any || arc.any) return true;
+  if (of_ground.is_unbounded || arc.is_unbounded) return true;
   const double room = of_ground.slack + arc.slack + kListRounding;
   // The common normal is perpendicular to either edge: an arc that lies on one side of the plane
   // perpendicular to the other's edge does not hold it.
@@ -352,7 +356,7 @@ bool BlockNarrowPhase::arcs_may_oppose(const EdgeNormalArc& of_ground, const Vec
 
 bool BlockNarrowPhase::vertex_may_oppose(std::uint32_t ground_vertex,
                                          const EdgeNormalArc& arc) const {
-  if (arc.any) return true;
+  if (arc.is_unbounded) return true;
   const double room = ground_.cone_slacks[ground_vertex] + arc.slack + kListRounding;
   const std::span<const std::uint32_t> edges = ground_.features.edges_at(ground_vertex);
   // A ray along which both ends of the arc rise rises along all between them.

@@ -40,19 +40,19 @@ struct Approach {
     return result;
   }
 
-  /// Whether what is `apart` from the plane, m, stays clear of it for a time, s. From its distance
-  /// now, its speed and the largest acceleration there is towards the plane.
+  /// Whether what is `distance` from the plane, m, stays clear of it for a time, s. From its
+  /// distance now, its speed and the largest acceleration there is towards the plane.
   /// @param arm      of the point
   /// @param turning  bound of what turning changes its velocity by, m/s^2
-  bool clear(double apart, const Vec3& arm, double turning, double time) const {
+  bool clear(double distance, const Vec3& arm, double turning, double time) const {
     const double speed = rising + turn.dot(arm), acceleration = falling + turning;
-    return apart >= 0.0 && apart + time * (speed - 0.5 * time * acceleration) >= 0.0;
+    return distance >= 0.0 && distance + time * (speed - 0.5 * time * acceleration) >= 0.0;
   }
   /// The time for which it does, where that is not for ever.
-  double time(double apart, const Vec3& arm, double turning) const {
+  double time(double distance, const Vec3& arm, double turning) const {
     const double speed = rising + turn.dot(arm), acceleration = falling + turning;
-    const double root = std::sqrt(speed * speed + 2.0 * acceleration * apart);
-    return speed >= 0.0 ? (speed + root) / acceleration : 2.0 * apart / (root - speed);
+    const double root = std::sqrt(speed * speed + 2.0 * acceleration * distance);
+    return speed >= 0.0 ? (speed + root) / acceleration : 2.0 * distance / (root - speed);
   }
 
   Vec3 normal;     ///< away from the ground
@@ -203,8 +203,8 @@ double TerrainNarrowPhase::contact_free_time_over_face(const LocalFaces::Face& f
   near_parts.clear();
   for (std::uint32_t p = 0; p < parts_.parts.size(); ++p) {
     const BlockPart& part = parts_.parts[p];
-    const double apart = height + above.normal.dot(part.centre) - part.radius;
-    if (!above.clear(apart, part.centre, flight.turning * part.arm, horizon)) {
+    const double distance = height + above.normal.dot(part.centre) - part.radius;
+    if (!above.clear(distance, part.centre, flight.turning * part.arm, horizon)) {
       near_parts.push_back(p);
     }
   }
@@ -214,10 +214,11 @@ double TerrainNarrowPhase::contact_free_time_over_face(const LocalFaces::Face& f
     const double turning = flight.turning * (part.arm + part.radius);
     for (std::uint32_t v = part.first_vertex; v < part.end_vertex; ++v) {
       const Vec3& arm = block_.vertices[parts_.vertices[v]];
-      const double apart = height + above.normal.dot(arm);
-      if (apart < -kPlaneRounding) return parts_contact_free_time(face, at_border, flight, horizon);
-      if (!above.clear(std::max(apart, 0.0), arm, turning, time)) {
-        time = above.time(std::max(apart, 0.0), arm, turning);
+      const double distance = height + above.normal.dot(arm);
+      if (distance < -kPlaneRounding)
+        return parts_contact_free_time(face, at_border, flight, horizon);
+      if (!above.clear(std::max(distance, 0.0), arm, turning, time)) {
+        time = above.time(std::max(distance, 0.0), arm, turning);
       }
     }
   }
@@ -247,7 +248,7 @@ double TerrainNarrowPhase::sphere_contact_free_time(const LocalFaces::Face& face
   const Vec3 arm = part.centre - tests_.position();
   const double touching = part.radius + reach_;
   // From the ball around the face, or else from the plane that touches it nearest to the part.
-  const Vec3 from_middle = part.centre - face.middle;
+  const Vec3 from_middle = part.centre - face.centre;
   const double far = from_middle.norm();
   if (far > face.radius + touching &&
       Approach(from_middle / far, flight)
@@ -255,11 +256,12 @@ double TerrainNarrowPhase::sphere_contact_free_time(const LocalFaces::Face& face
     return horizon;
   }
   const NearestPoint nearest = project_onto_face(ground_.features, face.face, part.centre);
-  const double distance = std::abs(nearest.distance), apart = distance - touching;
-  if (!(apart > 0.0)) return 0.0;
+  const double distance = std::abs(nearest.distance), clearance = distance - touching;
+  if (!(clearance > 0.0)) return 0.0;
   const Approach beside((part.centre - nearest.point) / distance, flight);
-  return beside.clear(apart, arm, part.turning, horizon) ? horizon
-                                                         : beside.time(apart, arm, part.turning);
+  return beside.clear(clearance, arm, part.turning, horizon)
+             ? horizon
+             : beside.time(clearance, arm, part.turning);
 }
 
 }  // namespace clast::dem_detail

@@ -56,13 +56,13 @@ void TerrainNarrowPhase::update_feature(std::uint32_t p, GroundFeature& feature)
   const Segment on_ground = feature.is_vertex ? Segment{ground.vertices[index], Vec3::UnitX(), 0.0}
                                               : ground.segment(ground.edges[index]);
   const auto away_from = [&](const Vec3& point) -> Vec3 {
-    return point - on_ground.nearest(point);
+    return point - on_ground.nearest_point(point);
   };
   const Vec3 away = away_from(part.centre);
   const double distance = away.norm();
-  const double apart = distance - of_block.radius - contact_distance();
-  if (apart > kPairMargins * margin_) {
-    feature.separation_bound = separation_bound(part, away / distance, apart, 1e300);
+  const double clearance = distance - of_block.radius - contact_distance();
+  if (clearance > kPairMargins * margin_) {
+    feature.separation_bound = separation_bound(part, away / distance, clearance, 1e300);
     return;
   }
   double others = 1e300;
@@ -70,7 +70,7 @@ void TerrainNarrowPhase::update_feature(std::uint32_t p, GroundFeature& feature)
     const BlockSide& side = parts_.sides[s];
     if (feature.is_vertex ? !side.is_face && !(reach_ > 0.0) : side.is_face) continue;
     const double listed = kPairMargins * margin_ + side.radius + contact_distance();
-    const double squared = away_from(in_ground_frame(side.middle)).squaredNorm();
+    const double squared = away_from(in_ground_frame(side.centre)).squaredNorm();
     if (squared < listed * listed) {
       const ContactKind kind = !feature.is_vertex ? ContactKind::kEdgeEdge
                                : side.is_face     ? ContactKind::kFaceVertex
@@ -88,7 +88,8 @@ void TerrainNarrowPhase::update_pair(const NearPart& part, FeaturePair& pair,
                                      FoundContacts& found) {
   const std::uint32_t of_block = parts_.sides[pair.side].feature;
   std::optional<ContactPoint> contact;
-  const Vec3 between = tests_.test_pair(pair.kind, of_block, pair.ground_feature, contact).between;
+  const Vec3 between =
+      tests_.test_pair(pair.kind, of_block, pair.ground_feature, contact).separation;
   if (contact) {
     pair.separation_bound = {};
     found.of_sides.push_back({pair.side, *contact});

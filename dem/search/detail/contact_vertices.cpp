@@ -107,8 +107,8 @@ SeparationBound TerrainNarrowPhase::ground_separation_bound(NearPart& part, std:
     const double height = face.normal.dot(centre) - face.offset - reach_;
     const double by_plane = height * tilt.displacement_per_height;
     const double ball = face.radius + reach_, near = ball + std::max(0.0, by_plane);
-    const double squared = (centre - face.middle).squaredNorm();
-    if (!tilt.at_border() && squared > near * near) {
+    const double squared = (centre - face.centre).squaredNorm();
+    if (!tilt.is_at_border() && squared > near * near) {
       const double farther = ball + apart_from_far;
       if (squared < farther * farther) apart_from_far = std::sqrt(squared) - ball;
     } else if (height > 0.0) {
@@ -118,15 +118,15 @@ SeparationBound TerrainNarrowPhase::ground_separation_bound(NearPart& part, std:
         closest = i;
       }
       others.include(by_this);
-    } else if (tilt.at_border()) {
+    } else if (tilt.is_at_border()) {
       return {};
     } else {
       const NearestPoint nearest = nearest_on_face(ground_.features, face.face, centre);
-      const double apart = nearest.distance - reach_;
-      if (!(apart > 0.0)) return {};
+      const double distance = nearest.distance - reach_;
+      if (!(distance > 0.0)) return {};
       const Vec3 away = (centre - nearest.point) / nearest.distance;
       const double axial = std::min(std::abs(away.dot(part.axis)), 1.0);
-      others.include({axial / apart, std::sqrt(1.0 - axial * axial) / apart});
+      others.include({axial / distance, std::sqrt(1.0 - axial * axial) / distance});
     }
   }
   others.include({1.0 / apart_from_far, 1.0 / apart_from_far});
@@ -204,7 +204,7 @@ bool TerrainNarrowPhase::update_nearest_face(NearPart& part, std::uint32_t v, co
   contact.ground_feature = contact.ground_face = state.nearest_face;
   contact.normal = face.normal;
   contact.overlap = reach_ - height;
-  contact.foot = centre + (ground_.radius - height) * face.normal;
+  contact.surface_point = centre + (ground_.radius - height) * face.normal;
   found.contacts.push_back(contact);
   return true;
 }

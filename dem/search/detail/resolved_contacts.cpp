@@ -36,7 +36,7 @@ Places on_edge(const SurfaceFeatures& surface, std::uint32_t edge, const Vec3& p
 /// True when none of the points is inside the solid any more. A body without faces has no inside.
 bool free_of(const IndexedSurface& surface, const Places& points, const Vec3& push, double within) {
   return std::all_of(points.begin(), points.end(), [&](const Vec3& position) {
-    const std::optional<NearestPoint> nearest = surface.nearest(position + push, within);
+    const std::optional<NearestPoint> nearest = surface.nearest_point(position + push, within);
     return !nearest || nearest->distance >= -kFreeFraction * push.norm();
   });
 }
@@ -44,7 +44,7 @@ bool free_of(const IndexedSurface& surface, const Places& points, const Vec3& pu
 /// True when the point is in the solid, or hardly out of it. A body without faces has no inside.
 bool hardly_out_of(const IndexedSurface& surface, const Vec3& position, double overlap) {
   if (surface.features.faces.empty()) return true;
-  const std::optional<NearestPoint> nearest = surface.nearest(position, 2.0 * overlap);
+  const std::optional<NearestPoint> nearest = surface.nearest_point(position, 2.0 * overlap);
   return nearest && nearest->distance <= kOutFraction * overlap;
 }
 
@@ -60,7 +60,7 @@ void remove_resolved_contacts(std::vector<ContactPoint>& contacts, const Indexed
     }
     // Where the core of either is farthest in the other, each in its own frame.
     const Pose block_from_ground = ground_from_block.inverse();
-    const Vec3 of_ground = deep.foot - ground.radius * deep.normal;
+    const Vec3 of_ground = deep.surface_point - ground.radius * deep.normal;
     const Vec3 of_ground_in_block = block_from_ground * of_ground;
     const Vec3 of_block = block_from_ground * (of_ground - (deep.overlap - reach) * deep.normal);
     // Behind an edge or face of a thin or hollow body is air again: two that have only passed each

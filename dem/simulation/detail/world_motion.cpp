@@ -311,7 +311,7 @@ ContactSummary WorldMotion::touch(std::size_t body) const {
     sum.position = deepest->position;
   }
   if (sum.points > 0 && !on_ground && terrain_) {
-    sum.zone = terrain_->zone(sum.position.x(), sum.position.y(), sum.position.z()).value_or(0);
+    sum.zone = terrain_->zone_at(sum.position.x(), sum.position.y(), sum.position.z()).value_or(0);
   }
   return sum;
 }

@@ -28,7 +28,7 @@ double kinetic_energy(const RigidBody& body, const RigidState& state) {
 }
 
 EnergyBalance energies(const RigidBody& body, const RigidState& first, const RigidState& last,
-                      double gravity) {
+                       double gravity) {
   const auto energy = [&](const RigidState& state) {
     return kinetic_energy(body, state) + body.mass * gravity * state.position.z();
   };
@@ -47,8 +47,8 @@ double path_length(const RigidBody& body, const MotionStep& step, double gravity
   for (int i = 1; i <= kPathPieces; ++i) {
     const double share = static_cast<double>(i) / kPathPieces;
     const double time = step.begin_time + share * (step.end_time - step.begin_time);
-    const Vec3 to =
-        i == kPathPieces ? step.end.position : interpolate_state(body, step, time, gravity).position;
+    const Vec3 to = i == kPathPieces ? step.end.position
+                                     : interpolate_state(body, step, time, gravity).position;
     length += (to - from).norm();
     from = to;
   }
@@ -58,7 +58,7 @@ double path_length(const RigidBody& body, const MotionStep& step, double gravity
 }  // namespace
 
 StoredRun make_run_from_states(const CampaignPlan& prepared, const RunRecord& planned,
-                        const StateSeries& series, const RunEnd& end) {
+                               const StateSeries& series, const RunEnd& end) {
   const RigidBody body = prepared.bodies[planned.block];
   const double gravity = prepared.campaign.gravity;
   StoredRun run;
@@ -97,7 +97,7 @@ StoredRun make_run_from_states(const CampaignPlan& prepared, const RunRecord& pl
                    [](const Crossing& a, const Crossing& b) { return a.time < b.time; });
   result.energy = energies(body, series.states.front(), series.states.back(), gravity);
   const Vec3& place = result.final_state.position;
-  const std::optional<double> ground = prepared.surface->height(place.x(), place.y(), place.z());
+  const std::optional<double> ground = prepared.surface->height_at(place.x(), place.y(), place.z());
   result.below_ground = ground && place.z() < *ground;
   run.trajectory = {series.time, series.states};
   return run;

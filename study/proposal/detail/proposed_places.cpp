@@ -45,7 +45,7 @@ struct UpperGround {
   }
 
   std::optional<double> height(const Vec2& place) const {
-    return surface.height(place.x(), place.y(), surface.extent().high.z() + 1.0);
+    return surface.height_at(place.x(), place.y(), surface.extent().high.z() + 1.0);
   }
 
   /// Gradient of the plane through nine places, a step apart: it points uphill and is as long as

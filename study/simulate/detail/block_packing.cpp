@@ -28,7 +28,7 @@ double highest_ground(const TerrainSurface& ground, std::int64_t i, std::int64_t
     for (int b = 0; b < kSamples; ++b) {
       const double x = (static_cast<double>(i) + a / (kSamples - 1.0)) * width;
       const double y = (static_cast<double>(j) + b / (kSamples - 1.0)) * width;
-      const std::optional<double> here = ground.height(x, y, sky);
+      const std::optional<double> here = ground.height_at(x, y, sky);
       if (!here) {
         throw InputError("the polygon reaches beyond the terrain, or over a hole in it");
       }

@@ -48,7 +48,7 @@ double lowest_ground(const Heap& heap, const TerrainSurface& ground) {
     for (int i = 0; i < kGroundSamples; ++i) {
       const double share = i / (kGroundSamples - 1.0);
       const Vec2 place = (1.0 - share) * heap.corner(side) + share * heap.corner(side + 1);
-      const std::optional<double> here = ground.height(place.x(), place.y(), sky);
+      const std::optional<double> here = ground.height_at(place.x(), place.y(), sky);
       if (here) lowest = std::min(lowest, *here);
     }
   }
@@ -135,7 +135,8 @@ void add_faces(const CampaignPlan& prepared, std::span<const RunRecord> runs, st
 
 }  // namespace
 
-ConfiningWalls build_confining_walls(const CampaignPlan& prepared, std::span<const RunRecord> runs) {
+ConfiningWalls build_confining_walls(const CampaignPlan& prepared,
+                                     std::span<const RunRecord> runs) {
   ConfiningWalls faces;
   const std::vector<MultiBlockRelease>& masses = prepared.campaign.stay->masses;
   for (std::uint32_t mass = 0; mass < masses.size(); ++mass) {

@@ -19,15 +19,15 @@ constexpr double kFirstLift = 0.01;
 }  // namespace
 
 std::optional<double> find_depth_in_ground(const GroundOverlap& ground_overlap,
-                                      const TerrainSurface& surface, const RigidBody& body,
-                                      const RigidState& state) {
+                                           const TerrainSurface& surface, const RigidBody& body,
+                                           const RigidState& state) {
   const double overlap = ground_overlap.max_overlap(state);
   // What the dynamics will refuse.
   if (overlap > MotionSettings{}.start_overlap * body.smallest_side) return overlap;
   // A block that is buried whole touches no face of the ground.
   const Vec3& centre = state.position;
   const double abyss = surface.extent().low.z() - 1.0;
-  const std::optional<double> ground = surface.height(centre.x(), centre.y(), abyss);
+  const std::optional<double> ground = surface.height_at(centre.x(), centre.y(), abyss);
   if (ground && centre.z() < *ground) return *ground - lowest_point(body, state);
   return std::nullopt;
 }
@@ -60,7 +60,7 @@ bool lift_to_touch(const GroundOverlap& ground_overlap, const TerrainSurface& su
 }
 
 std::vector<Quat> draw_run_orientations(const ReleaseSet& release, const std::string& block,
-                                     const std::string& where, std::size_t count) {
+                                        const std::string& where, std::size_t count) {
   std::uint64_t seed = release.orientation_seed;
   for (const std::string& name : {release.name, block, where}) seed = derive_seed(seed, name);
   return draw_random_orientations(count, seed);

@@ -49,7 +49,7 @@ TEST(RunStarts, LiftedBlocksJustTouch) {
             Quat(random.normal(), random.normal(), random.normal(), random.normal());
         start.orientation.normalize();
         const double x = random.uniform(-5.0, 5.0), y = random.uniform(-5.0, 5.0);
-        start.position = {x, y, *surface.height(x, y, 100.0) + random.uniform(0.0, 0.2)};
+        start.position = {x, y, *surface.height_at(x, y, 100.0) + random.uniform(0.0, 0.2)};
         if (!find_depth_in_ground(overlap, surface, body, start)) continue;
         const RigidState before = start;
         ASSERT_TRUE(lift_to_touch(overlap, surface, body, start)) << terrain_kind << " " << kind;
