@@ -169,9 +169,9 @@ class Experiment {
       }
       const double numbers[] = {turn.w(), turn.x(), turn.y(), turn.z()};
       for (int k = 0; k < 4; ++k) orientation.mutable_at(i, k) = numbers[k];
-      resting.mutable_at(i) = world.resting(body);
-      asleep.mutable_at(i) = world.asleep(body);
-      gone.mutable_at(i) = world.gone(body);
+      resting.mutable_at(i) = world.is_resting(body);
+      asleep.mutable_at(i) = world.is_asleep(body);
+      gone.mutable_at(i) = world.is_inactive(body);
     }
     return py::dict("position_m"_a = position, "orientation"_a = orientation,
                     "velocity_m_s"_a = velocity, "angular_velocity_rad_s"_a = spin,
@@ -180,14 +180,14 @@ class Experiment {
 
   py::dict contacts(std::size_t body) {
     World& world = started();
-    const ContactSummary touch = world.touch(checked(body));
-    return py::dict("points"_a = touch.points, "overlap_m"_a = touch.overlap,
+    const ContactSummary touch = world.contact_summary(checked(body));
+    return py::dict("points"_a = touch.contact_count, "overlap_m"_a = touch.overlap,
                     "force_n"_a = to_array(world.contact_force(body)),
                     "blocks"_a = world.touching_bodies(body));
   }
 
   py::dict energy() {
-    const EnergyBalance balance = started().energy();
+    const EnergyBalance balance = started().energy_balance();
     return py::dict("energy_initial_j"_a = balance.initial, "energy_final_j"_a = balance.final,
                     "energy_normal_j"_a = balance.normal, "energy_friction_j"_a = balance.friction,
                     "energy_rolling_j"_a = balance.rolling,

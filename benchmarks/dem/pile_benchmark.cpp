@@ -43,7 +43,7 @@ void blocks_falling_into_a_pile(benchmark::State& state) {
   state.counters["touching_pairs"] = pair_steps / steps;
   state.counters["near_pairs"] = static_cast<double>(after.near_pairs);
   state.counters["searched_pairs"] = static_cast<double>(after.searched_pairs);
-  state.counters["energy_error"] = world.energy().error;
+  state.counters["energy_error"] = world.energy_balance().error;
   state.counters["digest"] = digest(world);
 }
 BENCHMARK(blocks_falling_into_a_pile)

@@ -79,8 +79,8 @@ class ContactForces {
   double stored_energy() const;  ///< what unloading would give back, J
   double max_overlap() const { return contacts_.empty() ? 0.0 : contacts_[deepest_].point.overlap; }
   struct DeepestContact {
-    std::uint32_t points = 0;  ///< all there are
-    double overlap = 0.0;      ///< m
+    std::uint32_t contact_count = 0;  ///< all there are
+    double overlap = 0.0;             ///< m
     Vec3 position = Vec3::Zero();
     std::uint16_t zone = 0;
   };

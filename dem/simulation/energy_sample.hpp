@@ -32,7 +32,7 @@ struct EnergySample {
   double rotational = 0.0;     ///< kinetic, likewise
   double potential = 0.0;      ///< m g z of bodies that are there
   double stored = 0.0;         ///< what unloading the contacts would give back
-  double gone = 0.0;           ///< kinetic and potential, that bodies had when they left
+  double departed = 0.0;       ///< kinetic and potential, that bodies had when they left
   Dissipation on_ground;       ///< since the first body came
   Dissipation between_bodies;  ///< likewise
   double reassigned = 0.0;     ///< likewise: lost (or gained, < 0) when contacts change
@@ -48,12 +48,12 @@ struct EnergySample {
   }
   /// All energy that there is, that went, and that left.
   double sum() const {
-    return translational + rotational + potential + stored + gone + on_ground.sum() +
+    return translational + rotational + potential + stored + departed + on_ground.sum() +
            between_bodies.sum() + reassigned;
   }
   template <class Bytes>
   void serialize(Bytes& bytes) {
-    bytes(time, moving, translational, rotational, potential, stored, gone, on_ground,
+    bytes(time, moving, translational, rotational, potential, stored, departed, on_ground,
           between_bodies, reassigned);
   }
 };

@@ -286,15 +286,16 @@ class Release {
     if (!correction_pending) fastest = std::max(fastest, integrator_.state().velocity.norm());
     to_be_balanced_ = correction_pending;
     if (observe_) {
-      observe_({time_, end_time, begin, integrator_.state(), flight, touch(), correction_pending});
+      observe_({time_, end_time, begin, integrator_.state(), flight, contact_summary(),
+                correction_pending});
     }
     time_ = end_time;
   }
 
-  ContactSummary touch() const {
+  ContactSummary contact_summary() const {
     const std::optional<ContactForces::DeepestContact> deepest = forces_.deepest_contact();
     if (!deepest) return {};
-    return {deepest->points, deepest->overlap, deepest->position, deepest->zone};
+    return {deepest->contact_count, deepest->overlap, deepest->position, deepest->zone};
   }
 
   double energy() const {

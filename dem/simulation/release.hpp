@@ -27,10 +27,10 @@ struct ReleaseSettings : MotionSettings {
 
 /// The contacts of an instant, summed up.
 struct ContactSummary {
-  std::uint32_t points = 0;      ///< contact points; 0 in flight, where the rest means nothing
-  double overlap = 0.0;          ///< of the deepest, m
-  Vec3 position = Vec3::Zero();  ///< of the deepest
-  std::uint16_t zone = 0;        ///< of the ground there
+  std::uint32_t contact_count = 0;  ///< contact points; 0 in flight, where the rest means nothing
+  double overlap = 0.0;             ///< of the deepest, m
+  Vec3 position = Vec3::Zero();     ///< of the deepest
+  std::uint16_t zone = 0;           ///< of the ground there
 };
 
 /// The motion between two instants, passed to observers in order of time.
@@ -42,7 +42,7 @@ struct MotionStep {
   /// No contact: `free_flight` gives every state between exactly. A step of a body of a world is a
   /// flight when nothing touches the body as it begins; what touches it within acts in it already.
   bool flight = false;
-  ContactSummary touch;  ///< at the end; a flight that ends by a touch has one
+  ContactSummary contact_summary;  ///< at the end; a flight that ends by a touch has one
   /// The velocities at the end are those within an impact that is balanced when it ends
   /// (docs/theory.md, Weights and energy); they can be too large until then.
   bool correction_pending = false;

@@ -94,12 +94,12 @@ class Sequence {
 
   /// Blocks from `first` to before `end`.
   void add_blocks(std::size_t first, std::size_t end) {
-    energy_before_ = world_.energy();
+    energy_before_ = world_.energy_balance();
     released_at_ = world_.time();
     for (std::size_t block = first; block < end; ++block) add(block);
     newest_ = first;
     for (const SequenceForm& wall : settings_.confining_walls) {
-      walls_.push_back(world_.add_confining_wall(wall.shape, wall.position, wall.first, wall.end));
+      walls_.push_back(world_.add_confining_wall(wall.shape, wall.pose, wall.first, wall.end));
     }
     phase_ = Phase::kSettling;
     if (walls_.empty()) {
@@ -131,7 +131,7 @@ class Sequence {
       world_.run_until_rest(last + settings_.max_time, after_step());
     } while (clear_zones());
     take_energy();
-    const EnergyBalance energy = of_release(energy_before_, world_.energy());
+    const EnergyBalance energy = of_release(energy_before_, world_.energy_balance());
     for (std::size_t block = newest_; block < recorders_.size(); ++block) {
       SequenceResult& result = recorders_[block].result;
       result.release.duration = world_.time() - released_at_;
@@ -147,19 +147,19 @@ class Sequence {
     world_.run_until_rest(settings_.settle_time, after_step());
     refuse_settled(true, [&](std::size_t block) {
       return world_.is_inactive(block) ||
-             std::any_of(
-                 settings_.confining_walls.begin(), settings_.confining_walls.end(),
-                 [&](const auto& wall) {
-                   const Vec3 inwards = wall.position.orientation * Vec3::UnitX();
-                   const Vec3 from_wall = world_.state(block).position - wall.position.position;
-                   return block >= wall.first && block < wall.end && inwards.dot(from_wall) <= 0.0;
-                 });
+             std::any_of(settings_.confining_walls.begin(), settings_.confining_walls.end(),
+                         [&](const auto& wall) {
+                           const Vec3 inwards = wall.pose.orientation * Vec3::UnitX();
+                           const Vec3 from_wall = world_.state(block).position - wall.pose.position;
+                           return block >= wall.first && block < wall.end &&
+                                  inwards.dot(from_wall) <= 0.0;
+                         });
     });
     refuse_settled(false, [&](std::size_t block) { return !world_.is_resting(block); });
     for (std::size_t block = 0; block < blocks_.size(); ++block) {
       if (schedule_.is_confined(block)) recorders_[block].result.settled = world_.state(block);
     }
-    energy_before_ = world_.energy();
+    energy_before_ = world_.energy_balance();
     released_at_ = world_.time();
     begin_release();
   }
@@ -191,7 +191,8 @@ class Sequence {
     };
     std::map<double, Change> changes;  // by time since the first release
     for (std::size_t block = newest_; block < recorders_.size(); ++block) {
-      if (schedule_.starts_fixed(block)) changes[blocks_[block].held].freed.push_back(block);
+      if (schedule_.starts_fixed(block))
+        changes[blocks_[block].release_time].freed.push_back(block);
     }
     for (std::size_t wall = 0; wall < walls_.size(); ++wall) {
       changes[settings_.confining_walls[wall].removed_at].removed.push_back(walls_[wall]);
@@ -267,7 +268,7 @@ class Sequence {
     RigidState start = blocks_[block].start;
     if (!settings_.at_once) {
       const double height = clear_height(body_of(block), start.position);
-      result.raised = height - start.position.z();
+      result.raise_height = height - start.position.z();
       start.position.z() = height;
     }
     result.released_at = settings_.at_once ? schedule_.release_time(block) : released_at_;
@@ -281,7 +282,7 @@ class Sequence {
     for (std::size_t block = 0; block < recorders_.size(); ++block) {
       if (world_.is_inactive(block) || !world_.is_resting(block) || !lies_in_cleared_zone(block))
         continue;
-      recorders_[block].result.release.settled_penetration = world_.touch(block).overlap;
+      recorders_[block].result.release.settled_penetration = world_.contact_summary(block).overlap;
       recorders_[block].result.removed_at = world_.time();
       world_.remove_body(block);
       any = true;
@@ -334,8 +335,8 @@ class Sequence {
     SequenceResult result = recorders_[block].result;
     ReleaseResult& release = result.release;
     release.final_state = world_.state(block);
-    if (!result.removed_at) release.settled_penetration = world_.touch(block).overlap;
-    release.stop_reason = world_.left_terrain(block)                      ? StopReason::kLeftTerrain
+    if (!result.removed_at) release.settled_penetration = world_.contact_summary(block).overlap;
+    release.stop_reason = world_.has_left_terrain(block)                  ? StopReason::kLeftTerrain
                           : result.removed_at || world_.is_resting(block) ? StopReason::kRest
                                                                           : StopReason::kMaxTime;
     const Vec3& position = release.final_state.position;
@@ -390,8 +391,9 @@ std::vector<SequenceResult> simulate_sequence(
     const SequenceSettings& settings, const SequenceObservers& observers, ByteReader* from) {
   settings.check();
   for (const SequenceBlock& block : blocks) {
-    if (block.held >= 0.0) continue;
-    throw InputError("held = " + format_significant(block.held, 6) + "; must be 0 or more");
+    if (block.release_time >= 0.0) continue;
+    throw InputError("release_time = " + format_significant(block.release_time, 6) +
+                     "; must be 0 or more");
   }
   Sequence sequence(terrain, zones, shapes, blocks, settings, observers);
   if (from) sequence.restore(*from);

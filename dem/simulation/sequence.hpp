@@ -19,14 +19,14 @@ struct SequenceBlock {
   RigidState start;
   /// Of blocks released at once, s: until then, since the first of them was released, it is held
   /// where it is. Others may hit it.
-  double held = 0.0;
+  double release_time = 0.0;
 };
 
 /// A fixed body that holds blocks released at once while they settle, and until it is removed. All
 /// else passes through it.
 struct SequenceForm {
   std::size_t shape = 0;           ///< index into the shapes
-  RigidState position;                ///< its x axis points to the blocks that it holds
+  RigidState pose;                 ///< its x axis points to the blocks that it holds
   std::size_t first = 0, end = 0;  ///< these blocks
   double removed_at = 0.0;         ///< since the first release, s
 };
@@ -75,15 +75,15 @@ struct SequenceResult {
   double released_at = 0.0;  ///< since the first block was released, s
   /// How much higher than asked for it was released, m: one after the other, its bounding sphere is
   /// clear of the bounding spheres of all blocks that lie there.
-  double raised = 0.0;
+  double raise_height = 0.0;
   std::optional<RigidState> settled;  ///< of a block that settled: where it was then
-  double later_displacement = 0.0;           ///< from the end of its own release to its last place, m
+  double later_displacement = 0.0;    ///< from the end of its own release to its last place, m
   std::optional<double> removed_at;   ///< since the first block was released, s; none: it stayed
   std::uint32_t blocks_hit = 0;       ///< other blocks that it touched during its own release
 
   template <class Bytes>
   void serialize(Bytes& bytes) {
-    bytes(release, released_at, raised, settled, later_displacement, removed_at, blocks_hit);
+    bytes(release, released_at, raise_height, settled, later_displacement, removed_at, blocks_hit);
   }
 };
 

@@ -33,7 +33,8 @@ void WorldSettings::check() const {
   on_confining_walls.check("on forms");
   const auto require = [](bool fine, const char* name, double value, const char* range) {
     if (fine) return;
-    throw InputError(std::string(name) + " = " + format_significant(value, 6) + "; must be " + range);
+    throw InputError(std::string(name) + " = " + format_significant(value, 6) + "; must be " +
+                     range);
   };
   require(sleep_drift >= 0.0, "sleep_drift", sleep_drift, "0 or more");
   require(sleep_duration > 0.0, "sleep_duration", sleep_duration, "more than 0");
@@ -69,12 +70,12 @@ std::size_t World::add_body(std::size_t shape, const RigidState& state, bool fix
   RigidState start = state;
   start.orientation.normalize();
   if (fixed) start.velocity = start.angular_velocity = Vec3::Zero();
-  impl_->add(shape, start, fixed);
+  impl_->add_body(shape, start, fixed);
   return body_count() - 1;
 }
 
 std::size_t World::add_confining_wall(std::size_t shape, const RigidState& state, std::size_t first,
-                            std::size_t end) {
+                                      std::size_t end) {
   const std::size_t wall = add_body(shape, state, true);
   impl_->set_confined_bodies(wall, {first, end});
   return wall;
@@ -85,7 +86,7 @@ void World::remove_body(std::size_t body) {
     throw SimulationError("there is no " + name_of_body(body) + " to remove, only " +
                           std::to_string(body_count()) + " bodies");
   }
-  impl_->remove(body);
+  impl_->remove_body(body);
 }
 
 void World::release_bodies(std::span<const std::size_t> bodies) {
@@ -101,7 +102,7 @@ void World::release_bodies(std::span<const std::size_t> bodies) {
     }
     if (impl_->terrain()) check_start(*impl_->terrain(), state(body).position, name);
   }
-  impl_->free(bodies);
+  impl_->release_bodies(bodies);
 }
 
 void World::step() { impl_->advance(1e300); }
@@ -138,7 +139,7 @@ void World::run_to_time(double time, const std::function<void()>& after_step) {
 double World::time() const { return impl_->time(); }
 std::size_t World::body_count() const { return impl_->bodies().size(); }
 const RigidState& World::state(std::size_t body) const {
-  return impl_->bodies().at(body).moving.state();
+  return impl_->bodies().at(body).integrator.state();
 }
 bool World::is_fixed(std::size_t body) const { return impl_->bodies().at(body).fixed; }
 bool World::is_resting(std::size_t body) const {
@@ -146,20 +147,23 @@ bool World::is_resting(std::size_t body) const {
   return asked.fixed || asked.asleep || asked.resting >= impl_->settings().rest_duration;
 }
 bool World::is_asleep(std::size_t body) const { return impl_->bodies().at(body).asleep; }
-bool World::is_inactive(std::size_t body) const { return impl_->bodies().at(body).gone; }
-bool World::left_terrain(std::size_t body) const {
+bool World::is_inactive(std::size_t body) const { return impl_->bodies().at(body).inactive; }
+bool World::has_left_terrain(std::size_t body) const {
   const WorldBody& asked = impl_->bodies().at(body);
-  return asked.gone && asked.off_terrain;
+  return asked.inactive && asked.off_terrain;
 }
 Vec3 World::contact_force(std::size_t body) const { return impl_->bodies().at(body).force; }
-ContactSummary World::touch(std::size_t body) const { return impl_->touch(body); }
+ContactSummary World::contact_summary(std::size_t body) const {
+  return impl_->contact_summary(body);
+}
 
 std::vector<std::size_t> World::touching_bodies(std::size_t body) const {
   std::vector<std::size_t> touched;
   if (!impl_->is_prepared(body)) return touched;
-  for (const std::uint32_t e : impl_->pairs().of(body)) {
+  for (const std::uint32_t e : impl_->pairs().pairs_of(body)) {
     const ContactPair& pair = impl_->pairs().all_pairs()[e];
-    if (!pair.has_load || pair.reference == ContactPair::kTerrain || !pair.contacts->is_touching()) {
+    if (!pair.has_load || pair.reference == ContactPair::kTerrain ||
+        !pair.contacts->is_touching()) {
       continue;
     }
     touched.push_back(pair.block == body ? pair.reference : pair.block);
@@ -181,7 +185,7 @@ double World::overlap(std::size_t body, std::size_t other) const {
 Vec3 World::linear_momentum() const {
   Vec3 sum = Vec3::Zero();
   for (const WorldBody& body : impl_->bodies()) {
-    if (!body.fixed) sum += body.shape->body.mass * body.moving.state().velocity;
+    if (!body.fixed) sum += body.shape->body.mass * body.integrator.state().velocity;
   }
   return sum;
 }
@@ -190,7 +194,7 @@ Vec3 World::angular_momentum() const {
   Vec3 sum = Vec3::Zero();
   for (const WorldBody& body : impl_->bodies()) {
     if (body.fixed) continue;
-    const RigidState& state = body.moving.state();
+    const RigidState& state = body.integrator.state();
     const RigidBody& rigid = body.shape->body;
     sum += state.position.cross(rigid.mass * state.velocity) +
            dem_detail::angular_momentum(rigid.moments, state.orientation, state.angular_velocity);
@@ -198,12 +202,12 @@ Vec3 World::angular_momentum() const {
   return sum;
 }
 
-EnergyBalance World::energy() const { return impl_->energy(); }
+EnergyBalance World::energy_balance() const { return impl_->energy_balance(); }
 EnergySample World::energy_sample() const { return impl_->energy_sample(); }
 
 WorldStatistics World::statistics() const {
   WorldStatistics statistics;
-  statistics.steps = impl_->steps();
+  statistics.steps = impl_->step_count();
   statistics.broad_phase_count = impl_->pairs().broad_phase_count();
   statistics.sleeping_bodies = impl_->sleeping_count();
   for (const WorldBody& body : impl_->bodies()) statistics.pair_steps += body.pair_steps;

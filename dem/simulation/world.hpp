@@ -17,8 +17,9 @@ class ByteWriter;
 
 /// Everything about a world that is not bodies or terrain.
 struct WorldSettings : MotionSettings {
-  GroundParameters between_bodies;             ///< what two bodies do to each other
-  GroundParameters on_confining_walls{.friction = 0.0};  ///< what a form and a body that it holds do
+  GroundParameters between_bodies;  ///< what two bodies do to each other
+  GroundParameters on_confining_walls{.friction =
+                                          0.0};  ///< what a form and a body that it holds do
   /// A body stays where it is when it was in contact and had less than ten times `rest_energy` for
   /// twice `sleep_duration`, s, and its mean places in the first and the second half differ by no
   /// more than this share of S. It falls asleep when all that touches it stays too: it is at rest
@@ -35,7 +36,7 @@ struct WorldSettings : MotionSettings {
 struct WorldStatistics {
   std::uint64_t steps = 0;
   std::uint64_t broad_phase_count = 0;  ///< how often near bodies were searched again
-  std::uint64_t pair_steps = 0;    ///< touching pairs, summed over the steps
+  std::uint64_t pair_steps = 0;         ///< touching pairs, summed over the steps
   std::size_t near_pairs = 0;  ///< now, of the broad phase: bounding spheres overlap or soon might
   std::size_t searched_pairs = 0;  ///< now, of the narrow phase: near enough to search for contacts
   std::size_t touching_pairs = 0;  ///< now
@@ -73,10 +74,11 @@ class World {
   /// @throws SimulationError  no such shape, a state that is not finite, or a start off the terrain
   std::size_t add_body(std::size_t shape, const RigidState& state, bool fixed = false);
   /// Adds a form: a fixed body that holds others while they settle. Nothing but the bodies from
-  /// `first` to before `end` touches it, with the parameters `on_confining_walls`. It has the next number.
+  /// `first` to before `end` touches it, with the parameters `on_confining_walls`. It has the next
+  /// number.
   /// @throws SimulationError  as `add_body`
   std::size_t add_confining_wall(std::size_t shape, const RigidState& state, std::size_t first,
-                       std::size_t end);
+                                 std::size_t end);
   /// Takes a body away, fixed or not. It keeps its number and the state it had, with that state's
   /// energy; what it touched is woken, and does not count as resting.
   /// @throws SimulationError  no such body
@@ -111,12 +113,12 @@ class World {
   /// Out of the motion: it left the terrain, or was removed.
   bool is_inactive(std::size_t body) const;
   /// Its centre passed the border of the terrain: it stays there, gone.
-  bool left_terrain(std::size_t body) const;
+  bool has_left_terrain(std::size_t body) const;
   /// Force of all contacts on the body, N, world axes.
   Vec3 contact_force(std::size_t body) const;
   /// All contacts of the body now. Their zone is that of the ground it touches; where it touches
   /// only bodies, of the ground below the deepest contact, 0 without any.
-  ContactSummary touch(std::size_t body) const;
+  ContactSummary contact_summary(std::size_t body) const;
   /// Bodies that it touches now, ascending.
   std::vector<std::size_t> touching_bodies(std::size_t body) const;
   /// Largest overlap of the two bodies now, m; 0 when they don't touch.
@@ -126,7 +128,7 @@ class World {
   Vec3 linear_momentum() const;
   Vec3 angular_momentum() const;
   /// Balance since the first body came. A body added later brings its energy to `initial`.
-  EnergyBalance energy() const;
+  EnergyBalance energy_balance() const;
   /// The energy now, and what has become of the rest.
   EnergySample energy_sample() const;
   WorldStatistics statistics() const;

@@ -8,9 +8,9 @@ namespace clast {
 void ImpactObserver::begin_impact(const MotionStep& step) {
   open_ = Impact{};
   open_->run = run_;
-  open_->zone = step.touch.zone;
+  open_->zone = step.contact_summary.zone;
   open_->time = step.end_time;
-  open_->place = step.touch.place;
+  open_->place = step.contact_summary.position;
   open_->speed_before = step.end.velocity.norm();
   open_->translational_before = translational_energy(body_, step.end);
   open_->rotational_before = rotational_energy(body_, step.end);
@@ -43,7 +43,8 @@ void ImpactObserver::see(const MotionStep& step) {
   if (first_) update_maxima(step.begin);
   first_ = false;
   if (!step.correction_pending) update_maxima(step.end);
-  statistics.most_points = std::max<std::uint64_t>(statistics.most_points, step.touch.points);
+  statistics.most_points =
+      std::max<std::uint64_t>(statistics.most_points, step.contact_summary.contact_count);
   if (step.flight) {
     if (!take_off_) take_off_ = step.begin.position.head<2>();
     flight_ += duration;
@@ -51,18 +52,18 @@ void ImpactObserver::see(const MotionStep& step) {
         std::max(statistics.longest_flight, (step.end.position.head<2>() - *take_off_).norm());
     if (open_ && flight_ >= kShortestFlight) end_impact();
     // A run that starts in contact has no impact before its first flight.
-    if (!open_ && step.touch.points > 0) begin_impact(step);
+    if (!open_ && step.contact_summary.contact_count > 0) begin_impact(step);
   } else {
     take_off_.reset();
     statistics.contact_time += duration;
-    statistics.mean_points += duration * step.touch.points;  // divided at the end
+    statistics.mean_points += duration * step.contact_summary.contact_count;  // divided at the end
   }
-  if (open_ && (step.touch.points > 0 || !step.flight)) {
-    open_->depth = std::max(open_->depth, step.touch.overlap);
+  if (open_ && (step.contact_summary.contact_count > 0 || !step.flight)) {
+    open_->depth = std::max(open_->depth, step.contact_summary.overlap);
     last_touch_ = step.end;
     last_touch_time_ = step.end_time;
   }
-  if (step.touch.points > 0) flight_ = 0.0;
+  if (step.contact_summary.contact_count > 0) flight_ = 0.0;
 }
 
 void ImpactObserver::finish() {

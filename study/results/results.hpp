@@ -59,7 +59,7 @@ struct BlockSummary {
 struct PersistentBlockRecord {
   std::uint32_t run = 0;
   double released_at = 0.0;         ///< since the first release of the realisation, s
-  double raised = 0.0;              ///< start height above the planned start, m
+  double raise_height = 0.0;        ///< start height above the planned start, m
   double later_displacement = 0.0;  ///< displacement by later blocks after the stop, m
   std::uint32_t blocks_hit = 0;     ///< number of other blocks touched during its own release
   /// Removal time from a cleared zone, like `released_at`; NaN: not removed.

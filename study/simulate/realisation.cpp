@@ -164,8 +164,8 @@ std::string not_settled(const CampaignPlan& prepared, std::span<const RunRecord>
                         const SettlingError& error, double settle_time) {
   const RunRecord& first = planned[error.block];
   const std::string& name = prepared.campaign.releases[first.point].name;
-  return "[mass]" + (name.empty() ? "" : " " + name) + ": " + format_count(error.count, "block") + ", " +
-         prepared.header.blocks[first.block].id + " the first, " +
+  return "[mass]" + (name.empty() ? "" : " " + name) + ": " + format_count(error.count, "block") +
+         ", " + prepared.header.blocks[first.block].id + " the first, " +
          (error.left_wall
               ? "left the faces that they settle behind; widen the polygon, or give thickness_m"
               : "still moved after settle_time_s = " + format_significant(settle_time, 6) +
@@ -249,9 +249,9 @@ std::vector<StoredRun> realisation(const CampaignPlan& prepared, std::span<const
     }
     const SequenceResult& result = results[i];
     runs.push_back(observers[i]->stored(result.release));
-    runs.back().record.start.position.z() += result.raised;
+    runs.back().record.start.position.z() += result.raise_height;
     if (result.settled) runs.back().record.start = *result.settled;
-    runs.back().stays.push_back({planned[i].run, result.released_at, result.raised,
+    runs.back().stays.push_back({planned[i].run, result.released_at, result.raise_height,
                                  result.later_displacement, result.blocks_hit,
                                  result.removed_at.value_or(std::nan(""))});
   }

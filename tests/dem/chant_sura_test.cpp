@@ -90,7 +90,7 @@ struct FirstImpact {
       touched = true;
       flown = 0.0;
       last = step.end;
-      depth = std::max(depth, step.touch.overlap);
+      depth = std::max(depth, step.contact_summary.overlap);
     } else if (touched) {
       flown += step.end_time - step.begin_time;
       over = flown >= kShortestFlight;

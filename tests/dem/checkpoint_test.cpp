@@ -188,9 +188,10 @@ TEST(SequenceCheckpoint, OfBlocksThatAreHeldAndThatSettle) {
     blocks.push_back({0, at({0.6 * (i % 2), 0.6 * (i / 2), 0.4})});
   }
   blocks.back().start.position = {2.5, 0.2, 0.31};
-  blocks.back().held = 0.4;
+  blocks.back().release_time = 0.4;
   // A wall that holds the first four, and goes at 0.2 s.
-  settings.confining_walls.push_back({.shape = 1, .position = at({-1.0, 0.3, 0.0}), .first = 0, .end = 4});
+  settings.confining_walls.push_back(
+      {.shape = 1, .pose = at({-1.0, 0.3, 0.0}), .first = 0, .end = 4});
   settings.confining_walls.back().removed_at = 0.2;
   expect_same_sequence({box(60.0, {0.5, 0.4, 0.3}, 0.02), box(1.0, {1.0, 6.0, 6.0})}, blocks,
                        settings, 400);

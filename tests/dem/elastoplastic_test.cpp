@@ -201,8 +201,8 @@ TEST(YieldingGround, IsTheSameBetweenBodies) {
   EXPECT_NEAR(world.state(0).velocity.x(), -0.4, 0.004);
   EXPECT_NEAR(world.state(1).velocity.x(), 0.4, 0.004);
   EXPECT_NEAR(world.linear_momentum().norm(), 0.0, 1e-12);
-  EXPECT_NEAR(world.energy().normal, 2.0 * (1.0 - 0.16), 0.01);
-  EXPECT_LT(world.energy().error, 1e-3);
+  EXPECT_NEAR(world.energy_balance().normal, 2.0 * (1.0 - 0.16), 0.01);
+  EXPECT_LT(world.energy_balance().error, 1e-3);
 }
 
 // k_n is what a fast impact needs, and the dent of that may stay; unloading sets the steps.

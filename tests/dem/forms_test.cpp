@@ -32,8 +32,8 @@ std::vector<SequenceForm> square_form(std::size_t shape, double half, std::size_
     const double turn = side * kPi / 2.0;
     SequenceForm form;
     form.shape = shape;
-    form.position.position = -(half + 0.5) * Vec3(std::cos(turn), std::sin(turn), 0.0);
-    form.position.orientation = Quat(Eigen::AngleAxisd(turn, Vec3::UnitZ()));
+    form.pose.position = -(half + 0.5) * Vec3(std::cos(turn), std::sin(turn), 0.0);
+    form.pose.orientation = Quat(Eigen::AngleAxisd(turn, Vec3::UnitZ()));
     form.end = blocks;
     confining_walls.push_back(form);
   }
@@ -43,7 +43,7 @@ std::vector<SequenceForm> square_form(std::size_t shape, double half, std::size_
 std::vector<std::size_t> add_forms(World& world, const std::vector<SequenceForm>& confining_walls) {
   std::vector<std::size_t> numbers;
   for (const SequenceForm& form : confining_walls) {
-    numbers.push_back(world.add_confining_wall(form.shape, form.position, form.first, form.end));
+    numbers.push_back(world.add_confining_wall(form.shape, form.pose, form.first, form.end));
   }
   return numbers;
 }
@@ -84,7 +84,7 @@ TEST(Form, CarriesTheSlopingWeightOfACube) {
   start.orientation = Quat(Eigen::AngleAxisd(kAngle, Vec3::UnitY()));
   world.add_body(0, start);
   SequenceForm face = square_form(1, 0.6, 1)[2];  // the one that the cube slides onto
-  const std::size_t form = world.add_confining_wall(1, face.position, 0, 1);
+  const std::size_t form = world.add_confining_wall(1, face.pose, 0, 1);
   ASSERT_EQ(world.run_until_rest(30.0), StopReason::kRest);
   const Vec3 force = world.contact_force(form);
   const double expected = mass * kTestGravity * std::tan(kAngle);
@@ -120,7 +120,7 @@ TEST(Form, CarriesTheSlopingWeightOfAHeap) {
         EXPECT_GT(outwards, 5e-3 * weight);
       }
     }
-    EXPECT_LT(world.energy().error, 1e-3);
+    EXPECT_LT(world.energy_balance().error, 1e-3);
   }
 }
 
@@ -130,7 +130,7 @@ TEST(Form, TouchesNothingButWhatItHolds) {
   World world(shapes, automatic_world({shapes[0]}, kRough, 6.0), terrain, {kRough});
   world.add_body(0, at({-0.5, 0.0, 0.21}, {2.0, 0.0, 0.0}));
   world.add_body(0, at({-0.5, 1.0, 0.21}, {2.0, 0.0, 0.0}));
-  world.add_confining_wall(1, square_form(1, 0.0, 0)[2].position, 1, 2);  // face at x = 0
+  world.add_confining_wall(1, square_form(1, 0.0, 0)[2].pose, 1, 2);  // face at x = 0
   world.run_until_rest(0.5);
   EXPECT_GT(world.state(0).position.x(), 0.0);
   EXPECT_LT(world.state(1).position.x(), -0.19);
@@ -143,7 +143,7 @@ TEST(Form, LetsWhatRestsOnItGoWhenItIsRemoved) {
   RigidState start = at({0.0, 0.0, 0.25 / std::cos(kAngle) + 1e-3});
   start.orientation = Quat(Eigen::AngleAxisd(kAngle, Vec3::UnitY()));
   world.add_body(0, start);
-  const std::size_t form = world.add_confining_wall(1, square_form(1, 0.6, 1)[2].position, 0, 1);
+  const std::size_t form = world.add_confining_wall(1, square_form(1, 0.6, 1)[2].pose, 0, 1);
   ASSERT_EQ(world.run_until_rest(30.0), StopReason::kRest);
   const double before = world.state(0).position.x(), time = world.time();
   world.remove_body(form);
@@ -152,7 +152,7 @@ TEST(Form, LetsWhatRestsOnItGoWhenItIsRemoved) {
   // Free of friction it slides g sin t^2/2 along the incline.
   EXPECT_NEAR((world.state(0).position.x() - before) / std::cos(kAngle),
               0.5 * kTestGravity * std::sin(kAngle), 0.03);
-  EXPECT_LT(world.energy().error, 1e-3);
+  EXPECT_LT(world.energy_balance().error, 1e-3);
 }
 
 class SettledSequence : public testing::Test {
@@ -224,7 +224,8 @@ TEST_F(SettledSequence, BeginsWhenTheBlocksRest) {
 TEST_F(SettledSequence, HoldsOthersUntilTheirTimeAndRemovesFacesOneByOne) {
   blocks_.push_back({0, at({4.0, 0.0, 1.0}), 1.5});
   blocks_.push_back({0, at({-4.0, 0.0, 1.0})});
-  for (std::size_t i = 0; i < 4; ++i) settings_.confining_walls[i].removed_at = 2.0 + static_cast<double>(i);
+  for (std::size_t i = 0; i < 4; ++i)
+    settings_.confining_walls[i].removed_at = 2.0 + static_cast<double>(i);
   std::vector<double> seen(blocks_.size(), -1.0);
   const auto found = release([&](std::size_t block, const MotionStep& step) {
     if (seen[block] < 0.0) seen[block] = step.begin_time;

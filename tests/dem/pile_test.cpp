@@ -15,8 +15,8 @@ TEST(PileOf500, HasTheSameBitsOnTwoThreadsAndAccountsForItsEnergy) {
   together.run_until_rest(2.0);
   const WorldStatistics statistics = alone.statistics();
   EXPECT_GT(statistics.touching_pairs, 500u);
-  EXPECT_LT(alone.energy().error, 0.005);
-  EXPECT_EQ(alone.energy().dissipated(), together.energy().dissipated());
+  EXPECT_LT(alone.energy_balance().error, 0.005);
+  EXPECT_EQ(alone.energy_balance().dissipated(), together.energy_balance().dissipated());
   constexpr double kShortestSide = 0.4;  // m, about
   for (std::size_t i = 0; i < alone.body_count(); ++i) {
     EXPECT_EQ(alone.state(i).position, together.state(i).position);

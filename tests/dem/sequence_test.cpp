@@ -133,7 +133,7 @@ TEST(SequenceEnergies, KnowWhatLeft) {
   settings.energy_interval = 0.05;
   const auto samples =
       energies_of(terrain, shapes, {{0, at({0.0, 0.0, 1.5}, {12.0, 0.0, 0.0})}}, settings);
-  EXPECT_GT(samples.back().gone, 0.5 * 50.0 * 144.0 * 0.9);
+  EXPECT_GT(samples.back().departed, 0.5 * 50.0 * 144.0 * 0.9);
   EXPECT_EQ(samples.back().translational, 0.0);
   EXPECT_EQ(samples.back().potential, 0.0);
   EXPECT_NEAR(samples.back().sum(), samples.front().sum(), 1e-6 * samples.front().sum());
@@ -156,10 +156,10 @@ TEST(Sequence, BlocksReleasedAtOnePlacePileUp) {
     EXPECT_LT(release.energy.error, 1e-3);
   }
   EXPECT_NEAR(results[0].later_displacement, 2.0 * depth, 0.1 * depth);
-  EXPECT_EQ(results[0].raised, 0.0);
+  EXPECT_EQ(results[0].raise_height, 0.0);
   // Clear of the sphere around the block that lies there.
   const double diameter = 2.0 * shapes[0].bounding_radius();
-  EXPECT_NEAR(results[1].raised, 0.15 - depth + diameter - 0.16, 0.1 * depth);
+  EXPECT_NEAR(results[1].raise_height, 0.15 - depth + diameter - 0.16, 0.1 * depth);
   EXPECT_GT(results[2].released_at, results[1].released_at);
 }
 
@@ -226,7 +226,7 @@ TEST(Sequence, BlocksThatRestInAClearedZoneMakeRoomForTheNext) {
   const std::vector<SequenceBlock> blocks = {east, west, east, west};
   const auto results = simulate_sequence(terrain, parameters, shapes, blocks, settings);
   for (const std::size_t block : {0u, 2u}) {
-    EXPECT_EQ(results[block].raised, 0.0);
+    EXPECT_EQ(results[block].raise_height, 0.0);
     ASSERT_TRUE(results[block].removed_at);
     EXPECT_EQ(*results[block].removed_at, results[block + 1].released_at);
     EXPECT_EQ(results[block].release.stop_reason, StopReason::kRest);
@@ -235,7 +235,7 @@ TEST(Sequence, BlocksThatRestInAClearedZoneMakeRoomForTheNext) {
     EXPECT_EQ(results[block].later_displacement, 0.0);
   }
   EXPECT_FALSE(results[1].removed_at || results[3].removed_at);
-  EXPECT_GT(results[3].raised, 0.1);
+  EXPECT_GT(results[3].raise_height, 0.1);
   for (const SequenceResult& result : results) EXPECT_LT(result.release.energy.error, 1e-3);
 }
 
@@ -268,7 +268,7 @@ TEST(Sequence, BlocksReleasedAtOnceFallTogether) {
   EXPECT_NEAR(apart[0].release.energy.initial, initial, 1e-9 * initial);
   EXPECT_NEAR(apart[1].release.energy.friction, friction, 1e-6 * initial);
   const auto pile = release({left, above});
-  EXPECT_EQ(pile[1].raised, 0.0);
+  EXPECT_EQ(pile[1].raise_height, 0.0);
   EXPECT_EQ(pile[0].blocks_hit, 1u);
   EXPECT_EQ(pile[1].blocks_hit, 1u);
   EXPECT_EQ(pile[0].later_displacement, 0.0);
@@ -373,7 +373,7 @@ TEST(Sequence, RefusesWhatIsNoSequence) {
   EXPECT_TRUE(contains(refusal([&] {
                          sequence(terrain, shapes, {{0, at({0, 0, 1}), -1.0}});
                        }),
-                       "held = -1; must be 0 or more"));
+                       "release_time = -1; must be 0 or more"));
 }
 
 }  // namespace

@@ -135,7 +135,7 @@ TEST(EmbeddedFrontalArea, IsTheAreaBelowTheGroundSeenAlongTheMotion) {
     const Quat back = turn.conjugate();
     EmbeddedFrontalArea front =
         embedded_frontal_area(surface.features, surface.radius, back * Vec3(0.0, 0.0, ground),
-                       back * Vec3::UnitZ(), back * direction);
+                              back * Vec3::UnitZ(), back * direction);
     front.centre = turn * front.centre;
     return front;
   };
@@ -229,8 +229,8 @@ TEST(ScarDrag, BalancesInAWorld) {
   start.angular_velocity = {0.0, 4.0, 1.0};
   world.add_body(0, start);
   EXPECT_EQ(world.run_until_rest(20.0), StopReason::kRest);
-  EXPECT_LT(world.energy().error, 2e-3);
-  EXPECT_GT(world.energy().friction, 0.0);
+  EXPECT_LT(world.energy_balance().error, 2e-3);
+  EXPECT_GT(world.energy_balance().friction, 0.0);
 }
 
 TEST(GroundParameters, ThatDoNotGoTogetherAreRefused) {

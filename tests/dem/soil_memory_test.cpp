@@ -31,7 +31,8 @@ class Range {
   double drop(double x, double speed) {
     const std::size_t number =
         world_.add_body(0, at({x, 0.01, kSoilRadius + 1e-4}, {0, 0, -speed}));
-    while (world_.state(number).velocity.z() <= 0.0 || world_.touch(number).points > 0) {
+    while (world_.state(number).velocity.z() <= 0.0 ||
+           world_.contact_summary(number).contact_count > 0) {
       world_.step();
     }
     const double kept = world_.state(number).velocity.z() / speed;
@@ -106,8 +107,8 @@ TEST(SoilMemory, ABlockDoesNotFindTheDentsOfItsOwnTouch) {
     settings.gravity = 9.81;
     World world({body}, settings, terrain, {soil});
     world.add_body(0, at({-10.0, 0.0, 0.505}, {2.0, 0.0, -1.0}));
-    while (world.touch(0).points == 0) world.step();
-    while (world.touch(0).points > 0 && world.time() < 0.5) world.step();
+    while (world.contact_summary(0).contact_count == 0) world.step();
+    while (world.contact_summary(0).contact_count > 0 && world.time() < 0.5) world.step();
     ends.push_back(world.state(0));
   }
   EXPECT_EQ(ends[0].position, ends[1].position);

@@ -122,7 +122,7 @@ TEST(Stack, OfTenCubesStandsForAMinute) {
   EXPECT_GT(settled[10].position.z(), 9.5 * kSide - 10 * 1e-3 * kSide);
   while (world.time() < 60.0) world.step();
   EXPECT_LT(farthest_moved(world, settled), 1e-4 * kSide);
-  EXPECT_LT(world.energy().error, 1e-3);
+  EXPECT_LT(world.energy_balance().error, 1e-3);
 }
 
 /// A share of the farthest that four bricks can overhang, each as far as those above it allow: the

@@ -51,7 +51,7 @@ TEST(Sleep, TakesAHeapOutOfTheMotionAndKeepsItsPlaces) {
     EXPECT_EQ(world.state(i).position, asleep[i].position);
     EXPECT_EQ(world.state(i).orientation.coeffs(), asleep[i].orientation.coeffs());
   }
-  EXPECT_LT(world.energy().error, 0.005);
+  EXPECT_LT(world.energy_balance().error, 0.005);
 }
 
 // Blocks at rest go on rocking a little on their tangential springs, and sleep catches them at some
@@ -92,7 +92,7 @@ TEST(Sleep, EndsWithEveryTouch) {
       }
     }
     hits += hit;
-    EXPECT_LT(world.energy().error, 0.005) << poke;
+    EXPECT_LT(world.energy_balance().error, 0.005) << poke;
   }
   EXPECT_GE(hits, 10u);
 }
@@ -112,11 +112,11 @@ TEST(Sleep, ChangesNoBlow) {
     const Vec3 target = world.state(0).position;
     const Vec3 direction = Vec3(0.9, 0.1, -0.1).normalized();
     world.add_body(1, at(target - direction, 8.0 * direction));
-    const double dissipated = world.energy().dissipated();
+    const double dissipated = world.energy_balance().dissipated();
     while (world.time() < 4.4) world.step();
     EXPECT_FALSE(world.is_asleep(0));
     return std::pair(Vec3(world.state(0).position - target),
-                     world.energy().dissipated() - dissipated);
+                     world.energy_balance().dissipated() - dissipated);
   };
   const auto [moved, lost] = thrown(true);
   const auto [moved_awake, lost_awake] = thrown(false);
@@ -139,7 +139,7 @@ TEST(Sleep, HasTheSameBitsOnAnyNumberOfThreads) {
     EXPECT_EQ(one.state(i).position, three.state(i).position);
     EXPECT_EQ(one.state(i).velocity, three.state(i).velocity);
   }
-  EXPECT_EQ(one.energy().dissipated(), three.energy().dissipated());
+  EXPECT_EQ(one.energy_balance().dissipated(), three.energy_balance().dissipated());
 }
 
 // Slow enough to count as resting, but not in one place.
@@ -180,7 +180,7 @@ TEST(Sleep, EndsForWhatARemovedBodyHeld) {
     const Vec3 removed = world.state(0).position;
     world.remove_body(0);
     EXPECT_TRUE(world.is_inactive(0));
-    EXPECT_FALSE(world.left_terrain(0));
+    EXPECT_FALSE(world.has_left_terrain(0));
     EXPECT_FALSE(world.is_asleep(1));
     EXPECT_TRUE(world.is_asleep(2));
     EXPECT_TRUE(world.touching_bodies(1).empty());
@@ -191,7 +191,7 @@ TEST(Sleep, EndsForWhatARemovedBodyHeld) {
     EXPECT_EQ(world.state(0).position, removed);
     EXPECT_EQ(world.run_until_rest(20.0), StopReason::kRest);
     EXPECT_NEAR(world.state(1).position.z(), 0.15, 0.01);
-    EXPECT_LT(world.energy().error, 1e-3);
+    EXPECT_LT(world.energy_balance().error, 1e-3);
     world.remove_body(0);  // it is gone already
     EXPECT_TRUE(contains(refusal<SimulationError>([&] { world.remove_body(3); }),
                          "no body 3 to remove, only 3 bodies"));

@@ -32,14 +32,14 @@ TEST(WorldSteps, FlyAsFarAsNothingCanTouch) {
   std::vector<MotionStep> steps;
   world.set_observer([&](std::size_t, const MotionStep& step) { steps.push_back(step); });
   world.add_body(0, start);
-  while (world.touch(0).points == 0 && world.time() < 5.0) world.step();
+  while (world.contact_summary(0).contact_count == 0 && world.time() < 5.0) world.step();
   const double landing = world.time();
   ASSERT_LT(landing, 2.0);
   EXPECT_LT(static_cast<double>(steps.size()), 0.25 * landing / settings.stiffness.time_step);
   std::size_t flights = 0;
   for (const MotionStep& step : steps) {
     EXPECT_TRUE(step.flight);
-    if (step.touch.points > 0) continue;  // at landing
+    if (step.contact_summary.contact_count > 0) continue;  // at landing
     ++flights;
     const RigidState exact = free_flight(body, start, step.end_time, 9.81);
     EXPECT_LT((step.end.position - exact.position).norm(), 1e-9);
@@ -47,7 +47,7 @@ TEST(WorldSteps, FlyAsFarAsNothingCanTouch) {
   }
   EXPECT_GT(flights, 20u);
   // It is found as early as short steps find it.
-  EXPECT_LT(world.touch(0).overlap,
+  EXPECT_LT(world.contact_summary(0).overlap,
             1.5 * steps.back().end.velocity.norm() * settings.stiffness.time_step);
 }
 
@@ -61,7 +61,7 @@ TEST(WorldSteps, ABodyFliesWhileOthersTouch) {
   });
   world.add_body(0, at({0.0, 0.0, 0.1999}, {2.0, 0.0, 0.0}));
   world.add_body(0, at({0.0, 3.0, 2.2}));
-  while (world.touch(1).points == 0 && world.time() < 2.0) world.step();
+  while (world.contact_summary(1).contact_count == 0 && world.time() < 2.0) world.step();
   EXPECT_NEAR(world.time(), std::sqrt(2.0 * 2.0 / 9.81), 2e-3);
   EXPECT_NEAR(flown[1], world.time(), 1e-12);
   EXPECT_LT(flown[0], 0.05 * world.time());
@@ -75,12 +75,12 @@ TEST(WorldSteps, OfAGivenLengthAreKept) {
   std::size_t points = 0;
   world.set_observer([&](std::size_t, const MotionStep& step) {
     EXPECT_EQ(step.flight, points == 0);
-    points = step.touch.points;
+    points = step.contact_summary.contact_count;
     EXPECT_NEAR(step.end_time - step.begin_time, settings.stiffness.time_step, 1e-12);
   });
   world.add_body(0, at({0.0, 0.0, 1.5}, {2.0, 0.0, 0.0}));
   for (int i = 0; i < 2000; ++i) world.step();
-  EXPECT_GT(world.touch(0).points, 0u);
+  EXPECT_GT(world.contact_summary(0).contact_count, 0u);
 }
 
 /// Velocities of two bodies after they met in flight.
@@ -97,7 +97,7 @@ std::vector<Vec3> after_meeting(const WorldSettings& settings, const RigidState&
   }
   EXPECT_TRUE(met);
   EXPECT_LT((world.linear_momentum() - before).norm(), 1e-9 * before.norm());
-  EXPECT_LT(world.energy().error, 0.01);
+  EXPECT_LT(world.energy_balance().error, 0.01);
   return {world.state(0).velocity, world.state(1).velocity};
 }
 
@@ -137,8 +137,9 @@ TEST(WorldSteps, OfABlockOnASlopeSaveWorkAndKeepTheBalance) {
     start.orientation = Random(8).rotation();
     world.add_body(0, start);
     world.run_until_rest(10.0);
-    EXPECT_LT(world.energy().error, 0.005);
-    EXPECT_LT(std::abs(world.energy().reassigned), 0.05 * world.energy().dissipated());
+    EXPECT_LT(world.energy_balance().error, 0.005);
+    EXPECT_LT(std::abs(world.energy_balance().reassigned),
+              0.05 * world.energy_balance().dissipated());
     return static_cast<double>(world.statistics().steps) / world.time();
   };
   const WorldSettings settings = automatic_world({body}, kStepsGround[0], 10.0);

@@ -53,7 +53,7 @@ TEST_P(Spheres, HeadOn) {
   EXPECT_LT(world.state(0).velocity.cross(line).norm(), 1e-9);
   EXPECT_LT(world.state(0).angular_velocity.norm(), 1e-9);
   const double reduced = second_mass / total;
-  const EnergyBalance energy = world.energy();
+  const EnergyBalance energy = world.energy_balance();
   EXPECT_NEAR(energy.normal, 0.5 * reduced * closing * closing * (1.0 - restitution),
               0.005 * reduced * closing * closing);
 }
@@ -141,7 +141,7 @@ TEST_P(OnAFixedBlock, RestsAtTheDepthOfTheLaw) {
   EXPECT_NEAR(kStandTouching - world.state(0).position.z(), kStandDepth, 0.01 * kStandDepth);
   EXPECT_NEAR(world.overlap(0, 1), kStandDepth, 0.01 * kStandDepth);
   EXPECT_LT(world.state(0).orientation.angularDistance(Quat::Identity()), 1e-6);
-  EXPECT_LT(world.energy().error, 0.005);
+  EXPECT_LT(world.energy_balance().error, 0.005);
 }
 // The smaller's face within the larger's, seen from above and from below.
 INSTANTIATE_TEST_SUITE_P(Stands, OnAFixedBlock,
@@ -157,7 +157,7 @@ TEST_P(OverTheEdge, Stays) {
   World world = stand_at_rest(GetParam(), 0.01);
   // What it tilts while it settles shifts its centre by about its depth.
   EXPECT_LT((world.state(0).position.head<2>() - GetParam().offset).norm(), kStandDepth);
-  EXPECT_LT(world.energy().error, 0.005);
+  EXPECT_LT(world.energy_balance().error, 0.005);
   for (const double until = world.time() + 3.0; world.time() < until;) world.step();
   const Vec3 position = world.state(0).position;
   EXPECT_LT((world.contact_force(0) - Vec3(0, 0, kStandMass * 9.81)).norm(),
@@ -192,7 +192,7 @@ TEST(Elastic, SpheresKeepTheirEnergy) {
     before = touching;
   }
   EXPECT_EQ(bounces, 100);
-  const EnergyBalance energy = world.energy();
+  const EnergyBalance energy = world.energy_balance();
   EXPECT_NEAR(energy.final, energy.initial, 1e-3 * energy.initial);
   EXPECT_NEAR(energy.initial - energy.final, energy.dissipated(), 1e-5 * energy.initial);
 }
@@ -221,7 +221,7 @@ TEST_P(ElasticBlocks, KeepTheirEnergyOrSayWhereItWent) {
     before = touching;
   }
   EXPECT_EQ(bounces, wanted);
-  const EnergyBalance energy = world.energy();
+  const EnergyBalance energy = world.energy_balance();
   RecordProperty("drift", std::to_string(energy.final / energy.initial - 1.0));
   if (GetParam() == ContactWeighting::kNone) {
     EXPECT_NEAR(energy.final, energy.initial, 1e-3 * energy.initial);

@@ -93,7 +93,7 @@ inline void expect_equal_energies(const CampaignResults& a, const CampaignResult
     EXPECT_EQ(x.rotational, y.rotational);
     EXPECT_EQ(x.potential, y.potential);
     EXPECT_EQ(x.stored, y.stored);
-    EXPECT_EQ(x.gone, y.gone);
+    EXPECT_EQ(x.departed, y.departed);
     for (const auto place : {&EnergySample::on_ground, &EnergySample::between_bodies}) {
       EXPECT_EQ((x.*place).normal, (y.*place).normal);
       EXPECT_EQ((x.*place).friction, (y.*place).friction);

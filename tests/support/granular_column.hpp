@@ -98,7 +98,7 @@ inline Collapse collapse_column(const ColumnScene& scene) {
   result.front = mean_front(world, shape_of, deposit);
   result.continuous = deposit.size();
   result.touching = world.statistics().max_overlap;
-  result.energy_error = world.energy().error;
+  result.energy_error = world.energy_balance().error;
   return result;
 }
 

@@ -172,7 +172,7 @@ inline Heap heap_on_disc(const HeapScene& scene) {
   }
   heap.slope = std::atan(-surface.gradient()) * 180.0 / kPi;
   heap.touching = world.statistics().max_overlap;
-  heap.energy_error = world.energy().error;
+  heap.energy_error = world.energy_balance().error;
   return heap;
 }
 

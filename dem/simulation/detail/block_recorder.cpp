@@ -23,9 +23,9 @@ void BlockRecorder::record_step(const MotionStep& step) {
   release.path_length += way_of(step);
   release.max_speed =
       std::max({release.max_speed, step.begin.velocity.norm(), step.end.velocity.norm()});
-  release.max_penetration = std::max(release.max_penetration, step.touch.overlap);
+  release.max_penetration = std::max(release.max_penetration, step.contact_summary.overlap);
   const bool was_touching = touching;
-  touching = step.touch.points > 0;
+  touching = step.contact_summary.contact_count > 0;
   if (touching) ++release.contact_steps;
   if (touching && !was_touching) ++release.impacts;
 }

@@ -55,7 +55,7 @@ std::vector<BroadPhase::Pair> ContactPairTable::find_retained_pairs(
     std::span<const WorldBody> bodies) const {
   std::vector<BroadPhase::Pair> wanted;
   for (const BroadPhase::Pair& pair : broad_phase_.pairs()) {
-    if (bodies[pair[0]].gone || bodies[pair[1]].gone || !may_touch(pair, bodies)) continue;
+    if (bodies[pair[0]].inactive || bodies[pair[1]].inactive || !may_touch(pair, bodies)) continue;
     wanted.push_back(pair);
   }
   if (terrain_) {
@@ -121,7 +121,7 @@ void ContactPairTable::update(std::span<const WorldBody> bodies, double duration
                               ThreadPool& team) {
   team.run(active_.size(), kPairsAtATime, [&](std::size_t i) {
     ContactPair& pair = pairs_[active_[i]];
-    if (!pair.has_load && way(pair, bodies) < pair.separated_until) {
+    if (!pair.has_load && displacement_bound(pair, bodies) < pair.separated_until) {
       pair.time_since_update += duration;
     } else {
       update(pair, bodies, duration);
@@ -129,8 +129,8 @@ void ContactPairTable::update(std::span<const WorldBody> bodies, double duration
   });
 }
 
-void ContactPairTable::begin(std::span<const WorldBody> bodies,
-                             const std::function<bool(const ContactPair&)>& is_new) {
+void ContactPairTable::begin_contacts(std::span<const WorldBody> bodies,
+                                      const std::function<bool(const ContactPair&)>& is_new) {
   for (ContactPair& pair : pairs_) {
     if (is_new(pair)) update(pair, bodies, 0.0);
   }
@@ -148,15 +148,17 @@ void ContactPairTable::update(ContactPair& pair, std::span<const WorldBody> bodi
     pair.arm = (block.world_from_body.translation - reference.world_from_body.translation).norm() +
                bodies[pair.block].shape->radius;
   }
-  pair.separated_until = way(pair, bodies) + pair.contacts->clearance(reference, block);
+  pair.separated_until =
+      displacement_bound(pair, bodies) + pair.contacts->clearance(reference, block);
 }
 
-double ContactPairTable::way(const ContactPair& pair, std::span<const WorldBody> bodies) {
+double ContactPairTable::displacement_bound(const ContactPair& pair,
+                                            std::span<const WorldBody> bodies) {
   const WorldBody& block = bodies[pair.block];
-  const double of_block = block.way + block.turn * block.shape->radius;
+  const double of_block = block.path_length + block.rotation_path * block.shape->radius;
   if (pair.reference == ContactPair::kTerrain) return of_block;
   const WorldBody& reference = bodies[pair.reference];
-  return of_block + reference.way + reference.turn * pair.arm;
+  return of_block + reference.path_length + reference.rotation_path * pair.arm;
 }
 
 void ContactPairTable::end_contacts_of(std::uint32_t body, std::span<const WorldBody> bodies) {

@@ -26,7 +26,7 @@ struct ContactPair {
   std::unique_ptr<PairContactState> contacts;
   // Kept here, where they are read for many pairs that do nothing:
   bool has_load = false;            ///< do the contacts do anything to the two?
-  double separated_until = -1e300;  ///< `way` before which they cannot touch, m
+  double separated_until = -1e300;  ///< `displacement_bound` before which they cannot touch, m
   double arm = 0.0;  ///< farthest that the block reached from the reference's centre, m
   double time_since_update = 0.0;  ///< time since the last update, s
 
@@ -37,7 +37,7 @@ struct ContactPair {
 
   BroadPhase::Pair key() const { return {std::min(reference, block), std::max(reference, block)}; }
   /// True when no body of it has a number from `end` on.
-  bool between(std::size_t end) const {
+  bool has_bodies_below(std::size_t end) const {
     return block < end && (reference == kTerrain || reference < end);
   }
 };
@@ -70,8 +70,8 @@ class ContactPairTable {
   /// have moved to in a step of `duration`; the loads of all others stay.
   void update(std::span<const WorldBody> bodies, double duration, ThreadPool& team);
   /// The same, without a step, for pairs that are new.
-  void begin(std::span<const WorldBody> bodies,
-             const std::function<bool(const ContactPair&)>& is_new);
+  void begin_contacts(std::span<const WorldBody> bodies,
+                      const std::function<bool(const ContactPair&)>& is_new);
   /// Has the broad phase run at the next `update_pairs`: the bodies that may move are other ones.
   void request_broad_phase() { broad_phase_ = {}; }
   /// Lets the soil remember the dents of bodies that have parted from the ground, fallen asleep or
@@ -96,7 +96,7 @@ class ContactPairTable {
   /// ascending.
   std::span<const std::uint32_t> active_pairs() const { return active_; }
   /// Places in `all` of the pairs of a body, ascending.
-  std::span<const std::uint32_t> of(std::size_t body) const { return of_body_[body]; }
+  std::span<const std::uint32_t> pairs_of(std::size_t body) const { return of_body_[body]; }
 
   /// What contacts dissipated or reassigned, also those that have ended, J.
   struct Losses {
@@ -142,7 +142,7 @@ class ContactPairTable {
   void update(ContactPair& pair, std::span<const WorldBody> bodies, double duration);
   /// Bounds how far any point of the block has moved as the reference sees it, m: only its growth
   /// means something.
-  static double way(const ContactPair& pair, std::span<const WorldBody> bodies);
+  static double displacement_bound(const ContactPair& pair, std::span<const WorldBody> bodies);
   std::vector<BroadPhase::Pair> find_retained_pairs(std::span<const WorldBody> bodies) const;
   ContactPair make_contact_pair(std::uint32_t first, std::uint32_t second,
                                 std::span<const WorldBody> bodies) const;

@@ -14,7 +14,7 @@ bool ReleaseSchedule::is_confined(std::size_t block) const {
 bool ReleaseSchedule::starts_fixed(std::size_t block) const {
   // While others settle, nothing else moves.
   return settings_.at_once && !is_confined(block) &&
-         (blocks_[block].held > 0.0 || !settings_.confining_walls.empty());
+         (blocks_[block].release_time > 0.0 || !settings_.confining_walls.empty());
 }
 
 double ReleaseSchedule::release_time(std::size_t block) const {
@@ -22,7 +22,7 @@ double ReleaseSchedule::release_time(std::size_t block) const {
   for (const SequenceForm& wall : settings_.confining_walls) {
     if (block >= wall.first && block < wall.end) time = std::min(time, wall.removed_at);
   }
-  return std::isfinite(time) ? time : blocks_[block].held;
+  return std::isfinite(time) ? time : blocks_[block].release_time;
 }
 
 }  // namespace clast::dem_detail

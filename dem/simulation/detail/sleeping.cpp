@@ -22,7 +22,7 @@ bool is_stationary(const WorldBody& body) {
 
 bool is_among_staying(std::uint32_t body, std::span<const WorldBody> bodies,
                       const ContactPairTable& pairs) {
-  const std::span<const std::uint32_t> around = pairs.of(body);
+  const std::span<const std::uint32_t> around = pairs.pairs_of(body);
   return std::all_of(around.begin(), around.end(), [&](std::uint32_t e) {
     const ContactPair& pair = pairs.all_pairs()[e];
     return !bodies_touch(pair) || is_stationary(bodies[other_of(pair, body)]);
@@ -30,16 +30,16 @@ bool is_among_staying(std::uint32_t body, std::span<const WorldBody> bodies,
 }
 
 /// @return  the kinetic energy that is gone, J
-double put_to_sleep(std::uint32_t index, std::span<WorldBody> bodies,
-                    const ContactPairTable& pairs) {
+double put_body_to_sleep(std::uint32_t index, std::span<WorldBody> bodies,
+                         const ContactPairTable& pairs) {
   WorldBody& body = bodies[index];
-  const double energy = body.moving.kinetic_energy();
-  RigidState state = body.moving.state();
+  const double energy = body.integrator.kinetic_energy();
+  RigidState state = body.integrator.state();
   state.velocity = state.angular_velocity = Vec3::Zero();
-  body.moving.set_state(state);
-  body.move(body.moving.current_motion());
+  body.integrator.set_state(state);
+  body.apply_motion(body.integrator.current_motion());
   body.asleep = true;
-  for (const std::uint32_t e : pairs.of(index))
+  for (const std::uint32_t e : pairs.pairs_of(index))
     pairs.all_pairs()[e].contacts->clear_event_impulse();
   return energy;
 }
@@ -60,7 +60,7 @@ void SleepManager::wake_touched(std::span<WorldBody> bodies, const ContactPairTa
 void SleepManager::wake_around(std::uint32_t body, std::span<WorldBody> bodies,
                                const ContactPairTable& pairs) {
   wake(body, bodies, pairs);
-  for (const std::uint32_t e : pairs.of(body)) {
+  for (const std::uint32_t e : pairs.pairs_of(body)) {
     const ContactPair& pair = pairs.all_pairs()[e];
     if (!bodies_touch(pair)) continue;
     const std::uint32_t other = other_of(pair, body);
@@ -83,22 +83,23 @@ void SleepManager::wake(std::uint32_t body, std::span<WorldBody> bodies,
     woken.resting = 0.0;
     woken.sleep_detector.reset();
     --count_;
-    for (const std::uint32_t e : pairs.of(index)) {
+    for (const std::uint32_t e : pairs.pairs_of(index)) {
       const ContactPair& pair = pairs.all_pairs()[e];
       if (bodies_touch(pair)) waking.push_back(other_of(pair, index));
     }
   }
 }
 
-double SleepManager::let_sleep(std::span<WorldBody> bodies, std::span<const std::uint32_t> moving,
-                               const ContactPairTable& pairs) {
+double SleepManager::put_to_sleep(std::span<WorldBody> bodies,
+                                  std::span<const std::uint32_t> moving,
+                                  const ContactPairTable& pairs) {
   double energy = 0.0;
   for (const std::uint32_t i : moving) {
     if (bodies[i].is_idle() || !bodies[i].sleep_detector.is_stationary() ||
         !is_among_staying(i, bodies, pairs)) {
       continue;
     }
-    energy += put_to_sleep(i, bodies, pairs);
+    energy += put_body_to_sleep(i, bodies, pairs);
     ++count_;
   }
   return energy;

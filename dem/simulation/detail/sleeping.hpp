@@ -25,8 +25,8 @@ class SleepManager {
   /// Puts bodies to sleep that stay where they are, as do all that touch them.
   /// @param moving  numbers of the bodies that were not idle in the step, ascending
   /// @return  the kinetic energy that this takes from them, J
-  double let_sleep(std::span<WorldBody> bodies, std::span<const std::uint32_t> moving,
-                   const ContactPairTable& pairs);
+  double put_to_sleep(std::span<WorldBody> bodies, std::span<const std::uint32_t> moving,
+                      const ContactPairTable& pairs);
 
  private:
   void wake(std::uint32_t body, std::span<WorldBody> bodies, const ContactPairTable& pairs);

@@ -12,7 +12,7 @@ namespace {
 bool in_impact(const WorldBody& body, double energy, double rest_energy) {
   if (body.is_idle()) return false;
   const double floor = kRockingEnergyFactor * rest_energy * body.shape->body.mass;
-  return is_impact(energy, std::max(body.moving.kinetic_energy(), floor));
+  return is_impact(energy, std::max(body.integrator.kinetic_energy(), floor));
 }
 
 /// 1/s^2 over k: with springs of stiffness k at its contacts, weighted, the body has no frequency
@@ -21,7 +21,7 @@ double mobility_of(std::uint32_t index, std::span<const WorldBody> bodies,
                    const ContactPairTable& pairs) {
   const BodyShape& shape = *bodies[index].shape;
   double sum = 0.0;
-  for (const std::uint32_t e : pairs.of(index)) {
+  for (const std::uint32_t e : pairs.pairs_of(index)) {
     const ContactPair& pair = pairs.all_pairs()[e];
     if (!pair.contacts->is_touching()) continue;
     const bool is_block = pair.block == index;
@@ -39,13 +39,14 @@ double time_apart(const ContactPair& pair, std::span<const WorldBody> bodies,
   const WorldBody& block = bodies[pair.block];
   const double clear = pairs.clearance(pair, bodies);
   if (!(clear > 0.0)) return 0.0;
-  Vec3 velocity = block.is_idle() ? Vec3::Zero() : block.moving.state().velocity;
-  double turning = block.is_idle() ? 0.0 : block.moving.max_angular_speed() * block.shape->radius;
+  Vec3 velocity = block.is_idle() ? Vec3::Zero() : block.integrator.state().velocity;
+  double turning =
+      block.is_idle() ? 0.0 : block.integrator.max_angular_speed() * block.shape->radius;
   if (pair.reference != ContactPair::kTerrain && !bodies[pair.reference].is_idle()) {
-    const RigidBodyIntegrator& reference = bodies[pair.reference].moving;
+    const RigidBodyIntegrator& reference = bodies[pair.reference].integrator;
     velocity -= reference.state().velocity;
     // Seen from a body that turns, all around it turns.
-    const double arm = (block.moving.state().position - reference.state().position).norm();
+    const double arm = (block.integrator.state().position - reference.state().position).norm();
     turning += reference.max_angular_speed() * (arm + block.shape->radius);
   }
   return min_travel_time(clear, velocity.norm() + turning, gravity);
@@ -84,9 +85,9 @@ TimeStep choose_time_step(std::span<const WorldBody> bodies, std::span<const std
     if (mobility_ratio > 0.0)
       length = std::min(length, contact.max_time_step / std::sqrt(mobility_ratio));
     if (touching) continue;
-    length = std::min(length,
-                      min_travel_time(pairs.remaining_displacement(i, body.moving.state().position),
-                                      body.moving.state().velocity.norm(), settings.gravity));
+    length = std::min(
+        length, min_travel_time(pairs.remaining_displacement(i, body.integrator.state().position),
+                                body.integrator.state().velocity.norm(), settings.gravity));
   }
   for (const std::uint32_t e : pairs.active_pairs()) {
     const ContactPair& pair = pairs.all_pairs()[e];

@@ -42,46 +42,47 @@ struct WorldBody {
   /// @param of_shape  must outlive the body
   WorldBody(const BodyShape& of_shape, const RigidState& start, bool is_fixed)
       : shape(&of_shape),
-        moving(of_shape.body, start),
+        integrator(of_shape.body, start),
         fixed(is_fixed),
-        motion(moving.current_motion()) {
+        motion(integrator.current_motion()) {
     if (fixed) motion = motion_at_rest();
   }
   BodyMotion motion_at_rest() const {
     BodyMotion still;
-    still.world_from_body = moving.state().world_from_body();
+    still.world_from_body = integrator.state().world_from_body();
     return still;
   }
-  bool is_immobile() const { return fixed || gone; }
+  bool is_immobile() const { return fixed || inactive; }
   /// Takes its motion over a step.
-  void move(const BodyMotion& over_step) {
+  void apply_motion(const BodyMotion& over_step) {
     const Pose &from = motion.world_from_body, &to = over_step.world_from_body;
-    way += (to.translation - from.translation).norm();
-    turn += 2.0 * (from.rotation.conjugate() * to.rotation).vec().norm();
+    path_length += (to.translation - from.translation).norm();
+    rotation_path += 2.0 * (from.rotation.conjugate() * to.rotation).vec().norm();
     motion = over_step;
   }
   /// Does nothing in a step, now.
   bool is_idle() const { return is_immobile() || asleep; }
   /// Kinetic and potential, J.
   double energy(double gravity) const {
-    return moving.kinetic_energy() + shape->body.mass * gravity * moving.state().position.z();
+    return integrator.kinetic_energy() +
+           shape->body.mass * gravity * integrator.state().position.z();
   }
   /// All but its shape.
   template <class Bytes>
   void serialize(Bytes& bytes) {
-    bytes(moving, fixed, confined, gone, off_terrain, motion, way, turn, force, torque, touching,
-          correction_energy, resting, asleep, sleep_detector, pair_steps);
+    bytes(integrator, fixed, confined, inactive, off_terrain, motion, path_length, rotation_path,
+          force, torque, touching, correction_energy, resting, asleep, sleep_detector, pair_steps);
   }
 
   const BodyShape* shape;
-  RigidBodyIntegrator moving;
+  RigidBodyIntegrator integrator;
   bool fixed;
   std::optional<ConfinedBodies> confined;  ///< of a form, which touches these alone
-  bool gone = false;         ///< left the terrain or was removed: it stays where it was then
-  bool off_terrain = false;  ///< found in the last step: about to leave
-  BodyMotion motion;         ///< over the last step
-  double way = 0.0;          ///< of its centre since it came, step by step, m
-  double turn = 0.0;         ///< likewise: chords of its turns, m at an arm of 1 m
+  bool inactive = false;       ///< left the terrain or was removed: it stays where it was then
+  bool off_terrain = false;    ///< found in the last step: about to leave
+  BodyMotion motion;           ///< over the last step
+  double path_length = 0.0;    ///< of its centre since it came, step by step, m
+  double rotation_path = 0.0;  ///< likewise: chords of its turns, m at an arm of 1 m
   Vec3 force = Vec3::Zero();
   Vec3 torque = Vec3::Zero();
   bool touching = false;           ///< has contacts

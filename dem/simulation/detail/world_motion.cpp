@@ -46,15 +46,15 @@ WorldMotion::WorldMotion(std::vector<RigidBody> of_shapes, const WorldSettings& 
   }
 }
 
-void WorldMotion::add(std::size_t shape, const RigidState& start, bool fixed) {
+void WorldMotion::add_body(std::size_t shape, const RigidState& start, bool fixed) {
   invalidate_lists();
   const WorldBody& body = bodies_.emplace_back(shapes_[shape], start, fixed);
   if (!fixed) initial_ += body.energy(settings_.gravity);
 }
 
-void WorldMotion::remove(std::size_t body) {
+void WorldMotion::remove_body(std::size_t body) {
   prepare_new_bodies();
-  if (bodies_[body].gone) return;
+  if (bodies_[body].inactive) return;
   sleep_manager_.wake_around(static_cast<std::uint32_t>(body), bodies_, pairs_);
   deactivate(body);
   pairs_.update_pairs(bodies_);
@@ -79,14 +79,14 @@ void WorldMotion::advance(double longest) {
   time_ += dt;
   ++steps_;
   for (const std::uint32_t i : moving_) {
-    if (!bodies_[i].moving.is_finite()) {
+    if (!bodies_[i].integrator.is_finite()) {
       throw SimulationError("the motion of " + name_of_body(i) + " is not finite any more at " +
                             format_significant(time_, 6) + " s; a shorter time step may help");
     }
   }
   if (observer_) notify_observer(begin);
   remove_bodies_off_terrain();
-  if (settings_.sleep_drift > 0.0) let_sleep();
+  if (settings_.sleep_drift > 0.0) put_to_sleep();
   if (soil_.is_enabled()) pairs_.store_indentations(bodies_, soil_);
 }
 
@@ -119,26 +119,27 @@ void WorldMotion::wake_touched() {
   if (sleep_manager_.count() != before) invalidate_lists();
 }
 
-void WorldMotion::let_sleep() {
+void WorldMotion::put_to_sleep() {
   const std::size_t before = sleep_manager_.count();
-  reassigned_ += sleep_manager_.let_sleep(bodies_, moving_, pairs_);
+  reassigned_ += sleep_manager_.put_to_sleep(bodies_, moving_, pairs_);
   if (sleep_manager_.count() != before) invalidate_lists();
 }
 
 void WorldMotion::prepare_new_bodies() {
   if (prepared_count_ == bodies_.size()) return;
-  begin_new_pairs([this](const ContactPair& pair) { return !pair.between(prepared_count_); });
+  begin_new_pairs(
+      [this](const ContactPair& pair) { return !pair.has_bodies_below(prepared_count_); });
   prepared_count_ = bodies_.size();
 }
 
-void WorldMotion::free(std::span<const std::size_t> bodies) {
+void WorldMotion::release_bodies(std::span<const std::size_t> bodies) {
   prepare_new_bodies();
   std::vector<bool> was_still;
   for (const WorldBody& body : bodies_) was_still.push_back(body.is_immobile());
   for (const std::size_t i : bodies) {
     WorldBody& body = bodies_[i];
     body.fixed = false;
-    body.move(body.moving.current_motion());
+    body.apply_motion(body.integrator.current_motion());
     initial_ += body.energy(settings_.gravity);
   }
   pairs_.request_broad_phase();
@@ -155,7 +156,7 @@ void WorldMotion::begin_new_pairs(const IsNew& is_new) {
   pairs_.update_pairs(bodies_);
   invalidate_lists();
   update_moving_list();
-  pairs_.begin(bodies_, is_new);
+  pairs_.begin_contacts(bodies_, is_new);
   const double brought = losses().reassigned - before;
   reassigned_ -= brought;
   initial_ -= brought;
@@ -200,7 +201,7 @@ double WorldMotion::verlet_start_losses(double dt) {
   double sum = 0.0;
   for (const std::uint32_t i : moving_) {
     const WorldBody& body = bodies_[i];
-    sum += body.moving.verlet_start_loss(dt, body.force, body.torque, gravity());
+    sum += body.integrator.verlet_start_loss(dt, body.force, body.torque, gravity());
   }
   return sum;
 }
@@ -208,9 +209,9 @@ double WorldMotion::verlet_start_losses(double dt) {
 void WorldMotion::begin_body_steps(const TimeStep& step) {
   team_.run(moving_.size(), kBodiesAtATime, [&](std::size_t of_moving) {
     WorldBody& body = bodies_[moving_[of_moving]];
-    body.move(step.flight
-                  ? body.moving.advance_flight(step.length, gravity())
-                  : body.moving.begin_step(step.length, body.force, body.torque, gravity()));
+    body.apply_motion(
+        step.flight ? body.integrator.advance_flight(step.length, gravity())
+                    : body.integrator.begin_step(step.length, body.force, body.torque, gravity()));
   });
 }
 
@@ -223,7 +224,7 @@ void WorldMotion::end_body_steps(double dt, bool flight) {
     body.correction_energy = 0.0;
     std::uint64_t touching = 0, as_block = 0;
     std::optional<EventImpulse> events;
-    for (const std::uint32_t e : pairs_.of(i)) {
+    for (const std::uint32_t e : pairs_.pairs_of(i)) {
       const ContactPair& pair = pairs_.all_pairs()[e];
       if (!pair.has_load) continue;
       const ContactLoad& load = pair.contacts->load();
@@ -237,23 +238,23 @@ void WorldMotion::end_body_steps(double dt, bool flight) {
     }
     body.touching = touching > 0;
     if (body.is_immobile()) return;
-    if (!flight) body.moving.end_step(dt, body.force, body.torque, gravity());
+    if (!flight) body.integrator.end_step(dt, body.force, body.torque, gravity());
     if (events && dt > 0.0) {  // else they were applied at the end of the step before
       body.correction_energy =
-          body.moving.apply_event_impulse(events->impulse, events->angular_impulse, events->moment,
-                                          events->angular_moment, gravity());
+          body.integrator.apply_event_impulse(events->impulse, events->angular_impulse,
+                                              events->moment, events->angular_moment, gravity());
     }
-    const double specific = body.moving.kinetic_energy() / body.shape->body.mass;
+    const double specific = body.integrator.kinetic_energy() / body.shape->body.mass;
     body.resting = touching > 0 && specific < settings_.rest_energy ? body.resting + dt : 0.0;
     if (touching > 0 && specific < kRockingEnergyFactor * settings_.rest_energy) {
-      body.sleep_detector.add_step(body.moving.state(), dt, settings_.sleep_duration,
+      body.sleep_detector.add_step(body.integrator.state(), dt, settings_.sleep_duration,
                                    settings_.sleep_drift * body.shape->body.size(),
                                    body.shape->radius);
     } else {
       body.sleep_detector.reset();
     }
     body.pair_steps += as_block;
-    const Vec3& position = body.moving.state().position;
+    const Vec3& position = body.integrator.state().position;
     body.off_terrain = terrain_ && !terrain_->covers(position.x(), position.y());
   });
   for (const std::uint32_t i : awake_) reassigned_ -= bodies_[i].correction_energy;
@@ -268,15 +269,15 @@ void WorldMotion::remove_bodies_off_terrain() {
 void WorldMotion::deactivate(std::size_t body) {
   pairs_.end_contacts_of(static_cast<std::uint32_t>(body), bodies_);
   if (soil_.is_enabled()) pairs_.store_indentations(bodies_, soil_);
-  bodies_[body].gone = true;
-  bodies_[body].move(bodies_[body].motion_at_rest());
+  bodies_[body].inactive = true;
+  bodies_[body].apply_motion(bodies_[body].motion_at_rest());
   invalidate_lists();
 }
 
 void WorldMotion::record_start_states() {
   start_states_.clear();
   for (const std::uint32_t i : moving_) {
-    start_states_.push_back({i, bodies_[i].moving.state(), !bodies_[i].touching});
+    start_states_.push_back({i, bodies_[i].integrator.state(), !bodies_[i].touching});
   }
 }
 
@@ -286,22 +287,22 @@ void WorldMotion::notify_observer(double begin) {
     observer_(start_state.body, {.begin_time = begin,
                                  .end_time = time_,
                                  .begin = start_state.state,
-                                 .end = bodies_[start_state.body].moving.state(),
+                                 .end = bodies_[start_state.body].integrator.state(),
                                  .flight = start_state.free,
-                                 .touch = touch(start_state.body)});
+                                 .contact_summary = contact_summary(start_state.body)});
   });
 }
 
-ContactSummary WorldMotion::touch(std::size_t body) const {
+ContactSummary WorldMotion::contact_summary(std::size_t body) const {
   ContactSummary sum;
   if (!is_prepared(body) || !bodies_[body].touching) return sum;
   bool on_ground = false;
-  for (const std::uint32_t e : pairs_.of(body)) {
+  for (const std::uint32_t e : pairs_.pairs_of(body)) {
     const ContactPair& pair = pairs_.all_pairs()[e];
     if (!pair.has_load) continue;
     const std::optional<ContactForces::DeepestContact> deepest = pair.contacts->deepest_contact();
     if (!deepest) continue;
-    sum.points += deepest->points;
+    sum.contact_count += deepest->contact_count;
     if (pair.reference == ContactPair::kTerrain) {
       on_ground = true;
       sum.zone = deepest->zone;
@@ -310,13 +311,13 @@ ContactSummary WorldMotion::touch(std::size_t body) const {
     sum.overlap = deepest->overlap;
     sum.position = deepest->position;
   }
-  if (sum.points > 0 && !on_ground && terrain_) {
+  if (sum.contact_count > 0 && !on_ground && terrain_) {
     sum.zone = terrain_->zone_at(sum.position.x(), sum.position.y(), sum.position.z()).value_or(0);
   }
   return sum;
 }
 
-EnergyBalance WorldMotion::energy() const {
+EnergyBalance WorldMotion::energy_balance() const {
   EnergyBalance energy_balance = losses();
   energy_balance.initial = initial_;
   double energy = pairs_.stored_energy();
@@ -326,7 +327,7 @@ EnergyBalance WorldMotion::energy() const {
   for (const WorldBody& body : bodies_) {
     if (body.fixed) continue;
     energy += body.energy(settings_.gravity);
-    datum += body.shape->body.mass * settings_.gravity * body.moving.state().position.z();
+    datum += body.shape->body.mass * settings_.gravity * body.integrator.state().position.z();
   }
   energy_balance.close_balance(energy, energy_balance.initial - datum);
   return energy_balance;
@@ -345,13 +346,13 @@ EnergySample WorldMotion::energy_sample() const {
   sample.stored = pairs_.stored_energy();
   for (const WorldBody& body : bodies_) {
     if (body.fixed) continue;
-    if (body.gone) {
-      sample.gone += body.energy(settings_.gravity);
+    if (body.inactive) {
+      sample.departed += body.energy(settings_.gravity);
       continue;
     }
     if (!is_resting(body)) ++sample.moving;
     const RigidBody& rigid = body.shape->body;
-    const RigidState& state = body.moving.state();
+    const RigidState& state = body.integrator.state();
     sample.translational += 0.5 * rigid.mass * state.velocity.squaredNorm();
     sample.rotational += rotational_energy(rigid, state);
     sample.potential += rigid.mass * settings_.gravity * state.position.z();

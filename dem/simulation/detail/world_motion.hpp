@@ -29,15 +29,15 @@ class WorldMotion {
   WorldMotion& operator=(const WorldMotion&) = delete;
 
   /// @param start  a unit quaternion, and on the terrain
-  void add(std::size_t shape, const RigidState& start, bool fixed);
+  void add_body(std::size_t shape, const RigidState& start, bool fixed);
   /// Makes a fixed body, the last that was added, a form.
-  void set_confined_bodies(std::size_t wall, const ConfinedBodies& held) {
-    bodies_[wall].confined = held;
+  void set_confined_bodies(std::size_t wall, const ConfinedBodies& confined) {
+    bodies_[wall].confined = confined;
   }
   /// Takes a body out of the motion, where it is; wakes what it touched.
-  void remove(std::size_t body);
+  void remove_body(std::size_t body);
   /// Lets fixed bodies, each named once, move from now on.
-  void free(std::span<const std::size_t> bodies);
+  void release_bodies(std::span<const std::size_t> bodies);
   /// A step as long as contacts allow, but no longer than `longest`, s.
   void advance(double longest);
   /// Bodies that are not idle, ascending; until the next step.
@@ -48,10 +48,10 @@ class WorldMotion {
   /// Lets time pass while no body moves, s.
   void advance_time(double duration) { time_ += duration; }
 
-  /// All contacts of a body now, as `World::touch`.
-  ContactSummary touch(std::size_t body) const;
+  /// All contacts of a body now, as `World::contact_summary`.
+  ContactSummary contact_summary(std::size_t body) const;
   /// Balance since the first body came.
-  EnergyBalance energy() const;
+  EnergyBalance energy_balance() const;
   EnergySample energy_sample() const;
 
   /// Nothing in a step, or slow with a contact for as long as rest takes.
@@ -67,7 +67,7 @@ class WorldMotion {
   bool is_prepared(std::size_t body) const { return body < prepared_count_; }
   std::size_t sleeping_count() const { return sleep_manager_.count(); }
   double time() const { return time_; }  ///< s
-  std::uint64_t steps() const { return steps_; }
+  std::uint64_t step_count() const { return steps_; }
   void set_observer(BodyObserver observer) { observer_ = std::move(observer); }
 
   /// All that the motion to come depends on, between two steps.
@@ -118,7 +118,7 @@ class WorldMotion {
   /// Brings the pairs up to date with the places of the bodies.
   void update_all_pairs();
   void wake_touched();
-  void let_sleep();
+  void put_to_sleep();
   void reapply_loads();
   /// What Verlet steps of this length lose when they begin with the present loads, J.
   double verlet_start_losses(double dt);

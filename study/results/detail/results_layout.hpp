@@ -223,7 +223,7 @@ void visit_columns(std::type_identity<PersistentBlockRecord>, const Visit& visit
   visit("released_at_s", "s", "since the first release of its realisation",
         &PersistentBlockRecord::released_at);
   visit("raised_m", "m", "by which it started higher than planned, above blocks that lay there",
-        &PersistentBlockRecord::raised);
+        &PersistentBlockRecord::raise_height);
   visit("moved_later_m", "m", "by later blocks, from where it had stopped",
         &PersistentBlockRecord::later_displacement);
   visit("blocks_hit", "", "other blocks that it touched during its own release",
@@ -258,7 +258,7 @@ void visit_columns(std::type_identity<EnergyRecord>, const Visit& visit) {
   visit("stored_j", "J", "elastic energy of the contacts",
         [](auto& e) -> decltype(auto) { return (e.energy.stored); });
   visit("gone_j", "J", "kinetic and potential energy of blocks that are gone, when they went",
-        [](auto& e) -> decltype(auto) { return (e.energy.gone); });
+        [](auto& e) -> decltype(auto) { return (e.energy.departed); });
   dissipated("ground_", "on the ground", &EnergySample::on_ground);
   dissipated("blocks_", "between blocks", &EnergySample::between_bodies);
   visit("reassigned_j", "J",

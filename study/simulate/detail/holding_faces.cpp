@@ -121,8 +121,8 @@ void add_faces(const CampaignPlan& prepared, std::span<const RunRecord> runs, st
     const Vec2 middle = 0.5 * (from + to) + (reaches[side] + 0.5 * heap.thickness) * outwards;
     SequenceForm wall;
     wall.shape = faces.shapes.size();
-    wall.place.position = {middle.x(), middle.y(), 0.5 * (heap.low + heap.high)};
-    wall.place.orientation =
+    wall.pose.position = {middle.x(), middle.y(), 0.5 * (heap.low + heap.high)};
+    wall.pose.orientation =
         Quat(Eigen::AngleAxisd(std::atan2(-outwards.y(), -outwards.x()), Vec3::UnitZ()));
     wall.first = heap.first;
     wall.end = heap.end;

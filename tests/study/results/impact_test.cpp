@@ -74,7 +74,7 @@ MotionStep step(double begin, double end, bool flight, std::uint32_t points, dou
   made.end.position = Vec3(end, 0, 0);
   made.begin.velocity = made.end.velocity = Vec3(speed, 0, 0);
   made.flight = flight;
-  made.touch = {points, overlap, Vec3(end, 0, 0), 2};
+  made.contact_summary = {points, overlap, Vec3(end, 0, 0), 2};
   return made;
 }
 

@@ -88,7 +88,7 @@ TEST_F(MassCampaign, ReleasesAllBlocksOfAHeapAtOnce) {
   for (std::size_t i = 0; i < 16; ++i) {
     const RunRecord& record = results.runs[i];
     EXPECT_EQ(results.stays[i].released_at, 0.0);
-    EXPECT_EQ(results.stays[i].raised, 0.0);
+    EXPECT_EQ(results.stays[i].raise_height, 0.0);
     expect_equal(record.start, plan.runs[i].start);
     EXPECT_EQ(record.result.stop_reason, StopReason::kRest);
     EXPECT_LT(record.result.energy.error, 1e-3);

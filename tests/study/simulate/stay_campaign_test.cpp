@@ -72,9 +72,9 @@ TEST_F(StayCampaign, ReleasesEachBlockOfEachRealisationOntoThoseBeforeIt) {
     EXPECT_EQ(one.result.stop_reason, StopReason::kRest);
     EXPECT_EQ(other.result.stop_reason, StopReason::kRest);
     EXPECT_EQ(results.stays[first].released_at, 0.0);
-    EXPECT_EQ(results.stays[first].raised, 0.0);
+    EXPECT_EQ(results.stays[first].raise_height, 0.0);
     EXPECT_EQ(results.stays[first + 1].released_at, one.result.duration);
-    EXPECT_GT(results.stays[first + 1].raised, 0.1);  // above the one that lies there
+    EXPECT_GT(results.stays[first + 1].raise_height, 0.1);  // above the one that lies there
     EXPECT_EQ(results.stays[first + 1].blocks_hit, 1u);
     EXPECT_TRUE(std::isnan(results.stays[first].removed_at));
     EXPECT_LT(other.result.energy.error, 1e-2);
@@ -279,7 +279,7 @@ TEST_F(StayCampaign, ClearsAZoneAfterEachRelease) {
   ASSERT_EQ(results.stays.size(), 6u);
   for (std::size_t i = 0; i < 6; ++i) {
     EXPECT_EQ(results.runs[i].result.stop_reason, StopReason::kRest);
-    EXPECT_EQ(results.stays[i].raised, 0.0);
+    EXPECT_EQ(results.stays[i].raise_height, 0.0);
     EXPECT_EQ(results.stays[i].blocks_hit, 0u);
     EXPECT_EQ(results.stays[i].later_displacement, 0.0);
     EXPECT_EQ(results.stays[i].removed_at,
