@@ -104,7 +104,7 @@ void take_photos(Keywords& given, PhotoScanOptions& photos) {
   std::optional<fs::path> board;
   given.take("board", board);
   if (board) photos.scale.board = read_scale_board(*board);
-  double minutes = photos.colmap.seconds / 60.0;
+  double minutes = photos.colmap.time_limit / 60.0;
   given.take("marker_size", photos.scale.marker_side);
   given.take("markers", photos.markers.dictionary);
   given.take("allow_unscaled", photos.allow_unscaled);
@@ -113,7 +113,7 @@ void take_photos(Keywords& given, PhotoScanOptions& photos) {
   given.take("colmap", photos.colmap.program);
   given.take("colmap_minutes", minutes);
   given.take("photo_cache", photos.colmap.cache);
-  photos.colmap.seconds = 60.0 * minutes;
+  photos.colmap.time_limit = 60.0 * minutes;
   photos.check();
 }
 

@@ -84,7 +84,7 @@ PhotoScanOptions PhotoArgs::parsed() const {
     }
   }
   if (marker_size > 0.0) result.scale.marker_side = marker_size;
-  result.colmap.seconds = 60.0 * colmap_minutes;
+  result.colmap.time_limit = 60.0 * colmap_minutes;
   check_usage([&] { result.check(); });
   return result;
 }

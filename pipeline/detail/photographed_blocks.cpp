@@ -21,15 +21,15 @@ PhotographedBlocks reconstruct_photographs(const std::filesystem::path& folder,
                                            const ScanCallbacks& callbacks) {
   PhotoScanOptions photos = options.photos;
   if (options.scale_points || reading.scan.unit != 1.0) photos.metres_per_unit = reading.scan.unit;
-  PhotoScan scan = reconstruct_from_photos(folder, photos,
-                              [&](const std::string& what) { callbacks.begin_step(what, true); });
+  PhotoScan scan = reconstruct_from_photos(
+      folder, photos, [&](const std::string& what) { callbacks.begin(what, true); });
   if (!scan.metric && options.block.mass) {
     throw InputError(folder.string() +
                      ": `mass` needs a scale, and these photos have none; give `bars` or "
                      "`marker_side`");
   }
   reading.scan.unit = 1.0;
-  reading.surface.cell = kPhotoCell;
+  reading.surface.averaging_cell = kPhotoCell;
   reading.free_space = &scan.cloud.free_space;
   callbacks.begin_step(
       "finding the surface in " + std::to_string(scan.cloud.points.size()) + " points", true);

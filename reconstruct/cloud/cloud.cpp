@@ -41,7 +41,7 @@ Cloud::Ptr local_cloud(std::span<const Vec3> points) { return cloud_about(points
 }  // namespace
 
 std::vector<std::uint32_t> find_inliers(std::span<const Vec3> points, int neighbours,
-                                            double deviations) {
+                                        double deviations) {
   pcl::StatisticalOutlierRemoval<pcl::PointXYZ> filter;
   filter.setInputCloud(local_cloud(points));
   filter.setMeanK(neighbours);
@@ -69,12 +69,12 @@ std::vector<Vec3> decimated(std::span<const Vec3> points, double cell) {
   return result;
 }
 
-std::vector<std::vector<std::uint32_t>> find_clusters(std::span<const Vec3> points, double reach,
-                                                 std::size_t min_points) {
+std::vector<std::vector<std::uint32_t>> find_clusters(std::span<const Vec3> points, double max_gap,
+                                                      std::size_t min_points) {
   const Cloud::Ptr cloud = local_cloud(points);
   pcl::EuclideanClusterExtraction<pcl::PointXYZ> extraction;
   const pcl::search::KdTree<pcl::PointXYZ>::Ptr tree(new pcl::search::KdTree<pcl::PointXYZ>);
-  extraction.setClusterTolerance(reach);
+  extraction.setClusterTolerance(max_gap);
   extraction.setMinClusterSize(static_cast<pcl::uindex_t>(min_points));
   extraction.setSearchMethod(tree);
   extraction.setInputCloud(cloud);
@@ -120,7 +120,8 @@ PointTree::PointTree(std::span<const Vec3> points) : impl_(std::make_unique<Impl
 
 PointTree::~PointTree() = default;
 
-std::vector<PointTree::Neighbour> PointTree::nearest(const Vec3& position, int count) const {
+std::vector<PointTree::Neighbour> PointTree::nearest_neighbours(const Vec3& position,
+                                                                int count) const {
   const Eigen::Vector3f local = (position - impl_->origin).cast<float>();
   pcl::Indices found;
   std::vector<float> squares;
@@ -140,7 +141,7 @@ double mean_spacing(std::span<const Vec3> points) {
   double sum = 0.0;
   std::size_t count = 0;
   for (std::size_t i = 0; i < points.size(); i += step, ++count) {
-    sum += tree.nearest(points[i], 2).back().distance;
+    sum += tree.nearest_neighbours(points[i], 2).back().distance;
   }
   return sum / static_cast<double>(count);
 }

@@ -14,15 +14,15 @@ namespace clast::reconstruct_detail {
 /// nearest is at most `deviations` standard deviations above the mean of all. In order.
 /// @cite rusu2008
 std::vector<std::uint32_t> find_inliers(std::span<const Vec3> points, int neighbours,
-                                            double deviations);
+                                        double deviations);
 
 /// One point for each cube of side `cell` that holds some: their mean. m
 std::vector<Vec3> decimated(std::span<const Vec3> points, double cell);
 
-/// Sets of points that are linked by steps of at most `reach`, the largest first; sets of fewer
+/// Sets of points that are linked by steps of at most `max_gap`, the largest first; sets of fewer
 /// than `min_points` are left out.
-std::vector<std::vector<std::uint32_t>> find_clusters(std::span<const Vec3> points, double reach,
-                                                 std::size_t min_points);
+std::vector<std::vector<std::uint32_t>> find_clusters(std::span<const Vec3> points, double max_gap,
+                                                      std::size_t min_points);
 
 /// Unit normals of the planes through the `neighbours` nearest, of either sign.
 std::vector<Vec3> estimate_normals(std::span<const Vec3> points, int neighbours);
@@ -38,7 +38,7 @@ class PointTree {
     double distance;  ///< m
   };
   /// The `count` nearest, nearest first; fewer where there are fewer.
-  std::vector<Neighbour> nearest(const Vec3& position, int count) const;
+  std::vector<Neighbour> nearest_neighbours(const Vec3& position, int count) const;
 
  private:
   struct Impl;

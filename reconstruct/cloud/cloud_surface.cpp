@@ -108,7 +108,7 @@ void find_surface(Body& body, std::span<const double> spacings = {}) {
   for (int round = 0; round < kSurfaceRounds; ++round) {
     body.indicator =
         std::make_unique<reconstruct_detail::IndicatorFunction>(body.points, body.normals);
-    if (!body.indicator->found()) refuse_no_surface(body.points.size());
+    if (!body.indicator->is_solved()) refuse_no_surface(body.points.size());
     body.surface = reconstruct_detail::extract_surface(body.points, *body.indicator, spacings);
     if (body.surface.triangles.empty()) refuse_no_surface(body.points.size());
     if (reconstruct_detail::correct_normals(body.normals, body.surface) == 0) return;
@@ -133,7 +133,7 @@ void remove_off_surface(Body& body) {
 /// Removes noise that is visible between neighbours, and with it real roughness of that size.
 void smooth(Body& body) {
   const reconstruct_detail::MovingLeastSquares local(body.points, body.normals);
-  const double noise = local.noise();
+  const double noise = local.estimate_noise();
   if (noise < kClean * reconstruct_detail::mean_spacing(body.points)) return;
   std::vector<Vec3> points = local.smoothed_points(noise);
   body.points = std::move(points);
@@ -186,8 +186,9 @@ double unseen_share(const Body& body) {
 
 /// The surface through the points with their noise smoothed; of those that the ways to normals
 /// give, the first that is as good as a surface, or the best.
-/// @param trim  as `CloudSurfaceOptions::trim`
-Body body_through(const std::vector<Vec3>& points, std::span<const NormalsBy> ways, double trim) {
+/// @param hole_ball_radius  as `CloudSurfaceOptions::hole_ball_radius`
+Body body_through(const std::vector<Vec3>& points, std::span<const NormalsBy> ways,
+                  double hole_ball_radius) {
   Body best;
   Missed missed;
   double least = std::numeric_limits<double>::infinity();
@@ -200,7 +201,8 @@ Body body_through(const std::vector<Vec3>& points, std::span<const NormalsBy> wa
     smooth(body);
     body.spacings = reconstruct_detail::compute_local_spacings(body.points);
     find_surface(body, body.spacings);
-    body.observed = reconstruct_detail::find_observed_surface(body.surface, body.spacings, trim);
+    body.observed =
+        reconstruct_detail::find_observed_surface(body.surface, body.spacings, hole_ball_radius);
     const Missed left = missed_points(body.surface, points);
     const double defects = touching_share(body.surface) + left.fraction;
     // Where normals are wrong the surface may also span what it should follow.
@@ -268,8 +270,9 @@ void CloudSurfaceOptions::check() const {
     throw InputError(std::string(name) + " = " + format_significant(value, 4) + "; must be " +
                      range);
   };
-  require(cell > 0.0 && cell <= 0.1, "cell", cell, "above 0 and at most 0.1");
-  require(trim > 0.0, "trim", trim, "above 0");
+  require(averaging_cell > 0.0 && averaging_cell <= 0.1, "cell", averaging_cell,
+          "above 0 and at most 0.1");
+  require(hole_ball_radius > 0.0, "trim", hole_ball_radius, "above 0");
 }
 
 CloudSurface fit_cloud_surface(std::span<const Vec3> points, const CloudSurfaceOptions& options) {
@@ -281,13 +284,13 @@ CloudSurface fit_cloud_surface(std::span<const Vec3> points, const CloudSurfaceO
   Bounds box;
   for (const Vec3& p : points) box.include(p);
   refuse_flat(points, box.diagonal());
-  const double cell = options.cell * box.diagonal();
+  const double cell = options.averaging_cell * box.diagonal();
   const bool dense = cell > kCellSpacings * reconstruct_detail::mean_spacing(points);
   const Body body = body_through(
       dense ? reconstruct_detail::decimated(points, cell)
             : std::vector<Vec3>(points.begin(), points.end()),
       dense ? std::span<const NormalsBy>(kManyFirst) : std::span<const NormalsBy>(kFewFirst),
-      options.trim);
+      options.hole_ball_radius);
   const reconstruct_detail::ObservedSurface& observed = body.observed;
   TriangleMesh open = seen_part(body);
   if (open.triangles.empty()) {

@@ -12,10 +12,10 @@ namespace clast {
 struct CloudSurfaceOptions {
   /// Points that lie closer together than half of this share of the diagonal are averaged in cubes
   /// of this side.
-  double cell = 0.008;
+  double averaging_cell = 0.008;
   /// Where a hole ends: the radius of a ball that touches the surface and no point, in spacings of
   /// the points around it.
-  double trim = 1.5;
+  double hole_ball_radius = 1.5;
   std::size_t min_points = 500;  ///< fewer points make no block
 
   void check() const;  ///< throws InputError naming the field and its value

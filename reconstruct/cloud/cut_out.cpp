@@ -49,14 +49,14 @@ std::vector<Vec3> sample_surface_points(const TriangleMesh& mesh) {
 }
 
 std::vector<Component> extract_nearest_components(const TriangleMesh& sheet, const PointTree& tree,
-                                             std::span<const std::uint32_t> block) {
+                                                  std::span<const std::uint32_t> block) {
   std::vector<bool> on_block;
   for (const std::uint32_t i : block) {
     if (i >= on_block.size()) on_block.resize(i + 1, false);
     on_block[i] = true;
   }
   const auto belongs = [&](const Vec3& p) {
-    const std::uint32_t nearest = tree.nearest(p, 1).front().point;
+    const std::uint32_t nearest = tree.nearest_neighbours(p, 1).front().point;
     return nearest < on_block.size() && on_block[nearest];
   };
   std::vector<bool> keep(sheet.triangles.size());

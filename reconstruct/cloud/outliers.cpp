@@ -84,7 +84,7 @@ std::vector<double> compute_local_spacings(std::span<const Vec3> points) {
   std::vector<double> spacings;
   spacings.reserve(points.size());
   for (const Vec3& p : points) {
-    spacings.push_back(kSpacingOfSixth * tree.nearest(p, kSixth + 1).back().distance);
+    spacings.push_back(kSpacingOfSixth * tree.nearest_neighbours(p, kSixth + 1).back().distance);
   }
   return spacings;
 }
@@ -100,14 +100,15 @@ class Isolation {
   /// May the point be an outlier, now or when others are gone? Nearly all of a surface may not.
   bool is_suspect(std::uint32_t point) const {
     if (spacings_[point] > kIsolated * usual_) return true;
-    const auto near = tree_.nearest(points_[point], kSuspectNeighbours);
+    const auto near = tree_.nearest_neighbours(points_[point], kSuspectNeighbours);
     return std::any_of(near.begin(), near.end(), [&](const PointTree::Neighbour& n) {
       return spacings_[point] > kIsolated * spacings_[n.point];
     });
   }
 
   bool is_outlier(std::uint32_t point) const {
-    const std::vector<PointTree::Neighbour> around = tree_.nearest(points_[point], kAround);
+    const std::vector<PointTree::Neighbour> around =
+        tree_.nearest_neighbours(points_[point], kAround);
     const double spacing = kSpacingOfSixth * around[kSixth].distance;  // others may be gone
     return is_scattered(point, spacing, around) || is_off(point, spacing, around);
   }
@@ -134,7 +135,7 @@ class Isolation {
       const double spacing = spacings_[near.point];
       if (near.point == point || !(own > kIsolated * spacing)) continue;
       const PlaneOf plane =
-          plane_without(point, tree_.nearest(points_[near.point], kPlaneNeighbours));
+          plane_without(point, tree_.nearest_neighbours(points_[near.point], kPlaneNeighbours));
       off += around[1].distance > kAlone * spacing &&
              plane.off(points_[point]) >
                  kOutlierSpacings * spacing + kOutlierDeviations * plane.across;

@@ -55,14 +55,15 @@ SeparatedPoints separate_far_points(std::span<const Vec3> points) {
     for (const std::uint32_t i : sets[s]) is_far[i] = true;
     if (any) continue;  // the largest far set comes first
     any = true;
-    result.far_area_ratio = static_cast<double>(sets[s].size()) / static_cast<double>(sets[0].size());
+    result.far_area_ratio =
+        static_cast<double>(sets[s].size()) / static_cast<double>(sets[0].size());
     result.far_position = sparse[sets[s].front()];
   }
   if (!any) return result;
   result.near.clear();
   const PointTree tree(sparse);
   for (const Vec3& p : points) {
-    if (is_far[tree.nearest(p, 1).front().point]) {
+    if (is_far[tree.nearest_neighbours(p, 1).front().point]) {
       ++result.far;
     } else {
       result.near.push_back(p);

@@ -67,9 +67,9 @@ FieldBlock with_doubt(FieldBlock block) {
 
 /// Is a part of the surface not as it was read? A wrap is off it everywhere, and says so.
 bool was_changed(const RepairReport& report) {
-  return !report.wrap_bias && (report.filled_fraction > 0.0 || !report.doubled.empty() ||
-                               report.find(DefectKind::kSpike) != nullptr ||
-                               report.find(DefectKind::kSelfIntersection) != nullptr);
+  return !report.wrap_bias && (report.filled_fraction > 0.0 || !report.duplicates.empty() ||
+                               report.find_defect(DefectKind::kSpike) != nullptr ||
+                               report.find_defect(DefectKind::kSelfIntersection) != nullptr);
 }
 
 /// By the volume that the surface would have with its largest hole filled flat.
@@ -97,7 +97,7 @@ bool turn_open_mesh_outward(TriangleMesh& open) {
 void flip_orientation(RepairReport& report) {
   std::swap(report.volume_below, report.volume_above);
   for (FilledHole& hole : report.holes) std::swap(hole.volume_below, hole.volume_above);
-  for (DuplicateSurface& copy : report.doubled) {
+  for (DuplicateSurface& copy : report.duplicates) {
     copy.offset = -copy.offset;
     copy.volume_change = -copy.volume_change;
   }
@@ -150,7 +150,7 @@ void note_tilt(const Quat& rotation, std::vector<std::string>& notes) {
 /// The same underside with every length scaled and every place moved.
 template <class Move>
 Underside moved(Underside side, double unit, const Move& move) {
-  for (TriangleMesh* mesh : {&side.lower, &side.best}) {
+  for (TriangleMesh* mesh : {&side.lower_mesh, &side.best_estimate}) {
     for (Vec3& vertex : mesh->vertices) vertex = move(vertex);
   }
   static_cast<VolumeBracket&>(side) = scaled(side, unit);
@@ -158,7 +158,7 @@ Underside moved(Underside side, double unit, const Move& move) {
   side.down = (move(side.rim_centre + side.down) - centre).normalized();
   side.rim_centre = centre;
   side.rim_length *= unit;
-  side.gap *= unit;
+  side.ground_clearance *= unit;
   return side;
 }
 
@@ -217,14 +217,16 @@ void judge_form(FieldBlock& block, const std::string& name, const ScanOptions& o
     }
     const std::string seam = " in a seam " + format_significant(anomaly.size, 2) + " m wide near " +
                              format_file_position(anomaly.position);
-    const std::string share = format_significant(100.0 * anomaly.fraction, 2) + " % of the volume";
+    const std::string percent =
+        format_significant(100.0 * anomaly.fraction, 2) + " % of the volume";
     if (anomaly.fraction > kSmallNeighbour) {
-      throw GeometryError(name + ": two bodies that touch" + seam + ", the smaller with " + share +
+      throw GeometryError(name + ": two bodies that touch" + seam + ", the smaller with " +
+                          percent +
                           ": crop the scan to one of them; if it is one rock with a narrow "
                           "middle, crop the ground off the scan and give `find_ground = false`");
     }
     leave_out_neighbour(block, *anomaly.seam, anomaly.fraction);
-    block.scan.notes.push_back("a smaller body with " + share + " touches this one" + seam +
+    block.scan.notes.push_back("a smaller body with " + percent + " touches this one" + seam +
                                "; the lower bounds are those without it: crop it off the scan to "
                                "narrow the bounds");
   }
@@ -244,7 +246,7 @@ FieldBlock close_block(OpenBlock open, const std::string& name, const FieldScanO
   std::optional<Pose> upright_pose;
   if (open.ground && !field.up_given) upright_pose = upright(open, options);
   FieldBlock block{
-      clean_scan(side ? side->best : open.surface, name, options, upright_pose), {}, {}};
+      clean_scan(side ? side->best_estimate : open.surface, name, options, upright_pose), {}, {}};
   if (upright_pose) block.block_from_file = *upright_pose;
   RepairReport& report = block.scan.report;
   report = merged(std::move(open.repaired), std::move(report));
@@ -282,10 +284,10 @@ RepairReport report_with_fillings(RepairReport report, const std::vector<FilledH
                                   double area, double unit) {
   if (fillings.empty()) return report;
   RepairReport filled;
-  double share = 0.0;
+  double area_fraction = 0.0;
   for (FilledHole hole : fillings) {
     hole.area_fraction = hole.area / area;
-    share += hole.area_fraction;
+    area_fraction += hole.area_fraction;
     hole.perimeter *= unit;
     hole.radius *= unit;
     hole.area *= unit * unit;
@@ -298,8 +300,8 @@ RepairReport report_with_fillings(RepairReport report, const std::vector<FilledH
   }
   std::stable_sort(filled.holes.begin(), filled.holes.end(),
                    [](const FilledHole& a, const FilledHole& b) { return a.area > b.area; });
-  filled.defects.push_back(
-      {DefectKind::kHole, fillings.size(), share, filled.holes[0].radius, filled.holes[0].centre});
+  filled.defects.push_back({DefectKind::kHole, fillings.size(), area_fraction,
+                            filled.holes[0].radius, filled.holes[0].centre});
   return merged(std::move(report), std::move(filled));
 }
 

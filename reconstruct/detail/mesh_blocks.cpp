@@ -53,7 +53,7 @@ std::optional<OpenSheet> open_sheet(const TriangleMesh& raw, const ScanOptions& 
   note_change(DefectKind::kFoldedPair, repair.folded);
   note_change(DefectKind::kFin, repair.fins);
   note_change(DefectKind::kNonManifoldEdge, repair.touching);
-  const std::size_t turned = repair.orientation.turned + orient_vertex_attached_fragments(mesh);
+  const std::size_t turned = repair.orientation.flipped + orient_vertex_attached_fragments(mesh);
   if (turned > 0) {
     note(DefectKind::kInconsistentOrientation, turned, 0.0,
          mesh.vertices[repair.orientation.first]);
@@ -76,7 +76,7 @@ void note_copy(RepairReport& report, DuplicateSurface doubled, const Component& 
   doubled.retained_volume *= unit * unit * unit;
   report.volume_below = std::max(report.volume_below, -doubled.volume_change);
   report.volume_above = std::max(report.volume_above, doubled.volume_change);
-  report.doubled.push_back(doubled);
+  report.duplicates.push_back(doubled);
   report.defects.push_back({DefectKind::kDuplicateSheet, 1, component.area / first_area, 0.0,
                             component.mesh.vertices[0]});
 }
@@ -163,7 +163,7 @@ std::vector<FieldBlock> extract_mesh_blocks(const TriangleMesh& raw, const std::
   if (drop_copies(components, sheet->repaired, options.scan.unit)) {
     return {clean_block(raw, name, options)};
   }
-  if (!sheet->repaired.doubled.empty()) {
+  if (!sheet->repaired.duplicates.empty()) {
     sheet->mesh = {};
     for (const Component& component : components)
       sheet->mesh = merged(std::move(sheet->mesh), component.mesh);

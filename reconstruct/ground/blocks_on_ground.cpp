@@ -38,7 +38,7 @@ struct Wall {
 Wall wall_near(const Vec3& point, const Vec3& block_centre, std::span<const Vec3> band,
                const reconstruct_detail::PointTree& tree) {
   const std::vector<reconstruct_detail::PointTree::Neighbour> near =
-      tree.nearest(point, kWallPoints);
+      tree.nearest_neighbours(point, kWallPoints);
   Vec3 centre = Vec3::Zero();
   for (const auto& n : near) centre += band[n.point] / static_cast<double>(near.size());
   Mat3 scatter = Mat3::Zero();
@@ -138,7 +138,7 @@ class Standing {
     std::vector<std::uint32_t> strip;
     for (std::uint32_t i = 0; i < points_.size(); ++i) {
       if (heights_[i] < -clear_) continue;
-      const auto near = tree.nearest(points_[i], 1).front();
+      const auto near = tree.nearest_neighbours(points_[i], 1).front();
       if (heights_[i] <= clear_) {
         if (near.distance < 2.0 * clear_ + kComponentReach * cell_) strip.push_back(i);
       } else if (near.distance < kComponentReach * cell_) {
@@ -173,7 +173,7 @@ class Standing {
       const reconstruct_detail::PointTree walls(band);
       for (const std::uint32_t i : strip) {
         if (heights_[i] > top || heights_[i] <= top - step) continue;
-        const auto near = walls.nearest(points_[i], 1).front();
+        const auto near = walls.nearest_neighbours(points_[i], 1).front();
         if (near.distance > reach) continue;
         const std::int64_t block = owner_of[near.point];
         const Wall wall =

@@ -180,7 +180,7 @@ struct Ground::Surface {
   reconstruct_detail::ThinPlateGrid grid;
 
   Vec3 flat(const Vec3& point) const { return rotation * (point - origin); }
-  double at(const Vec3& point) const { return grid.at(flat(point).head<2>()); }
+  double at(const Vec3& point) const { return grid.height_at(flat(point).head<2>()); }
 };
 
 Ground::Ground(const Plane& plane, std::unique_ptr<const Surface> surface, double roughness)
@@ -197,7 +197,7 @@ Plane Ground::tangent_plane_below(const Vec3& point, double size) const {
   const Surface& s = *surface_;
   const Vec2 at = s.flat(point).head<2>();
   const double d = 0.5 * size;
-  const auto height = [&](double x, double y) { return s.grid.at(at + Vec2(x, y)); };
+  const auto height = [&](double x, double y) { return s.grid.height_at(at + Vec2(x, y)); };
   const Vec3 normal =
       Vec3(height(-d, 0) - height(d, 0), height(0, -d) - height(0, d), 2.0 * d).normalized();
   const double mean = 0.25 * (height(-d, 0) + height(d, 0) + height(0, -d) + height(0, d));
@@ -280,12 +280,12 @@ std::optional<Ground> find_ground(std::span<const Vec3> points, const GroundOpti
   for (int fit = 0; fit < kGroundFits; ++fit) {
     held.clear();
     for (const Vec3& p : flat) {
-      if (std::abs(p.z() - (grid ? grid->at(p.head<2>()) : 0.0)) < band) held.push_back(p);
+      if (std::abs(p.z() - (grid ? grid->height_at(p.head<2>()) : 0.0)) < band) held.push_back(p);
     }
     if (held.size() < 10) return std::nullopt;
     grid.emplace(held, extent, kGridNodes, kStiffness);
     std::vector<double> off;
-    for (const Vec3& p : held) off.push_back(std::abs(p.z() - grid->at(p.head<2>())));
+    for (const Vec3& p : held) off.push_back(std::abs(p.z() - grid->height_at(p.head<2>())));
     roughness = kDeviationOfMad * upper_median(std::move(off));
     band = std::max(kBand * roughness, kNarrowing * band);
   }

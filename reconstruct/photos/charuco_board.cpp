@@ -44,7 +44,7 @@ void CharucoBoard::check() const {
 }
 
 std::vector<BoardCorner> find_board_corners(const PhotoModel& model, const CharucoBoard& board,
-                                             const MarkerOptions& options) {
+                                            const MarkerOptions& options) {
   options.check();
   board.check();
   const photos_detail::SingleThreadedOpenCv guard;
@@ -69,9 +69,9 @@ std::vector<BoardCorner> find_board_corners(const PhotoModel& model, const Charu
   for (std::size_t index = 0; index < observations.size(); ++index) {
     const auto corner =
         photos_detail::triangulate(model, observations[index], options.largest_error);
-    if (!corner || corner->agreeing < options.fewest_photos) continue;
-    found.push_back({static_cast<int>(index), corner->position, corner->agreeing,
-                     std::sqrt(corner->squared_error / static_cast<double>(corner->agreeing))});
+    if (!corner || corner->inlier_count < options.fewest_photos) continue;
+    found.push_back({static_cast<int>(index), corner->position, corner->inlier_count,
+                     std::sqrt(corner->squared_error / static_cast<double>(corner->inlier_count))});
   }
   return found;
 }

@@ -174,10 +174,10 @@ class ColmapJob {
     if (stage_) stage_(what);
     const ProcessResult end =
         run_child_process(words(command, arguments), {{"QT_QPA_PLATFORM", "offscreen"}},
-                          work_ / (command + ".log"), options_.seconds);
+                          work_ / (command + ".log"), options_.time_limit);
     if (end.timed_out) {
       throw InputError("colmap " + command + " was ended after " +
-                       format_significant(options_.seconds / 60.0, 3) +
+                       format_significant(options_.time_limit / 60.0, 3) +
                        " minutes: use fewer or smaller photos, or give it more time with "
                        "`seconds`");
     }
@@ -250,7 +250,7 @@ void ColmapOptions::check() const {
     if (fine) return;
     throw InputError(std::string(name) + " = " + format_significant(value, 6) + " is out of range");
   };
-  require(seconds > 0.0 && seconds <= 1e6, "seconds", seconds);
+  require(time_limit > 0.0 && time_limit <= 1e6, "seconds", time_limit);
   require(features >= 100 && features <= 100000, "features", features);
   require(most_pixels >= 200 && most_pixels <= 20000, "most_pixels", most_pixels);
   require(least_share > 0.0 && least_share <= 1.0, "least_share", least_share);
@@ -273,7 +273,7 @@ std::string compute_photo_digest(const fs::path& folder) {
 }
 
 PhotoModel run_colmap(const fs::path& folder, const ColmapOptions& options,
-                          const std::function<void(const std::string&)>& stage) {
+                      const std::function<void(const std::string&)>& stage) {
   options.check();
   const std::vector<fs::path> files = photos_beside_masks(folder, options.masks);
   if (files.size() < kMinMatchedPhotos) {

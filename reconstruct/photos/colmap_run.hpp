@@ -15,7 +15,7 @@ struct ColmapOptions {
   std::filesystem::path cache = {};
   /// Folder of masks, as `find_masks` takes them, or empty. Features are found in what is white.
   std::filesystem::path masks = {};
-  double seconds = 3600.0;            ///< each of its steps may take so long
+  double time_limit = 3600.0;         ///< each of its steps may take so long
   int features = 4000;                ///< looked for in each photo
   int most_pixels = 2000;             ///< of the longer side; larger photos are reduced
   std::size_t exhaustive_up_to = 60;  ///< photos; of more, neighbours in order are matched first
@@ -27,12 +27,12 @@ struct ColmapOptions {
 
 template <class Visit>
 void visit_fields(const ColmapOptions& options, Visit&& visit) {
-  const auto& [program, cache, masks, seconds, features, most_pixels, exhaustive_up_to,
+  const auto& [program, cache, masks, time_limit, features, most_pixels, exhaustive_up_to,
                least_share] = options;
   visit("program", program);
   visit("cache", ExcludedField{cache});
   visit("masks", masks);
-  visit("seconds", ExcludedField{seconds});
+  visit("seconds", ExcludedField{time_limit});
   visit("features", features);
   visit("most_pixels", most_pixels);
   visit("exhaustive_up_to", exhaustive_up_to);
@@ -59,6 +59,6 @@ std::string compute_photo_digest(const std::filesystem::path& folder);
 ///                     failed or took too long
 /// @cite schoenberger2016
 PhotoModel run_colmap(const std::filesystem::path& folder, const ColmapOptions& options = {},
-                          const std::function<void(const std::string&)>& stage = {});
+                      const std::function<void(const std::string&)>& stage = {});
 
 }  // namespace clast

@@ -51,7 +51,7 @@ std::vector<Fused> fused(const std::vector<View>& views, std::size_t own,
     const auto* row = view.depths->disparity.ptr<short>(v);
     for (int u = 0; u < r.width; ++u) {
       if (row[u] == kNoDisparity) continue;
-      const Vec3 position = r.point(u, v, row[u] / kDisparityScale);
+      const Vec3 position = r.back_projected(u, v, row[u] / kDisparityScale);
       Vec3 sum = position;
       std::size_t agree = 1, against = 0;
       for (const View* other : others) {
@@ -67,14 +67,14 @@ std::vector<Fused> fused(const std::vector<View>& views, std::size_t own,
         const double expected = other->focal_baseline * inverse - other->offset;
         const double nearer = expected - known / kDisparityScale;
         if (std::abs(nearer) <= options.tolerance) {
-          sum +=
-              other->depths->view.point(q.x() * inverse, q.y() * inverse, known / kDisparityScale);
+          sum += other->depths->view.back_projected(q.x() * inverse, q.y() * inverse,
+                                                    known / kDisparityScale);
           ++agree;
         } else if (nearer > through) {
           ++against;
         }
       }
-      if (agree < options.agreeing || against >= agree) continue;
+      if (agree < options.min_agreeing_pairs || against >= agree) continue;
       agreed.at<std::uint8_t>(v, u) = 1;
       points.push_back({sum / static_cast<double>(agree), view.depths->colour.at<cv::Vec3b>(v, u)});
     }
@@ -159,8 +159,8 @@ void DenseOptions::check() const {
   };
   require(most_pixels >= 100 && most_pixels <= 10000, "most_pixels", most_pixels,
           "from 100 to 10000");
-  require(agreeing >= 1 && agreeing <= 20, "agreeing", static_cast<double>(agreeing),
-          "from 1 to 20");
+  require(min_agreeing_pairs >= 1 && min_agreeing_pairs <= 20, "agreeing",
+          static_cast<double>(min_agreeing_pairs), "from 1 to 20");
   require(tolerance > 0.0 && tolerance <= 10.0, "tolerance", tolerance, "above 0 and at most 10");
   require(cell > 0.0 && cell <= 100.0, "cell", cell, "above 0 and at most 100");
 }
@@ -206,8 +206,8 @@ DenseCloud compute_dense_cloud(const PhotoModel& model, const DenseOptions& opti
     if (progress) progress(count + (first + points.size()) / 4, count + count / 4);
   }
   cells.flush_batch(cloud);
-  cloud.through = photos_detail::carve_free_space(views, agreed, cloud.region, options.tolerance,
-                                                  options.threads);
+  cloud.free_space = photos_detail::carve_free_space(views, agreed, cloud.region, options.tolerance,
+                                                     options.threads);
   if (cloud.points.size() < kMinDensePoints) {
     throw InputError("the photos agree on " + std::to_string(cloud.points.size()) +
                      " points only, from " + std::to_string(count) +

@@ -15,10 +15,10 @@ namespace clast {
 
 struct DenseOptions {
   StereoPairOptions pairs = {};
-  int most_pixels = 1100;    ///< sides of the compared parts of photos; larger ones are reduced
-  std::size_t agreeing = 3;  ///< depths from as many pairs must meet in a point
-  double tolerance = 1.0;    ///< px, by which they may differ
-  double cell = 1.7;         ///< one point per cube of this many pixels' width on the block
+  int most_pixels = 1100;  ///< sides of the compared parts of photos; larger ones are reduced
+  std::size_t min_agreeing_pairs = 3;  ///< depths from as many pairs must meet in a point
+  double tolerance = 1.0;              ///< px, by which they may differ
+  double cell = 1.7;  ///< one point per cube of this many pixels' width on the block
   bool skip_blurred = true;
   /// Folder of masks, as `find_masks` takes them, or empty.
   std::filesystem::path masks = {};
@@ -29,11 +29,11 @@ struct DenseOptions {
 
 template <class Visit>
 void visit_fields(const DenseOptions& options, Visit&& visit) {
-  const auto& [pairs, most_pixels, agreeing, tolerance, cell, skip_blurred, masks, threads] =
-      options;
+  const auto& [pairs, most_pixels, min_agreeing_pairs, tolerance, cell, skip_blurred, masks,
+               threads] = options;
   visit("pairs", pairs);
   visit("most_pixels", most_pixels);
-  visit("agreeing", agreeing);
+  visit("agreeing", min_agreeing_pairs);
   visit("tolerance", tolerance);
   visit("cell", cell);
   visit("skip_blurred", skip_blurred);

@@ -58,8 +58,8 @@ std::string likely_dictionary(const PhotoModel& model, unsigned threads) {
 /// The marker where the photos that agree see it; none where too few do.
 /// @param seen  by photo
 std::optional<LocatedMarker> placed(const PhotoModel& model,
-                                  const std::vector<std::vector<DetectedMarker>>& detected, int id,
-                                  const MarkerOptions& options) {
+                                    const std::vector<std::vector<DetectedMarker>>& detected,
+                                    int id, const MarkerOptions& options) {
   LocatedMarker marker{id, {}, model.photos.size(), 0.0};
   double squares = 0.0, count = 0.0;
   for (std::size_t k = 0; k < 4; ++k) {
@@ -70,11 +70,11 @@ std::optional<LocatedMarker> placed(const PhotoModel& model,
       }
     }
     const auto corner = photos_detail::triangulate(model, observations, options.largest_error);
-    if (!corner || corner->agreeing < options.fewest_photos) return std::nullopt;
+    if (!corner || corner->inlier_count < options.fewest_photos) return std::nullopt;
     marker.corners[k] = corner->position;
-    marker.photos = std::min(marker.photos, corner->agreeing);
+    marker.photos = std::min(marker.photos, corner->inlier_count);
     squares += corner->squared_error;
-    count += static_cast<double>(corner->agreeing);
+    count += static_cast<double>(corner->inlier_count);
   }
   marker.error = std::sqrt(squares / count);
   return marker;
@@ -101,7 +101,9 @@ double LocatedMarker::side() const {
   return 0.25 * sum;
 }
 
-std::vector<std::string> marker_dictionary_names() { return photos_detail::common_dictionary_names(); }
+std::vector<std::string> marker_dictionary_names() {
+  return photos_detail::common_dictionary_names();
+}
 
 MarkerSearchResult search_markers(const PhotoModel& model, const MarkerOptions& options) {
   options.check();

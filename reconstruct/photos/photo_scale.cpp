@@ -93,8 +93,8 @@ std::size_t leave_out_disagreeing(std::vector<ScaleMeasure>& measures, double mo
   if (2 * used > measures.size() || measures.size() == 1) return used;
   std::string values;
   for (const ScaleMeasure& measure : measures) {
-    values += (values.empty() ? "" : ", ") + measure.name + ": " + format_significant(measure.factor, 6) +
-              " m per unit";
+    values += (values.empty() ? "" : ", ") + measure.name + ": " +
+              format_significant(measure.factor, 6) + " m per unit";
   }
   throw InputError("the sizes contradict each other by more than " + in_percent(most) + " (" +
                    values + "); measure the markers again, or give the distances you trust");
@@ -106,14 +106,15 @@ void compare_measures(PhotoScale& scale, std::size_t used, double most) {
   for (std::size_t i = 0; i < scale.measures.size(); ++i) {
     ScaleMeasure& measure = scale.measures[i];
     const double others = mean_factor(scale.measures, i);
-    if (others > 0.0) measure.left_out = others / measure.factor - 1.0;
+    if (others > 0.0) measure.leave_one_out_error = others / measure.factor - 1.0;
     if (measure.used) {
       squares += std::pow(measure.factor / scale.metres_per_unit - 1.0, 2);
       continue;
     }
-    scale.notes.push_back(measure.name + " disagrees by " + in_percent(std::abs(measure.left_out)) +
-                          " with the other " + std::to_string(used) + " (limit " +
-                          in_percent(most) + "): wrong size or a bent board? Left out");
+    scale.notes.push_back(measure.name + " disagrees by " +
+                          in_percent(std::abs(measure.leave_one_out_error)) + " with the other " +
+                          std::to_string(used) + " (limit " + in_percent(most) +
+                          "): wrong size or a bent board? Left out");
   }
   if (used > 1) scale.spread = std::sqrt(squares / static_cast<double>(used - 1));
   if (used == 1) {
@@ -160,8 +161,9 @@ void ScaleOptions::check() const {
   }
 }
 
-PhotoScale estimate_scale_from_markers(const std::vector<LocatedMarker>& markers, const ScaleOptions& options,
-                              const std::vector<BoardCorner>& corners) {
+PhotoScale estimate_scale_from_markers(const std::vector<LocatedMarker>& markers,
+                                       const ScaleOptions& options,
+                                       const std::vector<BoardCorner>& corners) {
   options.check();
   PhotoScale scale;
   const std::optional<double> side = side_of_markers(options);

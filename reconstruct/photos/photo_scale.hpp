@@ -48,7 +48,7 @@ struct ScaleMeasure {
   std::string name;     ///< "marker 2" or "markers 0 and 3" or "row 2 of the board, ..."
   double length = 0.0;  ///< as given, m
   double factor = 0.0;  ///< metres per unit of the model, by this one alone
-  double left_out =
+  double leave_one_out_error =
       0.0;  ///< relative error of its length when the others set the scale; 0 if alone
   bool used = false;
   std::vector<int> markers = {};  ///< ids of those that it is of or between
@@ -72,7 +72,8 @@ struct PhotoScale {
 /// @param corners  of the ChArUco board, where `options` have one
 /// @throws InputError  no distances and no side are given; a bar names a marker that was not found;
 ///                     sizes contradict each other
-PhotoScale estimate_scale_from_markers(const std::vector<LocatedMarker>& markers, const ScaleOptions& options,
-                              const std::vector<BoardCorner>& corners = {});
+PhotoScale estimate_scale_from_markers(const std::vector<LocatedMarker>& markers,
+                                       const ScaleOptions& options,
+                                       const std::vector<BoardCorner>& corners = {});
 
 }  // namespace clast

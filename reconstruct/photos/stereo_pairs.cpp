@@ -20,14 +20,14 @@ struct Partner {
 
 /// Photos that show the middle of the region from outside of it.
 std::vector<std::size_t> usable_photos(const PhotoModel& model, const PhotoRegion& region,
-                                       const std::vector<std::size_t>& left_out) {
+                                       const std::vector<std::size_t>& excluded) {
   std::vector<std::size_t> usable;
   for (std::size_t i = 0; i < model.photos.size(); ++i) {
-    if (std::binary_search(left_out.begin(), left_out.end(), i)) continue;
+    if (std::binary_search(excluded.begin(), excluded.end(), i)) continue;
     const CameraIntrinsics& lens = model.lenses[model.photos[i].lens];
     const std::optional<Vec2> projection = project_into_photo(model, i, region.centre);
-    const bool inside = projection && projection->x() > 0.0 && projection->y() > 0.0 && projection->x() < lens.width &&
-                        projection->y() < lens.height;
+    const bool inside = projection && projection->x() > 0.0 && projection->y() > 0.0 &&
+                        projection->x() < lens.width && projection->y() < lens.height;
     // From inside the ball there is no picture of the block.
     if (inside && (model.photos[i].centre() - region.centre).norm() > 1.2 * region.radius) {
       usable.push_back(i);
@@ -88,7 +88,8 @@ std::vector<std::size_t> choose_partners(const std::vector<Partner>& partners, s
   std::string apart;
   if (!nearest.empty()) {
     std::sort(nearest.begin(), nearest.end());
-    apart = ": neighbours are " + format_significant(nearest[nearest.size() / 2] * kDegreesPerRadian, 2) +
+    apart = ": neighbours are " +
+            format_significant(nearest[nearest.size() / 2] * kDegreesPerRadian, 2) +
             " degrees apart";
   }
   throw InputError("only " + std::to_string(pairs) + " pairs among " + std::to_string(photos) +
@@ -109,10 +110,10 @@ void StereoPairOptions::check() const {
 }
 
 std::vector<StereoPair> stereo_pairs(const PhotoModel& model, const PhotoRegion& region,
-                                     const std::vector<std::size_t>& left_out,
+                                     const std::vector<std::size_t>& excluded,
                                      const StereoPairOptions& options) {
   options.check();
-  const std::vector<std::size_t> usable = usable_photos(model, region, left_out);
+  const std::vector<std::size_t> usable = usable_photos(model, region, excluded);
   std::set<std::pair<std::size_t, std::size_t>> chosen;
   std::vector<double> nearest;
   for (const std::size_t i : usable) {

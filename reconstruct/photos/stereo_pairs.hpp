@@ -39,10 +39,10 @@ void visit_fields(const StereoPairOptions& options, Visit&& visit) {
 
 /// For each photo that shows the middle of the region, the partners nearest to the best angle, on
 /// both sides of it where there are some. In order of photos.
-/// @param left_out  photos not to use, by number (blurred ones), ascending
+/// @param excluded  photos not to use, by number (blurred ones), ascending
 /// @throws InputError  too few pairs: says how far the photos are apart
 std::vector<StereoPair> stereo_pairs(const PhotoModel& model, const PhotoRegion& region,
-                                     const std::vector<std::size_t>& left_out = {},
+                                     const std::vector<std::size_t>& excluded = {},
                                      const StereoPairOptions& options = {});
 
 }  // namespace clast

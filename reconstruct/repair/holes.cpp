@@ -35,8 +35,8 @@ using Vertex = mesh_detail::CgalMesh::Vertex_index;
 
 /// Above this many border edges the search of all triangulations, cubic in them, takes minutes.
 constexpr std::size_t kMaxForAllTriangulations = 400;
-/// See `is_unobserved_side`: of a ball, a gap of 1 % of the surface leaves 0.03 % of the volume open,
-/// one of 5 % leaves 0.7 %.
+/// See `is_unobserved_side`: of a ball, a gap of 1 % of the surface leaves 0.03 % of the volume
+/// open, one of 5 % leaves 0.7 %.
 constexpr double kUnobservedFraction = 0.05, kMinUnobservedFraction = 0.01;
 constexpr double kUnobservedWidth = 3.0;  ///< in mean sides of the border
 /// A filling deviates from a membrane by this share of the hole's width at most: a cap of a ball
@@ -198,7 +198,8 @@ bool is_unobserved_side(const std::vector<Vec3>& border, double seen_area) {
   }
   const double flat = 0.5 * doubled.norm(), fraction = flat / (seen_area + flat);
   const double sides_wide = 2.0 * flat * static_cast<double>(border.size()) / (around * around);
-  return fraction > kUnobservedFraction || (fraction > kMinUnobservedFraction && sides_wide > kUnobservedWidth);
+  return fraction > kUnobservedFraction ||
+         (fraction > kMinUnobservedFraction && sides_wide > kUnobservedWidth);
 }
 
 FilledHole measure_hole(const std::vector<Vec3>& border) {
@@ -245,7 +246,7 @@ std::vector<FilledHole> fill_with_fans(TriangleMesh& mesh, std::size_t max_edges
     for (const std::uint32_t v : loop) border.push_back(mesh.vertices[v]);
     filled.push_back(measure_hole(border));
     filled.back().area = smallest;
-    filled.back().fan = true;
+    filled.back().is_fan = true;
   }
   return filled;
 }

@@ -76,7 +76,7 @@ std::vector<FilledHole> retriangulate_missing_faces(TriangleMesh& mesh) {
     hole.area = filling->area;
     hole.volume_below = filling->volume_below;
     hole.volume_above = filling->volume_above;
-    hole.fan = true;
+    hole.is_fan = true;
     filled.push_back(hole);
   }
   return filled;

@@ -66,7 +66,7 @@ void drop_touching(TriangleMesh& mesh, SplitEdges& touching) {
     if (!drop[t]) source.push_back(touching.source[t]);
   }
   touching.source = std::move(source);
-  touching.cut.area = remove_triangles(mesh, drop).area;
+  touching.split.area = remove_triangles(mesh, drop).area;
 }
 
 /// Gives each group of corners at a vertex a vertex of its own; the group of the first corner keeps
@@ -161,10 +161,10 @@ SplitEdges split_non_manifold_edges(TriangleMesh& mesh) {
   for_each_edge(sorted, [&](std::span<const HalfEdge> sides) {
     if (sides.size() == 2) join(sides[0], sides[1]);
     if (sides.size() < 3) return;
-    if (result.cut.count++ == 0) result.cut.position = mesh.vertices[sides[0].low];
+    if (result.split.count++ == 0) result.split.position = mesh.vertices[sides[0].low];
     for (const auto& [i, j] : rock_pairs(mesh, sides)) join(sides[i], sides[j]);
   });
-  if (result.cut.count == 0) return result;
+  if (result.split.count == 0) return result;
   std::vector<std::uint32_t> group(3 * mesh.triangles.size());
   for (std::uint32_t c = 0; c < group.size(); ++c) group[c] = corners.find(c);
   split_by_groups(mesh, group);

@@ -15,7 +15,7 @@ std::vector<Vec3> triangle_directions(const TriangleMesh& mesh, std::span<const 
 
 /// Edges that were cut, and what became of the triangles.
 struct SplitEdges {
-  RepairChange cut;  ///< counts edges
+  RepairChange split;  ///< counts edges
   /// Of each triangle, the one that it is or that it is half of.
   std::vector<std::uint32_t> source;
 };

@@ -80,8 +80,8 @@ TriangleMesh weld_as_needed(const TriangleMesh& raw, double weld_tolerance, Repa
     tolerance = trial;
   }
   log.area_as_read = surface_area(mesh);
-  log.note(DefectKind::kNearVertices, vertices - mesh.vertices.size(), 0.0, {}, tolerance);
-  log.note(DefectKind::kDegenerate, raw.triangles.size() - mesh.triangles.size());
+  log.add_defect(DefectKind::kNearVertices, vertices - mesh.vertices.size(), 0.0, {}, tolerance);
+  log.add_defect(DefectKind::kDegenerate, raw.triangles.size() - mesh.triangles.size());
   return mesh;
 }
 
@@ -96,17 +96,17 @@ void repair_soup(TriangleMesh& mesh, bool fill_missing, RepairLog& log) {
   }
   reconstruct_detail::check_not_empty(mesh);
   reconstruct_detail::check_orientable(mesh, repair.orientation, log);
-  log.note(DefectKind::kFoldedPair, repair.folded);
-  log.note(DefectKind::kFin, repair.fins);
-  log.note(DefectKind::kNonManifoldEdge, repair.touching);
-  std::size_t turned = repair.orientation.turned;
+  log.add_defect(DefectKind::kFoldedPair, repair.folded);
+  log.add_defect(DefectKind::kFin, repair.fins);
+  log.add_defect(DefectKind::kNonManifoldEdge, repair.touching);
+  std::size_t turned = repair.orientation.flipped;
   if (fill_missing) {
     turned += reconstruct_detail::orient_vertex_attached_fragments(mesh);
     log.report.holes = reconstruct_detail::retriangulate_missing_faces(mesh);
   }
   if (turned > 0) {
-    log.note(DefectKind::kInconsistentOrientation, turned, 0.0,
-             mesh.vertices[repair.orientation.first]);
+    log.add_defect(DefectKind::kInconsistentOrientation, turned, 0.0,
+                   mesh.vertices[repair.orientation.first]);
   }
 }
 
@@ -143,7 +143,7 @@ void replace_crossings(TriangleMesh& mesh, const Vec3& origin, RepairLog& log) {
       reconstruct_detail::repair_crossings(mesh, origin);
   if (!freed) {
     throw GeometryError("the surface passes through itself at " + std::to_string(crossings.size()) +
-                        " pairs of triangles, the first near " + log.at(where) +
+                        " pairs of triangles, the first near " + log.format_position(where) +
                         ", and can't be freed of that without changing its volume by more than " +
                         format_significant(100.0 * reconstruct_detail::kCrossingVolume, 2) + " %" +
                         reconstruct_detail::kRepairAdvice);
@@ -151,7 +151,7 @@ void replace_crossings(TriangleMesh& mesh, const Vec3& origin, RepairLog& log) {
   log.report.crossing_volume_change =
       std::abs(signed_volume(freed->mesh)) / std::abs(signed_volume(mesh)) - 1.0;
   log.report.wrap_bias = freed->wrap_bias;
-  log.note(DefectKind::kSelfIntersection, crossings.size(), 0.0, where);
+  log.add_defect(DefectKind::kSelfIntersection, crossings.size(), 0.0, where);
   mesh = std::move(freed->mesh);
 }
 
@@ -165,9 +165,10 @@ void repair_block(TriangleMesh& mesh, const TriangleMesh& welded_mesh, const Vec
   reconstruct_detail::check_closed(mesh, welded_mesh, log);
   const SpikeSummary second =
       options.fill_missing ? reconstruct_detail::flatten_spikes(mesh) : SpikeSummary{};
-  log.note(DefectKind::kNonManifoldVertex, split);
+  log.add_defect(DefectKind::kNonManifoldVertex, split);
   const SpikeSummary& highest = first.highest > second.highest ? first : second;
-  log.note(DefectKind::kSpike, first.count + second.count, 0.0, highest.position, highest.highest);
+  log.add_defect(DefectKind::kSpike, first.count + second.count, 0.0, highest.position,
+                 highest.highest);
   reconstruct_detail::check_volume(mesh);
   if (options.fill_missing) replace_crossings(mesh, origin, log);
 }
@@ -176,13 +177,13 @@ void turn_solid_outward(TriangleMesh& mesh, RepairLog& log) {
   if (signed_volume(mesh) > 0.0) return;
   flip_orientation(mesh);
   log.flip_orientation();
-  log.note(DefectKind::kInwardOrientation, 1);
+  log.add_defect(DefectKind::kInwardOrientation, 1);
 }
 
 void note_tunnels(const TriangleMesh& mesh, RepairLog& log) {
   const MeshReport report = inspect_mesh(mesh);
   const long handles = static_cast<long>(report.components) - report.euler_characteristic / 2;
-  if (handles > 0) log.note(DefectKind::kTunnel, static_cast<std::size_t>(handles));
+  if (handles > 0) log.add_defect(DefectKind::kTunnel, static_cast<std::size_t>(handles));
 }
 
 }  // namespace

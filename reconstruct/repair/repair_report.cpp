@@ -34,7 +34,7 @@ class Sentences {
         notes.push_back(of(defect));
       }
     }
-    for (const DuplicateSurface& copy : report_.doubled) notes.push_back(of(copy));
+    for (const DuplicateSurface& copy : report_.duplicates) notes.push_back(of(copy));
     if (report_.wrap_bias) {
       notes.push_back(
           "the surface could not be freed of its crossings and was wrapped anew: hollows narrower "
@@ -148,7 +148,7 @@ class Sentences {
     std::size_t fans = 0, fan_edges = 0, fillings = 0, largest_fan = 0;
     const FilledHole* largest = nullptr;
     for (const FilledHole& hole : report_.holes) {
-      if (hole.fan) {
+      if (hole.is_fan) {
         ++fans;
         largest_fan = std::max(largest_fan, hole.border_edges);
         fan_edges += hole.border_edges;
@@ -194,7 +194,7 @@ class Sentences {
 
 }  // namespace
 
-const Defect* RepairReport::find(DefectKind kind) const {
+const Defect* RepairReport::find_defect(DefectKind kind) const {
   const auto found = std::find_if(defects.begin(), defects.end(),
                                   [&](const Defect& defect) { return defect.kind == kind; });
   return found == defects.end() ? nullptr : &*found;
@@ -224,7 +224,8 @@ RepairReport merged(RepairReport first, RepairReport second) {
   second.volume_above += first.volume_above;
   std::stable_sort(second.holes.begin(), second.holes.end(),
                    [](const FilledHole& a, const FilledHole& b) { return a.area > b.area; });
-  second.doubled.insert(second.doubled.begin(), first.doubled.begin(), first.doubled.end());
+  second.duplicates.insert(second.duplicates.begin(), first.duplicates.begin(),
+                           first.duplicates.end());
   second.inner_shells += first.inner_shells;
   second.inner_shell_volume += first.inner_shell_volume;
   return second;

@@ -199,7 +199,7 @@ OrientationResult orient_consistently(TriangleMesh& mesh) {
     for (const std::uint32_t t : component) {
       if (facing.is_flipped[t] == most) continue;
       std::swap(mesh.triangles[t][1], mesh.triangles[t][2]);
-      if (result.turned++ == 0) result.first = mesh.triangles[t][0];
+      if (result.flipped++ == 0) result.first = mesh.triangles[t][0];
     }
   }
   return result;
@@ -224,12 +224,12 @@ SoupRepairResult repair_soup(TriangleMesh& mesh, double max_fin_fraction) {
     repair.orientation = orient_consistently(mesh);
   }
   if (!repair.orientation.orientable || inspect_mesh(mesh).non_manifold_edges == 0) return repair;
-  const RepairChange cut = split_non_manifold_edges(mesh).cut;
+  const RepairChange cut = split_non_manifold_edges(mesh).split;
   if (repair.touching.count == 0) repair.touching.position = cut.position;
   repair.touching.count += cut.count;
   repair.touching.area += cut.area;
   const OrientationResult again = orient_consistently(mesh);
-  repair.orientation.turned += again.turned;
+  repair.orientation.flipped += again.flipped;
   repair.orientation.orientable = again.orientable;
   repair.orientation.conflict = again.conflict;
   return repair;

@@ -11,7 +11,7 @@ namespace clast::reconstruct_detail {
 /// What one step of a repair dropped or changed.
 struct RepairChange {
   std::size_t count = 0;
-  double area = 0.0;          ///< of what was dropped
+  double area = 0.0;             ///< of what was dropped
   Vec3 position = Vec3::Zero();  ///< of the first; meaningless when `count` is 0
 };
 
@@ -38,7 +38,7 @@ RepairChange remove_fins(TriangleMesh& mesh, double largest_share);
 RepairChange remove_border_fins(TriangleMesh& mesh);
 
 struct OrientationResult {
-  std::size_t turned = 0;  ///< triangles that were flipped
+  std::size_t flipped = 0;  ///< triangles that were flipped
   bool orientable = true;
   std::uint32_t conflict = 0;  ///< a vertex where the sides can't agree
   std::uint32_t first = 0;     ///< a vertex of the first triangle that was flipped

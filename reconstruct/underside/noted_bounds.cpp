@@ -26,7 +26,7 @@ constexpr double kPointed = 3.0;
 
 /// By the volume that a copy of the surface has more or less.
 void widen_for_copies(VolumeBracket& bounds, const RepairReport& report) {
-  if (!bounds.sides || report.doubled.empty()) return;
+  if (!bounds.sides || report.duplicates.empty()) return;
   const double below = report.volume_below / bounds.estimated_volume,
                above = report.volume_above / bounds.estimated_volume;
   bounds.sides->lower *= std::max(kMinVolumeLeft, 1.0 - kPointed * below);
@@ -54,7 +54,7 @@ std::vector<bool> mark_closures(const ClosedScan& scan) {
 }
 
 std::string assumption_of(const ClosedScan& scan, const RepairReport& report) {
-  if (!report.doubled.empty()) return "one of the copies of the surface is the rock";
+  if (!report.duplicates.empty()) return "one of the copies of the surface is the rock";
   if (scan.uncertainty != nullptr)
     return "between the points the surface continues as it does around";
   return "behind a filled gap the surface continues as it does around it";
@@ -72,7 +72,7 @@ ScannedSurface::ScannedSurface(std::span<const Vec3> points)
 
 bool ScannedSurface::contains(const Vec3& position) const {
   if (points_) {
-    const PointTree::Neighbour near = points_->nearest(position, 1)[0];
+    const PointTree::Neighbour near = points_->nearest_neighbours(position, 1)[0];
     return near.distance <= kGap * spacings_[near.point];
   }
   return tree_ && tree_->closest_point(position).squared_distance <= reach_ * reach_;
@@ -81,7 +81,7 @@ bool ScannedSurface::contains(const Vec3& position) const {
 std::optional<NotedBounds> bracket_closed_scan(const ClosedScan& scan, const RepairReport& report) {
   const std::vector<bool> closure = mark_closures(scan);
   const bool exact = std::find(closure.begin(), closure.end(), true) == closure.end();
-  if (exact && scan.uncertainty == nullptr && report.doubled.empty()) return std::nullopt;
+  if (exact && scan.uncertainty == nullptr && report.duplicates.empty()) return std::nullopt;
   const UnobservedBounds found =
       bound_unobserved_parts(scan.surface, {closure, {}, false, scan.uncertainty});
   NotedBounds bounds{scaled(found, scan.unit), describe_hollows(found.hollows, scan.unit)};

@@ -44,7 +44,8 @@ constexpr double kEven = 0.05, kUnevenFraction = 0.35;
 /// height, and does not from the second share on.
 constexpr double kAtGround = 0.02, kClearOfGround = 0.06;
 /// Where up to the first share of the rim hangs, the best shape sinks into the ground by `kSunk` of
-/// its height at most; where the second share and more does, it goes as deep as `deepest`.
+/// its height at most; where the second share and more does, it goes as deep as
+/// `max_depth_fraction`.
 constexpr double kFewHang = 0.05, kManyHang = 0.15;
 constexpr double kSunk = 0.05;
 /// A block stands on a foot where photos looked under it but for this share of its plan; where all
@@ -97,24 +98,24 @@ double cone_below(double root, double narrowing, double deepest) {
 class Closing {
  public:
   Closing(const TriangleMesh& open, const UndersideOptions& options) : options_(options) {
-    result_.lower = open;
+    result_.lower_mesh = open;
   }
 
   std::optional<Underside> run() {
-    const MeshReport report = inspect_mesh(result_.lower);
+    const MeshReport report = inspect_mesh(result_.lower_mesh);
     if (report.non_manifold_edges > 0 || !report.is_oriented() || report.pinched_vertices > 0) {
       throw GeometryError("the surface is not a simple sheet: " + report.summary() +
                           "; repair it in MeshLab or CloudCompare first");
     }
     std::vector<Rim> rims;
-    for (std::vector<std::uint32_t>& loop : boundary_loops(result_.lower)) {
-      rims.push_back(measure_rim(result_.lower, std::move(loop)));
+    for (std::vector<std::uint32_t>& loop : boundary_loops(result_.lower_mesh)) {
+      rims.push_back(measure_rim(result_.lower_mesh, std::move(loop)));
     }
     if (rims.empty()) return std::nullopt;
     std::stable_sort(rims.begin(), rims.end(), [](const Rim& a, const Rim& b) {
       return a.area.squaredNorm() > b.area.squaredNorm();
     });
-    const double seen_area = surface_area(result_.lower);
+    const double seen_area = surface_area(result_.lower_mesh);
     const double flat = rims[0].area.norm();
     if (flat < options_.smallest_share * (seen_area + flat)) return std::nullopt;
     refuse_sheet(rims[0], flat / (seen_area + flat));
@@ -126,13 +127,13 @@ class Closing {
     result_.open_sides = static_cast<std::size_t>(count);
     for (std::size_t i = result_.open_sides; i < rims.size(); ++i) fill(rims[i]);
     note_filled(rims.size() - result_.open_sides);
-    result_.first_filling = result_.lower.triangles.size();
+    result_.first_filling = result_.lower_mesh.triangles.size();
     for (std::size_t i = 1; i < result_.open_sides; ++i) fill(rims[i]);
-    first_vertex_ = result_.lower.vertices.size();
+    first_vertex_ = result_.lower_mesh.vertices.size();
     reconstruct_detail::HolePatch patch = fill(rims[0]);
     describe(rims[0]);
-    bracket(rims, reconstruct_detail::BottomClosure(result_.lower, std::move(patch), first_vertex_,
-                                                    result_.down));
+    bracket(rims, reconstruct_detail::BottomClosure(result_.lower_mesh, std::move(patch),
+                                                    first_vertex_, result_.down));
     return std::move(result_);
   }
 
@@ -143,7 +144,7 @@ class Closing {
         "the largest component is the ground, or one side of a block: a sheet whose "
         "border of " +
         std::to_string(rim.loop.size()) + " edges near " +
-        format_point(result_.lower.vertices[rim.loop[0]]) + " spans " +
+        format_point(result_.lower_mesh.vertices[rim.loop[0]]) + " spans " +
         format_significant(100.0 * fraction, 3) +
         " % of what a closed surface would have; scan the block from all sides");
   }
@@ -156,8 +157,8 @@ class Closing {
 
   reconstruct_detail::HolePatch fill(const Rim& rim) {
     reconstruct_detail::HolePatch patch =
-        reconstruct_detail::fill_with_membrane(result_.lower, rim.loop);
-    TriangleMesh& mesh = result_.lower;
+        reconstruct_detail::fill_with_membrane(result_.lower_mesh, rim.loop);
+    TriangleMesh& mesh = result_.lower_mesh;
     mesh.vertices.insert(mesh.vertices.end(), patch.vertices.begin(), patch.vertices.end());
     mesh.triangles.insert(mesh.triangles.end(), patch.triangles.begin(), patch.triangles.end());
     return patch;
@@ -174,8 +175,8 @@ class Closing {
   }
 
   void bracket(const std::vector<Rim>& rims, const reconstruct_detail::BottomClosure& closure) {
-    const reconstruct_detail::LevelSections sections(result_.lower, -result_.down);
-    closure_volume_ = sections.volume_above(sections.lowest());
+    const reconstruct_detail::LevelSections sections(result_.lower_mesh, -result_.down);
+    closure_volume_ = sections.volume_above(sections.min_height());
     if (!(closure_volume_ > 0.0)) {
       throw GeometryError("the surface faces inwards, or encloses nothing once it is closed (" +
                           format_significant(closure_volume_, 3) +
@@ -183,22 +184,22 @@ class Closing {
     }
     const std::vector<double> heights = rim_heights(rims[0]);
     const double bottom =
-        likely_bottom(heights, heights[(heights.size() - 1) / 2], sections.highest());
-    bound(sections.highest());
+        likely_bottom(heights, heights[(heights.size() - 1) / 2], sections.max_height());
+    bound(sections.max_height());
     rim_root_ = std::sqrt(std::abs(rims[0].area.dot(result_.down)));
     guess(heights, sections, bottom, closure);
-    const double filling = area_from(result_.best, result_.first_filling);
-    result_.filled_fraction = filling / surface_area(result_.best);
+    const double filling = area_from(result_.best_estimate, result_.first_filling);
+    result_.filled_fraction = filling / surface_area(result_.best_estimate);
   }
 
-  /// Which triangles of `lower` were not scanned.
+  /// Which triangles of `lower_mesh` were not scanned.
   std::vector<bool> closures() const {
-    std::vector<bool> closure(result_.lower.triangles.size(), false);
+    std::vector<bool> closure(result_.lower_mesh.triangles.size(), false);
     for (std::size_t t = 0; t < closure.size(); ++t) {
       closure[t] = t >= result_.first_filling;
       if (closure[t] || !options_.is_observed) continue;
-      const auto& [a, b, c] = result_.lower.triangles[t];
-      const std::vector<Vec3>& at = result_.lower.vertices;
+      const auto& [a, b, c] = result_.lower_mesh.triangles[t];
+      const std::vector<Vec3>& at = result_.lower_mesh.vertices;
       closure[t] = !options_.is_observed((at[a] + at[b] + at[c]) / 3.0);
     }
     return closure;
@@ -222,7 +223,7 @@ class Closing {
                             " % of its height";
     }
     const reconstruct_detail::UnobservedBounds bounds =
-        reconstruct_detail::bound_unobserved_parts(result_.lower, parts);
+        reconstruct_detail::bound_unobserved_parts(result_.lower_mesh, parts);
     result_.lower_volume = bounds.lower_volume;
     result_.upper_volume = bounds.upper_volume;
     result_.sides = bounds.sides;
@@ -253,7 +254,7 @@ class Closing {
       }
       result_.estimated_volume = std::max(result_.estimated_volume, below.estimated_volume);
     }
-    const bool uneven = quantile(0.9) - quantile(0.1) > kEven * (sections.highest() - bottom);
+    const bool uneven = quantile(0.9) - quantile(0.1) > kEven * (sections.max_height() - bottom);
     if (uneven) result_.estimated_volume = std::lerp(closure_volume_, largest, kUnevenFraction);
     if (result_.upper_volume) {
       result_.estimated_volume = std::min(result_.estimated_volume, *result_.upper_volume);
@@ -268,7 +269,7 @@ class Closing {
     if (options_.free_space == nullptr || !(options_.free_space->side > 0.0) || !faces_ground()) {
       return std::nullopt;
     }
-    return reconstruct_detail::measure_occluded_space(result_.lower, *options_.ground,
+    return reconstruct_detail::measure_occluded_space(result_.lower_mesh, *options_.ground,
                                                       sunk_depth(highest), *options_.free_space);
   }
 
@@ -296,7 +297,7 @@ class Closing {
 
   Continued continued(const reconstruct_detail::LevelSections& sections, double level,
                       double bottom) const {
-    const double height = sections.highest() - level;
+    const double height = sections.max_height() - level;
     // Just above the level, where a flat filling does not count any more.
     const double root = std::sqrt(std::max(0.0, sections.area(level + 1e-6 * height)));
     const auto narrowing = [&](double band) {
@@ -315,7 +316,7 @@ class Closing {
   std::vector<double> rim_heights(const Rim& rim) const {
     std::vector<double> heights;
     for (const std::uint32_t v : rim.loop) {
-      heights.push_back(-result_.down.dot(result_.lower.vertices[v]));
+      heights.push_back(-result_.down.dot(result_.lower_mesh.vertices[v]));
     }
     std::sort(heights.begin(), heights.end());
     return heights;
@@ -328,10 +329,10 @@ class Closing {
   /// hair's breadth of the rim decides nothing.
   /// @param rim  heights, ascending
   double likely_bottom(const std::vector<double>& rim, double mean_rim, double highest) {
-    const double below = mean_rim - options_.deepest * (highest - mean_rim);
+    const double below = mean_rim - options_.max_depth_fraction * (highest - mean_rim);
     if (!faces_ground()) return below;
     const double ground = options_.ground->distance, height = highest - mean_rim;
-    result_.gap = mean_rim - ground;
+    result_.ground_clearance = mean_rim - ground;
     double hanging = 0.0;
     for (const double z : rim) {
       const double above = (z - ground) / height;
@@ -352,19 +353,22 @@ class Closing {
     if (faces_ground())
       start = closure.shape_touching_ground(*options_.ground, start, added, kMaxPointedBest);
     deepest = std::max(deepest, start.depth);
-    const std::size_t crossings = find_self_intersections(result_.lower).size();
-    const auto fits = [&] { return find_self_intersections(result_.best).size() <= crossings; };
+    const std::size_t crossings = find_self_intersections(result_.lower_mesh).size();
+    const auto fits = [&] {
+      return find_self_intersections(result_.best_estimate).size() <= crossings;
+    };
     for (double power = start.power; power <= kMaxPointedBest; power *= 1.5) {
-      result_.best = closure.lowered(closure.shape_for_volume(added, power, deepest));
+      result_.best_estimate = closure.lowered(closure.shape_for_volume(added, power, deepest));
       if (fits()) break;
     }
     double fraction = 1.0;
-    const TriangleMesh whole = result_.best;
+    const TriangleMesh whole = result_.best_estimate;
     for (int i = 0; i < kWithdrawals && !fits(); ++i) {
       fraction = i + 1 < kWithdrawals ? 0.5 * fraction : 0.0;
       for (std::size_t v = first_vertex_; v < whole.vertices.size(); ++v) {
-        result_.best.vertices[v] =
-            result_.lower.vertices[v] + fraction * (whole.vertices[v] - result_.lower.vertices[v]);
+        result_.best_estimate.vertices[v] =
+            result_.lower_mesh.vertices[v] +
+            fraction * (whole.vertices[v] - result_.lower_mesh.vertices[v]);
       }
     }
     if (fraction < 1.0) {
@@ -372,8 +376,8 @@ class Closing {
                               format_significant(100.0 * fraction, 3) +
                               " % of its depth, where it does not meet the walls");
     }
-    const reconstruct_detail::LevelSections sections(result_.best, -result_.down);
-    result_.estimated_volume = sections.volume_above(sections.lowest());
+    const reconstruct_detail::LevelSections sections(result_.best_estimate, -result_.down);
+    result_.estimated_volume = sections.volume_above(sections.min_height());
     if (result_.upper_volume) {
       result_.estimated_volume = std::min(result_.estimated_volume, *result_.upper_volume);
     }
@@ -382,7 +386,7 @@ class Closing {
   const UndersideOptions& options_;
   Underside result_;
   std::size_t first_vertex_ = 0;
-  double closure_volume_ = 0.0;  ///< of `lower`, m^3
+  double closure_volume_ = 0.0;  ///< of `lower_mesh`, m^3
   double rim_root_ = 0.0;        ///< square root of the area of the rim, seen from below, m
 };
 
@@ -393,8 +397,8 @@ void UndersideOptions::check() const {
     throw InputError("ground normal has length " + format_significant(ground->normal.norm(), 3) +
                      "; it must be 1");
   }
-  if (!(deepest > 0.0 && deepest <= 10.0)) {
-    throw InputError("deepest = " + format_significant(deepest, 3) +
+  if (!(max_depth_fraction > 0.0 && max_depth_fraction <= 10.0)) {
+    throw InputError("deepest = " + format_significant(max_depth_fraction, 3) +
                      ": the share of the seen height that may be buried must be above 0, up to 10");
   }
   if (!(smallest_share > 0.0 && smallest_share < largest_share && largest_share < 1.0)) {

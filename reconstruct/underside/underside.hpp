@@ -22,7 +22,7 @@ struct UndersideOptions {
   std::optional<Plane> ground = {};
   /// Depth of the best guess below the rim, as a fraction of the height that was seen: a quarter of
   /// the whole height by default. It bounds nothing.
-  double deepest = 1.0 / 3.0;
+  double max_depth_fraction = 1.0 / 3.0;
   /// A hole whose flat filling has less than this share of the closed surface is left alone.
   double smallest_share = 0.001;
   /// ... and with more the scan is a sheet and no block: half a ball has a third.
@@ -41,18 +41,18 @@ struct UndersideOptions {
 };
 
 /// A scan closed in two ways, and bounds beyond that. Both meshes are closed and outward, with the
-/// same triangles; the filling of the largest hole is moved down in `best`. The lower volume is
-/// that of `lower`, less what its filling may be dented as the seen surface is.
+/// same triangles; the filling of the largest hole is moved down in `best_estimate`. The lower
+/// volume is that of `lower_mesh`, less what its filling may be dented as the seen surface is.
 struct Underside : VolumeBracket {
-  TriangleMesh lower;  ///< filled straight across the rims (membranes)
-  TriangleMesh best;
+  TriangleMesh lower_mesh;  ///< filled straight across the rims (membranes)
+  TriangleMesh best_estimate;
   std::size_t open_sides = 1;      ///< holes that are bracketed, together
   std::size_t first_filling = 0;   ///< triangles from this one on are filling, in both
   Vec3 down = -Vec3::UnitZ();      ///< the way the filling of the largest hole faces
   Vec3 rim_centre = Vec3::Zero();  ///< of the largest hole, m
   std::size_t rim_edges = 0;
-  double rim_length = 0.0;  ///< m
-  double gap = 0.0;         ///< of the rim above the ground, m; 0 without a ground
+  double rim_length = 0.0;        ///< m
+  double ground_clearance = 0.0;  ///< of the rim above the ground, m; 0 without a ground
   std::vector<std::string> notes;
 };
 

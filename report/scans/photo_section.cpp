@@ -99,7 +99,9 @@ std::string mark(const Vec2& at, const CameraPosition& seat) {
 std::string ring_plan(const PhotoSummary& evidence, const TriangleMesh& surface,
                       const Vec3& middle) {
   double reach = 0.0;
-  const auto flat = [](const CameraPosition& seat) { return seat.distance * std::cos(seat.elevation); };
+  const auto flat = [](const CameraPosition& seat) {
+    return seat.distance * std::cos(seat.elevation);
+  };
   for (const CameraPosition& seat : evidence.ring.cameras) reach = std::max(reach, flat(seat));
   if (reach <= 0.0) return "";
   const Plan plan{(0.5 * std::min(kPhotoPlanWidth, kPhotoPlanHeight) - kMargin) / reach};
@@ -165,7 +167,7 @@ std::string coverage_map(const PhotoSummary& evidence, const TriangleMesh& surfa
   HtmlTable table({"seen by at least", "photos, % of the surface", "pairs, % of the surface"}, 1);
   for (const ViewCoverage& one : evidence.coverage) {
     table.row(
-        {std::to_string(one.least), fixed(100.0 * one.photos, 1), fixed(100.0 * one.pairs, 1)});
+        {std::to_string(one.min_views), fixed(100.0 * one.photos, 1), fixed(100.0 * one.pairs, 1)});
   }
   return html + table.html();
 }
@@ -189,7 +191,7 @@ std::string scale_table(const PhotoScale& scale) {
     table.row({one.name, one.used ? "used" : "left out", significant(one.length, 6),
                significant(one.length / one.factor * scale.metres_per_unit, 6),
                significant(one.factor, 7),
-               scale.measures.size() > 1 ? fixed(100.0 * one.left_out, 3) : "-"});
+               scale.measures.size() > 1 ? fixed(100.0 * one.leave_one_out_error, 3) : "-"});
   }
   std::string words =
       "One unit of the cameras' model is " + significant(scale.metres_per_unit, 7) + " m";
@@ -255,10 +257,11 @@ std::string format_photo_section(const PhotoScan& scan, const PhotoSummary& evid
   left_out("blurred and skipped", blurred);
   left_out("without a partner 6 to 32 degrees away", alone);
   const std::size_t compared = ring.cameras.size() - blurred.size() - alone.size();
-  std::string html = paragraph(
-      format_count(ring.cameras.size(), "photo") + " with a camera, by " + scan.model.source + "; " +
-      std::to_string(compared) + " compared, in " + format_count(scan.cloud.pairs.size(), "pair") +
-      ", which gave " + format_count(scan.cloud.points.size(), "point") + ".");
+  std::string html =
+      paragraph(format_count(ring.cameras.size(), "photo") + " with a camera, by " +
+                scan.model.source + "; " + std::to_string(compared) + " compared, in " +
+                format_count(scan.cloud.pairs.size(), "pair") + ", which gave " +
+                format_count(scan.cloud.points.size(), "point") + ".");
   if (!notes.empty()) html += format_note_box("Photos", notes);
   html += "<div class=\"plan\">" + ring_plan(evidence, surface, ring.middle) + "</div>\n" +
           photo_table(ring, unit) + "<h3>What was seen</h3>\n" +

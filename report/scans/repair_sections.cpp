@@ -21,7 +21,7 @@ std::string share(double value) {
 }
 
 std::string closing(const FilledHole& hole) {
-  if (!hole.fan) return "a smooth filling";
+  if (!hole.is_fan) return "a smooth filling";
   return hole.border_edges <= 4 ? "a fan" : "its corners";
 }
 
@@ -48,7 +48,7 @@ std::string format_repair_section(const RepairReport& report, bool cloud, bool o
   for (const Defect& defect : report.defects) {
     defects.row({name_of(defect.kind), std::to_string(++number), std::to_string(defect.count),
                  share(defect.area_fraction), length(defect.size),
-                 defect.place ? format_point(*defect.place) : ""});
+                 defect.position ? place(*defect.position) : ""});
   }
   html += defects.html();
   if (report.wrap_bias) {
@@ -81,8 +81,8 @@ std::vector<PositionMark> find_repair_marks(const RepairReport& report) {
   for (const Defect& defect : report.defects) {
     ++number;
     // Holes have marks of their own.
-    if (defect.place && defect.kind != DefectKind::kHole) {
-      marks.push_back({std::to_string(number), *defect.place});
+    if (defect.position && defect.kind != DefectKind::kHole) {
+      marks.push_back({std::to_string(number), *defect.position});
     }
   }
   for (std::size_t i = 0; i < std::min(kMarkedHoles, report.holes.size()); ++i) {
@@ -121,9 +121,9 @@ std::string format_underside_section(const Underside& side, const std::string& u
         "classes; scan more of it.";
   }
   std::string html = paragraph(text);
-  if (side.gap > 0.0) {
-    html += paragraph("The rim stands " + format_significant(side.gap, 3) + " " + unit +
-                      " above the ground.");
+  if (side.ground_clearance > 0.0) {
+    html += paragraph("The rim stands " + format_significant(side.ground_clearance, 3) + " " +
+                      unit + " above the ground.");
   }
   return section("The side nobody saw", html + table.html());
 }

@@ -152,7 +152,7 @@ class Invented {
     if (!raw.triangles.empty()) scanned_ = std::make_unique<TriangleTree>(raw);
     if (!block.underside) return;
     first_ = block.underside->first_filling;
-    best_ = std::make_unique<TriangleTree>(block.underside->best);
+    best_ = std::make_unique<TriangleTree>(block.underside->best_estimate);
   }
 
   bool operator()(std::uint32_t triangle) {

@@ -23,7 +23,7 @@
 namespace clast {
 namespace {
 
-constexpr CloudSurfaceOptions kCoarse{.cell = 0.02};  // 5,000 averaged points: fast
+constexpr CloudSurfaceOptions kCoarse{.averaging_cell = 0.02};  // 5,000 averaged points: fast
 
 /// Points on a body, without those that face down by more than `steepest`.
 std::vector<Vec3> points_on(TriangleMesh body, double steepest, int count = 20000) {
@@ -91,8 +91,8 @@ TEST(CloudSurface, IndicatorIsTheSameWhereverMemoryLies) {
       if (random.uniform_index(3) == 0) held[random.uniform_index(held.size())].reset();
     }
     const reconstruct_detail::IndicatorFunction indicator(points, normals);
-    ASSERT_TRUE(indicator.found());
-    values.insert(indicator.at({0.31, 0.17, 0.44}));
+    ASSERT_TRUE(indicator.is_solved());
+    values.insert(indicator.value_at({0.31, 0.17, 0.44}));
   }
   EXPECT_EQ(values.size(), 1u);
 }
@@ -111,10 +111,10 @@ TEST(CloudSurface, LiesWhereTheCloudLiesOnAMap) {
 // Where new vertices come to lie in memory follows from what was done before.
 TEST(CloudSurface, SameInputGivesTheSameBitsWhateverWasDoneBefore) {
   const std::vector<Vec3> points = points_on(rock_mesh(16, {0.5, 0.4, 0.3}, 3), -0.6, 40000);
-  const CloudSurfaceOptions options{.cell = 0.012};
+  const CloudSurfaceOptions options{.averaging_cell = 0.012};
   const TriangleMesh first = fit_cloud_surface(points, options).mesh;
   for (const double cell : {0.02, 0.015, 0.03}) {
-    fit_cloud_surface(points, {.cell = cell});
+    fit_cloud_surface(points, {.averaging_cell = cell});
     const TriangleMesh again = fit_cloud_surface(points, options).mesh;
     EXPECT_EQ(first.vertices, again.vertices) << cell;
     EXPECT_EQ(first.triangles, again.triangles) << cell;
@@ -272,7 +272,7 @@ TEST(CloudNormals, BothFacesOfAPlateFaceOutward) {
       const std::vector<Vec3> points = points_on_box(sides, 2000, seed);
       std::vector<Vec3> normals = reconstruct_detail::estimate_normals(points, 18);
       reconstruct_detail::orient_outward(normals, points,
-                                       reconstruct_detail::NormalPropagation::kCircularArc);
+                                         reconstruct_detail::NormalPropagation::kCircularArc);
       EXPECT_LT(inward_share(normals, points, sides), 0.05)
           << "thickness " << thickness << ", seed " << seed;
     }
@@ -328,9 +328,10 @@ TEST(CloudSurface, TooFewPointsAndOptionsOutOfRangeAreRefused) {
   EXPECT_TRUE(contains(refusal([] { fit_cloud_surface(std::vector<Vec3>(10, Vec3::Zero())); }),
                        "10 points are too few for a block; at least 500 are needed"));
   const std::vector<Vec3> none;
-  EXPECT_TRUE(contains(refusal([&] { fit_cloud_surface(none, {.cell = 0.0}); }),
+  EXPECT_TRUE(contains(refusal([&] { fit_cloud_surface(none, {.averaging_cell = 0.0}); }),
                        "cell = 0; must be above 0 and at most 0.1"));
-  EXPECT_TRUE(contains(refusal([&] { fit_cloud_surface(none, {.trim = 0.0}); }), "trim"));
+  EXPECT_TRUE(
+      contains(refusal([&] { fit_cloud_surface(none, {.hole_ball_radius = 0.0}); }), "trim"));
 }
 
 }  // namespace

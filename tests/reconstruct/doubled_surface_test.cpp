@@ -36,19 +36,19 @@ TEST(DuplicateSurface, ACompleteCopyInsideOrOutsideIsNoBubble) {
     for (const bool inward : {false, true}) {
       SCOPED_TRACE(std::to_string(scale) + (inward ? " inward" : ""));
       const TriangleMesh copy = scaled(doubled_rock(), scale);
-      const FieldBlock block =
-          extract_field_blocks(merged(doubled_rock(), inward ? turned_over(copy) : copy), "doubled")[0];
+      const FieldBlock block = extract_field_blocks(
+          merged(doubled_rock(), inward ? turned_over(copy) : copy), "doubled")[0];
       const RepairReport& report = block.scan.report;
-      ASSERT_EQ(report.doubled.size(), 1u);
+      ASSERT_EQ(report.duplicates.size(), 1u);
       EXPECT_EQ(report.inner_shells, 0u);
-      EXPECT_TRUE(report.doubled[0].closed);
-      EXPECT_EQ(report.doubled[0].retention_reason, RetentionReason::kSize);
+      EXPECT_TRUE(report.duplicates[0].closed);
+      EXPECT_EQ(report.duplicates[0].retention_reason, RetentionReason::kSize);
       const double larger = solid_volume(doubled_rock()) * std::max(1.0, scale * scale * scale);
       const double smaller = solid_volume(doubled_rock()) * std::min(1.0, scale * scale * scale);
       EXPECT_NEAR(solid_volume(block.scan.mesh) / larger, 1.0, 1e-9);
       EXPECT_NEAR(report.volume_below / (larger - smaller), 1.0, 1e-6);
-      EXPECT_NEAR(report.doubled[0].scale, scale < 1.0 ? scale : 1.0 / scale, 0.003);
-      EXPECT_LT(report.doubled[0].offset, 0.0);
+      EXPECT_NEAR(report.duplicates[0].scale, scale < 1.0 ? scale : 1.0 / scale, 0.003);
+      EXPECT_LT(report.duplicates[0].offset, 0.0);
       EXPECT_TRUE(contains(block_notes(block), "a second copy of the block's whole surface"));
       EXPECT_TRUE(contains(block_notes(block), "not a bubble"));
       EXPECT_TRUE(contains(block_notes(block), "with the other one it would be"));
@@ -63,8 +63,8 @@ TEST(DuplicateSurface, AShiftedCopyIsDropped) {
     const Vec3 shift = share * bounds(doubled_rock()).diagonal() * random.unit_vector();
     for (Vec3& v : copy.vertices) v += shift;
     const FieldBlock block = extract_field_blocks(merged(doubled_rock(), copy), "shifted")[0];
-    ASSERT_EQ(block.scan.report.doubled.size(), 1u);
-    EXPECT_NEAR(block.scan.report.doubled[0].scale, 1.0, 0.003);
+    ASSERT_EQ(block.scan.report.duplicates.size(), 1u);
+    EXPECT_NEAR(block.scan.report.duplicates[0].scale, 1.0, 0.003);
     EXPECT_NEAR(solid_volume(block.scan.mesh) / solid_volume(doubled_rock()), 1.0, 1e-9);
   }
 }
@@ -75,8 +75,8 @@ TEST(DuplicateSurface, TheFinerOfTwoIsKeptAndThatIsSaid) {
     const FieldBlock block =
         extract_field_blocks(merged(scaled(doubled_rock(), scale), fine), "two scans")[0];
     EXPECT_NEAR(solid_volume(block.scan.mesh) / solid_volume(fine), 1.0, 1e-9);
-    ASSERT_EQ(block.scan.report.doubled.size(), 1u);
-    EXPECT_EQ(block.scan.report.doubled[0].retention_reason, RetentionReason::kFiner);
+    ASSERT_EQ(block.scan.report.duplicates.size(), 1u);
+    EXPECT_EQ(block.scan.report.duplicates[0].retention_reason, RetentionReason::kFiner);
     EXPECT_TRUE(contains(block_notes(block), "The kept copy has more triangles"));
   }
 }
@@ -88,19 +88,19 @@ TEST(DuplicateSurface, ACopyOfAPartIsDroppedAndWhatItWouldChangeIsSaid) {
       TriangleMesh part = scaled(doubled_rock(), scale);
       std::erase_if(part.triangles,
                     [&](const Triangle& t) { return part.vertices[t[0]].z() < 0.05; });
-      const FieldBlock block =
-          extract_field_blocks(merged(doubled_rock(), inward ? turned_over(part) : part), "part")[0];
+      const FieldBlock block = extract_field_blocks(
+          merged(doubled_rock(), inward ? turned_over(part) : part), "part")[0];
       EXPECT_NEAR(solid_volume(block.scan.mesh) / solid_volume(doubled_rock()), 1.0, 1e-9);
       EXPECT_FALSE(block.underside);
       const RepairReport& report = block.scan.report;
-      ASSERT_EQ(report.doubled.size(), 1u);
-      EXPECT_FALSE(report.doubled[0].closed);
-      EXPECT_EQ(report.doubled[0].retention_reason, RetentionReason::kClosed);
-      EXPECT_EQ(report.doubled[0].offset > 0.0, scale > 1.0);
+      ASSERT_EQ(report.duplicates.size(), 1u);
+      EXPECT_FALSE(report.duplicates[0].closed);
+      EXPECT_EQ(report.duplicates[0].retention_reason, RetentionReason::kClosed);
+      EXPECT_EQ(report.duplicates[0].offset > 0.0, scale > 1.0);
       // Seen from the middle, the layer between the two is (s^3 - 1) / 3 of what lies below it;
       // the mean distance times the area is that to the second order.
-      EXPECT_GT(std::abs(report.doubled[0].volume_change), 0.0);
-      EXPECT_LT(std::abs(report.doubled[0].volume_change),
+      EXPECT_GT(std::abs(report.duplicates[0].volume_change), 0.0);
+      EXPECT_LT(std::abs(report.duplicates[0].volume_change),
                 std::abs(scale * scale * scale - 1.0) * solid_volume(doubled_rock()));
       EXPECT_TRUE(contains(block_notes(block), "a second copy of "));
     }
@@ -114,7 +114,7 @@ TEST(DuplicateSurface, OpenCopiesLeaveTheBracketOfTheUnseenSide) {
   const FieldBlock both = extract_field_blocks(merged(cut.open, scaled(cut.open, 0.98)), "two")[0];
   ASSERT_TRUE(both.underside);
   EXPECT_NEAR(both.underside->estimated_volume / alone.underside->estimated_volume, 1.0, 1e-6);
-  EXPECT_EQ(both.scan.report.doubled.size(), 1u);
+  EXPECT_EQ(both.scan.report.duplicates.size(), 1u);
 }
 
 /// A lens-shaped bubble close under the skin faces both ways.
@@ -127,7 +127,7 @@ TEST(DuplicateSurface, ABubbleStaysABubble) {
     }
     const FieldBlock block = extract_field_blocks(merged(ball, turned_over(lens)), "bubble")[0];
     EXPECT_EQ(block.scan.report.inner_shells, 1u);
-    EXPECT_TRUE(block.scan.report.doubled.empty());
+    EXPECT_TRUE(block.scan.report.duplicates.empty());
   }
 }
 

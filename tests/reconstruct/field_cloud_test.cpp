@@ -67,7 +67,7 @@ TEST(FieldCloud, ThePhonesLidarScanIsClosedAndItsScrapReported) {
   // The four edges are a gap, and no side that nobody saw.
   EXPECT_FALSE(block.underside.has_value());
   EXPECT_GT(block.scan.report.filled_fraction, 0.0);
-  const Defect* scrap = block.scan.report.find(DefectKind::kIsland);
+  const Defect* scrap = block.scan.report.find_defect(DefectKind::kIsland);
   ASSERT_NE(scrap, nullptr);
   EXPECT_EQ(scrap->count, 1u);
   EXPECT_NEAR(scrap->area_fraction, 0.05, 0.01);

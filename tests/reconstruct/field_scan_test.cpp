@@ -80,8 +80,8 @@ TEST(FieldScan, UnitsAndAxisHoldForTheBracketToo) {
   EXPECT_LT((from_file.underside->sides->upper - sides).norm(), 0.02 * sides.norm());
   EXPECT_NEAR(from_file.underside->rim_length, metres.underside->rim_length, 1e-6);
   EXPECT_LT((from_file.underside->down + Vec3::UnitZ()).norm(), 1e-3);
-  EXPECT_NEAR(solid_volume(from_file.underside->lower), solid_volume(metres.underside->lower),
-              1e-9);
+  EXPECT_NEAR(solid_volume(from_file.underside->lower_mesh),
+              solid_volume(metres.underside->lower_mesh), 1e-9);
   EXPECT_NEAR(from_file.underside->lower_volume, metres.underside->lower_volume, 1e-6);
 }
 
@@ -113,7 +113,8 @@ TEST(FieldScan, GroundIsTakenAwayFromAMesh) {
 TEST(FieldScan, ASlopeIsTurnedLevelAndThatIsTold) {
   const FieldGround slope(0.2, 0.002, 0, 1.0, 3);
   const TriangleMesh rock = buried_at(turned_rock(10, {0.4, 0.3, 0.25}, 3), 0.0, 0.1, 0.1, slope);
-  const FieldBlock block = extract_field_blocks(merged(rock, ground_mesh(slope, 1.2, 40)), "scene")[0];
+  const FieldBlock block =
+      extract_field_blocks(merged(rock, ground_mesh(slope, 1.2, 40)), "scene")[0];
   const auto& notes = block.scan.notes;
   EXPECT_TRUE(std::any_of(notes.begin(), notes.end(), [](const std::string& note) {
     return note.starts_with("turned by 11.");  // atan 0.2 = 11.3 degrees
@@ -128,8 +129,8 @@ TEST(FieldScan, BareGroundIsRefusedAsSuch) {
   EXPECT_TRUE(contains(message,
                        "slope.las: the largest component is the ground (100 % of the scan) and "
                        "nothing that rises from it is a block"));
-  const std::string of_mesh =
-      refusal<GeometryError>([&] { extract_field_blocks(ground_mesh(gravel, 1.0, 50), "slope.ply"); });
+  const std::string of_mesh = refusal<GeometryError>(
+      [&] { extract_field_blocks(ground_mesh(gravel, 1.0, 50), "slope.ply"); });
   EXPECT_TRUE(contains(of_mesh, "slope.ply: the largest component is the ground"));
 }
 
@@ -158,7 +159,8 @@ TEST(FieldScan, TwoBlocksFarApartAreNotTakenForOne) {
   const std::vector<Vec3> other = rock_points(5, 8000, {40.0, 0.0, 0.0});
   std::vector<Vec3> both = points;
   both.insert(both.end(), other.begin(), other.end());
-  const std::string message = refusal<GeometryError>([&] { extract_field_blocks(both, "two.xyz"); });
+  const std::string message =
+      refusal<GeometryError>([&] { extract_field_blocks(both, "two.xyz"); });
   EXPECT_TRUE(contains(message, "two.xyz: separate sets of points, the second with about "))
       << message;
   EXPECT_TRUE(contains(message, "save each block to a file of its own")) << message;
@@ -236,11 +238,11 @@ TEST(FieldScan, MendsOfAnOpenScanAreToldAsThoseOfAClosedOne) {
   const RepairReport& report = block.scan.report;
   EXPECT_EQ(report.as_read.vertices, vertices);
   EXPECT_GT(report.as_read.boundary_edges, 0u);
-  ASSERT_NE(report.find(DefectKind::kInconsistentOrientation), nullptr);
-  EXPECT_EQ(report.find(DefectKind::kInconsistentOrientation)->count, 1u);
-  ASSERT_NE(report.find(DefectKind::kDegenerate), nullptr);
-  EXPECT_EQ(report.find(DefectKind::kDegenerate)->count, 1u);
-  const Defect* spike = report.find(DefectKind::kSpike);
+  ASSERT_NE(report.find_defect(DefectKind::kInconsistentOrientation), nullptr);
+  EXPECT_EQ(report.find_defect(DefectKind::kInconsistentOrientation)->count, 1u);
+  ASSERT_NE(report.find_defect(DefectKind::kDegenerate), nullptr);
+  EXPECT_EQ(report.find_defect(DefectKind::kDegenerate)->count, 1u);
+  const Defect* spike = report.find_defect(DefectKind::kSpike);
   ASSERT_NE(spike, nullptr);
   EXPECT_NEAR(spike->size, 0.4, 0.1);
   EXPECT_LT((*spike->position - open.vertices[top]).norm(), 0.45);
@@ -251,7 +253,8 @@ TEST(FieldScan, MendsOfAnOpenScanAreToldAsThoseOfAClosedOne) {
 TEST(FieldScan, TheWayFromTheFileToTheBlockIsTold) {
   const FieldGround slope(0.2, 0.002, 0, 1.0, 3);
   const TriangleMesh rock = buried_at(turned_rock(10, {0.4, 0.3, 0.25}, 3), 0.0, 0.1, 0.1, slope);
-  const FieldBlock block = extract_field_blocks(merged(rock, ground_mesh(slope, 1.2, 40)), "scene")[0];
+  const FieldBlock block =
+      extract_field_blocks(merged(rock, ground_mesh(slope, 1.2, 40)), "scene")[0];
   Vec3 highest = rock.vertices[0];
   for (const Vec3& v : rock.vertices) {
     if (v.z() > highest.z()) highest = v;

@@ -56,18 +56,18 @@ class Photographed {
     const Bounds box = bounds(body_);
     FreeSpaceGrid result;
     result.side = box.diagonal() / 80.0;
-    result.corner = box.low - Vec3::Constant(2.0 * result.side);
+    result.origin = box.low - Vec3::Constant(2.0 * result.side);
     for (int axis = 0; axis < 3; ++axis) {
       result.counts[static_cast<std::size_t>(axis)] =
           static_cast<std::size_t>((box.high[axis] - box.low[axis]) / result.side) + 5;
     }
-    result.empty.resize(result.counts[0] * result.counts[1] * result.counts[2]);
+    result.is_free_cell.resize(result.counts[0] * result.counts[1] * result.counts[2]);
     const double near = 1.5 * result.side;
-    for (std::size_t i = 0; i < result.empty.size(); ++i) {
-      const Vec3 position = result.middle(i);
+    for (std::size_t i = 0; i < result.is_free_cell.size(); ++i) {
+      const Vec3 position = result.cell_centre(i);
       if (position.z() < near || position.z() > 0.5 * box.high.z()) continue;
       if (tree_.signed_distance(position) < near) continue;
-      result.empty[i] = seen(position, Vec3::Zero(), ~0u) ? 1 : 0;
+      result.is_free_cell[i] = seen(position, Vec3::Zero(), ~0u) ? 1 : 0;
     }
     return result;
   }
@@ -162,9 +162,9 @@ TEST(LookedUnder, UndercutRocksInManyPosesKeepTheirVolumeInTheBracket) {
       inside += with.upper_volume >= truth && with.lower_volume <= truth ? 1 : 0;
       EXPECT_TRUE(with.upper_volume >= truth || without.upper_volume < truth)
           << seed << " " << pose;
-      const Vec3 lengths = smallest_box(with.best.vertices).lengths;
+      const Vec3 lengths = smallest_box(with.best_estimate.vertices).lengths;
       length_errors += (lengths.cwiseQuotient(body.lengths()) - Vec3::Ones()).cwiseAbs2();
-      lying += bounds(with.best).low.z() < 0.001 ? 1 : 0;
+      lying += bounds(with.best_estimate).low.z() < 0.001 ? 1 : 0;
       narrowed += *with.upper_volume < 0.99 * *without.upper_volume ? 1 : 0;
       off_without += std::abs(without.estimated_volume / truth - 1.0);
       off_with += std::abs(with.estimated_volume / truth - 1.0);

@@ -66,7 +66,7 @@ TEST(TouchingSheets, StayClosedWhereTheyMeetAtBothEndsOfAnEdgeToo) {
       reconstruct_detail::split_non_manifold_edges(mesh);
   reconstruct_detail::split_non_manifold_vertices(mesh);
 
-  EXPECT_EQ(touching.cut.count, 3u);
+  EXPECT_EQ(touching.split.count, 3u);
   const MeshReport after = inspect_mesh(mesh);
   EXPECT_TRUE(after.is_closed() && after.is_oriented()) << after.summary();
   EXPECT_EQ(after.pinched_vertices, 0u);

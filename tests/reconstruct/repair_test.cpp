@@ -41,7 +41,7 @@ void expect_sound(const TriangleMesh& mesh) {
 }
 
 std::size_t count(const RepairedMesh& result, DefectKind kind) {
-  const Defect* defect = result.report.find(kind);
+  const Defect* defect = result.report.find_defect(kind);
   return defect == nullptr ? 0 : defect->count;
 }
 
@@ -69,7 +69,7 @@ TEST(Repair, AHoleInAFineMeshJoinsNoVertices) {
   TriangleMesh torn = spindle(4000);
   torn.triangles.pop_back();
   const RepairedMesh result = repair_mesh(torn);
-  EXPECT_EQ(result.report.find(DefectKind::kNearVertices), nullptr);
+  EXPECT_EQ(result.report.find_defect(DefectKind::kNearVertices), nullptr);
   EXPECT_EQ(result.mesh.vertices.size(), torn.vertices.size());
 }
 
@@ -215,7 +215,8 @@ TEST(Repair, SpikesArePutBack) {
   const RepairedMesh result = repair_mesh(dirty);
   expect_sound(result.mesh);
   EXPECT_EQ(count(result, DefectKind::kSpike), 3u);
-  EXPECT_NEAR(result.report.find(DefectKind::kSpike)->size, 0.15 * diagonal, 0.01 * diagonal);
+  EXPECT_NEAR(result.report.find_defect(DefectKind::kSpike)->size, 0.15 * diagonal,
+              0.01 * diagonal);
   EXPECT_NEAR(enclosed_volume(result.mesh) / enclosed_volume(rock()), 1.0, 1e-3);
   EXPECT_LT(vertex_hausdorff(result.mesh, rock()), 0.01 * diagonal);
 }

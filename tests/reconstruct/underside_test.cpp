@@ -62,7 +62,7 @@ double frustum_volume(double bottom, double top, double height) {
 
 // The walls of a pyramid narrow evenly, so the upper shape is the pyramid itself.
 TEST(Underside, UpperBoundOfACutPyramidIsTheWholePyramid) {
-  const Underside side = *close_underside(open_frustum(0.3, 1.0, 0.8), {.deepest = 1.0});
+  const Underside side = *close_underside(open_frustum(0.3, 1.0, 0.8), {.max_depth_fraction = 1.0});
   EXPECT_NEAR(side.lower_volume, frustum_volume(0.3, 1.0, 0.8), 1e-9);
   // Sides grow by 0.7 over 0.8, so the tip lies 0.3 * 0.8 / 0.7 below the rim.
   const double tip = 0.3 * 0.3 * (0.3 * 0.8 / 0.7) / 3.0;
@@ -88,10 +88,10 @@ TEST(Underside, UprightWallsHaveNoUpperBound) {
 TEST(Underside, FlanksThatCloseBoundABlockOnTheGround) {
   const UndersideOptions options{.ground = Plane{Vec3::UnitZ(), -0.05}};
   const Underside side = *close_underside(open_frustum(0.2, 0.6, 0.6), options);
-  EXPECT_NEAR(side.gap, 0.05, 1e-12);
+  EXPECT_NEAR(side.ground_clearance, 0.05, 1e-12);
   EXPECT_NEAR(side.upper_volume.value(), 0.6 * 0.6 * 0.9 / 3.0, 1e-3);  // they meet 0.3 m below
-  EXPECT_GE(bounds(side.best).low.z(), -0.08 - 1e-9);
-  EXPECT_LT(bounds(side.best).low.z(), -0.03);
+  EXPECT_GE(bounds(side.best_estimate).low.z(), -0.08 - 1e-9);
+  EXPECT_LT(bounds(side.best_estimate).low.z(), -0.03);
 }
 
 // How deep a block goes does not follow from where the points on its flanks end: these go straight
@@ -119,7 +119,7 @@ TEST(Underside, ABlockThatLeansHasNoUpperBound) {
   }
   open = extract_triangles(open, keep);
   const Underside side = *close_underside(open, {.ground = Plane{Vec3::UnitZ(), 0.0}});
-  EXPECT_GT(side.gap, 0.05);
+  EXPECT_GT(side.ground_clearance, 0.05);
   EXPECT_FALSE(side.upper_volume);
 }
 
@@ -203,7 +203,7 @@ TEST(Underside, HoldsTheCapOfABall) {
 TEST(Underside, BothShapesAreClosedAndKeepWhatWasSeen) {
   for (const CutBlock& block : cut_blocks(rock_mesh(12, {0.5, 0.4, 0.3}, 4), 3, 11)) {
     const Underside side = *close_underside(block.open);
-    for (const TriangleMesh* mesh : {&side.lower, &side.best}) {
+    for (const TriangleMesh* mesh : {&side.lower_mesh, &side.best_estimate}) {
       const MeshReport report = inspect_mesh(*mesh);
       EXPECT_TRUE(report.is_closed() && report.is_oriented()) << report.summary();
       ASSERT_GE(mesh->vertices.size(), block.open.vertices.size());
@@ -213,13 +213,13 @@ TEST(Underside, BothShapesAreClosedAndKeepWhatWasSeen) {
                              mesh->triangles.begin()));
     }
     EXPECT_EQ(side.first_filling, block.open.triangles.size());
-    EXPECT_GE(solid_volume(side.lower), side.lower_volume);
-    EXPECT_NEAR(solid_volume(side.best), side.estimated_volume, 1e-9);
-    EXPECT_TRUE(find_self_intersections(side.best).empty());
+    EXPECT_GE(solid_volume(side.lower_mesh), side.lower_volume);
+    EXPECT_NEAR(solid_volume(side.best_estimate), side.estimated_volume, 1e-9);
+    EXPECT_TRUE(find_self_intersections(side.best_estimate).empty());
     // The smallest box of the seen part, found anew after closing.
-    const std::vector<Vec3> seen(
-        side.best.vertices.begin(),
-        side.best.vertices.begin() + static_cast<std::ptrdiff_t>(block.open.vertices.size()));
+    const std::vector<Vec3> seen(side.best_estimate.vertices.begin(),
+                                 side.best_estimate.vertices.begin() +
+                                     static_cast<std::ptrdiff_t>(block.open.vertices.size()));
     EXPECT_EQ(smallest_box(seen).lengths, smallest_box(block.open.vertices).lengths);
   }
 }
@@ -241,8 +241,8 @@ TEST(Underside, MovesTurnsAndScalesWithTheBlock) {
 TEST(Underside, SameInputGivesTheSameBits) {
   const CutBlock block = cut_blocks(rock_mesh(12, {0.5, 0.4, 0.3}, 6), 1, 4)[0];
   const Underside first = *close_underside(block.open), second = *close_underside(block.open);
-  EXPECT_EQ(first.best.vertices, second.best.vertices);
-  EXPECT_EQ(first.best.triangles, second.best.triangles);
+  EXPECT_EQ(first.best_estimate.vertices, second.best_estimate.vertices);
+  EXPECT_EQ(first.best_estimate.triangles, second.best_estimate.triangles);
   EXPECT_EQ(first.upper_volume, second.upper_volume);
   EXPECT_EQ(first.sides->lower, second.sides->lower);
   EXPECT_EQ(first.sides->upper, second.sides->upper);
@@ -317,7 +317,7 @@ TEST(Underside, OtherHolesAreClosedFlatAndTold) {
   TriangleMesh open = open_frustum(0.5, 0.4, 0.6);
   open.triangles.erase(open.triangles.begin() + 120, open.triangles.begin() + 121);
   const Underside side = *close_underside(open);
-  EXPECT_TRUE(inspect_mesh(side.best).is_closed());
+  EXPECT_TRUE(inspect_mesh(side.best_estimate).is_closed());
   EXPECT_EQ(side.open_sides, 1u);
   ASSERT_EQ(side.notes.size(), 1u);
   EXPECT_EQ(side.notes[0], "1 other hole filled straight across");
@@ -327,7 +327,7 @@ TEST(Underside, LargeHolesAreBracketedTogether) {
   TriangleMesh open = open_frustum(0.5, 0.4, 0.6);
   open.triangles.erase(open.triangles.begin() + 120, open.triangles.begin() + 124);
   const Underside side = *close_underside(open);
-  EXPECT_TRUE(inspect_mesh(side.best).is_closed());
+  EXPECT_TRUE(inspect_mesh(side.best_estimate).is_closed());
   EXPECT_EQ(side.open_sides, 2u);
   EXPECT_TRUE(side.notes.empty());
 }
@@ -377,7 +377,8 @@ TEST(Underside, ASurfaceThatFacesInwardsIsRefused) {
 
 TEST(Underside, OptionsOutOfRangeAreNamed) {
   const TriangleMesh mesh = open_frustum(0.5, 0.4, 0.6);
-  EXPECT_TRUE(contains(refusal([&] { close_underside(mesh, {.deepest = -1.0}); }), "deepest"));
+  EXPECT_TRUE(
+      contains(refusal([&] { close_underside(mesh, {.max_depth_fraction = -1.0}); }), "deepest"));
   EXPECT_TRUE(contains(refusal([&] {
                          close_underside(mesh, {.ground = Plane{Vec3(0.0, 0.0, 2.0), 0.0}});
                        }),

@@ -54,7 +54,7 @@ Outcome looked_at(const NamedBody& body, const UnseenCase& hidden) {
   result.made = true;
   const double volume = solid_mass_properties(hidden.whole, 1.0).volume;
   const Vec3 sides = smallest_box(hidden.whole.vertices).lengths;
-  const Vec3 best = smallest_box(found->best.vertices).lengths;
+  const Vec3 best = smallest_box(found->best_estimate.vertices).lengths;
   result.best_volume_off = std::abs(found->estimated_volume / volume - 1.0);
   result.best_side_off = (best.cwiseQuotient(sides) - Vec3::Ones()).cwiseAbs().maxCoeff();
   result.lower_holds = found->lower_volume <= (1.0 + kRounding) * volume;

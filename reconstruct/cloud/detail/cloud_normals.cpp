@@ -19,7 +19,8 @@ constexpr int kBeside = 12;      ///< neighbours that a normal is compared with
 constexpr double kAgrees = 0.5;  ///< cosine: 60 degrees
 
 /// The normal at `to` that follows from the one at `from`.
-Vec3 carried_over(const Vec3& normal, const Vec3& from, const Vec3& to, NormalPropagation propagation) {
+Vec3 carried_over(const Vec3& normal, const Vec3& from, const Vec3& to,
+                  NormalPropagation propagation) {
   if (propagation == NormalPropagation::kParallel) return normal;
   const Vec3 way = (to - from).normalized();  // mirrored at the plane half way
   return normal - 2.0 * way.dot(normal) * way;
@@ -42,7 +43,7 @@ std::vector<std::vector<std::uint32_t>> points_beside(std::span<const Vec3> poin
   const PointTree tree(points);
   std::vector<std::vector<std::uint32_t>> beside(points.size());
   for (std::uint32_t i = 0; i < points.size(); ++i) {
-    for (const auto& near : tree.nearest(points[i], kBeside)) {
+    for (const auto& near : tree.nearest_neighbours(points[i], kBeside)) {
       beside[i].push_back(near.point);
       beside[near.point].push_back(i);
     }
@@ -62,7 +63,7 @@ std::vector<std::uint32_t> outermost_first(std::span<const Vec3> points, const V
 }  // namespace
 
 void orient_outward(std::vector<Vec3>& normals, std::span<const Vec3> points,
-                  NormalPropagation propagation) {
+                    NormalPropagation propagation) {
   Vec3 middle = Vec3::Zero();
   for (const Vec3& p : points) middle += p / static_cast<double>(points.size());
   struct Step {
@@ -70,7 +71,7 @@ void orient_outward(std::vector<Vec3>& normals, std::span<const Vec3> points,
     std::uint32_t from, to;
     bool operator>(const Step& other) const {
       return bending != other.bending ? bending > other.bending
-                                : std::pair(from, to) > std::pair(other.from, other.to);
+                                      : std::pair(from, to) > std::pair(other.from, other.to);
     }
   };
   const std::vector<std::vector<std::uint32_t>> beside = points_beside(points);

@@ -45,7 +45,8 @@ class Margin {
   /// Points around a vertex.
   const std::vector<std::uint32_t>& near(std::uint32_t v) {
     if (near_[v].empty()) {
-      for (const PointTree::Neighbour& n : tree_.nearest(surface_.vertices[v], kMarginNeighbours)) {
+      for (const PointTree::Neighbour& n :
+           tree_.nearest_neighbours(surface_.vertices[v], kMarginNeighbours)) {
         near_[v].push_back(n.point);
       }
     }

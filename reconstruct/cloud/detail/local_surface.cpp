@@ -129,11 +129,11 @@ QuadricPatch patch_at(const Vec3& position, const Vec3& normal,
 MovingLeastSquares::MovingLeastSquares(std::span<const Vec3> points, std::span<const Vec3> normals)
     : points_(points), normals_(normals), tree_(points) {}
 
-double MovingLeastSquares::noise() const {
+double MovingLeastSquares::estimate_noise() const {
   std::vector<double> deviations;
   const std::size_t step = std::max<std::size_t>(1, points_.size() / kNoiseSamples);
   for (std::size_t i = 0; i < points_.size(); i += step) {
-    const auto near = tree_.nearest(points_[i], kNoiseNeighbours);
+    const auto near = tree_.nearest_neighbours(points_[i], kNoiseNeighbours);
     const QuadricPatch patch = patch_at(points_[i], normals_[i], near, points_, normals_);
     if (patch.rows.size() >= kMinQuadricPoints) deviations.push_back(fit_of<6>(patch).deviation);
   }
@@ -143,10 +143,11 @@ double MovingLeastSquares::noise() const {
   return *middle;
 }
 
-std::vector<bool> MovingLeastSquares::find_off_surface_points(std::span<const double> spacings) const {
+std::vector<bool> MovingLeastSquares::find_off_surface_points(
+    std::span<const double> spacings) const {
   std::vector<bool> off(points_.size(), false);
   for (std::size_t i = 0; i < points_.size(); ++i) {
-    std::vector<PointTree::Neighbour> near = tree_.nearest(points_[i], kNoiseNeighbours);
+    std::vector<PointTree::Neighbour> near = tree_.nearest_neighbours(points_[i], kNoiseNeighbours);
     std::erase_if(near, [&](const PointTree::Neighbour& n) { return n.point == i; });
     double spacing = 0.0;
     Vec3 facing = Vec3::Zero();  // its own normal means nothing where it is an outlier
@@ -172,7 +173,7 @@ std::vector<bool> MovingLeastSquares::find_off_surface_points(std::span<const do
 std::vector<MovingLeastSquares::PlaneDeviation> MovingLeastSquares::plane_deviations() const {
   std::vector<PlaneDeviation> result(points_.size());
   for (std::size_t i = 0; i < points_.size(); ++i) {
-    std::vector<PointTree::Neighbour> near = tree_.nearest(points_[i], kNoiseNeighbours);
+    std::vector<PointTree::Neighbour> near = tree_.nearest_neighbours(points_[i], kNoiseNeighbours);
     std::erase_if(near, [&](const PointTree::Neighbour& n) { return n.point == i; });
     const QuadricPatch patch = patch_at(points_[i], normals_[i], near, points_, normals_);
     if (patch.rows.size() < kMinQuadricPoints) {  // nothing is known of a plane
@@ -188,7 +189,7 @@ std::vector<MovingLeastSquares::PlaneDeviation> MovingLeastSquares::plane_deviat
 std::vector<Vec3> MovingLeastSquares::smoothed_points(double noise) const {
   std::vector<Vec3> result(points_.begin(), points_.end());
   for (std::size_t i = 0; i < points_.size(); ++i) {
-    const auto near = tree_.nearest(points_[i], kScales.back());
+    const auto near = tree_.nearest_neighbours(points_[i], kScales.back());
     std::optional<double> off;
     for (const int count : kScales) {
       if (static_cast<std::size_t>(count) > near.size()) break;

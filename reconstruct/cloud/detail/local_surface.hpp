@@ -17,7 +17,7 @@ class MovingLeastSquares {
   MovingLeastSquares(std::span<const Vec3> points, std::span<const Vec3> normals);
 
   /// Standard deviation of the points about small quadrics: the median over up to 2,000 points, m.
-  double noise() const;
+  double estimate_noise() const;
 
   /// Points that lie farther off the surface fitted to their neighbours than `spacings` (m) and the
   /// scatter of these allow, and a little apart from them: outliers close to the surface.

@@ -208,8 +208,9 @@ IndicatorFunction::IndicatorFunction(std::span<const Vec3> points, std::span<con
   std::vector<double> slopes;
   const std::size_t stride = std::max<std::size_t>(1, points.size() / kSlopeSamples);
   for (std::size_t i = 0; i < points.size(); i += stride) {
-    slopes.push_back((at(points[i] + step * normals[i]) - at(points[i] - step * normals[i])) /
-                     (2.0 * step));
+    slopes.push_back(
+        (value_at(points[i] + step * normals[i]) - value_at(points[i] - step * normals[i])) /
+        (2.0 * step));
   }
   const auto middle = slopes.begin() + static_cast<std::ptrdiff_t>(slopes.size() / 2);
   std::nth_element(slopes.begin(), middle, slopes.end());
@@ -218,9 +219,9 @@ IndicatorFunction::IndicatorFunction(std::span<const Vec3> points, std::span<con
 
 IndicatorFunction::~IndicatorFunction() = default;
 
-bool IndicatorFunction::found() const { return impl_ != nullptr; }
+bool IndicatorFunction::is_solved() const { return impl_ != nullptr; }
 
-double IndicatorFunction::at(const Vec3& position) const {
+double IndicatorFunction::value_at(const Vec3& position) const {
   const Vec3 p = position - impl_->origin;
   return facing_ * impl_->function(mesh_detail::CgalPoint(p.x(), p.y(), p.z()));
 }
@@ -237,7 +238,7 @@ TriangleMesh extract_surface(std::span<const Vec3> points, const IndicatorFuncti
   Delaunay delaunay(numbered.begin(), numbered.end());
   const auto is_inside = [&](const DelaunayCell& cell) {
     const mesh_detail::CgalPoint p = asked_at(cell);
-    return indicator.at(origin + Vec3(p.x(), p.y(), p.z())) < 0.0;
+    return indicator.value_at(origin + Vec3(p.x(), p.y(), p.z())) < 0.0;
   };
   for (const DelaunayCell cell : delaunay.all_cell_handles()) {
     const bool inside = !delaunay.is_infinite(cell) && is_inside(cell);

@@ -17,8 +17,8 @@ class IndicatorFunction {
   IndicatorFunction(std::span<const Vec3> points, std::span<const Vec3> normals);
   ~IndicatorFunction();
 
-  bool found() const;  ///< false where the equations could not be solved
-  double at(const Vec3& position) const;
+  bool is_solved() const;  ///< false where the equations could not be solved
+  double value_at(const Vec3& position) const;
 
  private:
   struct Impl;
@@ -35,7 +35,7 @@ class IndicatorFunction {
 ///                  them, and noise with them; empty: they are not
 /// @returns outward; vertices are all points in order, also those not used; empty when nothing is
 ///          inside
-/// @pre indicator.found()
+/// @pre indicator.is_solved()
 /// @cite amenta1999
 TriangleMesh extract_surface(std::span<const Vec3> points, const IndicatorFunction& indicator,
                              std::span<const double> spacings = {});

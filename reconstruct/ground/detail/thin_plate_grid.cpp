@@ -94,7 +94,7 @@ std::array<ThinPlateGrid::NodeWeight, 4> ThinPlateGrid::interpolation_nodes(
            {first + columns_ + 1, u * v}}};
 }
 
-double ThinPlateGrid::at(const Vec2& position) const {
+double ThinPlateGrid::height_at(const Vec2& position) const {
   double height = 0.0;
   for (const NodeWeight& corner : interpolation_nodes(position))
     height += corner.weight * heights_[corner.node];

@@ -19,7 +19,7 @@ class ThinPlateGrid {
   ThinPlateGrid(std::span<const Vec3> points, const Eigen::AlignedBox2d& extent, int nodes,
                 double stiffness);
 
-  double at(const Vec2& position) const;
+  double height_at(const Vec2& position) const;
 
  private:
   struct NodeWeight {

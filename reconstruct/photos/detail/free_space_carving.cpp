@@ -36,7 +36,7 @@ FreeSpaceGrid carve_free_space(const std::vector<PairProjection>& views,
                                double tolerance, unsigned threads) {
   FreeSpaceGrid result;
   result.side = 2.0 * region.radius / static_cast<double>(kAcross);
-  result.corner = region.centre - Vec3::Constant(region.radius);
+  result.origin = region.centre - Vec3::Constant(region.radius);
   result.counts = {kAcross, kAcross, kAcross};
   const double half = kHalfDiagonal * result.side;
   std::vector<cv::Mat> nearest(views.size());
@@ -46,10 +46,10 @@ FreeSpaceGrid carve_free_space(const std::vector<PairProjection>& views,
     nearest[i] = nearest_shifts(views[i].depths->disparity, agreed[i], reach);
   });
   const std::size_t layer = kAcross * kAcross;
-  result.empty.assign(kAcross * layer, 0);
+  result.is_free_cell.assign(kAcross * layer, 0);
   parallel_for(kAcross, threads, [&](std::size_t z) {
     for (std::size_t cube = z * layer; cube < (z + 1) * layer; ++cube) {
-      const Vec3 position = result.middle(cube);
+      const Vec3 position = result.cell_centre(cube);
       if ((position - region.centre).norm() > region.radius) continue;
       int pairs_through = 0;
       for (std::size_t i = 0; i < views.size() && pairs_through < kMinViews; ++i) {
@@ -64,7 +64,7 @@ FreeSpaceGrid carve_free_space(const std::vector<PairProjection>& views,
         pairs_through +=
             known.at<short>(y, x) / kDisparityScale < least - kFrontMargin * tolerance ? 1 : 0;
       }
-      result.empty[cube] = pairs_through >= kMinViews ? 1 : 0;
+      result.is_free_cell[cube] = pairs_through >= kMinViews ? 1 : 0;
     }
   });
   return result;

@@ -59,7 +59,7 @@ Rectified rectified(const PhotoModel& model, std::size_t photo, const Rectificat
 }  // namespace
 
 Rectification rectify_pair(const PhotoModel& model, const StereoPair& pair,
-                            const PhotoRegion& region, int most_pixels) {
+                           const PhotoRegion& region, int most_pixels) {
   const Photo &a = model.photos[pair.first], &b = model.photos[pair.second];
   Rectification view;
   view.left = a.centre();
@@ -86,10 +86,13 @@ Rectification rectify_pair(const PhotoModel& model, const StereoPair& pair,
   const double nearest = view.f * view.baseline / (depth - reach) - view.offset;
   const double farthest = view.f * view.baseline / (depth + reach) - view.offset;
   view.min_disparity = static_cast<int>(std::floor(farthest)) - 1;
-  view.count = 16 * ((static_cast<int>(std::ceil(nearest)) + 1 - view.min_disparity + 15) / 16);
-  // Matching finds nothing in the first `min_disparity + count` columns, and the last `-min_disparity`.
+  view.disparity_count =
+      16 * ((static_cast<int>(std::ceil(nearest)) + 1 - view.min_disparity + 15) / 16);
+  // Matching finds nothing in the first `min_disparity + disparity_count` columns, and the last
+  // `-min_disparity`.
   const int half = static_cast<int>(std::ceil(view.f * half_share)) + kBlock;
-  const int before = std::max(0, view.min_disparity + view.count), after = std::max(0, -view.min_disparity);
+  const int before = std::max(0, view.min_disparity + view.disparity_count),
+            after = std::max(0, -view.min_disparity);
   view.width = before + 2 * half + after;
   view.height = 2 * half;
   view.cx = before + half - view.f * middle.x() / depth;
@@ -97,8 +100,9 @@ Rectification rectify_pair(const PhotoModel& model, const StereoPair& pair,
   return view;
 }
 
-DisparityMap match_stereo_pair(const PhotoModel& model, const StereoPair& pair, const PhotoRegion& region,
-                       int most_pixels, const std::vector<std::filesystem::path>& masks) {
+DisparityMap match_stereo_pair(const PhotoModel& model, const StereoPair& pair,
+                               const PhotoRegion& region, int most_pixels,
+                               const std::vector<std::filesystem::path>& masks) {
   DisparityMap result;
   result.view = rectify_pair(model, pair, region, most_pixels);
   const Rectification& view = result.view;
@@ -112,8 +116,9 @@ DisparityMap match_stereo_pair(const PhotoModel& model, const StereoPair& pair, 
   // u - d with d = f b / z - offset: the right camera's own middle is moved by the offset.
   const Rectified r = rectified(model, right, view, view.cx + view.offset, mask_of(right));
   const auto matcher = cv::StereoSGBM::create(
-      view.min_disparity, view.count, kBlock, kSmallStep * kBlock * kBlock, kLargeStep * kBlock * kBlock, 1,
-      kPrefilter, kUniqueness, kSpeckle, kSpeckleRange, cv::StereoSGBM::MODE_SGBM_3WAY);
+      view.min_disparity, view.disparity_count, kBlock, kSmallStep * kBlock * kBlock,
+      kLargeStep * kBlock * kBlock, 1, kPrefilter, kUniqueness, kSpeckle, kSpeckleRange,
+      cv::StereoSGBM::MODE_SGBM_3WAY);
   matcher->compute(l.grey, r.grey, result.disparity);
   const int nothing = (view.min_disparity - 1) * kScale;
   for (int v = 0; v < view.height; ++v) {
@@ -124,8 +129,8 @@ DisparityMap match_stereo_pair(const PhotoModel& model, const StereoPair& pair, 
                          other < view.width && r.inside.at<unsigned char>(v, other) != 0;
       // Only what lies in the ball is the block's.
       if (!known ||
-          (view.point(u, v, row[u] / static_cast<double>(kScale)) - region.centre).squaredNorm() >
-              region.radius * region.radius) {
+          (view.back_projected(u, v, row[u] / static_cast<double>(kScale)) - region.centre)
+                  .squaredNorm() > region.radius * region.radius) {
         row[u] = kNoDisparity;
       }
     }

@@ -28,14 +28,15 @@ std::optional<Vec3> meeting(const Ray& a, const Ray& b) {
 }
 
 TriangulatedPoint judged(const PhotoModel& model, const std::vector<ImageObservation>& observations,
-                    const Vec3& position, double largest_error) {
+                         const Vec3& position, double largest_error) {
   TriangulatedPoint result{position, std::vector<bool>(observations.size()), 0, 0.0};
   for (std::size_t i = 0; i < observations.size(); ++i) {
-    const std::optional<Vec2> projection = project_into_photo(model, observations[i].photo, position);
+    const std::optional<Vec2> projection =
+        project_into_photo(model, observations[i].photo, position);
     const double error2 = projection ? (*projection - observations[i].pixel).squaredNorm() : 1e300;
     if (error2 > largest_error * largest_error) continue;
     result.is_inlier[i] = true;
-    ++result.agreeing;
+    ++result.inlier_count;
     result.squared_error += error2;
   }
   return result;
@@ -70,8 +71,8 @@ Vec3 improved(const PhotoModel& model, const std::vector<ImageObservation>& obse
 }  // namespace
 
 std::optional<TriangulatedPoint> triangulate(const PhotoModel& model,
-                                         const std::vector<ImageObservation>& observations,
-                                         double largest_error) {
+                                             const std::vector<ImageObservation>& observations,
+                                             double largest_error) {
   std::vector<std::optional<Ray>> rays;
   for (const ImageObservation& sighting : observations) {
     const Photo& photo = model.photos[sighting.photo];
@@ -93,15 +94,16 @@ std::optional<TriangulatedPoint> triangulate(const PhotoModel& model,
       if (!position) continue;
       TriangulatedPoint trial = judged(model, observations, *position, largest_error);
       const bool better =
-          !best || trial.agreeing > best->agreeing ||
-          (trial.agreeing == best->agreeing && trial.squared_error < best->squared_error);
-      if (trial.agreeing >= 2 && better) best = std::move(trial);
+          !best || trial.inlier_count > best->inlier_count ||
+          (trial.inlier_count == best->inlier_count && trial.squared_error < best->squared_error);
+      if (trial.inlier_count >= 2 && better) best = std::move(trial);
     }
   }
   if (!best) return std::nullopt;
   for (int step = 0; step < kSteps; ++step) {
-    TriangulatedPoint next = judged(model, observations, improved(model, observations, *best), largest_error);
-    if (next.agreeing < best->agreeing) break;
+    TriangulatedPoint next =
+        judged(model, observations, improved(model, observations, *best), largest_error);
+    if (next.inlier_count < best->inlier_count) break;
     const bool still = (next.position - best->position).norm() < 1e-12 * best->position.norm();
     best = std::move(next);
     if (still) break;

@@ -16,7 +16,7 @@ struct ImageObservation {
 struct TriangulatedPoint {
   Vec3 position = Vec3::Zero();
   std::vector<bool> is_inlier;  ///< of each sighting
-  std::size_t agreeing = 0;
+  std::size_t inlier_count = 0;
   double squared_error = 0.0;  ///< summed over those, px^2
 };
 
@@ -24,7 +24,7 @@ struct TriangulatedPoint {
 /// them (of an even choice of pairs where there are many), then by least squares over those that
 /// agree. None: no two agree.
 std::optional<TriangulatedPoint> triangulate(const PhotoModel& model,
-                                         const std::vector<ImageObservation>& observations,
-                                         double largest_error);
+                                             const std::vector<ImageObservation>& observations,
+                                             double largest_error);
 
 }  // namespace clast::photos_detail

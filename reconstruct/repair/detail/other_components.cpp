@@ -54,7 +54,7 @@ void take_shells(TriangleMesh& block, const std::vector<const TriangleMesh*>& sh
     if ((volume > 0.0) == block_outward) flip_orientation(cavity);
     block = merged(std::move(block), cavity);
   }
-  log.note(DefectKind::kInnerShell, shells.size(), area, shells[0]->vertices[0]);
+  log.add_defect(DefectKind::kInnerShell, shells.size(), area, shells[0]->vertices[0]);
 }
 
 }  // namespace
@@ -75,7 +75,7 @@ void remove_other_components(TriangleMesh& block, std::span<const Component> com
     if (!small) {
       if (const auto copy = match_surface_copy(mesh, tree, diagonal)) {
         add(closed ? copies : sheets, component);
-        log.note(describe_copy(*copy, component, block, tree));
+        log.add_duplicate(describe_copy(*copy, component, block, tree));
         continue;
       }
     }
@@ -96,9 +96,9 @@ void remove_other_components(TriangleMesh& block, std::span<const Component> com
     }
   }
   if (others > 0) refuse_components(others, open, components[1].area / components[0].area);
-  log.note(DefectKind::kDuplicateSheet, sheets);
-  log.note(DefectKind::kDuplicateShell, copies);
-  log.note(DefectKind::kIsland, islands);
+  log.add_defect(DefectKind::kDuplicateSheet, sheets);
+  log.add_defect(DefectKind::kDuplicateShell, copies);
+  log.add_defect(DefectKind::kIsland, islands);
   take_shells(block, shells, options.keep_inner_shells, log);
 }
 

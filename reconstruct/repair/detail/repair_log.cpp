@@ -12,21 +12,23 @@ Vec3 RepairLog::to_reported_frame(const Vec3& local) const {
   return reported_place_ ? reported_place_(there) : there;
 }
 
-std::string RepairLog::at(const Vec3& local) const { return format_point(to_reported_frame(local)); }
+std::string RepairLog::format_position(const Vec3& local) const {
+  return position(to_reported_frame(local));
+}
 
-void RepairLog::note(DefectKind kind, std::size_t count, double area, std::optional<Vec3> where,
-                     double size) {
+void RepairLog::add_defect(DefectKind kind, std::size_t count, double area,
+                           std::optional<Vec3> where, double size) {
   if (count == 0) return;
   if (where) where = to_reported_frame(*where);
   report.defects.push_back({kind, count, area / area_as_read, size, where});
 }
 
-void RepairLog::note(DefectKind kind, const RepairChange& change) {
-  note(kind, change.count, change.area, change.position);
+void RepairLog::add_defect(DefectKind kind, const RepairChange& change) {
+  add_defect(kind, change.count, change.area, change.position);
 }
 
-void RepairLog::note(const DuplicateSurface& copy) {
-  report.doubled.push_back(copy);
+void RepairLog::add_duplicate(const DuplicateSurface& copy) {
+  report.duplicates.push_back(copy);
   // One of the copies is the rock: the farthest from the one kept bounds it.
   report.volume_below = std::max(report.volume_below, -copy.volume_change);
   report.volume_above = std::max(report.volume_above, copy.volume_change);

@@ -19,14 +19,14 @@ class RepairLog {
       : origin_(origin), reported_place_(reported_place) {}
 
   Vec3 to_reported_frame(const Vec3& local) const;
-  std::string at(const Vec3& local) const;  ///< for messages
+  std::string format_position(const Vec3& local) const;  ///< for messages
 
   /// Nothing where `count` is 0.
   /// @param area  of what was dropped, m^2
-  void note(DefectKind kind, std::size_t count, double area = 0.0, std::optional<Vec3> where = {},
-            double size = 0.0);
-  void note(DefectKind kind, const RepairChange& change);
-  void note(const DuplicateSurface& copy);
+  void add_defect(DefectKind kind, std::size_t count, double area = 0.0,
+                  std::optional<Vec3> where = {}, double size = 0.0);
+  void add_defect(DefectKind kind, const RepairChange& change);
+  void add_duplicate(const DuplicateSurface& copy);
 
   /// The same of the surface turned over.
   void flip_orientation();

@@ -41,7 +41,7 @@ std::string open_edges(TriangleMesh mesh, const RepairLog& log) {
     }
     text += (i == 0 ? ": " : ", ") + format_count(loops[i].size(), "edge", "edges") + " and " +
             format_significant(around, 3) + " m round near " +
-            log.at(mesh.vertices[loops[i].front()]);
+            log.format_position(mesh.vertices[loops[i].front()]);
   }
   return text + (named < loops.size() ? ", and smaller ones" : "");
 }
@@ -78,15 +78,17 @@ void check_not_empty(const TriangleMesh& mesh) {
   throw GeometryError("no surface is left: its triangles have no area or cancel each other");
 }
 
-void check_orientable(const TriangleMesh& mesh, const OrientationResult& facing, const RepairLog& log) {
+void check_orientable(const TriangleMesh& mesh, const OrientationResult& facing,
+                      const RepairLog& log) {
   if (facing.orientable) return;
-  throw GeometryError("the surface is one-sided near " + log.at(mesh.vertices[facing.conflict]) +
+  throw GeometryError("the surface is one-sided near " +
+                      log.format_position(mesh.vertices[facing.conflict]) +
                       " (inside and outside can't be distinguished)" + kRepairAdvice);
 }
 
 void check_hole(const FilledHole& hole, double largest, const TriangleMesh& welded,
                 const RepairLog& log) {
-  if (hole.area_fraction <= largest || hole.fan) return;
+  if (hole.area_fraction <= largest || hole.is_fan) return;
   throw GeometryError("the surface is an open sheet and no block: " + open_edges(welded, log) +
                       "; closing it would invent " +
                       format_significant(100.0 * hole.area_fraction, 3) +
@@ -102,7 +104,7 @@ void check_closed(const TriangleMesh& mesh, const TriangleMesh& welded, const Re
     text += text.empty() ? "" : "; ";
     text += format_count(links.non_manifold_edges, "edge", "edges") +
             " shared by more than two triangles, near " +
-            log.at(welded.vertices[links.first_non_manifold_edge[0]]);
+            log.format_position(welded.vertices[links.first_non_manifold_edge[0]]);
   }
   throw GeometryError("the surface is not closed: " + text + kRepairAdvice);
 }

@@ -12,8 +12,8 @@ class LevelSections {
   /// @param up    unit
   LevelSections(const TriangleMesh& mesh, const Vec3& up);
 
-  double lowest() const { return lowest_; }  ///< height along `up` of the lowest vertex, m
-  double highest() const { return highest_; }
+  double min_height() const { return lowest_; }  ///< height along `up` of the lowest vertex, m
+  double max_height() const { return highest_; }
   /// Area of the section at a height, m^2.
   double area(double height) const;
   /// Volume of the part above a height, m^3.

@@ -72,7 +72,7 @@ class LowestSheet {
 }  // namespace
 
 OccludedSpace measure_occluded_space(const TriangleMesh& closed, const Plane& ground, double strip,
-                       const FreeSpaceGrid& free_space) {
+                                     const FreeSpaceGrid& free_space) {
   const Quat upright = Quat::FromTwoVectors(ground.normal, Vec3::UnitZ());
   TriangleMesh standing = closed;
   for (Vec3& v : standing.vertices) v = upright * v - Vec3(0.0, 0.0, ground.distance);
@@ -81,7 +81,7 @@ OccludedSpace measure_occluded_space(const TriangleMesh& closed, const Plane& gr
   const LowestSheet sheet(standing, side);
   const auto empty = [&](std::size_t cell, double height) {
     const Vec3 position = sheet.position(cell, height) + Vec3(0.0, 0.0, ground.distance);
-    return free_space.at(upright.conjugate() * position);
+    return free_space.is_free(upright.conjugate() * position);
   };
   OccludedSpace below;
   for (std::size_t cell = 0; cell < sheet.count(); ++cell) {

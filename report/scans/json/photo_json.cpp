@@ -13,17 +13,18 @@ Json ring_json(const CameraRing& ring, const std::string& unit) {
   Json cameras = Json::array(), gaps = Json::array();
   for (const CameraPosition& seat : ring.cameras) {
     cameras.push_back({{"photo", to_utf8(seat.name)},
-                     {"azimuth_deg", seat.azimuth * kDegreesPerRadian},
-                     {"elevation_deg", seat.elevation * kDegreesPerRadian},
-                     {"distance" + unit, seat.distance},
-                     {"pairs", seat.pairs},
-                     {"blurred", seat.blurred}});
+                       {"azimuth_deg", seat.azimuth * kDegreesPerRadian},
+                       {"elevation_deg", seat.elevation * kDegreesPerRadian},
+                       {"distance" + unit, seat.distance},
+                       {"pairs", seat.pairs},
+                       {"blurred", seat.blurred}});
   }
   for (const AzimuthGap& gap : ring.gaps) {
     gaps.push_back(
         {{"from_deg", gap.from * kDegreesPerRadian},
          {"width_deg", gap.width * kDegreesPerRadian},
-         {"between", {to_utf8(ring.cameras[gap.first].name), to_utf8(ring.cameras[gap.second].name)}}});
+         {"between",
+          {to_utf8(ring.cameras[gap.first].name), to_utf8(ring.cameras[gap.second].name)}}});
   }
   return {{"cameras", cameras},
           {"gaps", gaps},
@@ -53,7 +54,8 @@ Json scale_json(const PhotoScan& scan) {
                    {"in_model_m", one.length / one.factor * scale.metres_per_unit},
                    {"metres_per_unit", one.factor},
                    {"used", one.used}};
-    length["off_by_the_others"] = scale.measures.size() > 1 ? Json(one.left_out) : Json();
+    length["off_by_the_others"] =
+        scale.measures.size() > 1 ? Json(one.leave_one_out_error) : Json();
     json["lengths"].push_back(length);
   }
   json["notes"] = scale.notes;
@@ -76,7 +78,7 @@ Json photo_json(const PhotoScan& scan, const PhotoSummary& evidence) {
   json["coverage"] = Json::array();
   for (const ViewCoverage& one : evidence.coverage) {
     json["coverage"].push_back(
-        {{"at_least", one.least}, {"photos_share", one.photos}, {"pairs_share", one.pairs}});
+        {{"at_least", one.min_views}, {"photos_share", one.photos}, {"pairs_share", one.pairs}});
   }
   json["markers"] = Json::array();
   for (const MarkerUsage& marker : evidence.markers) {

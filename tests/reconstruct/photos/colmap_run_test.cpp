@@ -154,7 +154,7 @@ TEST(ColmapRun, ItIsEndedWithAllItStartedWhenItsTimeIsOver) {
   const std::string mark = (scratch / "mark").string();
   const FakeColmap fake(":", "(sleep 2; echo late >" + mark + ") & sleep 60");
   ColmapOptions options = fake.options();
-  options.seconds = 0.3;
+  options.time_limit = 0.3;
   const auto start = std::chrono::steady_clock::now();
   EXPECT_TRUE(contains(refusal([&] { run_colmap(fake.photos(), options); }),
                        "colmap feature_extractor was ended after"));
@@ -166,8 +166,8 @@ TEST(ColmapRun, ItIsEndedWithAllItStartedWhenItsTimeIsOver) {
 TEST(ColmapRun, TooFewPhotosAreRefused) {
   const ScratchFolder folder;
   write_plain_photo(folder / "a.bmp", 16, 12, 1);
-  EXPECT_TRUE(contains(refusal([&] { run_colmap(folder.path()); }),
-                       "1 photos are too few for a block"));
+  EXPECT_TRUE(
+      contains(refusal([&] { run_colmap(folder.path()); }), "1 photos are too few for a block"));
 }
 
 }  // namespace

@@ -49,7 +49,8 @@ Errors errors_of(const DenseCloud& cloud, const ToTruth& to_truth) {
     const Vec3 across = (q - p).cross(r - p), middle = (p + q + r) / 3.0;
     if (middle.z() < 0.03 || across.z() < -0.3 * across.norm()) continue;
     all += across.norm();
-    if (points.nearest(middle, 1).front().distance < 0.005 * kLength) seen += across.norm();
+    if (points.nearest_neighbours(middle, 1).front().distance < 0.005 * kLength)
+      seen += across.norm();
   }
   errors.coverage = seen / all;
   return errors;
@@ -62,10 +63,10 @@ double deepest_cube(const DenseCloud& cloud, const ToTruth& to_truth) {
   const TriangleTree tree(rock);
   std::size_t inside = 0, all = 0;
   double deepest = 0.0;
-  for (std::size_t i = 0; i < cloud.free_space.empty.size(); ++i) {
-    if (!cloud.free_space.empty[i]) continue;
+  for (std::size_t i = 0; i < cloud.free_space.is_free_cell.size(); ++i) {
+    if (!cloud.free_space.is_free_cell[i]) continue;
     ++all;
-    const double depth = -tree.signed_distance(to_truth * cloud.free_space.middle(i));
+    const double depth = -tree.signed_distance(to_truth * cloud.free_space.cell_centre(i));
     inside += depth > 0.0 ? 1 : 0;
     deepest = std::max(deepest, depth / (to_truth.scale * cloud.free_space.side));
   }
@@ -103,7 +104,8 @@ TEST(DenseRock, MasksLeaveTheBlockAlone) {
   const PhotoModel model = colmap_model();
   const ToTruth to_truth(model);
   const auto masks = test_data("photos/synthetic_rock/masks");
-  const DenseCloud cloud = compute_dense_cloud(model, {.most_pixels = 500, .masks = masks, .threads = 2});
+  const DenseCloud cloud =
+      compute_dense_cloud(model, {.most_pixels = 500, .masks = masks, .threads = 2});
   const TriangleMesh rock = read_mesh(test_data("photos/synthetic_rock/gt_rock.ply"));
   const TriangleTree tree(rock);
   std::size_t off = 0;
@@ -117,8 +119,9 @@ TEST(DenseRock, MasksLeaveTheBlockAlone) {
 
 // Bar: 90 s from the stored model.
 TEST(DenseBoulder, RealPhotosGivePointsAllRound) {
-  const PhotoModel model = locate_photo_files(read_photo_model(test_data("photos/nlesc_rock/colmap_txt")),
-                                      test_data("photos/nlesc_rock/images"));
+  const PhotoModel model =
+      locate_photo_files(read_photo_model(test_data("photos/nlesc_rock/colmap_txt")),
+                         test_data("photos/nlesc_rock/images"));
   const double before = cpu_seconds();
   const DenseCloud cloud = compute_dense_cloud(model, {.threads = 2});
   const double spent = cpu_seconds() - before;

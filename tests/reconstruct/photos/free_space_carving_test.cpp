@@ -25,23 +25,23 @@ DisparityMap pair_from(double around, double up) {
   const Vec3 right = (-out).cross(Vec3::UnitZ()).normalized();
   DisparityMap pair;
   Rectification& r = pair.view;
-  r.turn << right.transpose(), (-out).cross(right).transpose(), -out.transpose();
+  r.rotation << right.transpose(), (-out).cross(right).transpose(), -out.transpose();
   r.left = 8.0 * out;
   r.f = 400.0;
   r.cx = r.cy = 120.0;
   r.width = r.height = 241;
-  r.base = 2.0;
-  r.offset = r.f * r.base / 8.0;
+  r.baseline = 2.0;
+  r.offset = r.f * r.baseline / 8.0;
   pair.disparity = cv::Mat(r.height, r.width, CV_16S, cv::Scalar(kNoDisparity));
   for (int v = 0; v < r.height; ++v) {
     for (int u = 0; u < r.width; ++u) {
       const Vec3 ray((u - r.cx) / r.f, (v - r.cy) / r.f, 1.0);
-      const Vec3 way = r.turn.transpose() * ray.normalized();
+      const Vec3 way = r.rotation.transpose() * ray.normalized();
       const double length = distance_to_scene(r.left, way);
       if ((r.left + length * way).norm() > 2.0) continue;
       const double depth = length / ray.norm();
       pair.disparity.at<short>(v, u) =
-          static_cast<short>(std::lround(16.0 * (r.f * r.base / depth - r.offset)));
+          static_cast<short>(std::lround(16.0 * (r.f * r.baseline / depth - r.offset)));
     }
   }
   return pair;
@@ -69,39 +69,39 @@ class LookedThrough : public testing::Test {
 TEST_F(LookedThrough, NoCubeOfTheBallAndMostOfWhatIsAroundItsFoot) {
   const FreeSpaceGrid free_space = carve_free_space(views_, agreed_, region_, 1.0, 2);
   std::size_t low = 0, empty = 0;
-  for (std::size_t i = 0; i < free_space.empty.size(); ++i) {
-    const Vec3 position = free_space.middle(i);
+  for (std::size_t i = 0; i < free_space.is_free_cell.size(); ++i) {
+    const Vec3 position = free_space.cell_centre(i);
     const bool rock = position.norm() < 1.0 || position.z() < -1.0;
-    ASSERT_FALSE(rock && free_space.empty[i]) << position.transpose();
-    ASSERT_EQ(free_space.at(position), free_space.empty[i] != 0);
+    ASSERT_FALSE(rock && free_space.is_free_cell[i]) << position.transpose();
+    ASSERT_EQ(free_space.is_free(position), free_space.is_free_cell[i] != 0);
     // Beside the ball's lower half, where some camera looks past it, away from ball and ground.
     if (position.norm() < 1.25 || position.norm() > 1.5 || position.z() > 0.0 ||
         position.z() < -0.8)
       continue;
     ++low;
-    empty += free_space.empty[i];
+    empty += free_space.is_free_cell[i];
   }
   EXPECT_GT(low, 10000u);
   EXPECT_GT(static_cast<double>(empty), 0.95 * static_cast<double>(low));
-  EXPECT_FALSE(free_space.at(Vec3(0.0, 0.0, 50.0)));
+  EXPECT_FALSE(free_space.is_free(Vec3(0.0, 0.0, 50.0)));
 }
 
 TEST_F(LookedThrough, WhatOthersDoNotAgreeWithOpensNothing) {
   for (cv::Mat& mask : agreed_) mask.setTo(0);
   const FreeSpaceGrid free_space = carve_free_space(views_, agreed_, region_, 1.0, 2);
-  EXPECT_EQ(std::count(free_space.empty.begin(), free_space.empty.end(), 1), 0);
+  EXPECT_EQ(std::count(free_space.is_free_cell.begin(), free_space.is_free_cell.end(), 1), 0);
 }
 
 // A pair whose depths are wrong can't open a cube alone.
 TEST_F(LookedThrough, OneWrongPairOpensNothing) {
   const std::vector<PairProjection> one = {views_[0]};
   const FreeSpaceGrid free_space = carve_free_space(one, {agreed_[0]}, region_, 1.0, 1);
-  EXPECT_EQ(std::count(free_space.empty.begin(), free_space.empty.end(), 1), 0);
+  EXPECT_EQ(std::count(free_space.is_free_cell.begin(), free_space.is_free_cell.end(), 1), 0);
 }
 
 TEST_F(LookedThrough, IsTheSameForAnyNumberOfThreads) {
-  EXPECT_EQ(carve_free_space(views_, agreed_, region_, 1.0, 1).empty,
-            carve_free_space(views_, agreed_, region_, 1.0, 3).empty);
+  EXPECT_EQ(carve_free_space(views_, agreed_, region_, 1.0, 1).is_free_cell,
+            carve_free_space(views_, agreed_, region_, 1.0, 3).is_free_cell);
 }
 
 }  // namespace

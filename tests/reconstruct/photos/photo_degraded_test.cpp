@@ -74,7 +74,7 @@ PhotoModel changed(const ScratchFolder& folder,
 TEST(DegradedPhotos, EverySecondPhotoStillGivesGoodPoints) {
   const PhotoModel all = colmap_model();
   const DenseCloud cloud = compute_dense_cloud(with_photos(all, every(2, all.photos.size())),
-                                       {.most_pixels = 800, .agreeing = 2});
+                                               {.most_pixels = 800, .min_agreeing_pairs = 2});
   const double error = mean_error(cloud, ToTruth(all));
   std::cout << cloud.pairs.size() << " pairs, " << cloud.points.size() << " points, mean "
             << 100.0 * error << " %\n";
@@ -92,7 +92,9 @@ TEST(DegradedPhotos, AQuarterOfThemIsRefusedWithTheAngleBetweenThem) {
 
 TEST(DegradedPhotos, SixThatAreFiftyDegreesApartAreRefused) {
   const PhotoModel all = colmap_model();
-  const std::string text = refusal([&] { compute_dense_cloud(with_photos(all, {0, 4, 8, 12, 16, 20})); });
+  const std::string text = refusal([&] {
+    compute_dense_cloud(with_photos(all, {0, 4, 8, 12, 16, 20}));
+  });
   EXPECT_TRUE(contains(text, "only 0 pairs among 6 photos"));
   EXPECT_TRUE(contains(text, "every 10-15 degrees"));
 }

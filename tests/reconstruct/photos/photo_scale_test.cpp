@@ -33,7 +33,7 @@ TEST(PhotoScale, TheSideSetsItAndEachMarkerIsCheckedByTheOthers) {
   const PhotoScale scale = estimate_scale_from_markers(markers, {.marker_side = 0.2});
   const double other = 0.2 / 0.4012;
   EXPECT_NEAR(scale.metres_per_unit, (3.0 * 0.5 + other) / 4.0, 1e-12);
-  EXPECT_NEAR(scale.measures[1].left_out, 0.4012 / 0.4 - 1.0, 1e-12);
+  EXPECT_NEAR(scale.measures[1].leave_one_out_error, 0.4012 / 0.4 - 1.0, 1e-12);
   const double mean = scale.metres_per_unit;
   EXPECT_NEAR(
       scale.spread,
@@ -61,17 +61,19 @@ TEST(PhotoScale, ABarThatIsWrongIsNamedAndLeftOut) {
 }
 
 TEST(PhotoScale, SidesCheckBars) {
-  const PhotoScale good = estimate_scale_from_markers(four(), {.bars = {{1, 7, 1.5}}, .marker_side = 0.2});
+  const PhotoScale good =
+      estimate_scale_from_markers(four(), {.bars = {{1, 7, 1.5}}, .marker_side = 0.2});
   ASSERT_TRUE(good.side_check.has_value());
   EXPECT_NEAR(*good.side_check, 0.0, 1e-12);
-  const PhotoScale bad = estimate_scale_from_markers(four(), {.bars = {{1, 7, 1.5}}, .marker_side = 0.19});
+  const PhotoScale bad =
+      estimate_scale_from_markers(four(), {.bars = {{1, 7, 1.5}}, .marker_side = 0.19});
   EXPECT_NEAR(*bad.side_check, 0.2 / 0.19 - 1.0, 1e-12);
   EXPECT_TRUE(contains(bad.notes.back(), "sides are 5.3 % longer than given"));
 }
 
 TEST(PhotoScale, SizesThatContradictAreRefused) {
   const std::vector<LocatedMarker> two = {made_up_marker(0, {1.0, 0.0, 0.0}),
-                                        made_up_marker(1, {0.0, 2.0, 0.0}, 0.45)};
+                                          made_up_marker(1, {0.0, 2.0, 0.0}, 0.45)};
   EXPECT_TRUE(contains(refusal([&] { estimate_scale_from_markers(two, {.marker_side = 0.2}); }),
                        "marker 0: 0.5 m per unit, marker 1: 0.444444 m per unit"));
 }
@@ -93,8 +95,8 @@ TEST(PhotoScale, WhatCantSetAScaleIsRefused) {
                          estimate_scale_from_markers(markers, {.bars = {{0, 1, -1.0}}});
                        }),
                        "no distance"));
-  EXPECT_TRUE(
-      contains(refusal([&] { estimate_scale_from_markers(markers, {.marker_side = 0.0}); }), "no side"));
+  EXPECT_TRUE(contains(refusal([&] { estimate_scale_from_markers(markers, {.marker_side = 0.0}); }),
+                       "no side"));
 }
 
 TEST(Triangulation, PlacesComeBackThoughAThirdOfTheSightingsAreWrong) {
@@ -121,7 +123,7 @@ TEST(Triangulation, PlacesComeBackThoughAThirdOfTheSightingsAreWrong) {
   }
   const auto found = photos_detail::triangulate(model, observations, 2.0);
   ASSERT_TRUE(found.has_value());
-  EXPECT_EQ(found->agreeing, 8u);
+  EXPECT_EQ(found->inlier_count, 8u);
   EXPECT_NEAR((found->position - truth).norm(), 0.0, 1e-9);
   EXPECT_FALSE(photos_detail::triangulate(model, {observations[1]}, 2.0).has_value());
 }

@@ -21,7 +21,7 @@ struct RockBlock {
 
   explicit RockBlock(const PhotoScan& scan) {
     FieldScanOptions reading;
-    reading.surface.cell = 0.003;
+    reading.surface.averaging_cell = 0.003;
     reading.free_space = &scan.cloud.free_space;
     block = extract_field_blocks(scan.cloud.points, "rock", reading).front();
     const TriangleMesh truth = read_mesh(test_data("photos/synthetic_rock/gt_rock.ply"));
@@ -36,8 +36,8 @@ struct RockBlock {
     extents = relative((along.high - along.low) / to_truth.scale, box.lengths);
     std::cout << "L, I, S " << 100.0 * sides.transpose() << " %, along the true ones "
               << 100.0 * extents.transpose() << " %, volume " << block.underside->lower_volume
-              << " " << block.underside->estimated_volume << " " << block.underside->upper_volume.value()
-              << " of " << true_volume << "\n";
+              << " " << block.underside->estimated_volume << " "
+              << block.underside->upper_volume.value() << " of " << true_volume << "\n";
   }
 
  private:
