@@ -1,5 +1,5 @@
 #pragma once
-/// How sure a shape class is, given what the axes are known to.
+/// Certainty of a shape class under the measurement error of the axes.
 #include <string>
 #include <vector>
 
@@ -7,32 +7,34 @@
 
 namespace clast {
 
-/// What an axis measured by tape is known to, m.
+/// Error of an axis measured by tape, m.
 inline constexpr double kTapeError = 0.05;
 
-/// A class with its nearest limit and with what the error of the axes allows.
+/// Shape class with its nearest class limit and the other classes that are possible within the
+/// error.
 struct ClassCertainty {
   std::string name;
-  std::string ratio;        ///< that is nearest to one of its limits, as "S/L"
-  double value = 0.0;       ///< of the ratio
-  double limit = 0.0;       ///< nearest to it
-  double distance = 0.0;    ///< between the two
-  bool near_limit = false;  ///< closer than 0.05, or closer than the error of the axes
-  bool is_certain = true;   ///< the class is the same for all axes within the error
+  std::string ratio;      ///< ratio nearest to a class limit, as "S/L"
+  double value = 0.0;     ///< of this ratio
+  double limit = 0.0;     ///< class limit nearest to `value`
+  double distance = 0.0;  ///< |value - limit|
+  bool near_limit =
+      false;  ///< `distance` is below 0.05, or the limit is within the error of the axes
+  bool is_certain = true;  ///< the class is the same for all axes within the error
   std::vector<std::string>
-      possible_others;  ///< every other class that axes within the error can have
+      possible_others;  ///< all other classes that are possible within the error
 };
 
-/// Each axis may be off by `axis_error` either way, independently of the others. `possible_others`
-/// is complete and holds nothing else: the ratios that axes L >= I >= S within the error can have
-/// are a convex polygon, which the limits of the scheme cut into pieces of one class each; see
-/// docs/theory.md.
+/// Classifies a block whose axes each have an independent error of up to `axis_error`. `others` is
+/// exact: the ratios of all axes L >= I >= S within the error form a convex polygon, which the
+/// class limits cut into parts of one class each; see docs/theory.md.
 /// @param axis_error  m, zero or positive
-/// @throws InputError  unknown scheme, or error negative or not finite
+/// @throws InputError  if the scheme is unknown, or the error negative or not finite
 ClassCertainty class_certainty(const std::string& scheme, const Axes& axes, double axis_error,
                                const SchemeOptions& options = {});
 
-/// "S/L 0.698 is 0.002 from 0.7; C possible" or, for a class that survives, without the end.
+/// Formats the certainty as "S/L 0.698 is 0.002 from 0.7; C possible"; the second part is left out
+/// if no other class is possible.
 std::string describe_certainty(const ClassCertainty& certainty);
 
 }  // namespace clast

@@ -1,5 +1,5 @@
 #pragma once
-/// Sizes and forms of a population of blocks as a distribution to draw from.
+/// Joint distribution of size and form in a population of blocks, for sampling.
 #include <cstddef>
 #include <optional>
 #include <span>
@@ -11,50 +11,54 @@
 
 namespace clast {
 
-/// A block as the distribution knows it.
+/// Axes and convexity of a block.
 struct BlockForm {
   Axes axes;                        ///< m
-  std::optional<double> convexity;  ///< where the population has it
+  std::optional<double> convexity;  ///< empty if unknown
 };
 
-/// How two measures go together, in the population and in blocks drawn from it.
+/// Rank correlation of two measures, in the population and in the blocks drawn from it.
 struct RankCorrelation {
   std::string first, second;
-  double population = 0.0, drawn = 0.0;  ///< Spearman's
+  double population = 0.0, drawn = 0.0;  ///< Spearman's coefficient
 };
 
-/// How well drawn blocks stand for the population.
+/// Goodness of fit between drawn blocks and their population.
 struct CopulaFit {
   std::vector<RankCorrelation> correlations;
-  /// Largest difference between the distribution functions of population and drawn blocks, over
-  /// all measures: Smirnov's D.
+  /// Largest difference between the distribution functions of population and drawn blocks over all
+  /// measures (Smirnov's D).
   double max_cdf_difference = 0.0;
-  /// Share of the rank correlations that had to be left out for the matrix to be one; mostly 0.
+  /// Reduction of the rank correlations that made their matrix positive definite, as a fraction;
+  /// usually 0.
   double removed_correlation = 0.0;
 };
 
-/// The joint distribution of ln L, I/L and S/I, and of convexity where every block has it: each as
-/// in the population (its empirical distribution, linear between order statistics), joined by a
-/// Gaussian copula with the population's rank correlations r, 2 sin(pi r/6) of the normals
-/// [kruskal1958]. I/L and S/I stay in (0, 1], so that L >= I >= S of every block drawn.
+/// Joint distribution of ln L, I/L and S/I, and of the convexity if all blocks have one. The
+/// marginals are the empirical distributions, linear between order statistics. A Gaussian copula
+/// joins them, with normal correlations 2 sin(pi r/6) for the rank correlations r of the population
+/// [kruskal1958]. Ratios stay in (0, 1], so that L >= I >= S holds for all drawn blocks.
 /// @cite kruskal1958 @cite nelsen2006
 class FormCopula {
  public:
-  /// @throws InputError  fewer than ten blocks; axes that aren't positive
+  /// Fits the distribution to a population.
+  /// @throws InputError  for fewer than ten blocks, or axes that are not positive
   explicit FormCopula(std::span<const BlockForm> population);
 
+  /// Draws a block.
   BlockForm sample(Random& random) const;
-  /// Of blocks that `sample` gave.
+  /// Compares drawn blocks with the population.
   CopulaFit assess_fit(std::span<const BlockForm> drawn) const;
 
  private:
-  using Values = std::vector<std::vector<double>>;  ///< by measure, then by block
+  using Values = std::vector<std::vector<double>>;  ///< values [measure][block]
   static Values measure_values(std::span<const BlockForm> blocks, bool convexity);
 
   bool has_convexity_ = false;
-  Values values_;                            ///< of the population, as it came
-  Values sorted_;                            ///< ascending
-  std::vector<std::vector<double>> mixing_;  ///< lower triangle: correlated from free normals
+  Values values_;  ///< of the population, in its order
+  Values sorted_;  ///< ascending
+  std::vector<std::vector<double>>
+      mixing_;  ///< lower triangular matrix from independent to correlated normals
   double removed_correlation_ = 0.0;
 };
 

@@ -1,5 +1,5 @@
 #pragma once
-/// A block as far as classes and populations need it.
+/// Measurements of a block that shape classes and population statistics need.
 #include <optional>
 #include <string>
 #include <vector>
@@ -10,19 +10,20 @@ namespace clast {
 
 struct MeasuredBlock {
   std::string name;
-  Axes axes;        ///< m
-  Axes axes_as_written;  ///< sorted, in the unit of the table; ratios of these carry no rounding of the
-                    ///< unit
+  Axes axes;                   ///< m
+  Axes axes_as_written;        ///< sorted, in the unit of the table, so that their ratios have no
+                               ///< rounding error from a unit conversion
   std::optional<double> mass;  ///< kg
-  double axis_error = 0.0;     ///< m; each axis may be off by so much
-  std::vector<Axes> axes_by_box;    ///< m; by each of `kBoxConventions`; empty for axes measured by tape
-  /// Lengths above are in a unit that nobody knows: the block has a shape, but no size and no mass.
+  double axis_error = 0.0;     ///< error bound of each axis, m
+  std::vector<Axes>
+      axes_by_box;  ///< m, by each of `kBoxConventions`; empty for axes measured by tape
+  /// The unit of the lengths is unknown: the block has a form, but neither size nor mass.
   bool unscaled = false;
 };
 
-/// Axes that were in metres from the start.
+/// Makes a block from axes that were measured in metres.
 inline MeasuredBlock make_measured_block(std::string name, const Axes& axes,
-                                    std::optional<double> mass = std::nullopt) {
+                                         std::optional<double> mass = std::nullopt) {
   return {std::move(name), axes, axes, mass, 0.0, {}, false};
 }
 

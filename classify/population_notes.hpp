@@ -1,5 +1,5 @@
 #pragma once
-/// Notes on a population that qualify its figures.
+/// Notes on data quality that accompany the figures of a population.
 #include <span>
 #include <string>
 #include <vector>
@@ -8,10 +8,8 @@
 
 namespace clast {
 
-/// Names that stand more than once, since each counts as a block of its own; unscaled blocks, since
-/// they are in no size and no mass; and axes that are
-/// known no better than to their own length, since such a block may be of any class. Empty when
-/// there is nothing to note.
+/// Returns notes on repeated names, unscaled blocks, and axes whose error is as large as their
+/// length; empty if there are none.
 std::vector<std::string> population_notes(std::span<const MeasuredBlock> blocks);
 
 }  // namespace clast

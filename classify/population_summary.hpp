@@ -1,5 +1,5 @@
 #pragma once
-/// The statistics of a population, and the comparison of two.
+/// Statistics of a population, and comparison of two populations.
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -14,11 +14,11 @@ namespace clast {
 
 struct PopulationOptions {
   SizeMeasure size = SizeMeasure::kIntermediate;
-  std::uint64_t seed = 1;                 ///< of the random samples behind p-values
+  std::uint64_t seed = 1;                 ///< random samples for p-values
   std::vector<std::string> schemes = {};  ///< empty: all
-  SchemeOptions limits = {};              ///< of the schemes that leave them open
+  SchemeOptions limits = {};              ///< class limits that the schemes leave open
 
-  /// `schemes`, or all.
+  /// Returns `schemes`, or all known schemes if it is empty.
   const std::vector<std::string>& selected_schemes() const;
   void check() const;  ///< throws InputError naming the field and its value
 };
@@ -28,14 +28,14 @@ struct SchemeFractions {
   std::vector<ClassFraction> shares;
 };
 
-/// Spearman's correlation of size with one measure of shape.
+/// Spearman correlation between size and a shape measure.
 struct SizeShapeCorrelation {
   const ShapeMeasure* measure = nullptr;
-  std::size_t blocks = 0;          ///< with a value
-  std::optional<TestResult> test;  ///< none for too few blocks, or sizes or shapes that don't vary
+  std::size_t blocks = 0;          ///< with a value of the measure
+  std::optional<TestResult> test;  ///< Kolmogorov-Smirnov; empty if a population has no values
 };
 
-/// A sentence to quote.
+/// Formats the correlation as a sentence.
 std::string describe_size_shape(const SizeShapeCorrelation& relation, SizeMeasure size);
 
 struct PopulationSummary {
@@ -45,23 +45,24 @@ struct PopulationSummary {
   std::vector<SchemeFractions> schemes;
   SizeDistribution size;
   std::vector<SizeShapeCorrelation> size_shape_correlations;
-  double c40 = 0.0;  ///< share with S/L <= 0.4
+  double c40 = 0.0;  ///< fraction with S/L <= 0.4
 };
 
-/// @throws InputError  no blocks, or an unknown scheme
+/// Computes the statistics of a population.
+/// @throws InputError  for an empty population or an unknown scheme
 PopulationSummary summarise_population(const Population& population,
                                        const PopulationOptions& options = {});
 
-/// Two populations on one measure of shape.
+/// Difference of two populations in one shape measure.
 struct MeasureDifference {
   const ShapeMeasure* measure = nullptr;
   double median_a = 0.0;
   double median_b = 0.0;
   std::optional<TestResult> test;  ///< Kolmogorov-Smirnov; none when a population has no values
-  std::string description;         ///< a sentence to quote
+  std::string description;         ///< conclusion as a sentence
 };
 
-/// Two populations on the classes of one scheme.
+/// Difference of two populations in the classes of one scheme.
 struct ClassDifference {
   std::string scheme;
   std::optional<ChiSquaredResult> test;  ///< none when all blocks of both are of one class
@@ -75,15 +76,16 @@ struct PopulationComparison {
   std::vector<ClassDifference> schemes;
 };
 
-/// Differences below this p-value are called differences: one comparison in twenty of equal
-/// populations reaches it by chance.
+/// Significance level: p-values below it are reported as differences, which happens by chance in
+/// one of twenty comparisons of equal populations.
 inline constexpr double kSignificanceLevel = 0.05;
 
-/// @throws InputError  either has no blocks, or an unknown scheme
+/// Compares two populations in all shape measures and schemes.
+/// @throws InputError  if one of them is empty, or a scheme is unknown
 PopulationComparison compare_populations(const Population& a, const Population& b,
                                          const PopulationOptions& options = {});
 
-/// "0.034", "less than 0.0001".
+/// Formats a p-value as "0.034" or "less than 0.0001".
 std::string format_p_value(double p_value);
 
 }  // namespace clast

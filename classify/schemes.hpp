@@ -1,5 +1,5 @@
 #pragma once
-/// Published shape classes.
+/// Published shape classification schemes.
 #include <string>
 #include <vector>
 
@@ -8,64 +8,66 @@
 
 namespace clast {
 
-/// What `SchemeOptions::erdogan_limit` may be.
+/// Allowed range of `SchemeOptions::erdogan_limit`.
 inline constexpr NumberRange kErdoganLimit{1.0001, 1e3};
 
-/// What the authors of the schemes left open.
+/// Choices left open by the authors of the schemes.
 struct SchemeOptions {
-  bool sneed_folk_thirds = false;  ///< limits 1/3 and 2/3 of (L - I)/(L - S), not 0.33 and 0.67
-  double erdogan_limit = 1.3;      ///< of L/I and I/S
+  bool sneed_folk_thirds =
+      false;                   ///< limits 1/3 and 2/3 of (L - I)/(L - S) in place of 0.33 and 0.67
+  double erdogan_limit = 1.3;  ///< of L/I and I/S
 
   void check() const;  ///< throws InputError naming the field and its value
 };
 
-/// The ten classes of Sneed & Folk: C, CP, CB, CE, P, B, E, VP, VB, VE. @cite sneed1958
+/// Returns one of the ten Sneed-Folk classes: C, CP, CB, CE, P, B, E, VP, VB, VE. @cite sneed1958
 std::string sneed_folk_class(const Axes& axes, const SchemeOptions& options = {});
-/// "disc", "spheroid", "blade" or "rod", with limits of 2/3. @cite zingg1935
+/// Returns "disc", "spheroid", "blade" or "rod", with limits of 2/3. @cite zingg1935
 std::string zingg_class(const Axes& axes);
-/// "elongated" for s_c > 0.3, else "compact". @cite garcia2022
+/// Returns "elongated" for s_c > 0.3, otherwise "compact". @cite garcia2022
 std::string garcia_class(const Axes& axes);
-/// "oblate" for I^2 > L S, "prolate" for I^2 < L S, "neither" on the line between them.
+/// Returns "oblate" for I^2 > L S, "prolate" for I^2 < L S, otherwise "neither".
 /// @cite williams1965
 std::string williams_class(const Axes& axes);
-/// "platy": L/I below the limit, I/S not; "elongated": L/I not below, I/S below; else
+/// Returns "platy" if only L/I is below the limit, "elongated" if only I/S is, otherwise
 /// "undetermined". @cite erdogan2006
 std::string erdogan_class(const Axes& axes, const SchemeOptions& options = {});
-/// 25 classes "..., ...": how elongate by I/L and how flat by S/I, each in steps of 0.2 from "not"
-/// (0.8 and above) over "slightly", "moderately" and "very" to "extremely" (below 0.2).
+/// Returns one of 25 classes "..., ...": elongation by I/L and flatness by S/I, in steps of 0.2
+/// from "not" (0.8 and above) over "slightly", "moderately" and "very" to "extremely" (below 0.2).
 /// @cite blott2008
 std::string blott_pye_class(const Axes& axes);
-/// "non-cubical" for L/S > 3, else "cubical": what the shape index of aggregates counts.
+/// Returns "non-cubical" for L/S > 3, otherwise "cubical", as the shape index of aggregates.
 /// @cite en933-4
 std::string en_933_4_class(const Axes& axes);
-/// "flaky" for S < 0.625 I, else "not flaky": the bar sieve of width D/2 for grains whose I is
-/// about 0.8 D. @cite en933-3
+/// Returns "flaky" for S < 0.625 I, otherwise "not flaky": the bar sieve of width D/2 for grains
+/// with I of about 0.8 D. @cite en933-3
 std::string flakiness_class(const Axes& axes);
 
-/// "sneed-folk", "zingg", "garcia", "williams", "erdogan", "blott-pye", "en-933-4", "flakiness".
+/// Returns all scheme names: "sneed-folk", "zingg", "garcia", "williams", "erdogan", "blott-pye",
+/// "en-933-4", "flakiness".
 const std::vector<std::string>& scheme_names();
-/// Class names of a scheme in the order they are listed in tables.
-/// @throws InputError  unknown scheme; the message lists the known ones
+/// Returns the class names of a scheme in table order.
+/// @throws InputError  if the scheme is unknown; the message lists all schemes
 const std::vector<std::string>& class_names(const std::string& scheme);
-/// @throws InputError  unknown scheme
+/// Returns the class of a block by a scheme.
+/// @throws InputError  if the scheme is unknown
 std::string shape_class(const std::string& scheme, const Axes& axes,
                         const SchemeOptions& options = {});
 
-/// A ratio that the class depends on, and the values at which the class changes.
+/// Ratio used by a scheme, with its class boundaries.
 struct SchemeRatio {
   std::string name;
   double value = 0.0;
   std::vector<double> limits;  ///< ascending
 };
 
-/// The ratios that a scheme uses for these axes; crossing any limit that is next to the value
-/// changes the class.
-/// @throws InputError  unknown scheme
+/// Returns the ratios that a scheme uses for given axes; crossing a limit next to the value changes
+/// the class.
+/// @throws InputError  if the scheme is unknown
 std::vector<SchemeRatio> scheme_ratios(const std::string& scheme, const Axes& axes,
                                        const SchemeOptions& options = {});
 
-/// The values of I/L and S/L where one + I/L i + S/L s + (I/L)^2 ii is zero: on one side of it the
-/// scheme may give another class than on the other.
+/// Class boundary: the values of I/L and S/L where one + I/L i + S/L s + (I/L)^2 ii is zero.
 struct SchemeLimit {
   double constant = 0.0;
   double i_l = 0.0;
@@ -73,9 +75,9 @@ struct SchemeLimit {
   double i_l_squared = 0.0;
 };
 
-/// All limits of the scheme; between them the class is the same. Straight lines, but for Williams'
-/// parabola, which is the only limit of its scheme.
-/// @throws InputError  unknown scheme
+/// Returns all class boundaries of a scheme: straight lines, except Williams' parabola, the only
+/// boundary of its scheme.
+/// @throws InputError  if the scheme is unknown
 std::vector<SchemeLimit> scheme_limits(const std::string& scheme,
                                        const SchemeOptions& options = {});
 

@@ -1,5 +1,5 @@
 #pragma once
-/// The continuous measures of shape that populations are described and compared by.
+/// Continuous shape measures of block populations.
 #include <array>
 #include <optional>
 #include <span>
@@ -10,19 +10,19 @@
 namespace clast {
 
 struct ShapeMeasure {
-  const char* name;     ///< for columns
+  const char* name;     ///< column name
   const char* formula;  ///< for readers
   std::optional<double> (*value)(const Axes&);
 };
 
-/// s_c = L/I - 1, q = S/L and d = (L - I)/(L - S); none is d of L = S.
+/// Returns s_c = L/I - 1, q = S/L and d = (L - I)/(L - S); d is undefined for L = S.
 const std::array<ShapeMeasure, 3>& shape_measures();
 
-/// Values of one measure, rounded to 1e-12: ratios of decimals that are equal on paper, such as
-/// 1.1/0.8 and 0.55/0.4, are then ties. Blocks without a value are left out.
+/// Returns the values of a measure, rounded to 1e-12, so that ratios equal on paper, such as
+/// 1.1/0.8 and 0.55/0.4, are ties. Blocks without a value are omitted.
 std::vector<double> measure_values(const ShapeMeasure& measure, std::span<const Axes> blocks);
 
-/// Rounded as above, so that ties on paper are ties here.
+/// Rounds a ratio to 1e-12, so that ties on paper are ties in memory.
 double remove_rounding(double ratio);
 
 }  // namespace clast

@@ -1,5 +1,5 @@
 #pragma once
-/// Degrees, as files and pages give angles; inside, angles are in radians.
+/// Conversion between radians, used internally, and degrees, used in files and on pages.
 #include "core/types.hpp"
 
 namespace clast {

@@ -1,10 +1,10 @@
 #pragma once
-/// Which of its two directions an axis is given by.
+/// Canonical sign of an axis.
 #include "core/types.hpp"
 
 namespace clast {
 
-/// `axis`, or its opposite where the component that is largest in magnitude is negative.
+/// Returns `axis` or its opposite, such that the component of largest magnitude is positive.
 inline Vec3 with_largest_component_positive(const Vec3& axis) {
   Eigen::Index largest = 0;
   axis.cwiseAbs().maxCoeff(&largest);

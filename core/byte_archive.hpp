@@ -40,7 +40,7 @@ class ByteWriter {
   void archive_bytes(const void* data, std::size_t size) {
     to_.write(static_cast<const char*>(data), static_cast<std::streamsize>(size));
   }
-  /// How many elements follow.
+  /// Serialises the number of following elements.
   std::size_t archive_size(std::size_t size) {
     std::uint64_t stored = size;
     archive_bytes(&stored, sizeof stored);
@@ -58,13 +58,14 @@ class ByteReader {
   /// @param bytes  must outlive the reader
   explicit ByteReader(std::string_view bytes) : bytes_(bytes) {}
 
-  /// @throws InputError  more is asked for than there is
+  /// Reads values.
+  /// @throws InputError  if the bytes end too early
   template <class... Values>
   void operator()(Values&... values) {
     (serialize(*this, values), ...);
   }
   void archive_bytes(void* data, std::size_t size) {
-    if (size > bytes_.size()) throw InputError("a record is too short");
+    if (size > bytes_.size()) throw InputError("a record is too short");  ///< remaining bytes
     if (size > 0) std::memcpy(data, bytes_.data(), size);
     bytes_.remove_prefix(size);
   }
@@ -166,7 +167,7 @@ void serialize(Bytes& bytes, std::unordered_map<Key, T>& map) {
   if constexpr (Bytes::kReads) map = {entries.begin(), entries.end()};
 }
 
-/// The bytes of something that is serialized.
+/// Returns the serialised bytes of a value.
 template <class T>
 std::string serialized_bytes(T& value) {
   std::ostringstream text;

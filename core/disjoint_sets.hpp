@@ -1,12 +1,12 @@
 #pragma once
-/// Things that belong together, found pair by pair.
+/// Disjoint sets (union-find).
 #include <cstddef>
 #include <cstdint>
 #include <vector>
 
 namespace clast {
 
-/// Sets of numbers 0..n-1 that are joined pair by pair; the smallest of a set stands for it.
+/// Disjoint sets of the numbers 0..n-1; the smallest number represents a set.
 class DisjointSets {
  public:
   explicit DisjointSets(std::size_t count);

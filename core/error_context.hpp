@@ -1,5 +1,5 @@
 #pragma once
-/// Errors that name what was being worked on.
+/// Adding context to error messages.
 #include <string>
 #include <utility>
 
@@ -7,8 +7,8 @@
 
 namespace clast {
 
-/// Calls `f` and returns its result. An error of the family that it throws gets `rewrite(message)`
-/// as its message and keeps its kind.
+/// Calls `f` and returns its result. If `f` throws a clast error, its message is replaced by
+/// `rewrite(message)`; its type is kept.
 template <class Rewrite, class F>
 decltype(auto) with_rewritten_error(Rewrite&& rewrite, F&& f) {
   try {
@@ -22,7 +22,7 @@ decltype(auto) with_rewritten_error(Rewrite&& rewrite, F&& f) {
   }
 }
 
-/// Calls `f` and returns its result. The message of an error that it throws gets `name` in front,
+/// Calls `f` and returns its result. If `f` throws a clast error, `name` is put before its message:
 /// "block B01: ...".
 template <class F>
 decltype(auto) with_error_context(const std::string& name, F&& f) {
@@ -30,7 +30,7 @@ decltype(auto) with_error_context(const std::string& name, F&& f) {
                               std::forward<F>(f));
 }
 
-/// As `with_error_context`; a message that names the file already stays as it is.
+/// Like `with_error_context`, but leaves messages unchanged that name the file already.
 template <class F>
 decltype(auto) with_file_context(const std::string& path, F&& f) {
   return with_rewritten_error(

@@ -1,8 +1,8 @@
 #pragma once
-/// The fields of options structs, by name: one list that prints and hashes them.
+/// Named fields of option structs: one list for printing and hashing.
 ///
-/// A struct is listed by a function beside it that takes it apart with a structured binding, so
-/// that a field that is added to the struct and not to its list does not compile:
+/// Each struct has a function `visit_fields` beside it that uses a structured binding, so that a
+/// field missing in the list is a compile error:
 ///
 ///     template <class Visit>
 ///     void visit_fields(const CloudSurfaceOptions& options, Visit&& visit) {
@@ -21,7 +21,8 @@
 
 namespace clast {
 
-/// A field that changes no result, such as a number of threads: `format_field` leaves it out.
+/// Marks a field that does not affect results, such as a number of threads; `format_field` omits
+/// it.
 template <class T>
 struct ExcludedField {
   using IsExcluded = void;
@@ -35,7 +36,7 @@ concept HasFields = requires(const T& options) {
   visit_fields(options, [](const char*, const auto&) {});
 };
 
-/// In quotes, with those inside escaped, so that no text looks like two fields.
+/// Formats a text in quotes, with escaped quotes inside, so that no text looks like two fields.
 inline std::string format_field(const std::string& value) {
   std::string text = "\"";
   for (const char c : value) {
@@ -91,8 +92,8 @@ std::string format_field(const std::array<T, n>& values) {
   return core_detail::comma_separated(values);
 }
 
-/// Every field that has an influence, with those of structs inside: "{unit=1, up="z", ...}". Equal
-/// for equal options alone.
+/// Formats all fields that affect results, including nested structs: "{unit=1, up="z", ...}". Equal
+/// texts mean equal options.
 template <HasFields T>
 std::string format_field(const T& options) {
   std::string text;

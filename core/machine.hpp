@@ -1,10 +1,10 @@
 #pragma once
-/// What the machine has.
+/// Properties of the machine.
 #include <optional>
 
 namespace clast {
 
-/// Memory that programs can still take without swapping, bytes; none where the system doesn't say.
+/// Returns the memory available without swapping, bytes; empty if unknown.
 std::optional<double> available_memory();
 
 }  // namespace clast

@@ -3,10 +3,10 @@
 
 namespace clast {
 
-/// The smallest of them that is not below `value`; 1 unless value > 0.
+/// Rounds up to the next such number; 1 unless value > 0.
 double round_up_to_nice(double value);
 
-/// The largest of them up to `value`.
+/// Rounds down to the previous such number.
 /// @param value  positive
 double round_down_to_nice(double value);
 

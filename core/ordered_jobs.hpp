@@ -1,5 +1,5 @@
 #pragma once
-/// Jobs done side by side whose results are taken one by one, in order.
+/// Parallel jobs with results consumed in order.
 #include <condition_variable>
 #include <cstddef>
 #include <map>

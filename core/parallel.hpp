@@ -1,5 +1,5 @@
 #pragma once
-/// Parallel loops whose result can't depend on the number of threads.
+/// Parallel loops with results that do not depend on the number of threads.
 #include <cstddef>
 #include <functional>
 #include <memory>
@@ -14,18 +14,18 @@ namespace clast {
 void parallel_for(std::size_t count, unsigned threads,
                   const std::function<void(std::size_t)>& body);
 
-/// The number of threads that `threads` stands for: itself, or one per core when 0.
+/// Returns `threads`, or the number of cores if it is 0.
 unsigned resolve_thread_count(unsigned threads);
 
-/// Threads that wait for the next loop: for loops so short that starting threads would cost more
-/// than it saves. One loop at a time.
+/// Pool of waiting threads, for loops too short for starting threads. One loop at a time.
 class ThreadPool {
  public:
-  /// @param threads  counts the caller, who works too; 0: one per core
+  /// Starts the threads.
+  /// @param threads  including the calling thread; 0: one per core
   explicit ThreadPool(unsigned threads);
   ~ThreadPool();
 
-  /// Like `parallel_for`, with `chunk` neighbouring items handed out at a time.
+  /// Runs a loop like `parallel_for`, with `chunk` consecutive items per assignment.
   void run(std::size_t count, std::size_t chunk, const std::function<void(std::size_t)>& body);
 
  private:

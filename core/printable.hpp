@@ -1,14 +1,14 @@
 #pragma once
-/// Text from files on its way to a terminal.
+/// Escaping of text from files for terminals.
 #include <string>
 #include <string_view>
 
 namespace clast {
 
-/// `text` on one line, with everything escaped that is not a visible UTF-8 character: control
-/// characters ("\u001b", "\n"), characters that turn the direction of what follows or end a line
-/// ("\u202e"), and bytes that are no UTF-8 ("\xff"). Names out of files could otherwise clear a
-/// screen, hide text or forge a line of a message. A backslash stays as it is.
+/// Escapes everything but visible UTF-8 characters on one line: control characters ("\u001b", "
+/// "), characters that change the text direction or end a line ("\u202e"), and invalid bytes
+/// ("\xff"). Names in files could otherwise clear a screen, hide text or forge messages.
+/// Backslashes are unchanged.
 std::string escape_nonprintable(std::string_view text);
 
 }  // namespace clast

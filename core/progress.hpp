@@ -1,5 +1,5 @@
 #pragma once
-/// How a long job says how far it is, and how it is stopped.
+/// Progress and cancellation of long jobs.
 #include <cstddef>
 #include <functional>
 #include <stdexcept>
@@ -7,21 +7,21 @@
 
 namespace clast {
 
-/// How far a job is.
+/// Progress of a job.
 struct ProgressUpdate {
-  std::size_t done = 0;         ///< of `total` runs, scans, ...
-  std::size_t total = 0;        ///< 0: not known
+  std::size_t done = 0;         ///< out of `total` runs, scans, ...
+  std::size_t total = 0;        ///< 0 if unknown
   std::size_t done_before = 0;  ///< of those done, in an earlier session
-  std::string activity = {};    ///< that is being done now, such as "fitting B017"
-  bool is_slow = false;         ///< minutes, as COLMAP does: worth a line of its own
+  std::string activity = {};    ///< current activity, such as "fitting B017"
+  bool is_slow = false;  ///< takes minutes, as COLMAP does, and is shown on a line of its own
 };
 
-/// Called by a job now and then, from one thread at a time. What it throws ends the job; whatever
-/// was finished by then is kept.
+/// Called by a job at intervals, from one thread at a time. Its exceptions end the job; finished
+/// work is kept.
 using ProgressCallback = std::function<void(const ProgressUpdate&)>;
 
-/// For a `ProgressCallback` to throw that wants the job to end. No `Error`: a batch that goes on
-/// after what is wrong with one item does not go on after this.
+/// Exception by which a `ProgressCallback` ends a job. It is not an `Error`, so that batches do not
+/// treat it as the failure of one item.
 class Cancelled : public std::runtime_error {
  public:
   Cancelled() : std::runtime_error("cancelled") {}

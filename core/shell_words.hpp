@@ -1,13 +1,12 @@
 #pragma once
-/// Commands in messages, as they can be pasted into a shell.
+/// Formatting of shell commands in messages.
 #include <string>
 #include <vector>
 
 namespace clast {
 
-/// The words with blanks between them; each is quoted where a POSIX shell would take it apart or
-/// for something else. Control characters are escaped as in $'\x1b', so that a terminal prints
-/// them.
+/// Joins words to a command that can be pasted into a POSIX shell, quoted if necessary. Control
+/// characters are escaped as in $'\x1b', so that a terminal prints them.
 std::string format_shell_command(const std::vector<std::string>& words);
 
 }  // namespace clast

@@ -1,12 +1,12 @@
 #pragma once
-/// Tables as they are printed.
+/// Text tables for terminals.
 #include <string>
 #include <vector>
 
 namespace clast {
 
-/// Columns under headings, as wide as their longest entry. The first column is text, on the left;
-/// others are on the right when they hold numbers. What cells hold is made `printable`.
+/// Text table with columns as wide as their longest entry. The first column is left-aligned text;
+/// other columns are right-aligned if they contain numbers. Non-printable characters are escaped.
 struct TextTable {
   std::vector<std::string> headings;
   std::vector<std::vector<std::string>> rows;

@@ -8,10 +8,10 @@ namespace clast {
 using Vec2 = Eigen::Vector2d;
 using Vec3 = Eigen::Vector3d;
 using Mat3 = Eigen::Matrix3d;
-/// Unit quaternion. Built and written as (w, x, y, z).
+/// Unit quaternion, in the order (w, x, y, z).
 using Quat = Eigen::Quaterniond;
 
-/// The z component of the cross product of two vectors of the plan.
+/// Returns the z component of the cross product of two plan vectors.
 inline double cross(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
 
 inline constexpr double kPi = 3.14159265358979323846;

@@ -1,35 +1,34 @@
 #pragma once
-/// Text that is UTF-8, and text that should be.
+/// UTF-8 text: validation and conversion.
 #include <cstddef>
 #include <string>
 #include <string_view>
 
 namespace clast {
 
-/// A character and how many bytes it takes; no bytes where there is none.
+/// Character and its size in bytes; 0 if invalid.
 struct DecodedCharacter {
   char32_t code = 0;
   std::size_t length = 0;
 };
 
-/// The character that `text` begins with; of length 0 where its first bytes are no UTF-8.
+/// Decodes the first character of a text; size 0 if its first bytes are not UTF-8.
 /// @cite rfc3629
 DecodedCharacter decode_first_character(std::string_view text);
 
-/// Whether all of `text` is UTF-8: no byte out of place, no overlong form, no half of a surrogate
-/// pair, nothing above U+10FFFF.
+/// True if a text is valid UTF-8: no stray bytes, overlong forms, surrogates, or codes above
+/// U+10FFFF.
 /// @cite rfc3629
 bool is_utf8(std::string_view text);
 
-/// `text` with the letters A to Z in lower case; other bytes stay as they are.
+/// Returns the text with A to Z in lower case; other bytes are unchanged.
 std::string lower_case_ascii(std::string_view text);
 
-/// `text` in Windows-1252, which has Latin-1 in it, as UTF-8. Every byte is a character there: the
-/// five that Windows-1252 leaves open become the control characters of Latin-1.
+/// Converts Windows-1252 (a superset of printable Latin-1) to UTF-8. The five undefined bytes
+/// become Latin-1 control characters.
 std::string utf8_from_latin1(std::string_view text);
 
-/// `text` itself where it is UTF-8, else what it is as Windows-1252: for names of files and blocks
-/// on their way to where only UTF-8 is allowed.
+/// Returns the text if it is UTF-8, otherwise converts it from Windows-1252.
 std::string to_utf8(std::string_view text);
 
 }  // namespace clast

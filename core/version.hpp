@@ -2,7 +2,7 @@
 /// The program version that every output names.
 namespace clast {
 
-/// "major.minor.patch", from the top-level CMakeLists.txt.
+/// Returns "major.minor.patch", from the top-level CMakeLists.txt.
 const char* version();
 
 }  // namespace clast

@@ -1,5 +1,5 @@
 #pragma once
-/// The record of one block: shape, mass, axes, classes and where it came from.
+/// Record of a block: shape, mass, axes, classes and origin.
 #include <optional>
 #include <string>
 #include <vector>
@@ -14,19 +14,18 @@
 
 namespace clast {
 
-/// Where a block came from.
+/// Origin of a block.
 struct BlockSource {
-  std::string file;     ///< path as the user gave it
+  std::string file;     ///< path as given by the user
   std::string sha256;   ///< of that file
-  std::string options;  ///< everything that shaped the block, as "key=value" separated by blanks
-  std::string program_version;  ///< of the clast that made it
-  /// Nothing said how long a unit of the source is (photographs without any scale): every length of
-  /// the block is in that unit, areas and volumes in its powers, and its mass means nothing. Its
-  /// shape and its density are as good as another block's.
+  std::string options;  ///< all options that affect the block, as blank-separated "key=value"
+  std::string program_version;  ///< of the program that made the block
+  /// True if the scale of the source is unknown (photographs without a scale): lengths are in units
+  /// of the source, and the mass is meaningless; shape and density are valid.
   bool unscaled = false;
 };
 
-/// What the field book says, attached by `clast library set`.
+/// Field notes, set by `clast library set`.
 struct FieldNotes {
   std::string site;
   std::string note;
@@ -34,26 +33,27 @@ struct FieldNotes {
   std::optional<double> weighed_mass;  ///< kg
 };
 
-/// A block. Everything geometric is in the frame of the stored mesh (the source's, scaled to metres
-/// and turned z up), except the principal moments.
+/// Block. Geometry is in the frame of the stored mesh (that of the source, in metres and z up),
+/// except the principal moments.
 struct Block {
   std::string id;
   BlockSource source;
-  TriangleMesh surface;  ///< closed mesh the block was made from: outer surface, or the core
+  TriangleMesh surface;  ///< closed mesh from which the block was made: outer surface, or the core
   SpheroPolyhedron body;
   double density = 2650.0;  ///< kg/m^3
   MassProperties mass;      ///< of the rounded body
   double area = 0.0;        ///< of the rounded surface, m^2
   PrincipalFrame principal;
   OrientedBox box;             ///< smallest box of the rounded body
-  SurfaceDeviation deviation;  ///< rounded body against the whole scan; zero for a core
+  SurfaceDeviation deviation;  ///< rounded body against the full scan; zero for a core
   bool from_core = false;
-  std::optional<VolumeBracket> volume_bracket;  ///< none: the scan leaves nothing to speak of open
+  std::optional<VolumeBracket> volume_bracket;  ///< empty if the scan is practically complete
   std::vector<std::string> warnings;
   FieldNotes field;
 
   Axes axes() const { return {box.lengths[0], box.lengths[1], box.lengths[2]}; }
-  /// The body frame has its origin at the centre of mass and its axes along the principal axes.
+  /// Returns the transform from the body frame, with its origin at the centre of mass and axes
+  /// along the principal axes.
   Pose source_from_body() const { return {mass.centre, principal.rotation}; }
 };
 

@@ -1,5 +1,5 @@
 #pragma once
-/// What an unseen side leaves open of a block's mass and classes.
+/// Bounds of mass and classes of incompletely scanned blocks.
 #include <map>
 #include <optional>
 #include <string>
@@ -9,32 +9,33 @@
 
 namespace clast {
 
-/// Bounds of L, I and S, each by itself, m.
+/// Separate bounds of L, I and S, m.
 struct AxesBounds {
   Axes lower, upper;
 };
 
-/// Bounds that follow from those of volume and axes.
+/// Bounds derived from those of volume and axes.
 struct BlockBracket {
-  double lower_mass = 0.0;              ///< kg; a weighed mass has no width
-  std::optional<double> upper_mass;     ///< none: no upper bound can be given
-  std::optional<double> lower_density;  ///< kg/m^3; a density given has no width
+  double lower_mass = 0.0;              ///< kg; equal to the upper bound for a weighed mass
+  std::optional<double> upper_mass;     ///< empty if there is no upper bound
+  std::optional<double> lower_density;  ///< kg/m^3; equal to the upper bound for a given density
   double upper_density = 0.0;
-  std::optional<AxesBounds> axes;  ///< the block's own axes included; none: not known
+  std::optional<AxesBounds> axes;  ///< including the block's own axes; empty if unknown
   std::optional<double> lower_s_c, upper_s_c;
-  /// By scheme ("sneed-folk", "zingg", "garcia"): every class that axes within their bounds have,
-  /// each axis by itself. Empty where the axes are not known.
+  /// Possible classes by scheme ("sneed-folk", "zingg", "garcia") for axes within their bounds;
+  /// empty if the bounds are unknown.
   std::map<std::string, std::vector<std::string>> classes;
 };
 
-/// @pre  `block.volume_bracket` is there. The density is taken as derived from the weighed mass
-/// where volume and density give that mass.
+/// Derives the bounds of mass, density, s_c and classes of a block. The density is assumed to
+/// follow from the weighed mass if volume times density equals that mass.
+/// @pre the block has a volume bracket
 BlockBracket derive_block_bracket(const Block& block);
 
-/// "14 % of the surface is not seen but filled in; volume between 0.13 and 0.149 m3 (best 0.137),
-/// mass ...", or that no upper bound can be given. An unscaled block has no mass, and its volume no
-/// metres.
-/// @pre  `block.volume_bracket` is there
+/// Describes the bounds: "14 % of the surface is not seen but filled in; volume between 0.13 and
+/// 0.149 m3 (best 0.137), mass ...", or that there is no upper bound. Unscaled blocks have no mass
+/// and no metric units.
+/// @pre  the block has a volume bracket
 std::string describe_volume_bracket(const Block& block);
 
 }  // namespace clast

@@ -1,5 +1,5 @@
 #pragma once
-/// The HDF5 file that holds blocks. Schema: docs/formats.md.
+/// Block library (HDF5). Schema: docs/formats.md.
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -8,36 +8,39 @@
 
 namespace clast {
 
-/// The format name in a library file.
+/// Format name in library files.
 inline constexpr const char* kLibraryFormat = "clast block library";
 
-/// @throws InputError  `id` can't name a block: empty, with a slash or a control character, or only
-///                     dots
+/// Checks a block id.
+/// @throws InputError  if it is empty, has a slash or control character, or only dots
 void check_block_id(const std::string& id);
 
-/// The blocks of a library file, in order of id.
+/// Blocks of a library, ordered by id.
 class BlockLibrary {
  public:
-  /// An empty library, in memory.
+  /// Makes an empty library in memory.
   BlockLibrary() = default;
-  /// @throws InputError  missing, not a clast block library, damaged, or of a newer schema
+  /// Reads a library.
+  /// @throws InputError  if the file is missing, not a block library, damaged, or of a newer schema
   static BlockLibrary read(const std::filesystem::path& path);
-  /// Replaces the file whole. A file that others may write to is changed by `update_library`.
-  /// @throws InputError  what is there is no library, or can't be written
+  /// Writes the whole file. Use `update_library` for a file that others may write to.
+  /// @throws InputError  if the existing file is not a library, or cannot be written
   void write(const std::filesystem::path& path) const;
 
   const std::vector<Block>& blocks() const { return blocks_; }
   bool contains(const std::string& id) const;
-  /// @throws InputError  no such id; the message lists those there are
+  /// Finds a block by id.
+  /// @throws InputError  if the id does not exist; the message lists all ids
   const Block& find_block(const std::string& id) const;
   Block& find_block(const std::string& id);
-  /// The blocks of these ids, in the order given; all where none is.
-  /// @throws InputError  as `find_block`
+  /// Returns the blocks of the given ids in their order; all blocks if no id is given.
+  /// @throws InputError  if an id does not exist
   std::vector<const Block*> select_blocks(const std::vector<std::string>& ids) const;
-  /// Text that is not UTF-8 is taken for Windows-1252 and converted.
-  /// @throws InputError  the id is there already and `replace` is false, or `check_block_id` throws
+  /// Adds a block. Text that is not UTF-8 is converted from Windows-1252.
+  /// @throws InputError  if the id exists and `replace` is false, or as `check_block_id`
   void add(Block block, bool replace = false);
-  /// @throws InputError  no such id; the message lists those there are
+  /// Removes a block.
+  /// @throws InputError  if the id is unknown; the message lists the known ids
   void remove(const std::string& id);
 
  private:

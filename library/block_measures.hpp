@@ -1,5 +1,5 @@
 #pragma once
-/// What is computed from a stored block when it is asked for.
+/// Measures computed on request from a stored block.
 #include <map>
 #include <optional>
 #include <string>
@@ -11,19 +11,19 @@
 
 namespace clast {
 
-/// The box of the rounded block by a convention.
+/// Computes the box of the rounded block by a convention.
 OrientedBox block_box(const Block& block, BoxConvention convention);
 
-/// Indices of the axes and of the surface, by name (docs/theory.md).
-/// @param axes  of the block, by the box convention that is in use
+/// Computes the indices of axes and surface by name (docs/theory.md).
+/// @param axes  of the block, by the box convention in use
 std::map<std::string, double> block_indices(const Block& block, const Axes& axes);
 
-/// None of a ball or a capsule, which rests on every side.
+/// Computes the static equilibria; empty for balls and capsules.
 std::optional<Equilibria> block_equilibria(const Block& block);
 
-/// Roundness of a rounded body on a mesh of this edge length, m.
+/// Computes the roundness of a rounded body on a mesh with this edge length, m.
 Roundness body_roundness(const SpheroPolyhedron& body, double edge_length);
-/// Roundness of the outer surface on a mesh of this edge length, m.
+/// Computes the roundness of the outer surface on a mesh with this edge length, m.
 Roundness block_roundness(const Block& block, double edge_length);
 
 }  // namespace clast

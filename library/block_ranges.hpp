@@ -1,6 +1,6 @@
 #pragma once
-/// Allowed ranges of a block's numbers: for options, campaign files and command lines. From a grain
-/// of sand to part of a mountain; a number outside is a typing error or in other units.
+/// Allowed ranges of block properties, for options, campaign files and command lines: from a sand
+/// grain to part of a mountain. Numbers outside are typing errors or in other units.
 #include "core/number_range.hpp"
 
 namespace clast {
@@ -8,18 +8,19 @@ namespace clast {
 inline constexpr NumberRange kBlockLength{1e-4, 1e3, "m"};
 inline constexpr NumberRange kBlockVolume{1e-12, 1e9, "m^3"};
 inline constexpr NumberRange kBlockMass{1e-9, 1e13, "kg"};
-/// Blocks beyond these are taken only where that is asked for: most come from wrong units.
-inline constexpr double kMinUsualLength = 1e-3, kMaxUsualLength = 20.0;  ///< m; below it lies sand
-inline constexpr double kMaxUsualMass = 1e7;                         ///< kg
-/// Pumice floats, iron meteorites have 7900 kg/m^3; other bodies are allowed for.
+/// Usual sizes; other blocks are accepted only on request, because most have wrong units.
+inline constexpr double kMinUsualLength = 1e-3,
+                        kMaxUsualLength = 20.0;  ///< m; smaller particles are sand
+inline constexpr double kMaxUsualMass = 1e7;     ///< kg
+/// Allowed densities, including pumice and iron meteorites (7900 kg/m^3).
 inline constexpr NumberRange kBlockDensity{1.0, 1e5, "kg/m^3"};
 inline constexpr NumberRange kMinkowskiRadius{1e-9, 1e3, "m", "sharp edges"};
 inline constexpr NumberRange kRadiusFraction{1e-6, 0.25, "of S", "sharp edges"};
 inline constexpr NumberRange kMassAccuracy{1e-6, 1e-2};
 inline constexpr NumberRange kScanTolerance{1e-6, 1.0, "of L"};
-/// The measuring error of taped axes.
+/// Allowed measuring errors of axes.
 inline constexpr NumberRange kAxisError{1e-9, 1e3, "m", "exact"};
-/// On all lengths of a scan.
+/// Allowed scale factors of a scan.
 inline constexpr NumberRange kScaleFactor{1e-9, 1e9};
 
 }  // namespace clast

@@ -1,5 +1,5 @@
 #pragma once
-/// A block's twin that differs in one thing.
+/// Variations of a block in a single property.
 #include <optional>
 #include <string>
 #include <variant>
@@ -10,49 +10,49 @@
 
 namespace clast {
 
-/// Edges of the mesh that roundness is measured on, over the diameter of the ball of equal volume.
+/// Default edge length of the mesh for roundness, over the diameter of the ball of equal volume.
 inline constexpr double kDefaultRoundnessEdge = 0.05;
 
-/// The smallest box gets these ratios; all else is stretched with it.
+/// Variation to given ratios of the smallest box, by stretching.
 struct StretchVariation {
   BoxRatios ratios;
 };
-/// Hollows are filled until volume over that of the hull, both rounded, is this. The hull, and with
-/// it L, I, S, stays.
+/// Variation to a given convexity by filling concavities; the hull, and so L, I, S, is unchanged.
 struct ConvexityVariation {
   double convexity = 1.0;
 };
-/// Edges and corners get this radius, as a share of S; I/L and S/L stay.
+/// Variation to a given Minkowski radius over S; I/L and S/L are kept.
 struct RoundingVariation {
   double radius_share = 0.02;
 };
-/// Edges and corners get the radius with which Wadell's roundness is this (classify/roundness.hpp);
-/// I/L and S/L stay.
+/// Variation to a given Wadell roundness (classify/roundness.hpp) by the Minkowski radius; I/L and
+/// S/L are kept.
 struct RoundnessVariation {
   double roundness = 0.5;
-  double edge_fraction = kDefaultRoundnessEdge;  ///< of the mesh it is measured on, see there
+  double edge_fraction =
+      kDefaultRoundnessEdge;  ///< edge length of the mesh, see `kDefaultRoundnessEdge`
 };
-/// The core gets so many vertices; I/L and S/L stay.
+/// Variation to a given number of core vertices; I/L and S/L are kept.
 struct VertexCountVariation {
   std::size_t vertices = 250;
 };
-/// The core's detail is multiplied (shapes/surface_detail.hpp); I/L and S/L stay.
+/// Variation by scaling the surface detail (shapes/surface_detail.hpp); I/L and S/L are kept.
 struct DetailVariation {
   double gain = 0.0;
   int degree = 6;
 };
-/// A simple body with the block's I/L and S/L and its radius as a share of S.
+/// Variation to a reference body with the block's I/L, S/L and ratio of radius to S.
 struct ReferenceVariation {
-  ReferenceShape form = ReferenceShape::kEllipsoid;
-  double exponent = 4.0;  ///< of the superellipsoid
+  ReferenceShape form = ReferenceShape::kEllipsoid;  ///< target of a stretch or of a sampled body
+  double exponent = 4.0;                             ///< of the superellipsoid
 };
-/// The ellipsoid, or the box, with the block's mass and principal moments, at the density that this
-/// takes: alike in free motion, and different in contact.
+/// Variation to the ellipsoid or box with the block's mass and principal moments, at the required
+/// density: equal in free motion but different in contact.
 struct InertiaVariation {
   ReferenceShape form = ReferenceShape::kEllipsoid;  ///< or a box
 };
-/// A body drawn from a population (classify/form_copula.hpp): stretched to the ratios and scaled to
-/// the length, hollows filled where the convexity drawn is above the block's.
+/// Variation to a shape sampled from a population (classify/form_copula.hpp): stretched to the
+/// ratios, scaled to the length, and filled if the sampled convexity is above the block's.
 struct SampledFormVariation {
   BoxRatios ratios;
   double length = 1.0;  ///< L, m
@@ -62,50 +62,51 @@ using Variation = std::variant<StretchVariation, ConvexityVariation, RoundingVar
                                RoundnessVariation, VertexCountVariation, DetailVariation,
                                ReferenceVariation, InertiaVariation, SampledFormVariation>;
 
-/// "stretch", "convexity", "rounding", "roundness", "vertices", "detail", "reference", "inertia",
-/// "drawn".
+/// Returns "stretch", "convexity", "rounding", "roundness", "vertices", "detail", "reference",
+/// "inertia" or "drawn".
 std::string variation_kind(const Variation& variation);
-/// What distinguishes the bodies of a series from each other, in their ids: "il0.8_sl0.5".
+/// Returns the label of a variation in ids: "il0.8_sl0.5".
 std::string variation_label(const Variation& variation);
 
-/// What a block has in common with its twins.
+/// Size that a variation preserves.
 enum class PreservedSize { kMass, kVolume, kLength };
-/// "mass", "volume", "L". @throws InputError  another name
+/// Parses "mass", "volume" or "L".
+/// @throws InputError  for another name
 PreservedSize parse_preserved_size(const std::string& name);
 std::string name_of(PreservedSize preserved);
 
 struct VariationOptions {
   PreservedSize keep =
       PreservedSize::kMass;  ///< no matter for `InertiaVariation` and `SampledFormVariation`
-  double accuracy = 1e-4;    ///< relative, of volume and inertia
+  double accuracy = 1e-4;    ///< relative accuracy of volume and inertia
 
   void check() const;  ///< throws InputError naming the field and its value
 };
 
-/// Targets are reached to this, relative; else the block is refused.
+/// Relative tolerance of targets; a block beyond it is an error.
 inline constexpr double kVariationTolerance = 5e-3;
-/// Roundness is measured on a mesh, which makes it uneven by about half of this.
+/// Relative tolerance of roundness, about twice its mesh dependence.
 inline constexpr double kRoundnessTolerance = 1e-2;
 
-/// The twin, a block made of a core and a radius. What was done, with its figures, is in
-/// `source.options` (`parse_variation` reads it back); `source` is otherwise as given.
-/// @param source  the library that the parent is in, and its hash
-/// @throws InputError, GeometryError  a target that can't be reached, with the block's id, the
-///                        target, and the nearest that can
+/// Makes the varied block. The variation and its results are stored in `source.options` (read by
+/// `parse_variation`); `source` is otherwise as given.
+/// @param source  library of the parent and its digest
+/// @throws InputError, GeometryError  if the target cannot be reached; names the block, the target
+///                                    and the nearest possible value
 Block vary_block(const std::string& id, const Block& parent, const Variation& variation,
                  BlockSource source, const VariationOptions& options = {});
 
-/// What `source.options` of a block that `vary_block` made says.
+/// Variation that is recorded in a block's `source.options`.
 struct VariationRecord {
   std::string kind;
-  std::string parent;             ///< id
+  std::string parent;             ///< block id
   std::optional<BoxRatios> form;  ///< target of a stretch, or of a body that was drawn
-  double step = 0.0;              ///< target of the others; 0 of references
-  std::string reference;          ///< name of a reference body
+  double step = 0.0;              ///< target of other variations; 0 for references
+  std::string reference;          ///< name of the reference body
 };
-/// None: the block is no variation.
+/// Parses the variation of a block; empty if it is not varied.
 std::optional<VariationRecord> parse_variation(const Block& block);
-/// "stretch to 0.8, 0.5", "vertices 250", "ellipsoid".
+/// Describes a variation: "stretch to 0.8, 0.5", "vertices 250", "ellipsoid".
 std::string describe_variation(const VariationRecord& record);
 
 }  // namespace clast

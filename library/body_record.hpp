@@ -1,5 +1,5 @@
 #pragma once
-/// A sphero-polyhedron as a group of an HDF5 file: `core` of a block in docs/formats.md.
+/// Sphero-polyhedra as HDF5 groups: `core` of a block in docs/formats.md.
 #include <string>
 
 #include "core/files/hdf5_file.hpp"
@@ -9,8 +9,9 @@ namespace clast {
 
 void write_body(Hdf5Group group, const SpheroPolyhedron& body);
 
-/// @param where  what the message begins with: "blocks.h5: block B017"
-/// @throws InputError  something is missing, or can't be
+/// Reads a body.
+/// @param where  prefix of messages: "blocks.h5: block B017"
+/// @throws InputError  if something is missing or invalid
 SpheroPolyhedron read_body(const Hdf5Group& group, const std::string& where);
 
 }  // namespace clast

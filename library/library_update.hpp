@@ -1,5 +1,5 @@
 #pragma once
-/// Changing a library file that others may be changing too.
+/// Concurrent updates of a library file.
 #include <filesystem>
 #include <functional>
 
@@ -8,22 +8,22 @@
 namespace clast {
 
 struct LibraryUpdateOptions {
-  /// Begins with an empty library where there is none.
+  /// Create an empty library if there is none.
   bool create_if_missing = false;
-  /// Called once when another process is writing to the library.
+  /// Called once if another process is writing to the library.
   std::function<void()> on_wait = {};
 };
 
-/// Locks the library (core/files/file_lock.hpp), reads it, lets `change` change it, writes it whole
-/// and releases the lock. `change` receives what others wrote meanwhile, so none of it is lost.
-/// @return what was written
-/// @throws InputError  as `BlockLibrary::read`, `BlockLibrary::write` and `FileLock`, and whatever
-///                     `change` throws: the file is then as it was
+/// Locks the library (core/files/file_lock.hpp), reads it, applies `change`, writes it and releases
+/// the lock, so that no concurrent change is lost.
+/// @return the written library
+/// @throws InputError  as `BlockLibrary::read`, `BlockLibrary::write` and `FileLock`, and
+///                     exceptions of `change`; the file is then unchanged
 BlockLibrary update_library(const std::filesystem::path& path, const LibraryUpdateOptions& options,
                             const std::function<void(BlockLibrary&)>& change);
 
-/// Checks that `update_library` could write there, before the work whose result it will store.
-/// @throws InputError  it could not, or what is there is no library
+/// Checks before a computation that `update_library` can write the file.
+/// @throws InputError  if it cannot, or the existing file is not a library
 void check_library_target(const std::filesystem::path& path);
 
 }  // namespace clast

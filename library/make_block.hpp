@@ -1,5 +1,5 @@
 #pragma once
-/// From a closed mesh to a block with everything computed.
+/// Making of blocks from closed meshes.
 #include <optional>
 #include <string>
 
@@ -9,18 +9,20 @@
 
 namespace clast {
 
-/// How a mesh becomes a block.
+/// Options for making a block.
 struct BlockOptions {
   bool core = false;             ///< the mesh is the core, unchanged; needs `radius`
   std::optional<double> radius;  ///< Minkowski radius, m
-  double radius_share = 0.02;    ///< of S, where `radius` is not given
-  bool convex = false;           ///< the scan is its own hull, and the core is kept convex
+  double radius_share = 0.02;    ///< radius over S if `radius` is not given
+  bool convex = false;           ///< the scan is its own hull, and the core stays convex
   double density = 2650.0;       ///< kg/m^3
   bool density_given = false;
-  std::optional<double> mass;  ///< kg: sets the density, or checks the volume if that is given
-  double accuracy = 1e-4;      ///< relative, of volume and inertia
-  double tolerance = 0.01;     ///< Hausdorff distance to the scan, of L; beyond it is a warning
-  /// Whether the refusal of a radius says which one works; to find that takes as long as twenty
+  std::optional<double>
+      mass;  ///< kg; determines the density, or checks the volume if a density is given
+  double accuracy = 1e-4;  ///< relative accuracy of volume and inertia
+  double tolerance =
+      0.01;  ///< Hausdorff distance to the scan over L, beyond which a warning is added
+  /// State a possible radius if the given one is refused, whose search takes as long as twenty
   /// blocks.
   bool suggest_radius = true;
 
@@ -43,27 +45,26 @@ void visit_fields(const BlockOptions& options, Visit&& visit) {
   visit("suggest_radius", ExcludedField{suggest_radius});
 }
 
-/// Largest relative difference between the principal moments of a block and its scan.
+/// Maximum relative difference between the principal moments of a block and its scan.
 constexpr double kMomentsTolerance = 5e-3;
 
-/// Is the block as near to its scan as asked, and are its moments? Always true of a core.
+/// True if the block's deviation and moments are within tolerance; always true for a core.
 bool is_within_tolerance(const Block& block, const BlockOptions& options);
 
-/// A core is taken as it is, faces in one plane merged to polygons. Else the core is `surface`
-/// moved in by the radius, fitted to `scan` until the block is within the tolerance or gets no
-/// nearer, then scaled about its own centre by the little that gives the rounded body the volume of
-/// `scan`.
+/// Makes a block. A core is used unchanged, with coplanar faces merged. Otherwise the core is
+/// `surface` offset inwards by the radius, fitted to `scan` until the block is within tolerance or
+/// stops improving, and scaled about its centre to the scan's volume.
 ///
-/// @param surface  closed, outward, simplified; the outer surface of the rock, or its core
-/// @param scan     the full-resolution closed scan `surface` was simplified from: the deviation and
-///                 the volume are judged against it
-/// @param source   file, hash, and the options of the steps before; what `options` says is added
+/// @param surface  closed, outward, simplified; outer surface of the rock, or its core
+/// @param scan  full-resolution closed scan from which `surface` was simplified; reference of
+///              deviation and volume
+/// @param source  file, digest and options of the previous steps; `options` are appended
 /// @throws GeometryError, InputError  with the block's id in the message
 Block make_block(const std::string& id, const TriangleMesh& surface, const ScanSurface& scan,
                  BlockSource source, const BlockOptions& options);
 
-/// A block that is given whole, core and radius; `options` say nothing of these. A ball's or a
-/// capsule's surface is its skin.
+/// Makes a block from a given core and radius, which override `options`. The surface of a ball or
+/// capsule is its rounded surface.
 /// @throws GeometryError, InputError  with the block's id in the message
 Block make_block(const std::string& id, const SpheroPolyhedron& body, BlockSource source,
                  BlockOptions options);

@@ -1,5 +1,5 @@
 #pragma once
-/// From the file of a rock mass to the blocks it consists of.
+/// Blocks of a jointed rock mass given as a mesh file.
 #include <filesystem>
 #include <string>
 
@@ -7,14 +7,15 @@
 
 namespace clast {
 
-/// A closed mesh of a rock mass, such as a scar, and how to read it.
+/// Mesh file of a rock mass, such as a scar, and how to read it.
 struct RockMassFile {
   std::filesystem::path path;
-  std::string units = "m";  ///< of length, as `parse_length_unit` reads it
+  std::string units = "m";  ///< length unit, as in `parse_length_unit`
   std::string up =
       "auto";  ///< axis that points up: "z", "y", or "auto", y of glTF, z of all others
 };
 
+/// Reads and cuts a rock mass.
 /// @throws GeometryError, InputError  as `read_mesh` and `cut_rock_mass`, with the file's name
 RockMassBlocks cut_rock_mass_file(const RockMassFile& file, const RockMassOptions& options);
 

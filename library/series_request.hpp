@@ -1,5 +1,5 @@
 #pragma once
-/// What is asked of a series of bodies, and doing it: what `clast vary` and Python call.
+/// Requests for series of varied blocks, as made by `clast vary` and Python.
 #include <cstdint>
 #include <filesystem>
 #include <optional>
@@ -12,44 +12,43 @@
 
 namespace clast {
 
-/// Twins of the blocks of a library, and bodies drawn from a population.
+/// Request for variations of library blocks and for bodies sampled from a population.
 struct SeriesRequest {
   std::filesystem::path library;
-  std::vector<std::string> ids;       ///< blocks that are varied; empty: all of the library
-  SeriesTargets steps;                ///< what each of them is varied by
-  std::vector<std::string> like_ids;  ///< blocks of the library to whose ratios they are stretched
-  std::size_t draw = 0;               ///< bodies drawn from a population besides
-  std::filesystem::path table;        ///< of measured blocks, the population; empty: the blocks
-  std::string units;                  ///< of the table; empty: as its header says, else m
-  std::string prefix = "V";           ///< of ids of the bodies drawn
+  std::vector<std::string> ids;       ///< varied blocks; empty: all
+  SeriesTargets steps;                ///< variations of each block
+  std::vector<std::string> like_ids;  ///< library blocks to whose ratios the blocks are stretched
+  std::size_t draw = 0;               ///< number of additional bodies sampled from a population
+  std::filesystem::path table;        ///< population of measured blocks; empty: the library blocks
+  std::string units;                  ///< of the table; empty: from its header, or m
+  std::string prefix = "V";           ///< of the ids of sampled bodies
   std::uint64_t seed = 1;
   SeriesOptions options;
-  std::filesystem::path output;  ///< library to which the bodies are added; empty: none
-  bool replace = false;          ///< blocks of the same id there
+  std::filesystem::path output;  ///< library for the bodies; empty: none
+  bool replace = false;          ///< replace existing blocks of the same id
 
   bool is_empty() const;
   void check() const;  ///< throws InputError naming the field and its value, or what is missing
 };
 
-/// What became of a request.
+/// Result of a request.
 struct SeriesResult {
-  BlockSeries series;              ///< one body at least
-  std::size_t wanted = 0;          ///< bodies
-  std::size_t output_blocks = 0;   ///< blocks in `output` then
-  std::optional<CopulaFit> fit;    ///< of the population, where bodies were drawn
+  BlockSeries series;              ///< at least one body
+  std::size_t wanted = 0;          ///< number of requested bodies
+  std::size_t output_blocks = 0;   ///< number of blocks in `output` afterwards
+  std::optional<CopulaFit> fit;    ///< of the population, if bodies were sampled
   std::vector<std::string> notes;  ///< on the table
 };
 
-/// Makes the bodies of the blocks of a library that is there already.
-/// @throws InputError     as `SeriesRequest::check`; a block or file that can't be used; a body
-/// asked
-///                        for twice; more than 100,000
-/// @throws GeometryError  no body could be made
+/// Makes the bodies from a loaded library.
+/// @throws InputError  as `SeriesRequest::check`; if a block or file cannot be used, a body is
+///                     requested twice, or there are more than 100,000
+/// @throws GeometryError  if no body could be made
 SeriesResult make_series(const SeriesRequest& request, const BlockLibrary& library);
 
 /// Reads the library, makes the bodies and adds them to `output`.
-/// @throws InputError     as above; a library that can't be used
-/// @throws GeometryError  no body could be made
+/// @throws InputError  as above; or if a library cannot be used
+/// @throws GeometryError  if no body could be made
 SeriesResult make_series(const SeriesRequest& request);
 
 }  // namespace clast

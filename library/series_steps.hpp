@@ -1,5 +1,5 @@
 #pragma once
-/// What each block of a series is varied by, as options, campaign files and Python write it.
+/// Targets of a series of variations, as given by options, campaign files and Python.
 #include <cstddef>
 #include <optional>
 #include <string>
@@ -9,14 +9,14 @@
 
 namespace clast {
 
-/// Forms all over a diagram (classify/form_grid.hpp).
+/// Grid of shapes over a diagram (classify/form_grid.hpp).
 struct FormGrid {
   std::string diagram = "sneed-folk";  ///< or "zingg"
   int steps = 10;
-  double least = 0.2;  ///< S/L, in zingg I/L and S/I
+  double least = 0.2;  ///< S/L, for zingg I/L and S/I
 };
 
-/// Any number of targets of each kind.
+/// Targets of variations, any number of each kind.
 struct SeriesTargets {
   std::vector<BoxRatios> ratios;
   std::optional<FormGrid> grid;
@@ -25,14 +25,14 @@ struct SeriesTargets {
   std::vector<double> roundness;
   double roundness_edge = kDefaultRoundnessEdge;
   std::vector<std::size_t> vertices;
-  std::vector<double> detail;  ///< factors
+  std::vector<double> detail;  ///< gains
   int degree = 6;              ///< of the detail
   std::vector<std::string> reference;
   double exponent = 4.0;  ///< of superellipsoids
   std::vector<std::string> inertia;
 
-  /// In the order of the members.
-  /// @throws InputError  an unknown diagram or reference form; as `sneed_folk_grid`
+  /// Returns the variations in the order of the members.
+  /// @throws InputError  if a diagram or reference shape is unknown; or as `sneed_folk_grid`
   std::vector<Variation> variations() const;
 };
 
@@ -40,8 +40,9 @@ struct SeriesTargets {
 const std::vector<std::string>& form_grid_names();
 const std::vector<std::string>& inertia_form_names();
 
-/// @param asked  the ratios as they were written, for the message
-/// @throws InputError  not I/L and S/L of a box, both from 0.01 to 1, or no numbers (NaN)
+/// Checks target ratios.
+/// @param asked  ratios as written, for the message
+/// @throws InputError  unless they are I/L and S/L of a box, both from 0.01 to 1
 BoxRatios check_stretch_ratios(double i_over_l, double s_over_l, const std::string& written);
 
 }  // namespace clast

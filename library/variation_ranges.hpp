@@ -1,5 +1,5 @@
 #pragma once
-/// Allowed ranges of what blocks are varied to: for options, campaign files and Python.
+/// Allowed ranges of variations, for options, campaign files and Python.
 #include <cstddef>
 
 #include "core/number_range.hpp"
@@ -10,15 +10,14 @@ inline constexpr NumberRange kVariedRatio{0.01, 1.0};
 inline constexpr NumberRange kVariedConvexity{0.01, 1.0};
 inline constexpr NumberRange kVariedRadiusFraction{1e-3, 0.4, "of S", "sharp edges"};
 inline constexpr NumberRange kVariedRoundness{0.01, 1.0};
-/// Length of the edges that roundness is measured on, over the diameter of the ball of equal
-/// volume.
+/// Edge length of the roundness mesh over the diameter of the ball of equal volume.
 inline constexpr NumberRange kRoundnessEdge{0.01, 0.2};
 inline constexpr NumberRange kDetailGain{0.01, 10.0, "", "smooth"};
 inline constexpr NumberRange kSuperellipsoidExponent{1.0, 20.0};
-/// Smallest ratio of a grid of forms, and steps along each of its sides.
+/// Smallest ratio of a shape grid, and number of steps per side.
 inline constexpr NumberRange kMinRatio{0.01, 0.99};
 inline constexpr int kMaxGridSteps = 100;
-/// Vertices of a simplified core.
+/// Number of vertices of a simplified core.
 inline constexpr std::size_t kMinVariedVertices = 8, kMaxVariedVertices = 2000;
 inline constexpr int kMinDegree = 2, kMaxDegree = 20;
 inline constexpr std::size_t kMaxSeriesBodies = 100'000;  ///< of one series

@@ -1,5 +1,5 @@
 #pragma once
-/// What the convex pieces of a body count more than once, by integrating along vertical columns.
+/// Overlap of the convex pieces of a body, integrated along vertical columns.
 #include <cstddef>
 
 #include "massprops/line_pieces.hpp"
@@ -7,40 +7,37 @@
 
 namespace clast::massprops_detail {
 
-/// What columns find, and how well they know it.
+/// Overlap integral with error bounds.
 struct OverlapIntegral {
-  Moments moments;            ///< what is counted more than once
-  double volume_error = 0.0;  ///< bound on the error of its volume, m^3
+  Moments moments;            ///< of the multiply counted volume
+  double volume_error = 0.0;  ///< bound on the volume error, m^3
   double second_moment_error =
       0.0;  ///< of tr(M) I - M, M its second moment, in the Frobenius norm, m^5
 };
 
-/// Columns in square grids over a body.
+/// Quadrature over square grids of vertical columns.
 ///
-/// Along each column core and pieces are intervals, so what they count more than once (sum of the
-/// intervals less their union, less the known overlaps of the skin) is integrated exactly; only
-/// across the columns is there a quadrature, by the midpoint rule. Where pieces do not overlap,
-/// whole columns add nothing and there is no error.
+/// Along each column the core and the pieces are intervals, so that their overlap (sum of the
+/// intervals minus their union minus known overlaps) is integrated exactly; across the columns the
+/// midpoint rule is used. Columns without overlap contribute no error.
 class ColumnQuadrature {
  public:
   /// @param core  as `decompose_offset_layer` took it; origin near its centre, about which M is
   /// taken
   ColumnQuadrature(const TriangleMesh& core, const OffsetLayer& skin);
 
-  /// What a grid of `columns_per_side` columns along the longer horizontal side finds.
+  /// Integrates over a grid with `columns_per_side` columns along the longer horizontal side.
   ///
-  /// Each error is the largest of two estimates, plus an allowance, about which docs/theory.md
-  /// says more:
+  /// The error is the largest of two estimates, plus an allowance (docs/theory.md):
   /// - Three standard errors, from the twist of each block of two by two columns (the sum along one
-  ///   diagonal less that along the other). When errors of columns are independent it has the
-  ///   variance of the block's sum; a linear course, which costs no error, adds nothing.
-  /// - The largest departure from the mean among the four grids of half the density. It shows
-  /// errors
-  ///   that neighbours have in common, such as along an edge that runs in the direction of the
-  ///   grid.
-  /// - Regions that no column need meet show in neither. When fewer than ten columns meet anything,
-  ///   three columns of the height of the radius are allowed for: what random columns meet three
-  ///   times on average they miss once in twenty.
+  /// diagonal minus the sum along the other). If the errors of the columns are independent, the
+  /// twist has the variance of the block's sum; linear variation, which the midpoint rule
+  /// integrates exactly, cancels.
+  /// - The largest deviation of the four grids of half the density from their mean. It shows errors
+  /// common to neighbouring columns, such as along an edge in the direction of the grid.
+  /// - Small regions that no column meets appear in neither estimate. If fewer than ten columns
+  /// meet an overlap, three columns of the height of the radius are added: a region that random
+  /// columns meet three times on average is missed once in twenty.
   OverlapIntegral integrate_overlap(std::size_t columns_per_side) const;
 
  private:

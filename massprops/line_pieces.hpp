@@ -1,5 +1,5 @@
 #pragma once
-/// What vertical lines cut out of a core and its skin.
+/// Intersections of vertical lines with a core and its offset layer.
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -8,38 +8,39 @@
 
 namespace clast::massprops_detail {
 
-/// Of numbers; empty when low >= high.
+/// Interval of numbers; empty if low >= high.
 struct LineInterval {
   double low = 0.0, high = 0.0;
 };
 
-/// A plane as a height: x_slope x + y_slope y + height.
+/// Plane z = x_slope x + y_slope y + height.
 struct HeightPlane {
   double x_slope = 0.0, y_slope = 0.0, height = 0.0;
   double height_at(double x, double y) const { return x_slope * x + y_slope * y + height; }
 };
 
-/// Convex pieces prepared for vertical lines; sorted by their lowest y and packed, since rows of
-/// lines meet neighbours one after the other.
+/// Convex pieces, prepared for intersection with vertical lines and sorted by their lowest y, so
+/// that rows of lines access neighbouring memory.
 class VerticalLinePieces {
  public:
   VerticalLinePieces(const std::vector<OffsetPiece>& pieces, double radius);
 
   std::size_t size() const { return pieces_.size(); }
-  /// Lowest and highest y of a piece; the lowest ascend.
+  /// Range of y of a piece; lower ends are ascending.
   LineInterval y_range(std::size_t piece) const { return pieces_[piece].rows; }
-  /// The x between which lines at `y` can cross the piece.
+  /// Range of x in which lines at `y` can intersect the piece.
   LineInterval x_range(std::size_t piece, double y) const;
-  /// The part of the line at (x, y) inside the piece, x within its reach.
+  /// Intersection of the line at (x, y) with the piece; x must be within `reach`.
   LineInterval clip_line(std::size_t piece, double x, double y) const;
 
  private:
   struct Piece {
     LineInterval rows, columns, heights;
     OffsetPiece::CurvedFace round;
-    Vec3 centre, axis;  ///< no axis for a ball: the cylinder's formulas then give the ball's chord
-    /// In `height_planes_`: lower bounds, upper bounds, and sides of the shadow that the planes
-    /// cast along z, where slope and height are those of at(x, y) <= 0.
+    Vec3 centre,
+        axis;  ///< zero for balls, for which the cylinder formulas give the chord of the ball
+    /// Offsets in `height_planes_` of the lower bounds, the upper bounds and the sides of the
+    /// projection along z, given as at(x, y) <= 0.
     std::uint32_t lower, upper, sides, end;
   };
 
@@ -53,7 +54,8 @@ class VerticalLinePieces {
   std::vector<HeightPlane> height_planes_;
 };
 
-/// The core's triangles prepared for vertical lines, sorted by their lowest y.
+/// Triangles of the core, prepared for intersection with vertical lines and sorted by their lowest
+/// y.
 class VerticalLineTriangles {
  public:
   explicit VerticalLineTriangles(const TriangleMesh& core);
@@ -62,11 +64,11 @@ class VerticalLineTriangles {
   LineInterval y_range(std::size_t triangle) const;
   LineInterval x_range(std::size_t triangle, double y) const;
 
-  /// +1 where a line that rises at (x, y) leaves through the triangle, -1 where it enters, 0 beside
-  /// it. Each edge is judged from its smaller vertex index, so both its triangles agree to the bit
-  /// and no line slips between them or hits both.
+  /// Returns +1 if the upward line at (x, y) leaves the core through the triangle, -1 if it enters,
+  /// 0 if it misses. Each edge is evaluated from its smaller vertex index, so that adjacent
+  /// triangles agree exactly and no line hits both or neither.
   int crossing_sign(std::size_t triangle, double x, double y) const;
-  /// Height at which it crosses there.
+  /// Height at which the line at (x, y) crosses the triangle.
   double crossing_height(std::size_t triangle, double x, double y) const;
 
  private:

@@ -4,13 +4,13 @@
 
 namespace clast {
 
-/// Of a homogeneous solid. `inertia` is about `centre`, along the axes `centre` is given in.
+/// Mass properties of a homogeneous solid; `inertia` is about `centre`, in the axes of `centre`.
 struct MassProperties {
   double volume = 0.0;          ///< m^3
   double mass = 0.0;            ///< kg
   Vec3 centre = Vec3::Zero();   ///< m
   Mat3 inertia = Mat3::Zero();  ///< kg m^2, full symmetric matrix
-  double relative_error = 0.0;  ///< bound on the error of volume and inertia; 0 when exact
+  double relative_error = 0.0;  ///< bound of the relative error of volume and inertia; 0 if exact
 };
 
 }  // namespace clast

@@ -1,5 +1,5 @@
 #pragma once
-/// Volume, first and second moments of solids, as they add up.
+/// Volume and first and second moments of solids.
 #include "core/types.hpp"
 #include "massprops/mass_properties.hpp"
 #include "mesh/triangle_mesh.hpp"
@@ -18,7 +18,7 @@ struct Moments {
     second += other.second;
     return *this;
   }
-  /// Adds `factor` times the other solid; -1 subtracts it.
+  /// Adds a multiple of the moments of another solid; -1 subtracts.
   void add_scaled(const Moments& other, double factor) {
     volume += factor * other.volume;
     first += factor * other.first;
@@ -26,25 +26,28 @@ struct Moments {
   }
 };
 
-/// Of the signed tetrahedron between the origin and a triangle. @cite mirtich1996
+/// Returns the moments of the signed tetrahedron between the origin and a triangle. @cite
+/// mirtich1996
 Moments tetrahedron_moments(const Vec3& a, const Vec3& b, const Vec3& c);
 
-/// Sum over the triangles, with vertices relative to `origin`.
+/// Returns the moments of a closed mesh, with vertices relative to `origin`.
 Moments polyhedron_moments(const TriangleMesh& mesh, const Vec3& origin);
 
-/// Mean of the vertices that triangles use, summed about the first so that large offsets keep their
-/// digits; zero when there is no triangle.
+/// Returns the mean of the used vertices, summed relative to the first to keep precision; zero
+/// without triangles.
 Vec3 vertex_mean(const TriangleMesh& mesh);
 
-/// Moments about `origin`, along axes that `rotation` (source_from_local) turns to the source's.
+/// Converts moments about `origin`, along axes that `rotation` (source_from_local) rotates to the
+/// source's, to mass properties.
 MassProperties to_mass_properties(const Moments& moments, const Vec3& origin, const Mat3& rotation,
                                   double density);
 
-/// @throws InputError  density not positive or not finite
+/// Checks a density.
+/// @throws InputError  if it is not positive and finite
 void check_density(double density);
 
-/// Refuses what bounds no solid. `what` names the mesh in the message.
-/// @throws GeometryError  open, non-manifold or inconsistently oriented
+/// Checks that a mesh bounds a solid; `what` names the mesh in the message.
+/// @throws GeometryError  if it is open, non-manifold or inconsistently oriented
 void check_closed(const TriangleMesh& mesh, const char* what);
 
 }  // namespace clast::massprops_detail

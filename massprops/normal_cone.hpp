@@ -1,5 +1,5 @@
 #pragma once
-/// The directions in which a vertex is the nearest point of a polyhedron.
+/// Normal cones of polyhedron vertices.
 #include <span>
 
 #include "core/types.hpp"
@@ -13,10 +13,11 @@ struct NormalCone {
   Mat3 second = Mat3::Zero();  ///< of u u^T
 };
 
-/// Cone of all u with u . e <= 0 for every edge direction e: polar to the polyhedron at the vertex.
-/// Empty where the polyhedron surrounds the vertex (a notch).
-/// @param edges  unit directions of the edges that leave the vertex
-/// @param bends  exterior dihedral angle of each, > 0 convex; distinguishes a peak from a notch
+/// Computes the cone of all u with u . e <= 0 for each edge direction e, polar to the polyhedron at
+/// the vertex. Empty if the polyhedron surrounds the vertex (a notch).
+/// @param edges  unit directions of the edges leaving the vertex
+/// @param exterior_angles  exterior dihedral angle of each, > 0 for convex; distinguishes a peak
+///                         from a notch
 NormalCone normal_cone(std::span<const Vec3> edges, std::span<const double> exterior_angles);
 
 }  // namespace clast::massprops_detail

@@ -1,19 +1,19 @@
 #pragma once
-/// The layer between a core polyhedron and the surface of its rounded body, cut into convex pieces
-/// whose moments are known in closed form.
+/// Layer between a core polyhedron and its rounded surface, decomposed into convex pieces with
+/// closed-form moments.
 #include <vector>
 
 #include "massprops/moments.hpp"
 
 namespace clast::massprops_detail {
 
-/// n . x <= d.
+/// Half-space n . x <= d.
 struct HalfSpace {
   Vec3 normal;
   double offset;
 };
 
-/// A convex piece: half-spaces, cut by a sphere or a cylinder where `round` says so.
+/// Convex piece: an intersection of half-spaces, optionally with a sphere or cylinder.
 struct OffsetPiece {
   enum class CurvedFace { none, sphere, cylinder };
   CurvedFace round = CurvedFace::none;
@@ -23,19 +23,18 @@ struct OffsetPiece {
   Bounds box;
 };
 
-/// Pieces of the layer: a prism on every face, a wedge on every convex edge, the part of a ball in
-/// the normal cone of every vertex.
+/// Pieces of the layer: a prism on each face, a wedge on each convex edge, and a spherical sector
+/// in the normal cone of each vertex.
 ///
-/// Every point of the body outside the core lies in a piece, since its nearest core point lies on a
-/// face, an edge or a vertex with the point in the normal cone there; so the union of core and
-/// pieces is the body whatever the core is like. Where the core is convex the pieces are disjoint
-/// and `piece_moments` with the core's moments is exact. At reflex edges they overlap; `overlaps`
-/// are the kite-shaped prisms in which the two face prisms of such an edge overlap, where those
-/// stand clear of the far edges.
+/// Each point of the body outside the core lies in a piece, because its nearest core point is on a
+/// face, edge or vertex with the point in its normal cone; the union of core and pieces is
+/// therefore the body for any core. For convex cores the pieces are disjoint and `total` plus the
+/// core's moments is exact. At reflex edges they overlap; `overlaps` are the kite-shaped prisms in
+/// which the two face prisms of such an edge overlap, if they are clear of the far edges.
 struct OffsetLayer {
   double radius = 0.0;
   std::vector<OffsetPiece> pieces;
-  Moments piece_moments;  ///< sum over the pieces, overlaps counted more than once
+  Moments piece_moments;  ///< sum over the pieces, with overlaps counted repeatedly
   std::vector<OffsetPiece> overlaps;
   Moments overlap_moments;
   double area = 0.0;             ///< outer area of the pieces, m^2
@@ -44,9 +43,10 @@ struct OffsetLayer {
   bool has_reflex_edge = false;  ///< beyond 1e-9 rad, or an edge whose dihedral is undefined
 };
 
-/// @param core          closed, consistently oriented, about a local origin
-/// @param clear_radius  the radius for which overlaps must stand clear of the far edges, at least
-///                      `radius`; the same for several radii gives all of them the same overlaps
+/// Decomposes the layer.
+/// @param core  closed, consistently oriented, about a local origin
+/// @param clear_radius  radius for which overlaps must be clear of the far edges, at least
+///                      `radius`; a common value gives several radii equal overlaps
 OffsetLayer decompose_offset_layer(const TriangleMesh& core, double radius, double clear_radius);
 
 }  // namespace clast::massprops_detail

@@ -1,24 +1,26 @@
 #pragma once
-/// Principal moments of inertia and the axes that belong to them.
+/// Principal moments and axes of inertia.
 #include "massprops/mass_properties.hpp"
 
 namespace clast {
 
-/// The frame in which the inertia tensor is diagonal.
+/// Frame in which the inertia tensor is diagonal.
 struct PrincipalFrame {
-  Vec3 moments = Vec3::Zero();       ///< kg m^2, ascending
-  Quat rotation = Quat::Identity();  ///< source_from_body: columns are the principal axes
-  bool has_near_equal_moments = false;         ///< some axes are a convention, not a property of the solid
+  Vec3 moments = Vec3::Zero();          ///< kg m^2, ascending
+  Quat rotation = Quat::Identity();     ///< source_from_body; its columns are the principal axes
+  bool has_near_equal_moments = false;  ///< two or three axes are set by convention
 };
 
-/// Principal moments in ascending order. Each axis points so that its component of largest
-/// magnitude is positive (the first such), the last is turned to make the frame right-handed.
+/// Computes the principal moments, ascending, and their axes. The component of largest magnitude of
+/// the first two axes is positive (the first one of equal components); the third axis makes the
+/// frame right-handed.
 ///
-/// Moments are nearly equal when they differ by less than 1e-6 of the largest, or than the tensor's
-/// stated error lets them be distinguished. The axes between them are then set by convention: all
-/// three equal, the source's own; two equal, one is the source's x axis as far as it is
-/// perpendicular to the third principal axis (y where that is within 26 degrees of x).
-/// @throws GeometryError  inertia not positive definite, or breaking the triangle inequality
+/// Moments are nearly equal if they differ by less than 1e-6 of the largest or by less than the
+/// stated error of the tensor. Their axes are then set by convention. If all three are equal, they
+/// are the source axes. If two are equal, one is the source x axis projected perpendicular to the
+/// third principal axis (the y axis if that is within 26 degrees of x).
+/// @throws GeometryError  if the tensor is not positive definite or violates the triangle
+///                        inequality
 PrincipalFrame principal_frame(const MassProperties& properties);
 
 }  // namespace clast

@@ -1,16 +1,16 @@
 #pragma once
-/// Exact mass properties of the solid inside a closed mesh.
+/// Mass properties of the solid bounded by a closed mesh.
 #include "massprops/mass_properties.hpp"
 #include "mesh/triangle_mesh.hpp"
 
 namespace clast {
 
-/// Exact integrals over the solid bounded by `mesh`, by the divergence theorem about a local
-/// origin, so that coordinates of 5e6 m cost no digits.
+/// Integrates exactly over the solid bounded by `mesh`, by the divergence theorem about a local
+/// origin, which keeps full precision for map coordinates of 5e6 m.
 ///
-/// @param mesh     closed, outward-facing triangles; vertices in metres
+/// @param mesh     closed, with outward orientation; vertices in m
 /// @param density  kg/m^3, positive
-/// @throws GeometryError  mesh open or non-manifold, or its signed volume is not positive
+/// @throws GeometryError  if the mesh is open or non-manifold, or its signed volume is not positive
 /// @cite mirtich1996
 MassProperties solid_mass_properties(const TriangleMesh& mesh, double density);
 

@@ -1,5 +1,5 @@
 #pragma once
-/// A closed surface around another one.
+/// Alpha wrapping: closed surfaces around triangle soups.
 #include "mesh/triangle_mesh.hpp"
 
 namespace clast {
@@ -7,8 +7,8 @@ namespace clast {
 /// Computes the alpha wrap of a triangle soup: a closed, oriented 2-manifold without
 /// self-intersections that encloses it.
 ///
-/// @param soup    triangles with an area; they may intersect, overlap and leave gaps
-/// @param alpha   size of the smallest hollow that the wrap enters, m, positive
+/// @param soup  triangles with an area; they may intersect, overlap and leave gaps
+/// @param alpha  size of the smallest cavity that the wrap enters, m, positive
 /// @param offset  distance of the wrap from the soup, m, positive
 /// @cite portaneri2022
 TriangleMesh alpha_wrap(const TriangleMesh& soup, double alpha, double offset);

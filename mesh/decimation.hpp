@@ -1,5 +1,5 @@
 #pragma once
-/// Fewer vertices for a closed mesh, by edge collapses.
+/// Decimation of closed meshes by edge collapses.
 #include <cstddef>
 #include <optional>
 
@@ -7,16 +7,16 @@
 
 namespace clast {
 
-/// Edges are collapsed until `vertices` are left, the cheapest first, each to the point that keeps
-/// the volume and changes the surface least; a triangle's normal turns by no more than a right
-/// angle. The result may cross itself: `untangle_self_intersections` sees to that. Coordinates near the origin, or
-/// digits are lost.
-/// @param mesh      closed 2-manifold
-/// @param vertices  at least 4; a mesh with no more is returned as it is
+/// Collapses edges, the cheapest first, until `vertices` are left, each to the point that preserves
+/// the volume and minimises the change of the surface (Lindstrom-Turk); triangle normals rotate by
+/// at most a right angle. The result may intersect itself: see `untangle_self_intersections`.
+/// Coordinates must be near the origin to keep precision.
+/// @param mesh  closed 2-manifold
+/// @param vertices  at least 4; smaller meshes are returned unchanged
 /// @cite lindstrom1998
 TriangleMesh decimate(const TriangleMesh& mesh, std::size_t vertices);
 
-/// Draws crossing triangles together until none is left; none when that doesn't end, or would
+/// Collapses intersecting triangles until none is left; empty if that does not converge or would
 /// change the volume by more than 1e-3.
 /// @param mesh  closed 2-manifold
 std::optional<TriangleMesh> untangle_self_intersections(TriangleMesh mesh);

@@ -1,5 +1,5 @@
 #pragma once
-/// Edges of chosen triangles drawn together to a point, one star at a time.
+/// Collapsing edges of selected triangles.
 #include <cstdint>
 #include <span>
 
@@ -7,11 +7,11 @@
 
 namespace clast {
 
-/// Collapses the shortest possible edge of each of `triangles` (triangle numbers) to the point that
-/// lies best on the planes around, as long as the stars don't touch and the surface stays a
-/// manifold that folds nowhere; if none of them can, their neighbours are tried.
+/// Collapses the shortest collapsible edge of each of `triangles` (indices) to the best-fit point
+/// of the adjacent planes, if the vertex stars are disjoint and the surface stays a manifold
+/// without folds. If none can be collapsed, their neighbours are tried.
 /// @param mesh  closed 2-manifold
-/// @return how many edges were collapsed; 0 leaves the mesh as it was
+/// @return number of collapsed edges; the mesh is unchanged if it is 0
 std::size_t collapse_triangle_edges(TriangleMesh& mesh, std::span<const std::uint32_t> triangles);
 
 }  // namespace clast

@@ -1,5 +1,5 @@
 #pragma once
-/// Reference systems as GeoTIFF keys, which LAS and TIFF files hold.
+/// Reference systems in GeoTIFF keys of LAS and TIFF files.
 #include <string>
 #include <vector>
 
@@ -7,22 +7,22 @@
 
 namespace clast {
 
-/// The three records of keys as bytes, little-endian.
+/// GeoTIFF key records as little-endian bytes.
 struct GeoTiffKeys {
-  std::string directory;  ///< 34735: four short integers each
-  std::string doubles;    ///< 34736
-  std::string texts;      ///< 34737
+  std::string directory;  ///< tag 34735: four short integers each
+  std::string doubles;    ///< tag 34736
+  std::string texts;      ///< tag 34737
 };
 
-/// The reference system and the units that GeoTIFF keys declare.
+/// Reference system and units declared by GeoTIFF keys.
 struct GeoTiffSystem {
-  std::string crs;  ///< "EPSG:25832"; empty: none, or one that the keys define themselves
+  std::string crs;  ///< "EPSG:25832"; empty if there is none or it is user-defined
   std::vector<LengthUnitDeclaration> lengths;
 };
 
-/// Parses every declaration of lengths: keys 1024 (kind of system), 2048, 3072 and 4096 (codes),
-/// 2052, 3076, 3077 and 4099 (units), 3075 (projection), and the citations where they alone name a
-/// unit. The geographic system of a map is its base and says nothing of its coordinates.
+/// Parses all declarations of length units: keys 1024 (kind of system), 2048, 3072 and 4096
+/// (codes), 2052, 3076, 3077 and 4099 (units), 3075 (projection), and citations if only they name a
+/// unit. The geographic base system of a projection does not affect its coordinates.
 GeoTiffSystem parse_geotiff_keys(const GeoTiffKeys& keys);
 
 }  // namespace clast

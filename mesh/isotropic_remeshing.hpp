@@ -1,15 +1,14 @@
 #pragma once
-/// A surface cut anew into triangles of even size.
+/// Isotropic remeshing.
 #include "mesh/triangle_mesh.hpp"
 
 namespace clast {
 
-/// The same closed surface in triangles whose edges are about `edge_length` long, by splits,
-/// collapses, flips and shifts along the surface (Botsch & Kobbelt 2004); corners finer than that
-/// are lost. Same input, same bits.
-/// @throws GeometryError  the mesh is not a closed 2-manifold
-/// @throws InputError     edge length not positive, or so short that it would take more than ten
-///                        million triangles
+/// Remeshes a closed surface with edges of about `edge_length` by splits, collapses, flips and
+/// tangential relaxation (Botsch & Kobbelt 2004); finer details are lost. Deterministic.
+/// @throws GeometryError  if the mesh is not a closed 2-manifold
+/// @throws InputError  if the edge length is not positive, or would need more than ten million
+///                     triangles
 /// @cite botsch2004
 TriangleMesh remesh_isotropic(const TriangleMesh& mesh, double edge_length);
 

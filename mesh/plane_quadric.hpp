@@ -1,15 +1,15 @@
 #pragma once
-/// The point that lies best on several planes.
+/// Least-squares intersection point of planes.
 #include <Eigen/Eigenvalues>
 
 #include "core/types.hpp"
 
 namespace clast {
 
-/// Weighted planes given by unit normal and distance from a chosen start point, and the shortest
-/// step from there to their least-squares meeting point. Directions in which the planes hardly
-/// differ (singular values under `kCut` of the largest) are left alone, so that coplanar faces
-/// give a step along their normal and faces along a ridge one across it.
+/// Accumulates weighted planes, given by unit normal and distance from a start point, and computes
+/// the minimum-norm step to their least-squares intersection. Singular values below `kCut` of the
+/// largest are ignored, so that coplanar faces give a step along their normal and faces along a
+/// ridge one perpendicular to it.
 class PlaneQuadric {
  public:
   void add_plane(const Vec3& normal, double distance, double weight) {

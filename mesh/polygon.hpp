@@ -1,5 +1,5 @@
 #pragma once
-/// Polygons of a mesh file cut into triangles.
+/// Triangulation of the polygons of mesh files.
 #include <cstdint>
 #include <span>
 
@@ -7,13 +7,14 @@
 
 namespace clast {
 
-/// Corners up to which ears are cut; cutting is cubic and would stall on a hostile file. Above it a
-/// fan is taken, which is right for convex polygons.
+/// Maximum number of vertices for ear clipping, which is cubic and would stall on hostile files.
+/// Larger polygons become fans, which is correct for convex ones.
 inline constexpr std::size_t kMaxEarClippingVertices = 1000;
 
-/// Appends the polygon's triangles to `mesh`, whose vertices it names: ears are cut off where they
-/// are convex and empty, so that concave faces stay themselves; of a quad the better diagonal.
-/// @throws InputError  fewer than three corners, or a number past the vertices (0-based)
+/// Appends the triangles of a polygon to `mesh`, by ear clipping, so that concave faces are
+/// preserved; quads are split along the better diagonal.
+/// @throws InputError  if there are fewer than three vertices, or an index is out of range
+///                     (0-based)
 void append_polygon(TriangleMesh& mesh, std::span<const std::int64_t> corners);
 
 }  // namespace clast

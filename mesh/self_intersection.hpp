@@ -1,5 +1,5 @@
 #pragma once
-/// Does a surface pass through itself?
+/// Detection of self-intersections.
 #include <array>
 #include <cstdint>
 #include <vector>
@@ -8,9 +8,10 @@
 
 namespace clast {
 
-/// Pairs of triangles that meet elsewhere than in a shared vertex or edge, or that fold onto a
-/// neighbour; smaller number first, sorted. Exact predicates; triangles without area are left out.
-/// @throws GeometryError  the mesh is not a consistently wound 2-manifold (borders are allowed)
+/// Finds pairs of triangles that intersect other than in a shared vertex or edge, or fold onto a
+/// neighbour; smaller index first, sorted. Uses exact predicates; degenerate triangles are skipped.
+/// @throws GeometryError  if the mesh is not a consistently oriented 2-manifold (borders are
+///                        allowed)
 std::vector<std::array<std::uint32_t, 2>> find_self_intersections(const TriangleMesh& mesh);
 
 }  // namespace clast

@@ -1,17 +1,18 @@
 #pragma once
-/// Some triangles of a mesh as a mesh of their own.
+/// Extraction of triangles as a mesh of their own.
 #include <vector>
 
 #include "mesh/triangle_mesh.hpp"
 
 namespace clast {
 
-/// `triangles` over the vertices of `source`, unused vertices left out, orders kept.
+/// Makes a mesh of `triangles` over the vertices of `source`, without unused vertices, in unchanged
+/// order.
 TriangleMesh extract_triangles(const TriangleMesh& source,
-                       const std::vector<TriangleMesh::Triangle>& triangles);
+                               const std::vector<TriangleMesh::Triangle>& triangles);
 
-/// The mesh with only the triangles that `keep` says, without unused vertices, orders kept.
-/// @pre one flag for each triangle
+/// Makes a mesh of the marked triangles, without unused vertices, in unchanged order.
+/// @pre one flag per triangle
 TriangleMesh extract_triangles(const TriangleMesh& mesh, const std::vector<bool>& keep);
 
 void remove_unused_vertices(TriangleMesh& mesh);

@@ -1,5 +1,5 @@
 #pragma once
-/// Points spread over surfaces.
+/// Random sampling of surfaces.
 #include <cstddef>
 #include <vector>
 
@@ -7,8 +7,7 @@
 
 namespace clast {
 
-/// Points spread evenly over the area: one per equal share of it, at a random place there. Fixed
-/// seed: the same mesh gives the same points.
+/// Samples points uniformly over the area, stratified into equal areas. Fixed seed: deterministic.
 std::vector<Vec3> sample_surface(const TriangleMesh& mesh, std::size_t count);
 
 }  // namespace clast

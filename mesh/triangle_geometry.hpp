@@ -1,25 +1,26 @@
 #pragma once
-/// Area, normal, middle and angles of single triangles, and the typical length of their sides.
+/// Area, normal, centroid and angles of triangles, and median edge length.
 #include <cstddef>
 
 #include "mesh/triangle_mesh.hpp"
 
 namespace clast {
 
-/// Twice the area along the normal, m^2; of a triangle seen from above, z is twice its plan area.
+/// Returns the normal with the length of twice the area, m^2; its z component is twice the plan
+/// area of a triangle seen from above.
 Vec3 area_vector(const TriangleMesh& mesh, const TriangleMesh::Triangle& triangle);
 
-/// Zero for a triangle without area.
+/// Returns the unit normal; zero for a degenerate triangle.
 Vec3 unit_normal(const TriangleMesh& mesh, const TriangleMesh::Triangle& triangle);
 
 Vec3 centroid(const TriangleMesh& mesh, const TriangleMesh::Triangle& triangle);
 
-/// Angle at corner `k`, rad.
+/// Returns the angle at vertex `k`, rad.
 double corner_angle(const TriangleMesh& mesh, const TriangleMesh::Triangle& triangle,
                     std::size_t k);
 
-/// The median length of the sides of all triangles, m.
-/// @pre there is a triangle
+/// Returns the median edge length over all triangles, m.
+/// @pre the mesh is not empty
 double median_edge_length(const TriangleMesh& mesh);
 
 }  // namespace clast

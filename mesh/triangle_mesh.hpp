@@ -1,5 +1,5 @@
 #pragma once
-/// The mesh everything is exchanged in.
+/// Triangle mesh, used throughout.
 #include <array>
 #include <cstdint>
 #include <vector>
@@ -9,18 +9,18 @@
 
 namespace clast {
 
-/// Stands for "no vertex", "no triangle" or "no component" where an index is expected.
+/// Index value for "no vertex", "no triangle" or "no component".
 inline constexpr std::uint32_t kNoIndex = 0xffffffffu;
 
-/// Vertices in metres and triangles as vertex indices, counter-clockwise seen from outside.
-/// Plain data: nothing cached, nothing guaranteed; `inspect_mesh` tells what it is worth.
+/// Triangle mesh: vertices in metres and triangles as vertex indices, counter-clockwise seen from
+/// outside. Plain data without guarantees; see `inspect_mesh`.
 struct TriangleMesh {
   using Triangle = std::array<std::uint32_t, 3>;
   std::vector<Vec3> vertices;
   std::vector<Triangle> triangles;
 };
 
-/// Axis-aligned bounds; empty when `low` exceeds `high`.
+/// Axis-aligned bounding box; empty if `low` exceeds `high`.
 struct Bounds {
   Vec3 low = Vec3::Constant(1e300);
   Vec3 high = Vec3::Constant(-1e300);
@@ -35,12 +35,12 @@ struct Bounds {
 Bounds bounds(const TriangleMesh& mesh);
 double triangle_area(const TriangleMesh& mesh, const TriangleMesh::Triangle& triangle);  ///< m^2
 double surface_area(const TriangleMesh& mesh);                                           ///< m^2
-/// Volume of the space that the triangles enclose, summed about the middle of their bounds: below
-/// zero where they face inwards, without meaning where they are not closed. m^3
+/// Returns the enclosed volume, m^3, summed about the centre of the bounds: negative if triangles
+/// face inwards, meaningless if the mesh is open.
 double signed_volume(const TriangleMesh& mesh);
 TriangleMesh transformed(TriangleMesh mesh, const Pose& to_from);
 TriangleMesh scaled(TriangleMesh mesh, double factor);  ///< about the origin; factor > 0
-/// Vertices of `other` appended to those of `mesh`, triangles renumbered.
+/// Appends a mesh to another.
 TriangleMesh merged(TriangleMesh mesh, const TriangleMesh& other);
 
 }  // namespace clast

@@ -1,5 +1,5 @@
 #pragma once
-/// Closest points on a triangle mesh, and what a ray meets, through a tree of boxes.
+/// Bounding-volume tree of a triangle mesh for closest points and ray queries.
 #include <array>
 #include <cstdint>
 #include <optional>
@@ -9,19 +9,21 @@
 
 namespace clast {
 
-/// Keeps a reference to the mesh, which must stay.
+/// Tree over a mesh, which must outlive it.
 class TriangleTree {
  public:
-  /// @param mesh  at least one triangle; for `signed_distance` closed and outward
+  /// Builds the tree.
+  /// @param mesh  not empty; closed and outward for `signed_distance`
   explicit TriangleTree(const TriangleMesh& mesh);
 
   struct Closest {
     Vec3 point = Vec3::Zero();
     double squared_distance = 0.0;
     std::uint32_t triangle = 0;
-    int feature = 0;  ///< 0: inside the triangle, 1..3: at corner k - 1, 4..6: on side k - 4
+    int feature = 0;  ///< 0: inside the triangle; 1..3: vertex k - 1; 4..6: side k - 4
   };
-  /// @param hint  a triangle that is likely near; makes the search shorter and changes nothing else
+  /// Returns the closest point.
+  /// @param hint  index of a probably near triangle; only affects the speed
   Closest closest_point(const Vec3& point, std::uint32_t hint = 0) const;
 
   double distance_to(std::uint32_t triangle, const Vec3& point) const;
@@ -30,12 +32,12 @@ class TriangleTree {
   }
   const Vec3& face_normal(std::uint32_t triangle) const { return face_normals_[triangle]; }
 
-  /// Does anything of the surface within `radius` of `centre` rise above the plane
-  /// normal.x = height? Triangles count whole where a part of their box is that near.
+  /// True if part of the surface within `radius` of `centre` is above the plane normal.x = height.
+  /// Triangles count as a whole if part of their box is within the radius.
   bool has_point_above(const Vec3& normal, double height, const Vec3& centre, double radius) const;
 
-  /// Distance to the surface, negative inside: the side is told by the angle-weighted normal of
-  /// the face, edge or vertex that is closest.
+  /// Returns the signed distance, negative inside; the sign is that of the angle-weighted normal of
+  /// the closest face, edge or vertex.
   /// @cite baerentzen2005
   double signed_distance(const Vec3& point, std::uint32_t hint = 0) const;
 
@@ -44,17 +46,17 @@ class TriangleTree {
     double distance = 0.0;         ///< negative inside
     Vec3 outward = Vec3::UnitX();  ///< unit gradient of the distance
     std::uint32_t triangle = 0;
-    Vec3 weights = Vec3::Zero();  ///< of the triangle's corners, that make `foot`
+    Vec3 weights = Vec3::Zero();  ///< barycentric coordinates of `foot`
   };
-  /// All about the closest point.
+  /// Returns the closest point with signed distance and gradient.
   SignedClosest signed_closest_point(const Vec3& point, std::uint32_t hint = 0) const;
 
   struct RayHit {
     double distance;
     std::uint32_t triangle;
   };
-  /// First triangle that the ray from `origin` along `direction` (unit) meets from inside, that is
-  /// one that faces along the ray, other than `ignored`.
+  /// Returns the first triangle that the ray from `origin` along `direction` (unit) leaves through,
+  /// other than the excluded one.
   std::optional<RayHit> first_exit(const Vec3& origin, const Vec3& direction,
                                    std::uint32_t ignored) const;
 
@@ -62,8 +64,8 @@ class TriangleTree {
   const Vec3& feature_normal(const Closest& found) const;
   struct Node {
     Bounds box;
-    std::uint32_t first = 0, count = 0;  ///< leaf: triangles; inner: count 0
-    std::uint32_t right = 0;             ///< inner: the left child follows its parent
+    std::uint32_t first = 0, count = 0;  ///< leaf: range of triangles; inner node: count 0
+    std::uint32_t right = 0;  ///< inner node: right child; the left child follows its parent
   };
   void build(std::uint32_t begin, std::uint32_t end);
   void prepare_normals();

@@ -1,5 +1,5 @@
 #pragma once
-/// The triangles around every vertex.
+/// Triangles around each vertex.
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -8,13 +8,14 @@
 
 namespace clast {
 
-/// Of every vertex the corners that lie at it, ascending: corner 3 t + k is vertex k of triangle t.
+/// Corners at each vertex, ascending: corner 3 t + k is vertex k of triangle t.
 class VertexCorners {
  public:
   explicit VertexCorners(const TriangleMesh& mesh);
 
   std::span<const std::uint32_t> corners_of(std::uint32_t vertex) const {
-    return {corners_.data() + start_[vertex], corners_.data() + start_[vertex + 1]};
+    return {corners_.data() + start_[vertex],
+            corners_.data() + start_[vertex + 1]};  ///< of all vertices, concatenated
   }
 
  private:

@@ -1,5 +1,5 @@
 #pragma once
-/// Joining vertices that a file stored more than once, and finding triangles that it did.
+/// Welding of duplicate vertices and detection of duplicate triangles.
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -8,28 +8,28 @@
 
 namespace clast {
 
-/// Of every vertex the one that it becomes: the first within `tolerance` (m) that itself stays, or
-/// itself. Below the rounding of the coordinates only equal ones can be meant.
-/// @throws InputError  a tolerance that is negative or not finite
+/// Returns the target of each vertex: the first retained vertex within `tolerance` (m), or itself.
+/// A tolerance below the rounding of the coordinates joins equal vertices only.
+/// @throws InputError  if the tolerance is negative or not finite
 std::vector<std::uint32_t> weld_targets(std::span<const Vec3> vertices, double tolerance);
 
-/// Vertices closer than `tolerance` (m) become one, at the position of the first; triangles that
-/// lose a corner by it and exact duplicates are dropped, unused vertices too. Order is kept.
+/// Merges vertices closer than `tolerance` (m) at the position of the first; degenerate and exactly
+/// duplicate triangles and unused vertices are removed. The order is kept.
 TriangleMesh weld_vertices(const TriangleMesh& mesh, double tolerance);
 
-/// Which triangles of equal corners count as copies.
+/// Triangles with equal vertices that count as duplicates.
 enum class WindingMatch {
-  kSame,   ///< those that also turn the same way
-  kEither  ///< those back to back with another too
+  kSame,   ///< equal winding
+  kEither  ///< equal or opposite winding
 };
 
-/// A triangle, and the one before it that has the same corners.
+/// Triangle and an earlier one with equal vertices.
 struct DuplicateTriangle {
   std::uint32_t before = 0, again = 0;
 };
 
-/// All copies, sorted by their corners, then by number.
-std::vector<DuplicateTriangle> find_duplicate_triangles(std::span<const TriangleMesh::Triangle> triangles,
-                                             WindingMatch turn);
+/// Finds all duplicates, sorted by vertices, then index.
+std::vector<DuplicateTriangle> find_duplicate_triangles(
+    std::span<const TriangleMesh::Triangle> triangles, WindingMatch turn);
 
 }  // namespace clast

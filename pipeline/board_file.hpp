@@ -1,5 +1,5 @@
 #pragma once
-/// The file of `clast reconstruct --board`: markers on a plate, or a ChArUco board
+/// Board file of `clast reconstruct --board`: markers on a plate, or a ChArUco board
 /// (docs/formats.md).
 #include <filesystem>
 
@@ -7,7 +7,8 @@
 
 namespace clast {
 
-/// @throws InputError  not readable, or not a board: file, line, key and what was expected
+/// Reads a board file.
+/// @throws InputError  if it is not readable or not a board; names file, line, key and expectation
 ScaleBoard read_scale_board(const std::filesystem::path& file);
 
 }  // namespace clast

@@ -1,5 +1,5 @@
 #pragma once
-/// The block of the fewest vertices that is as near to its scan as asked.
+/// Search of the block with the fewest vertices within tolerance of its scan.
 #include <optional>
 #include <string>
 
@@ -7,26 +7,27 @@
 
 namespace clast {
 
-/// Trials with more and fewer vertices until a tenth fewer are known not to do.
+/// Searches the number of vertices to about a tenth.
 class FewestVerticesSearch {
  public:
-  /// Simplifies the scan once, to the most vertices a block is given. All three must outlive the
-  /// search.
-  /// @param source  of the block; how many vertices it got is added to its options
+  /// Simplifies the scan once to the maximum number of vertices. All arguments must outlive this
+  /// object.
+  /// @param source  origin of the block; the number of vertices is added to its options
   FewestVerticesSearch(const std::string& id, const ScanSurface& scan, const BlockSource& source);
 
-  /// The lightest block within the tolerance, with the largest radius that allows one: the radius
-  /// is halved where none does. Where none does at any, the nearest block, with a warning.
-  /// @param radius_given  by the user: it is kept
-  /// @throws GeometryError  no block could be made at all
+  /// Returns the block with the fewest vertices within tolerance, with the largest possible radius,
+  /// which is halved while no block is within tolerance. If none is, returns the nearest block with
+  /// a warning.
+  /// @param radius_given  the radius was given by the user and is kept
+  /// @throws GeometryError  if no block could be made
   Block find_block(const BlockOptions& options, bool radius_given);
 
  private:
   std::optional<Block> search_at_radius(const BlockOptions& options);
   std::optional<Block> try_vertex_count(std::size_t count, const BlockOptions& options);
-  /// The nearest of the blocks that were tried, or, where none could be made, the reason.
+  /// Returns the nearest block tried, or throws the reason if none could be made.
   Block nearest_block(const BlockOptions& options);
-  /// The same block, its mass as accurate as asked.
+  /// Returns the block with mass properties of the requested accuracy.
   Block with_accurate_mass(Block block, const BlockOptions& options) const;
   BlockSource source_with_vertices(std::size_t count) const;
   void keep_nearest(Block block);
@@ -36,7 +37,7 @@ class FewestVerticesSearch {
   const BlockSource& source_;
   TriangleMesh fine_;
   std::optional<Block> nearest_;
-  std::string refusal_;  ///< the first
+  std::string refusal_;  ///< first error message
 };
 
 }  // namespace clast

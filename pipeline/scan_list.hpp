@@ -1,5 +1,5 @@
 #pragma once
-/// Which scans a command line names, and the ids their blocks get.
+/// Scans named on a command line, and the ids of their blocks.
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -9,8 +9,7 @@
 
 namespace clast {
 
-/// A scan file, or a folder of photographs, and the id of its block; of a .shp file one of its
-/// shapes, none where it can't be read.
+/// Scan file, folder of photographs, or one shape of a .shp file, with the id of its block.
 struct ScanFile {
   std::filesystem::path path;
   std::string id;
@@ -19,18 +18,13 @@ struct ScanFile {
   bool is_shp() const;
 };
 
-/// Files as they are, folders as every mesh and shape file in them (map files of the extension .shp
-/// left out), deeper folders included (not those whose names start with a
-/// dot), sorted by path; a file that is named twice is taken once. A
-/// folder with photographs and no such file is one block, and so is each folder of photographs in
-/// one without any.
-/// The id is the file's stem, the name of a folder of photographs (of B017/images, where the name
-/// only says that there are pictures, that of the folder above), or the name of a shape where a
-/// .shp file holds several (of a name that is a path, the stem); where two share an id, parent
-/// folder and id; where they share these too, the extension follows: one scan in two formats, or
-/// two scans, is for the user to say.
-/// @throws InputError  a folder without a scan or that can't be searched, or files that share all
-///                     of that
+/// Lists scans: files, and all mesh and shape files in folders (without ESRI shapefiles),
+/// recursively except in hidden folders, sorted by path and without duplicates. A folder with
+/// photographs and no such file is one block, as is each folder of photographs in a folder without
+/// any. The id is the file stem, the name of a folder of photographs (of its parent for names such
+/// as "images"), or the shape name if a .shp file has several. If ids are equal, the parent folder
+/// is added; if these are equal, too, the extension is, as for one scan in two formats.
+/// @throws InputError  if a folder has no scan or cannot be searched, or files share all of that
 std::vector<ScanFile> list_scans(const std::vector<std::string>& inputs);
 
 }  // namespace clast

@@ -1,5 +1,5 @@
 #pragma once
-/// The whole way from one scan to its blocks.
+/// Processing of a scan into blocks.
 #include <array>
 #include <filesystem>
 #include <functional>
@@ -16,23 +16,23 @@
 
 namespace clast {
 
-/// Options of every step.
+/// Options of all processing steps.
 struct ScanToBlockOptions {
   ScanOptions scan;
-  std::string units = "m";  ///< as the user wrote it, for messages and the record
-  /// The two points whose distance gave the unit, in the scan's own units and axes.
+  std::string units = "m";  ///< as given by the user, for messages and the record
+  /// Two points whose distance gave the unit, in the scan's units and axes.
   std::optional<std::array<Vec3, 2>> scale_points;
-  double scale_factor = 1.0;  ///< what `scan.unit` holds beside the unit itself
-  /// Vertices a block has at most, not used for a core. None: the fewest of 8 to 2000, to about a
-  /// tenth, with which the block is within the tolerance; the radius is halved where none will do.
+  double scale_factor = 1.0;  ///< factor in `scan.unit` besides the unit
+  /// Maximum number of vertices, unused for a core. Empty: the smallest number from 8 to 2000, to
+  /// about a tenth, that is within tolerance; the radius is halved if none is.
   std::optional<std::size_t> vertices;
   BlockOptions block;
-  bool radius_given = false;    ///< the radius, or its share of S, is the user's and stays
+  bool radius_given = false;  ///< the radius, or its ratio to S, was given by the user and is kept
   bool allow_any_size = false;  ///< take blocks beyond the usual sizes
-  bool up_given = false;        ///< `scan.up` is the user's and holds whatever the ground says
+  bool up_given = false;        ///< `scan.up` was given by the user and overrides the ground
   bool find_ground = true;
-  bool split = false;       ///< every block that stands on the ground of a scan
-  PhotoScanOptions photos;  ///< of folders of photographs
+  bool split = false;       ///< make all blocks above the ground of a scan
+  PhotoScanOptions photos;  ///< null unless the source is a folder of photographs
 
   void check() const;  ///< throws InputError naming the field and its value
 };
@@ -48,28 +48,28 @@ void visit_fields(const ScanToBlockOptions& options, Visit&& visit) {
   visit("vertices", vertices);
   visit("block", block);
   visit("radius_given", radius_given);
-  visit("any_size", ExcludedField{any_size});
+  visit("any_size", ExcludedField{any_size});  ///< accept blocks outside the usual sizes
   visit("up_given", up_given);
   visit("find_ground", find_ground);
   visit("split", split);
   visit("photos", photos);
 }
 
-/// What a block was made from, while that is in memory.
+/// Data from which a block was made.
 struct BlockOrigin {
-  /// As read, in the file's units and axes; of a cloud the points alone. Null for a .shp shape.
+  /// Mesh as read, in the file's units and axes; points only for a cloud; null for a .shp shape.
   const TriangleMesh* raw = nullptr;
   const FieldBlock* field_block =
-      nullptr;                        ///< the closed scan, in the frame of the block; null as `raw`
+      nullptr;                        ///< closed scan in the block frame; null for a .shp shape
   const PhotoScan* photos = nullptr;  ///< of a folder of photographs, else null
-  std::string up = "z";               ///< axis of the file that points up
+  std::string up = "z";               ///< up axis of the file
 };
 
-/// What follows a scan on its way; each may be empty.
+/// Callbacks during the processing of a scan; all optional.
 struct ScanCallbacks {
-  ProgressCallback progress = {};  ///< with the name of each step before it begins
+  ProgressCallback progress = {};  ///< called with the name of each step before it starts
   std::function<void(const Block& block, const BlockOrigin& origin)> on_block_made = {};
-  /// With it one bad block of a split scan does not cost the others.
+  /// Called for a failed block of a split scan; if set, the other blocks are still made.
   std::function<void(const std::string& id, const std::string& reason)> on_block_lost = {};
 
   void begin_step(const std::string& what, bool is_slow = false) const {
@@ -77,21 +77,21 @@ struct ScanCallbacks {
   }
 };
 
-/// SHA-256 of a file, or of the photographs in a folder.
-/// @throws InputError  it can't be read
+/// Returns the SHA-256 of a file, or of the photographs in a folder.
+/// @throws InputError  if it cannot be read
 std::string scan_digest(const std::filesystem::path& path);
 
-/// Reads, repairs, simplifies and measures one scan: a mesh, a cloud or a folder of photographs.
-/// With `split` its blocks are `id`_1, `id`_2, ..., in order of x, then y, of the file; else there
-/// is one, `id`.
-/// @throws InputError, GeometryError  with the file or the id in the message; also for a size that
-///         no rock block has
+/// Reads, repairs, simplifies and measures a scan: a mesh, a cloud or a folder of photographs. With
+/// `split` the blocks are `id`_1, `id`_2, ..., ordered by x, then y of the file; otherwise there is
+/// one block, `id`.
+/// @throws InputError, GeometryError  with the file or id in the message; also for implausible
+///                                    sizes
 std::vector<Block> reconstruct_blocks(const std::filesystem::path& path, const std::string& id,
                                       const ScanToBlockOptions& options = {},
                                       const ScanCallbacks& callbacks = {});
 
-/// The same of a mesh in memory, or of points where it has no triangles. The record names `id` as
-/// its source, and the digest is that of the numbers.
+/// Processes a mesh in memory, or points if it has no triangles. The record names `id` as source,
+/// with the digest of the coordinates.
 /// @throws InputError, GeometryError  as for a file
 std::vector<Block> reconstruct_mesh_blocks(const TriangleMesh& raw, const std::string& id,
                                            const ScanToBlockOptions& options = {},

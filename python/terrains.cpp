@@ -141,8 +141,8 @@ py::array_t<double> heights(const Terrain& terrain, const py::object& x, const p
     const TerrainSurface surface = make_terrain_surface(terrain);
     const double top = surface.extent().high.z();
     for (std::size_t i = 0; i < found.size(); ++i) {
-      const Vec3 place = terrain.frame.local(Vec3(eastings[i], northings[i], 0.0));
-      const std::optional<double> height_at = surface.height_at(place.x(), place.y(), top);
+      const Vec3 place = terrain.frame.to_local(Vec3(eastings[i], northings[i], 0.0));
+      const std::optional<double> height = surface.height_at(place.x(), place.y(), top);
       found[i] = height ? *height + terrain.frame.origin.z() : NAN;
     }
   });

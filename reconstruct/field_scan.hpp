@@ -1,5 +1,5 @@
 #pragma once
-/// Blocks out of field scans: ground removed, underside closed, and what is left open bounded.
+/// Blocks from field scans: ground removed, underside closed, uncertainty bounded.
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -14,47 +14,48 @@
 
 namespace clast {
 
-/// How a field scan is divided into blocks.
+/// Options of field scans.
 struct FieldScanOptions {
-  ScanOptions scan;
-  bool up_given = false;  ///< `scan.up` holds; else z points up from the ground where one is found
-  bool find_ground = true;           ///< false: the scan is of one block alone
-  bool split = false;                ///< every block on the ground; else the one near the middle
-  CloudSurfaceOptions surface = {};  ///< how points become one
-  /// Space that was looked through, in the file's coordinates; none: nothing is known of that.
+  ScanOptions scan;         ///< closed, metres, z up
+  bool up_given = false;    ///< `scan.up` was given; otherwise z points up from a detected ground
+  bool find_ground = true;  ///< false: the scan is of a single block
+  bool split = false;       ///< all blocks above the ground; otherwise the one near the centre
+  CloudSurfaceOptions surface = {};  ///< surface reconstruction from points
+  /// Free space in file coordinates; null if unknown.
   const FreeSpaceGrid* free_space = nullptr;
 
   void check() const;  ///< throws what its members throw
 };
 
-/// One block of a scan.
+/// Block of a scan.
 struct FieldBlock {
   Scan scan;                            ///< closed, in metres, z up
-  std::optional<Underside> underside;   ///< of a scan that was open; in the frame of `scan`
-  std::optional<VolumeBracket> bounds;  ///< none: nothing to speak of is left open
-  /// To the frame of `scan` from the file's coordinates in metres, z up.
+  std::optional<Underside> underside;   ///< of an open scan, in the frame of `scan`
+  std::optional<VolumeBracket> bounds;  ///< empty if the scan is practically closed
+  /// Transform from file coordinates in metres, z up, to the frame of `scan`.
   Pose block_from_file = {Vec3::Zero(), Quat::Identity()};
 };
 
-/// A file and the blocks it gave.
+/// Scan file with its blocks.
 struct FieldScan {
-  TriangleMesh raw;  ///< as read, in the file's units and axes; of a cloud the points alone
+  TriangleMesh raw;  ///< as read, in the file's units and axes; points only for a cloud
   std::vector<FieldBlock> blocks;
 };
 
-/// The blocks of a mesh or cloud, at least one. A closed mesh is cleaned as `read_scan` does. Of an
-/// open one the ground is removed and the underside closed. Points become a surface first.
-/// With `split` the blocks come in order of x, then y, of the file; without, there is one.
-/// @throws InputError     what `read_mesh` and `stream_cloud` throw; a cloud of too few points;
-///                        coordinates that lost the block's shape because the file keeps too few
-///                        digits of them
-/// @throws GeometryError  only ground, and what `clean_scan` and `close_underside` throw
+/// Reads a mesh or cloud and extracts its blocks, at least one. Closed meshes are cleaned as by
+/// `read_scan`; in open ones the ground is removed and the underside closed; points become a
+/// surface first. With `split`, blocks are ordered by x, then y of the file; otherwise there is
+/// one.
+/// @throws InputError  as `read_mesh` and `stream_cloud`; if a cloud has too few points, or too few
+///                     stored digits have lost the block's shape
+/// @throws GeometryError  for only ground; and as `clean_scan` and `close_underside`
 FieldScan read_field_scan(const std::filesystem::path& path, const FieldScanOptions& options = {});
 
-/// The same of a mesh or of points in memory; `name` is used in messages.
+/// Extracts the blocks of a mesh or points in memory; `name` is used in messages.
 std::vector<FieldBlock> extract_field_blocks(const TriangleMesh& raw, const std::string& name,
-                                     const FieldScanOptions& options = {});
-std::vector<FieldBlock> extract_field_blocks(const std::vector<Vec3>& points, const std::string& name,
-                                     const FieldScanOptions& options = {});
+                                             const FieldScanOptions& options = {});
+std::vector<FieldBlock> extract_field_blocks(const std::vector<Vec3>& points,
+                                             const std::string& name,
+                                             const FieldScanOptions& options = {});
 
 }  // namespace clast

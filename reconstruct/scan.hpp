@@ -1,5 +1,5 @@
 #pragma once
-/// Field scans to closed, outward meshes in metres.
+/// Reading of scans to closed, outward meshes in metres.
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -12,12 +12,12 @@
 
 namespace clast {
 
-/// How a scan file is read.
+/// Options for reading a scan.
 struct ScanOptions {
   double unit = 1.0;  ///< metres per unit of the file
-  /// Axis of the file that points up: "y", "z", or "auto", y of glTF files and z of all others.
+  /// Up axis of the file: "y", "z", or "auto", y for glTF files and z for others.
   std::string up = "auto";
-  /// Of a cloud in text: names or numbers from 1 of the columns x, y and z; empty: by its heading.
+  /// Columns x, y and z of a text cloud, by name or 1-based number; empty: by its heading.
   std::vector<std::string> columns = {};
   RepairOptions repair = {};
 
@@ -33,25 +33,24 @@ void visit_fields(const ScanOptions& options, Visit&& visit) {
   visit("repair", repair);
 }
 
-/// The options with the `up` that "auto" stands for in this file. Without a file it stands for z.
+/// Resolves "auto" of `up` for a file; z without a file.
 ScanOptions resolve_options(const std::filesystem::path& file, ScanOptions options);
 
-/// A scan that became a closed mesh, and what was done to it.
+/// Closed mesh of a scan, with its repairs.
 struct Scan {
   TriangleMesh mesh;               ///< closed, 2-manifold, outward; metres, z up; cavities inward
-  RepairReport report;             ///< places in the coordinates of the file
-  std::vector<std::string> notes;  ///< each repair in words, with counts, and doubts about the file
+  RepairReport report;             ///< positions in file coordinates
+  std::vector<std::string> notes;  ///< repairs with counts, and warnings about the file
 };
 
-/// Reads, repairs, scales and turns upright.
-/// @throws InputError     what `read_mesh` throws; coordinates that lost the block's shape because
-///                        the file keeps too few digits of them
-/// @throws GeometryError  what `repair_mesh` throws, with the file's name
+/// Reads, repairs, scales and rotates a scan to z up.
+/// @throws InputError  as `read_mesh`; if too few stored digits have lost the block's shape
+/// @throws GeometryError  as `repair_mesh`, with the file's name
 Scan read_scan(const std::filesystem::path& path, const ScanOptions& options = {});
 
-/// The same for a mesh that is already in memory; `name` is used in messages.
-/// @param turn  of the metres, z up: applied before the repair, so that the surface returned is the
-///              one that was verified (turning it afterwards rounds every vertex anew)
+/// Processes a mesh in memory; `name` is used in messages.
+/// @param upright_pose  in metres, z up, applied before the repair, so that the returned surface is
+///                      the verified one (a later rotation would round all vertices)
 Scan clean_scan(const TriangleMesh& raw, const std::string& name, const ScanOptions& options = {},
                 const std::optional<Pose>& upright_pose = {});
 

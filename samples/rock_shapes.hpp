@@ -9,7 +9,7 @@
 
 namespace clast {
 
-/// What a block is to look like.
+/// Parameters of a synthetic rock.
 struct RockRecipe {
   std::string name = {};
   Vec3 lengths = Vec3::Ones();  ///< about L, I, S, m

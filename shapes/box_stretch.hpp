@@ -1,42 +1,44 @@
 #pragma once
-/// A body stretched until its smallest box has the sides that are wanted, in ratio.
+/// Stretching of bodies to given side ratios of their smallest box.
 #include "shapes/oriented_box.hpp"
 #include "shapes/sphero_polyhedron.hpp"
 
 namespace clast {
 
-/// Ratios of the sides L >= I >= S of a box: the form of a body, without its size.
+/// Side ratios of a box with L >= I >= S.
 struct BoxRatios {
   double i_l = 1.0;  ///< I/L
   double s_l = 1.0;  ///< S/L
 
-  /// @throws InputError  not 0 < S/L <= I/L <= 1; names the field and its value
+  /// Checks the ratios.
+  /// @throws InputError  unless 0 < S/L <= I/L <= 1; names field and value
   void check() const;
 };
 
 BoxRatios box_ratios(const OrientedBox& box);
 
-/// The larger relative difference of I/L and of S/L from those of the target.
-double ratio_difference(const BoxRatios& ratios, const BoxRatios& target);
+/// Returns the larger relative difference of I/L and S/L from the target.
+double ratio_difference(const BoxRatios& ratios,
+                        const BoxRatios& target);  ///< remaining `ratio_difference`
 
-/// What `stretch_to_ratios` found.
+/// Stretched body.
 struct StretchedBody {
   SpheroPolyhedron body;
   Vec3 stretch = Vec3::Ones();    ///< principal stretches of the core, descending; product 1
   double ratio_difference = 0.0;  ///< `ratio_difference` that is left
 };
 
-/// The body whose core is stretched so that its smallest box has the ratios of `target`, nearly at
-/// the core's volume. The radius keeps its share of S. A body that has these ratios is returned as
-/// it is, to the bit; no core crosses itself that did not before.
+/// Stretches the core so that the smallest box has the ratios of `target`, nearly at constant core
+/// volume. The ratio of radius to S is kept. A body with these ratios is returned unchanged, and no
+/// new self-intersections arise.
 ///
-/// The box of a stretched body is in general not the stretched box: its axes turn. So the map that
-/// gives the box its target is applied to the body, the smallest box is found anew, and so on. Each
-/// such map keeps the volume and takes the box to a box around the new body, so that the volume of
-/// the smallest box never grows, and the ratios converge (docs/theory.md). The maps together are a
-/// stretch and a turn; only the stretch is applied.
-/// @throws InputError     as `BoxRatios::check`
-/// @throws GeometryError  a ball or a capsule, which has no core to stretch; a flat core
+/// The smallest box of a stretched body is generally not the stretched box, because its axes
+/// rotate. Therefore the map that gives the box its target ratios is applied and the smallest box
+/// computed again, until convergence: each map keeps the volume and gives a box around the new
+/// body, so that the volume of the smallest box never grows (docs/theory.md). Only the stretch of
+/// the combined map is applied.
+/// @throws InputError  as `BoxRatios::check`
+/// @throws GeometryError  for balls, capsules and flat cores
 StretchedBody stretch_to_ratios(const SpheroPolyhedron& body, const BoxRatios& target);
 
 }  // namespace clast

@@ -1,5 +1,5 @@
 #pragma once
-/// A convex polyhedron that planes are cut from.
+/// Convex polyhedra clipped by planes.
 #include <cstdint>
 #include <optional>
 #include <vector>
@@ -9,24 +9,24 @@
 
 namespace clast {
 
-/// Bounded and solid. Every vertex is stored once, so that what is cut stays closed.
+/// Bounded convex polyhedron with shared vertices, so that it stays closed when clipped.
 class ConvexCell {
  public:
-  /// The box.
+  /// Makes a box.
   explicit ConvexCell(const Bounds& box);
 
-  /// The part below a plane; none where there is nothing. Vertices within `tolerance`, m, of the
-  /// plane count as on it.
+  /// Returns the part below a plane; empty if there is none. Vertices within `tolerance`, m, count
+  /// as on the plane.
   std::optional<ConvexCell> clipped_below(const Plane& plane, double tolerance) const;
 
   const std::vector<Vec3>& vertices() const { return vertices_; }
-  /// The planes of its faces, normals outwards.
+  /// Returns the planes of its faces, normals outwards.
   std::vector<Plane> planes() const;
   Bounds box() const;
   double volume() const;  ///< m^3
   Vec3 centre() const;    ///< mean of the vertices, inside
   TriangleMesh mesh() const;
-  /// The same without vertices that nearly coincide, to 1e-4 of its size; none: it is flat.
+  /// Returns its hull without vertices that coincide to 1e-4 of its size; empty if it is flat.
   std::optional<TriangleMesh> cleaned_mesh() const;
 
  private:
@@ -35,10 +35,10 @@ class ConvexCell {
   std::vector<std::vector<std::uint32_t>> faces_;  ///< counter-clockwise seen from outside
 };
 
-/// The largest rounded body inside a convex polyhedron: its core is what lies `radius` or more
-/// below all faces. Faces are those of the polyhedron, edges and corners are round.
+/// Returns the largest rounded body inside a convex polyhedron, with rounded edges and vertices:
+/// its core is the set at depth `radius` or more below all faces.
 /// @param polyhedron  closed, outward, convex
-/// @return none: nothing lies so deep
+/// @return empty if no point is that deep
 std::optional<SpheroPolyhedron> inscribed_rounded_body(const TriangleMesh& polyhedron,
                                                        double radius);
 

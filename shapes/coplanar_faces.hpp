@@ -1,21 +1,21 @@
 #pragma once
-/// Faces in one plane joined to polygons.
+/// Merging of coplanar faces.
 #include "shapes/sphero_polyhedron.hpp"
 
 namespace clast {
 
-/// A flatness for shapes of files: what single precision or eight digits leave of a plane, and
-/// nothing that a contact notices.
+/// Flatness for shapes in files: the error of single precision or eight digits, negligible for
+/// contacts.
 inline constexpr double kFileFlatness = 1e-7;
 
-/// The same body with fewer parts: connected faces in one plane become one polygon, vertices inside
-/// it and on straight edges are dropped, so that contact costs what the shape is and not how it was
-/// meshed. Faces around a hole, and those that touch themselves at a vertex, stay as they are.
+/// Merges connected coplanar faces to polygons and removes vertices inside them and on straight
+/// edges, so that the contact cost depends on the shape and not on the mesh. Faces around a hole,
+/// and those that touch themselves at a vertex, are unchanged.
 ///
-/// The largest face of a plane sets it. Polygons may be concave; each starts at a convex corner
-/// with both sides of some length, so that readers which take the normal from the first corner get
-/// it right. A shape without faces comes back as it is.
-/// @param flatness  how far a vertex may lie off a plane or a straight edge, as a share of the
+/// The largest face defines the plane. Polygons may be concave; each starts at a convex vertex with
+/// two non-degenerate sides, from which some readers compute the normal. Shapes without faces are
+/// unchanged.
+/// @param flatness  largest distance of a vertex from a plane or straight edge, relative to the
 ///                  core's diagonal; the default changes a volume by less than 1e-11
 SpheroPolyhedron merge_coplanar_faces(const SpheroPolyhedron& shape, double flatness = 1e-12);
 

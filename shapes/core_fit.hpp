@@ -1,28 +1,27 @@
 #pragma once
-/// Moving the vertices of a core until its rounded body lies as close to the scan as it can.
+/// Fitting of a core so that its rounded body matches a scan.
 #include "shapes/scan_surface.hpp"
 #include "shapes/sphero_polyhedron.hpp"
 
 namespace clast {
 
-/// When to stop fitting.
+/// Stop criteria of the fit.
 struct CoreFitOptions {
   int rounds = 30;
-  double good_enough = 0.0;  ///< largest distance, m, at which the fit ends early
-  double hopeless = 1e300;   ///< m: ends early, too, when it is clear that this isn't reached
+  double good_enough = 0.0;  ///< largest distance at which the fit stops, m
+  double hopeless = 1e300;   ///< stop if this distance cannot be reached, m
 
   void check() const;  ///< throws InputError naming the field and its value
 };
 
-/// The body with its core moved so that the largest distance between its rounded surface and the
-/// scan, either way, gets small: damped least squares over points of both surfaces, weighted more
-/// and more towards the farthest ones (iteratively reweighted, the norm rises from 2 to 8). Core
-/// vertices at sharp corners move outwards until body and scan stand out equally. Edges that keep
-/// triangles from moving without crossing are collapsed. The best core met is returned; it has no
-/// more vertices than the first, and crosses itself nowhere if that doesn't. Same input, same bits.
+/// Moves the core vertices to minimise the largest distance between rounded surface and scan in
+/// either direction: damped least squares over points of both surfaces, reweighted towards the
+/// largest distances (the norm rises from 2 to 8). At sharp corners core vertices move outwards
+/// until both deviations are equal. Edges that block the motion are collapsed. Returns the best
+/// core found, with no more vertices than the first and no new self-intersections. Deterministic.
 /// @param start  closed core with a radius, near the scan: see `inset_core`
 /// @cite lawson1961
 SpheroPolyhedron fit_core(const ScanSurface& scan, const SpheroPolyhedron& start,
-                             const CoreFitOptions& options = {});
+                          const CoreFitOptions& options = {});
 
 }  // namespace clast

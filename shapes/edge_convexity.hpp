@@ -1,5 +1,5 @@
 #pragma once
-/// Which edges of a core stick out, lie flat or fold in.
+/// Classification of core edges as convex, flat or reflex.
 #include <cstdint>
 #include <vector>
 
@@ -8,22 +8,22 @@
 namespace clast {
 
 enum class EdgeConvexity : std::uint8_t {
-  kFlat = 0,    ///< both faces in one plane: no edge of the body at all
-  kConvex = 1,  ///< the solid falls away on both sides
-  kReflex = 2,  ///< the solid rises: nothing flat reaches the edge before its faces
+  kFlat = 0,    ///< both faces in one plane
+  kConvex = 1,  ///< dihedral angle of the solid below 180 degrees
+  kReflex = 2,  ///< dihedral angle of the solid above 180 degrees
 };
 
-/// Sine of the angle between faces below which an edge is flat: single-precision files leave less
-/// than this on a true plane of metre-sized triangles.
+/// Sine of the face angle below which an edge is flat: above the error of single-precision files
+/// for metre-sized triangles.
 inline constexpr double kFlatSine = 1e-7;
 
-/// Of an edge between two faces. A knife's edge, the faces back to back, is convex.
+/// Classifies the edge between two faces; back-to-back faces are convex.
 /// @param first, second  unit normals out of the solid
-/// @param into_second    unit, in the plane of the second face, perpendicular to the edge
+/// @param into_second  unit vector in the plane of the second face, perpendicular to the edge
 EdgeConvexity edge_convexity(const Vec3& first, const Vec3& second, const Vec3& into_second);
 
-/// Of every edge of the shape, in their order. An edge without two faces that run along it in
-/// opposite directions (a capsule's) is convex.
+/// Classifies all edges of a shape in their order. Edges without two oppositely directed faces, as
+/// in capsules, are convex.
 std::vector<EdgeConvexity> edge_convexities(const SpheroPolyhedron& shape);
 
 }  // namespace clast

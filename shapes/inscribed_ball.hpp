@@ -9,10 +9,10 @@ struct Ball {
   double radius = 0.0;  ///< m
 };
 
-/// Cubes over the bounds of the mesh are split where they can still hold the centre of a larger
-/// ball: no larger ball than 1 + `precision` times the one returned exists.
+/// Finds the largest inscribed ball by branch and bound: no ball larger than 1 + `precision` times
+/// the returned radius exists.
 /// @param mesh  closed, outward-facing
-/// @throws GeometryError  no triangle, or no point inside
+/// @throws GeometryError  if there is no triangle or no point inside
 Ball largest_inscribed_ball(const TriangleMesh& mesh, double precision = 1e-2);
 
 }  // namespace clast

@@ -15,7 +15,7 @@ struct OrientedBox {
   double volume() const { return lengths.prod(); }
 };
 
-/// Whether `a` is the smaller box: by volume; by area where volumes agree to 1e-11, then by L.
+/// True if `a` is smaller: by volume; by area if volumes agree to 1e-11, then by L.
 bool is_smaller(const OrientedBox& a, const OrientedBox& b);
 
 /// The box of smallest volume around the points, each swept by a ball of `radius`. The search uses
@@ -28,8 +28,8 @@ OrientedBox smallest_box(std::span<const Vec3> points, double radius = 0.0);
 
 OrientedBox smallest_box(const SpheroPolyhedron& body);
 
-/// The box along given axes (columns, orthonormal); sides sorted L >= I >= S. An extent below 1e-12
-/// of the largest is rounding and counts as none.
+/// Returns the box along given axes (columns, orthonormal), with sides sorted L >= I >= S. Extents
+/// below 1e-12 of the largest are rounding and count as zero.
 OrientedBox box_with_axes(std::span<const Vec3> points, const Mat3& axes, double radius = 0.0);
 
 }  // namespace clast

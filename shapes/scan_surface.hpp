@@ -1,5 +1,5 @@
 #pragma once
-/// A closed scan made ready for many distance queries.
+/// Closed scan prepared for distance queries.
 #include <memory>
 
 #include "mesh/triangle_mesh.hpp"
@@ -8,13 +8,13 @@ namespace clast {
 
 class TriangleTree;
 
-/// Built once per scan and used for every body that is fitted to it or judged against it. Refers to
-/// the mesh, which must stay.
+/// Distance tree of a scan, shared by all bodies that are compared with it. Refers to the mesh,
+/// which must outlive it.
 class ScanSurface {
  public:
-  /// Implicit: wherever a surface to compare with is wanted, a mesh will do.
+  /// Implicit, so that a mesh can be passed where a scan surface is needed.
   /// @param mesh  closed, outward
-  /// @throws GeometryError  the mesh has no triangles
+  /// @throws GeometryError  if the mesh has no triangles
   ScanSurface(const TriangleMesh& mesh);  // NOLINT(google-explicit-constructor)
   ~ScanSurface();
   ScanSurface(ScanSurface&&) noexcept;

@@ -1,5 +1,5 @@
 #pragma once
-/// A polyhedron Minkowski-summed with a sphere: the shape blocks have in contact.
+/// Sphero-polyhedron: Minkowski sum of a polyhedron and a ball, the contact shape of blocks.
 #include <array>
 #include <cstdint>
 #include <vector>
@@ -8,8 +8,9 @@
 
 namespace clast {
 
-/// Core polyhedron (convex or not) and the radius of the sphere swept over it. The body is every
-/// point within `radius` of the solid core. One vertex alone is a ball, two and an edge a capsule.
+/// Core polyhedron (convex or not) and radius of the swept sphere. The body is the set of points
+/// within `radius` of the solid core. A single vertex is a ball, two vertices and an edge a
+/// capsule.
 struct SpheroPolyhedron {
   using Edge = std::array<std::uint32_t, 2>;
   using Face = std::vector<std::uint32_t>;  ///< polygon, counter-clockwise seen from outside
@@ -20,33 +21,33 @@ struct SpheroPolyhedron {
   double radius = 0.0;         ///< Minkowski radius, m
 };
 
-/// The core taken as it is, triangle by triangle, with a radius.
-/// @throws GeometryError  the mesh is empty; InputError  radius negative or not finite
+/// Makes a sphero-polyhedron from a core mesh, with its triangles as faces.
+/// @throws GeometryError  if the mesh is empty; InputError if the radius is negative or not finite
 SpheroPolyhedron make_sphero_polyhedron(const TriangleMesh& core, double minkowski_radius);
 
-/// The sides of the faces, as `SpheroPolyhedron::edges` holds them.
+/// Returns the edges of the faces, as stored in `SpheroPolyhedron::edges`.
 std::vector<SpheroPolyhedron::Edge> face_edges(const std::vector<SpheroPolyhedron::Face>& faces);
 
-/// Twice the area of a face, along its normal.
+/// Returns the face normal with the length of twice the area.
 Vec3 area_vector(const SpheroPolyhedron& shape, const SpheroPolyhedron::Face& face);
-/// Unit, out of the solid.
+/// Returns the outward unit normal of a face.
 Vec3 face_normal(const SpheroPolyhedron& shape, const SpheroPolyhedron::Face& face);
 
-/// The core as triangles, face by face, two fewer than a face has corners. Polygons are cut along
-/// diagonals inside them, and into triangles that have area where that can be had.
+/// Triangulates the core face by face, with n - 2 triangles for n vertices, along inner diagonals
+/// and avoiding degenerate triangles.
 TriangleMesh core_mesh(const SpheroPolyhedron& shape);
 
-/// The rounded surface as a closed triangle mesh whose vertices lie on it: core faces moved out,
-/// cylinders over convex edges, sphere patches over vertices. `segments` pieces per quarter turn.
-/// At reflex edges the pieces cross inside the body: the mesh goes round every point of the body
-/// and round no other, but round some twice, so it is no measure of volume there;
-/// `outer_surface_mesh` is.
-/// @throws GeometryError  the core is not closed (nor a lone vertex or edge with a radius)
+/// Makes the rounded surface as a closed mesh with vertices on it: core faces moved outwards,
+/// cylinders over convex edges, spherical patches over vertices, with `segments` per quarter turn.
+/// At reflex edges the pieces intersect inside the body, so that some points are enclosed twice and
+/// the volume is not valid; see `outer_surface_mesh`.
+/// @throws GeometryError  if the core is not closed (other than a lone vertex or edge with a
+///                        radius)
 TriangleMesh rounded_surface_mesh(const SpheroPolyhedron& shape, int segments = 4);
 
-/// The same body at another place.
+/// Returns the transformed body.
 SpheroPolyhedron transformed(SpheroPolyhedron shape, const Pose& to_from);
-/// Core and radius scaled about the origin.
+/// Returns the body scaled about the origin.
 SpheroPolyhedron scaled(SpheroPolyhedron shape, double factor);
 
 }  // namespace clast

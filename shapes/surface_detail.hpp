@@ -1,20 +1,19 @@
 #pragma once
-/// The detail of a surface made weaker or stronger over its coarse form.
+/// Scaling of surface detail relative to the coarse shape.
 #include "mesh/triangle_mesh.hpp"
 
 namespace clast {
 
 struct SurfaceDetailOptions {
-  /// What the detail is multiplied by: 0 leaves the coarse form, 1 the surface as it is.
+  /// Factor of the detail: 0 gives the coarse shape, 1 the unchanged surface.
   double gain = 0.0;
-  /// Spherical harmonics up to this degree are the coarse form; bumps of more waves around the body
-  /// are detail.
+  /// Largest spherical-harmonic degree of the coarse shape; shorter waves are detail.
   int degree = 6;
 
   void check() const;  ///< throws InputError naming the field and its value
 };
 
-/// What was taken for the coarse form.
+/// Definition of the coarse shape.
 enum class CoarseShape { kHarmonics, kBilaplacian };
 
 struct DetailedSurface {
@@ -22,17 +21,18 @@ struct DetailedSurface {
   CoarseShape coarse = CoarseShape::kHarmonics;
 };
 
-/// The surface with its detail multiplied; a gain of 1 returns it to the bit.
+/// Scales the surface detail; a gain of 1 returns the mesh unchanged.
 ///
-/// Star-shaped: the distance r(u) of the surface from the star's centre, at the vertices'
-/// directions u, is fitted by real spherical harmonics up to `degree`, by least squares weighted
-/// with the solid angles; what is left is the detail, and vertices move along their rays. Else the
-/// coarse form is the surface after a bilaplacian filter, 1/(1 + (k/k0)^2) of each mode of the
-/// mesh's Laplacian k, where k0 is that of waves of this degree around a ball of equal area.
+/// For star-shaped surfaces, the radius r(u) about the star's centre is fitted by real spherical
+/// harmonics up to `degree`, weighted by solid angle; the residual is the detail, and vertices move
+/// along their rays. Otherwise the coarse shape is the surface after a bilaplacian filter, 1/(1 +
+/// (k/k0)^2) for Laplacian eigenvalue k, where k0 is that of the same degree on a sphere of equal
+/// area.
 /// @param mesh  closed, outward, one component
-/// @throws InputError     as `SurfaceDetailOptions::check`; a degree for which there are too few vertices
-/// @throws GeometryError  the detail is so strong that a vertex would come near the star's centre,
-///                        or that the surface would cross itself
+/// @throws InputError  as `SurfaceDetailOptions::check`, or if there are too few vertices for the
+///                     degree
+/// @throws GeometryError  if a vertex would come too near the centre, or the surface would
+///                        intersect itself
 /// @cite garboczi2002
 DetailedSurface scale_surface_detail(const TriangleMesh& mesh, const SurfaceDetailOptions& options);
 

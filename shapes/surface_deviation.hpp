@@ -1,5 +1,5 @@
 #pragma once
-/// How far a rounded body is from the scan it stands for.
+/// Deviation of a rounded body from its scan.
 #include <cstddef>
 
 #include "shapes/scan_surface.hpp"
@@ -7,7 +7,7 @@
 
 namespace clast {
 
-/// How far the rounded body is from the scan it stands for.
+/// Deviation of a rounded body from its scan.
 struct SurfaceDeviation {
   double hausdorff = 0.0;  ///< larger of both one-sided distances, m
   double scan_to_body =
@@ -20,16 +20,14 @@ struct SurfaceDeviation {
   double moments_relative = 0.0;  ///< largest relative difference of a principal moment
 };
 
-/// Distances between the surface of the rounded body and the scan, both ways.
+/// Measures the distances between rounded surface and scan in both directions.
 ///
-/// The largest distances are upper bounds from a branch and bound over either surface, and at most
-/// 2e-4 of the scan's diagonal above one that is attained, or at most 2e-3 of it; where a million
-/// parts do not decide, as where the distance is the same everywhere, farther above. (Under a
-/// crease of the body, where the nearest skin is buried, the distance to a bare point close by
-/// counts.) The mean is over `samples` points on the scan. Volume, area and moments are left 0: the
-/// caller knows them.
-/// @throws GeometryError  the body has no faces
+/// The largest distances are upper bounds by branch and bound, at most 2e-4 of the scan's diagonal
+/// above an attained value, or at most 2e-3; farther above if a million boxes do not decide, as for
+/// constant distance. (Under a crease the distance to a near exposed point counts.) The mean is
+/// over `samples` points of the scan. Volume, area and moments are left 0 for the caller.
+/// @throws GeometryError  if the body has no faces
 SurfaceDeviation measure_surface_deviation(const ScanSurface& scan, const SpheroPolyhedron& body,
-                            std::size_t samples = 20000);
+                                           std::size_t samples = 20000);
 
 }  // namespace clast

@@ -1,5 +1,5 @@
 #pragma once
-/// Things found by where they lie on the map.
+/// Spatial index of boxes in plan.
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -11,7 +11,7 @@
 
 namespace clast::terrain_detail {
 
-/// A box in plan, m.
+/// Axis-aligned box in plan, m.
 struct PlanBox {
   Vec2 low = Vec2::Constant(1e300);
   Vec2 high = Vec2::Constant(-1e300);
@@ -23,15 +23,15 @@ struct PlanBox {
   PlanBox expanded(double by) const { return {low.array() - by, high.array() + by}; }
 };
 
-/// Boxes in square cells. Each is listed once in every cell it reaches into.
+/// Uniform grid of boxes; each box is listed in all cells that it overlaps.
 class PlanIndex {
  public:
   explicit PlanIndex(std::span<const PlanBox> boxes);
 
-  /// Numbers of the boxes in the cell around a point, rising; all boxes that hold it are among
-  /// them.
+  /// Returns the ascending indices of the boxes in the cell of a point, including all that contain
+  /// the point.
   std::span<const std::uint32_t> boxes_near(const Vec2& point) const;
-  /// Numbers of the boxes that may touch `box`, rising, each once.
+  /// Returns the ascending indices of the boxes that may overlap `box`.
   std::vector<std::uint32_t> boxes_near(const PlanBox& box) const;
 
  private:
@@ -47,11 +47,11 @@ class PlanIndex {
   std::vector<std::uint32_t> numbers_;
 };
 
-/// The plan boxes of the triangles of a mesh.
+/// Returns the plan boxes of the triangles of a mesh.
 std::vector<PlanBox> plan_boxes(const TriangleMesh& mesh);
 
-/// Height of a triangle on the vertical through a point of the plan; none beside it (its edges
-/// belong to it) and for upright triangles.
+/// Returns the height of a triangle above a plan point; empty outside (edges belong to the
+/// triangle) and for vertical triangles.
 std::optional<double> height_on_triangle(const TriangleMesh& mesh, std::uint32_t triangle,
                                          const Vec2& at);
 

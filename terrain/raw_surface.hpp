@@ -1,5 +1,5 @@
 #pragma once
-/// Ground as read, before it is checked: map coordinates, z up.
+/// Terrain surface as read: map coordinates, z up.
 #include <cstdint>
 #include <filesystem>
 #include <string>
@@ -11,17 +11,17 @@ namespace clast::terrain_detail {
 
 struct RawSurface {
   TriangleMesh mesh;
-  std::vector<std::uint16_t> source;  ///< of every triangle, index of the surface file
+  std::vector<std::uint16_t> source;  ///< per triangle: index of the surface file
   std::string crs;
   std::vector<std::string> notes;
-  double cell = 0.0;  ///< of the grid it was made from, the shorter side, m; 0 for meshes
+  double cell = 0.0;  ///< shorter cell size of its grid, m; 0 for meshes
 };
 
-/// Drops the other triangles and vertices that nothing uses then.
-/// @pre one flag for each triangle
+/// Keeps only the marked triangles and used vertices.
+/// @pre one flag per triangle
 void retain_triangles(RawSurface& surface, const std::vector<bool>& keep);
 
-/// Heights on a regular grid, row by row from the south, NaN where unknown.
+/// Height grid, row-major from the south; NaN where unknown.
 struct HeightGrid {
   std::size_t columns = 0;
   std::size_t rows = 0;
@@ -35,9 +35,9 @@ struct HeightGrid {
   }
 };
 
-/// Two triangles between any four neighbouring cell centres that all have a height. Diagonals
-/// alternate, so that the surface has no grain.
-/// @throws InputError  no such four cells; the message is about `path`
+/// Triangulates a grid: two triangles between any four adjacent cell centres with heights, with
+/// alternating diagonals to avoid a directional bias.
+/// @throws InputError  if there are no such four cells; names `path`
 TriangleMesh triangulate_grid(const HeightGrid& grid, const std::filesystem::path& path);
 
 }  // namespace clast::terrain_detail

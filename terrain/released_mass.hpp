@@ -1,5 +1,5 @@
 #pragma once
-/// The rock mass between the surfaces before and after it came down.
+/// Released rock mass: difference of terrain surfaces before and after a rockfall.
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -9,55 +9,55 @@
 
 namespace clast {
 
-/// What of the difference counts as the mass.
+/// Options for computing the released mass.
 struct ReleasedMassOptions {
-  /// Upright, m: less counts as error of the surveys. 0: all counts.
+  /// Minimum vertical thickness, m; smaller differences count as survey errors. 0: all count.
   double min_thickness = 0.1;
-  /// Polygons (GeoJSON, GeoPackage, Shapefile) outside of which nothing counts.
+  /// Polygons (GeoJSON, GeoPackage, Shapefile) that limit the area.
   std::optional<std::filesystem::path> polygon = {};
-  /// Both surfaces are made into grids of such cells first, m; absent: they stay what they are.
+  /// Cell size to which both surfaces are resampled first, m; empty: no resampling.
   std::optional<double> resolution = {};
-  /// "largest"; "all"; or their places in the order of volume, as "1,3": 1 is the largest.
-  std::string bodies = "largest";
-  /// Bodies below are left out always, m^3.
+  /// Selected bodies: "largest", "all", or ranks by volume such as "1,3" (1 is the largest).
+  std::string bodies = "largest";  ///< selected, the largest first
+  /// Minimum volume of bodies, m^3.
   double least_volume = 1e-3;
 
   void check() const;  ///< throws InputError naming the field and its value
 };
 
-/// One body of the mass.
+/// Body of the released mass.
 struct MassBody {
-  std::size_t rank = 0;        ///< in the order of volume, from 1
-  TriangleMesh mesh;           ///< closed, outward, on the map; of those left out empty
-  double volume = 0.0;         ///< m^3
+  std::size_t rank = 0;        ///< rank by volume, from 1
+  TriangleMesh mesh;           ///< closed, outward, map coordinates; empty for excluded bodies
+  double volume = 0.0;         ///< of the selected bodies, m^3
   double plan_area = 0.0;      ///< m^2
-  double max_thickness = 0.0;  ///< upright, m
-  Vec3 centre = Vec3::Zero();  ///< of its bounds, on the map
+  double max_thickness = 0.0;  ///< vertical, m
+  Vec3 centre = Vec3::Zero();  ///< of its bounds, map coordinates
 };
 
-/// The mass, in bodies that do not touch.
+/// Released mass as disjoint bodies.
 struct ReleasedMass {
   std::vector<MassBody> bodies;    ///< those chosen, the largest first
-  std::vector<MassBody> excluded;  ///< the others, the largest first
-  double edge_before = 0.0;        ///< median side of the triangles of either surface, m
+  std::vector<MassBody> excluded;  ///< excluded, the largest first
+  double edge_before = 0.0;        ///< median edge lengths of both surfaces, m
   double edge_after = 0.0;
-  std::string crs;                 ///< of the map; empty when neither surface names one
-  std::vector<std::string> notes;  ///< doubts, in words
+  std::string crs;                 ///< empty if neither surface has one
+  std::vector<std::string> notes;  ///< warnings, as sentences
 
   double volume() const;           ///< of the bodies, m^3
   double excluded_volume() const;  ///< m^3
 };
 
-/// The bodies between two surfaces where `before` is more than the least thickness above `after`.
-/// Their top is the one surface, their base the other, without resampling: the edges of both
-/// become edges of the bodies. At the outline they have walls as high as the least thickness. The
-/// volume of a body is the integral of the thickness over its plan area. Thickness is upright; what
-/// overhangs cannot be distinguished by two heights over a place.
-/// @param before, after  on one map; each surface is of heights, z up
-/// @throws InputError     map systems that differ, no place in common, nowhere thick enough (the
-///                        message says how thick at most, and when they seem swapped), a polygon
-///                        file as `read_zone_polygons` has it, or bodies that are not there
-/// @throws GeometryError  a surface stands upright or overhangs within a chosen body, with a place
+/// Finds the bodies where `before` is more than the minimum thickness above `after`, without
+/// resampling: the edges of both surfaces become edges of the bodies. At their outline they have
+/// walls as high as the minimum thickness. The volume is the integral of the vertical thickness
+/// over the plan; overhangs cannot be represented.
+/// @param before, after  on one map, single-valued heights, z up
+/// @throws InputError  if map systems differ, the surfaces do not overlap, nothing is thick enough
+///                     (states the maximum, and whether they seem swapped), the polygon file is
+///                     invalid (`read_zone_polygons`), or selected bodies do not exist
+/// @throws GeometryError  if a surface is vertical or overhangs within a selected body, with a
+///                        position
 ReleasedMass find_released_mass(const Terrain& before, const Terrain& after,
                                 const ReleasedMassOptions& options = {});
 

@@ -8,7 +8,7 @@
 
 namespace clast {
 
-/// A rectangle of the plan, m.
+/// Plan rectangle, m.
 struct PlanWindow {
   Vec2 low = Vec2::Zero();
   Vec2 high = Vec2::Zero();
@@ -16,12 +16,12 @@ struct PlanWindow {
   Vec2 size() const { return high - low; }
 };
 
-/// Heights and zones in square cells, row by row from the top (largest y).
+/// Heights and zones in square cells, row-major from the top (largest y).
 struct Relief {
   std::uint32_t columns = 0;
   std::uint32_t rows = 0;
   double cell = 0.0;           ///< m
-  std::vector<double> height;  ///< local z of the highest triangle, m; NaN where there is none
+  std::vector<double> height;  ///< local z of the highest triangle, m; NaN without ground
   std::vector<std::uint16_t> zone;
 };
 
@@ -30,12 +30,12 @@ Relief sample_relief(const Terrain& terrain, const PlanWindow& window, std::uint
 
 inline constexpr Rgb kContourColour = {122, 98, 69};
 
-/// Tint of a zone: the colour that its name says, else the n-th of a pale set.
+/// Returns the colour of a zone: the colour in its name, otherwise the n-th of a pale palette.
 Rgb zone_colour(const std::string& name, std::size_t n);
 
-/// The relief as a PNG file, lit from the north-west at 45 degrees (Horn's slopes), zones tinted,
-/// with contour lines; transparent where there is no ground.
-/// @param first_height      map z of local z 0, so that contours are round on the map, m
+/// Renders the relief as a PNG file, lit from the north-west at 45 degrees (Horn's slopes), with
+/// zone colours and contour lines; transparent without ground.
+/// @param first_height  map z of local z 0, so that contours are at round map heights, m
 /// @param contour_interval  m
 /// @cite horn1981
 std::string render_relief_png(const Relief& relief, const std::vector<std::string>& zone_names,

@@ -1,5 +1,5 @@
 #pragma once
-/// A checked ground surface with zones and its place on the map.
+/// Checked terrain with ground zones and map position.
 #include <cstdint>
 #include <filesystem>
 #include <string>
@@ -10,45 +10,45 @@
 
 namespace clast {
 
-/// Where local coordinates lie on the map: map = local + origin. Chosen so that the terrain is near
-/// the local origin; large map coordinates lose no digits.
+/// Map position of the local frame: map = local + origin. The terrain is near the local origin, so
+/// that large map coordinates keep their precision.
 struct MapFrame {
   Vec3 origin = Vec3::Zero();  ///< m
-  std::string crs;             ///< "EPSG:2154" or WKT; empty when the input names none
+  std::string crs;             ///< "EPSG:2154" or WKT; empty if unknown
 
   Vec3 to_local(const Vec3& map) const { return map - origin; }
   Vec3 to_map(const Vec3& local) const { return local + origin; }
 };
 
-/// What was found in the input and repaired.
+/// Findings and repairs of the input.
 struct TerrainReport {
   std::size_t triangles_read = 0;
   std::size_t welded_vertices = 0;
   std::size_t removed_degenerate = 0;
   std::size_t removed_duplicates = 0;
   std::size_t flipped_triangles = 0;   ///< normals that pointed down
-  std::size_t closed_cracks = 0;       ///< border vertices brought onto the border beside them
+  std::size_t closed_cracks = 0;       ///< border vertices moved onto an adjacent border
   std::size_t filled_holes = 0;        ///< of a mesh or a cloud's grid
-  std::size_t open_holes = 0;          ///< of a mesh, wider than those
-  std::size_t levelled_spikes = 0;     ///< single vertices, pits too
-  std::size_t removed_components = 0;  ///< small ones that lay over other ground
-  std::size_t slivers = 0;             ///< triangles lower than 1 mm, kept
+  std::size_t open_holes = 0;          ///< larger holes of a mesh
+  std::size_t levelled_spikes = 0;     ///< single vertices, including pits
+  std::size_t removed_components = 0;  ///< small ones that overlapped other ground
+  std::size_t slivers = 0;             ///< triangles with a height below 1 mm, kept
   std::size_t boundary_edges = 0;      ///< outer border and holes
   std::size_t components = 0;
-  std::vector<std::string> notes;  ///< each in words, with counts and places
+  std::vector<std::string> notes;  ///< sentences with counts and positions
 };
 
-/// Triangles with normals out of the ground, z up, in the local frame, each in a zone.
+/// Terrain surface: triangles with upward normals, z up, in the local frame, each in a zone.
 struct Terrain {
   TriangleMesh surface;
-  std::vector<std::uint16_t> zone;  ///< of every triangle, index into zone_names
+  std::vector<std::uint16_t> zone;  ///< per triangle: index into zone_names
   std::vector<std::string> zone_names;
   MapFrame frame;
   TerrainReport report;
-  std::vector<std::string> sources;  ///< "path sha256" of every input file
+  std::vector<std::string> sources;  ///< "path sha256" of each input file
 };
 
-/// The surface the dynamics runs on.
+/// Makes the contact surface for the dynamics.
 TerrainSurface make_terrain_surface(const Terrain& terrain, double radius = 0.0);
 
 }  // namespace clast

@@ -1,11 +1,10 @@
 #pragma once
-/// Allowed ranges of the numbers of a ground: for `TerrainOptions`, campaign files and command
-/// lines.
+/// Allowed ranges of terrain options, for `TerrainOptions`, campaign files and command lines.
 #include "core/number_range.hpp"
 
 namespace clast {
 
-/// x, y or z on a map: the earth is 4e7 m around.
+/// Map coordinate; the earth's circumference is 4e7 m.
 inline constexpr NumberRange kMapCoordinate{-1e8, 1e8, "m"};
 
 inline constexpr NumberRange kCellSize{1e-4, 1e5, "m"};

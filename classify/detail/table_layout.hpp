@@ -1,5 +1,5 @@
 #pragma once
-/// Which columns of a table of tape measures hold what, and in which unit.
+/// Layout of a table of axes: columns and units.
 #include <array>
 #include <cstddef>
 #include <optional>
@@ -17,19 +17,19 @@ struct TableLayout {
   std::string file;  ///< for messages
   char separator = ',';
   bool has_header = false;
-  bool has_summary = false;           ///< a row is named the mean or another summary of the others
-  std::array<std::size_t, 3> axes{};  ///< columns of L, I, S
+  bool has_summary = false;           ///< contains rows such as the mean of the others
+  std::array<std::size_t, 3> axes{};  ///< column indices of L, I and S
   std::optional<std::size_t> mass;
   std::optional<std::size_t> name;
-  double units = 1.0;            ///< m
-  bool units_are_known = false;  ///< asked for, or named by the header
-  double mass_units = 1.0;       ///< kg
+  double units = 1.0;            ///< m per unit of the table
+  bool units_are_known = false;  ///< given by the user or the header
+  double mass_units = 1.0;       ///< kg per unit of the table
 };
 
-/// Finds the columns by name or number in the first row of a table, which may be its header.
-/// @param notes  receives what a reader should know of the units
-/// @throws InputError  as `read_dimension_table` says of columns and units
+/// Finds the columns by name or number in the first row, which may be the header.
+/// @param notes  receives notes on the units
+/// @throws InputError  for columns and units, as in `read_dimension_table`
 TableLayout find_table_layout(const Record& first, char separator, const DimensionColumns& columns,
-                         const std::string& file, std::vector<std::string>& notes);
+                              const std::string& file, std::vector<std::string>& notes);
 
 }  // namespace clast::classify_detail

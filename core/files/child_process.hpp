@@ -1,5 +1,5 @@
 #pragma once
-/// Another program at work, with an end to the waiting.
+/// Child processes with a time limit.
 #include <filesystem>
 #include <functional>
 #include <string>
@@ -8,25 +8,24 @@
 
 namespace clast {
 
+/// Result of a child process.
 struct ProcessResult {
-  int exit_code = -1;      ///< 128 + signal when it was killed
-  bool timed_out = false;  ///< it was ended because its time was over
+  int exit_code = -1;      ///< 128 + signal if the process was killed
+  bool timed_out = false;  ///< true if the time limit was exceeded
 };
 
-/// Runs a program to its end. It reads nothing, writes both outputs to `log`, is ended with all it
-/// started when its time is over, and when this program ends.
-/// @param words        path of the program, and its arguments
-/// @param environment  variables set for it beside the usual ones
-/// @param seconds      time it has
-/// @param waiting      called about twice a second while it runs
-/// @throws InputError  it can't be started
+/// Runs a program with no input and both outputs written to `log`. It and its children are killed
+/// at the time limit and when this program ends.
+/// @param command  path of the program and its arguments
+/// @param environment  additional environment variables
+/// @throws InputError  if it cannot be started
 ProcessResult run_child_process(const std::vector<std::string>& command,
                                 const std::vector<std::pair<std::string, std::string>>& environment,
                                 const std::filesystem::path& log, double time_limit,
                                 const std::function<void()>& on_wait = {});
 
-/// The file that a name stands for, by PATH; itself where it holds a slash. Empty: there is none
-/// that may be run.
+/// Finds an executable on PATH; returns the name itself if it contains a slash, and an empty path
+/// if nothing is found.
 std::filesystem::path find_executable(const std::string& name);
 
 }  // namespace clast

@@ -1,5 +1,5 @@
 #pragma once
-/// Headings of columns, as people and programs write them.
+/// Parsing of column headings.
 #include <optional>
 #include <string>
 #include <string_view>
@@ -9,37 +9,38 @@
 
 namespace clast {
 
-/// A heading taken apart: "Coord. X [ft]" has the name "coord. x", the word "x" and the unit ft.
+/// Parsed heading: "Coord. X [ft]" has the name "coord. x", the word "x" and the unit ft.
 struct ColumnHeading {
-  std::string name;  ///< lower case, the unit cut off
-  /// Words of letters and digits in lower case, without accents ("Höhe": "hohe"), and without those
-  /// that say nothing, such as "coordinate" and "value", where others are left.
+  std::string name;  ///< lower case, without unit
+  /// Alphanumeric words in lower case without accents ("Höhe": "hohe"). Generic words such as
+  /// "coordinate" and "value" are dropped if others remain.
   std::vector<std::string> words;
-  std::optional<NamedUnit> length;  ///< where the heading names it, in brackets or at its end
-  std::string unit;                ///< the same, or another unit, as written; empty: none
-  std::string bracketed;           ///< what stands in brackets at the end, in lower case
+  std::optional<NamedUnit> length;  ///< length unit in brackets or at the end
+  std::string unit;                 ///< any unit as written; empty if there is none
+  std::string bracketed;            ///< final text in brackets, lower case
 
-  /// The only word of the heading; empty where it has several or none.
+  /// Returns the word of a heading with exactly one word; otherwise empty.
   std::string single_word() const { return words.size() == 1 ? words.front() : std::string(); }
-  /// "start_x"
+  /// Returns the words joined by underscores: "start_x".
   std::string snake_case() const;
 };
 
-/// @param field  without its quotes, as `DelimitedTextReader` gives it
+/// Parses a heading.
+/// @param field  without quotes, as returned by `DelimitedTextReader`
 ColumnHeading parse_heading(std::string_view field);
 
 enum class SummaryLabel {
   kNone,
-  kAmbiguous,  ///< of one or two letters, which may name an item too: "SD", "n"
+  kAmbiguous,  ///< one or two letters that may also be an item name: "SD", "n"
   kCertain
 };
 
-/// Whether a text names a row that sums up the others, in English, German, French, Italian or
-/// Spanish: "Mean", "SD", "Mittelwert", "Écart-type", "Totale", "Máx.".
+/// Detects labels of summary rows in English, German, French, Italian or Spanish: "Mean", "SD",
+/// "Mittelwert", "Écart-type", "Totale", "Máx.".
 SummaryLabel detect_summary_label(std::string_view text);
 
-/// Whether a row may be a heading: none of its fields is a number, and, where blanks separate, none
-/// ends as a sentence or its parts do.
+/// True if a row can be a heading: no field is a number, and, if blanks separate fields, none looks
+/// like part of a sentence.
 bool is_possible_heading(const std::vector<std::string_view>& fields, char separator);
 
 }  // namespace clast

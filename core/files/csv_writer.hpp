@@ -1,5 +1,5 @@
 #pragma once
-/// Comma-separated text: lists in, tables out.
+/// Comma-separated text.
 #include <cstdint>
 #include <string>
 #include <string_view>
@@ -7,20 +7,20 @@
 
 namespace clast {
 
-/// "a, b,c" as {"a", "b", "c"}; empty items are dropped.
+/// Splits "a, b,c" into {"a", "b", "c"}; empty items are dropped.
 std::vector<std::string> split_list(const std::string& text);
 
-/// A text as it is written into a cell: where a spreadsheet would run it as a formula, since it
-/// begins with one of = + - @, a tab or a line end and is no number, an apostrophe stands before
-/// it, which a spreadsheet shows as text. Texts that look so already get one more, so that
-/// `unescape_formula` gives back each of them.
+/// Escapes a cell text that a spreadsheet would execute as a formula, because it starts with = + -
+/// @, a tab or a line end and is not a number: an apostrophe is put before it. Texts that look
+/// escaped get another one, so that `unescape_formula` restores every text.
 std::string escape_formula(std::string_view text);
-/// The text of a cell that `escape_formula` may have written: without that apostrophe.
+/// Removes the apostrophe of `escape_formula`.
 std::string_view unescape_formula(std::string_view cell);
 
-/// CSV after RFC 4180, with "\n" line ends. Numbers are the shortest text that reads back to the
-/// same bits (-0 is written as 0); what is not known is an empty cell. Texts that a spreadsheet
-/// would run are written by `escape_formula`, in quotes.
+/// Writer of CSV (RFC 4180) with "
+/// " line ends. Numbers have the fewest digits that restore their bits (-0 is written as 0);
+/// unknown values are empty cells. Texts that a spreadsheet would execute are escaped by
+/// `escape_formula` and quoted.
 /// @cite rfc4180
 class CsvWriter {
  public:
@@ -30,10 +30,11 @@ class CsvWriter {
   void write_count(std::uint64_t value);
   void write_empty_cells(int count);
   void end_row();
-  /// @param names  with commas between them
+  /// Writes the header.
+  /// @param names  separated by commas
   void write_header(std::string_view names);
 
-  /// What was written since the last call.
+  /// Returns the text written since the last call.
   std::string take_text();
 
  private:

@@ -1,6 +1,5 @@
 #pragma once
-/// Text tables as records of fields, whichever program wrote them. Every table that clast reads is
-/// read with this.
+/// Reading of delimited text tables.
 #include <cstddef>
 #include <deque>
 #include <optional>
@@ -10,60 +9,60 @@
 
 namespace clast {
 
-/// One row. Fields are trimmed and without their quotes; they are valid until the next row is read.
+/// One row of a table. Fields are trimmed, without quotes, and valid until the next row is read.
 struct Record {
-  std::size_t line = 0;  ///< where it begins, from 1
+  std::size_t line = 0;  ///< first line of the row, from 1
   std::vector<std::string_view> fields;
 };
 
-/// A table's text as UTF-8.
+/// Text of a table as UTF-8.
 struct DecodedText {
   std::string text;
-  bool from_latin1 = false;  ///< it was taken for Windows-1252
+  bool from_latin1 = false;  ///< true if it was decoded from Windows-1252
 };
 
+/// Decodes the content of a table.
 /// @param content  of a file
-/// @param file     its name, for messages
-/// @throws InputError  not text in an encoding that has ASCII in it, such as a workbook or UTF-16
+/// @param file  its name, for messages
+/// @throws InputError  if it is not text in an ASCII-based encoding, such as a workbook or UTF-16
 DecodedText decode_text(std::string content, const std::string& file);
 
-/// The separator of a table with this row: a semicolon, tab or comma that is there outside of
-/// quotes, in this order, else ' ' for blanks; that too where all commas stand inside numbers of a
-/// row separated by blanks.
+/// Detects the separator of a table from one row: a semicolon, tab or comma outside quotes, in this
+/// order; otherwise ' ' for blanks, also if all commas are inside numbers of a blank-separated row.
 char detect_separator(std::string_view line);
 
-/// The number in a field of a table with this separator; a decimal comma is read where commas do
-/// not separate columns.
-std::optional<double> parse_number_field(std::string_view field, char separator);
+/// Parses a number field; a decimal comma is accepted unless commas separate columns.
+std::optional<double> parse_number_field(std::string_view field,
+                                         char separator);  ///< empty: detected from the first row
 
-/// Whether a field of a table whose columns are separated by commas holds a number with a decimal
-/// comma, in quotes: "1,234" could be 1.234 or 1234.
+/// True if a quoted field of a comma-separated table contains a number with a comma: "1,234" could
+/// be 1.234 or 1234.
 bool is_ambiguous_number(std::string_view field, char separator);
 
-/// What to do where commas separate columns and decimals: the end of a message.
+/// End of messages about decimal commas in comma-separated tables.
 inline constexpr const char* kDecimalCommaHint =
     "where commas are decimal signs, separate the columns by semicolons or tabs, or write decimal "
     "points";
 
-/// How a table differs from the usual.
+/// Deviations of a table from the defaults.
 struct TableDialect {
   std::optional<char> separator = {};  ///< none: as the first row has it
-  bool inline_comments = false;    ///< a # ends its row wherever it stands, not only at its start
-  bool any_heading_width = false;  ///< the first row may have any number of fields
+  bool inline_comments = false;        ///< # starts a comment anywhere, not only at the row start
+  bool any_heading_width = false;      ///< the first row may have any number of fields
 };
 
-/// Iterates over the rows of a text. Empty rows and rows that begin with # are skipped.
+/// Reads the rows of a text; empty rows and rows that start with # are skipped.
 class DelimitedTextReader {
  public:
-  /// Finds the separator on the first row: a line "sep=;" as Excel writes it, else
+  /// Detects the separator from the first row: a line "sep=;" as written by Excel, otherwise
   /// `detect_separator`.
-  /// @param text  from `decode_text`; outlives this
+  /// @param text  from `decode_text`; must outlive this object
   /// @param file  its name, for messages
   DelimitedTextReader(std::string_view text, std::string file, const TableDialect& rules = {});
 
-  /// False at the end.
-  /// @throws InputError  a quote that is never closed, or a row with more or fewer fields than the
-  ///                     first; file, line and both numbers
+  /// Reads the next row; false at the end.
+  /// @throws InputError  if a quote is not closed, or the number of fields differs from the first
+  ///                     row; names file, line and both numbers
   bool read_record(Record& record);
   char separator() const { return separator_; }
 
@@ -86,9 +85,9 @@ class DelimitedTextReader {
   std::size_t line_ = 1;
   std::size_t rows_ = 0;
   char separator_ = ',';
-  std::size_t fields_ = 0;            ///< of each row; 0 until the first that counts
-  std::size_t counted_line_ = 0;      ///< of the row that set `fields_`
-  std::deque<std::string> unquoted_;  ///< fields of the current row whose text had to be changed
+  std::size_t fields_ = 0;            ///< of each row; 0 before the first row
+  std::size_t counted_line_ = 0;      ///< line of the row that determined `fields_`
+  std::deque<std::string> unquoted_;  ///< modified fields of the current row
 };
 
 }  // namespace clast

@@ -1,5 +1,5 @@
 #pragma once
-/// SHA-256 digests: how outputs name the inputs they were made from.
+/// SHA-256 digests, by which outputs identify their inputs.
 #include <filesystem>
 #include <memory>
 #include <string>
@@ -7,7 +7,7 @@
 
 namespace clast {
 
-/// SHA-256 of bytes that come piece by piece (FIPS 180-4).
+/// Incremental SHA-256 (FIPS 180-4).
 /// @cite fips180
 class Sha256 {
  public:
@@ -17,7 +17,7 @@ class Sha256 {
   Sha256& operator=(Sha256&&) noexcept;
 
   void add(std::string_view bytes);
-  /// Ends it: nothing may be added afterwards.
+  /// Finishes the digest; no bytes may be added afterwards.
   /// @returns 64 lower-case hexadecimal digits
   std::string finish();
 
@@ -26,11 +26,11 @@ class Sha256 {
   std::unique_ptr<Impl> impl_;
 };
 
-/// Of all `bytes` at once.
+/// Returns the digest of bytes.
 std::string sha256(std::string_view bytes);
 
-/// Of a file's content, of which no more than a piece is in memory at a time.
-/// @throws InputError  the file can't be read; names it
+/// Returns the digest of a file, which is read in chunks.
+/// @throws InputError  if the file cannot be read
 std::string sha256_of_file(const std::filesystem::path& path);
 
 }  // namespace clast

@@ -1,12 +1,11 @@
 #pragma once
-/// HDF5 files as groups of typed arrays and attributes, without an HDF5 type in sight. The block
-/// library, the terrain file and the results file are all written through this.
+/// HDF5 files as groups of typed arrays and attributes, without HDF5 types in the interface. Used
+/// for block libraries, terrains and results.
 ///
-/// Files are written in the format of HDF5 1.8, which a killed process leaves readable up to the
-/// last `flush` and whose structures carry checksums. Every group and dataset has a checksum of its
-/// attributes and values besides (docs/formats.md), and every reader verifies it; only files of
-/// versions that wrote none, which have none on their root, are read without. Link-time order of
-/// children is by name. One thread at a time.
+/// Files have the format of HDF5 1.8, which stays readable up to the last `flush` after a kill and
+/// protects its structures by checksums. Each group and dataset has an additional checksum of its
+/// attributes and values (docs/formats.md), which readers verify; files of older versions without
+/// checksums are read without. Children are ordered by name. Not thread-safe.
 #include <cstdint>
 #include <filesystem>
 #include <memory>
@@ -16,28 +15,29 @@
 
 namespace clast {
 
-/// An open group. Copies share the handle; it closes with the last of them.
+/// Open group. Copies share the handle, which is closed with the last copy.
 ///
 /// Element types: double, float, std::int64_t, std::int32_t, std::uint32_t, std::uint16_t,
-/// std::uint8_t, std::string (UTF-8, stored at the width of the longest). Every reader throws
-/// InputError naming file and dataset when something is missing, of another type, truncated, or
-/// does not agree with its checksum.
+/// std::uint8_t, std::string (UTF-8, stored at the width of the longest). Readers throw InputError
+/// naming file and dataset if something is missing, of another type, truncated, or has a wrong
+/// checksum.
 class Hdf5Group {
  public:
   bool contains(const std::string& name) const;
-  /// Names of the groups and datasets in here, sorted.
+  /// Returns the sorted names of the groups and datasets in this group.
   std::vector<std::string> child_names() const;
   Hdf5Group open_group(const std::string& name) const;
   Hdf5Group create_group(const std::string& name);
-  /// Unlinks a child; the space is given back when the file is rewritten.
+  /// Unlinks a child; its space is reused when the file is rewritten.
   void remove(const std::string& name);
 
-  /// Arrays over 4 kB are stored in compressed chunks. An empty shape stands for a list.
+  /// Writes an array; arrays above 4 kB are stored in compressed chunks. An empty shape means
+  /// one-dimensional.
   template <class T>
   void write(const std::string& name, std::span<const T> values,
              const std::vector<std::size_t>& shape = {});
-  /// Numbers of the stored type must be numbers of T without loss: float is read as double, not the
-  /// other way.
+  /// Reads an array. The conversion to T must be lossless: float can be read as double, but not
+  /// vice versa.
   template <class T>
   std::vector<T> read(const std::string& name) const;
   std::vector<std::size_t> shape(const std::string& name) const;
@@ -48,40 +48,41 @@ class Hdf5Group {
   template <class T>
   T read_attribute(const std::string& name) const;
   bool has_attribute(const std::string& name) const;
-  /// Attribute "unit" of the dataset `name`, for example "kg m^2".
+  /// Sets the attribute "unit" of a dataset, for example "kg m^2".
   void set_unit(const std::string& name, const std::string& unit);
-  /// Empty when the dataset has none.
+  /// Returns the unit of a dataset; empty if there is none.
   std::string unit(const std::string& name) const;
 
  private:
   friend class Hdf5File;
   struct Handle;
   explicit Hdf5Group(std::shared_ptr<Handle> handle) : handle_(std::move(handle)) {}
-  /// A dataset seen as a holder of attributes.
+  /// Opens a dataset for its attributes.
   Hdf5Group open_dataset(const std::string& name) const;
   std::shared_ptr<Handle> handle_;
 };
 
-/// An open HDF5 file with a schema: attributes `format` (what the file is, for example
-/// "clast block library"), `schema_version` (integer) and `program_version` on its root.
+/// Open HDF5 file with a schema: attributes `format` (such as "clast block library"),
+/// `schema_version` (integer) and `program_version` on its root.
 class Hdf5File {
  public:
-  /// Makes or empties the file and stamps format, schema and program version.
+  /// Creates or truncates the file and writes format, schema and program version.
   static Hdf5File create(const std::filesystem::path& path, const std::string& format,
                          int schema_version);
-  /// @throws InputError  missing, not HDF5, truncated, of another format, or of a newer schema;
-  ///                     the message names the file and what was found and expected
+  /// Opens a file.
+  /// @throws InputError  if it is missing, not HDF5, truncated, of another format or of a newer
+  ///                     schema; names file, found and expected values
   static Hdf5File open(const std::filesystem::path& path, const std::string& format,
                        int newest_schema_version, bool writable = false);
 
-  /// What a file says that it is, without a look at the rest of it: "clast terrain". Empty when it
-  /// is not HDF5, not clast's, or damaged.
+  /// Reads only the format of a file: "clast terrain". Empty if it is not HDF5, not written by
+  /// clast, or damaged.
   static std::string read_format(const std::filesystem::path& path);
 
   Hdf5Group root() const;
-  /// Hands everything written so far to the operating system. Call it before a file counts as
-  /// written: closing can't report a full disk.
-  /// @throws InputError  the disk is full or gone
+  /// Flushes all data to the operating system. Call before closing, which cannot report a full
+  /// disk.
+  /// @throws InputError  if the disk is full or not available
   void flush();
 
  private:

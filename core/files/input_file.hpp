@@ -1,12 +1,12 @@
 #pragma once
-/// Files that are read.
+/// Checks of input files.
 #include <filesystem>
 
 namespace clast {
 
-/// Checks that `path` is a file that can be read from its beginning as often as needed.
-/// @throws InputError  missing, a folder, a pipe, a socket or a device: reading these may wait
-///                     forever, or give data that can't be read again; names the path
+/// Checks that `path` is a regular file, which can be read repeatedly.
+/// @throws InputError  if it is missing, a folder, a pipe, a socket or a device, whose reading may
+///                     block forever or not be repeatable
 void check_input_file(const std::filesystem::path& path);
 
 }  // namespace clast

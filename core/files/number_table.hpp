@@ -1,5 +1,5 @@
 #pragma once
-/// Tables that hold the same few numbers in every row, such as points and rotations.
+/// Numeric tables with equal rows, such as points and rotations.
 #include <cstddef>
 #include <filesystem>
 #include <functional>
@@ -13,33 +13,32 @@
 namespace clast {
 
 struct NumericRow {
-  std::size_t line = 0;  ///< of the file, from 1
+  std::size_t line = 0;  ///< in the file, from 1
   std::vector<double> values;
 };
 
-/// What a table of numbers must hold.
+/// Required contents of a numeric table.
 struct NumericTableSpec {
-  /// Of the columns in the order wanted; each has one name or several, in lower case.
+  /// Names of the columns in the required order; each has one or several lower-case names.
   std::vector<std::vector<std::string>> names;
-  NumberRange range;    ///< of every number
+  NumberRange range;    ///< of all numbers
   std::string meaning;  ///< completes "a line must be ...": "three numbers, x y z"
-  /// Finds the columns in the fields of a heading; none where it does not name them all. Absent: by
-  /// `names`.
-  /// @throws InputError  without file name
+  /// Finds the columns in a heading; returns empty if some are missing. By default, uses `names`.
+  /// @throws InputError  without the file name
   std::function<std::optional<std::vector<std::size_t>>(const std::vector<std::string_view>&)>
       find = {};
 };
 
-/// The name of a column of lengths, in lower case: "X_m" is the column x.
+/// Returns the lower-case name of a length column without unit: "X_m" gives "x".
 std::string strip_unit(std::string_view field);
 
-/// Reads a table by `DelimitedTextReader`; what follows a # is skipped. The first row may be a
-/// heading: where it names all columns ("X", "y_m"), these columns are read and others are not.
-/// Below a title, or without one, a row has as many numbers as there are columns.
-/// @throws InputError  no file, no text or no row; a heading that does not name all columns; a row
-///                     of another number of fields, a field that is no number or out of range, or
-///                     a row that sums up the others: file, line and what was found
+/// Reads a table with `DelimitedTextReader`; text after # is ignored. If the first row names all
+/// columns ("X", "y_m"), these columns are read and others ignored. Without such a heading, each
+/// row must have as many numbers as there are columns; a title is skipped.
+/// @throws InputError  if the file, its text or all rows are missing; the heading lacks columns; a
+///                     row has another number of fields, a field that is not a number or out of
+///                     range, or is a summary row; names file, line and text
 std::vector<NumericRow> read_numeric_table(const std::filesystem::path& file,
-                                         const NumericTableSpec& table);
+                                           const NumericTableSpec& table);
 
 }  // namespace clast

@@ -1,5 +1,5 @@
 #pragma once
-/// Folders of files that belong together, such as a report, which appear whole or not at all.
+/// Atomic output folders, such as reports.
 #include <filesystem>
 #include <functional>
 #include <memory>
@@ -9,35 +9,35 @@
 
 namespace clast {
 
-/// How a folder of one kind is recognised.
+/// Properties by which a folder of one kind is recognised.
 struct FolderKind {
   std::string name;         ///< for messages: "comparison"
-  std::string marker_file;  ///< that every such folder has: "provenance.json"
-  std::string mark;         ///< that stands in it
-  /// Whether a file of that name, relative to the folder, is the writer's. What is not stays where
-  /// it is.
+  std::string marker_file;  ///< file in every such folder: "provenance.json"
+  std::string mark;         ///< text in that file
+  /// Returns true if a file, given relative to the folder, belongs to the report. Other files are
+  /// kept.
   std::function<bool(const std::filesystem::path&)> is_own_file;
 };
 
-/// A folder that is filled beside its target and takes its place by `commit`. Without, it is
-/// removed and the target stays as it was. Links are followed.
+/// Output folder that is filled beside its target and exchanged with it by `commit`. Without
+/// `commit` it is removed and the target stays unchanged. Links are resolved.
 class OutputFolder {
  public:
-  /// Makes missing parent folders.
-  /// @param replace  takes the place of a folder of its kind
-  /// @throws InputError  the target is empty, a file, or the root of a disk; it holds files with
-  ///                     names of this kind without being of it; it is of it, and `replace` is
-  ///                     false; or nothing can be made beside it
+  /// Creates missing parent folders and the temporary folder.
+  /// @param replace  replace an existing folder of this kind
+  /// @throws InputError  if the target is empty, a file, or the root of a disk; contains files with
+  ///                     names of this kind without being of it; is of it and `replace` is false;
+  ///                     or if nothing can be created beside it
   OutputFolder(const std::filesystem::path& target, FolderKind kind, bool replace);
   ~OutputFolder();
   OutputFolder(const OutputFolder&) = delete;
   OutputFolder& operator=(const OutputFolder&) = delete;
 
-  /// Where to write.
+  /// Returns the folder to fill.
   const std::filesystem::path& temporary_path() const { return staging_->path(); }
-  /// Files of the kind that were in the target are removed, others are not touched.
-  /// @throws InputError  one of the others would be written over, a rename failed, or another
-  ///                     program wrote meanwhile what must not be replaced. The target is as it was
+  /// Replaces the files of this kind in the target; other files are kept.
+  /// @throws InputError  if another file would be overwritten, a rename failed, or another program
+  ///                     has meanwhile written what must be kept. The target is then unchanged
   void commit();
 
  private:

@@ -1,5 +1,5 @@
 #pragma once
-/// Small pictures inside an HTML page.
+/// PNG images, for embedding in HTML pages.
 #include <array>
 #include <cstdint>
 #include <span>
@@ -9,28 +9,30 @@
 
 namespace clast {
 
+/// Colour: red, green, blue.
 using Rgb = std::array<std::uint8_t, 3>;
 
-/// A PNG file of `width` x `height` palette indices, row by row from the top. Colour 0 of the
-/// palette is transparent.
+/// Encodes palette indices, row-major from the top, as a PNG file. Colour 0 of the palette is
+/// transparent.
 /// @param palette  1 to 256 colours
 /// @cite png3
 std::string encode_palette_png(std::uint32_t width, std::uint32_t height,
-                        std::span<const std::uint8_t> pixels, const std::vector<Rgb>& palette);
+                               std::span<const std::uint8_t> pixels,
+                               const std::vector<Rgb>& palette);
 
-/// A PNG file of `width` x `height` colours, row by row from the top.
+/// Encodes colours, row-major from the top, as a PNG file.
 /// @cite png3
 std::string encode_rgb_png(std::uint32_t width, std::uint32_t height, std::span<const Rgb> pixels);
 
-/// A zlib stream.
-/// @param level  1 fast to 9 small
+/// Compresses bytes to a zlib stream.
+/// @param level  1 (fast) to 9 (small)
 /// @cite rfc1951
 std::string compress_zlib(std::string_view bytes, int level = 9);
 
-/// RFC 4648, with padding.
+/// Encodes bytes as base64 (RFC 4648) with padding.
 std::string encode_base64(std::string_view bytes);
 
-/// "data:image/png;base64,...", as a page that holds its pictures refers to one.
+/// Returns the data URI of a PNG image: "data:image/png;base64,...".
 std::string png_data_uri(std::string_view png);
 
 }  // namespace clast

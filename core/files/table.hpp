@@ -1,6 +1,6 @@
 #pragma once
-/// Tables whose columns are declared once: for CSV, for the fields of map layers, for groups of
-/// rows, and for their part of docs/formats.md, which a test compares.
+/// Tables with columns declared once: for CSV, map layers, groups of rows, and docs/formats.md,
+/// which a test compares.
 #include <cstdint>
 #include <functional>
 #include <initializer_list>
@@ -14,21 +14,23 @@
 
 namespace clast {
 
-/// A count, a number (not finite where nothing is known), or a text.
+/// Cell value: a count, a number (not finite if unknown), or a text.
 using TableCell = std::variant<std::uint64_t, double, std::string>;
 
 template <class Row>
 struct TableColumn {
-  std::string name;     ///< with its unit: "speed_m_s"
-  std::string unit;     ///< "m/s"; empty for what has none
-  std::string meaning;  ///< Markdown; neighbours with one unit and meaning share a line of the page
+  std::string name;  ///< with unit: "speed_m_s"
+  std::string unit;  ///< "m/s"; empty if there is none
+  std::string
+      meaning;  ///< Markdown; adjacent columns with equal unit and meaning share a line in the docs
   std::function<TableCell(const Row&)> value;
 };
 
 template <class Row>
 using TableColumns = std::vector<TableColumn<Row>>;
 
-/// @throws std::out_of_range  no such column, which is our own mistake
+/// Finds a column by name.
+/// @throws std::out_of_range  if there is none, which is a programming error
 template <class Row>
 const TableColumn<Row>& find_column(const TableColumns<Row>& columns, const std::string& name) {
   for (const TableColumn<Row>& column : columns) {
@@ -37,7 +39,7 @@ const TableColumn<Row>& find_column(const TableColumns<Row>& columns, const std:
   throw std::out_of_range("no column " + name);
 }
 
-/// The columns of these names, in their order.
+/// Returns the columns of the given names, in their order.
 template <class Row>
 TableColumns<Row> selected_columns(const TableColumns<Row>& columns,
                                    const std::vector<std::string>& names) {
@@ -46,7 +48,7 @@ TableColumns<Row> selected_columns(const TableColumns<Row>& columns,
   return result;
 }
 
-/// The columns of a part of every row, which is `part(row)`.
+/// Adapts columns of a part to rows that contain it: the part is `part(row)`.
 template <class Row, class PartRow, class Part>
 TableColumns<Row> adapt_columns(const TableColumns<PartRow>& columns, const Part& part) {
   TableColumns<Row> result;
@@ -57,7 +59,7 @@ TableColumns<Row> adapt_columns(const TableColumns<PartRow>& columns, const Part
   return result;
 }
 
-/// Columns of one unit and meaning: `values(row)[i]` stands in column `names[i]`.
+/// Makes columns of equal unit and meaning: column `names[i]` has the value `values(row)[i]`.
 template <class Row, class Values>
 TableColumns<Row> array_columns(const std::vector<std::string>& names, const std::string& unit,
                                 const std::string& meaning, const Values& values) {
@@ -96,7 +98,7 @@ void append_row(CsvWriter& csv, const TableColumns<Row>& columns, const Row& row
   csv.end_row();
 }
 
-/// The whole table, as `CsvWriter` writes it.
+/// Formats the whole table as CSV.
 template <class Row>
 std::string format_csv(const TableColumns<Row>& columns, const std::vector<Row>& rows) {
   CsvWriter csv;

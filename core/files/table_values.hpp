@@ -1,5 +1,5 @@
 #pragma once
-/// Tables as columns of plain values, for programs that have arrays where others read CSV.
+/// Tables as columns of plain values, for arrays in Python.
 #include <cstdint>
 #include <string>
 #include <variant>
@@ -9,11 +9,10 @@
 
 namespace clast {
 
-/// One column with the value of every row. Numbers are doubles where any of them is, not a number
-/// where nothing is known.
+/// One column of values. Numbers are doubles if any of them is; NaN if unknown.
 struct ColumnValues {
-  std::string name;     ///< with its unit: "speed_m_s"
-  std::string unit;     ///< "m/s"; empty for what has none
+  std::string name;     ///< with unit: "speed_m_s"
+  std::string unit;     ///< "m/s"; empty if there is none
   std::string meaning;  ///< Markdown
   std::variant<std::vector<std::uint64_t>, std::vector<double>, std::vector<std::string>> values;
 };
@@ -22,8 +21,7 @@ using TableValues = std::vector<ColumnValues>;
 
 namespace core_detail {
 
-/// The cells of one column in the narrowest type that holds them all; of a table without rows,
-/// doubles.
+/// Returns the cells of a column in the narrowest common type; doubles if there are no rows.
 inline auto typed_values(const std::vector<TableCell>& cells) {
   decltype(ColumnValues::values) values = std::vector<double>();
   const auto any = [&]<class T>(T) {
@@ -50,7 +48,7 @@ inline auto typed_values(const std::vector<TableCell>& cells) {
 
 }  // namespace core_detail
 
-/// The whole table.
+/// Converts a whole table to columns of values.
 template <class Row>
 TableValues tabulate(const TableColumns<Row>& columns, const std::vector<Row>& rows) {
   TableValues table;

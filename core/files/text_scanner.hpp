@@ -1,5 +1,5 @@
 #pragma once
-/// Words and numbers of a text, line by line, without copying it.
+/// Scanning of words and numbers of a text, line by line, without copies.
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -7,8 +7,7 @@
 
 namespace clast {
 
-/// A cursor over text. Lines end with LF, CR LF or CR; a byte order mark before the first is passed
-/// over.
+/// Cursor over a text. Lines end with LF, CR LF or CR; a byte order mark is skipped.
 class TextScanner {
  public:
   explicit TextScanner(std::string_view text)
@@ -16,20 +15,20 @@ class TextScanner {
 
   /// Moves to the next line; false at the end.
   bool next_line();
-  /// Number of the current line, from 1.
+  /// Returns the number of the current line, from 1.
   std::size_t line_number() const { return line_number_; }
-  /// What is left of the current line.
+  /// Returns the rest of the current line.
   std::string_view rest_of_line() const { return line_; }
-  /// The next word of the line; empty when there is none.
+  /// Returns the next word of the line; empty at its end.
   std::string_view next_word();
-  /// Text after the current line.
+  /// Returns the text after the current line.
   std::string_view remaining_text() const { return text_; }
 
-  /// The next word of the line as a number.
+  /// Parses the next word as a number.
   /// @throws InputError  naming line and word
   double next_number();
   std::int64_t next_integer();
-  /// "line 12: " to put before a message.
+  /// Returns "line 12: " as prefix of messages.
   std::string line_prefix() const { return "line " + std::to_string(line_number_) + ": "; }
 
  private:
@@ -37,7 +36,7 @@ class TextScanner {
   std::size_t line_number_ = 0;
 };
 
-/// The whole word as a number ("nan" and "inf" are numbers here), or none.
+/// Parses a whole word as a number ("nan" and "inf" are accepted); empty if it is not one.
 std::optional<double> parse_number_token(std::string_view word);
 std::optional<std::int64_t> parse_integer_token(std::string_view word);
 

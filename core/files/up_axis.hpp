@@ -1,5 +1,5 @@
 #pragma once
-/// The axis of a file that points up, and turning y up to z up and back.
+/// Up axis of a file, and rotation between y-up and z-up frames.
 #include <filesystem>
 #include <string>
 
@@ -7,15 +7,15 @@
 
 namespace clast {
 
-/// "y" or "z". Of "auto" it is y for .glb and .gltf files, which glTF 2.0 (3.4) has y up, and z for
-/// all others.
+/// Resolves the up axis to "y" or "z": "auto" is y for .glb and .gltf files (glTF 2.0, section 3.4)
+/// and z for others.
 /// @param up  "auto", "y" or "z"
-/// @throws InputError  anything else
+/// @throws InputError  for any other text
 std::string resolve_up_axis(const std::string& up, const std::filesystem::path& file);
 
-/// (x, y, z) of a frame whose y points up in one whose z does: a quarter turn about x.
+/// Rotates a point from a y-up to a z-up frame: a quarter turn about x.
 inline Vec3 y_up_to_z_up(const Vec3& p) { return {p.x(), -p.z(), p.y()}; }
-/// The inverse.
+/// Rotates a point from a z-up to a y-up frame.
 inline Vec3 z_up_to_y_up(const Vec3& p) { return {p.x(), p.z(), -p.y()}; }
 
 }  // namespace clast

@@ -1,5 +1,5 @@
 #pragma once
-/// Intervals of means, of differences of means and of shares whose values come in clusters.
+/// Confidence intervals of means, differences of means and proportions of clustered values.
 #include <cstdint>
 #include <optional>
 #include <vector>
@@ -8,37 +8,38 @@
 
 namespace clast {
 
-/// What 95 % of the values lie in, as many below as above.
+/// Returns the interval from the 2.5th to the 97.5th percentile.
 /// @param values  not empty, in any order
 Interval percentile_interval(std::vector<double> values);
 
-/// Values of which those of one cluster have something in common.
+/// Values that are dependent within clusters.
 struct ClusteredValues {
   std::vector<double> values;
-  std::vector<std::uint32_t> clusters;  ///< of each value, below the number of clusters
+  std::vector<std::uint32_t> clusters;  ///< one per value, below the number of clusters
 };
 
-/// 95 % interval of mean(a) - mean(b) by the percentiles of a bootstrap that draws whole clusters
-/// with replacement, the same for both groups. With one cluster values are drawn instead.
-/// @param clusters  how many there are
-/// @param draws     positive
-/// @return none when either group is empty, or when hardly a draw has values of both
+/// Returns the 95 % percentile interval of mean(a) - mean(b) from a bootstrap of whole clusters,
+/// drawn jointly for both groups. With one cluster, single values are drawn.
+/// @param clusters  number of clusters
+/// @param draws  positive
+/// @return empty if a group is empty, or nearly no draw has values of both
 /// @cite field2007
 std::optional<Interval> bootstrap_difference(const ClusteredValues& a, const ClusteredValues& b,
                                              std::size_t clusters, std::uint64_t seed,
                                              std::size_t draws = 2000);
 
-/// 95 % interval of the mean of `values`, by the same bootstrap.
-/// @return none when there are no values
+/// Returns the 95 % interval of the mean of clustered values, from the same bootstrap.
+/// @return empty if there are no values
 /// @cite field2007
 std::optional<Interval> bootstrap_mean(const ClusteredValues& values, std::size_t clusters,
                                        std::uint64_t seed, std::size_t draws = 2000);
 
-/// 95 % interval of a share whose trials come in clusters: Wilson's, for as many independent trials
-/// as would make the share vary as it does between clusters, and for no more than there are. Trials
-/// count as independent where all are of one cluster, and where the share is 0 or 1.
-/// @param hits  1 where it happened, else 0
-/// @return [0, 1] when there was no trial
+/// Returns the 95 % interval of a proportion of clustered trials: Wilson's interval for the
+/// effective number of independent trials that gives the observed variance between clusters, at
+/// most the actual number. Trials count as independent if there is a single cluster or the
+/// proportion is 0 or 1.
+/// @param hits  1 for success, 0 otherwise
+/// @return [0, 1] without trials
 /// @cite wilson1927, korn1998
 Interval clustered_proportion_interval(const ClusteredValues& hits, std::size_t clusters);
 

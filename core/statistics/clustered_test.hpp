@@ -1,5 +1,5 @@
 #pragma once
-/// Do two samples differ whose values come in clusters?
+/// Two-sample test of clustered values.
 #include <cstdint>
 #include <optional>
 
@@ -8,19 +8,18 @@
 
 namespace clast {
 
-/// The largest distance D of the cumulative shares, with p from random deals that leave clusters as
-/// they are: of a cluster that both samples share, its values are dealt anew to the two, as many to
-/// each as before; a cluster that only one sample has goes to one of them as a whole. Under the
-/// null hypothesis that what a value belongs to makes no difference in any cluster, every such deal
-/// is as likely as the one found. p is (1 + deals with at least D)/(1 + draws), or the smaller p of
-/// two_sample_ks_test where no deal reaches D and all clusters are shared, of which that test is the
-/// careful side. With one cluster it is two_sample_ks_test.
-/// @param clusters  how many there are
-/// @param draws     positive
-/// @return none when either sample is empty
+/// Kolmogorov-Smirnov distance D of two samples of clustered values, with a permutation p-value:
+/// the values of a cluster shared by both samples are permuted within it; a cluster of one sample
+/// is assigned to either sample as a whole. If group membership has no effect within clusters, all
+/// such permutations are equally likely. p is (1 + permutations with at least D)/(1 + draws), or
+/// the smaller p of two_sample_ks_test, which is conservative here, if no permutation reaches D and
+/// all clusters are shared. With one cluster it is two_sample_ks_test.
+/// @param clusters  number of clusters
+/// @param draws  positive
+/// @return empty if a sample is empty
 /// @cite smirnov1939, phipson2010
 std::optional<TestResult> clustered_ks_test(const ClusteredValues& a, const ClusteredValues& b,
-                                       std::size_t clusters, std::uint64_t seed,
-                                       std::size_t draws = 9999);
+                                            std::size_t clusters, std::uint64_t seed,
+                                            std::size_t draws = 9999);
 
 }  // namespace clast

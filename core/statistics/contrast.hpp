@@ -1,5 +1,5 @@
 #pragma once
-/// The difference of two groups: how large it is, how sure, and what that means.
+/// Difference of two groups with its uncertainty and verdict.
 #include <cmath>
 #include <cstddef>
 #include <functional>
@@ -11,52 +11,52 @@
 
 namespace clast {
 
-/// The verdict on a difference.
+/// Verdict on a difference.
 enum class Verdict {
-  kSignificant,          ///< it is more than chance gives
-  kDistributionDiffers,  ///< it can be chance, but the values are distributed in another way
-  kInsignificantAfterCorrection,  ///< its interval excludes zero, but one of so many does that by
-                                  ///< chance
-  kInsignificant,                 ///< it can be chance
-  kGroundDependent,               ///< its sign depends on the draw of the ground
-  kUntested,  ///< nothing shows what is chance: one realisation only, or values that do not scatter
-  kTooFewValues,  ///< too few values to judge by
+  kSignificant,          ///< significant after correction
+  kDistributionDiffers,  ///< the mean difference is not significant, but the distributions differ
+  kInsignificantAfterCorrection,  ///< the interval excludes zero, but the corrected test is not
+                                  ///< significant
+  kInsignificant,                 ///< not significant
+  kGroundDependent,               ///< the sign depends on the ground draw
+  kUntested,      ///< chance cannot be estimated: a single realisation, or values without scatter
+  kTooFewValues,  ///< too few values
 };
 
-/// One group less another.
+/// Difference of one group minus another.
 struct Contrast {
   double estimate = 0.0;
-  double standard_error = NAN;       ///< not a number where the interval is from a bootstrap
-  double degrees_of_freedom = NAN;   ///< degrees of freedom of the standard error
-  std::optional<Interval> interval;  ///< 95 %; none without a test
-  std::optional<double> p_value;     ///< uncorrected, two-sided
-  std::optional<double> p_holm;      ///< corrected for all that were tested with it
-  std::size_t tests = 0;             ///< that it was corrected for
+  double standard_error = NAN;       ///< NaN if the interval is from a bootstrap
+  double degrees_of_freedom = NAN;   ///< of the standard error
+  std::optional<Interval> interval;  ///< 95 %; empty without a test
+  std::optional<double> p_value;     ///< two-sided, uncorrected
+  std::optional<double> p_holm;      ///< corrected for all tests of the family
+  std::size_t tests = 0;             ///< number of tests of the family
 
-  /// The corrected test is below 5 %.
+  /// True if the corrected p-value is below 0.05.
   bool is_significant() const { return p_holm && *p_holm < 0.05; }
   bool excludes_zero() const { return interval && (interval->low > 0.0 || interval->high < 0.0); }
-  /// By the corrected test and the interval.
+  /// Returns the verdict of the corrected test and the interval.
   Verdict verdict() const;
 };
 
-/// Interval and p-value of Student's t.
+/// Makes a contrast with the interval and p-value of Student's t.
 /// @param standard_error  positive
 /// @cite student1908
 Contrast student_contrast(double estimate, double standard_error, double degrees_of_freedom);
 
-/// P-values after Holm's correction for having looked so many times: in ascending order the i-th is
-/// multiplied by the number of those not yet passed, and none is below one before it. Below 0.05
-/// means that the chance of any false finding among all is below 0.05.
-/// @param p_values  in any order; the result is in the same
+/// Adjusts p-values by Holm's method for multiple tests: the i-th smallest is multiplied by the
+/// number of remaining tests, and values are made monotone. Rejecting below 0.05 limits the
+/// family-wise error rate to 0.05.
+/// @param p_values  in any order, which the result keeps
 /// @cite holm1979
 std::vector<double> holm_adjusted(std::span<const double> p_values);
 
-/// The same of the contrasts of a family, each with a p-value.
+/// Applies Holm's correction to a family of contrasts, each with a p-value.
 void apply_holm_correction(const std::vector<Contrast*>& family);
 
-/// The same of the contrasts in a list; those without a p-value are no tests.
-/// @param contrast_of  of an item, a function or a member
+/// Applies Holm's correction to the contrasts of a list; those without a p-value are ignored.
+/// @param contrast_of  returns the contrast of an item
 template <class Item, class Of = std::identity>
 void correct_multiple_tests(std::vector<Item>& items, const Of& contrast_of = {}) {
   std::vector<Contrast*> tested;

@@ -1,76 +1,74 @@
 #pragma once
-/// Gaussian processes: a smooth function of a few numbers out of noisy values at some places of the
-/// unit cube, with the error of what it says elsewhere.
+/// Gaussian process regression of noisy values in the unit cube, with predictive variances.
 #include <Eigen/Core>
 
 namespace clast {
 
-/// How alike the function is at two places r apart, each coordinate in units of its own length.
+/// Correlation function at scaled distance r, with one length scale per coordinate.
 enum class Kernel {
   kMatern52,            ///< (1 + sqrt(5) r + 5 r^2/3) exp(-sqrt(5) r): twice differentiable
   kSquaredExponential,  ///< exp(-r^2/2): infinitely smooth
 };
 
-/// What shapes a process beside its variance and mean, which follow in closed form.
+/// Hyperparameters of a process; variance and mean follow in closed form.
 struct GaussianProcessHyperparameters {
-  Eigen::VectorXd length_scales;  ///< of each coordinate, in units of the cube's side
-  double nugget = 0.0;      ///< variance of the noise over that of the function
+  Eigen::VectorXd length_scales;  ///< one per coordinate, in units of the cube side
+  double nugget = 0.0;            ///< noise variance over process variance
 };
 
 struct GaussianProcessOptions {
   Kernel kernel = Kernel::kMatern52;
-  double min_length_scale = 0.05;         ///< bounds of lengths
-  double max_length_scale = 20.0;          ///< from here on the function is next to linear
-  double min_nugget = 1e-8;  ///< keeps places that nearly coincide apart
+  double min_length_scale = 0.05;  ///< bounds of the length scales
+  double max_length_scale = 20.0;  ///< beyond this the function is nearly linear
+  double min_nugget = 1e-8;        ///< keeps nearly coincident points numerically apart
   double max_nugget = 1e3;
-  /// Belief that coordinates have little influence: the likelihood is weighed with
-  /// exp(-shrinkage/length) of each, so that noise is not taken for an influence.
+  /// Strength of the prior that coordinates have little influence: the likelihood is multiplied by
+  /// exp(-shrinkage/length) for each, so that noise is not fitted.
   double shrinkage = 1.0;
-  int iterations = 100;  ///< at most, from each start
+  int iterations = 100;  ///< maximum, from each start
 
   void check() const;  ///< throws InputError naming the field and its value
 };
 
-/// A process fitted to values at places. Its mean is a constant that is found with it, so values
-/// that are shifted or scaled give a process that is shifted or scaled.
+/// Gaussian process fitted to values at points, with an estimated constant mean; equivariant to
+/// shifting and scaling of the values.
 /// @cite rasmussen2006
 class GaussianProcess {
  public:
-  /// Finds lengths and nugget at the maximum of the marginal likelihood, weighed, by steps that
-  /// grow and shrink with the signs of the gradient (Rprop), from two fixed starts: the same bits
-  /// every time. Values that are all equal give that value without error.
-  /// @param places  one column each, coordinates in [0, 1]
-  /// @param values  of each place, finite
-  /// @throws InputError  fewer than three places, or not as many values
+  /// Maximises the penalised marginal likelihood over length scales and nugget by Rprop from two
+  /// fixed starts; deterministic. Equal values give a constant without error.
+  /// @param points  one column each, coordinates in [0, 1]
+  /// @param values  one per point, finite
+  /// @throws InputError  if there are fewer than three points, or the sizes differ
   /// @cite riedmiller1994, blum2013, fuglstad2019
   GaussianProcess(const Eigen::MatrixXd& points, const Eigen::VectorXd& values,
                   const GaussianProcessOptions& options = {});
-  /// With a given shape.
+  /// Makes a process with given hyperparameters.
   GaussianProcess(const Eigen::MatrixXd& points, const Eigen::VectorXd& values,
                   const GaussianProcessHyperparameters& hyperparameters, Kernel kernel);
 
   const GaussianProcessHyperparameters& hyperparameters() const { return hyperparameters_; }
   double mean() const { return mean_; }
-  /// Of the function around its mean.
+  /// Returns the process variance.
   double variance() const { return variance_; }
-  /// Of one value around the function.
+  /// Returns the noise variance of a value.
   double noise_variance() const { return variance_ * hyperparameters_.nugget; }
-  /// Logarithm of the restricted marginal likelihood, up to a constant.
+  /// Returns the restricted log marginal likelihood, up to a constant.
   double log_likelihood() const { return log_likelihood_; }
 
-  /// At places, one column each: the function, and the variance of its error, without noise.
+  /// Predictions at points: mean, and variance without noise.
   struct Prediction {
     Eigen::VectorXd mean;
-    Eigen::VectorXd variance;
+    Eigen::VectorXd variance;  ///< predictive variance, including noise
   };
   Prediction predict(const Eigen::MatrixXd& points) const;
-  /// The means alone, which cost far less.
+  /// Predicts the means only, which is much cheaper.
   Eigen::VectorXd predict_mean(const Eigen::MatrixXd& points) const;
 
-  /// Each value from all others, in closed form, with the shape as it is.
+  /// Leave-one-out predictions in closed form, with unchanged hyperparameters.
   /// @cite dubrule1983
   struct LeaveOneOut {
-    Eigen::VectorXd error;     ///< value less what the others say
+    Eigen::VectorXd error;     ///< value minus prediction from the others
     Eigen::VectorXd variance;  ///< that it should have, noise and all
   };
   LeaveOneOut leave_one_out() const;
@@ -83,9 +81,9 @@ class GaussianProcess {
   Eigen::VectorXd values_;
   GaussianProcessHyperparameters hyperparameters_;
   double mean_ = 0.0, variance_ = 0.0, log_likelihood_ = 0.0;
-  Eigen::MatrixXd factor_;   ///< lower triangle of the correlations with the nugget
-  Eigen::VectorXd weights_;  ///< inverse correlations times the values about their mean
-  Eigen::VectorXd ones_;     ///< inverse correlations times one
+  Eigen::MatrixXd factor_;   ///< Cholesky factor of the correlations with nugget
+  Eigen::VectorXd weights_;  ///< inverse correlations times centred values
+  Eigen::VectorXd ones_;     ///< inverse correlations times ones
 };
 
 }  // namespace clast

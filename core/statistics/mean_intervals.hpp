@@ -1,5 +1,5 @@
 #pragma once
-/// Means of independent values, and the difference of two, with intervals of Student's t.
+/// Confidence intervals of means and of differences of means by Student's t.
 #include <cmath>
 #include <optional>
 
@@ -8,20 +8,19 @@
 
 namespace clast {
 
-/// A standard deviation up to this share of the mean is rounding, and the values are equal.
+/// Maximum relative standard deviation due to rounding; values are then equal.
 inline constexpr double kRoundingFraction = 1e-9;
 
-/// 95 % interval of the mean: t s/sqrt(n) to either side, with n - 1 degrees of freedom.
-/// @return none below two values, or where they are equal, which does not show how they scatter
-/// @param possible  that no mean can lie outside of, as 0 to 1 of a share; the interval is cut
-/// there
+/// Returns the 95 % interval of the mean: t s/sqrt(n) to either side, with n - 1 degrees of
+/// freedom.
+/// @return empty below two values, or if all values are equal, so that their scatter is unknown
+/// @param possible  range of possible means, to which the interval is clipped
 /// @cite student1908
 std::optional<Interval> mean_interval(const Summary& values,
                                       const Interval& possible = {-INFINITY, INFINITY});
 
-/// The mean of one group less that of another by Welch's t: each group has a spread of its own, the
-/// degrees of freedom are Satterthwaite's.
-/// @return the estimate alone below two values of either, or where those of each are equal
+/// Computes the difference of two means by Welch's t-test with Satterthwaite's degrees of freedom.
+/// @return the estimate only, if a group has fewer than two values or all values of each are equal
 /// @cite welch1947 @cite satterthwaite1946
 Contrast welch_difference(const Summary& first, const Summary& second);
 

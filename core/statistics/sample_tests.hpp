@@ -1,5 +1,5 @@
 #pragma once
-/// Tests of samples: do two differ, do two quantities go together.
+/// Two-sample and correlation tests.
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -8,51 +8,51 @@
 
 namespace clast {
 
-/// A statistic and the probability of one as large or larger when there is nothing to find.
+/// Test statistic with its p-value.
 struct TestResult {
   double statistic = 0.0;
   double p_value = 1.0;
-  bool exact = true;  ///< p from all arrangements of these values; else from a limit or from draws
+  bool exact = true;  ///< p from all permutations; otherwise from a limit distribution or random
+                      ///< permutations
 };
 
-/// Kolmogorov's and Smirnov's test of two samples: the largest distance D of their cumulative
-/// shares. p is the share of the (m + n)!/(m! n!) ways to deal the pooled values to two samples
-/// that give at least this D, ties kept; beyond m n = 10^7 it is Kolmogorov's limit, which is too
-/// large when there are ties.
+/// Two-sample Kolmogorov-Smirnov test. The p-value counts, with ties, all (m + n)!/(m! n!)
+/// assignments with at least the observed distance D; beyond m n = 10^7 it is Kolmogorov's limit,
+/// which is conservative with ties.
 /// @param a, b  finite
-/// @return none when either is empty
+/// @return empty if a sample is empty
 /// @cite smirnov1939
 std::optional<TestResult> two_sample_ks_test(std::span<const double> a, std::span<const double> b);
 
-/// Spearman's rank correlation, in [-1, 1]; ties share their mean rank. p is two-sided: from all n!
-/// orders up to n = 9, from Student's t with n - 2 degrees of freedom beyond.
-/// @param x, y  finite, of one length
-/// @return none below three pairs, or when all x or all y are equal
+/// Spearman's rank correlation in [-1, 1], with mean ranks for ties and a two-sided p-value: from
+/// all n! permutations up to n = 9, otherwise from Student's t with n - 2 degrees of freedom.
+/// @param x, y  finite, of equal length
+/// @return empty below three pairs, or if all x or all y are equal
 /// @cite spearman1904
 std::optional<TestResult> spearman_test(std::span<const double> x, std::span<const double> y);
 
-/// Pearson's test of whether two samples have the same shares of classes.
+/// Pearson's chi-squared test of equal class fractions.
 struct ChiSquaredResult {
   double chi_squared = 0.0;
-  std::size_t degrees_of_freedom = 0;         ///< classes that occur, less one
-  double smallest_expected = 0.0;  ///< count
+  std::size_t degrees_of_freedom = 0;  ///< occurring classes minus one
+  double smallest_expected = 0.0;      ///< smallest expected count
   double p_value = 1.0;
   std::size_t draws =
       0;  ///< random tables behind p; 0 when it is from the chi-squared distribution
 };
 
-/// Classes that neither sample has are left out. Where an expected count is below 5 the
-/// distribution is no guide: p is then from `draws` random tables with the same row and column
-/// sums, as (1 + as extreme)/(1 + draws).
-/// @param a, b   counts by class, of one length
+/// Tests whether two samples have equal class fractions. Empty classes are ignored. If an expected
+/// count is below 5, the p-value is from `draws` random tables with equal margins: (1 + as
+/// extreme)/(1 + draws).
+/// @param a, b  counts by class, of equal length
 /// @param draws  positive
-/// @return none when either sample is empty or fewer than two classes occur
+/// @return empty if a sample is empty or fewer than two classes occur
 /// @cite pearson1900, cochran1954
 std::optional<ChiSquaredResult> chi_squared_test(std::span<const std::size_t> a,
-                                      std::span<const std::size_t> b, std::uint64_t seed,
-                                      std::size_t draws = 9999);
+                                                 std::span<const std::size_t> b, std::uint64_t seed,
+                                                 std::size_t draws = 9999);
 
-/// Ranks from 1; equal values share the mean of theirs.
+/// Returns ranks from 1, with mean ranks for ties.
 std::vector<double> ranks(std::span<const double> values);
 
 }  // namespace clast

@@ -1,5 +1,5 @@
 #pragma once
-/// What share of the variance of a quantity goes with each factor of a crossed design.
+/// Variance decomposition of full factorial designs.
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -9,35 +9,35 @@
 
 namespace clast {
 
-/// The share of one factor, or of all interactions together.
+/// Variance fraction of one factor, or of all interactions.
 struct VarianceFraction {
-  /// Of the levels as they are: the first-order Sobol index of the design, exactly.
+  /// First-order Sobol index of the design itself; exact for these levels.
   double design_fraction = 0.0;
-  /// Of the population that the levels were drawn from.
+  /// Estimate for the population from which the levels were drawn.
   double estimate = 0.0;
   Interval interval;  ///< 95 %, of the estimate
 };
 
 struct VarianceDecomposition {
-  double variance = 0.0;                  ///< estimate, of a value at levels drawn anew
-  std::vector<VarianceFraction> factors;  ///< alone, in the order of the design
+  double variance = 0.0;                  ///< estimated variance of a value at new levels
+  std::vector<VarianceFraction> factors;  ///< main effects, in the order of the design
   VarianceFraction interactions;          ///< of two and more factors
 };
 
-/// Shares of the variance in a full factorial design with one value for each combination.
+/// Decomposes the variance of a full factorial design with one value per combination.
 ///
-/// The sum of squares splits exactly into those of the factors and of their interactions; over the
-/// total, those are Sobol's indices of the design [sobol2001]. Estimates are the variance
-/// components of the model in which the levels of every factor are drawn by chance, from the mean
-/// squares [searle1992], negative ones taken as zero. Intervals are generalised confidence
-/// intervals [weerahandi1993]: mean squares are drawn 2,000 times as degrees of freedom times the
-/// one found over a chi-squared number. They are exact for normal effects in large samples and have
-/// been shown to cover (docs/theory.md).
-/// @param values  the last factor's level changes fastest
-/// @param levels  of each factor, two or more; their product is the number of values
-/// @return all zero where all values are equal
-/// @throws InputError  no factor or more than six, a factor of one level, or not as many values
-///                     as combinations
+/// The sum of squares splits exactly into factors and interactions; divided by the total these are
+/// the Sobol indices of the design [sobol2001]. Estimates are variance components of the
+/// random-effects model from the mean squares [searle1992], negative ones set to zero. Intervals
+/// are generalised confidence intervals [weerahandi1993] with 2,000 draws of the mean squares as
+/// degrees of freedom times the observed one over a chi-squared number: exact for normal effects in
+/// large samples, with verified coverage (docs/theory.md).
+/// @param values  the last factor varies fastest
+/// @param levels  number of levels of each factor, at least two; their product is the number of
+///                values
+/// @return all zero if all values are equal
+/// @throws InputError  if there is no factor or more than six, a factor has one level, or the sizes
+///                     differ
 /// @cite sobol2001 @cite searle1992 @cite weerahandi1993
 VarianceDecomposition decompose_variance(std::span<const double> values,
                                          std::span<const std::size_t> levels,

@@ -1,6 +1,6 @@
 #pragma once
-/// Forces of the contact points of one pair of bodies by Eqs. 2-8 of the paper: normal force,
-/// friction and rolling resistance of each, shared out within the contact patches.
+/// Contact forces of a pair of bodies by Eqs. 2-8 of the paper: normal force, friction and rolling
+/// resistance, weighted within contact patches.
 /// @cite garcia2022
 #include <memory>
 #include <optional>
@@ -15,14 +15,14 @@
 
 namespace clast::dem_detail {
 
-/// What contacts that begin, reverse or end inside a step add to it, in world axes.
+/// Correction impulse of contacts that begin, reverse or end inside a step, in world axes.
 struct EventImpulse {
   Vec3 impulse = Vec3::Zero();          ///< on the block, N s
   Vec3 angular_impulse = Vec3::Zero();  ///< about its centre of mass, N m s
   Vec3 angular_impulse_on_other = Vec3::Zero();
   // Only against what does not move; zero between two moving bodies.
-  Vec3 moment = Vec3::Zero();          ///< mass times shift of the centre, N s^2
-  Vec3 angular_moment = Vec3::Zero();  ///< inertia times turn, N m s^2
+  Vec3 moment = Vec3::Zero();          ///< mass times displacement of the centre, N s^2
+  Vec3 angular_moment = Vec3::Zero();  ///< inertia times rotation, N m s^2
 
   template <class Bytes>
   void serialize(Bytes& bytes) {
@@ -30,15 +30,17 @@ struct EventImpulse {
   }
 };
 
-/// What the contacts of a pair do to its bodies, in world axes. The other body gets -force.
+/// Force and torque of a pair's contacts, in world axes. The other body receives the opposite
+/// force.
 struct ContactLoad {
-  Vec3 force = Vec3::Zero();            ///< on the block
-  Vec3 torque = Vec3::Zero();           ///< on the block about its centre of mass
-  Vec3 torque_on_other = Vec3::Zero();  ///< on the other body about its own
-  /// Energy that the contacts are about to take up, are giving back, or will drop when they turn,
-  /// per mass of the block, J/kg (docs/theory.md, Time step).
+  Vec3 force = Vec3::Zero();   ///< on the block
+  Vec3 torque = Vec3::Zero();  ///< on the block about its centre of mass
+  Vec3 torque_on_other =
+      Vec3::Zero();  ///< of the opposite force on the other body, about its centre of mass
+  /// Energy that the contacts are absorbing, returning, or will lose at reversal, per block mass,
+  /// J/kg (docs/theory.md, Time step).
   double impact = 0.0;
-  /// To be applied once, at the end of this step (`RigidBodyIntegrator::apply_event_impulse`).
+  /// Impulse to apply once, at the end of this step (`RigidBodyIntegrator::apply_event_impulse`).
   std::unique_ptr<EventImpulse> event;
 
   template <class Bytes>
@@ -47,76 +49,79 @@ struct ContactLoad {
   }
 };
 
-/// The contacts of a block with the ground, or with another block, over time: matched with those of
-/// the step before, weighted within their patches, loaded by the constitutive law.
+/// Contacts of a block with the ground or another block over time: matched with the previous step,
+/// weighted within their patches, and loaded by the contact law.
 class ContactForces {
  public:
-  /// @param rules  they and the block must outlive the forces
-  /// @param size   smallest side of the block, m
+  /// Makes an empty set of contacts.
+  /// @param model  must outlive this object, as must the block
+  /// @param size  smallest side of the block, m
   ContactForces(const ContactModel& model, const BlockSurface& block, double size);
 
-  /// Loads at the present contacts after a step of `duration`. Books every joule of the step in
+  /// Computes the loads after a step of `duration` and books all energies of the step in
   /// `energy_balance`.
   /// @param points  in world axes
-  /// @param other   the ground does not move
+  /// @param other  at rest for the ground
   ContactLoad update(const std::vector<ContactPoint>& points, const BodyMotion& block,
                      const BodyMotion& other, double duration, EnergyBalance& energy_balance);
 
-  /// Presses the dents of the present contacts into `soil`.
+  /// Stores the residual indentations of the current contacts in `soil`.
   void store_indentations(SoilMemory& soil) const;
 
-  /// Time that has passed without contact and without an `update`, s.
+  /// Advances the time without contact and without `update`, s.
   void advance_time(double duration) { contactless_time_ += duration; }
 
   bool empty() const { return contacts_.empty(); }
   std::size_t count() const { return contacts_.size(); }
-  /// Of all contacts together, 1/kg: with springs of stiffness k at each, weighted, the block has
-  /// no frequency above the root of k times this.
+  /// Returns the mobility of all contacts, 1/kg: with weighted springs of stiffness k, no natural
+  /// frequency of the block exceeds sqrt(k mobility).
   /// @param vertex_mobilities  of the block (`vertex_mobilities`)
   double contact_mobility(std::span<const double> vertex_mobilities) const;
-  /// Sum of the weights of all contacts.
+  /// Returns the sum of all contact weights.
   double weight() const;
-  double stored_energy() const;  ///< what unloading would give back, J
+  double stored_energy() const;  ///< elastic energy, J
   double max_overlap() const { return contacts_.empty() ? 0.0 : contacts_[deepest_].point.overlap; }
   struct DeepestContact {
-    std::uint32_t contact_count = 0;  ///< all there are
+    std::uint32_t contact_count = 0;  ///< total number of contact points
     double overlap = 0.0;             ///< m
     Vec3 position = Vec3::Zero();
     std::uint16_t zone = 0;
   };
-  /// The contact with the largest overlap; none without contacts.
+  /// Returns the contact with the largest overlap; empty without contacts.
   std::optional<DeepestContact> deepest_contact() const;
-  /// Deepest of the patches that carry the block, vertically, m: a wedge between steep walls is
-  /// tight but not deep.
+  /// Returns the largest vertical depth of the load-bearing patches, m. A wedge between steep walls
+  /// is tight but not deep.
   double settled_depth();
-  /// Whether the law leaves dents: then impacts decide how deep a body rests, not its weight.
+  /// True if the law leaves residual indentations, so that impacts rather than the weight determine
+  /// the settled depth.
   bool is_plastic() const;
-  /// Smallest stiffness with which a present contact carries a body at rest; k_n without any, N/m.
+  /// Returns the smallest static stiffness of the current contacts, or k_n without contacts, N/m.
   double static_stiffness() const;
 
-  /// All that the loads to come depend on.
+  /// Serialises the state that determines future loads.
   template <class Bytes>
   void serialize(Bytes& bytes) {
-    bytes(patches_, contacts_, deepest_, last_wrench_, slip_, slipped_, contactless_time_);
-    if (drag_) bytes(*drag_);
+    bytes(patches_, contacts_, deepest_, last_wrench_, slip_, slipped_,
+          contactless_time_);  ///< time since the last contact, s
+    if (drag_) bytes(*drag_);  ///< null if the ground has no scar drag
   }
 
  private:
-  /// What the unit force of one patch does through all its points.
+  /// Force and torque of a patch's unit force through all its points.
   struct PatchWrench {
     Vec3 force = Vec3::Zero();
     Vec3 torque = Vec3::Zero();
     Vec3 torque_on_other = Vec3::Zero();
   };
 
-  /// What all contacts together did at the end of the last step, in world axes: `force` on the
-  /// block and the opposite on the other body.
+  /// Total contact force and torque at the end of the last step, in world axes: `force` on the
+  /// block and its opposite on the other body.
   struct PairWrench {
     PairWrench() = default;
     PairWrench(const ContactLoad& load, const RelativeMotion& motion);
-    /// Power that it takes from the bodies in their mean motion over the step that it ends, W ...
+    /// Returns the power taken from the mean motion over the previous step, W.
     double power_over_previous_step(const RelativeMotion& motion) const;
-    /// ... and over the one that it begins.
+    /// Returns the power taken from the mean motion over the next step, W.
     double power_over_next_step(const RelativeMotion& motion) const;
 
     Vec3 force = Vec3::Zero();
@@ -130,7 +135,7 @@ class ContactForces {
     }
   };
 
-  /// Of one update, shared by all pairs of a thread.
+  /// Temporary data of one update, shared by all pairs of a thread.
   struct Scratch {
     std::vector<Contact> now;
     ContactHistory history;
@@ -142,26 +147,26 @@ class ContactForces {
   ContactLoad apply_law(const std::vector<Law>& laws, const std::vector<ContactPoint>& points,
                         const RelativeMotion& motion, Scratch& scratch,
                         EnergyBalance& energy_balance);
-  /// Forgets the slip of earlier contacts as the ground that is touched now does.
+  /// Decays the slip of earlier contacts by the memory of the touched ground.
   void decay_slip(std::uint16_t zone);
-  /// Adds how far the block slid in this step, mean over its contacts.
+  /// Accumulates the slip of this step, averaged over the contacts.
   void accumulate_slip();
   void add_drag(const RelativeMotion& motion, ContactLoad& load, EnergyBalance& energy_balance);
-  /// Stores `now` as the present contacts, with little spare capacity: buffers that were swapped
-  /// from pair to pair would each grow to the longest list of all.
+  /// Stores `now` as the current contacts with little spare capacity; swapping buffers between
+  /// pairs would grow each to the longest list.
   void store_contacts(std::vector<Contact>& now);
-  /// Lists the present contacts with their weights (Eqs. 6-8).
+  /// Lists the current contacts with their weights (Eqs. 6-8).
   void assign_weights(const std::vector<ContactPoint>& points, const RelativeMotion& motion,
                       std::vector<Contact>& now);
   void compute_effective_masses(const RelativeMotion& motion, Scratch& scratch) const;
-  /// Gives contacts without a past the mean force of those that go on in their patch.
+  /// Sets new contacts to the mean force of the continued contacts of their patch.
   void initialise_new_forces(Scratch& scratch) const;
-  /// Loads a present contact (Eqs. 2, 4, 5) and adds what it does to both bodies.
+  /// Computes the load of a contact (Eqs. 2, 4, 5) and adds it to both bodies.
   template <NormalLaw Law>
   void compute_contact_load(Contact& contact, const Contact* previous, const Law& law,
                             const RelativeMotion& motion, ContactLoad& load,
                             EnergyBalance& energy_balance);
-  /// Ends a contact of the step before that no present one continues.
+  /// Ends a contact of the previous step that is not continued.
   template <NormalLaw Law>
   void end_contact(const Contact& contact, const Law& law, const RelativeMotion& motion,
                    ContactLoad& load, EnergyBalance& energy_balance) const;
@@ -169,13 +174,14 @@ class ContactForces {
   void update_overlaps(const std::vector<Law>& laws, const EventImpulse& event,
                        const BodyMotion& block, EnergyBalance& energy_balance);
   void find_deepest_contact();
-  /// Energy in all springs of the contact, with its weight, J.
+  /// Returns the weighted energy of all springs of a contact, J.
   template <NormalLaw Law>
   double contact_stored_energy(const Contact& contact, const Law& law) const;
 
   const ContactModel& model_;
   const SurfaceFeatures& block_;
-  double near_;  ///< contacts closer than this may continue each other on other features, m
+  double near_;  ///< maximum distance of contacts that may continue each other on different
+                 ///< features, m
   ContactPatches patches_;
   std::vector<Contact> contacts_;
   std::size_t deepest_ = 0;  ///< contact with the largest overlap, the first of such

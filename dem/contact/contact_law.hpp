@@ -1,6 +1,5 @@
 #pragma once
-/// The constitutive law of the normal force, how it is shared among contact points, and its
-/// stiffness.
+/// Normal contact laws, contact weighting, and stiffness.
 /// @cite garcia2022
 #include <string>
 #include <variant>
@@ -14,39 +13,40 @@
 
 namespace clast {
 
-/// The normal laws to choose from; friction and rolling resistance are the same under all of them.
-/// Another law is one struct that is a `NormalLaw`, in a file of its own, named here.
+/// Available normal laws; friction and rolling resistance are common to all. A further law is a
+/// struct that satisfies `NormalLaw`, in its own file, listed here.
 template <NormalLaw... Laws>
 using LawVariant = std::variant<Laws...>;
 using ContactLaw = LawVariant<EnergyRestitutionLaw, SpringDashpotLaw, ElastoplasticLaw>;
 
-/// A law by name, "energy-restitution", "spring-dashpot" or "elastoplastic".
-/// @throws InputError  unknown name; the message lists the laws
+/// Parses the name of a law: "energy-restitution", "spring-dashpot" or "elastoplastic".
+/// @throws InputError  if the name is unknown; the message lists the laws
 ContactLaw parse_contact_law(const std::string& name);
 std::string name_of(const ContactLaw& law);
-/// Names of all laws, in the order of the variant.
+/// Returns the names of all laws in the order of the variant.
 std::vector<std::string> contact_law_names();
 
-/// How contact stiffness is shared among the points of one block.
+/// Weighting of the contact stiffness over the points of a block.
 enum class ContactWeighting {
-  kPatch,    ///< by overlap within each contact patch; each patch carries the law once
-  kOverlap,  ///< by overlap among all points of the block (Eq. 8)
-  kCount,    ///< equally among all points of the block (Eq. 7)
-  kNone,     ///< every point carries the full stiffness
+  kPatch,    ///< by overlap within each contact patch; weights of a patch sum to 1
+  kOverlap,  ///< by overlap over all points of the block (Eq. 8)
+  kCount,    ///< equal for all points of the block (Eq. 7)
+  kNone,     ///< each point has the full stiffness
 };
 
-/// @throws InputError  unknown name; the message lists patch, overlap, count, none
+/// Parses a weighting.
+/// @throws InputError  if the name is unknown; the message lists patch, overlap, count, none
 ContactWeighting parse_contact_weighting(const std::string& name);
 std::string name_of(ContactWeighting weights);
 
-/// Stiffnesses and the time steps that they require.
+/// Contact stiffness and the time steps that it requires.
 struct ContactStiffness {
   double normal = 0.0;      ///< k_n, N/m
   double tangential = 0.0;  ///< k_t, N/m
-  double rolling = 0.0;     ///< k_r on ground that states no rolling length, N m/rad
-  double time_step = 0.0;   ///< resolves an impact, s
-  /// Resolves what goes on between impacts, s: a contact of the block's most mobile point. Below
-  /// `time_step`: all steps have that length.
+  double rolling = 0.0;     ///< k_r on ground without rolling length, N m/rad
+  double time_step = 0.0;   ///< step that resolves an impact, s
+  /// Step between impacts, s, limited by the block's most mobile point. If it is below `time_step`,
+  /// all steps have the length `time_step`.
   double max_time_step = 0.0;
 };
 

@@ -1,5 +1,6 @@
 #pragma once
-/// What all contacts of a kind share: on the ground, between bodies, or on forms.
+/// Contact parameters shared by all contacts of one kind: on the ground, between bodies, or on
+/// confining walls.
 #include <cstdint>
 #include <span>
 #include <variant>
@@ -13,11 +14,11 @@ namespace clast::dem_detail {
 
 class ContactModel {
  public:
-  /// @param zone_parameters     parameters of each ground zone; these, `face_zones` and
-  /// `soil_memory` must
-  ///                     outlive the rules
-  /// @param face_zones     zone of each face of the reference; empty: all are of zone 0
-  /// @param remembering  dents of earlier contacts; null: none is remembered
+  /// Makes the laws of all zones.
+  /// @param zone_parameters  per ground zone; these, `face_zones` and `soil_memory` must outlive
+  ///                         the model
+  /// @param face_zones  zone of each face of the reference body; empty: all are zone 0
+  /// @param soil_memory  residual indentations of earlier contacts; null: none
   ContactModel(std::span<const GroundParameters> zone_parameters,
                std::span<const std::uint16_t> face_zones, const ContactStiffness& contact_stiffness,
                ContactWeighting weighting, const ContactLaw& law,
@@ -26,7 +27,7 @@ class ContactModel {
   std::uint16_t zone_of(std::uint32_t face) const {
     return zone_of_face.empty() ? std::uint16_t{0} : zone_of_face[face];
   }
-  /// Calls `visit` with the laws of the zones, which are of one kind.
+  /// Calls `visit` with the laws of the zones, which have one type.
   template <class Visit>
   decltype(auto) visit_laws(const Visit& visit) const {
     return std::visit([&](const auto& by_zone) -> decltype(auto) { return visit(by_zone.laws); },
@@ -41,8 +42,8 @@ class ContactModel {
   double tangential_compliance;                     ///< 1/k_t
   std::vector<double> rolling, rolling_compliance;  ///< k_r and 1/k_r by zone
   std::vector<double> drag_factors;                 ///< C_d rho/2 by zone, kg/m^3
-  bool has_slip_dependent_friction = false;         ///< friction grows with slip, on any zone
-  bool has_scar_drag = false;                       ///< any zone has a scar drag
+  bool has_slip_dependent_friction = false;         ///< on any zone
+  bool has_scar_drag = false;                       ///< on any zone
 
  private:
   template <class Law>

@@ -1,21 +1,21 @@
 #pragma once
-/// The energy balance of a run.
+/// Energy balance of a run.
 #include <algorithm>
 #include <cmath>
 
 namespace clast {
 
-/// Where energy went, J. Sums over the run.
+/// Energy balance summed over a run, J.
 struct EnergyBalance {
-  double initial = 0.0;     ///< kinetic + potential + stored at the start
-  double final = 0.0;       ///< the same at the end
+  double initial = 0.0;     ///< kinetic + potential + elastic at the start
+  double final = 0.0;       ///< kinetic + potential + elastic at the end
   double normal = 0.0;      ///< dissipated by the normal law
   double friction = 0.0;    ///< dissipated by sliding and by scar drag
   double rolling = 0.0;     ///< dissipated by rolling resistance
-  double reassigned = 0.0;  ///< lost (or gained, < 0) when contacts or their weights change
+  double reassigned = 0.0;  ///< lost (or gained, < 0) if contacts or their weights change
 
   double dissipated() const { return normal + friction + rolling + reassigned; }
-  /// Adds what another part of the run dissipated.
+  /// Adds the dissipation of another part of the run.
   EnergyBalance& operator+=(const EnergyBalance& part) {
     normal += part.normal;
     friction += part.friction;
@@ -23,7 +23,8 @@ struct EnergyBalance {
     reassigned += part.reassigned;
     return *this;
   }
-  /// Closes the balance. `drop`: what was there at the start, above the potential at the end, J.
+  /// Closes the balance.
+  /// @param drop  initial energy minus potential energy at the end, J
   void close_balance(double final_energy, double drop) {
     final = final_energy;
     const double lost = dissipated();

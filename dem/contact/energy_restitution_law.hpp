@@ -1,12 +1,13 @@
 #pragma once
-/// The law of the paper: loading with k_n, unloading with k_n e_n^2. @cite garcia2022 (Eq. 2)
+/// Energy-restitution normal law: loading with k_n, unloading with k_n e_n^2. @cite garcia2022 (Eq.
+/// 2)
 #include "dem/contact/ground_parameters.hpp"
 #include "dem/contact/overlap_path.hpp"
 
 namespace clast {
 
 /// Normal force f on one ground zone: f += k_n dh while the overlap h grows, f = k_n e_n^2 h while
-/// it shrinks.
+/// it decreases.
 struct EnergyRestitutionLaw {
   static constexpr const char* kName = "energy-restitution";
   static constexpr bool kNeedsEffectiveMass = false;
@@ -78,9 +79,8 @@ struct EnergyRestitutionLaw {
   }
 
  private:
-  /// A force this close to the unloading line, relative to itself, is on it. The correction of the
-  /// step in which the overlap turns shifts the block by (w dt)^4/24 of it: where that is less, it
-  /// makes no events of the steps of the unloading.
+  /// Relative distance below which a force is on the unloading line. The correction at reversal
+  /// shifts the block by (w dt)^4/24 of it; smaller values cause no events during unloading.
   static constexpr double kOnLine = 1e-5;
 };
 

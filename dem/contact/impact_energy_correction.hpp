@@ -1,5 +1,5 @@
 #pragma once
-/// The energy balance of impacts on ground that returns most of what it takes.
+/// Energy correction of impacts on ground of high restitution.
 #include <optional>
 
 #include "dem/contact/contact_forces.hpp"
@@ -7,38 +7,38 @@
 
 namespace clast::dem_detail {
 
-/// Scales the impulses of impacts until they return the energy that the law states.
+/// Scales the impulse of each impact so that it returns the energy stated by the law.
 ///
-/// Forces that are shared by overlap have no potential: a block that lands on several points and
-/// leaves from one after the other gets back more than it gave, or less (docs/theory.md, Weights
-/// and energy). Where the ground returns more than half, an impact could leave a block faster than
-/// it came. There, at the end of each impact, its whole impulse is scaled.
+/// Forces weighted by overlap are not conservative: a block that lands on several points and leaves
+/// from one after the other gets back more or less than it gave (docs/theory.md, Weights and
+/// energy). If the ground returns more than half, an impact could accelerate a block; therefore the
+/// total impulse is scaled at its end.
 /// @cite stronge1990
 class ImpactEnergyCorrection {
  public:
-  /// True for ground whose impacts are balanced: five points loaded together and unloaded one after
-  /// the other return twice what they took.
+  /// True if impacts on this ground are corrected: five points loaded together and unloaded one by
+  /// one return twice their energy.
   static bool applies_to(const GroundParameters& zone) { return zone.energy_restitution > 0.5; }
 
-  /// @param energy  of the block as the run begins, J
+  /// Starts the correction.
+  /// @param energy  of the block at the start of the run, J
   explicit ImpactEnergyCorrection(double energy) : expected_energy_(energy) {}
 
-  /// Notes the ground that the block touches.
+  /// Records that the block touches a ground zone.
   void add_touched_zone(const GroundParameters& zone) { applies_ = applies_ || applies_to(zone); }
   /// Adds the impulse of contact loads.
   void add_contact_load(double duration, const ContactLoad& load);
   void add_event_impulse(const EventImpulse& event);
 
-  /// Ends an impact, when the block has left the ground. If the impact is balanced, it corrects the
-  /// velocities of the block.
-  /// @param accounted  energy of the block plus all that the law has dissipated since the run
-  /// began,
-  ///                   J
-  /// @returns  true if the impact was balanced
+  /// Ends an impact when the block has left the ground, and corrects the velocities of the block if
+  /// necessary.
+  /// @param accounted  energy of the block plus all dissipation since the start, J
+  /// @returns true if the impact was corrected
   bool end_impact(RigidBodyIntegrator& body, double accounted);
-  /// Within an impact that will be balanced: what will be accounted for when it has ended, J.
+  /// Returns the expected accounted energy at the end of a corrected impact, J.
   std::optional<double> expected_energy() const {
-    return applies_ ? std::optional(expected_energy_) : std::nullopt;
+    return applies_ ? std::optional(expected_energy_)
+                    : std::nullopt;  ///< accounted energy without reassignment, J
   }
 
  private:

@@ -1,17 +1,17 @@
 #pragma once
-/// The overlap of a contact over one time step, and the response of a law to it.
+/// Overlap of a contact over a time step, and the response of a law.
 #include <algorithm>
 #include <cmath>
 
 namespace clast {
 
-/// Overlap as a parabola in time, as the position in a velocity Verlet step is. Negative: not
-/// touching.
+/// Overlap as a parabola in time, as the position in a velocity Verlet step; negative without
+/// contact.
 struct OverlapPath {
   double duration = 0.0;  ///< s
-  double before = 0.0;    ///< overlap at the beginning, m
+  double before = 0.0;    ///< at the start, m
   double after = 0.0;     ///< at the end, m
-  double rate = 0.0;      ///< at the beginning, m/s; positive: getting deeper
+  double rate = 0.0;      ///< at the start, m/s; positive if the overlap grows
 
   double quadratic_coefficient() const {
     return duration > 0.0 ? (after - before - rate * duration) / (duration * duration) : 0.0;
@@ -20,13 +20,13 @@ struct OverlapPath {
     return before + time * (rate + time * quadratic_coefficient());
   }
   double rate_at(double time) const { return rate + 2.0 * time * quadratic_coefficient(); }
-  /// When the overlap turns from growing to shrinking or back; the end when it does not.
+  /// Returns the time of the overlap's extremum; the end of the step if there is none.
   double reversal_time() const {
     const double end_rate_times_duration = 2.0 * (after - before) - rate * duration;
     if (!(rate * end_rate_times_duration < 0.0)) return duration;
     return std::min(-0.5 * rate / quadratic_coefficient(), duration);
   }
-  /// When the overlap is zero, between two times of a monotonic piece that straddles it.
+  /// Returns the time of zero overlap between two times of a monotonic piece that brackets it.
   double zero_crossing(double from, double to) const {
     const double b = quadratic_coefficient();
     const double root = std::sqrt(std::max(0.0, rate * rate - 4.0 * b * before));
@@ -39,34 +39,35 @@ struct OverlapPath {
   }
 };
 
-/// What a law knows of a contact when a step begins.
+/// State of a contact at the start of a step, as known to a law.
 struct NormalState {
-  double force = 0.0;  ///< N
+  double force = 0.0;  ///< at the end, N, not negative
   double residual_indentation =
       0.0;  ///< part of the overlap that stays, m; only under a law that keeps one
 };
 
-/// The response of a law to a path, per unit of weight.
+/// Response of a law to a path, per unit weight.
 ///
-/// A Verlet step takes the force at its beginning as constant for the position, and the mean of the
-/// forces at both ends for the velocity. Where a law starts, reverses or ends inside the step that
-/// is wrong to first order; `impulse` and `moment` are what is missing then (docs/theory.md), else
-/// zero.
+/// A Verlet step uses the initial force for the position and the mean of both end forces for the
+/// velocity. If a contact begins, reverses or ends inside the step, this has a first-order error,
+/// which `impulse` and `moment` compensate (docs/theory.md); otherwise they are zero.
 struct NormalResponse {
   double force = 0.0;    ///< at the end, N, never negative
   double work = 0.0;     ///< taken from the bodies along the path, J
-  double impulse = 0.0;  ///< integral of the force, less the mean of both ends times the step, N s
-  double moment = 0.0;   ///< integral of force times time left, less that of the first force, N s^2
-  double residual_indentation = 0.0;  ///< at the end, m
+  double impulse = 0.0;  ///< integral of the force minus mean end force times step, N s
+  double moment =
+      0.0;  ///< integral of force times remaining time minus that of the initial force, N s^2
+  double residual_indentation = 0.0;  ///< m; only for plastic laws
 };
 
-/// Integrals of a force along a path, piece by piece.
+/// Piecewise integrals of a force along a path.
 class PathIntegral {
  public:
   PathIntegral(const OverlapPath& path, double first_force)
       : path_(path), first_force_(first_force) {}
 
-  /// Adds a piece on which `force(time)` is at most quadratic: two Gauss points are exact.
+  /// Adds a piece on which `force(time)` is at most quadratic, for which two Gauss points are
+  /// exact.
   template <class Force>
   void add_interval(double from, double to, const Force& force) {
     const double middle = 0.5 * (from + to), half = 0.5 * (to - from);
@@ -78,7 +79,7 @@ class PathIntegral {
       work_ += weighted_force * path_.rate_at(time);
     }
   }
-  /// The response when the path ends with this force.
+  /// Returns the response for a final force.
   NormalResponse response(double force) const {
     const double step = path_.duration;
     return {force, work_, impulse_ - 0.5 * step * (first_force_ + force),

@@ -1,5 +1,5 @@
 #pragma once
-/// The contacts of two bodies, or of a body and the terrain, while they are near each other.
+/// Contacts of two bodies, or of a body and the terrain, while they are near each other.
 #include <memory>
 #include <optional>
 #include <type_traits>
@@ -12,45 +12,44 @@
 
 namespace clast::dem_detail {
 
-/// The narrow phase runs in the frame of one of the two, the reference body. The pair measures how
-/// far they move against each other from the poses themselves, sleeps while that can't bring them
-/// together, and keeps what the search needs only while they are near.
+/// Contacts of a pair over time. The narrow phase runs in the frame of one of the two, the
+/// reference body. The relative displacement is computed from the poses; the narrow phase is
+/// skipped while it cannot cause contact, and its data are kept only while the bodies are near.
 class PairContactState {
  public:
-  /// @param size   smallest side of the smaller body, m
-  /// @param rules  they must outlive the pair
+  /// Makes a pair of bodies.
+  /// @param size  smallest side of the smaller body, m
+  /// @param model  must outlive the pair, as must the surfaces
   PairContactState(const BlockSurface& reference, const BlockSurface& block, double size,
                    const ContactModel& model);
-  /// A block on the terrain.
+  /// Makes a pair of a block and the terrain.
   PairContactState(const IndexedSurface& terrain, const BlockSurface& block, double size,
                    const ContactModel& model);
 
-  /// Loads at the present places after a step of `duration`; every joule goes to
+  /// Computes the loads at the present poses after a step of `duration`; energies go to
   /// `energy_balance()`.
   const ContactLoad& update(const BodyMotion& reference, const BodyMotion& block, double duration);
-  /// Lets time pass in which the two do not touch, without an `update`, s.
+  /// Advances the time without contact and without `update`, s.
   void advance_time(double duration) {
     if (near_ && near_->forces.empty()) near_->forces.advance_time(duration);
   }
-  /// Ends all contacts, as when a body is removed; what they stored goes to the ledger.
+  /// Ends all contacts, as when a body is removed; stored energy is booked in the energy balance.
   void end_contacts(const BodyMotion& reference, const BodyMotion& block);
 
-  /// Hands over the dents that the pair made since it last parted, once it has parted or `over`:
-  /// until then they are for no contact to find.
+  /// Moves the residual indentations of the pair to `soil`, once the bodies have separated or if
+  /// `over`; until then the contact detection ignores them.
   void store_indentations(bool over, SoilMemory& soil) {
     if (indentations_ && (over || !is_touching()) && !indentations_->empty())
-      soil.merge(*indentations_);
+      soil.merge(*indentations_);  ///< of this contact, if the soil has a memory
   }
 
-  /// Forgets the event of the last step, which was applied then: the loads without it hold while
-  /// neither of the two moves.
+  /// Clears the impulse of the last step, which has been applied; the other loads stay valid while
+  /// neither body moves.
   void clear_event_impulse() { load_.event.reset(); }
 
-  /// How far the two may move against each other from here before they can touch, m; 0 where that
-  /// is not known.
+  /// Returns the relative displacement before the bodies can touch, m; 0 if unknown.
   double clearance(const BodyMotion& reference, const BodyMotion& block) const;
-  /// Of all contacts together, for the block as `ContactForces::contact_mobility`, and their
-  /// weights.
+  /// Returns the mobility of all contacts, as `ContactForces::mobility`.
   double contact_mobility(std::span<const double> vertex_mobilities) const {
     return near_ ? near_->forces.contact_mobility(vertex_mobilities) : 0.0;
   }
@@ -62,13 +61,13 @@ class PairContactState {
   std::size_t contact_count() const { return near_ ? near_->forces.count() : 0; }
   double stored_energy() const { return near_ ? near_->forces.stored_energy() : 0.0; }
   double max_overlap() const { return near_ ? near_->forces.max_overlap() : 0.0; }
-  /// The contact with the largest overlap; none without contacts.
+  /// Returns the contact with the largest overlap; empty without contacts.
   std::optional<ContactForces::DeepestContact> deepest_contact() const {
     return near_ ? near_->forces.deepest_contact() : std::nullopt;
   }
   const EnergyBalance& energy_balance() const { return energy_balance_; }
 
-  /// All that its loads to come depend on.
+  /// Serialises the state that determines future loads.
   template <class Bytes>
   void serialize(Bytes& bytes) {
     bool is_near = has_narrow_phase();
@@ -83,10 +82,11 @@ class PairContactState {
   }
 
  private:
-  /// The search on the terrain, of which a block has one, is large beside those of its other pairs.
+  /// Narrow phase of the pair. That of the terrain, one per block, is large compared with those of
+  /// other pairs.
   using NarrowPhase =
       std::variant<std::unique_ptr<TerrainNarrowPhase>, BlockNarrowPhase, RodNarrowPhase>;
-  /// What is known while the two are near.
+  /// State of the narrow phase while the bodies are near.
   struct NarrowPhaseState {
     NarrowPhaseState(NarrowPhase of_pair, const BlockSurface& block, double size,
                      const ContactModel& model);
@@ -105,8 +105,8 @@ class PairContactState {
     NarrowPhase search;
     ContactForces forces;
     Pose pose;                      ///< reference_from_block of the last step
-    double displacement = 0.0;      ///< no point of the block moved farther since the start, m
-    double separated_until = -1.0;  ///< travel before which nothing can touch
+    double displacement = 0.0;      ///< bound of the displacement of any block point, m
+    double separated_until = -1.0;  ///< displacement before which contact is impossible
 
     template <class Bytes>
     void serialize(Bytes& bytes) {
@@ -116,17 +116,17 @@ class PairContactState {
   };
 
   NarrowPhase make_narrow_phase() const;
-  /// Between their bounding spheres, m; 0 where that is not known.
+  /// Returns the distance of the bounding spheres, m; 0 if unknown.
   double bounding_sphere_distance(const BodyMotion& reference, const BodyMotion& block) const;
   double bounding_box_distance(const Vec3& block_centre) const;
-  /// `displacement` of what is near when the block is at `pose`.
+  /// Returns the displacement bound for a new pose of the block.
   double displacement_to(const Pose& pose) const;
-  /// The contact points in world axes, until the next call of any pair in this thread.
+  /// Finds the contact points in world axes, valid until the next call in this thread.
   std::vector<ContactPoint>& find_contact_points(const Pose& world_from_reference,
                                                  const Pose& reference_from_block);
 
   const IndexedSurface& reference_;
-  const BlockSurface* reference_block_ = nullptr;  ///< the same, unless it is the terrain
+  const BlockSurface* reference_block_ = nullptr;  ///< null for the terrain
   const BlockSurface& block_;
   double size_;
   const ContactModel& model_;
@@ -136,7 +136,7 @@ class PairContactState {
   EnergyBalance energy_balance_;
 };
 
-/// True when the first of two bodies is the reference body: one with faces before one without, then
+/// True if the first of two bodies is the reference body: one with faces before one without, then
 /// the larger, then the first.
 bool is_reference_body(const BlockSurface& first, const BlockSurface& second);
 

@@ -1,5 +1,5 @@
 #pragma once
-/// Drag of the ground on what of a block is in it (docs/theory.md, Scar drag). @cite lu2019
+/// Drag on the embedded part of a block (docs/theory.md, Scar drag). @cite lu2019
 #include <span>
 #include <vector>
 
@@ -8,34 +8,36 @@
 
 namespace clast::dem_detail {
 
-/// The part of a block below a plane, seen along a direction in the plane.
+/// Frontal area of a block below a plane, along a direction in the plane.
 struct EmbeddedFrontalArea {
   double area = 0.0;  ///< m^2
   Vec3 centre = Vec3::Zero();
 };
 
-/// Exact for convex cores, which count lowered by their radius; hollows in front count twice. A
-/// ball is a segment of a circle, and a rod counts by its lower end.
-/// @param block      of the core, in its own frame, as are all that follow
-/// @param radius     of the rounding, m
-/// @param ground     a point of the plane
-/// @param up         its unit normal, out of the ground
-/// @param direction  of the motion, unit, along the plane
-EmbeddedFrontalArea embedded_frontal_area(const SurfaceFeatures& block, double radius, const Vec3& ground,
-                             const Vec3& up, const Vec3& direction);
+/// Computes the embedded frontal area: exact for convex cores, lowered by their radius; concavities
+/// in front count twice. A ball gives a circular segment, a rod counts by its lower end.
+/// @param block  features of the core, in its own frame, as are the following arguments
+/// @param radius  of the rounding, m
+/// @param ground  point of the plane
+/// @param up  unit normal of the plane, out of the ground
+/// @param direction  of motion, unit, in the plane
+EmbeddedFrontalArea embedded_frontal_area(const SurfaceFeatures& block, double radius,
+                                          const Vec3& ground, const Vec3& up,
+                                          const Vec3& direction);
 
-/// The drag on one block: F = C_d rho A v^2/2 against the motion v of the middle of its embedded
-/// front A along the ground.
+/// Drag on one block: F = C_d rho A v^2/2, opposite to the tangential velocity v of the centre of
+/// its embedded frontal area A.
 class ScarDrag {
  public:
-  /// @param strength  C_d rho/2 by zone, kg/m^3; it and the block must outlive the drag
+  /// Stores the block.
+  /// @param drag_factors  C_d rho/2 by zone, kg/m^3; must outlive this object, as must the block
   ScarDrag(std::span<const double> drag_factors, const IndexedSurface& block)
       : block_(block), drag_factors_(drag_factors) {}
 
-  /// The force at the end of a step; (0, 0, 0) without contacts.
-  /// @param lost  gets what the drag of the step took from the block, J
+  /// Computes the force at the end of a step; zero without contacts.
+  /// @param lost  receives the energy dissipated in the step, J
   Vec3 update(const std::vector<Contact>& contacts, const RelativeMotion& motion, double& lost);
-  const Vec3& application_point() const { return position_; }  ///< where it acts
+  const Vec3& application_point() const { return position_; }  ///< point of application
   template <class Bytes>
   void serialize(Bytes& bytes) {
     bytes(force_, position_);

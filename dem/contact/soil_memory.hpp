@@ -1,5 +1,5 @@
 #pragma once
-/// Dents that contacts left in the ground, for those that come later.
+/// Residual indentations of the ground from earlier contacts.
 #include <cstdint>
 #include <span>
 #include <unordered_map>
@@ -10,21 +10,22 @@
 
 namespace clast::dem_detail {
 
-/// Depths in square cells of the plan, of the ground zones that remember (docs/theory.md, Soil
-/// memory). The deepest counts, so that no order of contacts changes what is remembered.
+/// Indentation depths in square plan cells of ground zones with memory (docs/theory.md, Soil
+/// memory). The maximum is stored, so that the result does not depend on the order of contacts.
 class SoilMemory {
  public:
-  /// @param zones  their `soil_memory` is the width of their cells
+  /// Makes an empty memory.
+  /// @param zones  `soil_memory` is their cell width
   explicit SoilMemory(std::span<const GroundParameters> zones);
 
-  /// Does any zone remember?
+  /// True if any zone has a memory.
   bool is_enabled() const;
   bool empty() const { return depth_.empty(); }
 
-  /// @return below the surface along its normal, m; 0 where nothing is remembered
+  /// Returns the depth below the surface along its normal, m; 0 if nothing is stored.
   double residual_indentation(const Vec3& position, std::uint16_t zone) const;
   void add_indentation(const Vec3& position, std::uint16_t zone, double residual_indentation);
-  /// Takes over all dents of the other, and leaves it without.
+  /// Moves all indentations of another memory into this one.
   void merge(SoilMemory& other);
   template <class Bytes>
   void serialize(Bytes& bytes) {
@@ -34,7 +35,7 @@ class SoilMemory {
  private:
   std::uint64_t cell(const Vec3& position, std::uint16_t zone) const;
 
-  std::vector<double> widths_;  ///< of cells by zone, m; 0: it does not remember
+  std::vector<double> widths_;  ///< cell widths by zone, m; 0: no memory
   std::unordered_map<std::uint64_t, double> depth_;
 };
 

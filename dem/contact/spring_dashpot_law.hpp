@@ -1,12 +1,12 @@
 #pragma once
-/// Linear spring and dashpot that never pulls, for comparison with studies that use it.
+/// Linear spring-dashpot normal law without tension, for comparison with other studies.
 /// @cite schwager2007
 #include "dem/contact/ground_parameters.hpp"
 #include "dem/contact/overlap_path.hpp"
 
 namespace clast {
 
-/// Normal force on one ground zone: f = max(0, k_n h + c dh/dt), with c such that a contact alone
+/// Normal force on one ground zone: f = max(0, k_n h + c dh/dt), with c such that a single contact
 /// returns e_n^2 of its energy.
 struct SpringDashpotLaw {
   static constexpr const char* kName = "spring-dashpot";
@@ -26,7 +26,7 @@ struct SpringDashpotLaw {
                             double /*patch_force*/) const {
     return {std::max(0.0, stiffness * overlap + damping_coefficient(effective_mass) * rate), 0.0};
   }
-  /// The fastest rate, rad/s, of a contact whose spring alone has the given frequency.
+  /// Returns the fastest rate, rad/s, of a contact whose spring alone has the given frequency.
   double highest_frequency(double frequency) const;
   double force_drop(double overlap, double force) const { return force - stiffness * overlap; }
   double unloading_ratio(double of) const { return stiffness / of; }
@@ -39,9 +39,9 @@ struct SpringDashpotLaw {
   }
 };
 
-/// Damping ratio at which a contact that ends when its force vanishes, not when its overlap does,
-/// returns the share `energy_restitution` of its energy: with theta = acos(ratio),
-/// e_n = exp(-2 theta / tan theta); above 1, with eta = acosh(ratio), e_n = exp(-2 eta / tanh eta).
+/// Returns the damping ratio for an energy restitution, if the contact ends when its force (not its
+/// overlap) vanishes: with theta = acos(ratio), e_n = exp(-2 theta / tan theta); above 1, with eta
+/// = acosh(ratio), e_n = exp(-2 eta / tanh eta).
 double damping_ratio(double energy_restitution);
 
 }  // namespace clast

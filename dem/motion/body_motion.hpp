@@ -1,11 +1,11 @@
 #pragma once
-/// How bodies move over a time step, alone and against each other.
+/// Motion of bodies over a time step, absolute and relative.
 #include "core/pose.hpp"
 
 namespace clast::dem_detail {
 
-/// How a body moved over a step: its place at the end, its mean velocities, and those it began
-/// with. A body that does not move is the default.
+/// Motion of a body over a step: final pose, mean velocities and initial state. The default is a
+/// body at rest.
 struct BodyMotion {
   Pose world_from_body;                  ///< origin at the centre of mass
   Vec3 velocity = Vec3::Zero();          ///< of the centre, m/s
@@ -15,20 +15,20 @@ struct BodyMotion {
   Vec3 begin_velocity = Vec3::Zero();
   Vec3 begin_angular_velocity = Vec3::Zero();
 
-  double inverse_mass = 0.0;            ///< 1/kg; 0 for a body that is fixed
+  double inverse_mass = 0.0;            ///< 1/kg; 0 for a fixed body
   Vec3 inverse_moments = Vec3::Zero();  ///< along the body axes, 1/(kg m^2)
 
   Vec3 velocity_at(const Vec3& point) const {
     return velocity + angular_velocity.cross(point - world_from_body.translation);
   }
-  /// The mean velocity of what was at `point` when the step began.
+  /// Returns the mean velocity of the material point that was at `point` at the start of the step.
   Vec3 velocity_of_start_point(const Vec3& point) const {
     return velocity + angular_velocity.cross(point - begin_position);
   }
   Vec3 start_velocity_at(const Vec3& point) const {
     return begin_velocity + begin_angular_velocity.cross(point - begin_position);
   }
-  /// False for what stood still all the step, as the ground does.
+  /// True if the body moved during the step; false for the ground.
   bool is_moving() const {
     return !(velocity.isZero(0.0) && angular_velocity.isZero(0.0) && begin_velocity.isZero(0.0) &&
              begin_angular_velocity.isZero(0.0));
@@ -38,14 +38,14 @@ struct BodyMotion {
     bytes(world_from_body, velocity, angular_velocity, begin_position, begin_velocity,
           begin_angular_velocity, inverse_mass, inverse_moments);
   }
-  /// In world axes.
+  /// Applies the inverse inertia tensor in world axes.
   Vec3 apply_inverse_inertia(const Vec3& torque) const {
     const Vec3 in_body = world_from_body.rotation.conjugate() * torque;
     return world_from_body.rotation * Vec3(inverse_moments.cwiseProduct(in_body));
   }
 };
 
-/// How the block of a pair moved against the other body over a step.
+/// Relative motion of a block and the other body of its pair over a step.
 struct RelativeMotion {
   RelativeMotion(const BodyMotion& of_block, const BodyMotion& of_other, double step)
       : block(of_block),
@@ -54,25 +54,28 @@ struct RelativeMotion {
         spin(of_block.angular_velocity - of_other.angular_velocity),
         other_is_moving(of_other.is_moving()) {}
 
-  /// Mean velocities of what is at a place when the step ends ...
+  /// Returns the mean relative velocity of the material points at `position` at the end of the
+  /// step.
   Vec3 velocity_at(const Vec3& position) const {
     return other_is_moving ? Vec3(block.velocity_at(position) - other.velocity_at(position))
-                       : block.velocity_at(position);
+                           : block.velocity_at(position);
   }
-  /// ... and of what was there when it began.
+  /// Returns the mean relative velocity of the material points that were there at its start.
   Vec3 velocity_of_start_point(const Vec3& position) const {
-    return other_is_moving ? Vec3(block.velocity_of_start_point(position) - other.velocity_of_start_point(position))
-                       : block.velocity_of_start_point(position);
+    return other_is_moving ? Vec3(block.velocity_of_start_point(position) -
+                                  other.velocity_of_start_point(position))
+                           : block.velocity_of_start_point(position);
   }
   Vec3 start_velocity_at(const Vec3& position) const {
-    return other_is_moving ? Vec3(block.start_velocity_at(position) - other.start_velocity_at(position))
-                       : block.start_velocity_at(position);
+    return other_is_moving
+               ? Vec3(block.start_velocity_at(position) - other.start_velocity_at(position))
+               : block.start_velocity_at(position);
   }
 
   const BodyMotion& block;
   const BodyMotion& other;
   double duration;  ///< s
-  Vec3 spin;        ///< mean, rad/s
+  Vec3 spin;        ///< mean relative angular velocity, rad/s
   bool other_is_moving;
 };
 

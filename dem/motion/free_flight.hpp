@@ -1,5 +1,5 @@
 #pragma once
-/// Motion without contact in closed form.
+/// Free flight in closed form.
 #include <optional>
 
 #include "dem/motion/free_rotation.hpp"
@@ -7,20 +7,20 @@
 
 namespace clast::dem_detail {
 
-/// How long something needs at least for a distance, s, that is no faster than `speed` and gains
-/// no more than `acceleration`.
+/// Returns the minimum time to travel a distance, s, for a given initial speed bound and
+/// acceleration bound.
 double min_travel_time(double distance, double speed, double acceleration);
 
-/// A flight from one instant on: ballistic centre, torque-free rotation. Any instant of it costs
-/// the same. The body must outlive it.
+/// Free flight from an initial state: ballistic centre of mass, torque-free rotation. The cost does
+/// not depend on the time. The body must outlive this object.
 class FreeFlight {
  public:
   FreeFlight(const RigidBody& body, const RigidState& begin, double gravity);
 
-  /// The state at a time since the beginning, s. Cheapest next to the last instant computed.
+  /// Returns the state after a time, s. Cheapest near the last computed time.
   RigidState state_after(double duration);
   const RigidState& begin() const { return begin_; }
-  /// The spin never exceeds this, rad/s: the energy, all in the smallest moment.
+  /// Returns an upper bound of the angular speed, rad/s: the whole energy in the smallest moment.
   double max_angular_speed() const { return max_angular_speed_; }
 
  private:
@@ -31,7 +31,7 @@ class FreeFlight {
   double max_angular_speed_;
   double last_time_ = 0.0;
   Quat last_orientation_;
-  std::optional<FreeRotation> rotation_;  ///< set up when the first turn needs it
+  std::optional<FreeRotation> rotation_;  ///< computed on demand
 };
 
 }  // namespace clast::dem_detail

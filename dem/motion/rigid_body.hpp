@@ -1,5 +1,5 @@
 #pragma once
-/// A rigid block: contact shape, inertia, state.
+/// Rigid body: contact shape, inertia and state.
 #include <memory>
 #include <string>
 #include <vector>
@@ -9,8 +9,8 @@
 
 namespace clast {
 
-/// Position of the centre of mass, orientation of the principal frame, and their rates, in the
-/// world.
+/// State of a rigid body: position of the centre of mass, orientation of the principal frame, and
+/// velocities, in the world frame.
 struct RigidState {
   Vec3 position = Vec3::Zero();          ///< m
   Quat orientation = Quat::Identity();   ///< world_from_body
@@ -24,7 +24,7 @@ struct RigidState {
   }
 };
 
-/// A block in its principal frame, origin at the centre of mass.
+/// Rigid body in its principal frame, with its origin at the centre of mass.
 struct RigidBody {
   SpheroPolyhedron shape;       ///< body frame
   double mass = 0.0;            ///< kg
@@ -32,9 +32,10 @@ struct RigidBody {
   double smallest_side = 0.0;   ///< S of the smallest box, m; scale of tolerances
 
   double bounding_radius() const;  ///< of the rounded body about the centre, m
-  double size() const;             ///< `smallest_side`, or the diameter where that is not set, m
+  double size() const;             ///< `smallest_side`, or the diameter if that is not set, m
+  /// Checks the body.
   /// @param name  of the body, for the message
-  /// @throws SimulationError  mass or moments not positive, or a shape without vertices
+  /// @throws SimulationError  if mass or moments are not positive, or the shape has no vertices
   void check(const std::string& name) const;
 };
 
@@ -42,11 +43,11 @@ struct RigidBody {
 double translational_energy(const RigidBody& body, const RigidState& state);
 double rotational_energy(const RigidBody& body, const RigidState& state);
 
-/// Lowest z of the rounded body.
+/// Returns the lowest z of the rounded body.
 double lowest_point(const RigidBody& body, const RigidState& state);
 
-/// The state after an exact flight without contact: ballistic centre, torque-free rotation
-/// in closed form (angular momentum kept to rounding).
+/// Returns the state after free flight: ballistic centre of mass, torque-free rotation in closed
+/// form (angular momentum conserved to rounding).
 RigidState free_flight(const RigidBody& body, const RigidState& state, double duration,
                        double gravity);
 

@@ -1,51 +1,53 @@
 #pragma once
-/// One step of a rigid body under contact loads: velocity Verlet with the angular momentum as the
-/// rotational state.
+/// Velocity Verlet integration of a rigid body, with the angular momentum as rotational state.
 #include "dem/motion/body_motion.hpp"
 #include "dem/motion/rigid_body.hpp"
 
 namespace clast::dem_detail {
 
-/// A moving body. `begin_step` and `end_step` alternate; contacts are evaluated between them.
+/// Moving body. `begin_step` and `end_step` alternate; contacts are evaluated between them.
 class RigidBodyIntegrator {
  public:
   RigidBodyIntegrator(const RigidBody& body, const RigidState& start);
 
   const RigidState& state() const { return state_; }
-  /// Sets its state, as after a flight.
+  /// Sets the state.
   void set_state(const RigidState& state);
 
-  /// Flies without contact for a time.
+  /// Advances the body in free flight.
   BodyMotion advance_flight(double duration, const Vec3& gravity);
-  /// Half a kick, then the move to the new place. Returns that place and the mean velocities.
+  /// Applies the first half of the velocity update and moves the body. Returns its new pose and
+  /// mean velocities.
   BodyMotion begin_step(double duration, const Vec3& force, const Vec3& torque,
                         const Vec3& gravity);
-  /// Half a kick by the loads at the new place.
+  /// Applies the second half of the velocity update, by the loads at the new pose.
   void end_step(double duration, const Vec3& force, const Vec3& torque, const Vec3& gravity);
 
-  /// Applies what the events inside the last step add to it.
-  /// @returns  the energy that this adds, kinetic and potential, J
+  /// Applies the correction impulse of events inside the last step.
+  /// @returns the added kinetic and potential energy, J
   double apply_event_impulse(const Vec3& impulse, const Vec3& angular_impulse, const Vec3& moment,
                              const Vec3& angular_moment, const Vec3& gravity);
 
-  /// What Verlet steps lose when they begin with contact loads that no step has ended with (a
-  /// dashpot acts from the first touch on), J (docs/theory.md).
+  /// Returns the energy that Verlet steps lose if they start with contact loads at which no step
+  /// has ended (a dashpot acts from the first contact on), J (docs/theory.md).
   double verlet_start_loss(double duration, const Vec3& force, const Vec3& torque,
                            const Vec3& gravity) const;
 
-  /// Where it is and how it moves, without a step.
+  /// Returns its pose and velocities without a step.
   BodyMotion current_motion() const;
   double kinetic_energy() const;  ///< J
-  /// It spins no faster than this without a torque, rad/s.
+  /// Returns an upper bound of the angular speed without torque, rad/s.
   double max_angular_speed() const;
-  /// No point of the rounded body was faster than this in the last step, m/s.
+  /// Returns an upper bound of the speed of any body point in the last step, m/s.
   double max_point_speed() const { return max_point_speed_; }
-  /// No point of it was shifted farther by the last `apply_event_impulse`, m.
+  /// Returns an upper bound of the displacement of any body point by the last
+  /// `apply_event_impulse`, m.
   double correction_displacement() const { return correction_displacement_; }
   bool is_finite() const;
   template <class Bytes>
   void serialize(Bytes& bytes) {
-    bytes(state_, momentum_, max_point_speed_, correction_displacement_);
+    bytes(state_, momentum_, max_point_speed_,
+          correction_displacement_);  ///< angular, world axes, kg m^2/s
   }
 
  private:

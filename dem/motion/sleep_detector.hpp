@@ -1,37 +1,38 @@
 #pragma once
-/// Whether a body stays where it is, seen over time.
+/// Detection of bodies that do not move any more.
 #include <optional>
 
 #include "dem/motion/rigid_body.hpp"
 
 namespace clast::dem_detail {
 
-/// Mean places over windows of time. A block at rest may go on rocking: its tangential and rolling
-/// springs have no damping. It does not go anywhere if the means of two windows, one after the
-/// other, agree.
+/// Compares mean poses over consecutive time windows. A block at rest may keep rocking, because its
+/// tangential and rolling springs are undamped; it is stationary if the means of two consecutive
+/// windows agree.
 class SleepDetector {
  public:
-  /// Adds a step at the end of which the body was at `state`.
+  /// Adds a step.
+  /// @param state  at the end of the step
   /// @param window  s
-  /// @param near    distance of two means that agree, m, of any point of the body
+  /// @param tolerance  distance of two means that agree, m, for any body point
   /// @param radius  of the body about its centre, m
   void add_step(const RigidState& state, double step, double window, double tolerance,
                 double radius);
-  /// Begins anew: the body moves.
+  /// Restarts the detection.
   void reset() { *this = {}; }
 
-  /// The last two windows agree. From then on until they differ by several times as much, so that
-  /// a body that creeps at the limit does not change its mind all the time.
+  /// True if the last two windows agree, until they differ by several times the tolerance
+  /// (hysteresis for slowly creeping bodies).
   bool is_stationary() const { return is_stationary_; }
   template <class Bytes>
   void serialize(Bytes& bytes) {
-    bytes(sum_, duration_, last_, is_stationary_);
+    bytes(sum_, duration_, last_, is_stationary_);  ///< time integral over the current window
   }
 
  private:
   struct MeanPose {
     Vec3 position = Vec3::Zero();
-    Eigen::Vector4d rotation = Eigen::Vector4d::Zero();  ///< quaternion, of one hemisphere
+    Eigen::Vector4d rotation = Eigen::Vector4d::Zero();  ///< quaternion sum in one hemisphere
 
     template <class Bytes>
     void serialize(Bytes& bytes) {

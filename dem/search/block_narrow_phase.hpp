@@ -1,13 +1,12 @@
 #pragma once
-/// Narrow phase of two blocks: finds the contact points of one on the other, which is called the
-/// ground here; everything is in its frame.
+/// Narrow phase of two blocks: contact points of one block on the other, which is called the ground
+/// here; all data are in its frame.
 ///
-/// Features that may touch are listed with a margin (Verlet's neighbour list), and the list holds
-/// until the two have moved by the margin against each other. It is made from what lies between two
-/// parallel planes: along any direction, nothing of the ground that lies lower than the lowest
-/// point of the block can touch it, and nothing of the block that lies higher than the highest
-/// point of the ground. Along the contact normal, or a direction that separates the two, that
-/// leaves few (docs/theory.md, Contact search).
+/// Features that may touch are listed with a margin (Verlet list), valid until the relative
+/// displacement exceeds the margin. Candidates lie between two parallel planes: along any
+/// direction, no ground feature below the block's lowest point, and no block feature above the
+/// ground's highest point, can be in contact. Along the contact normal, or a separating direction,
+/// few features remain (docs/theory.md, Contact search).
 #include <algorithm>
 #include <cstdint>
 #include <span>
@@ -21,36 +20,37 @@ struct TransformedSide;
 
 class BlockNarrowPhase {
  public:
-  /// @param ground  with faces; it and the block must outlive the search
-  /// @param size    smallest side of the smaller one, m: lists look ahead a share of it
+  /// Prepares the search.
+  /// @param ground  with faces; must outlive this object, as must the block
+  /// @param size  smallest side of the smaller body, m, which scales the list margin
   BlockNarrowPhase(const BlockSurface& ground, const BlockSurface& block, double size);
 
-  /// The contacts, in a fixed order, until this is called again for any search in this thread; the
-  /// caller may change them.
-  /// @param travel  a bound of how far any point of the block has moved against the ground, m:
-  /// grows from call to call by no less than the shift of its centre and the chord of its turn
-  /// times its bounding radius together
+  /// Finds the contacts in a deterministic order; valid and modifiable until the next call of any
+  /// search in this thread.
+  /// @param displacement  bound of the displacement of any block point relative to the ground, m;
+  ///                      must grow by at least the translation of its centre plus the rotation
+  ///                      chord times its bounding radius
   std::vector<ContactPoint>& find_contacts(const Pose& ground_from_block, double displacement);
 
-  /// No contact can come before the travel has grown beyond this (valid after `contacts`, without
-  /// any).
+  /// Returns the displacement before which contact is impossible (valid after `find_contacts`,
+  /// without contacts).
   double safe_displacement() const { return safe_displacement_; }
 
-  /// All that the contacts to come, and their order, depend on.
+  /// Serialises the state that determines future contacts and their order.
   template <class Bytes>
   void serialize(Bytes& bytes) {
     bytes(tests_, direction_, vertices_, faces_, pairs_, near_face_, low_, high_, list_valid_until_,
-          displacement_, list_touching_, safe_displacement_, deepest_, allowed_);
+          displacement_, list_touching_, safe_displacement_, deepest_,
+          allowed_);  ///< largest overlap of the last call, m
   }
 
  private:
-  /// A vertex of the block that may be inside the ground or within reach of it before the list
-  /// ends.
+  /// Block vertex that may touch the ground before the list expires.
   struct CandidateVertex {
     std::uint32_t vertex;
-    std::uint32_t near_face;          ///< entry of its faces that was nearest
-    std::uint32_t end_face;           ///< its faces are those in `faces_` since the vertex before
-    double separated_until = 0.0;     ///< travel before which it cannot touch, m
+    std::uint32_t near_face;          ///< entry of its nearest face
+    std::uint32_t end_face;           ///< end of its faces in `faces_`
+    double separated_until = 0.0;     ///< displacement before which contact is impossible, m
     double nearest_face_until = 0.0;  ///< and before which, while its foot lies on that face, no
                                       ///< other one is nearer or within reach of it, m
 
@@ -59,10 +59,10 @@ class BlockNarrowPhase {
       bytes(vertex, near_face, end_face, separated_until, nearest_face_until);
     }
   };
-  /// An edge or face of the block with an edge or corner of the ground.
+  /// Candidate pair of a block edge or face and a ground edge or vertex.
   struct CandidatePair {
     ContactKind kind;
-    std::uint32_t side;  ///< of BlockParts::sides
+    std::uint32_t side;  ///< index into BlockParts::sides
     std::uint32_t ground_feature;
     double separated_until;  ///< travel before which they cannot touch, m
 
@@ -72,14 +72,14 @@ class BlockNarrowPhase {
     }
   };
 
-  /// How near features must be to be listed, m.
+  /// Returns the listing distance of features, m.
   double listing_distance() const { return list_touching_ + margin_; }
-  /// Edges and faces closer than this to a feature of the ground may touch it, m.
+  /// Returns the distance below which edges and faces may touch a ground feature, m.
   double contact_distance() const {
     return std::max(tests_.reach(), allowed_.depth() - tests_.reach());
   }
 
-  /// Travel before which an edge or face cannot touch one of the ground, m.
+  /// Returns the displacement before which an edge or face cannot touch a ground feature, m.
   double separated_until(const FeatureSeparation& separation, bool touches) const {
     return touches ? displacement_
                    : displacement_ + std::max(separation.separation.norm() - list_touching_,
@@ -87,15 +87,15 @@ class BlockNarrowPhase {
   }
 
   void build_candidate_list();
-  /// Turns `direction_` towards one that separates the two farther.
-  /// @return  gap between the planes along it, m; negative where they overlap
+  /// Improves the separating direction.
+  /// @return distance of the planes along it, m; negative if they overlap
   double improve_separating_direction();
-  /// Lists what lies between the planes and near each other.
+  /// Lists the features between the planes that are near each other.
   void collect_features();
   void collect_ground_features();
   void collect_vertices(const BlockPart& part);
   void collect_vertex(std::uint32_t vertex, const Vec3& centre, double candidate);
-  /// Lists the faces of the ground within reach of a vertex, in order.
+  /// Lists the ground faces within reach of a vertex, in order.
   void collect_near_faces(const Vec3& centre, double reach);
   void collect_sides(const BlockPart& part);
   void transform_sides(const BlockPart& part);
@@ -106,33 +106,36 @@ class BlockNarrowPhase {
   void add_candidate_pair(ContactKind kind, std::uint32_t side, std::uint32_t of_ground,
                           const FeatureSeparation& separation, bool touches);
 
-  /// How far below the block's lowest point, or above the ground's highest, a feature may still
-  /// touch, m.
-  /// @param along  least component along the direction of the normals with which it may touch
+  /// Returns how far below the block's lowest point, or above the ground's highest point, a feature
+  /// may still touch, m.
+  /// @param along  smallest component of its contact normals along the direction
   /// @param slack  of these normals, a sine
   double depth_beyond_plane(double along, double slack) const;
   double depth_beyond_plane(const EdgeNormalArc& arc) const {
-    const double along = std::min(direction_.dot(arc.first), direction_.dot(arc.second));
+    const double along = std::min(
+        direction_.dot(arc.first),
+        direction_.dot(arc.second));  ///< unit, out of the ground into the block; zero if unknown
     return depth_beyond_plane(arc.is_unbounded ? -1.0 : along, arc.slack);
   }
 
   // Whether the two may face each other before the list ends. They touch only along normals that
   // both allow, and those turn with the bodies.
 
-  /// @param arc        of the block's edge, out of the ground, with the slack of its turn
+  /// True if the normal arcs of two edges may be opposite.
+  /// @param arc  of the block's edge, out of the ground, with the slack of its rotation
   /// @param direction  of that edge
   bool arcs_may_oppose(const EdgeNormalArc& of_ground, const Vec3& ground_direction,
                        const EdgeNormalArc& arc, const Vec3& direction) const;
   bool vertex_may_oppose(std::uint32_t ground_vertex, const EdgeNormalArc& arc) const;
 
-  /// A contact whose push would lead the vertex out through its own block.
+  /// Contact whose normal would push the vertex out through its own block.
   struct InvertedContact {
-    std::size_t contact;  ///< of those found so far
+    std::size_t contact;  ///< index into the contacts found
     std::uint32_t vertex;
     Vec3 centre;
     NearestPoint nearest;
   };
-  /// Of one call, shared by all searches of a thread.
+  /// Temporary data of one call, shared by all searches of a thread.
   struct Scratch {
     std::vector<ContactPoint> contacts;
     std::vector<InvertedContact> inverted;
@@ -141,8 +144,8 @@ class BlockNarrowPhase {
   static Scratch& scratch();
 
   void find_all_vertex_contacts();
-  /// Gives contacts that push backwards the nearest way out that does not, where that is not much
-  /// deeper than the other contacts are.
+  /// Redirects inverted contacts to the nearest exit in a valid direction, if it is not much deeper
+  /// than the other contacts.
   void resolve_inverted_contacts();
   void find_vertex_contacts(CandidateVertex& candidate, std::span<const std::uint32_t> faces);
   NearestPoint find_nearest_ground_face(CandidateVertex& candidate,
@@ -153,18 +156,18 @@ class BlockNarrowPhase {
   const BlockSurface& ground_;
   const BlockSurface& block_;
   double size_;    ///< smallest side, m
-  double margin_;  ///< way for which a list holds, m ...
-  double turn_;    ///< ... which turns no direction by more than this chord
+  double margin_;  ///< displacement for which a list is valid, m
+  double turn_;    ///< largest rotation chord for which a list is valid
   FeatureTests tests_;
   Vec3 direction_ = Vec3::Zero();  ///< unit, out of the ground into the block; zero: none known
 
   std::vector<CandidateVertex> vertices_;
-  std::vector<std::uint32_t> faces_;  ///< of the ground that may be nearest to a listed vertex
+  std::vector<std::uint32_t> faces_;  ///< ground faces that may be nearest to a listed vertex
   std::vector<CandidatePair> pairs_;
-  std::uint32_t near_face_ = 0;     ///< of the ground, near the last vertex that was looked at
-  double low_ = 0.0, high_ = 0.0;   ///< lowest point of the block, highest of the ground along the
-                                    ///< direction, m
-  double list_valid_until_ = -1.0;  ///< travel to which the list holds ...
+  std::uint32_t near_face_ = 0;  ///< ground face near the last tested vertex
+  double low_ = 0.0,
+         high_ = 0.0;  ///< lowest point of the block, highest of the ground along the direction, m
+  double list_valid_until_ = -1.0;  ///< displacement at which the list expires
   double displacement_ = 0.0;       ///< the caller's
   double list_touching_ = 0.0;      ///< ... for contacts of edges and faces no deeper than this, m
 

@@ -1,5 +1,5 @@
 #pragma once
-/// Broad phase: which bodies are near each other, as their bounding spheres overlap or soon might.
+/// Broad phase: pairs of bodies with overlapping or nearly overlapping bounding spheres.
 #include <array>
 #include <cstdint>
 #include <optional>
@@ -10,31 +10,32 @@
 
 namespace clast::dem_detail {
 
-/// A body in the broad phase.
+/// Bounding sphere of a body.
 struct BoundingSphere {
   Vec3 centre = Vec3::Zero();
   double radius = 0.0;
-  bool fixed = false;  ///< two fixed bodies are no pair
+  bool fixed = false;  ///< two fixed bodies are not a pair
 };
 
 class BroadPhase {
  public:
-  using Pair = std::array<std::uint32_t, 2>;  ///< smaller number first
+  using Pair = std::array<std::uint32_t, 2>;  ///< smaller index first
 
-  /// Lists the pairs again when a body has moved half the slack since the last time, or the number
-  /// of bodies has changed; true then. Until that call the list held every pair of overlapping
-  /// spheres.
-  /// @param slack  how far spheres may be apart to be listed, m; above 0
-  /// @param moved  those that may have moved since the last call; none given: all
+  /// Updates the list of pairs if a body has moved by half the slack since the last update, or the
+  /// number of bodies has changed; returns true then. Until then the list contains all pairs of
+  /// overlapping spheres.
+  /// @param slack  largest distance of listed spheres, m; positive
+  /// @param moved  bodies that may have moved since the last call; default: all
   bool update_pairs(std::span<const BoundingSphere> spheres, double slack,
-               std::optional<std::span<const std::uint32_t>> moved = {});
+                    std::optional<std::span<const std::uint32_t>> moved = {});
 
-  /// How far a body may move on before the list may miss a pair of it, m; 0 before there is a list.
+  /// Returns how far a body may move before the list can miss a pair, m; 0 without a list.
   double remaining_displacement(std::size_t body, const Vec3& centre, double slack) const {
-    return body < centres_.size() ? 0.5 * slack - (centre - centres_[body]).norm() : 0.0;
+    return body < centres_.size() ? 0.5 * slack - (centre - centres_[body]).norm()
+                                  : 0.0;  ///< at the last update
   }
 
-  /// Sorted; holds at least every pair of spheres that overlaps at the last `update_pairs`.
+  /// Returns the sorted pairs, which include all overlapping spheres of the last `update_pairs`.
   const std::vector<Pair>& pairs() const { return pairs_; }
   template <class Bytes>
   void serialize(Bytes& bytes) {

@@ -1,15 +1,15 @@
 #pragma once
-/// How deep a block starts inside the ground where edges pierce it, beyond the depth that contacts
-/// report.
+/// Initial penetration of edges, beyond the depth reported by contacts.
 #include "core/types.hpp"
 #include "dem/surface/block_surface.hpp"
 
 namespace clast::dem_detail {
 
-/// How deep edges of either surface lie in the other body, m: of every edge that goes through a
-/// face, the middle of what is inside. 0 when none does. Contacts of edges and faces are found up
-/// to half the smallest side of the block only; this is for a start, which has no history.
-/// @param block  of a rounded body the core; the radii are added to what it pierces
+/// Returns the largest depth of edges of either surface in the other body, m: the depth of the
+/// midpoint of the part inside, for each edge through a face; 0 if there is none. Regular contacts
+/// of edges and faces are limited to half the smallest side; this function is for starts, which
+/// have no history.
+/// @param block  core of the rounded body; the radii are added
 double edge_penetration_depth(const IndexedSurface& ground, const BlockSurface& block,
                               const Pose& ground_from_block);
 

@@ -1,8 +1,7 @@
 #pragma once
-/// Exact tests of a feature of a block with one of its ground, the terrain or another block: how
-/// far they are apart, and where they touch. The searches (`TerrainNarrowPhase`,
-/// `BlockNarrowPhase`) choose which features are worth a test. Everything is in the frame of the
-/// ground.
+/// Exact distance and contact tests of a block feature and a ground feature (terrain or another
+/// block). The narrow phases (`TerrainNarrowPhase`, `BlockNarrowPhase`) select the features. All
+/// data are in the frame of the ground.
 #include <algorithm>
 #include <cstdint>
 #include <optional>
@@ -15,32 +14,31 @@
 namespace clast::dem_detail {
 
 enum class ContactKind : std::uint8_t {
-  kVertexGround,  ///< block vertex against a face, edge or vertex of the ground
+  kVertexGround,  ///< block vertex and a ground face, edge or vertex
   kEdgeEdge,
-  kEdgeVertex,  ///< block edge against a ground vertex
-  kFaceVertex,  ///< block face against a ground vertex
+  kEdgeVertex,  ///< block edge and a ground vertex
+  kFaceVertex,  ///< block face and a ground vertex
 };
 
-/// A feature of the block and one of its ground.
+/// Separation of a block feature and a ground feature.
 struct FeatureSeparation {
-  Vec3 separation = Vec3::Zero();  ///< from the nearest point of the ground's to the block's, m
-  /// No contact of the two, however deep, before the block has moved so far, m: the shift of its
-  /// centre and its bounding radius times the chord of its turn together. 0 where that is not
-  /// known.
+  Vec3 separation = Vec3::Zero();  ///< from the nearest ground point to the nearest block point, m
+  /// Displacement before which contact is impossible at any depth, m: translation of the block's
+  /// centre plus its bounding radius times the rotation chord; 0 if unknown.
   double safe_displacement = 0.0;
 };
 
-/// One point where the rounded block overlaps the ground's skin.
+/// Contact point of a rounded block and the rounded ground surface.
 struct ContactPoint {
   ContactKind kind = ContactKind::kVertexGround;
   std::uint32_t block_feature = 0;    ///< vertex, edge or face of the block
   std::uint32_t ground_feature = 0;   ///< edge or vertex of the ground; a face for kVertexGround
-  std::uint32_t ground_face = 0;      ///< a face next to the contact: gives the zone
+  std::uint32_t ground_face = 0;      ///< adjacent ground face, which gives the zone
   Vec3 normal = Vec3::UnitZ();        ///< unit, out of the ground into the block
-  Vec3 surface_point = Vec3::Zero();  ///< on the ground's skin
+  Vec3 surface_point = Vec3::Zero();  ///< on the rounded ground surface
   double overlap = 0.0;               ///< m, positive
 
-  /// Middle of the overlap: where forces act.
+  /// Returns the midpoint of the overlap, where forces act.
   Vec3 position() const { return surface_point - 0.5 * overlap * normal; }
   template <class Bytes>
   void serialize(Bytes& bytes) {
@@ -48,17 +46,18 @@ struct ContactPoint {
   }
 };
 
-/// Adds a contact unless it is known: a point on the border between two faces of one plane, or at
-/// the joint of two collinear edges, is found twice but is one contact.
+/// Adds a contact unless it is a duplicate: a point between two coplanar faces or two collinear
+/// edges is found twice.
 void add_unique(std::vector<ContactPoint>& contacts, const ContactPoint& contact);
 
-/// How deep contacts of edges and faces may be by now: a turn can make some touch that are deeper
-/// than anything that touches already.
+/// Depth limit of edge and face contacts, which can become deeper than the present contacts by
+/// rotation.
 class ContactDepthLimit {
  public:
-  /// @param deepest  of the present contacts, m; 0 without any
-  /// @param margin   how far lists look ahead, m
-  /// @return  true when what was left out before has not allowed for this depth
+  /// Updates the limit.
+  /// @param deepest  of the present contacts, m; 0 without contacts
+  /// @param margin  list margin, m
+  /// @return true if earlier exclusions did not consider this depth
   bool update(double deepest, double margin);
   void reset(double depth = 0.0) { depth_ = depth; }
   double depth() const { return depth_; }  ///< m
@@ -73,7 +72,8 @@ class ContactDepthLimit {
 
 class FeatureTests {
  public:
-  /// @param size  smallest side, m: edges and faces are not trusted to touch deeper than half of it
+  /// Prepares the tests.
+  /// @param size  smallest side, m; edge and face contacts deeper than half of it are not trusted
   FeatureTests(const IndexedSurface& ground, const BlockSurface& block, double size);
 
   void set_pose(const Mat3& rotation, const Vec3& position) {
@@ -86,13 +86,13 @@ class FeatureTests {
   }
   const Mat3& rotation() const { return rotation_; }
   const Vec3& position() const { return position_; }
-  double reach() const { return reach_; }  ///< block radius + skin radius, m
-  /// A point of the body in the frame of the ground.
+  double reach() const { return reach_; }  ///< block radius + ground radius, m
+  /// Transforms a body point to the frame of the ground.
   Vec3 in_ground_frame(const Vec3& in_body) const { return position_ + rotation_ * in_body; }
 
   // Each sets the contact if there is one, and returns how far the two are apart.
 
-  /// By kind, which is not kVertexGround.
+  /// Tests a pair by its kind (not kVertexGround).
   FeatureSeparation test_pair(ContactKind kind, std::uint32_t of_block, std::uint32_t of_ground,
                               std::optional<ContactPoint>& contact) const {
     return kind == ContactKind::kEdgeEdge     ? test_edge_edge(of_block, of_ground, contact)
@@ -108,44 +108,44 @@ class FeatureTests {
 
   // A vertex of the block at `centre`, inside the ground or within reach of it.
 
-  /// True when the way out of the ground would drag the vertex out through the block: beside the
-  /// edge of a ground that ends where the block does, the nearest way out may be the ground's wall.
+  /// True if leaving the ground would drag the vertex through its own block: at the edge of a
+  /// ground that ends where the block does, the nearest exit may be the ground's wall.
   /// @param nearest  to the vertex, which is inside
   bool is_inverted(std::uint32_t vertex, const Vec3& centre, const NearestPoint& nearest) const {
     return pushes_through_block(vertex, push_direction(nearest, centre));
   }
   bool pushes_through_block(std::uint32_t vertex, const Vec3& push) const;
-  /// The nearest of these faces below which it lies that does not, or `nearest` where there is
-  /// none.
+  /// Returns the nearest of these faces above the vertex without inversion, or `nearest` if there
+  /// is none.
   NearestPoint nearest_uninverted(std::uint32_t vertex, const Vec3& centre,
                                   const NearestPoint& nearest,
                                   std::span<const LocalFaces::Face> faces) const;
-  /// The contact of a vertex inside the ground.
+  /// Makes the contact of a vertex inside the ground.
   ContactPoint inside_contact(std::uint32_t vertex, const Vec3& centre,
                               const NearestPoint& nearest) const;
-  /// Adds those of a vertex within reach outside it.
-  /// @param faces  all that are within reach of it, in order of their numbers
+  /// Adds the contacts of a vertex outside the ground but within reach.
+  /// @param faces  all faces within reach, in index order
   void add_outside_contacts(std::uint32_t vertex, const Vec3& centre,
                             std::span<const LocalFaces::Face> faces,
                             std::vector<ContactPoint>& contacts) const;
 
  private:
-  /// Seen from the block, a point of the ground moves up to this many times as far as the block:
-  /// farther where it is beyond the bounding radius.
+  /// Returns an upper bound of the displacement of a ground point relative to the block, as a
+  /// multiple of the block's displacement: above 1 beyond the bounding radius.
   double relative_motion_factor(const Vec3& point) const {
-    return std::max(1.0, (point - position_).norm() / bounding_radius_);
+    return std::max(1.0, (point - position_).norm() / bounding_radius_);  ///< of the block
   }
   ContactPoint vertex_contact(ContactKind kind, std::uint32_t block_feature,
                               std::uint32_t ground_vertex, const Vec3& normal,
                               double distance) const;
-  /// Direction in which a vertex inside the ground is pushed: to the surface point, or up to the
-  /// plane in which a ground that ends there goes on.
+  /// Returns the push direction of a vertex inside the ground: to the surface point, or up to the
+  /// extended plane of a ground that ends there.
   Vec3 push_direction(const NearestPoint& nearest, const Vec3& centre) const;
-  /// True when the block's own surface falls away from a ground that it touches along `normal`
-  /// (out of the ground) with this vertex or edge.
+  /// True if the block's surface falls away from a ground touched along `normal` (out of the
+  /// ground) by this vertex or edge.
   bool can_vertex_touch(std::uint32_t vertex, const Vec3& normal) const;
   bool can_edge_touch(std::uint32_t edge, const Vec3& normal) const;
-  /// True when an edge of the ground and one of the block may carry along `normal`.
+  /// True if a ground edge and a block edge can be in contact along `normal`.
   bool can_edges_touch(const SurfaceEdge& of_ground, const SurfaceEdge& of_block,
                        const Vec3& normal) const;
 
@@ -153,7 +153,7 @@ class FeatureTests {
   const SurfaceFeatures& block_;
   double reach_;
   double bounding_radius_;  ///< of the block
-  double depth_limit_;      ///< edge and face contacts deeper than this are not trusted, m
+  double depth_limit_;      ///< for edge and face contacts, m
   Mat3 rotation_ = Mat3::Identity();
   Vec3 position_ = Vec3::Zero();
 };

@@ -1,5 +1,5 @@
 #pragma once
-/// How deep a placed block overlaps the ground.
+/// Overlap of a block with the ground.
 #include <memory>
 
 #include "dem/motion/rigid_body.hpp"
@@ -7,16 +7,16 @@
 
 namespace clast {
 
-/// Measures any number of placements of one rounded body over one terrain; what the search needs
-/// of the body is made once.
+/// Measures the overlap for any number of poses of one body over one terrain, with shared
+/// precomputed data.
 class GroundOverlap {
  public:
-  /// Both must outlive it.
+  /// Stores references; both arguments must outlive this object.
   GroundOverlap(const TerrainSurface& terrain, const RigidBody& body);
   ~GroundOverlap();
 
-  /// Largest overlap of any contact with the ground's skin, m; 0 when clear of it, and also when
-  /// buried so deep that nothing reaches the surface.
+  /// Returns the largest contact overlap, m; 0 without contact, and also if the body is buried so
+  /// deep that it does not reach the surface.
   double max_overlap(const RigidState& state) const;
 
  private:

@@ -1,6 +1,6 @@
 #pragma once
-/// Which of many numbers are wanted, listed without a branch for each: what is due next is as good
-/// as random to the processor, and a wrong guess costs more than a needless store.
+/// List of selected indices, filled without branches, because the selection is unpredictable for
+/// the processor.
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -9,9 +9,10 @@ namespace clast::dem_detail {
 
 class IndexList {
  public:
-  /// @param most  no more numbers are offered until the next call
+  /// Clears the list.
+  /// @param max_count  maximum number of indices until the next call
   void clear(std::uint32_t max_count) {
-    if (indices_.size() <= max_count) indices_.resize(max_count + 1);
+    if (indices_.size() <= max_count) indices_.resize(max_count + 1);  ///< with one spare element
     count_ = 0;
   }
   void add_if(bool wanted, std::uint32_t index) {
@@ -19,7 +20,7 @@ class IndexList {
     count_ += wanted ? 1 : 0;
   }
 
-  /// Lists those before `end` that are wanted.
+  /// Lists the selected indices below `end`.
   template <class Wanted>
   void fill_if(std::uint32_t end, const Wanted& wanted) {
     clear(end);

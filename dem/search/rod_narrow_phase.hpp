@@ -1,6 +1,6 @@
 #pragma once
-/// Contacts of two bodies that have no faces: balls, capsules, frames of rods. A body with faces is
-/// the reference of its pair (`TerrainNarrowPhase`); between two without there is nothing to index.
+/// Narrow phase of two bodies without faces: balls, capsules and rod frames. Bodies with faces are
+/// reference bodies (`TerrainNarrowPhase`).
 #include <vector>
 
 #include "dem/search/feature_tests.hpp"
@@ -11,9 +11,10 @@ class RodNarrowPhase {
  public:
   RodNarrowPhase(const IndexedSurface& ground, const IndexedSurface& block);
 
-  /// The contacts in the frame of the ground, in a fixed order; the caller may change them.
+  /// Finds the contacts in the frame of the ground in a deterministic order; the caller may modify
+  /// them.
   std::vector<ContactPoint>& find_contacts(const Pose& ground_from_body);
-  /// How far apart the two are at least, m; 0 in contact (valid after `contacts`).
+  /// Returns the distance of the bodies, m; 0 in contact (valid after `find_contacts`).
   double clearance() const { return clearance_; }
   template <class Bytes>
   void serialize(Bytes& bytes) {
@@ -23,14 +24,14 @@ class RodNarrowPhase {
  private:
   void find_vertex_contacts(std::uint32_t block_vertex);
   void find_edge_contacts(std::uint32_t block_edge);
-  /// A vertex acts where no rod that leaves it comes nearer; kNoFeature: no vertex there.
+  /// True if a vertex is nearer than its adjacent rods; kNoFeature: no vertex.
   bool is_vertex_contact(std::uint32_t block_vertex, std::uint32_t ground_vertex,
                          const Vec3& out) const;
   void set_contact(ContactPoint& contact, const Vec3& on_ground, const Vec3& on_block);
 
   const IndexedSurface& ground_;
   const SurfaceFeatures& block_;
-  double reach_;  ///< both radii, m
+  double reach_;  ///< sum of both radii, m
   double clearance_ = 0.0;
   Mat3 rotation_ = Mat3::Identity();
   std::vector<Vec3> placed_;  ///< block vertices in the frame of the ground

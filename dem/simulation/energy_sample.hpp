@@ -1,10 +1,10 @@
 #pragma once
-/// The energy of many blocks at one instant, and where it has gone until then.
+/// Energy of many blocks at one time, and its dissipation until then.
 #include <cstddef>
 
 namespace clast {
 
-/// What contacts have dissipated, J.
+/// Energy dissipated by contacts, J.
 struct Dissipation {
   double normal = 0.0;    ///< by the normal law
   double friction = 0.0;  ///< by sliding and by scar drag
@@ -23,21 +23,21 @@ struct Dissipation {
   }
 };
 
-/// Energies of all bodies that move, J. Their sum, with what was dissipated and reassigned, is what
-/// the bodies brought.
+/// Energies of all movable bodies, J. Together with dissipated and reassigned energy they equal the
+/// initial energy.
 struct EnergySample {
   double time = 0.0;           ///< s
-  std::size_t moving = 0;      ///< bodies that are neither at rest nor gone
-  double translational = 0.0;  ///< kinetic, of the centres of mass; without bodies that are gone
-  double rotational = 0.0;     ///< kinetic, likewise
-  double potential = 0.0;      ///< m g z of bodies that are there
-  double stored = 0.0;         ///< what unloading the contacts would give back
-  double departed = 0.0;       ///< kinetic and potential, that bodies had when they left
-  Dissipation on_ground;       ///< since the first body came
+  std::size_t moving = 0;      ///< bodies neither at rest nor removed
+  double translational = 0.0;  ///< kinetic energy of the centres of mass, without removed bodies
+  double rotational = 0.0;     ///< kinetic energy of rotation, without removed bodies
+  double potential = 0.0;      ///< m g z, without removed bodies
+  double stored = 0.0;         ///< elastic energy of the contacts
+  double departed = 0.0;       ///< kinetic and potential energy of removed bodies at their removal
+  Dissipation on_ground;       ///< since the first body was added
   Dissipation between_bodies;  ///< likewise
-  double reassigned = 0.0;     ///< likewise: lost (or gained, < 0) when contacts change
+  double reassigned = 0.0;     ///< since then: lost (or gained, < 0) by changes of contacts
 
-  /// The same, with time and what was lost counted from an earlier sample on.
+  /// Returns the sample with time and losses relative to an earlier sample.
   EnergySample since(const EnergySample& begin) const {
     EnergySample sample = *this;
     sample.time -= begin.time;
@@ -46,7 +46,7 @@ struct EnergySample {
     sample.reassigned -= begin.reassigned;
     return sample;
   }
-  /// All energy that there is, that went, and that left.
+  /// Returns the sum of present, removed and dissipated energy.
   double sum() const {
     return translational + rotational + potential + stored + departed + on_ground.sum() +
            between_bodies.sum() + reassigned;

@@ -8,24 +8,26 @@
 
 namespace clast {
 
-/// Contacts, gravity, and when a body counts as being at rest.
+/// Contact parameters, gravity and rest criterion.
 struct MotionSettings {
   ContactStiffness stiffness;  ///< of all contacts
-  ContactLaw law;              ///< likewise; energy-restitution unless chosen otherwise
+  ContactLaw law;              ///< of all contacts; default: energy-restitution
   ContactWeighting weights = ContactWeighting::kPatch;
   double gravity = 9.81;        ///< m/s^2, along -z
-  double rest_energy = 2e-4;    ///< J/kg: v^2/2 + w.J.w/(2 m) below this ...
-  double rest_duration = 0.5;   ///< ... for so long, s, with a contact throughout, is rest
-  double start_overlap = 1e-3;  ///< largest overlap that a body may start with, share of its S
+  double rest_energy = 2e-4;    ///< J/kg: a body rests if v^2/2 + w.J.w/(2 m) is below this ...
+  double rest_duration = 0.5;   ///< ... for this time, s, with uninterrupted contact
+  double start_overlap = 1e-3;  ///< maximum initial overlap, as a fraction of S
 
   void check() const;  ///< throws InputError naming the field and its value
 };
 
-/// @throws SimulationError  a ground zone of the terrain has no parameters
+/// Checks that all ground zones have parameters.
+/// @throws SimulationError  if one has none
 void check_zones(const TerrainSurface& terrain, std::span<const GroundParameters> zones);
 
-/// @param name  what starts there, for messages
-/// @throws SimulationError  the place is not above or on the terrain
+/// Checks a start position.
+/// @param name  of the starting body, for messages
+/// @throws SimulationError  if it is not above or on the terrain
 void check_start(const TerrainSurface& terrain, const Vec3& position, const std::string& name);
 
 }  // namespace clast

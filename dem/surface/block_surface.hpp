@@ -1,23 +1,22 @@
 #pragma once
-/// The surface of a block with what every contact search needs of it.
+/// Surface of a block with precomputed data for contact searches.
 #include "dem/surface/block_parts.hpp"
 #include "dem/surface/feature_groups.hpp"
 #include "dem/surface/local_ground.hpp"
 
 namespace clast::dem_detail {
 
-/// Along which normals an edge may touch: those between the normals of its faces, and a little
-/// beyond (`is_near_normal_arc`).
+/// Arc of contact normals of an edge: between its face normals, and slightly beyond
+/// (`is_near_normal_arc`).
 struct EdgeNormalArc {
   EdgeNormalArc() = default;
   EdgeNormalArc(const SurfaceFeatures& surface, const SurfaceEdge& edge);
-  Vec3 first = Vec3::Zero(), second = Vec3::Zero();  ///< normals of its faces, unit
-  double slack = 0.0;                                ///< a sine
-  bool is_unbounded = false;                         ///< along any: an edge without two faces
+  Vec3 first = Vec3::Zero(), second = Vec3::Zero();  ///< unit normals of its faces
+  double slack = 0.0;                                ///< sine
+  bool is_unbounded = false;  ///< true for an edge without two faces, which has any normal
 };
 
-/// One per shape: in a pile thousands of pairs refer to a few of these, so that they stay in the
-/// caches.
+/// Block surface, one per shape, shared by all its pairs to save cache memory.
 struct BlockSurface : IndexedSurface {
   explicit BlockSurface(const SpheroPolyhedron& body);
   BlockParts parts;

@@ -1,5 +1,5 @@
 #pragma once
-/// What joins the contact points of a block: its planes and its straight edges.
+/// Groups of block features that connect contact points: planes and straight lines.
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -8,12 +8,12 @@
 
 namespace clast::dem_detail {
 
-/// Planes and lines in one numbering: a plane by a face of it, a line after all faces.
+/// Planes and lines with common indices: a plane by one of its faces, lines after all faces.
 struct FeatureGroups {
-  std::vector<std::uint32_t> group_of_face;  ///< faces joined over flat edges share it
-  std::vector<std::uint32_t> group_of_edge;  ///< convex edges that go straight on share it
-  std::vector<std::uint32_t> offsets;  ///< joints at vertex v: groups_of_vertices[offsets[v] ..]
-  std::vector<std::uint32_t> groups_of_vertices;  ///< sorted within each vertex
+  std::vector<std::uint32_t> group_of_face;  ///< equal for faces connected over flat edges
+  std::vector<std::uint32_t> group_of_edge;  ///< equal for collinear convex edges
+  std::vector<std::uint32_t> offsets;  ///< groups at vertex v: groups_of_vertices[offsets[v] ..]
+  std::vector<std::uint32_t> groups_of_vertices;  ///< sorted for each vertex
 
   std::span<const std::uint32_t> groups_at(std::uint32_t vertex) const {
     return {groups_of_vertices.data() + offsets[vertex],

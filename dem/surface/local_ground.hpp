@@ -1,5 +1,5 @@
 #pragma once
-/// The ground near a block, its faces copied together so that many queries read little memory.
+/// Ground near a block, copied to contiguous memory for fast queries.
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -8,24 +8,24 @@
 
 namespace clast::dem_detail {
 
-/// A plane that no ground of some region rises above: bounds the distance to all of it at once.
+/// Plane above all ground of a region, which bounds the distance to it.
 struct BoundingPlane {
-  Vec3 normal = Vec3::UnitZ();  ///< mean of the faces' normals
-  double offset = -1e300;       ///< largest normal . point on the ground, m
+  Vec3 normal = Vec3::UnitZ();  ///< mean of the face normals
+  double offset = -1e300;       ///< largest normal . point of the ground, m
 
-  /// Lower bound of the distance of a point over the ground; negative when it gives none.
+  /// Returns a lower bound of the distance of a point; negative if it gives none.
   double clearance(const Vec3& point) const { return normal.dot(point) - offset; }
   template <class Bytes>
   void serialize(Bytes& bytes) {
     bytes(normal, offset);
   }
 };
-/// Some faces of the ground.
+/// Set of ground faces.
 struct LocalFaces {
   struct Face {
     Vec3 normal;
     double offset;  ///< height of a point over the plane: normal . point - offset
-    Vec3 centre;    ///< with `radius`, a ball around the face
+    Vec3 centre;    ///< centre of a bounding sphere with `radius`
     double radius;
     std::uint32_t face;
 
@@ -35,23 +35,23 @@ struct LocalFaces {
     }
   };
   std::vector<Face> faces;
-  BoundingPlane plane;  ///< over all of them
+  BoundingPlane plane;  ///< above all faces
 
   template <class Bytes>
   void serialize(Bytes& bytes) {
     bytes(faces, plane);
   }
 
-  /// Takes those of `from` within `reach` of the point, in their order.
+  /// Collects the faces of `from` within `reach` of a point, in their order.
   void collect_near(const SurfaceFeatures& features, const LocalFaces& from, const Vec3& centre,
                     double reach);
 
   struct NearestFace {
-    NearestPoint nearest;     ///< distance 1e300 when nothing is within the limit
-    double second = 0.0;      ///< all other faces are at least this far, m
-    std::uint32_t entry = 0;  ///< of `faces`
+    NearestPoint nearest;     ///< distance 1e300 if nothing is within the limit
+    double second = 0.0;      ///< lower bound of the distance of all other faces, m
+    std::uint32_t entry = 0;  ///< index into `faces`
   };
-  /// As `find_nearest_face` all its faces.
+  /// Finds the nearest of its faces, as `find_nearest_face`.
   NearestFace nearest(const SurfaceFeatures& features, const Vec3& query, double limit,
                       double beyond, std::uint32_t guess) const;
 
@@ -59,7 +59,7 @@ struct LocalFaces {
   void fit_bounding_plane(const SurfaceFeatures& features);
 };
 
-/// All of the ground near a block, ordered by number.
+/// Ground features near a block, ordered by index.
 struct LocalGround : LocalFaces {
   std::vector<std::uint32_t> edges;             ///< convex ones
   std::vector<std::uint32_t> pointed_vertices;  ///< pointed vertices
@@ -70,17 +70,17 @@ struct LocalGround : LocalFaces {
     bytes(edges, pointed_vertices);
   }
 
-  /// Gathers everything within `reach` of the point.
+  /// Collects all features within `reach` of a point.
   void collect_near(const IndexedSurface& ground, const Vec3& centre, double reach);
 };
 
-/// A face as lists of the ground hold it.
+/// Makes the list entry of a face.
 LocalFaces::Face make_local_face(const SurfaceFeatures& features, std::uint32_t face);
 
-/// Nearest point of some faces of a surface to `query`.
-/// @param limit   m: what is farther does not matter
-/// @param beyond  m: how much farther than the nearest other faces are measured
-/// @param guess   entry of a face that may be near: the answer is the same, but sooner found
+/// Finds the nearest point of given faces.
+/// @param limit  m: farther faces are ignored
+/// @param beyond  m: distance beyond the nearest up to which other faces are measured
+/// @param guess  entry of a probably near face; only affects the speed
 LocalFaces::NearestFace find_nearest_face(std::span<const LocalFaces::Face> faces,
                                           const SurfaceFeatures& features, const Vec3& query,
                                           double limit, double beyond, std::uint32_t guess);

@@ -1,5 +1,5 @@
 #pragma once
-/// Where two segments come closest.
+/// Closest points of two segments.
 #include <algorithm>
 
 #include "core/types.hpp"
@@ -18,10 +18,10 @@ struct Segment {
 };
 
 struct SegmentDistance {
-  double first = 0.0;              ///< along the first segment, m
-  double second = 0.0;             ///< along the second, m
-  Vec3 separation = Vec3::Zero();  ///< from the point on the second to the one on the first
-  bool crossing = false;  ///< both points are inside, where the lines themselves are closest
+  double first = 0.0;              ///< parameter on the first segment, m
+  double second = 0.0;             ///< parameter on the second segment, m
+  Vec3 separation = Vec3::Zero();  ///< from the second to the first closest point
+  bool crossing = false;           ///< both points are inside, at the closest points of the lines
   // The same of the lines, and the sine of the angle between them; all 0 where they are parallel.
   double line_first = 0.0, line_second = 0.0;
   double sine = 0.0;
@@ -29,9 +29,9 @@ struct SegmentDistance {
 
 SegmentDistance closest_points(const Segment& a, const Segment& b);
 
-/// How far a body may move that carries the first segment before the two cross, m; 0 where that is
-/// not known. Its way counts as the shift of its centre and `radius` times the chord of its turn
-/// together (docs/theory.md, Contact search).
+/// Returns the displacement of the body with the first segment before the segments can cross, m; 0
+/// if unknown. Displacement is the translation of its centre plus `radius` times the rotation chord
+/// (docs/theory.md, Contact search).
 /// @param closest  of these two, not crossing
 double displacement_to_crossing(const SegmentDistance& closest, const Segment& a, const Segment& b,
                                 const Vec3& centre, double radius);

@@ -1,6 +1,6 @@
 #pragma once
-/// Faces, edges and vertices of a triangulated surface with everything that the contact rules need
-/// of them. The ground and the blocks are described by the same structure.
+/// Faces, edges and vertices of a triangulated surface with precomputed contact data, for ground
+/// and blocks alike.
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -13,11 +13,11 @@ namespace clast::dem_detail {
 inline constexpr std::uint32_t kNoFeature = 0xffffffffu;
 
 enum class EdgeKind : std::uint8_t {
-  kFlat,    ///< both faces in one plane: never in contact by itself
-  kConvex,  ///< convex: the solid falls away on both sides
-  kReflex,  ///< reflex: nothing can reach it before its faces
+  kFlat,    ///< coplanar faces: never in contact by itself
+  kConvex,  ///< the solid falls away on both sides
+  kReflex,  ///< reached only after its faces
   kBorder,  ///< one face only
-  kWire,    ///< no face: an edge of a capsule
+  kWire,    ///< no face: edge of a capsule
 };
 
 struct SurfaceFace {
@@ -28,25 +28,25 @@ struct SurfaceFace {
 
 struct SurfaceEdge {
   std::array<std::uint32_t, 2> vertices;
-  std::array<std::uint32_t, 2> faces;  ///< the second is kNoFeature for a border, both for a wire
+  std::array<std::uint32_t, 2> faces;  ///< second kNoFeature at a border; both for a wire
   Vec3 direction;                      ///< unit, from the first vertex to the second
   double length = 0.0;
   EdgeKind kind = EdgeKind::kFlat;
-  std::array<bool, 2> forward = {true, false};  ///< either face runs from the first vertex to the
-                                                ///< second
+  std::array<bool, 2> forward = {true,
+                                 false};  ///< per face: it runs from the first vertex to the second
 
   bool is_convex() const { return kind != EdgeKind::kFlat && kind != EdgeKind::kReflex; }
 };
 
-/// A whole surface. To keep large terrains small, what follows from these in a few operations is
-/// computed when it is needed.
+/// Features of a surface. Quantities that follow cheaply from these are computed on demand, to save
+/// memory for large terrains.
 struct SurfaceFeatures {
   std::vector<Vec3> vertices;
   std::vector<SurfaceFace> faces;
   std::vector<SurfaceEdge> edges;
   std::vector<Vec3> vertex_normals;             ///< angle-weighted, unit (Baerentzen & Aanaes 2005)
-  std::vector<std::uint8_t> is_pointed_vertex;  ///< vertices that can be touched: a convex edge
-                                                ///< ends there and does not go straight on
+  std::vector<std::uint8_t> is_pointed_vertex;  ///< vertices that can be touched: ends of convex
+                                                ///< edges without a collinear continuation
   std::vector<std::uint32_t>
       edge_offsets;  ///< edges at vertex v: edges_at_vertex[edge_offsets[v] ..]
   std::vector<std::uint32_t> edges_at_vertex;  ///< sorted
@@ -55,7 +55,7 @@ struct SurfaceFeatures {
     return {edges_at_vertex.data() + edge_offsets[vertex],
             edges_at_vertex.data() + edge_offsets[vertex + 1]};
   }
-  /// Unit direction in which an edge leaves one of its vertices.
+  /// Returns the unit direction of an edge away from one of its vertices.
   Vec3 edge_direction_from(std::uint32_t edge, std::uint32_t vertex) const {
     const SurfaceEdge& e = edges[edge];
     return e.vertices[0] == vertex ? e.direction : Vec3(-e.direction);
@@ -63,27 +63,28 @@ struct SurfaceFeatures {
   Segment segment(const SurfaceEdge& edge) const {
     return {vertices[edge.vertices[0]], edge.direction, edge.length};
   }
-  /// Mean of the normals of the faces at an edge, unit; of a wire any.
+  /// Returns the unit mean of the face normals at an edge; arbitrary for a wire.
   Vec3 edge_normal(const SurfaceEdge& edge) const;
 };
 
-/// @param wires  edges that belong to no triangle (capsules), as vertex pairs
-/// @throws GeometryError  a triangle without area, or an edge with three or more triangles
+/// Extracts the features of a mesh.
+/// @param wires  edges without triangles (capsules), as vertex pairs
+/// @throws GeometryError  if a triangle is degenerate or an edge non-manifold
 SurfaceFeatures extract_surface_features(const TriangleMesh& mesh,
                                          std::span<const std::array<std::uint32_t, 2>> wires = {});
 
-/// How far inside the face the foot of the point on its plane lies, m; -1 when outside.
+/// Returns how far the projection of a point lies inside a face, m; -1 if it is outside.
 double distance_inside_face(const SurfaceFeatures& surface, const SurfaceFace& face,
                             const Vec3& point);
 
-/// The direction in the plane of a face that is perpendicular to its edge and points into the face;
-/// unit if `edge_direction` is.
-/// @param forward  true if the face runs along the direction of the edge, `SurfaceEdge::forward`
+/// Returns the direction in the plane of a face, perpendicular to its edge and pointing into the
+/// face; unit if `edge_direction` is.
+/// @param along  true if the face runs along the direction of the edge, `SurfaceEdge::along`
 inline Vec3 inward_direction(const SurfaceFace& face, const Vec3& edge_direction, bool forward) {
   return forward ? face.normal.cross(edge_direction) : edge_direction.cross(face.normal);
 }
 
-/// True when two edges that leave a vertex along these rays go straight on into each other.
+/// True if two edges leaving a vertex along these rays are collinear.
 bool are_collinear(const Vec3& first_ray, const Vec3& second_ray);
 
 }  // namespace clast::dem_detail

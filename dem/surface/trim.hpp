@@ -1,5 +1,5 @@
 #pragma once
-/// Lists that are made anew now and then take little more memory than they need.
+/// Limiting the spare capacity of lists.
 #include <vector>
 
 namespace clast::dem_detail {

@@ -1,16 +1,16 @@
 #pragma once
-/// Whether the numbers of a block are consistent.
+/// Consistency checks of block records.
 #include <string>
 
 #include "library/block.hpp"
 
 namespace clast::library_detail {
 
-/// Refuses a block whose mass is not density times volume, whose moments no solid has or are not
-/// those of its inertia, whose box is not the one around its core, or, where a closed form gives
-/// them, whose volume and moments are not those of its core. Numbers of every version of clast
-/// agree to rounding, and where they were integrated, to their stated error.
-/// @param where  the start of the message: "blocks.h5: block B017"
+/// Checks a block: mass equals density times volume; moments are physically possible and those of
+/// its inertia tensor; the box encloses its core; volume and moments are those of its core if a
+/// closed form exists. Numbers agree to rounding for all versions of clast, integrated ones to
+/// their stated error.
+/// @param where  prefix of messages: "blocks.h5: block B017"
 /// @throws InputError  with both numbers
 void check_block_consistency(const Block& block, const std::string& where);
 

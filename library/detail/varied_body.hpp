@@ -1,5 +1,5 @@
 #pragma once
-/// The bodies of variations, before they get their size.
+/// Varied bodies before scaling to their size.
 #include <optional>
 #include <string>
 
@@ -9,7 +9,7 @@ namespace clast::library_detail {
 
 struct VariedBody {
   SpheroPolyhedron body;
-  std::string record;  ///< "key=value" pairs beyond those of the variation
+  std::string record;  ///< additional "key=value" pairs for the record
 };
 
 VariedBody vary_body(const Block& parent, const StretchVariation& target);

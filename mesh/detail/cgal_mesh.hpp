@@ -1,5 +1,5 @@
 #pragma once
-/// The one CGAL kernel and surface mesh, and the way there and back.
+/// CGAL kernel and surface mesh, and conversion from and to `TriangleMesh`.
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Surface_mesh.h>
 
@@ -14,7 +14,8 @@ using CgalKernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using CgalPoint = CgalKernel::Point_3;
 using CgalMesh = CGAL::Surface_mesh<CgalPoint>;
 
-/// @throws GeometryError  a triangle doesn't fit: edge with three triangles, or mixed winding
+/// Converts to a CGAL mesh.
+/// @throws GeometryError  if an edge has three triangles or windings are mixed
 inline CgalMesh to_cgal(const TriangleMesh& mesh) {
   CgalMesh result;
   result.reserve(static_cast<CgalMesh::size_type>(mesh.vertices.size()),
@@ -33,7 +34,7 @@ inline CgalMesh to_cgal(const TriangleMesh& mesh) {
   return result;
 }
 
-/// Vertices and triangles in the order of the CGAL mesh, removed ones left out.
+/// Converts from a CGAL mesh, keeping its order and skipping removed elements.
 inline TriangleMesh from_cgal(const CgalMesh& mesh) {
   TriangleMesh result;
   std::vector<std::uint32_t> number(mesh.number_of_vertices() + mesh.number_of_removed_vertices());

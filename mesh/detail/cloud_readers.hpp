@@ -1,6 +1,5 @@
 #pragma once
-/// One reader per cloud format. Each hands over its points and says what it left out; messages have
-/// no file name.
+/// Readers of point cloud formats. Messages do not contain the file name.
 #include <istream>
 #include <string_view>
 
@@ -8,15 +7,15 @@
 
 namespace clast::mesh_detail {
 
-/// Collects points and hands them over in batches of a size that suits the cache.
+/// Collects points and passes them on in cache-friendly batches.
 class PointSink {
  public:
   explicit PointSink(const std::function<void(const PointBatch&)>& consume) : take_(consume) {}
 
-  /// Points that are not finite are counted and left out.
+  /// Adds a point; non-finite points are counted and skipped.
   void add_point(const Vec3& point);
   void add_point(const Vec3& point, std::uint8_t asprs_class);
-  /// Hands over the rest.
+  /// Passes on the remaining points and completes the summary.
   CloudSummary finish(CloudSummary summary);
 
  private:
@@ -29,9 +28,10 @@ class PointSink {
   std::size_t non_finite_ = 0;
 };
 
-/// @throws InputError  corrupt or cut short
-/// @param columns  as `stream_cloud` has them
-/// @param counted  the number of points stands before each scan, as in .pts files
+/// Readers of text, LAS and PCD clouds.
+/// @param columns  as in `stream_cloud`
+/// @param has_point_counts  the number of points precedes each scan, as in .pts files
+/// @throws InputError  if the file is corrupt or truncated
 CloudSummary read_text_cloud(std::istream& stream, PointSink& sink,
                              const std::vector<std::string>& columns, bool has_point_counts);
 CloudSummary read_las(std::istream& stream, PointSink& sink);

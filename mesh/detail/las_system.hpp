@@ -1,5 +1,5 @@
 #pragma once
-/// The reference system of a LAS file, out of its projection records.
+/// Reference system of LAS files, from their projection records.
 #include <cstdint>
 #include <istream>
 
@@ -7,12 +7,12 @@
 
 namespace clast::mesh_detail {
 
-/// Where the variable-length records of a LAS file lie.
+/// Positions of the variable-length records of a LAS file.
 struct LasRecordLayout {
-  std::uint64_t begin = 0;           ///< of those before the points: the size of the header
-  std::uint64_t end = 0;             ///< where the points begin
-  std::uint32_t count = 0;           ///< before the points
-  std::uint64_t extended_begin = 0;  ///< of those after the points, from version 1.4 on
+  std::uint64_t begin = 0;           ///< of the records before the points: the header size
+  std::uint64_t end = 0;             ///< start of the points
+  std::uint32_t count = 0;           ///< number of records before the points
+  std::uint64_t extended_begin = 0;  ///< of the records after the points, since version 1.4
   std::uint32_t extended_count = 0;
   bool uses_wkt = false;  ///< bit 4 of the global encoding: WKT, not GeoTIFF keys
 };

@@ -1,6 +1,5 @@
 #pragma once
-/// One reader per mesh format. Each takes the file's bytes and gives vertices and triangles as
-/// they stand in the file; `read_mesh` checks what comes out.
+/// Readers of mesh formats: vertices and triangles as stored; `read_mesh` checks them.
 #include <filesystem>
 #include <optional>
 #include <string_view>
@@ -9,22 +8,22 @@
 
 namespace clast::mesh_detail {
 
-/// Readers in double precision. "None" means a variant that only assimp knows.
-/// @throws InputError  corrupt or truncated; the message has no file name
+/// Reads a mesh in double precision; empty for format variants that only assimp can read.
+/// @throws InputError  if the file is corrupt or truncated; without the file name
 std::optional<TriangleMesh> read_stl(std::string_view content);
 std::optional<TriangleMesh> read_obj(std::string_view content);
 std::optional<TriangleMesh> read_ply(std::string_view content);
 std::optional<TriangleMesh> read_off(std::string_view content);
 std::optional<TriangleMesh> read_tab(std::string_view content);
 
-/// Refuses glTF whose shapes need an extension, by its name: assimp reads such files as if they did
-/// without, and gives other coordinates.
+/// Refuses glTF files whose geometry needs an extension: assimp ignores it and returns wrong
+/// coordinates.
 /// @param content  of a .gltf or .glb file
-/// @throws InputError  the message has no file name
+/// @throws InputError  naming the extension, without the file name
 void check_gltf_extensions(std::string_view content);
 
-/// Every mesh of a scene through assimp, in single precision, with the transforms of its nodes.
-/// @throws InputError  assimp can't read it; the message has no file name
+/// Reads all meshes of a scene with assimp, in single precision, with node transforms.
+/// @throws InputError  if assimp cannot read the file; without the file name
 TriangleMesh read_with_assimp(const std::filesystem::path& path);
 
 }  // namespace clast::mesh_detail

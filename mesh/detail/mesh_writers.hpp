@@ -1,5 +1,5 @@
 #pragma once
-/// The bytes of a mesh file in each format that `write_mesh` knows.
+/// Encoders of the mesh formats of `write_mesh`.
 #include <string>
 
 #include "mesh/triangle_mesh.hpp"

@@ -1,10 +1,10 @@
 #pragma once
-/// A surface that passes through itself.
+/// Warning about self-intersecting surfaces.
 #include "library/block.hpp"
 
 namespace clast::pipeline_detail {
 
-/// Adds a warning where triangles of `surface`, which `block` was made of as it is, cross.
+/// Adds a warning if `surface`, from which `block` was made unchanged, intersects itself.
 void warn_of_self_intersections(Block& block, const TriangleMesh& surface);
 
 }  // namespace clast::pipeline_detail

@@ -22,7 +22,7 @@ PhotographedBlocks reconstruct_photographs(const std::filesystem::path& folder,
   PhotoScanOptions photos = options.photos;
   if (options.scale_points || reading.scan.unit != 1.0) photos.metres_per_unit = reading.scan.unit;
   PhotoScan scan = reconstruct_from_photos(
-      folder, photos, [&](const std::string& what) { callbacks.begin(what, true); });
+      folder, photos, [&](const std::string& what) { callbacks.begin_step(what, true); });
   if (!scan.metric && options.block.mass) {
     throw InputError(folder.string() +
                      ": `mass` needs a scale, and these photos have none; give `bars` or "

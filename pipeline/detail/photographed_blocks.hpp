@@ -1,5 +1,5 @@
 #pragma once
-/// Blocks out of a folder of photographs.
+/// Blocks from a folder of photographs.
 #include <filesystem>
 
 #include "library/block.hpp"
@@ -7,14 +7,15 @@
 
 namespace clast::pipeline_detail {
 
-/// What was found, with the cameras and the scale of the photographs.
+/// Blocks with the cameras and scale of the photographs.
 struct PhotographedBlocks {
   FieldScan found;
   PhotoScan photos;
 };
 
-/// @param reading  of the points; its scale is that of the photographs
-/// @param source   of the blocks: what the photographs say of it is added
+/// Reconstructs blocks from photographs.
+/// @param reading  options for the points; their scale is that of the photographs
+/// @param source  origin of the blocks, to which the photo data are added
 /// @throws InputError, GeometryError  with the folder in the message
 PhotographedBlocks reconstruct_photographs(const std::filesystem::path& folder,
                                            const ScanToBlockOptions& options,

@@ -1,5 +1,5 @@
 #pragma once
-/// The size of a scan: where it came from, and whether a rock block can have it.
+/// Scale of a scan: origin and plausibility.
 #include <array>
 #include <string>
 
@@ -7,19 +7,19 @@
 
 namespace clast::pipeline_detail {
 
-/// Refuses a size that no rock block has (over 20 m or under 1 mm), which is a wrong unit most of
-/// the time. `box` is in metres.
-/// @throws InputError  naming the unit that is probably meant
+/// Checks the size of a scan; sizes over 20 m or under 1 mm are mostly wrong units. `box` is in
+/// metres.
+/// @throws InputError  naming the probable unit
 void check_scan_size(const Bounds& box, const std::string& id, const ScanToBlockOptions& options);
 
-/// Refuses a mass over 10,000 t, which is a wrong unit or density most of the time.
+/// Checks the mass of a block; masses over 10,000 t are mostly wrong units or densities.
 /// @throws InputError  with the block's id
 void check_block_mass(const Block& block, const ScanToBlockOptions& options);
 
-/// How a scan got its size, as "key=value" for the record.
+/// Formats the origin of the scale as "key=value" for the record.
 std::string format_scale_record(const ScanToBlockOptions& options);
 
-/// Adds a note where a point that gave the scale lies far from all that was read.
+/// Adds a note if a point used for the scale is far from the scan.
 void note_distant_scale_points(FieldScan& found, const std::array<Vec3, 2>& points);
 
 }  // namespace clast::pipeline_detail

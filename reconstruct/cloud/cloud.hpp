@@ -1,6 +1,6 @@
 #pragma once
-/// The few operations of PCL that clouds need, on plain points. PCL holds floats, so everything is
-/// about a local origin; results have the same bits whatever the number of threads.
+/// PCL operations on plain points. PCL uses floats, so coordinates are relative to a local origin;
+/// results do not depend on the number of threads.
 #include <cstdint>
 #include <memory>
 #include <span>
@@ -10,24 +10,25 @@
 
 namespace clast::reconstruct_detail {
 
-/// Numbers of the points that are no outliers: those whose mean distance to their `neighbours`
-/// nearest is at most `deviations` standard deviations above the mean of all. In order.
+/// Returns the ascending indices of points whose mean distance to their `neighbours` nearest points
+/// is at most `deviations` standard deviations above the mean of all.
 /// @cite rusu2008
 std::vector<std::uint32_t> find_inliers(std::span<const Vec3> points, int neighbours,
                                         double deviations);
 
-/// One point for each cube of side `cell` that holds some: their mean. m
+/// Decimates points to the mean per cube of side `cell`, m.
 std::vector<Vec3> decimated(std::span<const Vec3> points, double cell);
 
-/// Sets of points that are linked by steps of at most `max_gap`, the largest first; sets of fewer
-/// than `min_points` are left out.
+/// Finds clusters of points connected by steps of at most `reach`, the largest first; clusters
+/// below `min_points` are omitted.
 std::vector<std::vector<std::uint32_t>> find_clusters(std::span<const Vec3> points, double max_gap,
                                                       std::size_t min_points);
 
-/// Unit normals of the planes through the `neighbours` nearest, of either sign.
+/// Estimates unit normals of arbitrary sign from the planes through the `neighbours` nearest
+/// points.
 std::vector<Vec3> estimate_normals(std::span<const Vec3> points, int neighbours);
 
-/// Nearest points, by a k-d tree.
+/// Search for nearest points with a k-d tree.
 class PointTree {
  public:
   explicit PointTree(std::span<const Vec3> points);
@@ -37,7 +38,7 @@ class PointTree {
     std::uint32_t point;
     double distance;  ///< m
   };
-  /// The `count` nearest, nearest first; fewer where there are fewer.
+  /// Returns up to `count` nearest points, the nearest first.
   std::vector<Neighbour> nearest_neighbours(const Vec3& position, int count) const;
 
  private:
@@ -45,7 +46,7 @@ class PointTree {
   std::unique_ptr<Impl> impl_;
 };
 
-/// Mean distance of a point to its nearest, over up to 2000 points spread over the list. m
+/// Returns the mean nearest-neighbour distance over up to 2000 points, m.
 double mean_spacing(std::span<const Vec3> points);
 
 }  // namespace clast::reconstruct_detail

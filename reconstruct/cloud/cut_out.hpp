@@ -1,5 +1,5 @@
 #pragma once
-/// A surface seen through points, and what of it belongs to some of them.
+/// Sample points of a surface, and extraction of the parts nearest to some of them.
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -10,14 +10,14 @@
 
 namespace clast::reconstruct_detail {
 
-/// About 60,000 points spread over the surface by area; the same for the same mesh.
+/// Samples about 60,000 points uniformly over the surface; deterministic.
 std::vector<Vec3> sample_surface_points(const TriangleMesh& mesh);
 
-/// Components of the triangles whose corners and middle all lie nearest to one of `block`, without
-/// triangles that hang on by one edge; the largest first, none where there are no such triangles.
-/// @param tree   of the points over `sheet`
-/// @param block  numbers of those points that are on the block
+/// Returns the components of triangles whose vertices and centroid are nearest to `block`, without
+/// triangles attached by a single edge; the largest first.
+/// @param tree  of the points on `sheet`
+/// @param block  indices of the points on the block
 std::vector<Component> extract_nearest_components(const TriangleMesh& sheet, const PointTree& tree,
-                                             std::span<const std::uint32_t> block);
+                                                  std::span<const std::uint32_t> block);
 
 }  // namespace clast::reconstruct_detail

@@ -1,5 +1,5 @@
 #pragma once
-/// Points of a scan that lie far from the block.
+/// Separation of points far from the block.
 #include <cstddef>
 #include <span>
 #include <vector>
@@ -8,17 +8,18 @@
 
 namespace clast::reconstruct_detail {
 
-/// The largest set of points and what lies near it, apart from the rest.
+/// Largest cluster with nearby points, separated from far ones.
 struct SeparatedPoints {
-  std::vector<Vec3> near;  ///< in the order given
-  std::size_t far = 0;     ///< points left out
-  double far_area_ratio = 0.0;  ///< area of the largest far set over that of the largest set, about
-  Vec3 far_position = Vec3::Zero();  ///< a point of the largest far set
+  std::vector<Vec3> near;  ///< in the given order
+  std::size_t far = 0;     ///< number of excluded points
+  double far_area_ratio =
+      0.0;  ///< approximate area of the largest far cluster over that of the largest cluster
+  Vec3 far_position = Vec3::Zero();  ///< a point of the largest far cluster
 };
 
-/// Sets are linked by steps of a fiftieth of the diagonal or of a few spacings; one whose box lies
-/// farther from that of the largest than a quarter of its diagonal is far. A block of which some
-/// sides were not seen may well be two sets, near to each other.
+/// Separates clusters, connected by steps of 1/50 of the diagonal or a few spacings. A cluster is
+/// far if its box is farther from that of the largest than a quarter of its diagonal; a partly
+/// observed block may consist of two near clusters.
 SeparatedPoints separate_far_points(std::span<const Vec3> points);
 
 }  // namespace clast::reconstruct_detail

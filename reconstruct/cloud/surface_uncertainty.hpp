@@ -1,17 +1,17 @@
 #pragma once
-/// How far the surface of a block may lie from the one that was found through points.
+/// Uncertainty of the surface of a block from points.
 #include <vector>
 
 #include "core/types.hpp"
 
 namespace clast {
 
-/// What points leave open: they lie a distance apart, and scatter about the surface.
+/// Bounds due to point spacing and noise.
 struct SurfaceUncertainty {
-  std::vector<Vec3> inner;    ///< their hull lies within that of the block, m
-  std::vector<Vec3> outer;    ///< the block lies within their hull, m
-  double extent_error = 0.0;  ///< by which noise may have moved each end of each side, m
-  /// How much less or more than that of the surface found the volume may be, m^3.
+  std::vector<Vec3> inner;    ///< points whose hull is inside that of the block, m
+  std::vector<Vec3> outer;    ///< points whose hull contains the block, m
+  double extent_error = 0.0;  ///< possible error of each end of each side due to noise, m
+  /// Possible decrease and increase of the volume, m^3.
   double volume_below = 0.0, volume_above = 0.0;
 };
 

@@ -1,5 +1,5 @@
 #pragma once
-/// Which of the blocks that stand on the ground of a scan are asked for.
+/// Selection of blocks above the ground of a scan.
 #include <string>
 #include <vector>
 
@@ -8,26 +8,28 @@
 
 namespace clast::reconstruct_detail {
 
-/// A block on the ground, with what its closing needs.
+/// Block above the ground, with data for its closure.
 struct ChosenBlock {
-  std::vector<std::uint32_t> point_indices;  ///< of its points, ascending
+  std::vector<std::uint32_t> point_indices;  ///< ascending
   std::vector<Vec3> points;
   Vec3 centre = Vec3::Zero();  ///< of its box
-  Plane ground;                ///< that touches the ground below it
+  Plane ground;                ///< tangent plane of the ground below it
 };
 
-/// All of them with `split`, else the one near the middle.
+/// Selected blocks: all with `split`, otherwise the one near the centre.
 struct ChosenBlocks {
   std::vector<ChosenBlock> blocks;
   std::vector<std::string> notes;
 };
 
+/// Selects blocks.
 /// @param name  of the scan, for messages
-/// @throws GeometryError  nothing that rises from the ground is a block
+/// @throws GeometryError  if no part above the ground is a block
 ChosenBlocks choose_blocks_on_ground(const std::vector<Vec3>& points, const Ground& ground,
                                      const std::string& name, bool split);
 
-/// @param share  of the scan that is ground
+/// Throws the error for a scan of ground only.
+/// @param fraction  of the scan that is ground
 [[noreturn]] void throw_bare_ground(const std::string& name, double fraction);
 
 }  // namespace clast::reconstruct_detail

@@ -1,5 +1,5 @@
 #pragma once
-/// From the points of a field scan to blocks.
+/// Extraction of blocks from point clouds.
 #include <string>
 #include <vector>
 
@@ -7,13 +7,12 @@
 
 namespace clast::reconstruct_detail {
 
-/// Leaves out repeats, outliers and what lies far from the block, removes the ground where there is
-/// one, and closes each block.
+/// Removes duplicates, outliers, far points and, if present, the ground, and closes each block.
 /// @param name  of the scan, for messages
-/// @throws InputError     a point out of reach; too few points
-/// @throws GeometryError  separate sets without a ground, only ground, and what `close_block`
-/// throws
+/// @throws InputError  if a point is out of range, or there are too few
+/// @throws GeometryError  for separate clusters without ground, or only ground; and as
+///                        `close_block`
 std::vector<FieldBlock> extract_cloud_blocks(const std::vector<Vec3>& raw, const std::string& name,
-                                     const FieldScanOptions& options);
+                                             const FieldScanOptions& options);
 
 }  // namespace clast::reconstruct_detail

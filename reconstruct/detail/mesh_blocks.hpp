@@ -1,5 +1,5 @@
 #pragma once
-/// From the mesh of a field scan to blocks.
+/// Extraction of blocks from meshes.
 #include <string>
 #include <vector>
 
@@ -7,11 +7,11 @@
 
 namespace clast::reconstruct_detail {
 
-/// A closed mesh, or one that repair alone can close or has to refuse, is cleaned. Of an open one
-/// copies and scraps are dropped, the ground is removed where there is one, and each block closed.
+/// Cleans closed or repairable meshes. For open meshes, removes copies and debris and, if present,
+/// the ground, and closes each block.
 /// @param name  of the scan, for messages
-/// @throws GeometryError  only ground, and what `clean_block` and `close_block` throw
+/// @throws GeometryError  for only ground; and as `clean_block` and `close_block`
 std::vector<FieldBlock> extract_mesh_blocks(const TriangleMesh& raw, const std::string& name,
-                                    const FieldScanOptions& options);
+                                            const FieldScanOptions& options);
 
 }  // namespace clast::reconstruct_detail

@@ -1,5 +1,5 @@
 #pragma once
-/// How finely a file keeps coordinates.
+/// Resolution of the coordinates in a file.
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -9,18 +9,19 @@
 namespace clast::reconstruct_detail {
 
 struct CoordinateResolution {
-  double step = 0.0;     ///< the coarsest distance of neighbouring numbers of an axis
-  double largest = 0.0;  ///< the largest coordinate, where that step is
+  double step = 0.0;     ///< coarsest resolution over the axes
+  double largest = 0.0;  ///< largest coordinate of that axis
 };
 
-/// The step that all coordinates of an axis are multiples of because they were stored as 32-bit
-/// floats or written with seven digits. None: coordinates of every axis have more digits.
+/// Finds the resolution of coordinates stored as 32-bit floats or with seven digits; empty if all
+/// axes have more digits.
 std::optional<CoordinateResolution> find_coordinate_resolution(const TriangleMesh& mesh);
 
-/// The note on a file that keeps too few digits of its coordinates, empty where there are enough.
+/// Returns a note if the file stores too few digits; otherwise empty.
 /// @param mesh  as read from `path`, in its units
 /// @param unit  metres per unit
-/// @throws InputError  the shape of the block is lost
-std::string check_coordinate_digits(const TriangleMesh& mesh, const std::filesystem::path& path, double unit);
+/// @throws InputError  if the block's shape is lost
+std::string check_coordinate_digits(const TriangleMesh& mesh, const std::filesystem::path& path,
+                                    double unit);
 
 }  // namespace clast::reconstruct_detail

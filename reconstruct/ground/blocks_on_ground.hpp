@@ -1,5 +1,5 @@
 #pragma once
-/// The blocks that rise from the ground of a scan.
+/// Blocks above the ground of a scan.
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -8,24 +8,23 @@
 
 namespace clast {
 
-/// A block on a ground.
+/// Block above the ground.
 struct BlockOnGround {
-  std::vector<std::uint32_t> points;  ///< numbers of its points, ascending
+  std::vector<std::uint32_t> points;  ///< ascending indices of its points
   Vec3 centre = Vec3::Zero();         ///< of its box, m
   double height = 0.0;                ///< above the ground, m
 };
 
-/// What rises from the ground.
+/// Blocks and ground points of a scan.
 struct BlocksOnGround {
-  std::vector<BlockOnGround> blocks;  ///< ordered by x, then y, of their centres
-  std::size_t central = 0;            ///< the one that is high and near the middle of the scan
-  std::vector<std::uint32_t> ground;  ///< numbers of the points that lie on the ground
+  std::vector<BlockOnGround> blocks;  ///< ordered by x, then y of their centres
+  std::size_t central = 0;            ///< index of a high block near the centre of the scan
+  std::vector<std::uint32_t> ground;  ///< indices of the ground points
 };
 
-/// Groups what is higher than three times the ground's roughness, and shares out the strip below
-/// that: a point there belongs to the block if the wall above, carried on straight, passes closer
-/// to it than the ground does (both by their own roughness). Components a good deal smaller than
-/// the largest, and components that rise little, are no blocks.
+/// Finds blocks as clusters above three times the ground's roughness. Points in the strip below
+/// belong to a block if the straight extension of the wall above is nearer than the ground,
+/// relative to their roughnesses. Much smaller or lower clusters are not blocks.
 BlocksOnGround find_blocks_on_ground(std::span<const Vec3> points, const Ground& ground,
                                      const GroundOptions& options = {});
 

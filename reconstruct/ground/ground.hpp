@@ -1,5 +1,5 @@
 #pragma once
-/// The ground in a scan.
+/// Detection of the ground in scans.
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -10,31 +10,31 @@
 
 namespace clast {
 
-/// How ground is distinguished from blocks. Shares are of the diagonal of the scan.
+/// Options of ground detection; lengths are fractions of the scan's diagonal.
 struct GroundOptions {
-  std::uint64_t seed = 1;    ///< of the draws of planes
-  int trials = 1000;         ///< planes drawn
-  double tolerance = 0.01;   ///< of the first plane; the local surface follows the ground closer
-  double least_rise = 0.03;  ///< what rises less is no block
+  std::uint64_t seed = 1;    ///< of the random planes
+  int trials = 1000;         ///< number of random planes
+  double tolerance = 0.01;   ///< of the first plane; the local surface is fitted more closely
+  double least_rise = 0.03;  ///< minimum height of blocks
 
   void check() const;  ///< throws InputError naming the field and its value
 };
 
-/// A ground as a plane and smooth heights above it.
+/// Ground as a plane with smooth heights above it.
 class Ground {
  public:
   struct Surface;
-  Ground(const Plane& plane, std::unique_ptr<const Surface> surface, double roughness);
+  Ground(const Plane& plane, std::unique_ptr<const Surface> surface,
+         double roughness);  ///< standard deviation about the surface, m
   Ground(Ground&&) noexcept;
   Ground& operator=(Ground&&) noexcept;
   ~Ground();
 
   const Plane& plane() const { return plane_; }    ///< normal up, away from what lies below
   double roughness() const { return roughness_; }  ///< standard deviation about the surface, m
-  /// Height above the local surface along the plane's normal, m.
+  /// Returns the height above the local ground surface along the plane's normal, m.
   double height(const Vec3& point) const;
-  /// The plane that touches the local surface where it passes below `point`, over a reach of
-  /// `size`.
+  /// Returns the tangent plane of the ground below `point`, averaged over a size.
   Plane tangent_plane_below(const Vec3& point, double size) const;
 
  private:
@@ -43,11 +43,10 @@ class Ground {
   double roughness_;
 };
 
-/// Finds the ground: the plane that most points lie on while nearly all others lie on one side of
-/// it, and that is seen around them; then a smooth surface of heights above it, fitted to what lies
-/// on it only.
+/// Finds the ground: the plane that contains most points, with nearly all others on one side and
+/// ground visible around them; then a smooth height surface fitted to its points.
 /// @param points  without outliers, m
-/// @returns none where no plane is the ground of the rest: a block by itself
+/// @returns empty if no plane is a ground, as for a single block
 /// @cite fischler1981
 std::optional<Ground> find_ground(std::span<const Vec3> points, const GroundOptions& options = {});
 

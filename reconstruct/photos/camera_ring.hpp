@@ -1,5 +1,5 @@
 #pragma once
-/// Where photos were taken from, for the page about a block.
+/// Camera positions around a block, for its page.
 #include <string>
 #include <vector>
 
@@ -8,35 +8,37 @@
 
 namespace clast {
 
-/// A camera as seen from the block.
+/// Camera position relative to the block.
 struct CameraPosition {
   std::string name;
   double azimuth = 0.0;    ///< from x towards y, -pi to pi, rad
   double elevation = 0.0;  ///< above the horizon, rad
-  double distance = 0.0;   ///< from the middle of the block, m
-  std::size_t pairs = 0;   ///< in which the photo was compared
+  double distance = 0.0;   ///< from the centre of the block, m
+  std::size_t pairs = 0;   ///< number of compared pairs with this photo
   bool blurred = false;
 };
 
-/// A stretch of azimuth without a compared photo.
+/// Azimuth range without a compared photo.
 struct AzimuthGap {
-  std::size_t first = 0, second = 0;  ///< seats at its ends
-  double from = 0.0;                  ///< azimuth of the first, rad
+  std::size_t first = 0, second = 0;  ///< indices of the cameras at its ends
+  double from = 0.0;                  ///< azimuth of the first camera, rad
   double width = 0.0;                 ///< rad
 };
 
-/// Wider ones are named: photos are best 10 to 15 degrees apart.
+/// Width above which gaps are reported; photos should be 10 to 15 degrees apart.
 inline constexpr double kWideAzimuthGap = 20.0 * kRadiansPerDegree;
 
 struct CameraRing {
-  Vec3 middle = Vec3::Zero();     ///< of the block, in its frame
+  Vec3 middle = Vec3::Zero();           ///< centre of the block, in its frame
   std::vector<CameraPosition> cameras;  ///< in order of the photos
-  std::vector<AzimuthGap> gaps;      ///< wider than `kWideAzimuthGap`, in order of azimuth
-  double largest_gap = 0.0;       ///< of azimuth without a compared photo, rad; 2 pi with none
-  double gap_azimuth = 0.0;        ///< azimuth in its middle, rad
+  std::vector<AzimuthGap> gaps;         ///< wider than `kWideAzimuthGap`, in order of azimuth
+  double largest_gap =
+      0.0;  ///< largest azimuth range without a compared photo, rad; 2 pi without photos
+  double gap_azimuth = 0.0;  ///< azimuth of its centre, rad
 };
 
-/// @param block_from_model  to the frame of the block, z up, from that of the cameras
+/// Computes the camera positions.
+/// @param block_from_model  from the frame of the cameras to that of the block, z up
 CameraRing compute_camera_ring(const PhotoScan& scan, const Pose& block_from_model);
 
 }  // namespace clast

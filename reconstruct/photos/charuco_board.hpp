@@ -1,5 +1,5 @@
 #pragma once
-/// ChArUco boards in photos: printed chessboards with a marker in every white square.
+/// ChArUco boards in photos: printed chessboards with markers in the white squares.
 #include <string>
 #include <vector>
 
@@ -8,20 +8,20 @@
 
 namespace clast {
 
-/// A board as it was printed. Its corners are those between four squares, row by row: corner k is
-/// in column k % (columns - 1) and row k / (columns - 1).
+/// ChArUco board. Its corners are those between four squares, row-major: corner k is in column k %
+/// (columns - 1) and row k / (columns - 1).
 struct CharucoBoard {
   std::string dictionary;     ///< of its markers, as `MarkerOptions::dictionary`; not "auto"
-  int columns = 0, rows = 0;  ///< squares, 3 or more each
-  double square = 0.0;        ///< side of a square, m
-  double marker = 0.0;        ///< side of a marker's black square, m; less than `square`
-  /// With an even number of rows OpenCV before 4.6 draws a white square in the first corner and
-  /// later versions a black one (opencv issue 23152). True: the older one, as some makers still
-  /// print it. Boards with odd rows are the same.
+  int columns = 0, rows = 0;  ///< number of squares, at least 3 each
+  double square = 0.0;        ///< side length of a square, m
+  double marker = 0.0;        ///< side length of a marker's black square, m; less than `square`
+  /// Pattern of boards with an even number of rows: the first corner has a white square before
+  /// OpenCV 4.6 (true) and a black one later (opencv issue 23152).
   bool older_pattern = false;
 
-  /// @throws InputError  naming the field and its value; an even number of rows in a pattern that
-  ///                     the OpenCV clast was built with doesn't know
+  /// Checks the board.
+  /// @throws InputError  naming field and value; also if the pattern is not supported by the OpenCV
+  ///                     in use
   void check() const;
 };
 
@@ -36,20 +36,19 @@ void visit_fields(const CharucoBoard& options, Visit&& visit) {
   visit("older_pattern", older_pattern);
 }
 
-/// A corner that several photos agree on.
+/// Board corner located from several photos.
 struct BoardCorner {
   int index = 0;
   Vec3 position = Vec3::Zero();  ///< in the frame of the model
-  std::size_t photos = 0;     ///< that show it, outliers left out
-  double error = 0.0;         ///< root mean square distance in photos, px
+  std::size_t photos = 0;        ///< number of inlier photos
+  double error = 0.0;            ///< root mean square reprojection error, px
 };
 
-/// Finds the corners and triangulates them, in order of their numbers. A corner between black and
-/// white squares is a saddle of the grey values, which blur leaves in its place, unlike a corner of
-/// a marker.
-/// @param model    with files
-/// @param options  the dictionary is the board's
+/// Finds and triangulates the corners, in index order. Chessboard corners are saddle points, whose
+/// position is not biased by blur, unlike marker corners.
+/// @param model  with files
+/// @param options  with the board's dictionary
 std::vector<BoardCorner> find_board_corners(const PhotoModel& model, const CharucoBoard& board,
-                                             const MarkerOptions& options = {});
+                                            const MarkerOptions& options = {});
 
 }  // namespace clast

@@ -1,5 +1,5 @@
 #pragma once
-/// Points on the block and the ground about it, from photos with cameras.
+/// Dense point cloud from photos with cameras.
 #include <array>
 #include <cstdint>
 #include <filesystem>
@@ -13,16 +13,17 @@
 
 namespace clast {
 
+/// Options of dense reconstruction.
 struct DenseOptions {
   StereoPairOptions pairs = {};
-  int most_pixels = 1100;  ///< sides of the compared parts of photos; larger ones are reduced
+  int most_pixels = 1100;  ///< largest side of compared image regions; larger ones are reduced
   std::size_t min_agreeing_pairs = 3;  ///< depths from as many pairs must meet in a point
-  double tolerance = 1.0;              ///< px, by which they may differ
-  double cell = 1.7;  ///< one point per cube of this many pixels' width on the block
+  double tolerance = 1.0;              ///< disparity difference of consistent depths, px
+  double cell = 1.7;                   ///< spacing of the points, in units of the model
   bool skip_blurred = true;
-  /// Folder of masks, as `find_masks` takes them, or empty.
+  /// Folder of masks (`find_masks`), or empty.
   std::filesystem::path masks = {};
-  unsigned threads = 0;  ///< 0: one per core; the results are the same for any number
+  unsigned threads = 0;  ///< 0: one per core; does not affect the result
 
   void check() const;  ///< throws InputError naming the field and its value
 };
@@ -33,7 +34,8 @@ void visit_fields(const DenseOptions& options, Visit&& visit) {
                threads] = options;
   visit("pairs", pairs);
   visit("most_pixels", most_pixels);
-  visit("agreeing", min_agreeing_pairs);
+  visit("agreeing",
+        min_agreeing_pairs);  ///< minimum number of consistent depths from pairs per point
   visit("tolerance", tolerance);
   visit("cell", cell);
   visit("skip_blurred", skip_blurred);
@@ -44,19 +46,19 @@ void visit_fields(const DenseOptions& options, Visit&& visit) {
 struct DenseCloud {
   std::vector<Vec3> points;                          ///< in the frame and units of the model
   std::vector<std::array<std::uint8_t, 3>> colours;  ///< red, green, blue
-  FreeSpaceGrid free_space;  ///< space of the region that photos looked through
+  FreeSpaceGrid free_space;                          ///< observed free space of the region
   PhotoRegion region;
   std::vector<StereoPair> pairs;
-  std::vector<std::size_t> blurred;  ///< numbers of photos that were skipped
+  std::vector<std::size_t> blurred;  ///< indices of skipped photos
   double cell = 0.0;                 ///< of the points, in units of the model
   std::vector<std::string> notes;
 };
 
-/// Compares neighbouring photos, and keeps the points that several pairs agree on and that no more
-/// pairs see through; each is the mean of what they say. See docs/theory.md.
-/// @param model     with files
-/// @param progress  called with what was done of what there is to do, from one thread at a time
-/// @throws InputError  what `stereo_pairs` throws; masks that are missing; photos that don't agree
+/// Compares neighbouring photos and keeps points on which several pairs agree and through which no
+/// more pairs see, averaged over the pairs (docs/theory.md).
+/// @param model  with files
+/// @param progress  called with the finished and total number of steps, from one thread at a time
+/// @throws InputError  as `stereo_pairs`; if masks are missing or photos do not agree
 DenseCloud compute_dense_cloud(const PhotoModel& model, const DenseOptions& options = {},
                                const std::function<void(std::size_t, std::size_t)>& progress = {});
 

@@ -1,5 +1,5 @@
 #pragma once
-/// How a camera turns directions into pixels.
+/// Camera intrinsics and projection.
 #include <array>
 #include <optional>
 
@@ -7,15 +7,13 @@
 
 namespace clast {
 
-/// A central projection with distortion, wide enough to hold the lens models of COLMAP, Metashape
-/// and AliceVision.
+/// Central projection with distortion that covers the models of COLMAP, Metashape and AliceVision.
 ///
-/// Frame of the camera: x to the right of the photo, y down, z forward. Pixels: x to the right, y
-/// down, and the centre of the first pixel is (0, 0), as in OpenCV; programs that put it at
-/// (0.5, 0.5) are converted where their files are read.
+/// Camera frame: x right, y down, z forward. Pixels: x right, y down, with the centre of the first
+/// pixel at (0, 0), as in OpenCV; other conventions are converted on reading.
 ///
-/// (a, b) = (x / z, y / z), for a fisheye shortened to the length atan |(a, b)|; with
-/// r^2 = a^2 + b^2 and g = (1 + k1 r^2 + k2 r^4 + k3 r^6 + k4 r^8) / (1 + d1 r^2 + d2 r^4 + d3 r^6)
+/// (a, b) = (x / z, y / z), for a fisheye scaled to length atan |(a, b)|; with r^2 = a^2 + b^2 and
+/// g = (1 + k1 r^2 + k2 r^4 + k3 r^6 + k4 r^8) / (1 + d1 r^2 + d2 r^4 + d3 r^6)
 ///
 ///     a' = g a + 2 p1 a b + p2 (r^2 + 2 a^2),   u = fx a' + skew b' + cx
 ///     b' = g b + p1 (r^2 + 2 b^2) + 2 p2 a b,   v = fy b' + cy
@@ -31,20 +29,21 @@ struct CameraIntrinsics {
   double p1 = 0.0, p2 = 0.0;        ///< tangential
   bool fisheye = false;
 
-  /// @throws InputError  a value that no lens has, named
+  /// Checks all values.
+  /// @throws InputError  naming an impossible value
   void check() const;
 };
 
-/// Where a point in the camera's frame is seen; it may be outside the photo. None: it lies behind
-/// the camera, or so far to the side that the distortion turns back.
+/// Projects a point in the camera frame to a pixel, which may be outside the photo. Empty if the
+/// point is behind the camera or beyond the monotonic range of the distortion.
 std::optional<Vec2> project(const CameraIntrinsics& lens, const Vec3& in_camera);
 
-/// The direction (x / z, y / z, 1) that is seen at a pixel, to 1e-9 px. None: the distortion has no
-/// inverse there.
+/// Returns the direction (x / z, y / z, 1) of a pixel, to 1e-9 px. Empty if the distortion cannot
+/// be inverted there.
 std::optional<Vec3> unproject(const CameraIntrinsics& lens, const Vec2& pixel);
 
-/// The same lens for photos that were made smaller or larger.
-/// @throws InputError  the sides don't change by one factor (within a pixel)
+/// Returns the intrinsics of resized photos.
+/// @throws InputError  if the sides are not scaled by a common factor (within a pixel)
 CameraIntrinsics resized(const CameraIntrinsics& lens, int width, int height);
 
 }  // namespace clast

@@ -1,5 +1,5 @@
 #pragma once
-/// Finished camera models of other programs.
+/// Camera models of other programs.
 #include <filesystem>
 
 #include "reconstruct/photos/photo_model.hpp"
@@ -16,7 +16,7 @@ namespace clast {
 /// @throws InputError  no model there; a file cut short, damaged or of a lens that isn't known
 PhotoModel read_photo_model(const std::filesystem::path& path);
 
-/// Whether a folder holds a model that `read_photo_model` would read.
+/// True if a folder contains a model that `read_photo_model` can read.
 bool contains_photo_model(const std::filesystem::path& folder);
 
 }  // namespace clast

@@ -1,5 +1,5 @@
 #pragma once
-/// Printed square markers (ArUco, AprilTag) in photos, and where they are in the model.
+/// Location of printed markers (ArUco, AprilTag) from photos.
 #include <array>
 #include <string>
 #include <vector>
@@ -9,14 +9,14 @@
 
 namespace clast {
 
-/// How markers are looked for.
+/// Options of marker detection.
 struct MarkerOptions {
-  /// "4x4_50", "apriltag_36h11", ...; "auto" tries the usual ones on some photos. "none": no
-  /// search.
-  std::string dictionary = "auto";
-  std::size_t fewest_photos = 3;  ///< a marker seen in fewer is left out
-  double largest_error = 2.0;     ///< px; a corner farther from where it must be is left out
-  unsigned threads = 1;           ///< 0: one per core; the results are the same for any number
+  /// Dictionary: "4x4_50", "apriltag_36h11", ...; "auto" tries common ones on some photos; "none"
+  /// disables the search.
+  std::string dictionary = "auto";  ///< empty if nothing was searched or found
+  std::size_t fewest_photos = 3;    ///< minimum number of photos per marker
+  double largest_error = 2.0;       ///< maximum reprojection error of inliers, px
+  unsigned threads = 1;             ///< 0: one per core; does not affect the result
 
   void check() const;  ///< throws InputError naming the field and its value
 };
@@ -30,39 +30,38 @@ void visit_fields(const MarkerOptions& options, Visit&& visit) {
   visit("threads", ExcludedField{threads});
 }
 
-/// A marker that several photos agree on.
+/// Marker located from several photos.
 struct LocatedMarker {
   int id = 0;
   std::array<Vec3, 4> corners{};  ///< clockwise from the top left, in the frame of the model
-  std::size_t photos = 0;         ///< that show it, outliers left out
-  double error = 0.0;             ///< root mean square distance of corners in photos, px
+  std::size_t photos = 0;         ///< number of photos with clear edges
+  double error = 0.0;             ///< root mean square reprojection error of the corners, px
 
   Vec3 centre() const;
-  double side() const;  ///< mean of its four, in units of the model
+  double side() const;  ///< mean side length, in units of the model
 };
 
-/// A marker that too few photos agree on to say where it is.
+/// Marker that could not be located from enough photos.
 struct UnlocatedMarker {
   int id = 0;
   std::size_t photos = 0;  ///< that show it with clear edges
 };
 
 struct MarkerSearchResult {
-  std::string dictionary;            ///< empty: nothing was looked for, or nothing found
-  std::vector<LocatedMarker> markers;  ///< in order of ids
-  std::vector<UnlocatedMarker> missed;  ///< in order of ids
+  std::string dictionary;               ///< empty: nothing was looked for, or nothing found
+  std::vector<LocatedMarker> markers;   ///< ordered by id
+  std::vector<UnlocatedMarker> missed;  ///< ordered by id
 };
 
-/// Names that `MarkerOptions::dictionary` takes, "auto" and "none" apart.
+/// Returns the names of all dictionaries, without "auto" and "none".
 std::vector<std::string> marker_dictionary_names();
 
-/// Finds markers and triangulates their corners, in order of ids.
+/// Finds markers and triangulates their corners, ordered by id.
 ///
-/// A corner is where the lines through the two edges meet, fitted in the undistorted photo to
-/// places of steepest change between black and white; a blurred straight edge stays in its place,
-/// where a blurred corner moves inwards (by about 0.2 px, which makes sides 0.2 to 0.8 % short).
-/// Each corner is triangulated from the pair of photos that most others agree with, then by least
-/// squares over those.
+/// Corners are intersections of lines fitted to the edges in undistorted coordinates, because
+/// blurred straight edges keep their position whereas blurred corners move inwards (by about 0.2
+/// px, which shortens sides by 0.2 to 0.8 %). Each corner is triangulated from the pair of photos
+/// with the most agreeing others, followed by least squares over these.
 /// @param model  with files
 /// @cite garrido2014
 MarkerSearchResult search_markers(const PhotoModel& model, const MarkerOptions& options = {});

@@ -1,16 +1,15 @@
 #pragma once
-/// Masks: what of each photo is to be used.
+/// Image masks: used areas of photos.
 #include <filesystem>
 #include <vector>
 
 namespace clast {
 
-/// The mask of each photo: of a.jpg it is a.png, a.jpg.png as COLMAP has it, or a_mask.png, or the
-/// same with another ending of photos. Black (below 128 of 255) is not used.
+/// Finds the mask of each photo: for a.jpg it is a.png, a.jpg.png (COLMAP) or a_mask.png, or with
+/// another image extension. Black (below 128 of 255) is not used.
 /// @param folder  of masks
-/// @throws InputError  masks that are missing, of another size than their photos, or all black; by
-///                     name
+/// @throws InputError  if masks are missing, differ in size from their photos, or are all black
 std::vector<std::filesystem::path> find_masks(const std::vector<std::filesystem::path>& photos,
-                                            const std::filesystem::path& folder);
+                                              const std::filesystem::path& folder);
 
 }  // namespace clast

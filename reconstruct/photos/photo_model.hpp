@@ -1,5 +1,5 @@
 #pragma once
-/// Photographs with their cameras: what structure from motion leaves behind.
+/// Photos with cameras and sparse points, from structure from motion.
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
@@ -11,48 +11,50 @@
 
 namespace clast {
 
-/// A photo whose camera is known.
+/// Photo with its camera.
 struct Photo {
-  std::string name;            ///< as the program that made the model wrote it
-  std::filesystem::path file;  ///< empty until it was looked for
-  std::size_t lens = 0;        ///< number in `PhotoModel::lenses`
+  std::string name;            ///< as in the model
+  std::filesystem::path file;  ///< empty until located
+  std::size_t lens = 0;        ///< index into `PhotoModel::lenses`
   Pose camera_from_world;
 
   Vec3 centre() const { return camera_from_world.inverse().translation; }
 };
 
-/// A point that was seen in several photos.
+/// Sparse point observed in several photos.
 struct SparsePoint {
   Vec3 position = Vec3::Zero();
-  std::vector<std::uint32_t> photos;  ///< numbers of the photos, ascending
+  std::vector<std::uint32_t> photos;  ///< with a pose, ordered by name
 };
 
-/// Cameras and sparse points in one frame.
+/// Camera model: cameras and sparse points in one frame.
 struct PhotoModel {
   std::vector<CameraIntrinsics> lenses;
-  std::vector<Photo> photos;        ///< those with a place, in order of their names
-  std::vector<SparsePoint> points;  ///< none where the source has none
-  std::size_t photos_without_pose = 0;         ///< photos that the source could not place
-  bool metric = false;              ///< the source says that lengths are metres
-  std::string source;               ///< "COLMAP text"
+  std::vector<Photo> photos;            ///< those with a place, in order of their names
+  std::vector<SparsePoint> points;      ///< may be empty
+  std::size_t photos_without_pose = 0;  ///< number of photos without pose in the source
+  bool metric = false;                  ///< the source states lengths in metres
+  std::string source;                   ///< such as "COLMAP text"
 
-  /// Checks lenses, numbers and poses. @throws InputError  naming what is wrong
+  /// Checks intrinsics, indices and poses.
+  /// @throws InputError  naming the problem
   void check() const;
 };
 
-/// Where a point in the world is seen in a photo. None: `project` gives none.
-std::optional<Vec2> project_into_photo(const PhotoModel& model, std::size_t photo, const Vec3& point);
+/// Projects a world point into a photo; empty as `project`.
+std::optional<Vec2> project_into_photo(const PhotoModel& model, std::size_t photo,
+                                       const Vec3& point);
 
-/// Everything enlarged about the origin.
+/// Scales a model about the origin.
 PhotoModel scaled(PhotoModel model, double factor);
 
-/// Finds the file of each photo under `folder`: by the path that its name is, else by file name,
-/// else by file name without extension, as some programs write it.
-/// @throws InputError  photos that are missing, or several files for one, by name
+/// Locates the file of each photo under `folder`: by its relative path, otherwise by file name,
+/// otherwise by file name without extension.
+/// @throws InputError  naming missing or ambiguous photos
 PhotoModel locate_photo_files(PhotoModel model, const std::filesystem::path& folder);
 
-/// Files of photos in a folder and below, sorted; hidden ones left out.
-/// @throws InputError  the folder can't be searched
+/// Lists photo files in a folder recursively, sorted, without hidden ones.
+/// @throws InputError  if the folder cannot be searched
 std::vector<std::filesystem::path> find_photos(const std::filesystem::path& folder);
 
 }  // namespace clast

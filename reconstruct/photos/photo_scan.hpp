@@ -1,5 +1,5 @@
 #pragma once
-/// The whole way from a folder of photos to points in metres.
+/// Reconstruction of metric points from a folder of photos.
 #include <filesystem>
 #include <functional>
 #include <optional>
@@ -13,16 +13,17 @@
 
 namespace clast {
 
+/// Options of a photo scan.
 struct PhotoScanOptions {
-  /// Cameras of another program, as `read_photo_model` takes them. Empty: a model in the folder of
-  /// the photos, else colmap is run.
-  std::filesystem::path model = {};
+  /// Camera model (`read_photo_model`). Empty: a model in the photo folder, otherwise COLMAP is
+  /// run.
+  std::filesystem::path model = {};  ///< in metres if `metric`
   ColmapOptions colmap = {};
-  MarkerOptions markers = {};
-  ScaleOptions scale = {};
-  /// Metres per unit of the cameras' model where it is known some other way.
+  MarkerOptions markers = {};  ///< in the frame of `model`
+  ScaleOptions scale = {};     ///< from markers or a board
+  /// Metres per model unit, if known otherwise.
   std::optional<double> metres_per_unit = {};
-  bool allow_unscaled = false;  ///< go on without any scale
+  bool allow_unscaled = false;  ///< accept an unknown scale
   DenseOptions dense = {};
 
   void check() const;  ///< throws what its members throw
@@ -40,28 +41,29 @@ void visit_fields(const PhotoScanOptions& options, Visit&& visit) {
   visit("dense", dense);
 }
 
-/// A photographed block as points, with what a report tells of it.
+/// Photo scan: model, markers, scale and points.
 struct PhotoScan {
   PhotoModel model;                         ///< in metres where `metric`
-  MarkerSearchResult markers;                     ///< places in the frame of `model`
+  MarkerSearchResult markers;               ///< places in the frame of `model`
   std::vector<BoardCorner> corners;         ///< of a ChArUco board, in the frame of `model`
   std::optional<PhotoScale> scale;          ///< from markers or a board
-  std::vector<std::string> without_camera;  ///< names of files beside the photos, sorted
+  std::vector<std::string> without_camera;  ///< names of photos without camera, sorted
   bool metric = false;
   DenseCloud cloud;          ///< in the frame of `model`
   std::string scale_source;  ///< "markers' distances", "none", ...
   std::vector<std::string> notes;
 };
 
-/// Cameras, scale, points. A scale of markers goes before the one that the model's program gives,
-/// and what both say is compared.
-/// @param folder  of photos, or one that holds them in `images`
-/// @param stage   called with what is being done
-/// @throws InputError  what the steps throw; no scale, where that isn't allowed
-PhotoScan reconstruct_from_photos(const std::filesystem::path& folder, const PhotoScanOptions& options = {},
-                     const std::function<void(const std::string&)>& stage = {});
+/// Reconstructs cameras, scale and points. A marker scale has priority over the model's own scale,
+/// and both are compared.
+/// @param folder  of photos, or one with a folder `images`
+/// @param stage  called with the current step
+/// @throws InputError  as the steps; if there is no scale and none is allowed
+PhotoScan reconstruct_from_photos(const std::filesystem::path& folder,
+                                  const PhotoScanOptions& options = {},
+                                  const std::function<void(const std::string&)>& stage = {});
 
-/// Whether a folder is one block's photos: it, or `images` in it, holds some.
+/// True if a folder, or `images` in it, contains photos.
 bool is_photo_folder(const std::filesystem::path& folder);
 
 }  // namespace clast

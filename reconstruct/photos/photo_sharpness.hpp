@@ -1,25 +1,25 @@
 #pragma once
-/// Blurred photos.
+/// Detection of blurred photos.
 #include <vector>
 
 #include "reconstruct/photos/photo_region.hpp"
 
 namespace clast {
 
-/// How sharp a photo is beside the others.
+/// Sharpness of a photo.
 struct Sharpness {
-  double relative = 1.0;  ///< of the median of the photos
+  double relative = 1.0;  ///< relative to the median of the photos
   bool blurred = false;
 };
 
-/// Below this share of the median a photo is blurred.
+/// Relative sharpness below which a photo is blurred.
 inline constexpr double kBlurred = 0.25;
 
-/// The energy of fine detail over that of the same photo slightly smoothed, where it shows the
-/// block, along the direction where that is least: a photo that was smooth already loses nothing.
-/// Independent of light, and nearly of what is seen.
+/// Measures sharpness in the region of the block: the energy of fine detail over that of the
+/// slightly smoothed photo, in the direction where it is smallest, because a blurred photo loses
+/// nothing by smoothing. Independent of lighting and nearly of content.
 /// @param model  with files
 std::vector<Sharpness> measure_sharpness(const PhotoModel& model, const PhotoRegion& region,
-                                    unsigned threads = 1);
+                                         unsigned threads = 1);
 
 }  // namespace clast

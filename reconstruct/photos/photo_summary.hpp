@@ -1,5 +1,5 @@
 #pragma once
-/// What the photos of a block show of it, for its page and its JSON.
+/// Summary of a photo scan, for the block's page and JSON.
 #include <array>
 #include <string>
 #include <vector>
@@ -10,33 +10,34 @@
 
 namespace clast {
 
-/// Share of the closed surface that at least so many photos, or pairs, see.
+/// Fraction of the closed surface seen by a minimum number of photos or pairs.
 struct ViewCoverage {
   std::uint16_t min_views = 0;
   double photos = 0.0, pairs = 0.0;
 };
 
-/// Limits of the coverages: one pair gives a depth, three that agree a point.
+/// Numbers of views for coverages: one pair gives a depth, three agreeing pairs a point.
 inline constexpr std::array<std::uint16_t, 5> kCoverageSteps = {1, 2, 3, 5, 10};
 
-/// What became of a marker.
+/// Use of a marker.
 struct MarkerUsage {
   int id = 0;
   std::size_t photos = 0;
-  double error = 0.0;  ///< px; 0 where its place is not known
-  double side = 0.0;   ///< m, by the model; 0 where its place is not known
+  double error = 0.0;  ///< px; 0 if not located
+  double side = 0.0;   ///< by the model, m; 0 if not located
   bool used = false;   ///< for the scale
-  std::string reason;  ///< it was not used; empty where it was
+  std::string reason;  ///< why it was not used; empty if it was
 };
 
 struct PhotoSummary {
   CameraRing ring;
   SurfaceViews views;  ///< of the triangles of the closed scan
   std::vector<ViewCoverage> coverage;
-  std::vector<MarkerUsage> markers;  ///< in order of ids
+  std::vector<MarkerUsage> markers;  ///< ordered by id
 };
 
-/// @param up  as `ScanOptions::up` was when the block was made
+/// Summarises the photos.
+/// @param up  value of `ScanOptions::up` used for the block
 PhotoSummary summarise_photos(const PhotoScan& scan, const FieldBlock& block,
                               const std::string& up);
 

@@ -1,5 +1,5 @@
 #pragma once
-/// Boards: things of which all distances are known, and what photos show of them.
+/// Scale boards with known distances, and their measurement in photos.
 #include <optional>
 #include <string>
 #include <vector>
@@ -10,7 +10,7 @@
 
 namespace clast {
 
-/// A marker on a board.
+/// Marker on a board.
 struct BoardMarker {
   int id = 0;
   Vec3 centre = Vec3::Zero();  ///< m, in any frame
@@ -23,15 +23,15 @@ void visit_fields(const BoardMarker& options, Visit&& visit) {
   visit("centre", centre);
 }
 
-/// The side of a printed marker or of a square of a board.
+/// Allowed side length of a marker or board square.
 inline constexpr NumberRange kMarkerSide{1e-4, 100.0, "m"};
-/// The distance of two markers.
+/// Allowed distance of two markers.
 inline constexpr NumberRange kBarLength{1e-4, 1e4, "m"};
 
-/// Markers whose centres were measured or printed, or a ChArUco board.
+/// Board of markers with known centres, or ChArUco board.
 struct ScaleBoard {
   std::string dictionary;                  ///< of the markers, as `MarkerOptions::dictionary`
-  std::vector<BoardMarker> markers = {};   ///< two or more, or none with `charuco`
+  std::vector<BoardMarker> markers = {};   ///< ids of its markers
   std::optional<double> marker_side = {};  ///< m
   std::optional<CharucoBoard> charuco = {};
 
@@ -47,32 +47,34 @@ void visit_fields(const ScaleBoard& options, Visit&& visit) {
   visit("charuco", charuco);
 }
 
-/// A length that is known in metres and in the model.
+/// Length known in metres and in model units.
 struct KnownLength {
   std::string name;               ///< "markers 0 and 3"
   double metres = 0.0;            ///< as given
-  double units = 0.0;             ///< of the model
+  double units = 0.0;             ///< in the model
   std::vector<int> markers = {};  ///< ids of those that it is of or between
 };
 
 struct BoardLengths {
   std::vector<KnownLength> lengths;
-  std::vector<std::string> notes;  ///< what was not found, and what disagrees and is left out
-  std::vector<int> misplaced;      ///< ids or numbers of what disagrees
+  std::vector<std::string> notes;  ///< missing and excluded items
+  std::vector<int> misplaced;      ///< ids or indices of excluded items
 };
 
-/// The distances between all markers of the board that were found. Where the board and the model
-/// are not alike to `largest_disagreement` of the longest distance, the marker without which the
-/// rest is most alike is left out and named, and again, as long as three and more than half remain.
-/// @throws InputError  the rest is not alike either: with three markers nobody can tell which is
-///                     wrong
-BoardLengths measure_marker_lengths(const ScaleBoard& board, const std::vector<LocatedMarker>& markers,
-                                double largest_disagreement);
+/// Measures the distances between all located markers of a board. If board and model differ by more
+/// than `largest_disagreement` of the longest distance, the marker whose removal improves the
+/// agreement most is excluded, repeatedly, while at least three and more than half remain.
+/// @throws InputError  if the rest still disagrees; with three markers the wrong one cannot be
+///                     identified
+BoardLengths measure_marker_lengths(const ScaleBoard& board,
+                                    const std::vector<LocatedMarker>& markers,
+                                    double largest_disagreement);
 
-/// The lengths of the rows and columns of a ChArUco board, from the first to the last corner found
-/// in each. Corners that disagree are left out as markers are.
-/// @throws InputError  as above; no two corners in a row or a column
-BoardLengths measure_charuco_lengths(const CharucoBoard& board, const std::vector<BoardCorner>& corners,
-                                double largest_disagreement);
+/// Measures the rows and columns of a ChArUco board between the outermost corners found. Corners
+/// are excluded like markers.
+/// @throws InputError  as above; or if no row or column has two corners
+BoardLengths measure_charuco_lengths(const CharucoBoard& board,
+                                     const std::vector<BoardCorner>& corners,
+                                     double largest_disagreement);
 
 }  // namespace clast

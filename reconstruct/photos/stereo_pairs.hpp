@@ -1,5 +1,5 @@
 #pragma once
-/// Which photos are compared with which.
+/// Selection of stereo pairs.
 #include <string>
 #include <vector>
 
@@ -9,19 +9,19 @@
 
 namespace clast {
 
-/// Two photos of the same side of a block.
+/// Pair of photos of the same side of a block.
 struct StereoPair {
-  std::size_t first = 0, second = 0;  ///< numbers of photos, first < second
-  double angle = 0.0;                 ///< between them at the block, rad
+  std::size_t first = 0, second = 0;  ///< photo indices, first < second
+  double angle = 0.0;                 ///< viewing angle at the block, rad
 };
 
-/// Neighbours: far enough apart to give a depth, near enough to look alike. Angles in rad.
+/// Criteria for pairs: far enough apart for depth, near enough to look alike. Angles in rad.
 struct StereoPairOptions {
   double least_angle = 6.0 * kRadiansPerDegree;
   double best_angle = 15.0 * kRadiansPerDegree;
   double largest_angle = 32.0 * kRadiansPerDegree;
-  std::size_t partners = 2;  ///< that each photo looks for
-  /// Pairs that see a side of the block: below, no side is known safely.
+  std::size_t partners = 2;  ///< number of partners per photo
+  /// Minimum number of pairs that cover the block.
   std::size_t fewest_pairs = 6;
 
   void check() const;  ///< throws InputError naming the field and its value
@@ -37,10 +37,10 @@ void visit_fields(const StereoPairOptions& options, Visit&& visit) {
   visit("fewest_pairs", fewest_pairs);
 }
 
-/// For each photo that shows the middle of the region, the partners nearest to the best angle, on
-/// both sides of it where there are some. In order of photos.
-/// @param excluded  photos not to use, by number (blurred ones), ascending
-/// @throws InputError  too few pairs: says how far the photos are apart
+/// Chooses for each photo that shows the region's centre the partners nearest to the best angle, on
+/// both sides if possible, in photo order.
+/// @param left_out  ascending indices of unused (blurred) photos
+/// @throws InputError  if there are too few pairs; states how far the photos are apart
 std::vector<StereoPair> stereo_pairs(const PhotoModel& model, const PhotoRegion& region,
                                      const std::vector<std::size_t>& excluded = {},
                                      const StereoPairOptions& options = {});

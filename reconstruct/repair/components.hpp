@@ -1,5 +1,5 @@
 #pragma once
-/// The components of a surface, and which lies in or on which.
+/// Connected components of surfaces, and their containment.
 #include <vector>
 
 #include "mesh/triangle_mesh.hpp"
@@ -12,20 +12,20 @@ struct Component {
   double area = 0.0;
 };
 
-/// Components connected over edges, largest area first, without unused vertices.
+/// Returns the components connected over edges, largest area first, without unused vertices.
 std::vector<Component> connected_components(const TriangleMesh& mesh);
 
-/// True if the closed surface encloses `point`, by its winding number: for either orientation, and
-/// any point that does not lie on the surface.
+/// True if the closed surface encloses `point`, by its winding number, for either orientation; the
+/// point must not lie on the surface.
 bool encloses(const TriangleMesh& closed, const Vec3& point);
 
-/// True if every vertex of the component lies inside the block or touches it from inside. A second
-/// block that overlaps the first has some outside; one that touches it has its middle outside.
-/// @param tree  of `block`, which is closed and faces either way
+/// True if all vertices of the component are inside the block or touch it from inside. Overlapping
+/// blocks have vertices outside; touching ones have their centre outside.
+/// @param tree  of `block`, which is closed, with either orientation
 bool is_inside_block(const TriangleMesh& component, const TriangleMesh& block,
-                 const TriangleTree& tree);
+                     const TriangleTree& tree);
 
-/// Is every vertex of the component within `distance` of the surface of the tree?
+/// True if all vertices of the component are within `distance` of the surface.
 bool is_on_surface(const TriangleMesh& component, const TriangleTree& tree, double distance);
 
 }  // namespace clast::reconstruct_detail

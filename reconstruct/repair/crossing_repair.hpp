@@ -1,5 +1,5 @@
 #pragma once
-/// Ways to free a closed surface of places where it passes through itself, the gentlest first.
+/// Repair of self-intersections of closed surfaces, with the mildest method first.
 #include <cstddef>
 #include <optional>
 
@@ -7,28 +7,27 @@
 
 namespace clast::reconstruct_detail {
 
-/// Relative change of the volume by replacing crossings above which that did harm.
+/// Largest acceptable relative volume change of a self-intersection repair.
 inline constexpr double kCrossingVolume = 0.02;
 
-/// Moves vertices that were computed about a local `origin` to where they will lie when that is
-/// added again: rounded only then, triangles that just missed each other may cross.
+/// Rounds vertices computed about a local `origin` to the positions they will have after adding it;
+/// rounding afterwards could cause new intersections.
 TriangleMesh snapped_to_grid(TriangleMesh mesh, const Vec3& origin);
 
-/// A surface that was freed of its crossings.
+/// Surface without self-intersections.
 struct CrossingFreeSurface {
   TriangleMesh mesh;
-  /// Set where only a wrap gave one: relative volume it had too much before it was scaled back.
+  /// Relative excess volume of a wrap before scaling, if wrapping was necessary.
   std::optional<double> wrap_bias;
 };
 
-/// Sheets that touch are parted by a hair's breadth; else triangles that cross are smoothed, or cut
-/// out with more and more rings around them and filled anew; else the surface is wrapped, and the
-/// wrap is scaled back to its volume.
-/// @param mesh    closed, oriented 2-manifold of one component, already `snapped_to_grid`
+/// Repairs self-intersections: separates touching sheets minimally; otherwise smooths intersecting
+/// triangles, or removes them with growing neighbourhoods and fills the holes; otherwise wraps the
+/// surface and scales the wrap to its volume.
+/// @param mesh  closed, oriented 2-manifold of one component, already `snapped_to_grid`
 /// @param origin  of its coordinates; the result is on the same grid
-/// @return closed, oriented, of one component, without crossings, its volume within
-/// `kCrossingVolume`;
-///         none where no way gave such a surface
+/// @return closed, oriented, one component, without self-intersections, volume within
+///          `kCrossingVolume`; empty if no method succeeds
 std::optional<CrossingFreeSurface> repair_crossings(const TriangleMesh& mesh, const Vec3& origin);
 
 }  // namespace clast::reconstruct_detail

@@ -1,5 +1,5 @@
 #pragma once
-/// The borders of the holes of a torn sheet, also where parts of it are connected only at corners.
+/// Hole loops of torn surfaces, including parts connected at vertices only.
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -8,18 +8,17 @@
 
 namespace clast::reconstruct_detail {
 
-/// Flips fragments that are attached at single vertices and face the opposite way to most of the
-/// surface they are attached to. Returns the number of triangles that were flipped.
-/// @param mesh  no edge of more than two triangles, neighbours over edges agree
+/// Flips fragments attached at single vertices with opposite orientation to most of the surface
+/// there. Returns the number of flipped triangles.
+/// @param mesh  manifold edges, consistently oriented
 std::size_t orient_vertex_attached_fragments(TriangleMesh& mesh);
 
-/// The border of each hole, in the direction that a filling triangle needs.
+/// Finds the border of each hole, in the direction that filling triangles need.
 ///
-/// Where the fans of a vertex stand beside one another around it, as what is left of a torn sheet
-/// does, a border runs across the gap from one fan to the next. So a loop encloses triangles that
-/// are missing beside each other, and may pass a vertex more than once. Where fans overlap, two
-/// sheets touch: there a border stays with its fan, as if the vertex was split.
-/// @param mesh  no edge of more than two triangles, neighbours over edges agree
+/// At vertices with several disjoint fans, as in torn surfaces, a border continues from one fan to
+/// the next, so that a loop encloses adjacent missing triangles and may visit a vertex several
+/// times. At overlapping fans two sheets touch, and the border stays with its fan.
+/// @param mesh  manifold edges, consistently oriented
 std::vector<std::vector<std::uint32_t>> find_hole_loops(const TriangleMesh& mesh);
 
 }  // namespace clast::reconstruct_detail

@@ -1,5 +1,5 @@
 #pragma once
-/// From any surface that a scanner wrote to one that bounds a block.
+/// Repair of scanned surfaces to closed block surfaces.
 #include <functional>
 
 #include "core/fields.hpp"
@@ -8,17 +8,17 @@
 
 namespace clast {
 
-/// What a repair may do.
+/// Options of a repair.
 struct RepairOptions {
-  double weld_tolerance = 1e-5;  ///< share of the diagonal within which vertices are one
+  double weld_tolerance = 1e-5;  ///< fraction of the diagonal within which vertices are merged
   bool keep_inner_shells =
       false;  ///< closed shells inside stay as cavities; false: rock fills them
-  /// May surface be invented? False for a core, of which every vertex is meant: holes of more than
-  /// four edges and edges of more than two triangles are refused then, spikes and crossings stay.
+  /// True: missing surface is filled. False for a core, whose vertices are exact: holes of more
+  /// than four edges and non-manifold edges are errors, spikes and self-intersections are kept.
   bool fill_missing = true;
-  double largest_hole = 0.4;  ///< share of the repaired surface that one filling may be
-  /// How places are given in messages and report, for example in the coordinates of the scan's
-  /// file; empty: in those of the mesh.
+  double largest_hole =
+      0.4;  ///< largest fraction of the repaired surface that one filling may have
+  /// Converts positions for messages and report, for example to file coordinates; empty: unchanged.
   std::function<Vec3(const Vec3&)> reported_place = {};
 
   void check() const;  ///< throws InputError naming the field and its value
@@ -26,7 +26,8 @@ struct RepairOptions {
 
 template <class Visit>
 void visit_fields(const RepairOptions& options, Visit&& visit) {
-  const auto& [weld_tolerance, keep_inner_shells, fill_missing, largest_hole, reported_place] = options;
+  const auto& [weld_tolerance, keep_inner_shells, fill_missing, largest_hole, reported_place] =
+      options;
   visit("weld_tolerance", weld_tolerance);
   visit("keep_inner_shells", keep_inner_shells);
   visit("invent", fill_missing);
@@ -34,22 +35,22 @@ void visit_fields(const RepairOptions& options, Visit&& visit) {
   visit("reported_place", ExcludedField{reported_place});
 }
 
-/// Coordinates beyond this (m) are no place on Earth or any rock: the file is damaged. Squares and
-/// cubes of lengths stay finite below it.
+/// Maximum coordinate, m. Larger values are damaged data; squares and cubes of lengths stay finite
+/// below it.
 inline constexpr double kMaxCoordinate = 1e15;
 
 struct RepairedMesh {
-  TriangleMesh mesh;  ///< closed, 2-manifold, outward, crosses itself nowhere; cavities inward
+  TriangleMesh mesh;  ///< closed, 2-manifold, outward, without self-intersections; cavities inward
   RepairReport report;
 };
 
-/// Welds, drops what has no area, is doubled or stands off, orients, cuts touching sheets apart,
-/// closes torn places between the vertices that are there, puts spikes back, fills holes (Liepa
-/// 2003), replaces crossing triangles, turns outward, drops islands, double sheets and second
-/// copies of the surface, and verifies. Where crossings can't be replaced, the surface with its
-/// holes filled is wrapped (Portaneri et al. 2022) and scaled back to its volume. A sound mesh
-/// comes back as it is. Order and limits: docs/theory.md, "Repair".
-/// @throws GeometryError  which defect remains, where, and what a person can do
+/// Repairs a surface in stages: weld; remove degenerate, duplicate and protruding triangles;
+/// orient; split touching sheets; close tears between existing vertices; flatten spikes; fill holes
+/// (Liepa 2003); replace intersecting triangles; orient outwards; remove islands, duplicate sheets
+/// and copies; verify. If intersections remain, the filled surface is wrapped (Portaneri et al.
+/// 2022) and scaled to its volume. Sound meshes are returned unchanged. Order and limits:
+/// docs/theory.md, "Repair".
+/// @throws GeometryError  naming the remaining defect, its position and advice
 /// @cite liepa2003 portaneri2022
 RepairedMesh repair_mesh(const TriangleMesh& dirty, const RepairOptions& options = {});
 

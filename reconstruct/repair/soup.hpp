@@ -1,5 +1,5 @@
 #pragma once
-/// From triangles that meet anyhow to components that are manifold and face one way.
+/// Conversion of triangle soups to manifold, consistently oriented components.
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -8,57 +8,56 @@
 
 namespace clast::reconstruct_detail {
 
-/// What one step of a repair dropped or changed.
+/// Change made by a repair step.
 struct RepairChange {
   std::size_t count = 0;
-  double area = 0.0;             ///< of what was dropped
-  Vec3 position = Vec3::Zero();  ///< of the first; meaningless when `count` is 0
+  double area = 0.0;             ///< removed area
+  Vec3 position = Vec3::Zero();  ///< of the first; undefined if `count` is 0
 };
 
-/// Drops the marked triangles, and the vertices that only they use. Counts triangles.
-/// @pre one flag for each triangle
+/// Removes the marked triangles and unused vertices. Counts triangles.
+/// @pre one flag per triangle
 RepairChange remove_triangles(TriangleMesh& mesh, const std::vector<bool>& drop);
 
-/// Of two triangles with the same corners and opposite turn, one is kept where the surface goes on
-/// at both sides (stored twice, or two-sided throughout), none where it doesn't (a sliver welded
-/// flat). Counts those dropped.
+/// Removes pairs of coincident, opposite triangles: one of them if the surface continues on both
+/// sides (stored twice, or two-sided throughout), both if they are a welded sliver. Counts
+/// triangles.
 RepairChange remove_opposite_pairs(TriangleMesh& mesh);
 
-/// A part of the surface that stands on the rest and has less of its area than this is a fin.
+/// Maximum area fraction of a fin.
 inline constexpr double kFinArea = 0.05;
 
-/// Drops small parts of the surface that meet the rest on edges of more than two triangles and go
-/// on less smoothly there than the rest does without them: fins, and sheets that lie on the
-/// surface. Counts triangles.
-/// @param largest_share  of the area that such a part may have
+/// Removes fins and overlying sheets: small parts attached at non-manifold edges that continue less
+/// smoothly than the rest. Counts triangles.
+/// @param largest_share  maximum area fraction of such a part
 RepairChange remove_fins(TriangleMesh& mesh, double largest_share);
 
-/// Drops triangles that meet the rest on one edge alone and have a tip of their own. In a scan that
-/// has fins elsewhere they are fins that stand on a border. Counts triangles.
+/// Removes triangles attached by a single edge with a free tip: fins at borders, for scans with
+/// fins elsewhere. Counts triangles.
 RepairChange remove_border_fins(TriangleMesh& mesh);
 
+/// Result of orienting a surface.
 struct OrientationResult {
-  std::size_t flipped = 0;  ///< triangles that were flipped
+  std::size_t flipped = 0;  ///< number of flipped triangles
   bool orientable = true;
-  std::uint32_t conflict = 0;  ///< a vertex where the sides can't agree
-  std::uint32_t first = 0;     ///< a vertex of the first triangle that was flipped
+  std::uint32_t conflict = 0;  ///< vertex where orientations conflict
+  std::uint32_t first = 0;     ///< vertex of the first flipped triangle
 };
 
-/// Makes neighbours over edges with two triangles agree; each component keeps the turn that most of
-/// its triangles have.
+/// Orients triangles consistently over manifold edges; each component keeps the majority
+/// orientation.
 OrientationResult orient_consistently(TriangleMesh& mesh);
 
-/// All of the above, and `split_non_manifold_edges`, in order.
+/// Result of all steps above and `split_non_manifold_edges`.
 struct SoupRepairResult {
   RepairChange folded, fins, touching;
-  OrientationResult orientation;  ///< counts both rounds
+  OrientationResult orientation;  ///< counts both passes
 };
 
-/// Where sides can't agree and few triangles face another way than a neighbour, those are
-/// removed: of two sheets that touched along an edge, each lost one there. After this every edge
-/// has one triangle or two, and neighbours face the same way; where they can't, `orientation` says
-/// so and the mesh is left half done.
-/// @param max_fin_fraction  share of the area that a fin may have
+/// Runs all steps. If orientations conflict and few triangles are affected, these are removed: two
+/// sheets that touched along an edge each lost one there. Afterwards all edges are manifold and
+/// consistently oriented; otherwise `orientation` reports it and the mesh is incomplete.
+/// @param max_fin_fraction  maximum area fraction of a fin
 SoupRepairResult repair_soup(TriangleMesh& mesh, double max_fin_fraction);
 
 }  // namespace clast::reconstruct_detail

@@ -1,5 +1,5 @@
 #pragma once
-/// Vertices that stand out of their neighbourhood.
+/// Removal of spikes.
 #include <cstddef>
 
 #include "mesh/triangle_mesh.hpp"
@@ -8,16 +8,16 @@ namespace clast::reconstruct_detail {
 
 struct SpikeSummary {
   std::size_t count = 0;
-  double highest = 0.0;  ///< distance of the farthest from its foot
+  double highest = 0.0;  ///< largest height of a spike
   Vec3 position = Vec3::Zero();
 };
 
-/// Moves every vertex that stands out to its foot, in a few passes, the tallest first: inside the
-/// surface to the centroid of its neighbours, at a border to the plane of the surface beyond its
-/// triangles. It stands out if it is tall, and if the surface beyond its triangles bends much less
-/// towards the foot than towards the vertex. Corners of coarse models and tips of ridges stay: the
-/// surface around them goes on to the tip.
-/// @param mesh  neighbours over edges face the same way
+/// Flattens spikes in a few passes, the highest first: inner vertices move to the centroid of their
+/// neighbours, border vertices to the plane of the surface beyond their triangles. A vertex is a
+/// spike if it is high, and if flattening reduces the bending of the surface beyond its triangles
+/// much. Corners of coarse models and ridge ends are kept, because the surface around continues to
+/// the tip.
+/// @param mesh  consistently oriented
 SpikeSummary flatten_spikes(TriangleMesh& mesh);
 
 }  // namespace clast::reconstruct_detail

@@ -1,6 +1,5 @@
 #pragma once
-/// Whether a component is a second copy of the block's surface: the same rock, scanned or stored
-/// twice and placed a little apart.
+/// Detection of duplicate surfaces: the same rock, scanned or stored twice with a small offset.
 #include <optional>
 #include <vector>
 
@@ -18,26 +17,23 @@ struct SurfaceCopy {
   double scale = 1.0;     ///< of the copy relative to the surface
 };
 
-/// Moves, turns and scales the component until it lies on the surface as well as it can (point to
-/// plane [chen1992], with a scale). It is a copy where it was no farther from it than 8 % of the
-/// diagonal, faced as the surface does there (or the other way) throughout, needs to be scaled by
-/// 12 % at most, and fits several times better after than before. A bubble fits nowhere, or faces
-/// both ways.
-/// @param tree      of the surface, which faces outwards or inwards
+/// Registers a component to the surface (point to plane [chen1992], with scale). It is a copy if it
+/// was within 8 % of the diagonal, has consistent (or consistently opposite) normals, needs at most
+/// 12 % scaling, and fits several times better afterwards. Bubbles do not fit, or face both ways.
+/// @param tree  of the surface, outward or inward
 /// @param diagonal  of the surface, m
 /// @cite chen1992
-std::optional<SurfaceCopy> match_surface_copy(const TriangleMesh& component, const TriangleTree& tree,
-                                           double diagonal);
+std::optional<SurfaceCopy> match_surface_copy(const TriangleMesh& component,
+                                              const TriangleTree& tree, double diagonal);
 
-/// Where another component is a copy of the first and better than it, that one becomes the first: a
-/// closed one is better than an open one, and of two alike the one with a quarter more triangles.
-/// @param components  at least one, the largest first
+/// Moves the best copy of the first component to the front: closed is better than open, and of
+/// similar ones a quarter more triangles is better.
+/// @param components  not empty, the largest first
 void move_best_copy_first(std::vector<Component>& components);
 
-/// What is to be reported of a copy that is dropped: why the other was kept, and what it would
-/// change.
-/// @param kept  a surface that faces outwards, of which the tree is
+/// Describes a removed copy: why the other was kept, and the volume change.
+/// @param kept  outward surface of the tree
 DuplicateSurface describe_copy(const SurfaceCopy& copy, const Component& dropped,
-                             const TriangleMesh& kept, const TriangleTree& tree);
+                               const TriangleMesh& kept, const TriangleTree& tree);
 
 }  // namespace clast::reconstruct_detail

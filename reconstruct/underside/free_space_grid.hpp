@@ -1,5 +1,5 @@
 #pragma once
-/// Places that somebody looked through: no rock is there.
+/// Free space: cells crossed by lines of sight, which contain no rock.
 #include <array>
 #include <cstdint>
 #include <vector>
@@ -8,16 +8,16 @@
 
 namespace clast {
 
-/// Cubes in rows along x, then y, then z. In the frame and units of the points it came with.
+/// Grid of cubes, x fastest, then y, then z, in the frame and units of its points.
 struct FreeSpaceGrid {
-  Vec3 origin = Vec3::Zero();                   ///< the lowest of all cubes
-  double side = 0.0;                            ///< of a cube; 0: nothing is known
+  Vec3 origin = Vec3::Zero();                   ///< minimum corner of the grid
+  double side = 0.0;                            ///< of a cube; 0 if nothing is known
   std::array<std::size_t, 3> counts{};          ///< cubes along x, y, z
-  std::vector<std::uint8_t> is_free_cell = {};  ///< 1: certainly no rock; 0: rock or unknown
+  std::vector<std::uint8_t> is_free_cell = {};  ///< 1: free; 0: rock or unknown
 
-  /// Whether the cube that holds a place is empty. Outside of all of them nothing is known.
+  /// True if the cube that contains a position is free; false outside the grid.
   bool is_free(const Vec3& position) const;
-  /// The middle of a cube by its number.
+  /// Returns the centre of a cube by index.
   Vec3 cell_centre(std::size_t cube) const;
 };
 

@@ -1,5 +1,5 @@
 #pragma once
-/// The bounds that are stated with a block: what its scan leaves open of volume and sides.
+/// Volume bracket of a closed scan, with notes.
 #include <optional>
 #include <span>
 #include <vector>
@@ -13,16 +13,18 @@
 
 namespace clast::reconstruct_detail {
 
-/// What was scanned of a surface that was repaired since.
+/// Scanned part of a surface that was repaired.
 class ScannedSurface {
  public:
-  /// @param raw  as read; its faces may be of any kind
+  /// Stores a mesh.
+  /// @param raw  as read; any faces
   explicit ScannedSurface(const TriangleMesh& raw);
+  /// Stores points.
   /// @param points  of a cloud, on its surface; more than six
   explicit ScannedSurface(std::span<const Vec3> points);
 
-  /// Is the place on a triangle as read, or between points as near as others are? Fillings,
-  /// replaced spikes and the like are not.
+  /// True if the position is on a scanned triangle or between points at their usual spacing; false
+  /// on fillings, replaced spikes and similar.
   bool contains(const Vec3& position) const;
 
  private:
@@ -33,24 +35,26 @@ class ScannedSurface {
   std::vector<double> spacings_;
 };
 
-/// A closed surface and what is known of it; lengths in units of the file.
+/// Closed surface with its scanned part and uncertainty; lengths in units of the file.
 struct ClosedScan {
   const TriangleMesh& surface;
   double unit = 1.0;                                ///< m
-  const ScannedSurface* scanned = nullptr;          ///< null: all of the surface was
-  const SurfaceUncertainty* uncertainty = nullptr;  ///< null: the surface is exact
+  const ScannedSurface* scanned = nullptr;          ///< null if the whole surface was scanned
+  const SurfaceUncertainty* uncertainty = nullptr;  ///< null if the surface is exact
 };
 
-/// The bounds of a block, with notes on what may be behind the unseen parts, for those of the scan.
+/// Volume bracket with notes on possible cavities.
 struct NotedBounds : VolumeBracket {
   std::vector<std::string> notes;
 };
 
+/// Brackets the volume of a closed scan.
 /// @param report  of the repair, in metres
-/// @returns m, m^3; none if the bounds are so narrow that they say nothing
+/// @returns m, m^3; empty if the bounds are insignificantly narrow
 std::optional<NotedBounds> bracket_closed_scan(const ClosedScan& scan, const RepairReport& report);
 
-/// @param side    m
+/// Brackets the volume of a block with a closed underside.
+/// @param side  in metres
 /// @param report  of the repair, in metres: copies of the surface widen the bounds
 VolumeBracket bracket_underside(const Underside& side, const RepairReport& report);
 

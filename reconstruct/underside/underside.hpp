@@ -1,6 +1,5 @@
 #pragma once
-/// The side of a block that nobody saw: how large and how small the block may be, and the best
-/// guess.
+/// Bounds and best estimate for the unobserved underside of a block.
 #include <cstddef>
 #include <functional>
 #include <optional>
@@ -15,62 +14,60 @@
 
 namespace clast {
 
-/// What is known and what is supposed of an underside.
+/// Options for closing an underside.
 struct UndersideOptions {
-  /// The ground that the block lies on, normal up. It bounds the block from below only if space was
-  /// seen to be free under more than half of it. If none is given, the rim faces down.
+  /// Ground below the block, normal up. It bounds the block from below only if more than half of
+  /// the space under it was observed to be free. If empty, the rim faces down.
   std::optional<Plane> ground = {};
-  /// Depth of the best guess below the rim, as a fraction of the height that was seen: a quarter of
-  /// the whole height by default. It bounds nothing.
+  /// Depth of the best estimate below the rim, as a fraction of the observed height: a quarter of
+  /// the total height by default. It does not affect the bounds.
   double max_depth_fraction = 1.0 / 3.0;
-  /// A hole whose flat filling has less than this share of the closed surface is left alone.
+  /// Minimum area fraction of a hole's flat filling; smaller holes are ignored.
   double smallest_share = 0.001;
-  /// ... and with more the scan is a sheet and no block: half a ball has a third.
+  /// Maximum area fraction; above it the scan is a sheet rather than a block (a hemisphere has a
+  /// third).
   double largest_share = 0.42;
-  /// Space that was looked through, in the frame of the scan: above the ground that is given, no
-  /// rock is there.
+  /// Free space in the frame of the scan, evaluated above the given ground.
   const FreeSpaceGrid* free_space = nullptr;
-  /// Whether a place on the open surface was scanned; what was not is a filling of
-  /// small holes. None: all of it was.
+  /// Returns true if a position on the open surface was scanned; fillings of small holes were not.
+  /// Empty: all was.
   std::function<bool(const Vec3&)> is_observed = {};
-  double unit = 1.0;  ///< m per unit of the mesh, for the lengths of notes
-  /// How well the open surface is known; null: it is exact.
+  double unit = 1.0;  ///< m per unit of the mesh, for lengths in notes
+  /// Uncertainty of the open surface; null if exact.
   const SurfaceUncertainty* uncertainty = nullptr;
 
   void check() const;  ///< throws InputError naming the field and its value
 };
 
-/// A scan closed in two ways, and bounds beyond that. Both meshes are closed and outward, with the
-/// same triangles; the filling of the largest hole is moved down in `best_estimate`. The lower
-/// volume is that of `lower_mesh`, less what its filling may be dented as the seen surface is.
+/// Scan closed in two ways, with bounds. Both meshes are closed and outward with equal triangles;
+/// the filling of the largest hole is lowered in `best`. The lower volume is that of `lower` minus
+/// possible indentations of the filling, like those of the observed surface.
 struct Underside : VolumeBracket {
-  TriangleMesh lower_mesh;  ///< filled straight across the rims (membranes)
+  TriangleMesh lower_mesh;  ///< filled by membranes across the rims
   TriangleMesh best_estimate;
-  std::size_t open_sides = 1;      ///< holes that are bracketed, together
-  std::size_t first_filling = 0;   ///< triangles from this one on are filling, in both
-  Vec3 down = -Vec3::UnitZ();      ///< the way the filling of the largest hole faces
+  std::size_t open_sides = 1;      ///< number of holes bracketed together
+  std::size_t first_filling = 0;   ///< index of the first filling triangle in both meshes
+  Vec3 down = -Vec3::UnitZ();      ///< direction of the filling of the largest hole
   Vec3 rim_centre = Vec3::Zero();  ///< of the largest hole, m
   std::size_t rim_edges = 0;
   double rim_length = 0.0;        ///< m
-  double ground_clearance = 0.0;  ///< of the rim above the ground, m; 0 without a ground
+  double ground_clearance = 0.0;  ///< height of the rim above the ground, m; 0 without ground
   std::vector<std::string> notes;
 };
 
-/// Closes the largest hole of a scan as an underside, and the others flat, and brackets them
-/// together; those below 0.3 % of the surface are closed flat and count as seen.
+/// Closes the largest hole as underside and the others flat, and brackets them together; holes
+/// below 0.3 % of the surface count as observed.
 ///
-/// Of a convex body every tangent plane of the seen surface has all of it on one side, also the
-/// unseen part: the upper volume fills the space between the closures and these planes, moved out
-/// by what the seen surface stands out over its own tangent planes, down to the ground where one is
-/// known. Where it is known what was looked through, the upper volume is no larger than all that
-/// was not. Where that leaves more than a third as much again as was seen (as much again above a
-/// ground), there is no upper volume. See docs/theory.md for the best guess, and
-/// docs/benchmarks.md for what was measured.
+/// For a convex body, all of it lies behind each tangent plane of the observed surface: the upper
+/// volume fills the space between closures and these planes, moved outwards by the observed
+/// surface's height over its own tangent planes, down to a known ground, and excluding free space.
+/// There is no upper volume if it would exceed the observed one by more than a third (doubling,
+/// above a ground). Best estimate: docs/theory.md; measurements: docs/benchmarks.md.
 ///
-/// @param open  oriented 2-manifold in one component; small holes may be left
-/// @returns none where no hole is large enough: the scan is closed, or nearly
-/// @throws GeometryError  not an oriented manifold; a sheet; or a rim that can't be filled. The
-///                        message says how large and where the hole is
+/// @param open  oriented 2-manifold of one component; small holes may remain
+/// @returns empty if no hole is large enough: the scan is practically closed
+/// @throws GeometryError  if it is not an oriented manifold, is a sheet, or a rim cannot be filled;
+///                        states size and position of the hole
 /// @cite schneider2014
 std::optional<Underside> close_underside(const TriangleMesh& open,
                                          const UndersideOptions& options = {});

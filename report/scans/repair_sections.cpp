@@ -48,7 +48,7 @@ std::string format_repair_section(const RepairReport& report, bool cloud, bool o
   for (const Defect& defect : report.defects) {
     defects.row({name_of(defect.kind), std::to_string(++number), std::to_string(defect.count),
                  share(defect.area_fraction), length(defect.size),
-                 defect.position ? place(*defect.position) : ""});
+                 defect.position ? format_point(*defect.position) : ""});
   }
   html += defects.html();
   if (report.wrap_bias) {

@@ -1,5 +1,5 @@
 #pragma once
-/// Boxes around a convex hull about directions of its Gauss image.
+/// Bounding boxes of a convex hull for directions on its Gauss image.
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -10,17 +10,18 @@
 
 namespace clast {
 
-/// A direction seen as the normal of one pair of box sides, with the best box it allows.
+/// Best box with one given side direction.
 struct BoxCandidate {
   double volume = std::numeric_limits<double>::infinity();  ///< m^3
   Mat3 axes = Mat3::Identity();                             ///< columns: unit directions
 };
 
-/// The hull with its Gauss image: faces are points on the sphere of directions, edges are arcs.
+/// Convex hull with its Gauss image: faces are points on the unit sphere, edges are arcs.
 class GaussImage {
  public:
-  /// @param mesh    a convex hull, closed, outward
-  /// @param radius  of the ball that sweeps it, m
+  /// Builds the Gauss image.
+  /// @param mesh  convex hull, closed, outward
+  /// @param radius  of the sweeping ball, m
   GaussImage(const TriangleMesh& mesh, double radius);
 
   std::size_t face_count() const { return static_cast<std::size_t>(areas_.size()); }
@@ -31,13 +32,13 @@ class GaussImage {
     return {edges_[edge].face, edges_[edge].other_face};
   }
   double arc_length(std::size_t edge) const;  ///< between the normals at an edge, rad
-  /// At `fraction` of the way along the arc of an edge.
+  /// Returns the direction at a fraction of an edge's arc.
   Vec3 point_on_arc(std::size_t edge, double fraction) const;
 
-  /// The smallest box with sides along and across `direction`, with infinite volume where a lower
-  /// bound (projected area times width) says that it is above `limit`.
-  /// @param direction  unit
-  /// @param limit      m^3
+  /// Returns the smallest box with one side along `direction`; its volume is infinite if a lower
+  /// bound (projected area times width) exceeds `limit`.
+  /// @param direction  unit vector
+  /// @param limit  m^3
   BoxCandidate best_box_about(const Vec3& direction, double limit);
 
  private:
@@ -46,8 +47,8 @@ class GaussImage {
     std::uint32_t face, other_face;
   };
 
-  /// Corners of the shadow's outline: faces that look up are bounded by one loop of edges, which
-  /// runs around the shadow.
+  /// Traces the outline of the projection along the direction: the boundary loop of the upward
+  /// faces.
   void trace_outline(const Mat3& frame);
 
   std::vector<Vec3> vertices_;
@@ -55,8 +56,8 @@ class GaussImage {
   double radius_;
   Eigen::MatrixX3d coordinates_, normals_, weighted_normals_;  ///< the last ones by area
   Eigen::VectorXd areas_, along_, slopes_;
-  std::vector<std::uint8_t> up_;     ///< of every face: looks along the direction
-  std::vector<std::uint32_t> next_;  ///< of vertices on the outline
+  std::vector<std::uint8_t> up_;     ///< per face: true if it faces along the direction
+  std::vector<std::uint32_t> next_;  ///< per vertex of the outline
   std::vector<Vec2> outline_;
 };
 

@@ -1,20 +1,21 @@
 #pragma once
-/// Distance of points from the rounded surface of a body.
+/// Distance to the surface of a rounded body.
 #include "mesh/triangle_tree.hpp"
 
 namespace clast::shapes_detail {
 
-/// Refers to the tree, which must stay.
+/// Signed distance to a rounded surface. Refers to the tree, which must outlive it.
 class RoundedSurfaceDistance {
  public:
-  /// @param farthest  no point that is asked for is farther from the skin
+  /// Stores the tree.
+  /// @param farthest  upper bound of the distances of all queries
   RoundedSurfaceDistance(const TriangleTree& core, double radius, double farthest)
       : core_(core), radius_(radius), farthest_(farthest) {}
 
-  /// Negative inside the body. Exact outside, and inside wherever the skin over the closest core
-  /// point is bare; where it is buried, as under creases, the distance to a bare point near it:
-  /// never too small.
-  /// @param hint  a core triangle that is likely near; becomes the closest
+  /// Returns the signed distance, negative inside. Exact outside, and inside if the surface over
+  /// the closest core point is exposed; otherwise, as under creases, the distance to a near exposed
+  /// point, never too small.
+  /// @param hint  index of a probably near core triangle; set to the closest
   double operator()(const Vec3& point, std::uint32_t& hint) const;
   double operator()(const Vec3& point) const {
     std::uint32_t hint = 0;

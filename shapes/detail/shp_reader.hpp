@@ -1,5 +1,5 @@
 #pragma once
-/// The text of a .shp file.
+/// Parser of .shp files.
 #include <string_view>
 #include <vector>
 
@@ -7,10 +7,11 @@
 
 namespace clast::shapes_detail {
 
-/// First bytes of an ESRI shapefile, which has the same extension.
+/// Magic number of ESRI shapefiles, which share the extension.
 inline constexpr std::string_view kEsriShapefileMagic{"\0\0\x27\x0a", 4};
 
-/// @throws InputError  with line and shape, as `read_shp` says
+/// Parses the shapes.
+/// @throws InputError  with line and shape, as `read_shp`
 std::vector<ShpShape> parse_shp(std::string_view content);
 
 }  // namespace clast::shapes_detail

@@ -87,7 +87,7 @@ void clear_ground(const CampaignPlan& prepared, const MeasuredBody& measured,
       format_release_set_name(release) + "release point " + std::to_string(point_of_set + 1) +
       ", orientation " + std::to_string(run.orientation + 1) + ": starts " +
       format_decimals(*depth, 3) + " m inside the ground, with its centre at " +
-      format_map_point(prepared.header.frame.map(run.start.position)) +
+      format_map_point(prepared.header.frame.to_map(run.start.position)) +
       (release.drop_height ? "; raise " + table + " height_m"
                            : "; raise the release point or use " + table + " height_m"));
 }

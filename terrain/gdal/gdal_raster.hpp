@@ -1,5 +1,5 @@
 #pragma once
-/// Rasters through GDAL, with no GDAL type in sight.
+/// Reading of rasters with GDAL, without GDAL types in the interface.
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -9,32 +9,33 @@
 
 namespace clast::terrain_detail {
 
-/// One band on a north-up grid. Heights of a digital elevation model, or class numbers.
+/// Raster band on a north-up grid: heights or class numbers.
 struct Raster {
   HeightGrid grid;
-  std::string crs;                 ///< of the plan, "EPSG:2154" or WKT; empty when there is none
-  std::string unit;                ///< that the band names for its values; empty when it names none
-  std::optional<double> no_data;   ///< that the band declares
+  std::string crs;                 ///< of the plan, "EPSG:2154" or WKT; empty if unknown
+  std::string unit;                ///< of the values as declared by the band; empty if not declared
+  std::optional<double> no_data;   ///< declared by the band
   std::vector<std::string> notes;  ///< on its reference system
 };
 
-/// Reads a raster with one band; rows that run north are turned over.
-/// @throws InputError  not a raster, without georeference, several bands, rotated, in degrees, plan
-/// or heights not in metres by its reference system, or a map that stretches lengths
+/// Reads a raster with one band; rows from south to north are reversed.
+/// @throws InputError  if it is not a raster, not georeferenced, has several bands, is rotated or
+///                     in degrees, has plan or height units other than metres, or a projection that
+///                     distorts lengths
 Raster read_raster(const std::filesystem::path& path);
 
-/// Refuses heights whose band names another unit than the metre, or one that is not known.
-/// @throws InputError
+/// Checks that the height unit is the metre or not declared.
+/// @throws InputError  if it is not
 void check_height_unit(const std::filesystem::path& path, const std::string& unit);
 
-/// "EPSG:25832" when the plan of a reference system has a code, else its WKT; the text itself where
-/// GDAL does not understand it.
+/// Returns "EPSG:25832" if the plan system has a code, otherwise its WKT; the text itself if GDAL
+/// does not understand it.
 std::string normalised_crs(const std::string& crs);
 
-/// True when both name the same coordinate system, whichever way it is written.
+/// True if both texts denote the same coordinate system.
 bool is_same_crs(const std::string& one, const std::string& other);
 
-/// Extensions that are taken for rasters.
+/// True if the extension is that of a raster.
 bool is_raster_file(const std::filesystem::path& path);
 
 }  // namespace clast::terrain_detail

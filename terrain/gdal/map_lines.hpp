@@ -1,5 +1,5 @@
 #pragma once
-/// Lines from files through GDAL's vector drivers, with no GDAL type in sight.
+/// Reading of lines with GDAL, without GDAL types in the interface.
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -9,14 +9,14 @@
 namespace clast::terrain_detail {
 
 struct MapLine {
-  std::vector<Vec3> points;  ///< on the map, m; z 0 when there are no heights
+  std::vector<Vec3> points;  ///< map coordinates, m; z is 0 without heights
   bool has_heights = false;
-  std::string name;  ///< "lines.geojson: feature 3", for messages
+  std::string name;  ///< for messages: "lines.geojson: feature 3"
 };
 
-/// Reads GeoJSON, GeoPackage or Shapefile lines, and reprojects them as zone polygons are.
-/// @param crs  of the terrain; empty when unknown
-/// @throws InputError  unreadable, empty, or something that is not a line
+/// Reads GeoJSON, GeoPackage or Shapefile lines, transformed to the terrain's system.
+/// @param crs  of the terrain; empty if unknown
+/// @throws InputError  if the file cannot be read, is empty, or has other geometries
 std::vector<MapLine> read_map_lines(const std::filesystem::path& path, const std::string& crs);
 
 }  // namespace clast::terrain_detail

@@ -1,5 +1,5 @@
 #pragma once
-/// Polygons with zone names through GDAL's vector drivers, with no GDAL type in sight.
+/// Reading of zone polygons with GDAL, without GDAL types in the interface.
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -8,31 +8,33 @@
 
 namespace clast::terrain_detail {
 
-/// A zone polygon with holes: a point is inside when a ray from it crosses the rings an odd number
-/// of times. A point on an edge shared by two polygons is in exactly one of them.
+/// Zone polygon with holes, by the even-odd rule. A point on an edge shared by two polygons is
+/// inside exactly one of them.
 struct ZonePolygon {
   std::string zone;
-  std::vector<std::vector<Vec2>> rings;  ///< on the map, m; holes run clockwise, outlines do not
+  std::vector<std::vector<Vec2>>
+      rings;  ///< map coordinates, m; outlines counter-clockwise, holes clockwise
   Vec2 low = Vec2::Zero();
   Vec2 high = Vec2::Zero();
 
   bool contains(const Vec2& point) const;
 };
 
-/// Reads GeoJSON, GeoPackage or Shapefile polygons with a text or number property "zone", and
-/// reprojects them when both sides name a coordinate system and they differ.
-/// @param crs  of the terrain; empty when unknown: coordinates are then taken as they are
-/// @throws InputError  unreadable, no property "zone", something that is not a polygon, one that
-///                     crosses itself, or two of different zones that overlap by more than a strip
-///                     of 1 cm, which is what digitising by hand leaves
+/// Reads GeoJSON, GeoPackage or Shapefile polygons with a text or number property "zone",
+/// transformed to the terrain's system if both are known.
+/// @param crs  of the terrain; empty if unknown: coordinates are then used unchanged
+/// @throws InputError  if the file cannot be read, lacks the property "zone", has other geometries
+///                     or self-intersecting polygons, or polygons of different zones overlap by
+///                     more than a strip of 1 cm (digitising error)
 std::vector<ZonePolygon> read_zone_polygons(const std::filesystem::path& path,
                                             const std::string& crs);
 
-/// The polygons of a file, whatever properties they have and whether they overlap or not; their
-/// zone is empty.
+/// Reads all polygons of a file without zones; overlaps are allowed.
 /// @param crs  of the terrain, as above
-/// @throws InputError  unreadable, something that is not a polygon, or one that crosses itself
-std::vector<ZonePolygon> read_outline_polygons(const std::filesystem::path& path, const std::string& crs);
+/// @throws InputError  if the file cannot be read, or has other geometries or self-intersecting
+///                     polygons
+std::vector<ZonePolygon> read_outline_polygons(const std::filesystem::path& path,
+                                               const std::string& crs);
 
 bool is_polygon_file(const std::filesystem::path& path);
 

@@ -1,5 +1,5 @@
 #pragma once
-/// A mesh made into a grid.
+/// Resampling of meshes to grids.
 #include <filesystem>
 
 #include "terrain/raw_surface.hpp"
@@ -7,20 +7,20 @@
 
 namespace clast::terrain_detail {
 
-/// Heights of a mesh over the centres of square cells on multiples of `cell`, joined as a raster's
-/// are. A new triangle has the source that covers most of its plan area. Cells without ground under
-/// their centre stay empty, so that the border moves in by up to a cell. What that leaves out, and
-/// the largest change at a vertex of the mesh, is noted.
+/// Resamples a mesh at the centres of square cells on multiples of `cell`, triangulated like a
+/// raster. A new triangle has the source with the largest plan area in it. Cells without ground at
+/// their centre stay empty, so that the border recedes by up to a cell. The omitted area and the
+/// largest change at a vertex are noted.
 /// @param surface  oriented
-/// @param path     for messages
-/// @throws GeometryError  a wall or an overhang larger than a cell, with its place: a grid has one
-///                        height over a place
-/// @throws InputError     too many cells, or no four neighbouring ones with ground
-RawSurface resample_surface(const RawSurface& surface, double cell, const std::filesystem::path& path,
-                     TerrainReport& report);
+/// @param path  for messages
+/// @throws GeometryError  if a wall or overhang is larger than a cell, with its position
+/// @throws InputError  if there are too many cells, or no four adjacent cells with ground
+RawSurface resample_surface(const RawSurface& surface, double cell,
+                            const std::filesystem::path& path, TerrainReport& report);
 
-/// The same of the highest of its triangles over every centre, walls and overhangs or not.
+/// Resamples the highest triangle over each cell centre, allowing walls and overhangs.
 /// @throws InputError  as above
-TriangleMesh grid_highest_surface(const TriangleMesh& mesh, double cell, const std::filesystem::path& path);
+TriangleMesh grid_highest_surface(const TriangleMesh& mesh, double cell,
+                                  const std::filesystem::path& path);
 
 }  // namespace clast::terrain_detail

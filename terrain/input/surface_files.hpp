@@ -1,5 +1,5 @@
 #pragma once
-/// The files that a ground is read from.
+/// Reading of the surface files of a terrain.
 #include <filesystem>
 #include <vector>
 
@@ -15,16 +15,16 @@ enum class SurfaceKind {
   kTerrain  ///< a terrain file, checked and repaired already
 };
 
-/// What kind all of them are, by their extensions.
-/// @throws InputError  an extension that is none of them, kinds that are mixed, or several rasters
-///                     or terrain files
+/// Detects the common kind of the files by their extensions.
+/// @throws InputError  if an extension is unknown, kinds are mixed, or there are several rasters or
+///                     terrain files
 SurfaceKind detect_surface_kind(const std::vector<std::filesystem::path>& files);
 
-/// Reads meshes, a raster or clouds, z up. Rasters get coarser and clouds become a grid as the
-/// options say, and holes of both are filled; nothing else is repaired.
+/// Reads meshes, a raster or clouds, z up. Rasters are coarsened and clouds gridded as the options
+/// state, and holes of both are filled; nothing else is repaired.
 /// @param kind  not `kTerrain`
-/// @throws InputError  a file that can't be read, heights that are none, or a resolution finer than
-///                     the raster
+/// @throws InputError  if a file cannot be read, heights are invalid, or the resolution is finer
+///                     than the raster
 RawSurface read_surface(const TerrainOptions& options, SurfaceKind kind);
 
 }  // namespace clast::terrain_detail

@@ -1,5 +1,5 @@
 #pragma once
-/// Edges of cliffs and roads that a grid is too coarse for.
+/// Breaklines: edges of cliffs and roads finer than the grid.
 #include <span>
 
 #include "terrain/gdal/map_lines.hpp"
@@ -8,12 +8,11 @@
 
 namespace clast::terrain_detail {
 
-/// Makes the lines edges of a grid's surface, at the heights of the lines. Vertices nearer than a
-/// quarter of a cell move onto the line (no triangle of a grid turns over by that); the rest is
-/// divided where a line crosses.
-/// @param cell  of the grid, the shorter side, m
-/// @throws InputError  a line without heights, lines that cross at different heights, or none over
-///                     the ground
+/// Inserts lines as edges of a grid surface, at the heights of the lines. Vertices within a quarter
+/// of a cell are moved onto the line (without flipping triangles); other triangles are split.
+/// @param cell  shorter cell size of the grid, m
+/// @throws InputError  if a line has no heights, lines intersect at different heights, or none is
+///                     over the terrain
 void add_breaklines(RawSurface& surface, std::span<const MapLine> lines, double cell,
                     TerrainReport& report);
 

@@ -1,5 +1,6 @@
 #pragma once
-/// A raw surface made fit for contact: welded, without degenerate triangles, normals up.
+/// Repair of raw surfaces for contact: welding, removal of degenerate triangles, upward
+/// orientation.
 #include <string>
 #include <vector>
 
@@ -8,20 +9,21 @@
 
 namespace clast::terrain_detail {
 
-/// Vertices within 1e-6 m become one. Real ground has edges under 1 mm: only copies are joined.
+/// Merges vertices within 1e-6 m. Real terrain has edges under 1 mm, so only duplicates are merged.
 void weld_surface(RawSurface& surface, TerrainReport& report);
 
-/// Drops triangles with a repeated corner or lower than 1e-9 m, and copies of a triangle; then
-/// vertices that nothing uses.
+/// Removes triangles with a repeated vertex or a height below 1e-9 m, duplicate triangles, and
+/// unused vertices.
 /// @param files  of `RawSurface::source`, for messages
-/// @throws GeometryError  two files hold the same triangle under different zones, or nothing is
-/// left
+/// @throws GeometryError  if two files have the same triangle in different zones, or nothing is
+///                        left
 void remove_invalid_triangles(RawSurface& surface, const std::vector<std::string>& files,
-                            const std::vector<std::uint16_t>& zone_of_file, TerrainReport& report);
+                              const std::vector<std::uint16_t>& zone_of_file,
+                              TerrainReport& report);
 
-/// Drops fins, and turns triangles so that neighbours agree and every component faces up over most
-/// of its plan area; counts border edges and components.
-/// @throws GeometryError  an edge with more than two triangles, or a component with one side only
+/// Removes fins, and orients triangles consistently with each component facing up over most of its
+/// plan area; counts border edges and components.
+/// @throws GeometryError  if an edge has more than two triangles, or a component is non-orientable
 void orient_upwards(RawSurface& surface, TerrainReport& report);
 
 }  // namespace clast::terrain_detail

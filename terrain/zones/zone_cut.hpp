@@ -1,5 +1,5 @@
 #pragma once
-/// Zone borders as edges of the ground.
+/// Insertion of zone borders as edges of the terrain.
 #include <span>
 #include <vector>
 
@@ -7,11 +7,11 @@
 
 namespace clast::terrain_detail {
 
-/// Divides triangles until every segment, seen from above, runs along edges wherever it lies over
-/// the mesh, on every layer of it. New vertices lie on the triangles they divide: the surface stays
-/// what it was. Segments closer than a micrometre to a vertex or edge take that instead.
-/// @param segments  ends, in the plan of the mesh's own frame; zero-length ones do nothing
-/// @return  how many triangles were added
+/// Splits triangles until each segment runs along edges in plan, on all layers of the mesh. New
+/// vertices lie on the split triangles, so that the surface is unchanged. Segments within a
+/// micrometre of a vertex or edge are snapped to it.
+/// @param segments  end points in the plan of the mesh's frame; zero-length ones are ignored
+/// @return number of added triangles
 std::size_t insert_edges_along(TriangleMesh& mesh, std::span<const std::array<Vec2, 2>> segments);
 
 }  // namespace clast::terrain_detail

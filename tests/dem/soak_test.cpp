@@ -31,8 +31,8 @@ Outcome release(const TerrainSurface& terrain, std::uint64_t seed, bool soft) {
   start.position = {random.uniform(-20.0, 0.0), random.uniform(-15.0, 15.0), 0.0};
   start.position.z() =
       *terrain.height_at(start.position.x(), start.position.y(), 0.0) + random.uniform(1.5, 4.0);
-  start.velocity = random.uniform(0.0, 40.0) * random.direction();
-  start.angular_velocity = random.uniform(0.0, 20.0) * random.direction();
+  start.velocity = random.uniform(0.0, 40.0) * random.unit_vector();
+  start.angular_velocity = random.uniform(0.0, 20.0) * random.unit_vector();
   Outcome outcome{simulate_release(terrain, zones, body, start, settings)};
   const EnergyBalance& energy = outcome.result.energy;
   if (energy.dissipated() > 0.0) outcome.reassigned = energy.reassigned / energy.dissipated();

@@ -218,7 +218,7 @@ TEST(LocalGround, AgreesWithTheWholeGround) {
     around.collect_near(whole, centre, 2.0);
     local.collect_near(whole.features, around, centre, 1.2);
     for (int k = 0; k < 20; ++k) {
-      const Vec3 query = centre + random.uniform(0.0, 0.6) * random.direction();
+      const Vec3 query = centre + random.uniform(0.0, 0.6) * random.unit_vector();
       const std::optional<NearestPoint> expected = whole.nearest_point(query, 5.0);
       ASSERT_TRUE(expected);
       const auto guess = static_cast<std::uint32_t>(random.uniform_index(local.faces.size()));
@@ -264,9 +264,9 @@ TEST(WayToCrossing, NothingCrossesBefore) {
   Random random(11);
   int bounded = 0, crossed_soon_after = 0;
   for (int i = 0; i < 20000; ++i) {
-    const Segment block{0.6 * random.direction(), random.direction(), random.uniform(0.1, 0.6)};
-    const Segment ground{block.point_at(random.uniform(-0.3, 0.9)) + 0.1 * random.direction(),
-                         random.direction(), random.uniform(0.1, 0.6)};
+    const Segment block{0.6 * random.unit_vector(), random.unit_vector(), random.uniform(0.1, 0.6)};
+    const Segment ground{block.point_at(random.uniform(-0.3, 0.9)) + 0.1 * random.unit_vector(),
+                         random.unit_vector(), random.uniform(0.1, 0.6)};
     const double radius = 1.2;  // of all that the block holds, about the origin
     const SegmentDistance closest = closest_points(block, ground);
     if (closest.crossing) continue;

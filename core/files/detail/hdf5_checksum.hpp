@@ -1,9 +1,9 @@
 #pragma once
-/// Checksums of what an HDF5 file holds. Every group and dataset has an attribute `checksum`, the
-/// exclusive or of one number for each other attribute and, of a dataset, one for its values, so
-/// that setting one attribute costs one number. HDF5 itself checks its own structures and, by
-/// Fletcher32, compressed chunks, but neither values stored uncompressed, nor texts outside the
-/// headers, nor the index of chunks, where a chunk can get lost and be read as zeros.
+/// Checksums of HDF5 objects. Each group and dataset has an attribute `checksum`: the exclusive or
+/// of one number per other attribute and, for datasets, one for the values, so that setting an
+/// attribute changes one number. HDF5 itself protects its own structures and, by Fletcher32,
+/// compressed chunks, but not uncompressed values, text outside headers, or the chunk index, where
+/// a lost chunk would be read as zeros.
 #include <hdf5.h>
 
 #include <cstdint>
@@ -14,24 +14,26 @@ namespace clast::hdf5 {
 
 inline constexpr const char* kChecksumAttribute = "checksum";
 
-/// Of an attribute, as it lies in the file: the first 64 bits of the SHA-256 of name, zero, bytes.
+/// Returns the checksum of an attribute: the first 64 bits of the SHA-256 of name, zero byte and
+/// stored bytes.
 std::uint64_t attribute_checksum(const std::string& name, const void* bytes, std::size_t size);
 
-/// Of the values of a dataset, as they lie in the file: by their CRC-32, which finds every change
-/// of up to 32 bits in a row, and their number.
+/// Returns the checksum of stored dataset values: from their CRC-32, which detects every error
+/// burst up to 32 bits, and their number.
 std::uint64_t values_checksum(const void* bytes, std::size_t size, std::uint64_t count);
 
-/// Of one attribute of an object, as stored; none when it can't be read.
+/// Returns the checksum of an attribute of an object; empty if it cannot be read.
 std::optional<std::uint64_t> attribute_checksum(hid_t object, const std::string& name);
 
-/// Of all attributes of an object but its checksum; none when one can't be read.
+/// Returns the combined checksum of all attributes except the checksum itself; empty if one cannot
+/// be read.
 std::optional<std::uint64_t> attributes_checksum(hid_t object);
 
-/// The checksum that an object has; none when it has none.
+/// Returns the stored checksum; empty if there is none.
 std::optional<std::uint64_t> stored_checksum(hid_t object);
 
-/// Changes the checksum of an object, 0 when it has none yet.
-/// @return false when it can't be written
+/// Combines a change into the stored checksum, which is 0 if missing.
+/// @return false if it cannot be written
 bool update_checksum(hid_t object, std::uint64_t change);
 
 }  // namespace clast::hdf5

@@ -1,6 +1,6 @@
 #pragma once
-/// How HDF5 stores larger datasets: in chunks along their first dimension, each shuffled,
-/// compressed and with a checksum.
+/// Chunked storage of large HDF5 datasets: chunks along the first dimension, shuffled, compressed
+/// and with checksums.
 #include <cstddef>
 #include <vector>
 
@@ -8,14 +8,14 @@
 
 namespace clast::hdf5 {
 
-/// Adds chunks and their filters to the creation properties of a dataset.
-/// @param extent     its numbers of elements by dimension, none 0
-/// @param row_bytes  of the elements below the first dimension
+/// Adds chunks and filters to the creation properties of a dataset.
+/// @param extent  number of elements by dimension, none 0
+/// @param row_bytes  size of one index of the first dimension
 void set_chunked_compression(const ScopedId& properties, const std::vector<hsize_t>& extent,
-                        std::size_t row_bytes);
+                             std::size_t row_bytes);
 
-/// True when the file names no chunk where one must be, or one that is stored without a filter:
-/// none is written so, and HDF5 would take its bytes for a whole chunk and read beyond them.
+/// True if a chunk is missing or stored without filter. clast writes no such chunk, and HDF5 would
+/// read beyond its bytes.
 /// @param extent  of the dataset, none 0
 bool has_damaged_chunks(const ScopedId& dataset, const std::vector<hsize_t>& extent);
 

@@ -1,5 +1,5 @@
 #pragma once
-/// How C++ values look to HDF5: identifiers with an owner, element types, text of fixed width.
+/// Mapping of C++ values to HDF5: owned identifiers, element types, fixed-width text.
 #include <hdf5.h>
 
 #include <cstdint>
@@ -10,10 +10,10 @@
 
 namespace clast::hdf5 {
 
-/// Stops HDF5 from printing its own errors, which it decides thread by thread.
+/// Disables HDF5's own error output in this thread.
 void silence_errors();
 
-/// An HDF5 identifier that is closed with its owner.
+/// HDF5 identifier that is closed by its owner.
 class ScopedId {
  public:
   using CloseFunction = herr_t (*)(hid_t);
@@ -30,14 +30,14 @@ class ScopedId {
   CloseFunction close_;
 };
 
-/// The innermost reason HDF5 gives for the failure of its last call, in brackets, or nothing.
+/// Returns HDF5's innermost error message of the last call in brackets, or an empty text.
 std::string last_error_message();
 
-/// Text is stored at a fixed width, padded with zeros: HDF5's variable-length text lies in a heap
-/// without checksums, and following a damaged one crashes inside HDF5.
+/// Makes a zero-padded text type of fixed width. HDF5's variable-length text is stored in a heap
+/// without checksums, and a damaged heap crashes inside HDF5.
 ScopedId fixed_string_type(std::size_t width);
 
-/// The type of numbers T as it lies in memory or, little-endian, in the file.
+/// Returns the HDF5 type of numbers T, native in memory or little-endian in the file.
 template <class T>
 ScopedId number_type(bool file_type) {
   const auto copy = [](hid_t type) { return ScopedId(H5Tcopy(type), H5Tclose); };
@@ -71,7 +71,7 @@ const char* type_name() {
   return "unsigned 8-bit integers";
 }
 
-/// True when values of the stored type are values of T without loss.
+/// True if all values of the stored type can be represented as T.
 template <class T>
 bool is_lossless_conversion(hid_t stored) {
   const H5T_class_t kind = H5Tget_class(stored);
@@ -85,14 +85,14 @@ bool is_lossless_conversion(hid_t stored) {
   }
 }
 
-/// The texts one after the other, each padded or cut to `width` bytes; never inside a character.
+/// Concatenates texts, each padded or truncated to `width` bytes, never inside a character.
 std::string padded_strings(std::span<const std::string> texts, std::size_t width);
-/// One of them again.
+/// Returns one of the padded texts.
 std::string unpadded_string(const std::string& bytes, std::size_t begin, std::size_t width);
-/// Bytes of the longest text, at least one.
+/// Returns the size of the longest text in bytes, at least 1.
 std::size_t longest_size(std::span<const std::string> texts);
 
-/// Values as they are handed to HDF5.
+/// Values in the layout that HDF5 writes.
 template <class T>
 struct WriteBuffer {
   explicit WriteBuffer(std::span<const T> all)
@@ -103,7 +103,7 @@ struct WriteBuffer {
   WriteBuffer(std::span<const T> all, std::size_t) : WriteBuffer(all) {}
   const void* data() const { return values.data(); }
 
-  std::size_t element_size;  ///< bytes of one value in the file
+  std::size_t element_size;  ///< size of one value in the file, bytes
   ScopedId file_type;
   ScopedId memory_type;
   std::span<const T> values;

@@ -1,7 +1,6 @@
 #pragma once
-/// The state of one contact point at the start of a step, and its normal force by Eq. 2, before it
-/// is weighted.
-/// All inline: these are the innermost lines of a simulation.
+/// State of a contact point at the start of a step, and its unweighted normal force by Eq. 2.
+/// Inline, because this is the innermost loop.
 /// @cite garcia2022
 #include <algorithm>
 #include <cmath>
@@ -12,12 +11,12 @@
 
 namespace clast::dem_detail {
 
-/// Normals whose cosine is above this are those of one plane.
+/// Cosine above which normals belong to one plane.
 inline constexpr double kSameNormal = 1.0 - 1e-12;
-/// A new contact's closing speed explains its overlap when it leaves no more than this share of it.
+/// Largest fraction of a new contact's overlap that may remain unexplained by its approach speed.
 inline constexpr double kExplained = 1e-6;
 
-/// Where a contact is and how the block moves there against the other body, mean over the step.
+/// Position and mean relative velocity of a contact over the step.
 struct ContactKinematics {
   ContactKinematics(const Contact& contact, const RelativeMotion& motion)
       : arm(contact.position - motion.block.world_from_body.translation),
@@ -26,20 +25,20 @@ struct ContactKinematics {
         sliding_velocity(velocity + approach_speed * contact.point.normal) {}
   Vec3 arm;               ///< from the centre of the block
   Vec3 velocity;          ///< m/s
-  double approach_speed;  ///< against the normal
-  Vec3 sliding_velocity;  ///< along the surface
+  double approach_speed;  ///< opposite to the normal
+  Vec3 sliding_velocity;  ///< tangential velocity
 };
 
-/// What a contact brings into the step.
+/// State of a contact at the start of a step.
 struct StepStart {
   OverlapPath path;  ///< of the overlap over the step
   NormalState normal = {};
   double weight = 0.0;
   double stored = 0.0;     ///< J
-  bool continuous = true;  ///< false: appeared with an overlap that its speed does not explain
+  bool continuous = true;  ///< false: appeared with an overlap not explained by its speed
 };
 
-/// Of a contact that continues another.
+/// Returns the initial state of a continued contact.
 inline StepStart step_start_of_continued(const Contact& contact, const Contact& previous,
                                          const RelativeMotion& motion) {
   const ContactPoint &point = contact.point, &point_before = previous.point;
@@ -57,8 +56,8 @@ inline StepStart step_start_of_continued(const Contact& contact, const Contact& 
   return start;
 }
 
-/// Of a contact that continues none: it has come from as far as its speed allows; an overlap that
-/// this does not explain begins as the law lets a contact without a past begin.
+/// Returns the initial state of a new contact. The overlap is traced back over the step at the
+/// present speed; an unexplained remainder starts from the law's `initial_state`.
 template <NormalLaw Law>
 StepStart step_start_of_new(const Contact& contact, const ContactKinematics& kinematics,
                             const Law& law, const RelativeMotion& motion) {
@@ -79,7 +78,7 @@ StepStart step_start_of_new(const Contact& contact, const ContactKinematics& kin
   return start;
 }
 
-/// Eq. 2, or what another law has in its place.
+/// Computes the normal response by the law (Eq. 2).
 template <NormalLaw Law>
 NormalResponse normal_response(const Contact& contact, const StepStart& start, const Law& law) {
   const double mass = contact.effective_mass;

@@ -1,5 +1,5 @@
 #pragma once
-/// Friction of one contact point by Eq. 4, before it is weighted: a spring with a Coulomb limit.
+/// Unweighted friction of a contact point by Eq. 4: a spring with a Coulomb limit.
 /// @cite garcia2022
 #include <algorithm>
 #include <cmath>
@@ -8,15 +8,14 @@
 
 namespace clast::dem_detail {
 
-/// A spring of friction or rolling resistance after a step, and what it gave up to its limit.
+/// Response of a friction or rolling spring in a step, with its dissipation at the limit.
 struct SpringResponse {
   Vec3 load;            ///< N, or N m
-  double squared_norm;  ///< of its length
-  double loss = 0.0;    ///< dissipated, times k_t or k_r and per unit of weight
+  double squared_norm;  ///< of the load
+  double loss = 0.0;    ///< dissipated energy, times k_t or k_r, per unit weight
 };
 
-/// The response of a spring whose trial load exceeds its limit; the load is scaled by `scale` to
-/// it.
+/// Returns the response of a spring whose trial load is scaled by `scale` to the Coulomb limit.
 inline SpringResponse coulomb_limited(const Vec3& before, const Vec3& trial, double squared_norm,
                                       double scale) {
   // The slip of the step winds the spring up by trial - before: its work less what is stored more.
@@ -24,7 +23,7 @@ inline SpringResponse coulomb_limited(const Vec3& before, const Vec3& trial, dou
           0.5 * (1.0 - scale) * (before.dot(trial) + scale * squared_norm)};
 }
 
-/// Eq. 4: the tangential spring follows the slip up to mu f.
+/// Computes the tangential spring load, limited by mu f (Eq. 4).
 inline SpringResponse friction(const Contact& contact, const ContactKinematics& kinematics,
                                double stiffness, double duration, double friction_coefficient) {
   const Vec3 trial = contact.tangential - stiffness * duration * kinematics.sliding_velocity;
@@ -35,9 +34,9 @@ inline SpringResponse friction(const Contact& contact, const ContactKinematics& 
                          largest / std::sqrt(squared_norm));
 }
 
-/// Energy that one spring of a contact dissipates in the step in which the contact ends, J.
-/// @param give  1/k_t or 1/k_r
-/// @param rate  of the slip or spin that winds it up
+/// Returns the energy dissipated by a spring in the step in which the contact ends, J.
+/// @param compliance  1/k_t or 1/k_r
+/// @param rate  slip velocity or spin that loads it
 inline double ended_spring_loss(double weight, double compliance, const Vec3& before,
                                 const Vec3& rate, double duration) {
   return 0.5 * weight * (before.squaredNorm() * compliance - duration * before.dot(rate));

@@ -1,5 +1,5 @@
 #pragma once
-/// Rolling resistance of one contact point by Eq. 5, before it is weighted.
+/// Unweighted rolling resistance of a contact point by Eq. 5.
 /// @cite garcia2022
 #include <cmath>
 
@@ -7,8 +7,9 @@
 
 namespace clast::dem_detail {
 
-/// Eq. 5: the rolling spring follows the spin up to mu_R l f.
-inline SpringResponse rolling_resistance(const Contact& contact, const ContactKinematics& kinematics, double stiffness,
+/// Computes the rolling spring load, limited by mu_R l f (Eq. 5).
+inline SpringResponse rolling_resistance(const Contact& contact,
+                                         const ContactKinematics& kinematics, double stiffness,
                                          const RelativeMotion& motion, double rolling_friction) {
   const Vec3 trial = contact.rolling - stiffness * motion.duration * motion.spin;
   const double squared_norm = trial.squaredNorm();

@@ -1,5 +1,5 @@
 #pragma once
-/// What a block of a sequence does, seen step by step.
+/// Recorder of the motion of one block of a sequence.
 #include <cstddef>
 #include <span>
 #include <vector>
@@ -9,14 +9,14 @@
 namespace clast::dem_detail {
 
 struct BlockRecorder {
-  /// Adds a step of its motion to its result.
+  /// Adds a step to the result.
   void record_step(const MotionStep& step);
-  /// Notes which blocks it touches during its own release.
+  /// Records which blocks it touches during its own release.
   void record_hits(std::span<const std::size_t> others);
 
   template <class Bytes>
   void serialize(Bytes& bytes) {
-    bytes(result, touching, hit_blocks, first_rest);
+    bytes(result, touching, hit_blocks, first_rest);  ///< position at the end of its own release
   }
 
   SequenceResult result;

@@ -1,5 +1,5 @@
 #pragma once
-/// Which blocks of a sequence settle or are held before they are released, and until when.
+/// Schedule of settling, fixed and released blocks of a sequence.
 #include <cstddef>
 #include <span>
 
@@ -9,15 +9,16 @@ namespace clast::dem_detail {
 
 class ReleaseSchedule {
  public:
-  /// @param blocks  they and the settings must outlive the schedule
+  /// Stores references.
+  /// @param blocks  must outlive this object, as must the settings
   ReleaseSchedule(std::span<const SequenceBlock> blocks, const SequenceSettings& settings)
       : blocks_(blocks), settings_(settings) {}
 
-  /// Does a form hold the block?
+  /// True if a confining wall holds the block.
   bool is_confined(std::size_t block) const;
-  /// Is the block held where it starts?
+  /// True if the block is fixed at its start.
   bool starts_fixed(std::size_t block) const;
-  /// Of blocks released at once: when the block is, since the first is, s.
+  /// Returns the release time of a block since the first release, s, for multi-block releases.
   double release_time(std::size_t block) const;
 
  private:

@@ -1,5 +1,5 @@
 #pragma once
-/// Which bodies of a world sleep, and what wakes them (docs/theory.md, Sleep).
+/// Sleeping bodies of a world (docs/theory.md, Sleep).
 #include <cstdint>
 #include <span>
 
@@ -7,8 +7,7 @@
 
 namespace clast::dem_detail {
 
-/// Puts bodies to sleep and wakes them. What it changes is theirs: `WorldBody::asleep`, what was
-/// left of their motion, and their watch.
+/// Puts bodies to sleep and wakes them, changing their sleep state, velocities and detectors.
 class SleepManager {
  public:
   std::size_t count() const { return count_; }
@@ -17,14 +16,15 @@ class SleepManager {
     bytes(count_);
   }
 
-  /// Wakes what a body in motion touches, and all that is asleep around it.
-  /// @param pairs  with an up-to-date list of active ones; no other pair wakes anything
+  /// Wakes bodies touched by moving bodies, and all sleeping bodies connected to them.
+  /// @param pairs  with an up-to-date list of active pairs; other pairs wake nothing
   void wake_touched(std::span<WorldBody> bodies, const ContactPairTable& pairs);
-  /// Wakes a body that is about to go, and what it touches, with all that is asleep around them.
+  /// Wakes a body that will be removed, the bodies that it touches, and all sleeping bodies
+  /// connected to them.
   void wake_around(std::uint32_t body, std::span<WorldBody> bodies, const ContactPairTable& pairs);
-  /// Puts bodies to sleep that stay where they are, as do all that touch them.
-  /// @param moving  numbers of the bodies that were not idle in the step, ascending
-  /// @return  the kinetic energy that this takes from them, J
+  /// Puts stationary bodies to sleep if all bodies that they touch are stationary.
+  /// @param moving  ascending indices of the bodies that moved in the step
+  /// @return removed kinetic energy, J
   double put_to_sleep(std::span<WorldBody> bodies, std::span<const std::uint32_t> moving,
                       const ContactPairTable& pairs);
 

@@ -1,5 +1,5 @@
 #pragma once
-/// A moving or fixed body of a world, and the shape it shares with others.
+/// Bodies of a world, with shared shapes.
 #include <algorithm>
 #include <optional>
 #include <utility>
@@ -12,7 +12,7 @@
 
 namespace clast::dem_detail {
 
-/// A shape with what contacts need of it, once for all bodies that have it.
+/// Shape with precomputed contact data, shared by bodies.
 struct BodyShape {
   explicit BodyShape(RigidBody of_body)
       : body(std::move(of_body)),
@@ -27,7 +27,7 @@ struct BodyShape {
   double largest_mobility;
 };
 
-/// Bodies that a form holds.
+/// Range of bodies held by a confining wall.
 struct ConfinedBodies {
   std::size_t first = 0, end = 0;
 
@@ -39,13 +39,14 @@ struct ConfinedBodies {
 };
 
 struct WorldBody {
+  /// Makes a body.
   /// @param of_shape  must outlive the body
   WorldBody(const BodyShape& of_shape, const RigidState& start, bool is_fixed)
       : shape(&of_shape),
         integrator(of_shape.body, start),
         fixed(is_fixed),
         motion(integrator.current_motion()) {
-    if (fixed) motion = motion_at_rest();
+    if (fixed) motion = motion_at_rest();  ///< over the last step
   }
   BodyMotion motion_at_rest() const {
     BodyMotion still;
@@ -53,33 +54,34 @@ struct WorldBody {
     return still;
   }
   bool is_immobile() const { return fixed || inactive; }
-  /// Takes its motion over a step.
+  /// Stores the motion of a step.
   void apply_motion(const BodyMotion& over_step) {
     const Pose &from = motion.world_from_body, &to = over_step.world_from_body;
     path_length += (to.translation - from.translation).norm();
     rotation_path += 2.0 * (from.rotation.conjugate() * to.rotation).vec().norm();
     motion = over_step;
   }
-  /// Does nothing in a step, now.
+  /// True if the body takes no part in the next step.
   bool is_idle() const { return is_immobile() || asleep; }
-  /// Kinetic and potential, J.
+  /// Returns the kinetic plus potential energy, J.
   double energy(double gravity) const {
     return integrator.kinetic_energy() +
            shape->body.mass * gravity * integrator.state().position.z();
   }
-  /// All but its shape.
+  /// Serialises all but the shape.
   template <class Bytes>
   void serialize(Bytes& bytes) {
     bytes(integrator, fixed, confined, inactive, off_terrain, motion, path_length, rotation_path,
-          force, torque, touching, correction_energy, resting, asleep, sleep_detector, pair_steps);
+          force, torque, touching, correction_energy, resting, asleep, sleep_detector,
+          pair_steps);  ///< touching pairs in which it is the block, summed over steps
   }
 
   const BodyShape* shape;
   RigidBodyIntegrator integrator;
   bool fixed;
-  std::optional<ConfinedBodies> confined;  ///< of a form, which touches these alone
-  bool inactive = false;       ///< left the terrain or was removed: it stays where it was then
-  bool off_terrain = false;    ///< found in the last step: about to leave
+  std::optional<ConfinedBodies> confined;  ///< for a confining wall: the bodies that it touches
+  bool inactive = false;       ///< left the terrain or was removed; stays at its last pose
+  bool off_terrain = false;    ///< found in the last step: will leave
   BodyMotion motion;           ///< over the last step
   double path_length = 0.0;    ///< of its centre since it came, step by step, m
   double rotation_path = 0.0;  ///< likewise: chords of its turns, m at an arm of 1 m

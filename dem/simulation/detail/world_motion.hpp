@@ -1,5 +1,5 @@
 #pragma once
-/// How the bodies of a world move: a step of all of them, from the loads to the next ones.
+/// Motion of all bodies of a world.
 #include <cstdint>
 #include <functional>
 #include <optional>
@@ -17,44 +17,46 @@
 
 namespace clast::dem_detail {
 
-/// Bodies with their contacts, which refer to members of each other: it stays where it is made.
+/// Bodies with their contacts; not movable, because its members refer to each other.
 class WorldMotion {
  public:
-  /// @param on  none, or it must outlive the motion
-  /// @throws InputError  settings out of range; SimulationError  a shape without mass, or a ground
-  ///                     zone without parameters
+  /// Makes a world.
+  /// @param on  terrain, or null; must outlive this object
+  /// @throws InputError  if settings are out of range; SimulationError if a shape has no mass or a
+  ///                     ground zone no parameters
   WorldMotion(std::vector<RigidBody> of_shapes, const WorldSettings& with, const TerrainSurface* on,
               std::vector<GroundParameters> ground_zones);
   WorldMotion(const WorldMotion&) = delete;
   WorldMotion& operator=(const WorldMotion&) = delete;
 
-  /// @param start  a unit quaternion, and on the terrain
+  /// Adds a body.
+  /// @param start  with a unit quaternion, on the terrain
   void add_body(std::size_t shape, const RigidState& start, bool fixed);
-  /// Makes a fixed body, the last that was added, a form.
+  /// Makes the last fixed body a confining wall.
   void set_confined_bodies(std::size_t wall, const ConfinedBodies& confined) {
     bodies_[wall].confined = confined;
   }
-  /// Takes a body out of the motion, where it is; wakes what it touched.
+  /// Removes a body from the motion at its pose and wakes the bodies that it touched.
   void remove_body(std::size_t body);
-  /// Lets fixed bodies, each named once, move from now on.
+  /// Frees fixed bodies, each listed once.
   void release_bodies(std::span<const std::size_t> bodies);
-  /// A step as long as contacts allow, but no longer than `longest`, s.
+  /// Advances by a step as long as contacts allow, at most `longest`, s.
   void advance(double longest);
-  /// Bodies that are not idle, ascending; until the next step.
+  /// Returns the ascending indices of moving bodies, valid until the next step.
   std::span<const std::uint32_t> moving_bodies() {
     update_moving_list();
-    return moving_;
+    return moving_;  ///< ascending indices of moving bodies
   }
-  /// Lets time pass while no body moves, s.
+  /// Advances the time while no body moves, s.
   void advance_time(double duration) { time_ += duration; }
 
-  /// All contacts of a body now, as `World::contact_summary`.
+  /// Summarises the current contacts of a body, as `World::touch`.
   ContactSummary contact_summary(std::size_t body) const;
-  /// Balance since the first body came.
+  /// Returns the energy balance since the first body was added.
   EnergyBalance energy_balance() const;
   EnergySample energy_sample() const;
 
-  /// Nothing in a step, or slow with a contact for as long as rest takes.
+  /// True if the body is idle, or has been slow and in contact for the rest duration.
   bool is_resting(const WorldBody& body) const {
     return body.is_idle() || body.resting >= settings_.rest_duration;
   }
@@ -63,14 +65,14 @@ class WorldMotion {
   std::span<const BodyShape> shapes() const { return shapes_; }
   const std::vector<WorldBody>& bodies() const { return bodies_; }
   const ContactPairTable& pairs() const { return pairs_; }
-  /// Has the body contacts yet? From the first step after it came.
+  /// True if the contacts of the body have been set up, which the first step does.
   bool is_prepared(std::size_t body) const { return body < prepared_count_; }
   std::size_t sleeping_count() const { return sleep_manager_.count(); }
   double time() const { return time_; }  ///< s
   std::uint64_t step_count() const { return steps_; }
   void set_observer(BodyObserver observer) { observer_ = std::move(observer); }
 
-  /// All that the motion to come depends on, between two steps.
+  /// Serialises the state that determines the future motion, between two steps.
   template <class Bytes>
   void serialize(Bytes& bytes) {
     std::vector<std::size_t> shape_of_body;
@@ -99,28 +101,28 @@ class WorldMotion {
   }
   EnergyBalance losses() const {
     EnergyBalance sum = pairs_.losses().sum();
-    sum.reassigned += reassigned_;
+    sum.reassigned += reassigned_;  ///< losses without a pair, J
     return sum;
   }
   Vec3 gravity() const { return {0.0, 0.0, -settings_.gravity}; }
 
   void prepare_new_bodies();
-  /// Lists the bodies and pairs that take part in the motion, if they have changed since the last
-  /// list.
+  /// Updates the lists of moving bodies and active pairs if necessary.
   void update_moving_list();
-  /// To be called when the bodies or pairs that take part in the motion change.
+  /// Marks the lists as outdated; to be called if the moving bodies or active pairs change.
   void invalidate_lists() { listed_ = positions_known_ = false; }
-  /// Has a pair contacts for the first time, at a start?
+  /// Predicate: true if a pair has contacts for the first time, at a start.
   using IsNew = std::function<bool(const ContactPair&)>;
-  /// Lists the pairs and begins the contacts of new ones.
+  /// Updates the pairs and starts the contacts of new ones.
   void begin_new_pairs(const IsNew& is_new);
   void check_start_overlaps(const IsNew& is_new) const;
-  /// Brings the pairs up to date with the places of the bodies.
+  /// Updates all pairs to the poses of the bodies.
   void update_all_pairs();
   void wake_touched();
   void put_to_sleep();
   void reapply_loads();
-  /// What Verlet steps of this length lose when they begin with the present loads, J.
+  /// Returns the energy that Verlet steps of this length lose by starting with the present loads,
+  /// J.
   double verlet_start_losses(double dt);
   void set_step_length(double dt);
   void begin_body_steps(const TimeStep& step);
@@ -145,31 +147,31 @@ class WorldMotion {
                          terrain_ ? std::span<const std::uint16_t>(terrain_->impl().zones)
                                   : std::span<const std::uint16_t>(),
                          soil_.is_enabled() ? &soil_ : nullptr)};
-  std::size_t prepared_count_ = 0;  ///< bodies that are part of the motion already
+  std::size_t prepared_count_ = 0;  ///< number of bodies with set-up contacts
   SleepManager sleep_manager_;
   BodyObserver observer_;
-  /// Where a body was when the step began, and whether nothing touched it then.
+  /// State of a body at the start of the step, and whether it was without contact.
   struct StartState {
     std::uint32_t body;
     RigidState state;
     bool free = false;
   };
-  std::vector<StartState> start_states_;  ///< of bodies that move in the step, if observed
+  std::vector<StartState> start_states_;  ///< of moving bodies, if observed
 
   // Sleeping bodies should cost next to nothing, so a step works on these lists only.
-  bool listed_ = false;                ///< the two lists, and that of the pairs, are up to date
+  bool listed_ = false;                ///< true if both lists and the active pairs are up to date
   std::vector<std::uint32_t> moving_;  ///< bodies that are not idle, ascending
-  std::vector<std::uint32_t> awake_;   ///< bodies that are not asleep: fixed ones too
-  bool positions_known_ = false;       ///< the broad phase has those of bodies that don't move
+  std::vector<std::uint32_t> awake_;   ///< bodies not asleep, including fixed ones
+  bool positions_known_ = false;       ///< the broad phase knows the positions of resting bodies
 
   double time_ = 0.0;
   double step_length_ = settings_.stiffness.time_step;  ///< of the last step, s
-  double initial_ = 0.0;                                ///< energy that bodies brought, J
+  double initial_ = 0.0;                                ///< energy of added bodies, J
   double reassigned_ = 0.0;                             ///< losses of no pair, J
   std::uint64_t steps_ = 0;
 };
 
-/// "body 3", for messages.
+/// Returns the name of a body in messages: "body 3".
 std::string name_of_body(std::size_t body);
 
 }  // namespace clast::dem_detail

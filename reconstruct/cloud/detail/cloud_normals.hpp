@@ -1,5 +1,5 @@
 #pragma once
-/// Which way the surface through points faces.
+/// Orientation of the normals of a point cloud.
 #include <cstddef>
 #include <span>
 #include <vector>
@@ -8,25 +8,24 @@
 
 namespace clast::reconstruct_detail {
 
-/// What a normal says of that of a neighbour.
+/// Propagation rule from a normal to its neighbour.
 enum class NormalPropagation {
-  kParallel,  ///< both are nearly the same [hoppe1992]: best against noise
-  /// The surface bends along a circle from one to the other [konig2009]: over sharp edges, and
-  /// round thin parts.
+  kParallel,  ///< neighbouring normals are nearly parallel [hoppe1992]: robust against noise
+  /// The surface follows a circular arc between neighbours [konig2009]: for sharp edges and thin
+  /// parts.
   kCircularArc,
 };
 
-/// Orients the normals from neighbour to neighbour along the spanning tree with the least change of
-/// direction. Each connected set of points faces away from its middle on the whole: the one point
-/// at which it starts may be an outlier.
-/// @param normals  unit, of either sign, one for each point
+/// Orients normals along the minimum spanning tree of direction changes. Each connected set faces
+/// away from its centre on the whole, because the start point may be an outlier.
+/// @param normals  unit, arbitrary sign, one per point
 /// @cite hoppe1992 @cite konig2009
 void orient_outward(std::vector<Vec3>& normals, std::span<const Vec3> points,
-                  NormalPropagation propagation = NormalPropagation::kParallel);
+                    NormalPropagation propagation = NormalPropagation::kParallel);
 
-/// Gives a vertex the normal of its triangles where its own is more than 60 degrees off: it came
-/// from points of two sides, or faces in. Counts these.
-/// @param surface  outward; its vertices are the points the normals are of
+/// Replaces point normals that deviate by more than 60 degrees from their triangles, as those from
+/// points of two sides. Returns their number.
+/// @param surface  outward; its vertices are the points
 std::size_t correct_normals(std::vector<Vec3>& normals, const TriangleMesh& surface);
 
 }  // namespace clast::reconstruct_detail

@@ -1,5 +1,5 @@
 #pragma once
-/// How far the true surface may lie from the one through points.
+/// Uncertainty of a surface reconstructed from points.
 #include <span>
 
 #include "mesh/triangle_mesh.hpp"
@@ -7,19 +7,19 @@
 
 namespace clast::reconstruct_detail {
 
-/// Points on a surface, and how well they are known.
+/// Normals, spacings and noise of surface points.
 struct PointUncertainty {
-  std::span<const Vec3> normals;     ///< unit, outward, one for each vertex
-  std::span<const double> spacings;  ///< as `compute_local_spacings` gives them, m
-  double noise = 0.0;                ///< standard deviation that was smoothed away, m
+  std::span<const Vec3> normals;     ///< unit, outward, one per vertex
+  std::span<const double> spacings;  ///< from `compute_local_spacings`, m
+  double noise = 0.0;                ///< removed standard deviation, m
 };
 
-/// Edges and tips end between the points. The true surface continues as far as the planes through
-/// the neighbours of a point let it, each with the scatter of its own points as leeway, and no
-/// farther than a place without any point may be wide. A point that stands out of the plane of its
-/// neighbours may be noise: the block may lack it.
-/// @returns inner and outer
+/// Bounds the true surface. Edges and tips may extend beyond the points as far as the planes
+/// through the neighbours allow, with the scatter of these points, and no farther than the largest
+/// empty area. A point out of the plane of its neighbours may be noise, so that the block may lack
+/// it.
 /// @param surface  closed, outward; its vertices are the points
+/// @returns inner and outer bounds
 SurfaceUncertainty compute_surface_uncertainty(const TriangleMesh& surface,
                                                const PointUncertainty& points);
 

@@ -1,5 +1,5 @@
 #pragma once
-/// The surface near a place, estimated from the points around it.
+/// Local surface estimation from nearby points.
 #include <span>
 #include <vector>
 
@@ -8,30 +8,33 @@
 
 namespace clast::reconstruct_detail {
 
-/// Moving least squares: planes and quadrics fitted to the nearest points that face the same way.
+/// Moving least squares: planes and quadrics fitted to nearest points with similar normals.
 /// @cite levin2004
 class MovingLeastSquares {
  public:
-  /// @param points   alive as long as this
-  /// @param normals  unit, outward, one for each point; alive as long as this
+  /// Stores the points.
+  /// @param points  must outlive this object
+  /// @param normals  unit, outward, one per point; must outlive this object
   MovingLeastSquares(std::span<const Vec3> points, std::span<const Vec3> normals);
 
-  /// Standard deviation of the points about small quadrics: the median over up to 2,000 points, m.
+  /// Returns the noise: the median standard deviation about small quadrics over up to 2,000 points,
+  /// m.
   double estimate_noise() const;
 
-  /// Points that lie farther off the surface fitted to their neighbours than `spacings` (m) and the
-  /// scatter of these allow, and a little apart from them: outliers close to the surface.
+  /// Finds outliers close to the surface: points farther from the surface fitted to their
+  /// neighbours than `spacings` (m) and scatter allow, and slightly isolated.
   std::vector<bool> find_off_surface_points(std::span<const double> spacings) const;
 
-  /// A point against its neighbours that face the same way.
+  /// Deviation of a point from the plane of its neighbours.
   struct PlaneDeviation {
-    double height = 0.0;     ///< over the plane fitted to them, m
-    double deviation = 0.0;  ///< of them about that plane, m
+    double height = 0.0;     ///< of the point over the fitted plane, m
+    double deviation = 0.0;  ///< standard deviation of the neighbours, m
   };
   std::vector<PlaneDeviation> plane_deviations() const;
 
-  /// Every point moved along its normal onto the plane or quadric through its neighbourhood, which
-  /// is as large as `noise` (m) lets one fit: edges stay, since no plane or quadric fits there.
+  /// Returns the points projected along their normals onto the local plane or quadric of the
+  /// largest neighbourhood that fits within `noise` (m); edges are preserved because no such fit
+  /// exists there.
   std::vector<Vec3> smoothed_points(double noise) const;
 
  private:

@@ -1,5 +1,5 @@
 #pragma once
-/// The surface between inside and outside that oriented points define.
+/// Indicator function of oriented points, and surface extraction.
 #include <memory>
 #include <span>
 
@@ -7,35 +7,34 @@
 
 namespace clast::reconstruct_detail {
 
-/// A function that is negative inside and positive outside the body whose surface oriented points
-/// lie on, solved for over all of them [kazhdan2006]: single points off the surface, gaps and
-/// changes of density have little effect.
+/// Indicator function, negative inside and positive outside the body, solved globally from oriented
+/// points [kazhdan2006] and so robust against single outliers, gaps and varying density.
 /// @cite kazhdan2006
 class IndicatorFunction {
  public:
+  /// Solves for the function.
   /// @param normals  unit, outward, or nearly all inward
   IndicatorFunction(std::span<const Vec3> points, std::span<const Vec3> normals);
   ~IndicatorFunction();
 
-  bool is_solved() const;  ///< false where the equations could not be solved
+  bool is_solved() const;  ///< false if the equations could not be solved
   double value_at(const Vec3& position) const;
 
  private:
   struct Impl;
   std::unique_ptr<Impl> impl_;
-  double facing_ = 1.0;  ///< -1 where most normals face inward
+  double facing_ = 1.0;  ///< -1 if most normals face inward
 };
 
-/// The closed surface through the points that separates the Delaunay tetrahedra inside from those
-/// outside, by the indicator at their circumcentres: the restricted Delaunay triangulation, which
-/// of a sample dense enough is a manifold. The surface has no vertex but the points, so it never
-/// leaves their hull; points off it are no vertices. It crosses itself nowhere, is in one component
-/// without cavities, and closed also where no points are: there its triangles are large.
-/// @param spacings  of the points, m: parts thinner than that are taken in, as far as points lie on
-///                  them, and noise with them; empty: they are not
-/// @returns outward; vertices are all points in order, also those not used; empty when nothing is
+/// Extracts the closed surface that separates Delaunay tetrahedra inside and outside, by the
+/// indicator at their circumcentres: the restricted Delaunay triangulation, a manifold for dense
+/// samples. Its vertices are points, so that it stays in their hull. It has no self-intersections,
+/// one component and no cavities, and is closed with large triangles where there are no points.
+/// @param spacings  of the points, m: parts thinner than these are included, with their noise;
+///                  empty: they are not
+/// @returns outward; vertices are all points in order, including unused ones; empty if nothing is
 ///          inside
-/// @pre indicator.is_solved()
+/// @pre indicator.found()
 /// @cite amenta1999
 TriangleMesh extract_surface(std::span<const Vec3> points, const IndicatorFunction& indicator,
                              std::span<const double> spacings = {});

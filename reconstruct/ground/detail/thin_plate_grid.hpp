@@ -1,5 +1,5 @@
 #pragma once
-/// A smooth surface of heights over a plane.
+/// Smooth height surface over a plane.
 #include <array>
 #include <span>
 #include <vector>
@@ -8,14 +8,14 @@
 
 namespace clast::reconstruct_detail {
 
-/// Heights at the nodes of a square grid, in between bilinear. Fitted by least squares to points,
-/// with the bending of a thin plate as a penalty: it averages roughness, and carries on smoothly
-/// where there are no points.
+/// Bilinear heights on a square grid, fitted to points by least squares with a thin-plate bending
+/// penalty, which averages roughness and extrapolates smoothly.
 class ThinPlateGrid {
  public:
-  /// @param points     (x, y, height), m
-  /// @param nodes      along the longer side of the box that all of `extent` lies in
-  /// @param stiffness  weight of the bending against the points of a mean node
+  /// Fits the grid.
+  /// @param points  (x, y, height), m
+  /// @param nodes  along the longer side of the box `extent`
+  /// @param stiffness  weight of the bending relative to the points of an average node
   ThinPlateGrid(std::span<const Vec3> points, const Eigen::AlignedBox2d& extent, int nodes,
                 double stiffness);
 

@@ -1,5 +1,5 @@
 #pragma once
-/// Corners of a ChArUco board in one photo, by OpenCV.
+/// Detection of ChArUco corners in a photo with OpenCV.
 #include <opencv2/core.hpp>
 #include <string>
 #include <vector>
@@ -8,20 +8,20 @@
 
 namespace clast::photos_detail {
 
-/// A corner as one photo shows it.
+/// Detected board corner in a photo.
 struct DetectedCorner {
   int index = 0;
   Vec2 pixel = Vec2::Zero();  ///< px
 };
 
-/// Corners beside two markers that were found, refined to the saddles of the grey values.
+/// Detects corners adjacent to two detected markers, refined to saddle points.
 /// @param board  checked
 std::vector<DetectedCorner> detect_charuco_corners(const cv::Mat& grey, const CharucoBoard& board);
 
-/// Does this OpenCV know boards of the older or of the later pattern, where they differ?
+/// True if OpenCV supports the older or later pattern, if they differ.
 bool supports_pattern(bool older);
 
-/// "4.6.0"
+/// Returns the OpenCV version, such as "4.6.0".
 std::string opencv_version();
 
 }  // namespace clast::photos_detail

@@ -1,5 +1,5 @@
 #pragma once
-/// Space between cameras and what they saw.
+/// Free space between cameras and the observed surface.
 #include <vector>
 
 #include "reconstruct/photos/detail/pair_view.hpp"
@@ -7,11 +7,10 @@
 
 namespace clast::photos_detail {
 
-/// Cubes of the region that pairs looked through: all that such a pair knows about where the cube
-/// is in its picture lies behind the cube by more than depths err, and most of it is what other
-/// pairs agree with.
-/// @param agreed     of each view, CV_8U: 1 where others agree with its depth
-/// @param tolerance  px, by which depths differ
+/// Marks cubes of the region as free if a pair has only depths behind the cube, beyond the depth
+/// error, of which most agree with other pairs.
+/// @param agreed  per view, CV_8U: 1 if other pairs agree with the depth
+/// @param tolerance  disparity error, px
 FreeSpaceGrid carve_free_space(const std::vector<PairProjection>& views,
                                const std::vector<cv::Mat>& agreed, const PhotoRegion& region,
                                double tolerance, unsigned threads);

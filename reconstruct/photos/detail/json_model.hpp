@@ -1,5 +1,5 @@
 #pragma once
-/// What the readers of camera models in JSON share.
+/// JSON helpers for readers of camera models.
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -9,22 +9,23 @@
 
 namespace clast::photos_detail {
 
-/// The file's content. @throws nlohmann::json::exception  it is no JSON
+/// Parses a file.
+/// @throws nlohmann::json::exception  if it is not JSON
 nlohmann::json load_json(const std::filesystem::path& file);
 
-/// A number that may be written as a text, as AliceVision does.
+/// Parses a number that may be stored as text, as in AliceVision files.
 double parse_json_number(const nlohmann::json& value);
-/// A whole number from 0 to a million: a size in pixels, a part of a version.
-/// @throws InputError  any other number
+/// Parses an integer from 0 to a million: a size in pixels or part of a version.
+/// @throws InputError  for any other number
 int parse_json_count(const nlohmann::json& value);
 
-/// Three numbers.
+/// Parses a vector of three numbers.
 Vec3 parse_json_vector(const nlohmann::json& value);
 
-/// A number or a text as text: the ids of items.
+/// Parses an id given as number or text.
 std::string parse_json_id(const nlohmann::json& value);
 
-/// What `read` makes of the file; what the JSON library throws becomes an InputError.
+/// Reads a model; exceptions of the JSON library become InputError.
 template <class Read>
 auto read_json_model(const std::filesystem::path& file, const Read& read) {
   try {

@@ -1,5 +1,5 @@
 #pragma once
-/// One reader for each format of camera models. Each returns photos in order of their names.
+/// Readers of camera model formats; photos are ordered by name.
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -13,14 +13,17 @@ PhotoModel read_colmap_binary(const std::filesystem::path& folder);
 PhotoModel read_metashape(const std::filesystem::path& file);
 PhotoModel read_alicevision(const std::filesystem::path& file);
 
-/// Lens of COLMAP's camera `model` ("SIMPLE_RADIAL"); pixels are moved by half a pixel.
-/// @throws InputError  a model that isn't known, or a wrong number of parameters
-CameraIntrinsics make_colmap_lens(const std::string& model, int width, int height, const std::vector<double>& p);
+/// Makes the intrinsics of a COLMAP camera model ("SIMPLE_RADIAL"); pixel coordinates are shifted
+/// by half a pixel.
+/// @throws InputError  if the model is unknown or the number of parameters wrong
+CameraIntrinsics make_colmap_lens(const std::string& model, int width, int height,
+                                  const std::vector<double>& p);
 
-/// Sorts photos by name and renumbers what names them.
+/// Sorts photos by name and updates the indices.
 PhotoModel sorted_by_name(PhotoModel model);
 
-/// A rotation from a matrix; @throws InputError with `what` where it is none.
+/// Converts a rotation matrix.
+/// @throws InputError  starting with `what`, if it is not a rotation
 Quat rotation_from_matrix(const Mat3& matrix, const std::string& what);
 
 }  // namespace clast::photos_detail

@@ -1,14 +1,14 @@
 #pragma once
-/// How a compared pair of photos sees places.
+/// Projection of a compared pair of photos.
 #include "reconstruct/photos/detail/rectified_pair.hpp"
 
 namespace clast::photos_detail {
 
-/// OpenCV's shifts are in sixteenths of a pixel.
+/// OpenCV disparities are in sixteenths of a pixel.
 inline constexpr double kDisparityScale = 16.0;
 
-/// The left camera of a pair as one matrix: (u z, v z, z) = matrix * (p - left). The shift of p is
-/// focal_baseline / z - offset.
+/// Left camera of a pair: (u z, v z, z) = matrix * (p - left). The disparity of p is focal_baseline
+/// / z - offset.
 struct PairProjection {
   Mat3 matrix;
   Vec3 left;

@@ -1,5 +1,5 @@
 #pragma once
-/// Pixels of photos, by OpenCV.
+/// Reading of photos with OpenCV.
 #include <filesystem>
 #include <opencv2/core.hpp>
 
@@ -10,21 +10,20 @@ struct PhotoSize {
   int height = 0;
 };
 
-/// The pixels as the camera wrote them: a note of the file on how to turn it is not obeyed, as
-/// structure from motion does not either.
-/// @throws InputError  missing or no photo, by name
+/// Reads the stored pixels; EXIF orientation is ignored, as in structure from motion.
+/// @throws InputError  if the file is missing or not an image
 cv::Mat read_colour_photo(const std::filesystem::path& file);
 cv::Mat read_grey_photo(const std::filesystem::path& file);
 PhotoSize photo_size(const std::filesystem::path& file);
 
-inline constexpr int kMaskThreshold = 128;  ///< of a mask; darker pixels of the photo are not used
+inline constexpr int kMaskThreshold = 128;  ///< of a mask; darker pixels are not used
 
-/// Writes a mask in black and white alone, as a PNG.
-/// @throws InputError  it can't be read or written
+/// Writes a binary mask as PNG.
+/// @throws InputError  if it cannot be read or written
 void write_binary_mask(const std::filesystem::path& mask, const std::filesystem::path& target);
 
-/// OpenCV works in one thread while this lives: photos are worked on in parallel instead, and its
-/// results are the same on any machine.
+/// Restricts OpenCV to one thread during its lifetime: photos are processed in parallel instead,
+/// with results independent of the machine.
 class SingleThreadedOpenCv {
  public:
   SingleThreadedOpenCv();

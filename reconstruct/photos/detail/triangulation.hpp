@@ -1,5 +1,5 @@
 #pragma once
-/// Places in space from places in photos.
+/// Triangulation of points from image observations.
 #include <optional>
 #include <vector>
 
@@ -7,7 +7,7 @@
 
 namespace clast::photos_detail {
 
-/// A place that was seen in a photo.
+/// Observation of a point in a photo.
 struct ImageObservation {
   std::size_t photo = 0;
   Vec2 pixel = Vec2::Zero();
@@ -15,14 +15,14 @@ struct ImageObservation {
 
 struct TriangulatedPoint {
   Vec3 position = Vec3::Zero();
-  std::vector<bool> is_inlier;  ///< of each sighting
+  std::vector<bool> is_inlier;  ///< per observation
   std::size_t inlier_count = 0;
-  double squared_error = 0.0;  ///< summed over those, px^2
+  double squared_error = 0.0;  ///< sum over the inliers, px^2
 };
 
-/// The place that most sightings agree with to `largest_error` pixels, found from every pair of
-/// them (of an even choice of pairs where there are many), then by least squares over those that
-/// agree. None: no two agree.
+/// Triangulates the point on which most observations agree to `largest_error` pixels, starting from
+/// all pairs (or an even selection), followed by least squares over the inliers. Empty if no two
+/// agree.
 std::optional<TriangulatedPoint> triangulate(const PhotoModel& model,
                                              const std::vector<ImageObservation>& observations,
                                              double largest_error);

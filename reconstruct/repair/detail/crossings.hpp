@@ -1,13 +1,13 @@
 #pragma once
-/// Surfaces that pass through themselves, made ones that don't.
+/// Removal of self-intersections with CGAL.
 #include "mesh/triangle_mesh.hpp"
 
 namespace clast::reconstruct_detail {
 
-/// Triangles that cross are smoothed, or cut out and filled anew, with more and more of their
-/// neighbours; triangles without area are collapsed. Topology is kept.
+/// Smooths intersecting triangles, or removes them with growing neighbourhoods and refills;
+/// degenerate triangles are collapsed. Topology is preserved.
 /// @param mesh  closed, oriented 2-manifold
-/// @return false: some cross still; the mesh is then undefined
+/// @return false if intersections remain; the mesh is then undefined
 bool remove_crossings(TriangleMesh& mesh);
 
 }  // namespace clast::reconstruct_detail

@@ -13,7 +13,7 @@ Vec3 RepairLog::to_reported_frame(const Vec3& local) const {
 }
 
 std::string RepairLog::format_position(const Vec3& local) const {
-  return position(to_reported_frame(local));
+  return format_point(to_reported_frame(local));
 }
 
 void RepairLog::add_defect(DefectKind kind, std::size_t count, double area,

@@ -1,5 +1,5 @@
 #pragma once
-/// What a repair found and did, noted as it goes on.
+/// Log of a repair.
 #include <cstddef>
 #include <functional>
 #include <optional>
@@ -10,31 +10,33 @@
 
 namespace clast::reconstruct_detail {
 
-/// Takes places about a local origin and reports them as the caller wants.
+/// Records defects with positions about a local origin, converted for the report.
 class RepairLog {
  public:
-  /// @param origin          of the coordinates that are worked in
-  /// @param reported_place  what is reported for a place of the mesh as read; empty: that place
+  /// Starts a log.
+  /// @param origin  of the working coordinates
+  /// @param reported_place  converts a position of the mesh as read for the report; empty:
+  ///                        unchanged
   RepairLog(const Vec3& origin, const std::function<Vec3(const Vec3&)>& reported_place)
       : origin_(origin), reported_place_(reported_place) {}
 
   Vec3 to_reported_frame(const Vec3& local) const;
   std::string format_position(const Vec3& local) const;  ///< for messages
 
-  /// Nothing where `count` is 0.
-  /// @param area  of what was dropped, m^2
+  /// Records a defect unless `count` is 0.
+  /// @param area  removed area, m^2
   void add_defect(DefectKind kind, std::size_t count, double area = 0.0,
                   std::optional<Vec3> where = {}, double size = 0.0);
   void add_defect(DefectKind kind, const RepairChange& change);
   void add_duplicate(const DuplicateSurface& copy);
 
-  /// The same of the surface turned over.
+  /// Adapts the log to a reversed orientation.
   void flip_orientation();
-  /// Adds what the holes come to, and puts defects in the order of their kinds.
+  /// Adds the hole defect and sorts the defects by kind.
   void finish();
 
   RepairReport report;
-  double area_as_read = 1.0;  ///< of the surface after welding, m^2
+  double area_as_read = 1.0;  ///< after welding, m^2
 
  private:
   Vec3 origin_;

@@ -1,24 +1,24 @@
 #pragma once
-/// The last resort: a surface around a surface.
+/// Alpha wrapping as the last repair method.
 #include "mesh/triangle_mesh.hpp"
 
 namespace clast::reconstruct_detail {
 
-/// How closely a wrap follows, as shares of the diagonal. Its cost goes with the square.
+/// Wrap parameters as fractions of the diagonal. The cost grows with their inverse square.
 struct WrapParameters {
-  double alpha;   ///< width of the hollows that are bridged
-  double offset;  ///< of the wrap from the surface
+  double alpha;   ///< width of bridged cavities
+  double offset;  ///< distance of the wrap from the surface
 };
 
-/// The first takes some seconds; the second a tenth of that, and shows whether the first is worth
-/// it.
+/// The fine wrap takes some seconds; the coarse one a tenth of it, and shows whether the fine one
+/// is worthwhile.
 inline constexpr WrapParameters kFineWrap{1.0 / 60.0, 1.0 / 1500.0},
     kCoarseWrap{1.0 / 20.0, 1.0 / 600.0};
 
-/// A closed 2-manifold without crossings around `closed`, not much farther outside of it than
-/// `parameters` say.
-/// @param closed  without holes: through a hole the wrap would creep inside and double the surface
-/// @throws GeometryError  it has holes
+/// Computes a closed 2-manifold without self-intersections around `closed`, at a distance given by
+/// `parameters`.
+/// @param closed  without holes, through which the wrap would enter
+/// @throws GeometryError  if it has holes
 /// @cite portaneri2022
 TriangleMesh wrap_surface(const TriangleMesh& closed, const WrapParameters& parameters);
 

@@ -1,5 +1,5 @@
 #pragma once
-/// The space between a closure and planes behind it.
+/// Space between a closure and planes behind it.
 #include <array>
 #include <optional>
 #include <span>
@@ -11,17 +11,19 @@ namespace clast::reconstruct_detail {
 
 using TriangleCorners = std::array<Vec3, 3>;  ///< of a triangle, m
 
-/// What may lie behind a closure, seen from a place within the body.
+/// Possible space behind a closure, seen from a point inside the body.
 struct EnclosedSpace {
   double volume = 0.0;       ///< between closure and planes, m^3
-  std::vector<Vec3> points;  ///< on the planes, behind the closure, its corners among them
+  std::vector<Vec3> points;  ///< on the planes behind the closure, including its vertices
 };
 
-/// @param closure   faces out of the body
-/// @param centre    a place within all half-spaces n . p <= d, before the closure
+/// Computes the space.
+/// @param closure  facing out of the body
+/// @param centre  point inside all half-spaces n . p <= d, before the closure
 /// @param farthest  m
-/// @returns none where a way through the closure leads farther than `farthest`
-std::optional<EnclosedSpace> compute_enclosed_space(std::span<const TriangleCorners> closure, const Vec3& centre,
-                                            std::span<const Plane> planes, double farthest);
+/// @returns empty if a ray through the closure leads beyond `farthest`
+std::optional<EnclosedSpace> compute_enclosed_space(std::span<const TriangleCorners> closure,
+                                                    const Vec3& centre,
+                                                    std::span<const Plane> planes, double farthest);
 
 }  // namespace clast::reconstruct_detail

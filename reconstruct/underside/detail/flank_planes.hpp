@@ -1,5 +1,5 @@
 #pragma once
-/// Planes that a body stays behind if its flanks continue as they were seen.
+/// Planes that bound a body whose flanks continue as observed.
 #include <cstddef>
 #include <span>
 #include <vector>
@@ -9,20 +9,20 @@
 
 namespace clast::reconstruct_detail {
 
-/// Half-spaces n . p <= d, normals outward.
+/// Bounding half-spaces n . p <= d with outward normals.
 struct FlankPlanes {
   std::vector<Plane> planes;
-  double slack = 0.0;  ///< m, by which they lie outside of what was seen
+  double slack = 0.0;  ///< outward offset from the observed surface, m
 };
 
-/// Tangent planes of patches of the seen surface, each moved out until all that was seen lies
-/// behind it, and by the slack. A convex body lies behind them, whatever its unseen part is like.
-/// The slack is the mean height of parts of the seen surface above the tangent planes of others:
-/// zero for a convex body.
+/// Fits tangent planes to patches of the observed surface, moved outwards until it is behind all of
+/// them, and by the slack: the mean height of surface parts above the tangent planes of others,
+/// zero for convex bodies. A convex body lies behind these planes whatever its unobserved part is
+/// like.
 /// @param closed  outward
-/// @param seen    triangles before this one were seen
-/// @param rims    vertices of the rims: a plane that only they hold out is left out
+/// @param observed  number of observed triangles, which come first
+/// @param rims  rim vertices: planes determined by them alone are omitted
 FlankPlanes fit_flank_planes(const TriangleMesh& closed, std::size_t observed,
-                         std::span<const std::uint32_t> rims);
+                             std::span<const std::uint32_t> rims);
 
 }  // namespace clast::reconstruct_detail

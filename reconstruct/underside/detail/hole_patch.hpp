@@ -1,10 +1,10 @@
 #pragma once
-/// Filling one hole by a smooth skin of triangles as fine as its rim.
+/// Filling of a hole by a membrane refined to the density of its rim.
 ///
-/// Not by `fill_holes` of holes.hpp, which fairs: its filling goes on as the rim leans, which is
-/// the likeliest rock behind a gap, but of a whole underside it may bulge by tenths of the volume
-/// either way. A bracket needs the opposite: a membrane that adds nothing beyond its rim (the lower
-/// bound), with the shape by which it is then lowered.
+/// Unlike `fill_holes` of holes.hpp, whose faired filling continues the slope of the rim: the most
+/// probable rock behind a gap, but for a whole underside it may change the volume by tenths. A
+/// bracket needs a membrane that adds nothing beyond the rim (the lower bound), with a shape for
+/// lowering it.
 #include <cstdint>
 #include <vector>
 
@@ -12,19 +12,18 @@
 
 namespace clast::reconstruct_detail {
 
-/// Triangles across a rim and the new vertices among them.
+/// Triangles and new vertices of a hole filling.
 struct HolePatch {
-  std::vector<Vec3> vertices;                     ///< new ones, numbered after those of the mesh
-  std::vector<TriangleMesh::Triangle> triangles;  ///< turned like their neighbours
-  /// Of each new vertex, 0..1: how far it bulges under even pressure; the largest is 1. A parabola
-  /// over a round rim.
+  std::vector<Vec3> vertices;                     ///< new, numbered after those of the mesh
+  std::vector<TriangleMesh::Triangle> triangles;  ///< oriented like their neighbours
+  /// Relative deflection of each new vertex under uniform pressure, with maximum 1; a parabola for
+  /// a round rim.
   std::vector<double> deflection;
 };
 
-/// Fills `loop` as a membrane does: triangulated, refined to the density of the rim, and every new
-/// vertex in the mean of its neighbours (harmonic, weights of cotangents). Where no triangulation
-/// is found, a star of triangles from the middle of the rim.
-/// @param loop  as `boundary_loops` gives it
+/// Fills a loop with a membrane: triangulated, refined to the rim's density, and harmonic
+/// (cotangent weights). If there is no triangulation, with a star about the rim's centre.
+/// @param loop  from `boundary_loops`
 /// @cite liepa2003
 HolePatch fill_with_membrane(const TriangleMesh& mesh, const std::vector<std::uint32_t>& loop);
 

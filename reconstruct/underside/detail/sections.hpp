@@ -1,28 +1,28 @@
 #pragma once
-/// Level sections of a closed mesh.
+/// Level sections of closed meshes.
 #include "mesh/triangle_mesh.hpp"
 
 namespace clast::reconstruct_detail {
 
-/// Areas and volumes over the height along a direction. Keeps the heights and plan coordinates of
-/// the mesh about its own middle.
+/// Section areas and volumes as functions of the height along a direction.
 class LevelSections {
  public:
+  /// Prepares the sections.
   /// @param mesh  closed and outward
-  /// @param up    unit
+  /// @param up  unit vector
   LevelSections(const TriangleMesh& mesh, const Vec3& up);
 
-  double min_height() const { return lowest_; }  ///< height along `up` of the lowest vertex, m
+  double min_height() const { return lowest_; }  ///< height of the lowest vertex along `up`, m
   double max_height() const { return highest_; }
-  /// Area of the section at a height, m^2.
+  /// Returns the area of the section at a height, m^2.
   double area(double height) const;
-  /// Volume of the part above a height, m^3.
+  /// Returns the volume above a height, m^3.
   double volume_above(double height) const;
 
  private:
-  TriangleMesh mesh_;  ///< turned so that `up` is z
+  TriangleMesh mesh_;  ///< rotated so that `up` is z
   Vec3 origin_;
-  double offset_ = 0.0;  ///< height of the middle
+  double offset_ = 0.0;  ///< height of the centre
   double lowest_ = 0.0, highest_ = 0.0;
 };
 

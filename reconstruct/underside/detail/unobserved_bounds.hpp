@@ -1,5 +1,5 @@
 #pragma once
-/// How large and how small a body with unseen parts may be.
+/// Bounds of bodies with unobserved parts.
 #include <optional>
 #include <string>
 #include <vector>
@@ -11,37 +11,36 @@
 
 namespace clast::reconstruct_detail {
 
-/// A closure whose rim turns into the body: the mouth of a cavity, or of a tunnel, whose walls were
-/// not seen. In the units of the mesh.
+/// Possible cavity or tunnel: a closure whose rim turns into the body. In units of the mesh.
 struct PossibleHollow {
-  Vec3 position = Vec3::Zero();  ///< middle of the mouth
-  double width = 0.0;            ///< of the mouth
-  double volume = 0.0;           ///< of the body straight behind it, which may be empty
-  std::optional<Vec3> beyond;    ///< middle of the mouth at the other end, if there is one
+  Vec3 position = Vec3::Zero();  ///< centre of the opening
+  double width = 0.0;            ///< of the opening
+  double volume = 0.0;           ///< of the body behind it, which may be empty
+  std::optional<Vec3> beyond;    ///< centre of the opening at the other end, if there is one
 };
 
-/// Bounds of a body whose seen flanks continue as they are, in units of the mesh. The lower volume
-/// has closures that are dented as the seen surface is, and excludes what may be hollow.
+/// Bounds of a body whose observed flanks continue, in units of the mesh. The lower volume assumes
+/// indentations of the closures like those of the observed surface, and excludes possible cavities.
 struct UnobservedBounds : VolumeBracket {
   std::vector<PossibleHollow> hollows;
 };
 
-/// What is known of a body beside its seen surface.
+/// Knowledge of a body besides its observed surface.
 struct UnobservedParts {
-  std::vector<bool> closure;   ///< of each triangle: it fills a hole
-  std::optional<Plane> floor;  ///< the body lies above it; normal up
-  bool on_ground = false;      ///< the unseen part is on the side of the ground
-  const SurfaceUncertainty* uncertainty = nullptr;  ///< of the seen surface; null: that is exact
+  std::vector<bool> closure;                        ///< per triangle: fills a hole
+  std::optional<Plane> floor;                       ///< the body is above it; normal up
+  bool on_ground = false;                           ///< the unobserved part faces the ground
+  const SurfaceUncertainty* uncertainty = nullptr;  ///< of the observed surface; null if exact
 };
 
-/// The upper volume is that of the seen part with all that lies behind its closures, as seen from
-/// its middle, and within the planes of its flanks (`fit_flank_planes`) and above the floor. See
-/// docs/theory.md. A margin widens the bounds of volume and sides.
+/// Bounds the volume and sides. The upper volume is the observed part plus the space behind its
+/// closures, seen from its centre, within the flank planes (`fit_flank_planes`) and above the floor
+/// (docs/theory.md). Uncertainty widens the bounds.
 /// @param closed  outward, with the closures
 UnobservedBounds bound_unobserved_parts(const TriangleMesh& closed, const UnobservedParts& parts);
 
-/// A note on each hollow: that a tunnel or a cavity may be there, where, and of what width.
-/// @param unit  m per unit of the mesh; places are given in that unit, as in all notes on a scan
+/// Describes each possible cavity or tunnel with position and width.
+/// @param unit  m per unit of the mesh, in which positions are given
 std::vector<std::string> describe_hollows(const std::vector<PossibleHollow>& hollows, double unit);
 
 }  // namespace clast::reconstruct_detail

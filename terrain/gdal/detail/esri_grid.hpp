@@ -6,19 +6,20 @@
 
 namespace clast::terrain_detail {
 
-/// An Esri grid that GDAL reads right. GDAL passes over rows that begin with a letter, as in "nan",
-/// and takes other words for 0; a grid whose heights begin so is given to it as a copy in memory,
-/// with what its .prj and .aux.xml files say.
+/// Esri grid prepared for GDAL, which skips rows starting with a letter, as in "nan", and reads
+/// other words as 0. A grid whose heights start so is passed as a copy in memory, with its .prj and
+/// .aux.xml.
 class EsriGrid {
  public:
-  /// @param path  a raster of any kind; other kinds than Esri grids stay as they are
-  /// @throws InputError  a word among the heights that is no number
+  /// Prepares a raster.
+  /// @param path  other kinds than Esri grids are unchanged
+  /// @throws InputError  if a word among the heights is not a number
   explicit EsriGrid(const std::filesystem::path& path);
   ~EsriGrid();
   EsriGrid(const EsriGrid&) = delete;
   EsriGrid& operator=(const EsriGrid&) = delete;
 
-  /// What GDAL is to open.
+  /// Returns the path for GDAL.
   const std::string& path() const { return path_; }
 
  private:

@@ -1,5 +1,5 @@
 #pragma once
-/// GDAL with its drivers registered and its messages kept for ours. For .cpp files only.
+/// GDAL with registered drivers and captured messages. For .cpp files only.
 #include <cpl_error.h>
 #include <gdal_priv.h>
 #include <ogr_spatialref.h>
@@ -11,7 +11,7 @@
 
 namespace clast::terrain_detail {
 
-/// While it lives, GDAL prints nothing; `last_message` is what it would have said last.
+/// Captures GDAL's messages during its lifetime.
 class GdalSession {
  public:
   GdalSession() {
@@ -35,14 +35,15 @@ struct DatasetCloser {
 };
 using DatasetPointer = std::unique_ptr<GDALDataset, DatasetCloser>;
 
-/// @throws InputError  not `done`: file, what, and what GDAL says
+/// Checks that a GDAL write succeeded.
+/// @throws InputError  with file, action and GDAL's message
 void check_written(bool done, const std::filesystem::path& target, const std::string& what);
 
-/// The map system by name; a local one in metres where it has none or an unknown one, since
-/// coordinates without any are read as degrees.
+/// Makes a spatial reference by name; a local one in metres if the name is empty or unknown,
+/// because coordinates without reference are read as degrees.
 OGRSpatialReference make_spatial_reference(const std::string& crs);
 
-/// "EPSG:25832" when the system has a code, else its WKT; empty for none.
+/// Returns "EPSG:25832" if the system has a code, otherwise its WKT; empty if there is none.
 std::string crs_name(const OGRSpatialReference* system);
 
 }  // namespace clast::terrain_detail

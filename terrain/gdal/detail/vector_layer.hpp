@@ -1,5 +1,5 @@
 #pragma once
-/// What readers of polygons and lines share of GDAL. For .cpp files only.
+/// GDAL helpers for reading polygons and lines. For .cpp files only.
 #include <ogrsf_frmts.h>
 
 #include <filesystem>
@@ -22,27 +22,26 @@ struct TransformationDeleter {
 };
 using Transformation = std::unique_ptr<OGRCoordinateTransformation, TransformationDeleter>;
 
-/// A file of features.
+/// Opens a vector file.
 /// @param what  "polygons", "lines"
-/// @throws InputError  unreadable
+/// @throws InputError  if it cannot be read
 DatasetPointer open_feature_file(const std::filesystem::path& path, const std::string& what);
 
-/// Its one layer with geometry. Tables without, as of the styles that QGIS keeps in a GeoPackage,
-/// do not count.
-/// @throws InputError  none, or several
+/// Finds the single layer with geometry; attribute tables, such as QGIS styles, are ignored.
+/// @throws InputError  if there is none, or several
 OGRLayer& find_geometry_layer(GDALDataset& dataset, const std::filesystem::path& path,
                               const std::string& what);
 
-/// From the layer's system to the terrain's; none when they agree or one is unknown. GeoJSON that
-/// names no system counts as WGS 84 degrees, but is often written in map metres: numbers beyond
-/// degrees are taken as they are.
-/// @throws InputError  systems that GDAL can't bring together
+/// Makes the transformation from the layer's system to the terrain's; none if they agree or one is
+/// unknown. GeoJSON without a system counts as WGS 84 degrees, but coordinates beyond degrees are
+/// taken as map metres.
+/// @throws InputError  if GDAL cannot transform between the systems
 Transformation make_transformation(OGRLayer& layer, const std::string& crs,
                                    const std::filesystem::path& path);
 
-/// The geometry of a feature on the terrain's map, arcs as chords that stay within a thousandth of
-/// their radius; null where it has none.
-/// @throws InputError  it can't be projected
+/// Returns the geometry of a feature on the terrain's map, with arcs linearised to a thousandth of
+/// their radius; null if it has none.
+/// @throws InputError  if it cannot be transformed
 std::unique_ptr<OGRGeometry> linearised_geometry(const OGRFeature& feature,
                                                  OGRCoordinateTransformation* transform,
                                                  const std::filesystem::path& path);

@@ -1,6 +1,5 @@
 #pragma once
-/// Point clouds to grids of heights, streamed: what is held grows with the grid, not with the
-/// cloud.
+/// Streaming of point clouds to height grids; the memory depends on the grid only.
 #include <filesystem>
 #include <span>
 #include <string>
@@ -11,26 +10,26 @@
 
 namespace clast::terrain_detail {
 
-/// Heights of one or more clouds, with what was left out, in words.
+/// Height grid of point clouds, with notes.
 struct CloudGrid {
   HeightGrid grid;
   std::string crs;
   std::vector<std::string> notes;
 };
 
-/// Reads the clouds of `options` two or three times: for extent and density, for the number of
-/// points per cell, and, where a percentile or outliers are asked, for their heights. Of these at
-/// most 64 per cell are kept, spread evenly over the order of the file: all of them in a survey of
-/// usual density. Cells lie on multiples of their size. Of a cloud with classes only ground counts.
-/// @throws InputError  unreadable, without points, too many cells, or nothing but outliers
+/// Reads the clouds two or three times: for extent and density, for the number of points per cell,
+/// and, for a percentile or outliers, for up to 64 heights per cell, spread evenly over the file.
+/// Cells lie on multiples of their size. If points are classified, only ground points are used.
+/// @throws InputError  if a cloud cannot be read or has no points, there are too many cells, or
+///                     only outliers
 CloudGrid read_cloud_grid(const TerrainOptions& options);
 
-/// Square cells on multiples of their size over a plan box, without heights.
-/// @throws InputError  too many; the message is about `path`
+/// Makes an empty grid of square cells on multiples of their size over a plan box.
+/// @throws InputError  if there are too many cells; names `path`
 HeightGrid make_covering_grid(const Vec2& low, const Vec2& high, double cell,
-                         const std::filesystem::path& path);
+                              const std::filesystem::path& path);
 
-/// Mean height per square cell; cells lie on multiples of `cell`.
+/// Computes the mean height per square cell; cells lie on multiples of `cell`.
 HeightGrid bin_points(std::span<const Vec3> points, double cell, const std::filesystem::path& path);
 
 }  // namespace clast::terrain_detail

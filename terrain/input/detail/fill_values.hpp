@@ -1,5 +1,5 @@
 #pragma once
-/// Numbers that stand for "no height" in a grid that does not say so.
+/// Detection of undeclared fill values in height grids.
 #include <cstddef>
 #include <filesystem>
 #include <limits>
@@ -12,36 +12,35 @@
 
 namespace clast::terrain_detail {
 
-/// What is known of the gaps of a grid, and what to do about those that are not declared.
+/// Declared fill value of a grid, and advice for undeclared ones.
 struct NoDataRules {
-  std::optional<double> declared = {};  ///< value for no data that the file names
-  /// Completes "If -9999 stands for no data, ..."; NUMBER stands for the value.
+  std::optional<double> declared = {};  ///< fill value declared by the file
+  /// Completes "If -9999 stands for no data, ..."; NUMBER is replaced by the value.
   std::string advice;
 };
 
-/// Refuses heights that are none on earth, and those of the usual fill values (-9999, 9999, -999,
-/// -99, 0 and others alike) that lie farther from all other heights than these span, 0 by more than
-/// 100 m too. Where a value for no data is declared, such heights are noted with their count, and
-/// so are usual fill values and repeated lowest or highest heights whose cells border on steps ten
-/// times the mean step between cells.
+/// Checks for heights that are impossible, and for common fill values (-9999, 9999, -999, -99, 0
+/// and similar) farther from all other heights than their range, for 0 also by more than 100 m. If
+/// a fill value is declared, they are only noted, as are common fill values and repeated extremes
+/// whose cells border on steps ten times the mean step.
 /// @return notes
-/// @throws InputError  with value, count and a place
+/// @throws InputError  with value, count and a position
 std::vector<std::string> check_fill_values(const HeightGrid& grid,
                                            const std::filesystem::path& path,
                                            const NoDataRules& rules);
 
-/// The heights of a cloud's points: those of usual fill values, and the range of the others.
+/// Check of the heights of a point cloud for fill values.
 class PointHeightCheck {
  public:
   void include(double height);
   void include(const PointHeightCheck& other);
-  /// Refuses usual fill values that lie farther from all other heights than these span, 0 by more
-  /// than 100 m too.
+  /// Checks for common fill values farther from all other heights than their range, for 0 also by
+  /// more than 100 m.
   /// @throws InputError  with value and count
   void check(const std::filesystem::path& path) const;
 
  private:
-  std::map<double, std::size_t> fills_;  ///< points of each value
+  std::map<double, std::size_t> fills_;  ///< number of points per value
   double low_ = std::numeric_limits<double>::infinity(), high_ = -low_;
 };
 

@@ -1,5 +1,5 @@
 #pragma once
-/// Cells without a height inside a grid.
+/// Filling of holes in height grids.
 #include <cstddef>
 
 #include "terrain/raw_surface.hpp"
@@ -14,10 +14,9 @@ struct HoleFillReport {
   Vec3 widest_position = Vec3::Zero();  ///< middle of the widest that is left, on the map
 };
 
-/// Fills the holes of a grid that are at most `widest` long and wide (the box around them, m). A
-/// hole is a set of empty cells joined over their sides that does not reach the border of the grid.
-/// It gets the heights whose every cell is the mean of its four neighbours (in the metric of the
-/// cells): a membrane, which leaves a plane as it is and rises or sinks nowhere beyond the rim.
+/// Fills holes whose bounding box is at most `widest` (m) on each side. A hole is a set of
+/// side-connected empty cells that does not reach the border. Filled heights satisfy the discrete
+/// Laplace equation (membrane): planes are reproduced, and no height exceeds the rim.
 HoleFillReport fill_holes(HeightGrid& grid, double widest);
 
 }  // namespace clast::terrain_detail

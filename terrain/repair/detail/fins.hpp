@@ -1,15 +1,15 @@
 #pragma once
-/// Flaps that hang on the ground by an edge.
+/// Fins: triangles attached to the surface by a single edge.
 #include "mesh/triangle_neighbours.hpp"
 #include "terrain/raw_surface.hpp"
 #include "terrain/terrain.hpp"
 
 namespace clast::terrain_detail {
 
-/// Drops fins: small parts that edges of three or more triangles part from the rest, and without
-/// which two triangles are left at each of these. What is not so clear stays, to be refused.
+/// Removes fins: small parts attached at non-manifold edges whose removal makes all these edges
+/// manifold. Ambiguous parts are kept, to be refused later.
 /// @param links  of the surface as it is
-/// @return  whether any was dropped
+/// @return true if any was removed
 bool remove_fins(RawSurface& surface, const TriangleNeighbours& links, TerrainReport& report);
 
 }  // namespace clast::terrain_detail

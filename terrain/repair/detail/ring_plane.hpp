@@ -1,5 +1,5 @@
 #pragma once
-/// The plane that the ground around a vertex lies in.
+/// Plane fitted to the neighbours of a vertex.
 #include <optional>
 #include <span>
 
@@ -7,17 +7,17 @@
 
 namespace clast::terrain_detail {
 
-/// The plane z = height + slope . (x, y) about a vertex, by least squares through its neighbours.
+/// Plane z = height + slope . (x, y) about a vertex, by least squares through its neighbours.
 struct RingPlane {
   double height = 0.0;  ///< at the vertex, m
   Vec2 slope = Vec2::Zero();
-  double distance = 0.0;  ///< of the neighbours in plan, mean, m
+  double distance = 0.0;  ///< mean horizontal distance of the neighbours, m
 
   double height_at(const Vec2& from_vertex) const { return height + slope.dot(from_vertex); }
 };
 
-/// None with fewer than three neighbours, or where they are in line.
-/// @param ring  the neighbours; the vertex itself does not count
+/// Fits the plane; empty with fewer than three or collinear neighbours.
+/// @param ring  neighbours, without the vertex itself
 std::optional<RingPlane> fit_ring_plane(const TriangleMesh& mesh,
                                         std::span<const std::uint32_t> ring, std::uint32_t vertex);
 

@@ -7,23 +7,23 @@
 
 namespace clast::terrain_detail {
 
-/// One zone and when it applies: all conditions hold.
+/// Zone with its conditions, all of which must hold.
 struct ZoneRule {
   struct Condition {
-    bool of_slope = false;  ///< else of height
-    bool above = false;     ///< more than the bound, else less
+    bool of_slope = false;  ///< false: of height
+    bool above = false;     ///< true: greater than the bound; false: less
     bool or_equal = false;
-    double bound = 0.0;  ///< rad or m on the map
+    double bound = 0.0;  ///< rad, or m on the map
   };
   std::string zone;
-  std::vector<Condition> conditions;  ///< none: always
+  std::vector<Condition> conditions;  ///< empty: always
 
   bool applies(double slope, double height) const;
 };
 
-/// "rock=slope>60", "scree=height<1450&slope>=30", "soil=else"; slopes in degrees from level (more
-/// than 90 overhangs), heights in metres on the map.
-/// @throws InputError  a rule that can't be read
+/// Parses rules such as "rock=slope>60", "scree=height<1450&slope>=30", "soil=else"; slopes in
+/// degrees (above 90: overhangs), heights in metres on the map.
+/// @throws InputError  if a rule is invalid
 std::vector<ZoneRule> parse_zone_rules(const std::vector<std::string>& texts);
 
 }  // namespace clast::terrain_detail
