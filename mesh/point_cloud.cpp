@@ -40,7 +40,7 @@ void PointSink::add_point(const Vec3& point, std::uint8_t asprs_class) {
 
 void PointSink::flush_batch() {
   points_ += batch_.points.size();
-  if (!batch_.points.empty()) take_(batch_);
+  if (!batch_.points.empty()) consume_(batch_);
   batch_.points.clear();
   batch_.classes.clear();
 }

@@ -10,7 +10,7 @@ namespace clast::mesh_detail {
 /// Collects points and passes them on in cache-friendly batches.
 class PointSink {
  public:
-  explicit PointSink(const std::function<void(const PointBatch&)>& consume) : take_(consume) {}
+  explicit PointSink(const std::function<void(const PointBatch&)>& consume) : consume_(consume) {}
 
   /// Adds a point; non-finite points are counted and skipped.
   void add_point(const Vec3& point);
@@ -22,7 +22,7 @@ class PointSink {
   bool is_usable(const Vec3& point);
   void flush_batch();
 
-  const std::function<void(const PointBatch&)>& take_;
+  const std::function<void(const PointBatch&)>& consume_;
   PointBatch batch_;
   std::size_t points_ = 0;
   std::size_t non_finite_ = 0;
