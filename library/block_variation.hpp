@@ -77,7 +77,7 @@ std::string name_of(PreservedSize preserved);
 
 struct VariationOptions {
   PreservedSize keep =
-      PreservedSize::kMass;  ///< no matter for `InertiaVariation` and `SampledFormVariation`
+      PreservedSize::kMass;  ///< unused by `InertiaVariation` and `SampledFormVariation`
   double accuracy = 1e-4;    ///< relative accuracy of volume and inertia
 
   void check() const;  ///< throws InputError naming the field and its value

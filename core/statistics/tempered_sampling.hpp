@@ -12,9 +12,8 @@ using LogLikelihood = std::function<Eigen::VectorXd(const Eigen::MatrixXd&)>;
 /// Options of the sampler.
 struct TemperedSamplingOptions {
   std::size_t draws = 2000;
-  double effective_fraction =
-      0.5;         ///< share of the draws that a step of the temperature leaves effective
-  int moves = 10;  ///< Metropolis moves per draw and temperature
+  double effective_fraction = 0.5;  ///< fraction of effective draws that a tempering step keeps
+  int moves = 10;                   ///< Metropolis moves per draw and temperature
   std::uint64_t seed = 1;
 
   void check() const;  ///< throws InputError naming the field and its value

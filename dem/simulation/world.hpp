@@ -19,7 +19,7 @@ class ByteWriter;
 struct WorldSettings : MotionSettings {
   GroundParameters between_bodies;  ///< contact parameters of two bodies
   GroundParameters on_confining_walls{.friction =
-                                          0.0};  ///< what a form and a body that it holds do
+                                          0.0};  ///< contact parameters of wall and confined body
   /// Sleep criterion, as a fraction of S. A body is stationary if it was in contact with less than
   /// ten times `rest_energy` for twice `sleep_duration`, s, and its mean positions in both halves
   /// differ by at most this fraction. It falls asleep if all bodies that it touches are stationary:

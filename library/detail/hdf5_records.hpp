@@ -11,7 +11,8 @@
 
 namespace clast::library_detail {
 
-/// @throws InputError  not `condition`: a value of the file can't be
+/// Checks a condition on a stored value.
+/// @throws InputError  if it is false; the message consists of `where` and `what`
 void require(bool condition, const std::string& where, const std::string& what);
 
 void write_matrix(Hdf5Group group, const std::string& name, const Eigen::MatrixXd& values,
