@@ -7,8 +7,8 @@
 namespace clast::dem_detail {
 
 EdgeNormalArc::EdgeNormalArc(const SurfaceFeatures& surface, const SurfaceEdge& edge)
-    : slack(normal_arc_slack(surface, edge)), any(edge.faces[1] == kNoFeature) {
-  if (any) return;
+    : slack(normal_arc_slack(surface, edge)), is_unbounded(edge.faces[1] == kNoFeature) {
+  if (is_unbounded) return;
   first = surface.faces[edge.faces[0]].normal;
   second = surface.faces[edge.faces[1]].normal;
 }
