@@ -88,6 +88,8 @@ std::string replace_keys_by_flags(std::string_view text) {
   }
 }
 
-std::string shown(std::string_view text) { return escape_nonprintable(replace_keys_by_flags(text)); }
+std::string format_for_terminal(std::string_view text) {
+  return escape_nonprintable(replace_keys_by_flags(text));
+}
 
 }  // namespace clast

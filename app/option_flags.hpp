@@ -10,6 +10,6 @@ namespace clast {
 std::string replace_keys_by_flags(std::string_view text);
 
 /// Formats a message for the terminal: options replaced, non-printable characters escaped.
-std::string shown(std::string_view text);
+std::string format_for_terminal(std::string_view text);
 
 }  // namespace clast

@@ -60,8 +60,8 @@ int run(int argc, char** argv, const std::function<void(CLI::App&)>& add_command
   } catch (const CLI::ParseError& error) {
     if (error.get_exit_code() == 0) return app.exit(error);  // --help and --version
     const CLI::App* command = named_command(&app);
-    std::cerr << "clast: " << shown(described(error, *command)) << "\nSee: " << full_command_name(*command)
-              << " --help\n";
+    std::cerr << "clast: " << format_for_terminal(described(error, *command))
+              << "\nSee: " << full_command_name(*command) << " --help\n";
     return kMisused;
   }
   return 0;
@@ -88,12 +88,12 @@ int run_program(int argc, char** argv, const std::function<void(CLI::App&)>& add
   try {
     return checked(run(argc, argv, add_commands));
   } catch (const Error& error) {
-    std::cerr << "clast: " << shown(error.what()) << "\n";
+    std::cerr << "clast: " << format_for_terminal(error.what()) << "\n";
   } catch (const std::bad_alloc&) {
     std::cerr << "clast: not enough memory; close other programs or use a smaller input\n";
   } catch (const std::filesystem::filesystem_error& error) {
-    std::cerr << "clast: " << escape_nonprintable(error.path1().string()) << ": " << error.code().message()
-              << "; check the path and its permissions\n";
+    std::cerr << "clast: " << escape_nonprintable(error.path1().string()) << ": "
+              << error.code().message() << "; check the path and its permissions\n";
   } catch (const std::exception& error) {
     std::cerr << "clast: unexpected failure, please report it with the command you gave: "
               << escape_nonprintable(error.what()) << "\n";

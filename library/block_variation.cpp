@@ -161,7 +161,7 @@ Block varied_block(const std::string& id, const Block& parent, const Variation& 
       [&](const auto& wanted) { return sized_body(parent, wanted, options); }, variation);
   source.unscaled = parent.source.unscaled;
   source.options += (source.options.empty() ? "" : " ") + std::string("vary=") +
-                    variation_kind(variation) + " parent=" + without_blanks(parent.id) +
+                    name_of_variation(variation) + " parent=" + without_blanks(parent.id) +
                     " parent_sha256=" + parent.source.sha256 + " keep=" + name_of(options.keep) +
                     " " + targets_of(variation) +
                     (varied.record.empty() ? "" : " " + varied.record);
@@ -177,7 +177,7 @@ Block varied_block(const std::string& id, const Block& parent, const Variation& 
 
 }  // namespace
 
-std::string variation_kind(const Variation& variation) {
+std::string name_of_variation(const Variation& variation) {
   static constexpr const char* kKinds[] = {"stretch",   "convexity", "rounding",
                                            "roundness", "vertices",  "detail",
                                            "reference", "inertia",   "drawn"};

@@ -64,7 +64,7 @@ using Variation = std::variant<StretchVariation, ConvexityVariation, RoundingVar
 
 /// Returns "stretch", "convexity", "rounding", "roundness", "vertices", "detail", "reference",
 /// "inertia" or "drawn".
-std::string variation_kind(const Variation& variation);
+std::string name_of_variation(const Variation& variation);
 /// Returns the label of a variation in ids: "il0.8_sl0.5".
 std::string variation_label(const Variation& variation);
 

@@ -2,7 +2,7 @@
 
 namespace clast {
 
-std::string unscaled_reason() {
+std::string explain_unscaled() {
   return "its photographs gave no scale: lengths are in units of the cameras' model, shape and "
          "classes are usable, and there is no mass. Make it again with `bars`, `board`, "
          "`marker_side`, `scale_points` or `scale_factor`, and `replace`";

@@ -21,7 +21,7 @@ pybind11::array view(const std::vector<std::uint32_t>& indices, const pybind11::
 
 /// Returns an array that takes over the values without copying.
 template <class T>
-pybind11::array_t<T> owned(std::vector<T> values) {
+pybind11::array_t<T> make_owning_array(std::vector<T> values) {
   auto* kept = new std::vector<T>(std::move(values));
   const pybind11::capsule owner(
       kept, [](void* pointer) { delete static_cast<std::vector<T>*>(pointer); });

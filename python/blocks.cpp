@@ -61,7 +61,7 @@ py::dict classify_block(const Block& block, const py::kwargs& keywords) {
   double axis_error = axis_error_of(block);
   given.take("box", box);
   given.take("axis_error", axis_error);
-  given.done();
+  given.check_all_used();
   return classes_of(axes_of(block_box(block, parse_box_convention(box))), axis_error, options);
 }
 
@@ -70,7 +70,7 @@ py::dict classify_axes(double l, double i, double s, const py::kwargs& keywords)
   const SchemeOptions options = scheme_options(given);
   double axis_error = kTapeError;
   given.take("axis_error", axis_error);
-  given.done();
+  given.check_all_used();
   return classes_of(Axes::sorted(l, i, s), axis_error, options);
 }
 

@@ -53,7 +53,7 @@ py::tuple calibrate_study(const fs::path& study, const fs::path& output, const p
   Keywords given(keywords);
   CalibrateOptions options = common_options(given);
   given.take("parts", options.parts);
-  given.done();
+  given.check_all_used();
   const Calibration found = run_with_progress(progress, [&](const ProgressCallback& step) {
     options.progress = step;
     return calibrate_and_report(read_calibration_study(study), output, options);
@@ -68,7 +68,7 @@ std::string calibrate_shard(const fs::path& study, const fs::path& output,
                             const py::dict& keywords, const py::object& progress) {
   Keywords given(keywords);
   CalibrateOptions options = common_options(given);
-  given.done();
+  given.check_all_used();
   options.shard = {shard.first, shard.second};
   options.shard.check();
   const fs::path target = shard_file(output, options.shard);

@@ -107,7 +107,7 @@ std::string run(const std::string& text, const fs::path& file, const fs::path& o
   given.take("replace", options.replace);
   given.take("checkpoint_interval", options.checkpoint_interval);
   const std::optional<Shard> shard = take_shard(given);
-  given.done();
+  given.check_all_used();
   options.shard = shard.value_or(Shard());
   const fs::path target = shard_file(output, shard);
   watch(progress, [&](const ProgressCallback& step) {
@@ -134,7 +134,7 @@ py::object dry_run(const std::string& text, const fs::path& file, const py::dict
   given.take("margin", margin);
   given.take("map", map);
   const Shard shard = take_shard(given).value_or(Shard());
-  given.done();
+  given.check_all_used();
   const auto summary = run_with_progress(py::none(), [&](const ProgressCallback&) {
     const CampaignPlan prepared = prepare_campaign(parse_campaign(text, file));
     OverwritePolicy rules;
@@ -180,7 +180,7 @@ py::tuple export_scenes(const std::string& text, const fs::path& file, const fs:
   given.take("to", options.engine);
   given.take("runs", options.runs);
   given.take("replace", replace);
-  given.done();
+  given.check_all_used();
   const EngineScenes scenes = run_with_progress(py::none(), [&](const ProgressCallback&) {
     options.check();
     OutputFolder output(folder, scene_folder_kind(), replace);
@@ -201,7 +201,7 @@ py::tuple import_results(const std::string& engine, const fs::path& scenes, cons
   EngineResultsOptions options{.engine = engine, .scenes = scenes};
   given.take("campaign", options.campaign);
   given.take("replace", options.replace);
-  given.done();
+  given.check_all_used();
   const EngineImportSummary found = run_with_progress(progress, [&](const ProgressCallback& step) {
     options.progress = step;
     return import_engine_results(options, output);

@@ -71,7 +71,7 @@ py::dict trajectory_of(const CampaignResults& results, std::uint32_t run) {
       rows_of_states(found, 3, [](const RigidState& state) { return numbers_of(state.velocity); });
   const py::array spin = rows_of_states(
       found, 3, [](const RigidState& state) { return numbers_of(state.angular_velocity); });
-  return py::dict("time_s"_a = owned(std::move(found.time)), "position_m"_a = position,
+  return py::dict("time_s"_a = make_owning_array(std::move(found.time)), "position_m"_a = position,
                   "orientation"_a = orientation, "velocity_m_s"_a = velocity,
                   "angular_velocity_rad_s"_a = spin);
 }
@@ -104,7 +104,7 @@ std::vector<std::string> write(const ComparisonHolder& of, const fs::path& folde
   given.take("animate", extras.animated);
   given.take("replace", replace);
   given.take("pdf", pdf);
-  given.done();
+  given.check_all_used();
   return run_with_progress(py::none(), [&](const ProgressCallback&) {
     if (pdf) extras.browser = find_browser();
     OutputFolder output(folder, comparison_folder_kind(), replace);

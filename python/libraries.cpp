@@ -63,7 +63,7 @@ Blocks set_notes(const fs::path& path, const std::string& id, const py::dict& ke
   given.take("note", note);
   given.take("weighed", weighed);
   given.take("taped", taped);
-  given.done();
+  given.check_all_used();
   if (!site && !note && !weighed && !taped) {
     throw InputError("nothing to set; give site, note, taped or weighed");
   }
@@ -129,7 +129,7 @@ py::tuple export_to(const Blocks& blocks, const fs::path& folder, const py::dict
   given.take("up", options.up);
   given.take("segments", options.segments);
   given.take("replace", options.replace);
-  given.done();
+  given.check_all_used();
   if (folder.empty()) throw InputError("the folder to export to has no name");
   std::vector<std::string> notes;
   const std::vector<fs::path> written = without_gil([&] {

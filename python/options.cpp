@@ -39,7 +39,7 @@ std::vector<std::string> Keywords::texts(const char* name) {
   return has(name) ? parse_texts(given_[name], name) : std::vector<std::string>();
 }
 
-void Keywords::done() const {
+void Keywords::check_all_used() const {
   for (const auto& [name, value] : given_) {
     if (std::find(taken_.begin(), taken_.end(), py::cast<std::string>(name)) == taken_.end()) {
       throw py::type_error("unexpected keyword argument '" + py::cast<std::string>(name) + "'");

@@ -32,7 +32,7 @@ class Keywords {
   std::vector<std::string> texts(const char* name);
   /// Checks that all given arguments were used.
   /// @throws TypeError  naming an unused argument
-  void done() const;
+  void check_all_used() const;
 
   pybind11::object object(const char* name) const { return given_[name]; }
 

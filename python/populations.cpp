@@ -54,7 +54,7 @@ PopulationRequest population_request(Keywords& given) {
     }
   }
   if (request.options.schemes == std::vector<std::string>{"all"}) request.options.schemes.clear();
-  given.done();
+  given.check_all_used();
   return request;
 }
 

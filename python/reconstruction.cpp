@@ -123,7 +123,7 @@ ScanToBlockOptions options_from(Keywords& given) {
   take_scan(given, options);
   take_block(given, options);
   take_photos(given, options.photos);
-  given.done();
+  given.check_all_used();
   options.check();
   return options;
 }
@@ -227,7 +227,7 @@ py::dict batch(const py::object& scans, const fs::path& output, const py::dict& 
   given.take("replace", options.replace);
   given.take("resume", options.resume);
   given.take("report", pages);
-  given.done();
+  given.check_all_used();
   options.scan = options_from(of_scans);
   std::optional<Follower> follower;
   const BatchResult result = run_with_progress(progress, [&](const ProgressCallback& step) {

@@ -54,7 +54,7 @@ CutRequest cut_request(Keywords& given) {
   given.take("density", request.options.block.density);
   given.take("radius_share", request.options.block.radius_share);
   given.take("threads", request.options.threads);
-  given.done();
+  given.check_all_used();
   check_block_id(request.options.prefix + "0001");
   request.options.block.check();
   request.difference.least_volume = request.options.cutting.least_volume;
@@ -76,9 +76,9 @@ RockMassBlocks blocks_between(const CutRequest& request) {
     check_mesh_output(*request.scar, rules);
   }
   const ReleasedMass mass = read_released_mass(request.terrains, request.difference);
-  if (request.scar) write_mesh(*request.scar, mesh_of(mass), {.rules = rules});
+  if (request.scar) write_mesh(*request.scar, make_mass_mesh(mass), {.rules = rules});
   if (!request.options.joints.empty() || !request.scar) {
-    return blocks_of_released_mass(mass, request.terrains, request.difference, request.options);
+    return cut_released_mass(mass, request.terrains, request.difference, request.options);
   }
   RockMassBlocks uncut;
   uncut.volume = mass.volume();

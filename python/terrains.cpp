@@ -49,7 +49,7 @@ std::shared_ptr<Terrain> read_terrain_files(const py::dict& keywords) {
   given.take("smoothing", options.smoothing);
   given.take("tolerance", options.tolerance);
   given.take("cut_zones", options.cut_zones);
-  given.done();
+  given.check_all_used();
   return without_gil([&] {
     options.check();
     return std::make_shared<Terrain>(read_terrain(options));
@@ -93,7 +93,7 @@ std::vector<std::string> check_fit(const Terrain& terrain, const py::dict& keywo
   std::optional<double> border_distance, block_size;
   given.take("border_distance", border_distance);
   given.take("block_size", block_size);
-  given.done();
+  given.check_all_used();
   std::vector<std::string> warnings;
   const auto add = [&](const std::optional<std::string>& warning) {
     if (warning) warnings.push_back(*warning);
@@ -114,7 +114,7 @@ void draw(const Terrain& terrain, const fs::path& path, const py::dict& keywords
   bool replace = false;
   given.take("barriers", barriers);
   given.take("replace", replace);
-  given.done();
+  given.check_all_used();
   without_gil([&] {
     if (lower_case_extension(path) != ".svg") {
       throw InputError(path.string() + ": is a map; its name must end in .svg");
@@ -146,7 +146,7 @@ py::array_t<double> heights(const Terrain& terrain, const py::object& x, const p
       found[i] = height ? *height + terrain.frame.origin.z() : NAN;
     }
   });
-  return owned(std::move(found));
+  return make_owning_array(std::move(found));
 }
 
 }  // namespace

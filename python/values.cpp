@@ -12,10 +12,12 @@ namespace py = pybind11;
 
 namespace {
 
-py::array array_of_numbers(std::vector<double> numbers) { return owned(std::move(numbers)); }
+py::array array_of_numbers(std::vector<double> numbers) {
+  return make_owning_array(std::move(numbers));
+}
 
 py::array array_of_numbers(const std::vector<std::uint64_t>& counts) {
-  return owned(std::vector<std::int64_t>(counts.begin(), counts.end()));
+  return make_owning_array(std::vector<std::int64_t>(counts.begin(), counts.end()));
 }
 
 py::array array_of_numbers(const std::vector<std::string>& texts) {

@@ -64,7 +64,7 @@ SeriesRequest series_request(Keywords& given) {
   given.take("threads", request.options.threads);
   given.take("output", request.output);
   given.take("replace", request.replace);
-  given.done();
+  given.check_all_used();
   request.options.variation.keep = parse_preserved_size(keep);
   request.check();
   return request;

@@ -35,7 +35,7 @@ GroundParameters ground_from(const py::handle& object, const std::string& zone) 
   GroundParameters ground;
   for (const GroundParameterField& field : ground_fields())
     given.take(field.name, ground.*field.value);
-  given.done();
+  given.check_all_used();
   ground.check(zone);
   return ground;
 }
@@ -58,7 +58,7 @@ class Experiment {
     take_ground(given);
     double radius = 0.0;
     given.take("radius_m", radius);
-    given.done();
+    given.check_all_used();
     WorldSettings known = settings_;
     known.stiffness = {1.0, 1.0, 1.0, 1e-3, 1e-3};  // follows from the blocks, later
     known.check();
@@ -101,7 +101,7 @@ class Experiment {
     }
     bool fixed = false;
     given.take("fixed", fixed);
-    given.done();
+    given.check_all_used();
     const std::size_t shape = learn(block);
     if (world_) {
       started().add_body(shape, state, fixed);

@@ -123,7 +123,7 @@ void note_same_files(ReportedPopulation& reported) {
 
 ReportedPopulation read_population(const PopulationFiles& files,
                                    const BlockMeasuringOptions& reading) {
-  const DimensionColumns columns = columns_from(files.columns, files.units);
+  const DimensionColumns columns = parse_dimension_columns(files.columns, files.units);
   ReportedPopulation reported;
   std::string& name = reported.population.name;
   bool tables = false, libraries = false;
@@ -183,7 +183,7 @@ bool is_library(const std::string& path) {
   return is_hdf5(path) || path.ends_with(".h5") || path.ends_with(".hdf5");
 }
 
-DimensionColumns columns_from(const std::string& text, const std::string& units) {
+DimensionColumns parse_dimension_columns(const std::string& text, const std::string& units) {
   DimensionColumns columns;
   if (!units.empty()) columns.units = parse_length_unit(units);
   std::map<std::string, std::string> quantities, given;  // by each other
@@ -222,7 +222,7 @@ void PopulationRequest::check() const {
                      kAxisError.describe());
   }
   for (const PopulationFiles& files : {first, files_against(*this)}) {
-    columns_from(files.columns, files.units);
+    parse_dimension_columns(files.columns, files.units);
     for (const std::string& input : files.inputs) {
       if (!reading.box_given || is_library(input)) continue;
       throw InputError("`box`: " + input +

@@ -46,7 +46,7 @@ bool is_library(const std::string& path);
 
 /// Parses "L=5,I=6,S=7,mass=4,name=2" and the unit of the lengths (may be empty).
 /// @throws InputError  naming `columns` or `units`
-DimensionColumns columns_from(const std::string& columns, const std::string& units);
+DimensionColumns parse_dimension_columns(const std::string& columns, const std::string& units);
 
 /// Reads, summarises and compares the requested populations.
 /// @throws InputError  as `PopulationRequest::check`; or if a file cannot be read or has no block

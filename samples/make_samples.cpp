@@ -22,7 +22,7 @@ void write_samples(const std::filesystem::path& folder) {
   for (const RockRecipe& recipe : sample_recipes()) {
     write_float_ply(folder / "blocks" / (recipe.name + ".ply"), rock(recipe), kScanGrid, origin);
   }
-  const RockRecipe fine = fine_recipe();
+  const RockRecipe fine = make_fine_recipe();
   write_float_ply(folder / "shape-effects" / (fine.name + ".ply"), rock(fine), kScanGrid, origin);
   for (const NamedMesh& scan : dirty_scans()) {
     write_float_ply(folder / "dirty" / (scan.name + ".ply"), scan.mesh, kScanGrid, origin);
@@ -31,10 +31,10 @@ void write_samples(const std::filesystem::path& folder) {
     write_float_ply(folder / "terrain" / ("quarry_" + zone.name + ".ply"), zone.mesh, kQuarryGrid,
                     origin);
   }
-  for (const QuarryLane& lane : quarry_lanes()) {
+  for (const QuarryLane& lane : list_quarry_lanes()) {
     write_text_file(folder / "terrain" / ("positions_" + lane.name + ".xyz"), release_points(lane));
   }
-  write_text_file(folder / "talus.csv", talus_table());
+  write_text_file(folder / "talus.csv", make_talus_table());
 }
 
 }  // namespace

@@ -76,8 +76,8 @@ TriangleMesh quarry_nodes() {
     const double share = t * t * (3.0 - 2.0 * t);
     for (int i = 0; i < kNodesX; ++i) {
       const double x = kFirstX + kCell * i;
-      const double height = (1.0 - share) * section_height(quarry_lanes()[0], x) +
-                            share * section_height(quarry_lanes()[1], x);
+      const double height = (1.0 - share) * section_height(list_quarry_lanes()[0], x) +
+                            share * section_height(list_quarry_lanes()[1], x);
       mesh.vertices.emplace_back(x, y, height + noise[j * kNodesX + i]);
     }
   }
@@ -85,7 +85,7 @@ TriangleMesh quarry_nodes() {
 }
 
 const std::string& zone_at(double x, double y) {
-  const QuarryLane& lane = quarry_lanes()[y < kZoneSwitch ? 0 : 1];
+  const QuarryLane& lane = list_quarry_lanes()[y < kZoneSwitch ? 0 : 1];
   for (const auto& [end, name] : lane.zones) {
     if (x < end) return name;
   }
@@ -94,7 +94,7 @@ const std::string& zone_at(double x, double y) {
 
 }  // namespace
 
-const std::vector<QuarryLane>& quarry_lanes() {
+const std::vector<QuarryLane>& list_quarry_lanes() {
   static const std::vector<QuarryLane> kLanes = {
       {.name = "P1",
        .axis = 0.0,

@@ -18,7 +18,7 @@ struct QuarryLane {
   std::vector<std::pair<double, std::string>> zones;
 };
 
-const std::vector<QuarryLane>& quarry_lanes();
+const std::vector<QuarryLane>& list_quarry_lanes();
 
 /// One mesh of the surface per zone; shared vertices are equal to the bit.
 struct QuarryZone {

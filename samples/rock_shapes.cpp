@@ -172,7 +172,7 @@ const std::vector<RockRecipe>& sample_recipes() {
   return kRecipes;
 }
 
-RockRecipe fine_recipe() {
+RockRecipe make_fine_recipe() {
   RockRecipe recipe = sample_recipes().front();
   recipe.name = "B01_fine";
   recipe.frequency = 16;

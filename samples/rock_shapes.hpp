@@ -30,6 +30,6 @@ TriangleMesh rock(const RockRecipe& recipe);
 const std::vector<RockRecipe>& sample_recipes();
 
 /// The block B01 scanned more finely, with 2,562 vertices.
-RockRecipe fine_recipe();
+RockRecipe make_fine_recipe();
 
 }  // namespace clast

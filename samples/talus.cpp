@@ -8,7 +8,7 @@
 
 namespace clast {
 
-std::string talus_table() {
+std::string make_talus_table() {
   constexpr double kDensity = 2650.0;
   constexpr double kOfItsBox = 0.55;         // volume of a block over that of its box
   constexpr double kHeaviestWeighed = 2000;  // kg

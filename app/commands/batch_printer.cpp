@@ -67,7 +67,7 @@ void BatchPrinter::on_block_added(const Block& block) {
   if (!json_) {
     std::cout << escape_nonprintable(format_block_line(block)) << "\n";
     for (const std::string& warning : block.warnings) {
-      std::cout << "  note: " << shown(warning) << "\n";
+      std::cout << "  note: " << format_for_terminal(warning) << "\n";
     }
     std::cout.flush();
   }
@@ -94,7 +94,7 @@ void BatchPrinter::on_scan_failed(const ScanFile& scan, const std::string& reaso
   const std::string path = scan.path.string();
   if (report_) report_->add_failure(path, reason);
   failed_.push_back({{"scan", to_utf8(path)}, {"reason", to_utf8(replace_keys_by_flags(reason))}});
-  const auto print = [&] { std::cerr << "clast: " << shown(last_failure_) << "\n"; };
+  const auto print = [&] { std::cerr << "clast: " << format_for_terminal(last_failure_) << "\n"; };
   // The last failure of a single scan ends the program and is printed then.
   if (scans_ == 1 && !last_failure_.empty()) print();
   last_failure_ = reason.find(path) == std::string::npos ? path + ": " + reason : reason;
@@ -103,7 +103,7 @@ void BatchPrinter::on_scan_failed(const ScanFile& scan, const std::string& reaso
 
 void BatchPrinter::on_note(const std::string& text) {
   bar_.clear();
-  std::cerr << "clast: " << shown(text) << "\n";
+  std::cerr << "clast: " << format_for_terminal(text) << "\n";
 }
 
 void BatchPrinter::finish(const BatchResult& result) {

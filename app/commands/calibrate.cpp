@@ -73,7 +73,7 @@ void calibrate_with(ProcessTeam& team, const CalibrateArgs& args, CalibrateOptio
                     const std::filesystem::path& output, const InterruptionWatch& watch) {
   std::optional<CalibrationStudy> read;
   const bool whole = options.shard.count == 1;
-  team.agree([&] {
+  team.check_agreement([&] {
     read.emplace(read_calibration_study(args.study));
     if (team.is_leader() && whole) check_calibration_output(output, options);
     return std::string();

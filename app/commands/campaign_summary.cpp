@@ -120,7 +120,7 @@ TextTable stiffness_table(const CampaignPlan& prepared) {
     table.rows.push_back(row);
   };
   for (std::size_t i = 0; i < std::min(blocks.size(), kMostPrintedStarts); ++i) add(blocks[i]);
-  if (blocks.size() > kMostPrintedStarts) add(over_all(blocks));
+  if (blocks.size() > kMostPrintedStarts) add(combine_stiffness(blocks));
   return table;
 }
 
@@ -132,7 +132,7 @@ void print_plan(const CampaignPlan& prepared) {
             << "\n"
             << made_text(prepared) << masses_text(prepared) << memory_line(prepared);
   for (const std::string& warning : prepared.header.warnings) {
-    std::cout << "warning: " << shown(warning) << "\n";
+    std::cout << "warning: " << format_for_terminal(warning) << "\n";
   }
 }
 

@@ -32,15 +32,16 @@ struct CheckArgs {
 nlohmann::ordered_json findings_json(const char* kind, const CheckArgs& args,
                                      const std::vector<std::string>& findings) {
   nlohmann::ordered_json list = nlohmann::ordered_json::array();
-  for (const std::string& finding : findings) list.push_back(shown(finding));
-  return {{kind, escape_nonprintable(args.file)}, {"accepted", findings.empty()}, {"findings", list}};
+  for (const std::string& finding : findings) list.push_back(format_for_terminal(finding));
+  return {
+      {kind, escape_nonprintable(args.file)}, {"accepted", findings.empty()}, {"findings", list}};
 }
 
 /// @param command  that would refuse the file
 void end_with(const CheckArgs& args, const std::vector<std::string>& findings,
               const std::string& command) {
   if (!args.json) {
-    for (const std::string& finding : findings) std::cout << shown(finding) << "\n";
+    for (const std::string& finding : findings) std::cout << format_for_terminal(finding) << "\n";
     if (findings.empty()) std::cout << escape_nonprintable(args.file) << ": would run\n";
   }
   if (findings.empty()) return;

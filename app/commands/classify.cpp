@@ -101,7 +101,8 @@ void classify(const ClassifyArgs& args) {
   }
   // Only now, so that a failure is the first thing said.
   for (const ReportedPopulation& reported : report.populations) {
-    for (const std::string& note : reported.brief_notes) std::cerr << shown(note) << "\n";
+    for (const std::string& note : reported.brief_notes)
+      std::cerr << format_for_terminal(note) << "\n";
   }
   args.json ? write_population_json(std::cout, report) : print_tables(report);
   if (!args.output.empty() && !args.json) {

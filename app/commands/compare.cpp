@@ -49,7 +49,7 @@ Comparison read_and_compare(const CompareArgs& args) {
 
 void print_warnings(const Comparison& comparison) {
   for (const std::string& warning : comparison.warnings) {
-    std::cerr << "clast: warning: " << shown(warning) << "\n";
+    std::cerr << "clast: warning: " << format_for_terminal(warning) << "\n";
   }
 }
 

@@ -84,7 +84,7 @@ RockMassBlocks cut_blocks(const CutArgs& args,
 
 void print_mass(const ReleasedMass& mass) {
   for (const std::string& note : mass.notes) {
-    std::cerr << "clast: warning: " << shown(note) << "\n";
+    std::cerr << "clast: warning: " << format_for_terminal(note) << "\n";
   }
   TextTable table{{"body", "m3", "m2 in plan", "m thick", "x", "y", "z", ""}, {}};
   std::vector<std::pair<const MassBody*, const char*>> bodies;
@@ -123,12 +123,12 @@ RockMassBlocks blocks_between(const CutArgs& args) {
   const ReleasedMass mass = read_released_mass(terrains, difference);
   print_mass(mass);
   if (!args.scar.empty()) {
-    write_mesh(args.scar, mesh_of(mass), {.rules = scar_rules(args)});
+    write_mesh(args.scar, make_mass_mesh(mass), {.rules = scar_rules(args)});
     std::cout << escape_nonprintable(args.scar) << ": written\n";
   }
   if (args.joints.empty()) return {};
   return cut_blocks(args, [&](const RockMassOptions& options) {
-    return blocks_of_released_mass(mass, terrains, difference, options);
+    return cut_released_mass(mass, terrains, difference, options);
   });
 }
 
@@ -161,7 +161,7 @@ void check_sources(const CutArgs& args) {
 void print_cut_blocks(const CutArgs& args, const RockMassBlocks& made,
                       const BlockLibrary& library) {
   for (std::size_t i = 0; i < std::min(kMostNamedBlocks, made.failures.size()); ++i) {
-    std::cerr << "clast: warning: " << shown(made.failures[i]) << "\n";
+    std::cerr << "clast: warning: " << format_for_terminal(made.failures[i]) << "\n";
   }
   if (made.failures.size() > kMostNamedBlocks) {
     std::cerr << "clast: warning: " << made.failures.size() - kMostNamedBlocks

@@ -59,9 +59,9 @@ void run_export(const ExportArgs& args) {
   const BlockLibrary library = BlockLibrary::read(args.library);
   const std::vector<const Block*> blocks = library.select_blocks(args.ids);
   if (blocks.empty()) throw InputError(args.library + ": there is no block in it to export");
-  const std::vector<std::filesystem::path> written =
-      export_blocks(blocks, args.folder, args.options,
-                    [](const std::string& text) { std::cerr << shown(text) << "\n"; });
+  const std::vector<std::filesystem::path> written = export_blocks(
+      blocks, args.folder, args.options,
+      [](const std::string& text) { std::cerr << format_for_terminal(text) << "\n"; });
   std::cout << escape_nonprintable(args.folder) << ": " << format_count(written.size(), "file")
             << " of " << format_count(blocks.size(), "block") << " written\n";
 }

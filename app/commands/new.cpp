@@ -30,7 +30,8 @@ void print_proposal(const CampaignProposal& proposal) {
             << format_count(places.release_points, "release point") << " on ground of "
             << format_decimals(places.release_slope * kDegreesPerRadian, 0) << " degrees, "
             << format_count(proposal.orientations, "orientation") << ": "
-            << format_count(proposal.blocks.count * places.release_points * proposal.orientations, "run")
+            << format_count(proposal.blocks.count * places.release_points * proposal.orientations,
+                            "run")
             << "\nbarrier \"" << places.barrier_name << "\" " << format_decimals(places.descent, 0)
             << " m below, " << format_decimals(places.distance, 0) << " m away\n";
   TextTable ground{{"zone", "taken for", "e_n^2", "mu", "mu_R"}, {}};
@@ -42,7 +43,7 @@ void print_proposal(const CampaignProposal& proposal) {
   }
   std::cout << ground.text();
   for (const std::string& doubt : proposal.doubts) {
-    std::cout << "warning: " << shown(doubt) << "\n";
+    std::cout << "warning: " << format_for_terminal(doubt) << "\n";
   }
 }
 
@@ -52,7 +53,9 @@ void write_campaign(const NewCampaignArgs& args) {
                          {.replace = args.replace});
   print_proposal(proposal);
   std::cout << escape_nonprintable(args.output) << ": written. Go through it, then: "
-            << escape_nonprintable(format_shell_command({"clast", "simulate", args.output, "--dry-run"})) << "\n";
+            << escape_nonprintable(
+                   format_shell_command({"clast", "simulate", args.output, "--dry-run"}))
+            << "\n";
 }
 
 }  // namespace

@@ -68,14 +68,15 @@ void export_scenes(const std::filesystem::path& campaign, const std::filesystem:
   OutputFolder output(folder, scene_folder_kind(), replace);
   const CampaignPlan prepared = prepare_campaign(read_campaign(campaign));
   for (const std::string& warning : prepared.header.warnings) {
-    std::cerr << "warning: " << shown(warning) << "\n";
+    std::cerr << "warning: " << format_for_terminal(warning) << "\n";
   }
   const EngineScenes scenes =
       write_engine_scenes(prepared, {.engine = args.engine, .runs = runs}, output.temporary_path());
   output.commit();
   for (const std::string& note : scenes.notes) std::cout << "note: " << note << "\n";
-  std::cout << escape_nonprintable(folder.string()) << ": " << format_count(scenes.folders.size(), "scene")
-            << " for " << args.engine << " written; SCENE.txt there says what is what\n";
+  std::cout << escape_nonprintable(folder.string()) << ": "
+            << format_count(scenes.folders.size(), "scene") << " for " << args.engine
+            << " written; SCENE.txt there says what is what\n";
 }
 
 }  // namespace clast

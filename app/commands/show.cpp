@@ -34,7 +34,7 @@ void print_details(const Block& block) {
   std::cout << "\n" << escape_nonprintable(block.id) << "\n";
   for (const auto& [name, value] : describe_block(block)) {
     std::cout << "  " << name << std::string(name.size() < kNames ? kNames - name.size() : 1, ' ')
-              << shown(value) << "\n";
+              << format_for_terminal(value) << "\n";
   }
 }
 
@@ -47,7 +47,7 @@ void print_shown_blocks(const ShowArgs& args, std::span<const Block* const> bloc
   }
   std::cout << block_table(blocks).text();
   const std::string note = describe_unscaled(blocks);
-  if (!note.empty()) std::cout << "\n" << shown(note) << "\n";
+  if (!note.empty()) std::cout << "\n" << format_for_terminal(note) << "\n";
   if (args.ids.empty()) return;
   for (const Block* block : blocks) print_details(*block);
 }

@@ -159,7 +159,7 @@ void simulate_with(ProcessTeam& team, const SimulateArgs& args,
   bool finished = false;
   const std::filesystem::path output = shard_file(args.output, given_shard);
   const std::filesystem::path part = journal_path(output);
-  team.agree([&] {
+  team.check_agreement([&] {
     const bool begun = std::filesystem::exists(part);
     const bool keep = !args.replace && !args.resume && !args.dry_run && !begun;
     if (team.is_leader()) check_results_target(output, !keep);

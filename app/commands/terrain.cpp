@@ -96,7 +96,7 @@ void print_report(const Terrain& terrain) {
   }
   std::cout << zones.text();
   for (const std::string& note : report.notes) {
-    std::cout << "note: " << shown(note) << "\n";
+    std::cout << "note: " << format_for_terminal(note) << "\n";
   }
 }
 

@@ -115,11 +115,12 @@ void vary(const VaryArgs& args) {
     request.check();
   });
   const SeriesResult made = make_bodies(request);
-  for (const std::string& note : made.notes) std::cerr << "clast: note: " << shown(note) << "\n";
+  for (const std::string& note : made.notes)
+    std::cerr << "clast: note: " << format_for_terminal(note) << "\n";
   print_series(args, made);
   const std::vector<std::string>& failed = made.series.failures;
   for (std::size_t i = 0; i < std::min(kMostNamedBodies, failed.size()); ++i) {
-    std::cerr << "clast: warning: " << shown(failed[i]) << "\n";
+    std::cerr << "clast: warning: " << format_for_terminal(failed[i]) << "\n";
   }
   if (!failed.empty()) {
     throw GeometryError(std::to_string(failed.size()) + " of " + std::to_string(made.wanted) +

@@ -215,7 +215,7 @@ TomlNode parse_toml(const std::string& text, const std::string& name) {
   }
 }
 
-std::string without_backticks(std::string message) {
+std::string remove_backticks(std::string message) {
   std::erase(message, '`');
   return message;
 }

@@ -45,7 +45,7 @@ struct TomlEntry {
 TomlNode parse_toml(const std::string& text, const std::string& name);
 
 /// Removes the backticks around field names of a library message, for files with equal key names.
-std::string without_backticks(std::string message);
+std::string remove_backticks(std::string message);
 
 /// TOML table. Unknown keys are reported before missing ones, so that a misspelt key is answered
 /// with its correct spelling.
@@ -92,7 +92,7 @@ class TomlTable {
     try {
       return check();
     } catch (const InputError& error) {
-      refuse(key, subject + without_backticks(error.what()));
+      refuse(key, subject + remove_backticks(error.what()));
     }
   }
 

@@ -383,7 +383,7 @@ std::optional<ContactForces::DeepestContact> ContactForces::deepest_contact() co
                         contact.position, contact.zone};
 }
 
-double ContactForces::settled_depth() {
+double ContactForces::compute_settled_depth() {
   // A patch carries with its weighted mean overlap: that is the depth of Eq. 2.
   std::vector<double> depth(contacts_.size(), 0.0);
   for (std::size_t i = 0; i < contacts_.size(); ++i) {

@@ -91,7 +91,7 @@ class ContactForces {
   std::optional<DeepestContact> deepest_contact() const;
   /// Returns the largest vertical depth of the load-bearing patches, m. A wedge between steep walls
   /// is tight but not deep.
-  double settled_depth();
+  double compute_settled_depth();
   /// True if the law leaves residual indentations, so that impacts rather than the weight determine
   /// the settled depth.
   bool is_plastic() const;

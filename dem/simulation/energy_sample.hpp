@@ -38,7 +38,7 @@ struct EnergySample {
   double reassigned = 0.0;     ///< since then: lost (or gained, < 0) by changes of contacts
 
   /// Returns the sample with time and losses relative to an earlier sample.
-  EnergySample since(const EnergySample& begin) const {
+  EnergySample change_since(const EnergySample& begin) const {
     EnergySample sample = *this;
     sample.time -= begin.time;
     sample.on_ground -= begin.on_ground;

@@ -317,7 +317,7 @@ class Release {
         terrain_.height_at(position.x(), position.y(), position.z());
     result_.below_ground = (ground && position.z() < *ground) ||
                            (result_.stop_reason == StopReason::kRest &&
-                            forces_.settled_depth() > kSettledSlack * deepest_rest());
+                            forces_.compute_settled_depth() > kSettledSlack * deepest_rest());
   }
 
   /// How deep a block can have come to rest, m: by its weight, or in the dent of an impact that

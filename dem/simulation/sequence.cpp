@@ -213,7 +213,7 @@ class Sequence {
   }
 
   void take_energy() {
-    if (observers_.energy) observers_.energy(world_.energy_sample().since(begin_));
+    if (observers_.energy) observers_.energy(world_.energy_sample().change_since(begin_));
   }
 
   /// What is to be done after each step; empty where that is nothing.

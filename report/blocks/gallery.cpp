@@ -150,7 +150,7 @@ std::filesystem::path write_gallery(std::span<const Block* const> blocks, const 
   for (std::size_t i = 0; i < blocks.size(); ++i) {
     const std::string source = "block-" + std::to_string(i);
     cards += card(*blocks[i], source);
-    if (three) data += format_packed_element(source, turntable_json(*blocks[i], limits));
+    if (three) data += format_packed_element(source, format_turntable_json(*blocks[i], limits));
   }
   std::string body = "<h1>" + escape_html(title) + "</h1>\n<p class=\"lead\">" +
                      format_count(blocks.size(), "block") +

@@ -102,7 +102,7 @@ void TurntableLimits::check() const {
   }
 }
 
-std::string turntable_json(const Block& block, const TurntableLimits& limits) {
+std::string format_turntable_json(const Block& block, const TurntableLimits& limits) {
   limits.check();
   const TriangleMesh skin = rounded_surface_mesh(block.body, kTurntableSkinSegments);
   TriangleMesh scan;
@@ -151,7 +151,7 @@ std::string format_turntable_section(const Block& block) {
   return section(title, paragraph("Drag to turn, use the wheel to come closer, drag with the right "
                                   "button to move.") +
                             format_turntable_view(id)) +
-         format_packed_element(id, turntable_json(block)) + turntable_script();
+         format_packed_element(id, format_turntable_json(block)) + turntable_script();
 }
 
 }  // namespace clast::report_detail

@@ -24,7 +24,7 @@ struct TurntableLimits {
 /// int8}: the number n of subdivisions per side of each block triangle, and the distance from the
 /// scan over `reach`, in 1/127, at its (n + 1)(n + 2) / 2 lattice points, row by row from the first
 /// vertex.
-std::string turntable_json(const Block& block, const TurntableLimits& limits = {});
+std::string format_turntable_json(const Block& block, const TurntableLimits& limits = {});
 
 /// Formats the view with its controls; the page must contain `turntable_script` once.
 /// @param source  id of the packed element with the JSON; empty: none yet

@@ -33,7 +33,7 @@ std::size_t Bins::of(double value) const {
   return std::min(static_cast<std::size_t>(std::max(place, 0.0)), count - 1);
 }
 
-Bins bins_of(const Span& values, const std::vector<double>& limits) {
+Bins choose_bins(const Span& values, const std::vector<double>& limits) {
   constexpr double kUsual = 24.0, kMost = 60.0;
   Bins bins;
   bins.width = round_up_to_nice((values.high - values.low) / kUsual);

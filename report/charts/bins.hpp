@@ -26,6 +26,6 @@ struct Bins {
 };
 
 /// Chooses about 24 bins with round edges; up to 60 if only these put the limits on edges.
-Bins bins_of(const Span& values, const std::vector<double>& limits = {});
+Bins choose_bins(const Span& values, const std::vector<double>& limits = {});
 
 }  // namespace clast::report_detail

@@ -182,7 +182,7 @@ double ThinPlateSpline::at(const Vec2& place) const {
   return value;
 }
 
-std::vector<Vec2> hull_of(std::span<const Vec2> places) {
+std::vector<Vec2> convex_hull_of(std::span<const Vec2> places) {
   std::vector<Vec2> sorted(places.begin(), places.end());
   std::sort(sorted.begin(), sorted.end(), [](const Vec2& a, const Vec2& b) {
     return a.x() != b.x() ? a.x() < b.x() : a.y() < b.y();
@@ -210,8 +210,8 @@ bool is_inside(std::span<const Vec2> hull, const Vec2& place) {
   return hull.size() > 2;
 }
 
-std::string format_band_path(const ThinPlateSpline& surface, std::span<const Vec2> hull, double level,
-                      double side) {
+std::string format_band_path(const ThinPlateSpline& surface, std::span<const Vec2> hull,
+                             double level, double side) {
   std::string path;
   WholeTriangles whole;
   visit_lattice(surface, hull, side, [&](const std::array<Corner, 3>& triangle) {
@@ -226,8 +226,8 @@ std::string format_band_path(const ThinPlateSpline& surface, std::span<const Vec
   return path + whole.finish();
 }
 
-ContourLine trace_contour_line(const ThinPlateSpline& surface, std::span<const Vec2> hull, double level,
-                         double side) {
+ContourLine trace_contour_line(const ThinPlateSpline& surface, std::span<const Vec2> hull,
+                               double level, double side) {
   ContourLine line;
   visit_lattice(surface, hull, side, [&](const std::array<Corner, 3>& triangle) {
     const std::vector<Vec2> places = crossing(triangle, level);

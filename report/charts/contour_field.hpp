@@ -28,7 +28,7 @@ class ThinPlateSpline {
 
 /// Returns the vertices of the convex hull, counter-clockwise; fewer than three if all points are
 /// collinear.
-std::vector<Vec2> hull_of(std::span<const Vec2> places);
+std::vector<Vec2> convex_hull_of(std::span<const Vec2> places);
 /// True if a point is inside the hull, within a tolerance.
 bool is_inside(std::span<const Vec2> hull, const Vec2& place);
 

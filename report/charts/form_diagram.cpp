@@ -112,7 +112,7 @@ std::string opened(const std::string& title, double height) {
 
 std::string title_with_count(const std::string& what, const Population& population) {
   constexpr std::size_t kMostCharacters = 28;
-  return what + ": " + shorten_middle(population.name, kMostCharacters) + " (" +
+  return what + ": " + shorten_text(population.name, kMostCharacters) + " (" +
          std::to_string(population.blocks.size()) + ")";
 }
 
@@ -172,8 +172,8 @@ std::string format_block_title(const MeasuredBlock& block, const PopulationOptio
   return title;
 }
 
-std::string sneed_folk_diagram(const Population& population, std::size_t number,
-                               const PopulationOptions& options) {
+std::string draw_sneed_folk_diagram(const Population& population, std::size_t number,
+                                    const PopulationOptions& options) {
   const std::vector<ClassFraction> shares =
       class_fractions(axis_proportions(population), "sneed-folk", options.limits);
   const std::array<double, 4> limits = limits_d(options.limits);
@@ -209,8 +209,8 @@ std::string sneed_folk_diagram(const Population& population, std::size_t number,
   return svg + labels_svg(fields, shares) + mark_key(population, base + 62) + "</svg>\n";
 }
 
-std::string zingg_diagram(const Population& population, std::size_t number,
-                          const PopulationOptions& options) {
+std::string draw_zingg_diagram(const Population& population, std::size_t number,
+                               const PopulationOptions& options) {
   constexpr double kSize = 380.0, kX = 84.0, kTop = 36.0, kLimit = 2.0 / 3.0;
   const auto on_square = [](double flat, double long_) {
     return Vec2(kX + kSize * flat, kTop + kSize * (1.0 - long_));

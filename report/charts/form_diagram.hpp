@@ -17,12 +17,12 @@ std::string format_block_title(const MeasuredBlock& block, const PopulationOptio
 /// Draws the Sneed-Folk triangle: compact q at the top, platy (1 - q)(1 - d) left, elongate (1 - q)
 /// d right, with q = S/L and d = (L - I)/(L - S).
 /// @param number  index of the population in its report, for data-block (see `page`)
-std::string sneed_folk_diagram(const Population& population, std::size_t number,
-                               const PopulationOptions& options = {});
+std::string draw_sneed_folk_diagram(const Population& population, std::size_t number,
+                                    const PopulationOptions& options = {});
 
 /// Draws the Zingg plot: I/L over S/I with limits of 2/3.
-std::string zingg_diagram(const Population& population, std::size_t number,
-                          const PopulationOptions& options = {});
+std::string draw_zingg_diagram(const Population& population, std::size_t number,
+                               const PopulationOptions& options = {});
 
 /// Returns the data-block attribute of a block; see `page`.
 std::string block_element_id(std::size_t number, std::size_t block);

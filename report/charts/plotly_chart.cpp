@@ -38,7 +38,7 @@ Json numbers(const std::vector<double>& values) {
 std::string plain(std::string_view text) { return escape_html(text); }
 
 Json trace_json(const Trace& trace, const ChartAxes& axes) {
-  Json json = {{"name", plain(shorten_middle(trace.name, kMostLegendCharacters))},
+  Json json = {{"name", plain(shorten_text(trace.name, kMostLegendCharacters))},
                {"x", numbers(trace.x)},
                {"y", numbers(trace.y)}};
   const std::string y = axes.y_in_percent ? "%{y:.1%}" : "%{y:.4~g}";
@@ -104,7 +104,7 @@ void add_places(const std::vector<ChartPoint>& places, Json& layout) {
                      {"xanchor", "left"},
                      {"yanchor", "top"},
                      {"bgcolor", "rgba(255,255,255,.7)"},
-                     {"text", plain(shorten_middle(place.name, kMostLegendCharacters))},
+                     {"text", plain(shorten_text(place.name, kMostLegendCharacters))},
                      {"showarrow", false},
                      {"font", {{"size", 11}}}});
   }
@@ -168,7 +168,7 @@ std::string draw_plotly_chart(const ChartAxes& axes, const std::vector<Trace>& t
 }
 
 std::string draw_interval_chart(const std::string& title, const std::string& label,
-                           const std::vector<IntervalMark>& marks) {
+                                const std::vector<IntervalMark>& marks) {
   constexpr int kRow = 34, kAround = 120;  // px
   if (marks.empty()) return {};
   Json data = Json::array();
@@ -177,7 +177,7 @@ std::string draw_interval_chart(const std::string& title, const std::string& lab
          below = Json::array(), notes = Json::array();
     for (const IntervalMark& mark : marks) {
       if (mark.clear != clear) continue;
-      names.push_back(plain(shorten_middle(mark.name, kMostLegendCharacters)));
+      names.push_back(plain(shorten_text(mark.name, kMostLegendCharacters)));
       values.push_back(short_number(mark.value));
       above.push_back(short_number(mark.high - mark.value));
       below.push_back(short_number(mark.value - mark.low));
@@ -207,7 +207,7 @@ std::string draw_interval_chart(const std::string& title, const std::string& lab
   }
   Json order = Json::array();
   for (auto mark = marks.rbegin(); mark != marks.rend(); ++mark) {
-    order.push_back(plain(shorten_middle(mark->name, kMostLegendCharacters)));
+    order.push_back(plain(shorten_text(mark->name, kMostLegendCharacters)));
   }
   const Json layout = {{"height", kAround + kRow * static_cast<int>(marks.size())},
                        {"margin", {{"l", 10}, {"r", 14}, {"t", 30}, {"b", 46}}},
@@ -296,7 +296,7 @@ std::vector<Trace> make_histogram_traces(const std::vector<Series>& samples) {
       high = std::max(high, value);
     }
   }
-  const Bins bins = bins_of(nice_axis_range(low, high));
+  const Bins bins = choose_bins(nice_axis_range(low, high));
   std::vector<Trace> traces;
   for (const Series& sample : samples) {
     if (sample.values.empty()) continue;

@@ -109,7 +109,7 @@ std::string sizes_chart(const PopulationReport& report) {
     all.back().colour = series_colour(i);
   }
   const std::string measure = name_of(report.populations[0].summary.size.measure);
-  return cumulative_chart({"Sizes by number", "size " + measure + ", m", true}, all);
+  return draw_cumulative_chart({"Sizes by number", "size " + measure + ", m", true}, all);
 }
 
 /// The curves of one, by number and by mass, and the laws fitted to the first.
@@ -123,9 +123,9 @@ std::string size_chart(const ReportedPopulation& reported, std::size_t number) {
   for (const FittedSizeLaw& law : size.by_number.laws) {
     curves.push_back(law_curve(law, *smallest, *largest));
   }
-  return cumulative_chart({"Size: " + shorten_middle(reported.population.name, kMostTitle),
-                           "size " + name_of(size.measure) + ", m", true},
-                          series, curves);
+  return draw_cumulative_chart({"Size: " + shorten_text(reported.population.name, kMostTitle),
+                                "size " + name_of(size.measure) + ", m", true},
+                               series, curves);
 }
 
 }  // namespace
@@ -151,9 +151,9 @@ Diagrams draw_population_diagrams(const PopulationReport& report) {
   for (std::size_t i = 0; i < report.populations.size(); ++i) {
     const ReportedPopulation& reported = report.populations[i];
     diagrams["sneed_folk" + population_file_suffix(report, i)] =
-        sneed_folk_diagram(reported.population, i, report.options);
+        draw_sneed_folk_diagram(reported.population, i, report.options);
     diagrams["zingg" + population_file_suffix(report, i)] =
-        zingg_diagram(reported.population, i, report.options);
+        draw_zingg_diagram(reported.population, i, report.options);
     if (has_sizes(reported)) {
       diagrams["size" + population_file_suffix(report, i)] = size_chart(reported, i);
     }

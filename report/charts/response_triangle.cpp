@@ -148,7 +148,7 @@ std::string line_of(const ThinPlateSpline& surface, std::span<const Vec2> hull, 
 /// Bands, each over those below it, and lines, within the forms.
 std::string surface_of(std::span<const ShapeResponse> forms, std::span<const Vec2> places,
                        const ResponseRange& range, const std::string& clip) {
-  const std::vector<Vec2> hull = hull_of(places);
+  const std::vector<Vec2> hull = convex_hull_of(places);
   if (hull.size() < 3 || forms.size() > kMostForms || !(range.most > range.least)) return "";
   std::vector<double> values;
   for (const ShapeResponse& form : forms) values.push_back(form.value);

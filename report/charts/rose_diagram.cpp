@@ -49,7 +49,7 @@ std::vector<std::size_t> sector_counts(const std::vector<double>& trends) {
 }  // namespace
 
 std::string draw_rose_diagram(const std::string& name, const std::string& colour,
-                         const std::vector<double>& trends, const AxialMean& mean) {
+                              const std::vector<double>& trends, const AxialMean& mean) {
   const std::vector<std::size_t> counts = sector_counts(trends);
   const std::size_t most =
       std::max<std::size_t>(1, *std::max_element(counts.begin(), counts.end()));
@@ -57,7 +57,7 @@ std::string draw_rose_diagram(const std::string& name, const std::string& colour
     return kRadius * std::sqrt(count / static_cast<double>(most));
   };
   std::string svg = open_svg(kRoseWidth, kRoseHeight, "Directions of long axes: " + name);
-  svg += svg_text(kCentre.x(), 18.0, shorten_middle(name, 40),
+  svg += svg_text(kCentre.x(), 18.0, shorten_text(name, 40),
                   "font-size=\"13\" font-weight=\"700\" fill=\"#1d2733\" text-anchor=\"middle\"");
   svg += circle(kRadius, "stroke=\"#8a94a0\"");
   // Where all sectors would end if directions were even.

@@ -30,7 +30,7 @@ BarLegend legend_from(const std::vector<ClassFractionSeries>& series, double top
     }
   };
   for (const ClassFractionSeries& one : series) {
-    const std::string name = shorten_middle(one.name, kMostCharacters);
+    const std::string name = shorten_text(one.name, kMostCharacters);
     const double width = 18.0 + kCharacter * static_cast<double>(name.size());
     place(width);
     svg += "<rect x=\"" + fixed(x, 1) + "\" y=\"" + fixed(top, 1) +
@@ -55,7 +55,7 @@ std::string draw_class_fractions(const std::string& title, const std::vector<std
   for (const ClassFractionSeries& one : series) {
     for (const FractionWithInterval& share : one.shares) highest = std::max(highest, share.high);
   }
-  const Ticks marks = ticks(0.0, 100.0 * std::max(highest, 0.01), 5);
+  const Ticks marks = choose_ticks(0.0, 100.0 * std::max(highest, 0.01), 5);
   const double scale =
       (kBarsWidth - left - kBarsRight) / (100.0 * std::max(highest, 0.01));  // px per %
   const double row = kBar * static_cast<double>(series.size()) + kGap;

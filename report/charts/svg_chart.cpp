@@ -59,7 +59,7 @@ std::vector<std::pair<double, std::string>> x_ticks(const AxisRange& range) {
     if (marks.size() >= 3) return marks;
     marks.clear();  // less than a decade: round steps read better
   }
-  const Ticks found = ticks(range.low, range.high, 7);
+  const Ticks found = choose_ticks(range.low, range.high, 7);
   for (const double value : found.values) marks.emplace_back(value, fixed(value, found.decimals));
   return marks;
 }
@@ -85,7 +85,7 @@ std::string x_axis(const AxisRange& range, double top, double bottom, const std:
 constexpr std::size_t kMostTitleCharacters = 24;
 
 std::string name_with_count(const Series& series) {
-  return shorten_middle(series.name, kMostTitleCharacters) + " (" +
+  return shorten_text(series.name, kMostTitleCharacters) + " (" +
          std::to_string(series.values.size()) + ")";
 }
 
@@ -201,8 +201,8 @@ std::string names_in_bin(const std::vector<std::string>& names) {
 
 }  // namespace
 
-std::string cumulative_chart(const ChartText& text, const std::vector<Series>& series,
-                             const std::vector<Curve>& curves) {
+std::string draw_cumulative_chart(const ChartText& text, const std::vector<Series>& series,
+                                  const std::vector<Curve>& curves) {
   constexpr double kHeight = 210.0;
   std::vector<LegendEntry> entries;
   for (const Series& one : series) {
@@ -252,7 +252,7 @@ std::string draw_histogram(const ChartText& text, const std::vector<Series>& ser
   const AxisRange data = axis_range(series);
   std::vector<double> limits;
   for (const LimitLine& limit : text.limits) limits.push_back(limit.value);
-  const Bins bins = bins_of({data.low, data.high}, limits);
+  const Bins bins = choose_bins({data.low, data.high}, limits);
   const AxisRange range{bins.low, bins.low + bins.width * static_cast<double>(bins.count)};
 
   std::vector<std::vector<double>> shares;
@@ -274,7 +274,7 @@ std::string draw_histogram(const ChartText& text, const std::vector<Series>& ser
   const double bottom = kChartTop + static_cast<double>(series.size()) * (kRow + kGap);
   std::string svg = open_svg(kChartWidth, bottom + 46, text.title) + chart_title(text);
   svg += x_axis(range, kChartTop, bottom, text.x_label);
-  const Ticks levels = ticks(0.0, 100.0 * highest, 3);
+  const Ticks levels = choose_ticks(0.0, 100.0 * highest, 3);
   for (std::size_t i = 0; i < series.size(); ++i) {
     const double base = kChartTop + static_cast<double>(i + 1) * (kRow + kGap);
     for (const double level : levels.values) {

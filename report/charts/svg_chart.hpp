@@ -35,8 +35,8 @@ struct ChartText {
 inline constexpr std::size_t kMostNamedMarks = 500;
 
 /// Draws cumulative step curves. Named values have a mark with a tooltip.
-std::string cumulative_chart(const ChartText& text, const std::vector<Series>& series,
-                             const std::vector<Curve>& curves = {});
+std::string draw_cumulative_chart(const ChartText& text, const std::vector<Series>& series,
+                                  const std::vector<Curve>& curves = {});
 
 /// Draws one row of bars per sample over common bins, in per cent. A value on an edge belongs to
 /// the bin below; limits are edges if at most 60 bins suffice.

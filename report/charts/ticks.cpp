@@ -7,7 +7,7 @@
 
 namespace clast::report_detail {
 
-Ticks ticks(double low, double high, int wanted) {
+Ticks choose_ticks(double low, double high, int wanted) {
   Ticks found;
   // Narrower than rounding can count through: one tick.
   const double size = std::max(std::abs(low), std::abs(high));

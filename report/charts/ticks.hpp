@@ -13,7 +13,7 @@ struct Ticks {
 };
 
 /// Chooses about `wanted` ticks in [low, high] with a step of 1, 2 or 5 times a power of ten.
-Ticks ticks(double low, double high, int wanted);
+Ticks choose_ticks(double low, double high, int wanted);
 
 /// Chooses ticks at 1, 2 and 5 times powers of ten in [low, high]; only powers of ten if there
 /// would be more than `most`.

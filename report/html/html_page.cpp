@@ -67,7 +67,7 @@ std::string escape_html(std::string_view text) {
   return result;
 }
 
-std::string shorten_middle(std::string_view text, std::size_t most) {
+std::string shorten_text(std::string_view text, std::size_t most) {
   std::size_t characters = 0, end = 0;  // up to and with the last character that has room
   for (std::size_t i = 0; i < text.size(); ++i) {
     if ((static_cast<unsigned char>(text[i]) & 0xc0) == 0x80) continue;

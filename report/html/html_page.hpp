@@ -13,7 +13,7 @@ namespace clast::report_detail {
 std::string escape_html(std::string_view text);
 
 /// Shortens a UTF-8 text to a number of characters, ending with … if it was cut.
-std::string shorten_middle(std::string_view text, std::size_t most);
+std::string shorten_text(std::string_view text, std::size_t most);
 
 /// Formats a relative path as href: characters other than letters, digits and /._- become %XX.
 std::string format_link_target(std::string_view path);

@@ -43,7 +43,7 @@ Json boxes_json(const Block& block) {
 Json unseen_json(const Block& block) {
   const VolumeBracket& unseen = *block.volume_bracket;
   const BlockBracket range = derive_block_bracket(block);
-  const auto known = [](const std::optional<double>& value) {
+  const auto number_or_null = [](const std::optional<double>& value) {
     return value ? Json(*value) : Json(nullptr);
   };
   const auto sides = [&](Axes AxesBounds::*end) {
@@ -57,15 +57,15 @@ Json unseen_json(const Block& block) {
   return {{"invented_share", unseen.filled_fraction},
           {"volume_lower_m3", unseen.lower_volume},
           {"volume_best_m3", unseen.estimated_volume},
-          {"volume_upper_m3", known(unseen.upper_volume)},
+          {"volume_upper_m3", number_or_null(unseen.upper_volume)},
           {"mass_lower_kg", range.lower_mass},
-          {"mass_upper_kg", known(range.upper_mass)},
-          {"density_lower_kg_m3", known(range.lower_density)},
+          {"mass_upper_kg", number_or_null(range.upper_mass)},
+          {"density_lower_kg_m3", number_or_null(range.lower_density)},
           {"density_upper_kg_m3", range.upper_density},
           {"axes_lower_m", sides(&AxesBounds::lower)},
           {"axes_upper_m", sides(&AxesBounds::upper)},
-          {"s_c_lower", known(range.lower_s_c)},
-          {"s_c_upper", known(range.upper_s_c)},
+          {"s_c_lower", number_or_null(range.lower_s_c)},
+          {"s_c_upper", number_or_null(range.upper_s_c)},
           {"sneed_folk", classes("sneed-folk")},
           {"zingg", classes("zingg")},
           {"shape", classes("garcia")},
@@ -104,7 +104,7 @@ Json block_json(const Block& block) {
   Json json;
   json["id"] = block.id;
   json["source"] = block.source.file;
-  if (is_unscaled(block)) json["unscaled"] = unscaled_reason();
+  if (is_unscaled(block)) json["unscaled"] = explain_unscaled();
   json["provenance"] = {{"sha256", block.source.sha256},
                         {"options", block.source.options},
                         {"program_version", block.source.program_version}};

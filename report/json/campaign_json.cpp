@@ -8,7 +8,7 @@ namespace clast {
 
 nlohmann::ordered_json power_json(const PlannedPower& power) {
   nlohmann::ordered_json json = nlohmann::ordered_json::object();
-  if (!power.known()) return json;
+  if (!power.is_known()) return json;
   json["runout_scatter_m"] = power.scatter;
   json["design_effect_assumed"] = power.design_effect();
   json["smallest_difference_m"] = power.smallest();

@@ -46,8 +46,8 @@ class LegendRows {
 MapLegend draw_map_legend(const SiteMap& site, const Sheet& sheet) {
   LegendRows legend(kMapLeft + sheet.width() + 22.0);
   const auto line = [&](const std::string& stroke) {
-    return format_svg_line(legend.mark_x() - 8, legend.mark_y(), legend.mark_x() + 8, legend.mark_y(),
-                    stroke);
+    return format_svg_line(legend.mark_x() - 8, legend.mark_y(), legend.mark_x() + 8,
+                           legend.mark_y(), stroke);
   };
   const bool has_contours = site.highest > site.lowest;  // level ground has none
   if (has_contours || !site.places.empty() || !site.outlines.empty() || !site.barriers.empty()) {
@@ -57,8 +57,8 @@ MapLegend draw_map_legend(const SiteMap& site, const Sheet& sheet) {
   for (const ReleaseOutline& outline : site.outlines) {
     if (!named.insert(outline.name).second) continue;
     legend.row(draw_release_outline("M" + fixed(legend.mark_x() - 8, 1) + " " +
-                                   fixed(legend.mark_y() - 5, 1) + "h16v10h-16Z",
-                               ""),
+                                        fixed(legend.mark_y() - 5, 1) + "h16v10h-16Z",
+                                    ""),
                outline.name);
   }
   if (!site.places.empty()) {
@@ -76,7 +76,7 @@ MapLegend draw_map_legend(const SiteMap& site, const Sheet& sheet) {
   if (!zones.empty()) legend.head("Ground zones");
   for (std::size_t zone = 0; zone < zones.size(); ++zone) {
     legend.swatch(format_colour(zone_colour(zones[zone], zone)),
-                  shorten_middle(zones[zone], kMostMapCharacters));
+                  shorten_text(zones[zone], kMostMapCharacters));
   }
   return {legend.svg(), legend.bottom()};
 }

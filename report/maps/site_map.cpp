@@ -66,7 +66,7 @@ void add_releases(const Comparison& comparison, SiteMap& site) {
     }
   }
   for (const auto& [mass, release] : masses) {
-    std::vector<Vec2> corners = report_detail::hull_of(release.starts);
+    std::vector<Vec2> corners = report_detail::convex_hull_of(release.starts);
     if (corners.size() < 3) {
       for (const Vec2& start : release.starts) site.places.push_back({start, mass.second});
       continue;

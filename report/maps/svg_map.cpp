@@ -24,8 +24,8 @@ constexpr const char* kMapHalo =
 std::string axes(const Sheet& sheet) {
   const double right = kMapLeft + sheet.width(), bottom = kMapTop + sheet.height();
   std::string svg;
-  const Ticks xs = ticks(sheet.window.low.x(), sheet.window.high.x(),
-                         std::max(2, static_cast<int>(sheet.width() / 95.0)));
+  const Ticks xs = choose_ticks(sheet.window.low.x(), sheet.window.high.x(),
+                                std::max(2, static_cast<int>(sheet.width() / 95.0)));
   for (const double value : xs.values) {
     const double x = sheet.x(value);
     svg += format_svg_line(x, kMapTop, x, bottom, "stroke=\"#fff\" stroke-opacity=\".45\"");
@@ -33,8 +33,8 @@ std::string axes(const Sheet& sheet) {
     svg += svg_text(x, bottom + 18, fixed(value, xs.decimals),
                     std::string(kMapText) + " text-anchor=\"middle\"");
   }
-  const Ticks ys = ticks(sheet.window.low.y(), sheet.window.high.y(),
-                         std::max(2, static_cast<int>(sheet.height() / 80.0)));
+  const Ticks ys = choose_ticks(sheet.window.low.y(), sheet.window.high.y(),
+                                std::max(2, static_cast<int>(sheet.height() / 80.0)));
   for (const double value : ys.values) {
     const double y = sheet.y(value);
     svg += format_svg_line(kMapLeft, y, right, y, "stroke=\"#fff\" stroke-opacity=\".45\"");
@@ -102,7 +102,7 @@ std::string releases(const SiteMap& site, const Sheet& sheet) {
   }
   for (const ReleasePosition& release : site.places) {
     svg += draw_release_mark(sheet.x(release.place.x()), sheet.y(release.place.y()),
-                        "release point " + std::to_string(release.point));
+                             "release point " + std::to_string(release.point));
   }
   return svg;
 }
@@ -146,13 +146,13 @@ std::string draw_svg_map(const SiteMap& site) {
 
   const double width = kMapLeft + sheet.width() + kLegendWidth;
   const double height = std::max(kMapTop + sheet.height() + kBelow, keys.bottom);
-  return make_svg_file(open_svg(width, height, "map of release points and barriers") + "<image x=\"" +
-                  fixed(kMapLeft, 1) + "\" y=\"" + fixed(kMapTop, 1) + "\" width=\"" +
-                  fixed(sheet.width(), 1) + "\" height=\"" + fixed(sheet.height(), 1) +
-                  "\" preserveAspectRatio=\"none\" href=\"" +
-                  draw_relief_image(site, static_cast<std::uint32_t>(std::lround(sheet.width()))) +
-                  "\"/>" + axes(sheet) + barriers(site, sheet) + releases(site, sheet) +
-                  scale_bar(sheet) + north_arrow(sheet) + keys.svg + "</svg>\n");
+  return make_svg_file(
+      open_svg(width, height, "map of release points and barriers") + "<image x=\"" +
+      fixed(kMapLeft, 1) + "\" y=\"" + fixed(kMapTop, 1) + "\" width=\"" + fixed(sheet.width(), 1) +
+      "\" height=\"" + fixed(sheet.height(), 1) + "\" preserveAspectRatio=\"none\" href=\"" +
+      draw_relief_image(site, static_cast<std::uint32_t>(std::lround(sheet.width()))) + "\"/>" +
+      axes(sheet) + barriers(site, sheet) + releases(site, sheet) + scale_bar(sheet) +
+      north_arrow(sheet) + keys.svg + "</svg>\n");
 }
 
 }  // namespace clast

@@ -35,7 +35,7 @@ std::vector<const BarrierGroupStatistics*> shown_groups(const Comparison& compar
 /// mean, p95 and max of a summary.
 void append_summary(std::vector<std::string>& cells, const Summary& summary, int decimals) {
   for (const double value : {summary.mean, summary.p95, summary.max}) {
-    cells.push_back(measured(value, summary, decimals));
+    cells.push_back(format_measured(value, summary, decimals));
   }
 }
 
@@ -53,7 +53,7 @@ std::string crossing_table(const Comparison& comparison, std::size_t line) {
                  : "-"};
     append_summary(cells, group->height, 2);
     for (const double top : {group->top.p95, group->top.max}) {
-      cells.push_back(measured(top, group->top, 2));
+      cells.push_back(format_measured(top, group->top, 2));
     }
     append_summary(cells, group->clearance, 2);
     table.row(std::move(cells));

@@ -42,9 +42,9 @@ std::string format_class_section(const Comparison& comparison) {
         std::to_string(deposit.stops.rest),
         significant(mass / static_cast<double>(group.rows.size()), 4),
         format_mean_and_deviation(deposit.runout, 1),
-        measured(deposit.runout.median, deposit.runout, 1),
-        measured(deposit.runout.p95, deposit.runout, 1),
-        measured(deposit.runout.max, deposit.runout, 1),
+        format_measured(deposit.runout.median, deposit.runout, 1),
+        format_measured(deposit.runout.p95, deposit.runout, 1),
+        format_measured(deposit.runout.max, deposit.runout, 1),
         format_mean_and_deviation(deposit.lateral, 1, kDegreesPerRadian)};
     for (std::size_t line = 0; line < comparison.lines.size(); ++line) {
       std::string cell = "-";
@@ -86,7 +86,7 @@ std::string format_block_section(const Comparison& comparison) {
                std::to_string(deposit.stops.rest), std::to_string(deposit.stops.left_terrain),
                std::to_string(deposit.stops.max_time), std::to_string(deposit.stops.error),
                format_mean_and_deviation(deposit.runout, 1),
-               measured(deposit.runout.p95, deposit.runout, 1),
+               format_measured(deposit.runout.p95, deposit.runout, 1),
                format_mean_and_deviation(deposit.lateral, 1, kDegreesPerRadian),
                fixed(fastest, 1)});
   }

@@ -27,7 +27,7 @@ std::string make_comparison_page(const ComparisonAnalyses& analyses) {
       format_barrier_section(analyses) + format_slope_section(comparison, analyses.profiles()) +
       format_deposit_section(analyses) + format_energy_section(analyses) +
       format_persistent_blocks_section(comparison) + format_ensemble_section(analyses) +
-      format_effects_section(analyses) + scene_section(comparison) +
+      format_effects_section(analyses) + format_scene_section(comparison) +
       format_block_section(comparison) + format_quality_section(comparison) +
       format_provenance_section(comparison));
   return make_report_page(title, format_script_element(assets::unpack_js) +

@@ -47,8 +47,8 @@ std::string figures_table(const Comparison& comparison, const DepositQuantityCom
       }
       cells.push_back(format_mean_and_deviation(found.summary, figure.decimals));
       cells.push_back(interval_text(found.interval, figure.decimals));
-      cells.push_back(measured(found.least, found.summary, figure.decimals));
-      cells.push_back(measured(found.summary.max, found.summary, figure.decimals));
+      cells.push_back(format_measured(found.least, found.summary, figure.decimals));
+      cells.push_back(format_measured(found.summary.max, found.summary, figure.decimals));
     }
     table.row(std::move(cells));
   }
@@ -158,7 +158,7 @@ std::string mobility_of(const Comparison& comparison, const std::vector<DepositM
     if (one.group == "all") {
       html += paragraph(
           "Runout of " + file_name(comparison, one.file) + " against single blocks of " +
-          file_name(comparison, one.alone) + ", " + in_words(one) +
+          file_name(comparison, one.alone) + ", " + describe_effect(one) +
           ". The farthest block of a realisation goes " + fixed(one.together_toe.mean, 1) +
           " m on average; of as many single runs it would be " + fixed(one.alone_toe, 1) + " m.");
     }

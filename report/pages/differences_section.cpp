@@ -70,7 +70,7 @@ std::string difference_chart(const Comparison& comparison, const Picture& pictur
     const double unit = 100.0 / size;
     marks.push_back({row_name(comparison, *one), unit * one->estimate, unit * one->interval->low,
                      unit * one->interval->high, one->verdict() == Verdict::kSignificant,
-                     in_words(*one, comparison)});
+                     describe_effect(*one, comparison)});
   }
   return draw_interval_chart(picture.title, "difference, % of the mean, with 95 % interval", marks);
 }

@@ -28,7 +28,7 @@ std::string unbroken(const std::string& text) {
 
 std::string figures_of(const Comparison& comparison, const KeyResults& answer) {
   std::string html = "<dl class=\"figures\">\n";
-  for (const KeyFigure& figure : key_figures(comparison, answer)) {
+  for (const KeyFigure& figure : select_key_figures(comparison, answer)) {
     html += "<div><dd class=\"value\">" + unbroken(figure.value) + "</dd><dt>" +
             unbroken(figure.label) + "</dt>" +
             (figure.range.empty() ? "" : "<dd>(" + escape_html(figure.range) + ")</dd>") +

@@ -140,7 +140,7 @@ std::string boxes_section(const PopulationReport& report) {
     if (report.populations.size() > 1) html += paragraph(reported.population.name);
     html += "<ul>\n" + words + "</ul>\n";
     if (blocks.size() > kMostRows) continue;
-    std::vector<std::string> heads = {shorten_middle(reported.population.name, kMostHead)};
+    std::vector<std::string> heads = {shorten_text(reported.population.name, kMostHead)};
     for (const BoxConvention box : kBoxConventions) heads.push_back("s_c, " + name_of(box));
     for (const BoxConvention box : kBoxConventions) heads.push_back("S/L, " + name_of(box));
     HtmlTable table(heads, 1);
@@ -169,7 +169,7 @@ std::string blocks_section(const PopulationReport& report) {
                         ", all of them in classes.csv.");
       continue;
     }
-    std::vector<std::string> heads = {shorten_middle(reported.population.name, kMostHead)};
+    std::vector<std::string> heads = {shorten_text(reported.population.name, kMostHead)};
     for (const SchemeFractions& scheme : reported.summary.schemes) heads.push_back(scheme.scheme);
     const std::string& first = reported.summary.schemes.front().scheme;
     heads.push_back("how sure (" + first + ")");

@@ -43,7 +43,7 @@ std::string format_size_section(const PopulationReport& report, const Diagrams& 
       continue;
     }
     HtmlTable percentiles(
-        {shorten_middle(reported.population.name, kMostHead), "blocks", "d10, m", "d50, m", "d90, m"},
+        {shorten_text(reported.population.name, kMostHead), "blocks", "d10, m", "d50, m", "d90, m"},
         1);
     const auto add = [&](const std::string& name, const SizeCurve& curve) {
       percentiles.row({name, std::to_string(curve.blocks), significant(curve.d10, 3),
@@ -54,8 +54,9 @@ std::string format_size_section(const PopulationReport& report, const Diagrams& 
     HtmlTable laws({"law", "size, m", "spread", "KS distance", "p"}, 3);
     law_rows(laws, "by number", size.by_number);
     if (size.by_mass) law_rows(laws, "by mass", *size.by_mass);
-    html += "<div class=\"charts\">" + figure(diagrams.at("size" + population_file_suffix(report, i))) +
-            "<div>" + percentiles.html() + "</div></div>\n";
+    html += "<div class=\"charts\">" +
+            figure(diagrams.at("size" + population_file_suffix(report, i))) + "<div>" +
+            percentiles.html() + "</div></div>\n";
     html += size.by_number.laws.empty() ? paragraph("All blocks are of one size: no law is fitted.")
                                         : laws.html();
     if (size.step > 0.0) {
@@ -66,11 +67,10 @@ std::string format_size_section(const PopulationReport& report, const Diagrams& 
     for (const SizeShapeCorrelation& one : reported.summary.size_shape_correlations) {
       html += "<li>" + escape_html(describe_size_shape(one, size.measure)) + "</li>\n";
     }
-    html +=
-        "<li>" +
-        escape_html("C40, the share of blocks with S/L at most 0.4: " + format_percent(reported.summary.c40) +
-                ".") +
-        "</li>\n</ul>\n";
+    html += "<li>" +
+            escape_html("C40, the share of blocks with S/L at most 0.4: " +
+                        format_percent(reported.summary.c40) + ".") +
+            "</li>\n</ul>\n";
   }
   return section(
       "Sizes",

@@ -28,7 +28,7 @@ std::string stiffness_table(const CampaignResults& results) {
     table.row(row);
   };
   for (const BlockStiffness& block : blocks) add(block);
-  if (blocks.size() > 1) add(over_all(blocks));
+  if (blocks.size() > 1) add(combine_stiffness(blocks));
   return table.html();
 }
 
@@ -116,7 +116,7 @@ std::string settings_of(const Comparison& comparison, const CampaignResults& res
   html += format_fact("Released", released(results));
   html += format_fact("Contact law", "energy restitution, weights " + name_of(results.weights));
   const std::vector<std::string> cells =
-      format_stiffness_cells(over_all(collect_stiffness_by_block(results, results.runs)));
+      format_stiffness_cells(combine_stiffness(collect_stiffness_by_block(results, results.runs)));
   html +=
       format_fact("Stiffness and time step", "k_n " + cells[0] + " N/m, step " + cells[3] + " s");
   html +=

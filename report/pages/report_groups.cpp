@@ -64,7 +64,7 @@ std::string format_mean_and_deviation(const Summary& summary, int decimals, doub
   return fixed(summary.mean * unit, decimals) + " \xC2\xB1 " + fixed(summary.std * unit, decimals);
 }
 
-std::string measured(double value, const Summary& summary, int decimals) {
+std::string format_measured(double value, const Summary& summary, int decimals) {
   return summary.count == 0 ? "-" : fixed(value, decimals);
 }
 

@@ -21,7 +21,7 @@ std::string short_group_name(const Group& group);
 /// Formats mean and standard deviation; "-" for an empty sample.
 std::string format_mean_and_deviation(const Summary& summary, int decimals, double unit = 1.0);
 /// Formats a value of a summary; "-" for an empty sample.
-std::string measured(double value, const Summary& summary, int decimals);
+std::string format_measured(double value, const Summary& summary, int decimals);
 
 /// Appends to a list of items, "runout; largest speed".
 void append_item(std::string& list, const std::string& item);

@@ -75,8 +75,9 @@ std::string barrier_table(const Comparison& comparison, const std::vector<Profil
     table.row({format_significant(bin->from, 4) + " to " + format_significant(bin->to, 4),
                std::to_string(bin->runs), format_percent(static_cast<double>(bin->runs) / runs, 0),
                significant(bin->energy.p95 / 1000.0), significant(bin->energy.max / 1000.0),
-               measured(bin->height.p95, bin->height, 2), measured(bin->height.max, bin->height, 2),
-               measured(bin->speed.p95, bin->speed, 1)});
+               format_measured(bin->height.p95, bin->height, 2),
+               format_measured(bin->height.max, bin->height, 2),
+               format_measured(bin->speed.p95, bin->speed, 1)});
   }
   return table.html();
 }
@@ -85,7 +86,7 @@ std::string barrier_table(const Comparison& comparison, const std::vector<Profil
 std::string least_demand(const Comparison& comparison, const std::vector<ProfileBin>& bins,
                          std::size_t group) {
   const std::size_t runs = comparison.groups[group].rows.size();
-  const ProfileBin* place = least_energy_place(bins, group, runs);
+  const ProfileBin* place = find_least_energy_position(bins, group, runs);
   if (place == nullptr || runs < kFewestPassages) return {};
   return "Where at least half of the " + std::to_string(runs) + " runs arrive, energy is lowest " +
          format_significant(place->from, 4) + " to " + format_significant(place->to, 4) +

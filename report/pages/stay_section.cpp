@@ -52,8 +52,8 @@ std::vector<std::string> cells_of(const Comparison& comparison, const Group& gro
           known ? count_and_share(hitting, runs) : "not known",
           known ? fixed(hit / static_cast<double>(runs), 2) : "not known",
           count_and_share(moved.size(), runs),
-          measured(summary.median, summary, 2),
-          measured(summary.max, summary, 2),
+          format_measured(summary.median, summary, 2),
+          format_measured(summary.max, summary, 2),
           count_and_share(removed, runs)};
 }
 

@@ -119,7 +119,7 @@ std::string certificate(const Block& block, const FieldBlock& found) {
 
 std::string mass_check(const Block& block, bool density_given) {
   if (is_unscaled(block)) {
-    return section("Mass", paragraph("The block is unscaled: " + unscaled_reason() + "."));
+    return section("Mass", paragraph("The block is unscaled: " + explain_unscaled() + "."));
   }
   const std::optional<double>& weighed = block.field.weighed_mass;
   if (!weighed) {
@@ -189,7 +189,7 @@ std::string make_block_page(const Block& block, const ScanOfBlock& scan) {
   if (is_unscaled(block)) {
     body += format_note_box(
         "Unscaled",
-        {unscaled_reason() + ". u is a unit of that model; where notes say m they mean it too"});
+        {explain_unscaled() + ". u is a unit of that model; where notes say m they mean it too"});
   }
   body += facts(block, scan.photos ? "by " + scan.photos->scale_source : scan.scale);
   body += notes(block) + format_turntable_section(block) + scan_sections(block, scan);

@@ -152,7 +152,7 @@ std::string coverage_map(const PhotoSummary& evidence, const TriangleMesh& surfa
     }
     return found;
   };
-  std::string html = painted_views(
+  std::string html = draw_coloured_views(
       surface, colour, "The closed scan by how many compared photos see each part.", metric);
   std::string key = open_svg(560, 26, "colours of numbers of photos");
   double x = 4.0;

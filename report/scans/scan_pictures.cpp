@@ -281,8 +281,9 @@ std::string draw_deviation_map(const TriangleMesh& skin, const TriangleMesh& sca
          colour_bar(reach, metric);
 }
 
-std::string painted_views(const TriangleMesh& mesh, const std::function<Rgb(std::uint32_t)>& colour,
-                          const std::string& caption, bool metric) {
+std::string draw_coloured_views(const TriangleMesh& mesh,
+                                const std::function<Rgb(std::uint32_t)>& colour,
+                                const std::string& caption, bool metric) {
   return three_views(
       cameras_on(mesh.vertices),
       [&](Canvas& canvas) {

@@ -33,7 +33,8 @@ std::string draw_deviation_map(const TriangleMesh& skin, const TriangleMesh& sca
 
 /// Draws a surface from three directions, each triangle in its colour.
 /// @param colour  colour of a triangle by index
-std::string painted_views(const TriangleMesh& mesh, const std::function<Rgb(std::uint32_t)>& colour,
-                          const std::string& caption, bool metric = true);
+std::string draw_coloured_views(const TriangleMesh& mesh,
+                                const std::function<Rgb(std::uint32_t)>& colour,
+                                const std::string& caption, bool metric = true);
 
 }  // namespace clast::report_detail

@@ -185,7 +185,7 @@ void SceneLimits::check() const {
   if (grid < 2) throw InputError("grid = " + std::to_string(grid) + ": must be 2 columns or more");
 }
 
-SceneData scene_data(const Comparison& comparison, const SceneLimits& limits) {
+SceneData make_scene_data(const Comparison& comparison, const SceneLimits& limits) {
   limits.check();
   const Vec3 origin = scene_origin(comparison);
   const CampaignResults& first = comparison.results.front();

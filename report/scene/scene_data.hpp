@@ -32,6 +32,6 @@ struct SceneData {
 /// list of {name, body, first, count}; `frames` float32 [n][8]: t, x, y, z, qw, qx, qy, qz, to
 /// 2^-14; `barriers` list of {name, through [n][2]}; `duration` of the longest run, s.
 /// @throws InputError  if a results file can no longer be read
-SceneData scene_data(const Comparison& comparison, const SceneLimits& limits = {});
+SceneData make_scene_data(const Comparison& comparison, const SceneLimits& limits = {});
 
 }  // namespace clast::report_detail

@@ -26,10 +26,11 @@ std::string scene_view(const Comparison& comparison) {
 
 }  // namespace
 
-std::string scene_section(const Comparison& comparison, const SceneLimits& limits) {
+std::string format_scene_section(const Comparison& comparison, const SceneLimits& limits) {
   const std::string title = "3-D view";
-  if (!three_is_installed()) return section(title, paragraph(explain_missing_three("compare again")));
-  const SceneData data = scene_data(comparison, limits);
+  if (!three_is_installed())
+    return section(title, paragraph(explain_missing_three("compare again")));
+  const SceneData data = make_scene_data(comparison, limits);
   if (data.runs_drawn == 0) {
     return section(title, paragraph("The results hold no trajectories: set [run] "
                                     "trajectory_interval_s above zero to see the blocks move."));

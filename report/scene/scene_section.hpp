@@ -9,6 +9,6 @@ namespace clast::report_detail {
 
 /// Formats the self-contained section, including three.js, or a note if three.js is not installed
 /// or no trajectories are stored.
-std::string scene_section(const Comparison& comparison, const SceneLimits& limits = {});
+std::string format_scene_section(const Comparison& comparison, const SceneLimits& limits = {});
 
 }  // namespace clast::report_detail

@@ -111,7 +111,7 @@ const TableColumns<DepositQuantityDifference>& realisation_difference_columns() 
        [](const Row& row) {
          return std::uint64_t{row.verdict() == Verdict::kSignificant ? 1u : 0u};
        }},
-      {"words", "", "a sentence to quote", [](const Row& row) { return in_words(row); }}};
+      {"words", "", "a sentence to quote", [](const Row& row) { return describe_effect(row); }}};
   return columns;
 }
 
@@ -150,7 +150,7 @@ const TableColumns<DepositMobility>& mobility_columns() {
       {"starts_apart_m", "m", "distance in plan of the mean starts together and alone",
        &Row::starts_apart},
       {"mass_ratio", "", "mean mass of the blocks together over that alone", &Row::mass_ratio},
-      {"words", "", "a sentence to quote", [](const Row& row) { return in_words(row); }}};
+      {"words", "", "a sentence to quote", [](const Row& row) { return describe_effect(row); }}};
   return columns;
 }
 

@@ -143,7 +143,7 @@ const TableColumns<ComparisonRow<Difference>>& difference_columns() {
          return std::uint64_t{row->is_significant() ? 1u : 0u};
        }},
       {"words", "", "a sentence to quote",
-       [](const Row& row) { return in_words(row.item, row.comparison); }}};
+       [](const Row& row) { return describe_effect(row.item, row.comparison); }}};
   return columns;
 }
 

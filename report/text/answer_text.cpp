@@ -39,7 +39,8 @@ std::string by_draw(std::size_t draws) { return draws > 0 ? kByDraw : ""; }
 std::string covered_by(const FileSummary& statement, bool named) {
   if (named || statement.samples_blocks) return by_draw(statement.draws);
   return by_draw(statement.draws) + ", for runs of " +
-         (statement.blocks == 1 ? "this block" : "these " + format_count(statement.blocks, "block")) +
+         (statement.blocks == 1 ? "this block"
+                                : "these " + format_count(statement.blocks, "block")) +
          " only";
 }
 
@@ -82,9 +83,8 @@ std::string mean_runout(const Comparison& comparison, const FileSummary& stateme
          (all.interval ? " (" + format_length_interval(*all.interval, decimals) +
                              covered_by(statement, named) + ")"
                        : "") +
-         (all.at_rest < kFewestForShare
-              ? ", at most " + format_length(all.farthest, decimals)
-              : "; 95 % stop before " + format_length(all.p95, decimals));
+         (all.at_rest < kFewestForShare ? ", at most " + format_length(all.farthest, decimals)
+                                        : "; 95 % stop before " + format_length(all.p95, decimals));
 }
 
 /// "; half of both stop within 17 m: the means differ because more compact blocks run on"
@@ -106,17 +106,18 @@ std::string describe_difference(const Comparison& comparison, const FileSummary&
   const RunoutEstimate &farther = of(gap.farther), &nearer = of(gap.nearer);
   const std::string &a = comparison.groups[gap.farther].key, &b = comparison.groups[gap.nearer].key;
   const int decimals = decimals_of_length(gap.gap, gap.interval);
-  const std::string interval = gap.interval ? " (" + format_length_interval(*gap.interval, decimals) +
-                                                  covered_by(statement, false) + ")"
-                                            : "";
+  const std::string interval = gap.interval
+                                   ? " (" + format_length_interval(*gap.interval, decimals) +
+                                         covered_by(statement, false) + ")"
+                                   : "";
   const std::string prefix = at_rest_only(statement.all);
   const std::string means = a + " and " + b + " blocks run " +
                             format_decimals(farther.mean, decimals) + " and " +
                             format_length(nearer.mean, decimals) + " on average";
   switch (gap.verdict) {
     case Verdict::kSignificant:
-      return prefix + a + " blocks run " + format_length(gap.gap, decimals) + " farther than " +
-             b + " ones" + (gap.of_few ? " on average" : "") + interval +
+      return prefix + a + " blocks run " + format_length(gap.gap, decimals) + " farther than " + b +
+             " ones" + (gap.of_few ? " on average" : "") + interval +
              (gap.of_few ? few_run_on(farther, nearer, a, b, decimals) : "");
     case Verdict::kDistributionDiffers:
       return prefix + means + ", a difference that can be chance" + interval +
@@ -146,7 +147,8 @@ std::string describe_difference(const Comparison& comparison, const FileSummary&
 }
 
 std::string with_interval(const CrossingEstimate& share, std::size_t draws) {
-  return share.interval ? " (" + format_percentage_interval(*share.interval) + by_draw(draws) + ")" : "";
+  return share.interval ? " (" + format_percentage_interval(*share.interval) + by_draw(draws) + ")"
+                        : "";
 }
 
 /// "34 % of compact and 2 % of elongated blocks pass EC22".
@@ -154,8 +156,8 @@ std::string share_sentence(const Comparison& comparison, const BarrierSummary& p
                            std::size_t draws) {
   const BarrierText words = barrier_text(comparison, passage.line);
   if (passage.all.crossed == 0) {
-    const std::string text =
-        "none of " + format_count(passage.all.started, "run") + " " + words.pass + "es " + words.name;
+    const std::string text = "none of " + format_count(passage.all.started, "run") + " " +
+                             words.pass + "es " + words.name;
     if (!passage.all.interval || draws > 0) return text;
     return text + " (with more runs, up to " + format_percentage(passage.all.interval->high) +
            " might)";
@@ -165,8 +167,8 @@ std::string share_sentence(const Comparison& comparison, const BarrierSummary& p
            with_interval(passage.all, draws);
   }
   if (passage.classes.size() < 2) {
-    return format_percentage(passage.all.share) + " of the blocks " + words.pass + " " + words.name +
-           with_interval(passage.all, draws);
+    return format_percentage(passage.all.share) + " of the blocks " + words.pass + " " +
+           words.name + with_interval(passage.all, draws);
   }
   return format_percentage(passage.classes[0].share) + " of " +
          comparison.groups[passage.classes[0].group].key + " and " +
@@ -178,10 +180,12 @@ std::string share_sentence(const Comparison& comparison, const BarrierSummary& p
 /// ". Of those that pass, 95 % carry less than 43 kJ, and the tops of 95 % stay below 1.6 m".
 std::string strength_of(const BarrierSummary& passage, const std::string& pass) {
   if (passage.all.crossed == 0) return "";
-  const std::string energy = format_energy_limit(passage.all.energy) +
-                             format_in_brackets(range_by_draw(passage.all.energy_range, format_energy_limit));
-  const std::string height = format_height_limit(passage.all.top) +
-                             format_in_brackets(range_by_draw(passage.all.top_range, format_height_limit));
+  const std::string energy =
+      format_energy_limit(passage.all.energy) +
+      format_in_brackets(format_range_by_draw(passage.all.energy_range, format_energy_limit));
+  const std::string height =
+      format_height_limit(passage.all.top) +
+      format_in_brackets(format_range_by_draw(passage.all.top_range, format_height_limit));
   if (!passage.all.largest) {
     return ". Of those that " + pass + ", 95 % carry less than " + energy +
            ", and the tops of 95 % stay below " + height;
@@ -199,7 +203,8 @@ std::string passages_in_words(const Comparison& comparison, const FileSummary& s
                      strength_of(first, barrier_text(comparison, first.line).pass) + ".";
   const std::size_t shown = std::min(statement.passages.size() - 1, kMostOthers);
   for (std::size_t i = 1; i <= shown; ++i) {
-    text += " " + capitalized(share_sentence(comparison, statement.passages[i], statement.draws)) + ".";
+    text +=
+        " " + capitalized(share_sentence(comparison, statement.passages[i], statement.draws)) + ".";
   }
   const std::size_t left = statement.passages.size() - 1 - shown;
   if (left > 0) text += " " + format_count(left, "more barrier") + " below.";
@@ -211,13 +216,14 @@ std::string ground_in_words(const Comparison& comparison, const FileSummary& sta
   if (statement.draws == 0) return "";
   std::string text;
   if (const auto& range = statement.all.interval) {
-    text = "mean runout is " + format_length_interval(*range, decimals_of_length(range->high, *range));
+    text =
+        "mean runout is " + format_length_interval(*range, decimals_of_length(range->high, *range));
   }
   for (const BarrierSummary& passage : statement.passages) {
     if (!passage.all.interval) continue;
     const BarrierText words = barrier_text(comparison, passage.line);
-    text += (text.empty() ? "" : ", ") + format_percentage_interval(*passage.all.interval) + " " + words.pass +
-            " " + words.name;
+    text += (text.empty() ? "" : ", ") + format_percentage_interval(*passage.all.interval) + " " +
+            words.pass + " " + words.name;
   }
   if (text.empty()) return "";
   return " Over " + std::to_string(statement.draws) + " draws of the ground, " + text +
@@ -225,8 +231,8 @@ std::string ground_in_words(const Comparison& comparison, const FileSummary& sta
 }
 
 std::string sentence_of(const Comparison& comparison, const FileSummary& statement) {
-  const std::string runout =
-      statement.gap ? describe_difference(comparison, statement) : mean_runout(comparison, statement);
+  const std::string runout = statement.gap ? describe_difference(comparison, statement)
+                                           : mean_runout(comparison, statement);
   const std::string prefix =
       statement.file ? capitalized(file_name(comparison, *statement.file)) + ": " : "";
   const std::string passages = passages_in_words(comparison, statement);
@@ -239,17 +245,18 @@ std::string files_in_words(const Comparison& comparison, const KeyResults& answe
   const std::string a = file_name(comparison, *comparison.groups[gap.farther].file);
   const std::string b = file_name(comparison, *comparison.groups[gap.nearer].file);
   const int decimals = decimals_of_length(gap.gap, gap.interval);
-  const std::string interval = gap.interval ? " (" + format_length_interval(*gap.interval, decimals) +
-                                                  (answer.has_draws() ? kByDraw : "") + ")"
-                                            : "";
+  const std::string interval = gap.interval
+                                   ? " (" + format_length_interval(*gap.interval, decimals) +
+                                         (answer.has_draws() ? kByDraw : "") + ")"
+                                   : "";
   if (gap.verdict == Verdict::kSignificant) {
-    return "Blocks run " + format_length(gap.gap, decimals) + " farther in " + a + " than in " +
-           b + interval + ".";
+    return "Blocks run " + format_length(gap.gap, decimals) + " farther in " + a + " than in " + b +
+           interval + ".";
   }
   if (gap.verdict == Verdict::kTooFewValues) return "";
   if (gap.verdict == Verdict::kUntested) {
-    return "Blocks run " + format_length(gap.gap, decimals) + " farther in " + a + " than in " +
-           b + "; one realisation does not show whether this is chance.";
+    return "Blocks run " + format_length(gap.gap, decimals) + " farther in " + a + " than in " + b +
+           "; one realisation does not show whether this is chance.";
   }
   if (gap.verdict == Verdict::kGroundDependent) {
     return "Whether blocks run farther in " + a + " or in " + b + " depends on the ground" +
@@ -272,7 +279,8 @@ std::string masses_in_words(const Comparison& comparison) {
 
 }  // namespace
 
-std::vector<std::string> describe_key_results(const Comparison& comparison, const KeyResults& answer) {
+std::vector<std::string> describe_key_results(const Comparison& comparison,
+                                              const KeyResults& answer) {
   std::vector<std::string> sentences;
   if (answer.files) {
     const std::string between = files_in_words(comparison, answer);
@@ -295,8 +303,8 @@ std::string describe_runs(const Comparison& comparison) {
     blocks += group.kind == GroupKind::kBlock;
     classes += group.kind == GroupKind::kGarcia;
   }
-  std::string text = format_count(comparison.rows.size(), "run") + " of " + format_count(blocks, "block") +
-                     " (" + masses_in_words(comparison) + ") in " +
+  std::string text = format_count(comparison.rows.size(), "run") + " of " +
+                     format_count(blocks, "block") + " (" + masses_in_words(comparison) + ") in " +
                      format_count(classes, "shape class", "shape classes");
   const std::size_t files = comparison.results.size();
   return files > 1 ? text + ", from " + format_count(files, "file") : text;
@@ -313,10 +321,11 @@ std::string describe_intervals(const KeyResults& answer) {
     realisations = realisations || statement.of_realisations;
   }
   const std::string over_draws =
-      draws == 0 ? ""
-                 : "Ranges over draws of the ground parameters cover " +
-                       std::string(is_ninety_percent_interval(draws) ? "nine draws of ten" : "all draws") +
-                       "; they say nothing about other release points or blocks.";
+      draws == 0
+          ? ""
+          : "Ranges over draws of the ground parameters cover " +
+                std::string(is_ninety_percent_interval(draws) ? "nine draws of ten" : "all draws") +
+                "; they say nothing about other release points or blocks.";
   if (all_drawn) return over_draws;
   std::string ranges = "Ranges in brackets are 95 % intervals, from ";
   if (realisations && fewest == 1) {
@@ -345,7 +354,8 @@ std::string describe_limits(const Comparison& comparison, const KeyResults& answ
   return text + ".";
 }
 
-std::vector<std::string> describe_first_screen(const Comparison& comparison, const KeyResults& answer) {
+std::vector<std::string> describe_first_screen(const Comparison& comparison,
+                                               const KeyResults& answer) {
   std::vector<std::string> lines = {describe_runs(comparison), ""};
   const auto add = [&](const std::vector<std::string>& more) {
     lines.insert(lines.end(), more.begin(), more.end());
@@ -353,7 +363,7 @@ std::vector<std::string> describe_first_screen(const Comparison& comparison, con
   add(describe_key_results(comparison, answer));
   lines.emplace_back();
   std::size_t width = 0;
-  const std::vector<KeyFigure> figures = key_figures(comparison, answer);
+  const std::vector<KeyFigure> figures = select_key_figures(comparison, answer);
   for (const KeyFigure& figure : figures) width = std::max(width, figure.value.size());
   for (const KeyFigure& figure : figures) {
     lines.push_back("  " + figure.value + std::string(width - figure.value.size() + 2, ' ') +
@@ -366,7 +376,8 @@ std::vector<std::string> describe_first_screen(const Comparison& comparison, con
   if (!measured.empty()) add({"", "Measured stops against simulated ones:"});
   add(measured);
   if (!comparison.cautions.empty()) add({"", "What could reverse this answer:"});
-  for (const ComparisonWarning& caution : comparison.cautions) lines.push_back("- " + caution.brief);
+  for (const ComparisonWarning& caution : comparison.cautions)
+    lines.push_back("- " + caution.brief);
   return lines;
 }
 

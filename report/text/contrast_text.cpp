@@ -35,8 +35,8 @@ std::string describe_difference(const Contrast& contrast, const std::string& uni
   double high = sign * (factor * contrast.interval->high);
   if (low > high) std::swap(low, high);
   const int decimals = known_decimals({low, high}, kMostDecimals);
-  return format_decimals(sign * gap, decimals) + of_unit + way + " (" + format_decimals(low, decimals) +
-         " to " + format_decimals(high, decimals) + of_unit + ")";
+  return format_decimals(sign * gap, decimals) + of_unit + way + " (" +
+         format_decimals(low, decimals) + " to " + format_decimals(high, decimals) + of_unit + ")";
 }
 
 std::string describe_difference(const Difference& difference) {
@@ -48,7 +48,7 @@ std::string describe_difference(const DepositQuantityDifference& difference) {
   return describe_difference(difference, deposit_quantities()[difference.first.figure].unit);
 }
 
-std::string in_words(const Difference& difference, const Comparison& comparison) {
+std::string describe_effect(const Difference& difference, const Comparison& comparison) {
   const QuantityText words = quantity_text(difference.quantity);
   const auto mean = [&](double value) {
     return format_significant(words.factor * value, 3) + " " + words.unit;
@@ -71,7 +71,7 @@ std::string in_words(const Difference& difference, const Comparison& comparison)
   }
 }
 
-std::string in_words(const DepositQuantityDifference& difference) {
+std::string describe_effect(const DepositQuantityDifference& difference) {
   const DepositQuantity& figure = deposit_quantities()[difference.first.figure];
   const auto mean = [&](const DepositQuantitySummary& of_file) {
     return "file " + std::to_string(of_file.file + 1) + " " +
@@ -79,8 +79,8 @@ std::string in_words(const DepositQuantityDifference& difference) {
            (figure.unit.empty() ? "" : " " + figure.unit);
   };
   const std::string text = figure.words + ": " + mean(difference.first) + ", " +
-                           mean(difference.second) + "; " + describe_difference(difference) + ", from " +
-                           std::to_string(difference.first.summary.count) + " and " +
+                           mean(difference.second) + "; " + describe_difference(difference) +
+                           ", from " + std::to_string(difference.first.summary.count) + " and " +
                            format_count(difference.second.summary.count, "realisation");
   switch (difference.verdict()) {
     case Verdict::kSignificant:
@@ -98,10 +98,10 @@ std::string in_words(const DepositQuantityDifference& difference) {
                      : "; no interval, since realisations do not differ");
 }
 
-std::string in_words(const DepositMobility& mobility) {
+std::string describe_effect(const DepositMobility& mobility) {
   std::string text = mobility.group + ": " + format_decimals(mobility.together_runout.mean, 1) +
-                     " m together, " + format_decimals(mobility.alone_runout.mean, 1) + " m alone; " +
-                     describe_difference(mobility.difference, "m");
+                     " m together, " + format_decimals(mobility.alone_runout.mean, 1) +
+                     " m alone; " + describe_difference(mobility.difference, "m");
   if (!mobility.difference.interval) {
     text += ", without an interval";
   } else if (!mobility.difference.excludes_zero()) {
@@ -111,7 +111,8 @@ std::string in_words(const DepositMobility& mobility) {
     text += "; they start " + format_decimals(mobility.starts_apart, 0) + " m apart";
   }
   if (std::abs(mobility.mass_ratio - 1.0) > kSameMass) {
-    text += "; mean mass together is " + format_significant(mobility.mass_ratio, 3) + " times that alone";
+    text += "; mean mass together is " + format_significant(mobility.mass_ratio, 3) +
+            " times that alone";
   }
   return text;
 }

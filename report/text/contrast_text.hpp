@@ -26,14 +26,14 @@ std::string describe_difference(const Difference& difference);
 std::string describe_difference(const DepositQuantityDifference& difference);
 
 /// Describes a difference in a complete sentence.
-std::string in_words(const Difference& difference, const Comparison& comparison);
+std::string describe_effect(const Difference& difference, const Comparison& comparison);
 
 /// Describes a difference of deposits and its significance: "travel angle: file 1 31.2 deg, file 2
 /// 28.4 deg; 2.8 deg more (1.1 to 4.5 deg), from 4 and 4 realisations".
-std::string in_words(const DepositQuantityDifference& difference);
+std::string describe_effect(const DepositQuantityDifference& difference);
 
 /// Describes the mobility of a deposit: "class compact: 12.1 m together, 15.3 m alone; 3.2 m less
 /// (1.1 to 5.3 m)", and differences of starts and masses beyond `kSameStart` and `kSameMass`.
-std::string in_words(const DepositMobility& mobility);
+std::string describe_effect(const DepositMobility& mobility);
 
 }  // namespace clast

@@ -51,8 +51,8 @@ KeyFigure runout_figure(const Comparison& comparison, const FileSummary& stateme
     medians.add(one.stands() ? format_decimals(one.median, decimals) : "?", "");
     farthest.add(one.stands() ? format_decimals(one.p95, decimals) : "?", "");
   }
-  const bool some =
-      std::any_of(shown.begin(), shown.end(), [](const RunoutEstimate& one) { return one.stands(); });
+  const bool some = std::any_of(shown.begin(), shown.end(),
+                                [](const RunoutEstimate& one) { return one.stands(); });
   return {means.values + " m", "mean runout" + class_names(comparison, statement),
           drawn_ranges(means.ranges, statement),
           some ? "half stop before " + medians.values + " m, 95 % before " + farthest.values + " m"
@@ -71,7 +71,7 @@ std::string by_class(const Comparison& comparison, const BarrierSummary& passage
             (share.largest ? " (" + format_count(share.crossed, "passage") + ")" : "");
   }
   if (passage.all.largest) return text;
-  return text + (text.empty() ? "" : "; ") + "largest " + in_words(passage.all.*largest);
+  return text + (text.empty() ? "" : "; ") + "largest " + describe_effect(passage.all.*largest);
 }
 
 std::vector<KeyFigure> barrier_figures(const Comparison& comparison, const FileSummary& statement) {
@@ -97,14 +97,16 @@ std::vector<KeyFigure> barrier_figures(const Comparison& comparison, const FileS
        std::to_string(all.crossed) + " of " + format_count(all.started, "run") +
            (all.crossed == 0 ? ""
                              : "; speed there: " + limit + " " + format_speed_limit(all.speed) +
-                                   format_in_brackets(range_by_draw(all.speed_range, format_speed_limit)))}};
+                                   format_in_brackets(format_range_by_draw(all.speed_range,
+                                                                           format_speed_limit)))}};
   if (all.crossed == 0) return figures;
   figures.push_back({format_energy_limit(all.energy), "energy at " + words.name + ": " + limit,
-                     range_by_draw(all.energy_range, format_energy_limit),
+                     format_range_by_draw(all.energy_range, format_energy_limit),
                      by_class(comparison, passage, &CrossingEstimate::energy, format_energy_limit,
                               &CrossingEstimate::largest_energy, format_energy)});
-  figures.push_back({format_height_limit(all.top), "top of the blocks at " + words.name + ": " + limit,
-                     range_by_draw(all.top_range, format_height_limit),
+  figures.push_back({format_height_limit(all.top),
+                     "top of the blocks at " + words.name + ": " + limit,
+                     format_range_by_draw(all.top_range, format_height_limit),
                      by_class(comparison, passage, &CrossingEstimate::top, format_height_limit,
                               &CrossingEstimate::largest_top, format_height) +
                          "; centres " + format_height_limit(all.height)});
@@ -113,7 +115,7 @@ std::vector<KeyFigure> barrier_figures(const Comparison& comparison, const FileS
 
 }  // namespace
 
-std::vector<KeyFigure> key_figures(const Comparison& comparison, const KeyResults& answer) {
+std::vector<KeyFigure> select_key_figures(const Comparison& comparison, const KeyResults& answer) {
   constexpr std::size_t kMost = 4;
   std::vector<KeyFigure> figures;
   if (answer.statements.size() == 1) {

@@ -16,6 +16,6 @@ struct KeyFigure {
 };
 
 /// Selects at most four key figures.
-std::vector<KeyFigure> key_figures(const Comparison& comparison, const KeyResults& answer);
+std::vector<KeyFigure> select_key_figures(const Comparison& comparison, const KeyResults& answer);
 
 }  // namespace clast

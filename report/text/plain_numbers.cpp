@@ -36,8 +36,8 @@ std::string format_length(double length, int decimals) {
 }
 
 std::string format_length_interval(const Interval& interval, int decimals) {
-  return format_decimals(interval.low, decimals) + " to " + format_decimals(interval.high, decimals) +
-         " m";
+  return format_decimals(interval.low, decimals) + " to " +
+         format_decimals(interval.high, decimals) + " m";
 }
 
 std::string format_percentage(double share) { return share_number(share) + " %"; }
@@ -49,7 +49,8 @@ std::string format_percentage_interval(const Interval& interval) {
 std::string format_energy(double joules) {
   const int decimals = decimals_of_energy(joules);
   if (joules >= 1e3) return format_decimals(joules / 1e3, decimals) + " kJ";
-  return joules >= 10.0 ? format_decimals(joules, decimals) + " J" : format_significant(joules, 2) + " J";
+  return joules >= 10.0 ? format_decimals(joules, decimals) + " J"
+                        : format_significant(joules, 2) + " J";
 }
 
 std::string format_energy_limit(double joules) {
@@ -62,7 +63,8 @@ std::string format_speed_limit(double metres_per_second) {
 }
 
 std::string format_mass(double kilograms) {
-  return (kilograms < 100.0 ? format_significant(kilograms, 2) : format_decimals(kilograms, 0)) + " kg";
+  return (kilograms < 100.0 ? format_significant(kilograms, 2) : format_decimals(kilograms, 0)) +
+         " kg";
 }
 
 std::string format_height(double metres) {
@@ -75,10 +77,13 @@ std::string format_height_limit(double metres) {
 
 bool is_ninety_percent_interval(std::size_t draws) { return draws >= kDrawsForTenths; }
 
-std::string range_by_draw(const std::optional<Interval>& range, std::string (*limit)(double)) {
+std::string format_range_by_draw(const std::optional<Interval>& range,
+                                 std::string (*limit)(double)) {
   return range ? limit(range->low) + " to " + limit(range->high) + kByDraw : "";
 }
 
-std::string format_in_brackets(const std::string& text) { return text.empty() ? "" : " (" + text + ")"; }
+std::string format_in_brackets(const std::string& text) {
+  return text.empty() ? "" : " (" + text + ")";
+}
 
 }  // namespace clast::report_detail

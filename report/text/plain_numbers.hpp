@@ -37,7 +37,8 @@ inline constexpr const char* kByDraw = " over draws of the ground parameters";
 bool is_ninety_percent_interval(std::size_t draws);
 /// Formats a range over ground draws: "86 kJ to 153 kJ over draws of the ground parameters"; empty
 /// without a range.
-std::string range_by_draw(const std::optional<Interval>& range, std::string (*limit)(double));
+std::string format_range_by_draw(const std::optional<Interval>& range,
+                                 std::string (*limit)(double));
 /// Formats a text in parentheses with a leading space; empty for an empty text.
 std::string format_in_brackets(const std::string& text);
 

@@ -120,7 +120,7 @@ std::vector<std::string> describe_trends(const std::vector<ShapeTrends>& trends,
 }
 
 std::string describe_planned_power(const PlannedPower& plan) {
-  if (!plan.known()) return plan.margin ? why_not_known(plan) : "";
+  if (!plan.is_known()) return plan.margin ? why_not_known(plan) : "";
   std::string text = "a difference in runout of " + trend_value(plan.smallest(), "m") +
                      " between two halves of the blocks is found in 80 % of such campaigns, if "
                      "the runout scatters by " +

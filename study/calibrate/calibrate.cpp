@@ -57,7 +57,8 @@ void check_design(const fs::path& from, const StoredCalibration& stored,
     throw InputError(from.string() +
                      ": was begun with other sites, unknowns, members, inputs or program; " + next);
   }
-  const std::string physics = describe_physics_difference(stored.physics_digest, asked.physics_digest);
+  const std::string physics =
+      describe_physics_difference(stored.physics_digest, asked.physics_digest);
   if (physics.empty()) return;
   throw InputError(from.string() + ": " + physics +
                    " than in the one that simulated its members, " +
@@ -155,7 +156,8 @@ Calibration calibrate_with(const CalibrationBackend& simulator, const Calibratio
   Calibration calibration{study, {}, {}, target};
   const auto begin = [&] {
     for (const Observation& observation : study.observations) {
-      select_outcomes(observation, simulator.sites[observation.site], {});  // refuses blocks that it lacks
+      select_outcomes(observation, simulator.sites[observation.site],
+                      {});  // refuses blocks that it lacks
     }
     check_target(target, options);
     lock.emplace(target, FileLockOptions{.timeout = std::chrono::milliseconds(0)});
@@ -163,7 +165,7 @@ Calibration calibrate_with(const CalibrationBackend& simulator, const Calibratio
     calibration.stored = begun(study, simulator, target, options);
     return std::string();
   };
-  options.team ? options.team->agree(begin) : void(begin());
+  options.team ? options.team->check_agreement(begin) : void(begin());
   simulate_missing_members(study, simulator, target, options, calibration.stored);
   const bool whole = options.shard.count == 1;
   if (whole) {
@@ -188,14 +190,15 @@ struct PreparedSites {
     for (std::size_t i = 0; i < study.sites.size(); ++i) {
       sites.emplace_back(study.sites[i], study.unknowns, study.design,
                          observed_moments(study.observations, i));
-      simulator.sites.push_back(sites.back().facts());
+      simulator.sites.push_back(sites.back().description());
       const std::vector<std::string>& inputs = sites.back().inputs();
       simulator.inputs.insert(simulator.inputs.end(), inputs.begin(), inputs.end());
     }
     // Processes are asked for one by one, so each has a core to itself unless another number is
     // given.
     const bool alone = !options.team || options.team->size() == 1;
-    const unsigned threads = options.threads == 0 && !alone ? 1 : resolve_thread_count(options.threads);
+    const unsigned threads =
+        options.threads == 0 && !alone ? 1 : resolve_thread_count(options.threads);
     simulator.physics_digest = physics_digest();
     simulator.simulate = [this, threads](std::size_t site, std::uint32_t member,
                                          const std::vector<double>& values) {
@@ -217,18 +220,18 @@ Calibration calibrate(const CalibrationStudy& study, const fs::path& target,
     prepared.emplace(study, options);
     return design_digest(study, prepared->simulator.inputs) + physics_digest();
   };
-  options.team ? options.team->agree(prepare) : void(prepare());
+  options.team ? options.team->check_agreement(prepare) : void(prepare());
   return calibrate_with(prepared->simulator, study, target, options);
 }
 
 void serve_calibration(const CalibrationStudy& study, const CalibrateOptions& options) {
   std::optional<PreparedSites> prepared;
-  options.team->agree([&] {
+  options.team->check_agreement([&] {
     prepared.emplace(study, options);
     return design_digest(study, prepared->simulator.inputs) + physics_digest();
   });
-  options.team->agree([] { return std::string(); });
-  follow_missing(study, prepared->simulator, *options.team);
+  options.team->check_agreement([] { return std::string(); });
+  simulate_received_members(study, prepared->simulator, *options.team);
 }
 
 }  // namespace clast

@@ -246,7 +246,7 @@ std::vector<double> CalibrationStudy::values(const std::vector<double>& shares) 
   return all;
 }
 
-std::size_t CalibrationStudy::figures() const {
+std::size_t CalibrationStudy::statistic_count() const {
   std::size_t count = 0;
   for (const Observation& observation : observations) count += observation.figures.size();
   return count;

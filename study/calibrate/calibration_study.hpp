@@ -44,7 +44,7 @@ struct CalibrationStudy {
   /// Converts prior probabilities to values of the unknowns.
   std::vector<double> values(const std::vector<double>& shares) const;
   /// Returns the number of statistics of all observations.
-  std::size_t figures() const;
+  std::size_t statistic_count() const;
   /// Returns the number of runs of all members at all sites.
   std::uint64_t runs() const;
 };

@@ -124,7 +124,7 @@ void simulate_missing_members(const CalibrationStudy& study, const CalibrationBa
   const auto here = [&](std::uint32_t item) { keeper.add(item, simulation.of(item)); };
   try {
     if (options.team && options.team->size() > 1) {
-      lead_work(*options.team, missing, 1, here, [&](const std::string& done) {
+      distribute_work(*options.team, missing, 1, here, [&](const std::string& done) {
         auto [item, outcomes] = handed_in(done);
         keeper.add(item, std::move(outcomes));
       });
@@ -138,10 +138,10 @@ void simulate_missing_members(const CalibrationStudy& study, const CalibrationBa
   keeper.keep();
 }
 
-void follow_missing(const CalibrationStudy& study, const CalibrationBackend& simulator,
-                    ProcessTeam& team) {
+void simulate_received_members(const CalibrationStudy& study, const CalibrationBackend& simulator,
+                               ProcessTeam& team) {
   const Simulation simulation(study, simulator);
-  follow_work(team, 1, [&](std::uint32_t item) {
+  process_received_work(team, 1, [&](std::uint32_t item) {
     std::string done(1 + sizeof item, kSimulated);
     std::memcpy(done.data() + 1, &item, sizeof item);
     try {

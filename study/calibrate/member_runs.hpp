@@ -16,8 +16,8 @@ void simulate_missing_members(const CalibrationStudy& study, const CalibrationBa
                               StoredCalibration& stored);
 
 /// Simulates members for the leader of the team.
-void follow_missing(const CalibrationStudy& study, const CalibrationBackend& simulator,
-                    ProcessTeam& team);
+void simulate_received_members(const CalibrationStudy& study, const CalibrationBackend& simulator,
+                               ProcessTeam& team);
 
 /// Serialises release outcomes.
 std::string serialize_outcomes(const std::vector<ReleaseOutcome>& outcomes);

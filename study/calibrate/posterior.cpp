@@ -141,7 +141,7 @@ PredictiveCheck predict_figures(const CalibrationStudy& study,
       predictive_draws(likelihood, which, posterior.shares, derive_seed(study.design.seed, name));
   const MatrixXd prior = predictive_draws(likelihood, which, prior_places(study),
                                           derive_seed(study.design.seed, name + " prior"));
-  const VectorXd observed = likelihood.observed(which);
+  const VectorXd observed = likelihood.observed_values(which);
   for (std::size_t i = 0; i < which.size(); ++i) {
     PredictedStatistic figure = place_of_figure(study, static_cast<std::size_t>(which[i]));
     const SummaryStatistic& asked = study.observations[figure.observation].figures[figure.figure];
@@ -191,7 +191,7 @@ std::vector<std::vector<SobolIndices>> sensitivities_of(const CalibrationStudy& 
                                                         const SyntheticLikelihood& likelihood,
                                                         unsigned threads) {
   constexpr std::size_t kSamples = 2048;
-  std::vector<std::vector<SobolIndices>> all(study.figures());
+  std::vector<std::vector<SobolIndices>> all(study.statistic_count());
   parallel_for(all.size(), threads, [&](std::size_t k) {
     if (!likelihood.quality(k)) return;
     all[k] = sobol_indices(
@@ -205,7 +205,7 @@ std::vector<std::vector<SobolIndices>> sensitivities_of(const CalibrationStudy& 
 NearestMembers nearest_members(const CalibrationStudy& study, const MemberStatistics& figures,
                                const SyntheticLikelihood& likelihood) {
   const std::vector<Index> which = likelihood.known(true);
-  const VectorXd observed = likelihood.observed(which);
+  const VectorXd observed = likelihood.observed_values(which);
   const Eigen::LLT<MatrixXd> factor(likelihood.scatter(which));
   const auto members = static_cast<std::size_t>(figures.places.cols());
   std::vector<std::pair<double, std::size_t>> distances;
@@ -268,7 +268,7 @@ CalibrationPosterior infer_posterior(const CalibrationStudy& study, const Calibr
   posterior.fitted = predict_figures(study, likelihood, true, posterior);
   posterior.kept = predict_figures(study, likelihood, false, posterior);
   check_fit(likelihood, posterior);
-  for (std::size_t k = 0; k < study.figures(); ++k) {
+  for (std::size_t k = 0; k < study.statistic_count(); ++k) {
     posterior.surrogates.push_back(likelihood.quality(k));
   }
   posterior.sensitivities = sensitivities_of(study, likelihood, threads);

@@ -222,7 +222,7 @@ SiteMemberSimulator::SiteMemberSimulator(const CalibrationSite& site,
 SiteMemberSimulator::~SiteMemberSimulator() = default;
 SiteMemberSimulator::SiteMemberSimulator(SiteMemberSimulator&&) noexcept = default;
 
-const SiteDescription& SiteMemberSimulator::facts() const { return impl_->facts; }
+const SiteDescription& SiteMemberSimulator::description() const { return impl_->facts; }
 const std::vector<std::string>& SiteMemberSimulator::inputs() const { return impl_->inputs; }
 
 std::vector<ReleaseOutcome> SiteMemberSimulator::simulate(std::uint32_t member,
@@ -253,7 +253,7 @@ std::vector<ReleaseOutcome> SiteMemberSimulator::simulate(std::uint32_t member,
     MotionObserver observe;
     if (!own.facts.moments.empty()) observe = [&](const MotionStep& step) { moments.see(step); };
     const StoredRun run =
-        runs_from(prepared, static_cast<std::uint32_t>(i), {}, 1, observe).front();
+        simulate_realisation(prepared, static_cast<std::uint32_t>(i), {}, 1, observe).front();
     outcomes[i] = count_stop_reasons(run, prepared);
     if (own.blocks_vary) {
       outcomes[i].block =

@@ -25,7 +25,7 @@ class SiteMemberSimulator {
   ~SiteMemberSimulator();
   SiteMemberSimulator(SiteMemberSimulator&&) noexcept;
 
-  const SiteDescription& facts() const;
+  const SiteDescription& description() const;
   /// Returns campaign, library, terrain and release files, each as "path sha256".
   const std::vector<std::string>& inputs() const;
 

@@ -23,9 +23,9 @@ CalibrationCheck check_calibration_study(const std::filesystem::path& file) {
     if (!check.findings.empty()) continue;
     find([&] {
       const SiteMemberSimulator simulator(site, study.unknowns, study.design,
-                                    observed_moments(study.observations, i));
+                                          observed_moments(study.observations, i));
       for (const Observation& observation : study.observations) {
-        if (observation.site == i) select_outcomes(observation, simulator.facts(), {});
+        if (observation.site == i) select_outcomes(observation, simulator.description(), {});
       }
     });
   }

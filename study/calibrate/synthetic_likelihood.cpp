@@ -94,7 +94,7 @@ MemberStatistics compute_member_statistics(
       figures.places(static_cast<Index>(i), static_cast<Index>(m)) = places[m][i];
     }
   }
-  figures.values.resize(static_cast<Index>(study.figures()), static_cast<Index>(members));
+  figures.values.resize(static_cast<Index>(study.statistic_count()), static_cast<Index>(members));
   figures.scatter.assign(figures.groups.size(), std::vector<StatisticScatter>(members));
   parallel_for(members, threads, [&](std::size_t m) {
     for (std::size_t g = 0; g < figures.groups.size(); ++g) {
@@ -123,8 +123,10 @@ MemberStatistics compute_member_statistics(
 
 SyntheticLikelihood::SyntheticLikelihood(const CalibrationStudy& study,
                                          const MemberStatistics& figures, unsigned threads)
-    : threads_(threads), surrogates_(study.figures()), fitted_(study.figures(), false) {
-  const std::size_t count = study.figures();
+    : threads_(threads),
+      surrogates_(study.statistic_count()),
+      fitted_(study.statistic_count(), false) {
+  const std::size_t count = study.statistic_count();
   const std::size_t fewest = fewest_members(study.design.members, study.unknowns.size());
   observed_.resize(static_cast<Index>(count));
   std::size_t at = 0;
@@ -203,7 +205,7 @@ SyntheticLikelihood::Expected SyntheticLikelihood::expected(const MatrixXd& plac
   return all;
 }
 
-VectorXd SyntheticLikelihood::observed(const std::vector<Index>& which) const {
+VectorXd SyntheticLikelihood::observed_values(const std::vector<Index>& which) const {
   VectorXd values(static_cast<Index>(which.size()));
   for (std::size_t i = 0; i < which.size(); ++i)
     values[static_cast<Index>(i)] = observed_[which[i]];
@@ -263,14 +265,14 @@ Misfit misfit_of(const SyntheticLikelihood::Expected& expected, const VectorXd& 
 
 VectorXd SyntheticLikelihood::log_likelihood(const MatrixXd& places) const {
   const std::vector<Index> which = known(true);
-  const Misfit misfit = misfit_of(expected(places, which), observed(which), scatter(which));
+  const Misfit misfit = misfit_of(expected(places, which), observed_values(which), scatter(which));
   const double constant = static_cast<double>(which.size()) * std::log(2.0 * kPi);
   return -0.5 * (misfit.squared + misfit.log_determinant).array() - 0.5 * constant;
 }
 
 VectorXd SyntheticLikelihood::squared_distance(const MatrixXd& places, bool fitted) const {
   const std::vector<Index> which = known(fitted);
-  return misfit_of(expected(places, which), observed(which), scatter(which)).squared;
+  return misfit_of(expected(places, which), observed_values(which), scatter(which)).squared;
 }
 
 }  // namespace clast::study_detail

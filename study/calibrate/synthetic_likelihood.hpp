@@ -53,7 +53,7 @@ class SyntheticLikelihood {
 
   /// Returns the covariance of some statistics without the surrogate variance.
   Eigen::MatrixXd scatter(const std::vector<Eigen::Index>& which) const;
-  Eigen::VectorXd observed(const std::vector<Eigen::Index>& which) const;
+  Eigen::VectorXd observed_values(const std::vector<Eigen::Index>& which) const;
   /// Returns the quality of a surrogate; empty if there is none.
   std::optional<SurrogateQuality> quality(std::size_t figure) const {
     if (!surrogates_[figure]) return std::nullopt;

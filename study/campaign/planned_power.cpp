@@ -11,7 +11,7 @@ double assume_design_effect(std::size_t runs, std::size_t blocks) {
   return 1.0 + (each - 1.0) * kAssumedBlockShare;
 }
 
-bool PlannedPower::known() const {
+bool PlannedPower::is_known() const {
   return trial_runs > 1 && blocks >= kFewestBlocksOfPower && scatter > 0.0;
 }
 

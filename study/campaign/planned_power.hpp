@@ -24,7 +24,7 @@ struct PlannedPower {
   std::optional<double> margin;  ///< smallest relevant difference, m
 
   /// True if there are at least four blocks, two trial runs and a positive scatter.
-  bool known() const;
+  bool is_known() const;
   double design_effect() const { return assume_design_effect(runs, blocks); }
   double smallest() const;     ///< minimum detectable difference at 80 % power, m
   double runs_needed() const;  ///< to detect `margin`, with proportionally more blocks

@@ -36,14 +36,16 @@ ReleasedMass read_released_mass(const MassTerrains& terrains, const ReleasedMass
   return find_released_mass(before, after, options);
 }
 
-RockMassBlocks blocks_of_released_mass(const ReleasedMass& mass, const MassTerrains& terrains,
-                                   const ReleasedMassOptions& options,
-                                   const RockMassOptions& cutting) {
+RockMassBlocks cut_released_mass(const ReleasedMass& mass, const MassTerrains& terrains,
+                                 const ReleasedMassOptions& options,
+                                 const RockMassOptions& cutting) {
   const BlockSource source{
       to_utf8(names_of(terrains.before) + " less " + names_of(terrains.after)),
       digest_of(terrains, options),
-      "min_thickness_m=" + format_significant(options.min_thickness, 6) + " bodies=" + options.bodies +
-          (options.resolution ? " resolution_m=" + format_significant(*options.resolution, 6) : "") +
+      "min_thickness_m=" + format_significant(options.min_thickness, 6) +
+          " bodies=" + options.bodies +
+          (options.resolution ? " resolution_m=" + format_significant(*options.resolution, 6)
+                              : "") +
           (options.polygon ? " polygon=" + to_utf8(options.polygon->filename().string()) : ""),
       ""};
   std::vector<TriangleMesh> masses;
@@ -51,7 +53,7 @@ RockMassBlocks blocks_of_released_mass(const ReleasedMass& mass, const MassTerra
   return cut_rock_masses(masses, source, cutting);
 }
 
-TriangleMesh mesh_of(const ReleasedMass& mass) {
+TriangleMesh make_mass_mesh(const ReleasedMass& mass) {
   TriangleMesh mesh;
   for (const MassBody& body : mass.bodies) mesh = merged(std::move(mesh), body.mesh);
   return mesh;

@@ -22,11 +22,11 @@ ReleasedMass read_released_mass(const MassTerrains& terrains, const ReleasedMass
 /// Cuts each body of the mass by joints. Blocks are in map coordinates, as `[[mass]] in_place`
 /// expects; their source names both terrains and the options.
 /// @throws InputError, GeometryError  as `cut_rock_masses`
-RockMassBlocks blocks_of_released_mass(const ReleasedMass& mass, const MassTerrains& terrains,
-                                       const ReleasedMassOptions& options,
-                                       const RockMassOptions& cutting);
+RockMassBlocks cut_released_mass(const ReleasedMass& mass, const MassTerrains& terrains,
+                                 const ReleasedMassOptions& options,
+                                 const RockMassOptions& cutting);
 
 /// Returns the bodies of the mass as one mesh in map coordinates.
-TriangleMesh mesh_of(const ReleasedMass& mass);
+TriangleMesh make_mass_mesh(const ReleasedMass& mass);
 
 }  // namespace clast

@@ -24,10 +24,12 @@ double drawn_once(const Distribution& number, Random& random) {
 
 }  // namespace
 
-double Distribution::central() const { return law == Law::kUniform ? 0.5 * (first + second) : first; }
+double Distribution::central_value() const {
+  return law == Law::kUniform ? 0.5 * (first + second) : first;
+}
 
 double Distribution::mean() const {
-  if (law == Law::kFixed || law == Law::kUniform) return central();
+  if (law == Law::kFixed || law == Law::kUniform) return central_value();
   // Of a law cut off at both ends, in standard deviations from its middle.
   const auto deviations = [&](double value) {
     if (law == Law::kNormal) return (value - first) / second;

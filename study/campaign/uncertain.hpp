@@ -16,7 +16,7 @@ struct Distribution {
 
   bool fixed() const { return law == Law::kFixed; }
   /// Returns the fixed value, midpoint, mean or median.
-  double central() const;
+  double central_value() const;
   /// Returns the mean of the truncated distribution.
   double mean() const;
   double draw(Random& random) const;

@@ -73,7 +73,7 @@ std::optional<double> mean_at_rest(const Comparison& comparison,
 
 std::optional<Interval> range_of_draws(std::vector<double> values) {
   if (values.empty()) return std::nullopt;
-  return range_of_draw_means(std::move(values));
+  return compute_draw_mean_range(std::move(values));
 }
 
 RunoutEstimate runout_of(const Comparison& comparison, std::size_t group) {
@@ -144,7 +144,7 @@ RunoutContrast gap_between(const Comparison& comparison, const RunoutEstimate& a
   gap.verdict = difference->verdict();
   if (gap.verdict == Verdict::kUntested) return gap;
   if (const auto by_draw = gaps_by_draw(comparison, gap.farther, gap.nearer); !by_draw.empty()) {
-    gap.interval = range_of_draw_means(by_draw);
+    gap.interval = compute_draw_mean_range(by_draw);
     if (gap.interval->low < 0.0 && gap.interval->high > 0.0) {
       gap.verdict = Verdict::kGroundDependent;
     }

@@ -10,8 +10,8 @@
 namespace clast {
 
 /// Runout of a group of runs. Intervals in this header have a level of 95 %; if the ground is drawn
-/// more than once (`FileSummary::draws`), they are ranges over the draws (`range_of_draw_means`)
-/// instead.
+/// more than once (`FileSummary::draws`), they are ranges over the draws
+/// (`compute_draw_mean_range`) instead.
 struct RunoutEstimate {
   std::size_t group = 0;             ///< index into Comparison::groups
   std::size_t started = 0;           ///< number of runs

@@ -45,7 +45,7 @@ class ComparisonAnalyses {
     return kept(mobility_, compute_mass_mobility);
   }
   const MapRasterSet& paths() const { return kept(paths_, compute_path_rasters); }
-  const std::vector<ProfileBin>& profiles() const { return kept(profiles_, clast::profiles); }
+  const std::vector<ProfileBin>& profiles() const { return kept(profiles_, compute_profiles); }
   const DepositResults& deposits() const { return kept(deposits_, measure_deposits); }
   const std::vector<RealisationEnergies>& energies() const {
     return kept(energies_, collect_realisation_energies);

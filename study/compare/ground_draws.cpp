@@ -9,7 +9,7 @@
 namespace clast {
 
 std::vector<GroundDrawRows> group_rows_by_draw(const Comparison& comparison,
-                                     const std::vector<std::size_t>& rows) {
+                                               const std::vector<std::size_t>& rows) {
   std::map<std::pair<std::uint32_t, std::uint32_t>, std::vector<std::size_t>> by_draw;
   bool drawn = false;
   for (const std::size_t row : rows) {
@@ -28,7 +28,7 @@ std::vector<GroundDrawRows> group_rows_by_draw(const Comparison& comparison,
   return draws;
 }
 
-Interval range_of_draw_means(std::vector<double> values) {
+Interval compute_draw_mean_range(std::vector<double> values) {
   std::sort(values.begin(), values.end());
   if (values.size() < kDrawsForTenths) return {values.front(), values.back()};
   return {quantile(values, 0.05), quantile(values, 0.95)};

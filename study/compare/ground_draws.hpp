@@ -24,6 +24,6 @@ inline constexpr std::size_t kDrawsForTenths = 20;
 /// Returns the 5th to 95th percentile of values over ground draws, or their minimum and maximum if
 /// there are fewer than `kDrawsForTenths`.
 /// @param values  one per draw, not empty
-Interval range_of_draw_means(std::vector<double> values);
+Interval compute_draw_mean_range(std::vector<double> values);
 
 }  // namespace clast

@@ -101,8 +101,8 @@ std::map<MapCell, Passed> cell_passages(const Comparison& comparison, double siz
                                       const TerrainSurface& ground) {
     const RunRow& row = comparison.rows[index];
     CellsOfRun run(comparison.results[row.file].frame.origin.head<2>(), size);
-    walk(trajectory, *row.block, ground, 0.5 * size,
-         [&](const PathSample& sample) { run.go_to(sample); });
+    for_each_path_sample(trajectory, *row.block, ground, 0.5 * size,
+                         [&](const PathSample& sample) { run.go_to(sample); });
     for (const auto& [cell, largest] : run.cells()) {
       Passed& passed = cells[cell];
       passed.energy.push_back(largest.energy);

@@ -20,8 +20,9 @@ Vec3 between(const RigidState& a, const RigidState& b, double duration, double s
 
 }  // namespace
 
-void walk(const Trajectory& trajectory, const BlockSummary& block, const TerrainSurface& ground,
-          double step, const std::function<void(const PathSample&)>& visit) {
+void for_each_path_sample(const Trajectory& trajectory, const BlockSummary& block,
+                          const TerrainSurface& ground, double step,
+                          const std::function<void(const PathSample&)>& visit) {
   const auto at = [&](const Vec3& position, const Vec3& velocity, double rotational) {
     const std::optional<double> below = ground.height_at(position.x(), position.y(), position.z());
     visit({position, velocity.norm(), 0.5 * block.mass * velocity.squaredNorm() + rotational,

@@ -21,8 +21,9 @@ struct PathSample {
 /// linearly.
 /// @param block  gives mass and inertia for the energies
 /// @param step  m, positive
-void walk(const Trajectory& trajectory, const BlockSummary& block, const TerrainSurface& ground,
-          double step, const std::function<void(const PathSample&)>& visit);
+void for_each_path_sample(const Trajectory& trajectory, const BlockSummary& block,
+                          const TerrainSurface& ground, double step,
+                          const std::function<void(const PathSample&)>& visit);
 
 /// Visits each stored trajectory of a comparison, in the order of its rows.
 void for_each_trajectory(

@@ -37,22 +37,23 @@ std::vector<BinPassage> bin_passages(const Comparison& comparison, double width)
                                       const TerrainSurface& ground) {
     const RunRow& row = comparison.rows[index];
     const Vec2 start = row.record->start.position.head<2>();
-    walk(trajectory, *row.block, ground, 0.5 * width, [&](const PathSample& sample) {
-      const double along = (sample.position.head<2>() - start).dot(comparison.downslope);
-      LargestInBin& here = all[index][static_cast<int>(std::floor(along / width))];
-      here.energy = std::max(here.energy, sample.energy);
-      here.speed = std::max(here.speed, sample.speed);
-      if (std::isfinite(sample.height)) here.height = std::max(here.height, sample.height);
-      here.places += sample.position.head<2>();
-      here.samples += 1.0;
-    });
+    for_each_path_sample(
+        trajectory, *row.block, ground, 0.5 * width, [&](const PathSample& sample) {
+          const double along = (sample.position.head<2>() - start).dot(comparison.downslope);
+          LargestInBin& here = all[index][static_cast<int>(std::floor(along / width))];
+          here.energy = std::max(here.energy, sample.energy);
+          here.speed = std::max(here.speed, sample.speed);
+          if (std::isfinite(sample.height)) here.height = std::max(here.height, sample.height);
+          here.places += sample.position.head<2>();
+          here.samples += 1.0;
+        });
   });
   return all;
 }
 
 }  // namespace
 
-std::vector<ProfileBin> profiles(const Comparison& comparison) {
+std::vector<ProfileBin> compute_profiles(const Comparison& comparison) {
   const double width = bin_width(comparison);
   const std::vector<BinPassage> all = bin_passages(comparison, width);
   std::vector<ProfileBin> bins;
@@ -83,8 +84,8 @@ std::vector<ProfileBin> profiles(const Comparison& comparison) {
   return bins;
 }
 
-const ProfileBin* least_energy_place(const std::vector<ProfileBin>& bins, std::size_t group,
-                                     std::size_t started) {
+const ProfileBin* find_least_energy_position(const std::vector<ProfileBin>& bins, std::size_t group,
+                                             std::size_t started) {
   const ProfileBin *least = nullptr, *before = nullptr;
   bool past_peak = false;
   for (const ProfileBin& bin : bins) {

@@ -23,12 +23,12 @@ struct ProfileBin {
 
 /// Computes the bins by group, then distance; empty without stored trajectories. Bins have about
 /// 1/50 of the longest runout, rounded, and at least 0.5 m.
-std::vector<ProfileBin> profiles(const Comparison& comparison);
+std::vector<ProfileBin> compute_profiles(const Comparison& comparison);
 
 /// Returns the bin in which a barrier would meet the least energy: the one with the smallest 95th
 /// percentile beyond the first energy peak, among bins passed by at least half of the `started`
 /// runs of a group. Null if there is none.
-const ProfileBin* least_energy_place(const std::vector<ProfileBin>& bins, std::size_t group,
-                                     std::size_t started);
+const ProfileBin* find_least_energy_position(const std::vector<ProfileBin>& bins, std::size_t group,
+                                             std::size_t started);
 
 }  // namespace clast

@@ -101,7 +101,7 @@ void try_runs(const CampaignPlan& prepared, CampaignProposal& proposal) {
   std::vector<StoredRun> runs(trial.count);
   parallel_for(trial.count, 0, [&](std::size_t i) {
     const std::size_t run = i * prepared.runs.size() / trial.count;
-    runs[i] = runs_from(prepared, static_cast<std::uint32_t>(run)).front();
+    runs[i] = simulate_realisation(prepared, static_cast<std::uint32_t>(run)).front();
   });
   std::vector<double> distances;
   for (const StoredRun& run : runs) {

@@ -55,7 +55,7 @@ void ValueRange::include(double value) {
 }
 
 std::vector<BlockStiffness> collect_stiffness_by_block(const CampaignHeader& header,
-                                               std::span<const RunRecord> runs) {
+                                                       std::span<const RunRecord> runs) {
   std::vector<BlockStiffness> list;
   for (const BlockSummary& block : header.blocks) list.push_back(without_runs(block.id));
   for (const RunRecord& run : runs) {
@@ -72,7 +72,7 @@ std::vector<BlockStiffness> collect_stiffness_by_block(const CampaignHeader& hea
   return list;
 }
 
-BlockStiffness over_all(std::span<const BlockStiffness> blocks) {
+BlockStiffness combine_stiffness(std::span<const BlockStiffness> blocks) {
   BlockStiffness all = without_runs("all " + std::to_string(blocks.size()));
   for (const BlockStiffness& block : blocks) {
     all.runs += block.runs;

@@ -43,7 +43,7 @@ struct BlockStiffness {
 std::vector<BlockStiffness> collect_stiffness_by_block(const CampaignHeader& header,
                                                        std::span<const RunRecord> runs);
 /// Returns the ranges over all blocks.
-BlockStiffness over_all(std::span<const BlockStiffness> blocks);
+BlockStiffness combine_stiffness(std::span<const BlockStiffness> blocks);
 
 /// Formats the ranges: "9.52e+07", "2.1e+06 to 3.4e+06", or "-" if empty.
 std::vector<std::string> format_stiffness_cells(const BlockStiffness& block);

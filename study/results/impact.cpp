@@ -38,7 +38,7 @@ void ImpactObserver::update_maxima(const RigidState& state) {
   statistics.max_spin = std::max(statistics.max_spin, std::sqrt(spin));
 }
 
-void ImpactObserver::see(const MotionStep& step) {
+void ImpactObserver::observe_step(const MotionStep& step) {
   const double duration = step.end_time - step.begin_time;
   if (first_) update_maxima(step.begin);
   first_ = false;

@@ -54,7 +54,7 @@ class ImpactObserver {
  public:
   ImpactObserver(const RigidBody& body, std::uint32_t run) : body_(body), run_(run) {}
 
-  void see(const MotionStep& step);
+  void observe_step(const MotionStep& step);
   /// Ends an open impact; call once after the last step.
   void finish();
   /// Serialises the recorded impacts and the open one.

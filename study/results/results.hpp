@@ -169,7 +169,7 @@ class TrajectoryFile {
   TrajectoryFile(TrajectoryFile&&) noexcept;
 
   /// Returns the number of stored states of a run; 0 without a trajectory.
-  std::size_t frames(std::uint32_t run) const;
+  std::size_t frame_count(std::uint32_t run) const;
   /// Reads one trajectory.
   /// @throws InputError  if the run does not exist or no trajectories were stored
   Trajectory read(std::uint32_t run) const;

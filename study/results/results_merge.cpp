@@ -138,7 +138,8 @@ void merge_results(const std::vector<fs::path>& files, const fs::path& target) {
     run.stays.assign(stays.begin(), stays.end());
     const auto energies = events_of(part.results.energies, place.run, place.first_energy);
     run.energies.assign(energies.begin(), energies.end());
-    if (part.trajectories.frames(place.run) > 0) run.trajectory = part.trajectories.read(place.run);
+    if (part.trajectories.frame_count(place.run) > 0)
+      run.trajectory = part.trajectories.read(place.run);
     return run;
   });
 }

@@ -19,7 +19,7 @@ TrajectoryFile::TrajectoryFile(const fs::path& path) : impl_(std::make_unique<Im
 TrajectoryFile::~TrajectoryFile() = default;
 TrajectoryFile::TrajectoryFile(TrajectoryFile&&) noexcept = default;
 
-std::size_t TrajectoryFile::frames(std::uint32_t run) const {
+std::size_t TrajectoryFile::frame_count(std::uint32_t run) const {
   const CheckedGroup& reader = impl_->reader;
   const std::string name = trajectory_dataset_name(run);
   if (!reader.group.contains(name)) return 0;
@@ -33,7 +33,7 @@ std::size_t TrajectoryFile::frames(std::uint32_t run) const {
 Trajectory TrajectoryFile::read(std::uint32_t run) const {
   const CheckedGroup& reader = impl_->reader;
   const std::string name = trajectory_dataset_name(run);
-  const std::size_t count = frames(run);
+  const std::size_t count = frame_count(run);
   if (!reader.group.contains(name)) {
     const bool any = !reader.group.child_names().empty();
     throw InputError(reader.file + ": no trajectory of run " + std::to_string(run) + "; " +

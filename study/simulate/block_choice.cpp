@@ -50,7 +50,7 @@ void vary(const Campaign& campaign, const BlockLibrary& library,
   request.options.threads = making.threads;
   request.options.progress = making.progress;
   const auto of_campaign = [&](const std::string& message) {
-    return campaign.file.string() + ": [blocks] vary: " + without_backticks(message);
+    return campaign.file.string() + ": [blocks] vary: " + remove_backticks(message);
   };
   SeriesResult made = with_rewritten_error(of_campaign, [&] {
     SeriesResult series = make_series(request, library);
@@ -79,7 +79,7 @@ void check_sizes(const Campaign& campaign, const std::vector<Block>& blocks) {
   for (const Block& block : blocks) {
     if (!is_unscaled(block)) continue;
     throw InputError(campaign.file.string() + ": block " + block.id + " of " +
-                     selection.library.string() + " is unscaled: " + unscaled_reason() +
+                     selection.library.string() + " is unscaled: " + explain_unscaled() +
                      "; or give it a size in [blocks] with scale = { mass_kg = M } or { volume_m3 "
                      "= V }, or with mass_kg in draw; or leave it out with select");
   }

@@ -81,7 +81,7 @@ CampaignHeader header_of(const CampaignPlan& prepared, Terrain terrain) {
   }
   header.zone_names = terrain.zone_names;
   header.ground_sets = draw_ground_sets(campaign, terrain.zone_names);
-  header.ground = median_ground(campaign, terrain.zone_names);
+  header.ground = compute_median_ground(campaign, terrain.zone_names);
   header.law = campaign.stiffness.law;
   header.weights = campaign.weights;
   header.frame = terrain.frame;

@@ -181,8 +181,8 @@ TimeProbe probe_time(const CampaignPlan& prepared, double budget) {
     while (probe.runs < prepared.runs.size() && (probe.runs == 0 || whole < budget)) {
       const double share = std::fmod(0.5 + static_cast<double>(probe.runs) * kGoldenRatio, 1.0);
       const auto items = static_cast<double>(prepared.runs.size() / together);
-      const std::vector<StoredRun> tried =
-          runs_from(prepared, together * static_cast<std::uint32_t>(share * items), in_time);
+      const std::vector<StoredRun> tried = simulate_realisation(
+          prepared, together * static_cast<std::uint32_t>(share * items), in_time);
       for (const StoredRun& run : tried) {
         probe.runouts.push_back(probed_runout(prepared, run));
         const ReleaseResult& result = run.record.result;
@@ -287,10 +287,10 @@ void run_campaign(const CampaignPlan& prepared, const std::filesystem::path& tar
     writer->finish();
     return;
   }
-  team->agree(open_results);
+  team->check_agreement(open_results);
   if (team->is_leader()) {
     Collector collector(*writer, runs, options);
-    lead_work(
+    distribute_work(
         *team, open, threads, [&](std::uint32_t run) { collector.compute(resumable, run); },
         [&](const std::string& done) {
           const std::vector<StoredRun> runs_done = unpacked_together(done);
@@ -300,8 +300,9 @@ void run_campaign(const CampaignPlan& prepared, const std::filesystem::path& tar
     CheckpointFile::remove_all(target);
     writer->finish();
   } else {
-    follow_work(*team, threads,
-                [&](std::uint32_t run) { return packed_together(resumable.compute(run, 1)); });
+    process_received_work(*team, threads, [&](std::uint32_t run) {
+      return packed_together(resumable.compute(run, 1));
+    });
   }
 }
 

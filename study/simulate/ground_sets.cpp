@@ -137,12 +137,13 @@ std::vector<GroundParameterSet> draw_ground_sets(const Campaign& campaign,
   return sets;
 }
 
-std::vector<GroundParameters> median_ground(const Campaign& campaign,
-                                            const std::vector<std::string>& zones) {
+std::vector<GroundParameters> compute_median_ground(const Campaign& campaign,
+                                                    const std::vector<std::string>& zones) {
   Values values;
   put(
-      campaign.ground, [](const Distribution& number) { return number.central(); }, values);
-  if (campaign.ensemble.posterior) put(middle_of(*campaign.ensemble.posterior), 0, values);
+      campaign.ground, [](const Distribution& number) { return number.central_value(); }, values);
+  if (campaign.ensemble.posterior)
+    put(compute_posterior_medians(*campaign.ensemble.posterior), 0, values);
   return in_order(campaign, values, zones);
 }
 

@@ -16,7 +16,7 @@ std::vector<GroundParameterSet> draw_ground_sets(const Campaign& campaign,
                                                  const std::vector<std::string>& zones);
 
 /// Returns the parameters of blocks in no group; uncertain ones at their midpoint, mean or median.
-std::vector<GroundParameters> median_ground(const Campaign& campaign,
-                                            const std::vector<std::string>& zones);
+std::vector<GroundParameters> compute_median_ground(const Campaign& campaign,
+                                                    const std::vector<std::string>& zones);
 
 }  // namespace clast::study_detail

@@ -30,7 +30,7 @@ class ProcessTeam {
   /// Runs `prepare` on each process and checks that all succeed and return the same fingerprint.
   /// @throws Error  of this process; SimulationError with the message of the first failed process,
   ///                or if fingerprints differ
-  void agree(const std::function<std::string()>& prepare);
+  void check_agreement(const std::function<std::string()>& prepare);
 
   /// Marks the start of a section during which the other processes depend on this one.
   void begin() { busy_ = true; }
@@ -39,7 +39,7 @@ class ProcessTeam {
 
   /// Sends the bytes of a finished item to the leader (empty at first) and receives the next item.
   /// @return empty if no item is left
-  std::optional<std::size_t> exchange(const std::string& done);
+  std::optional<std::size_t> exchange_item(const std::string& done);
 
   /// Result sent by a process to the leader.
   struct TeamMessage {
@@ -48,7 +48,7 @@ class ProcessTeam {
   };
   std::optional<TeamMessage> receive_message();
   /// Sends the next item, or none, to a process; leader only.
-  void answer(unsigned to, std::optional<std::size_t> item);
+  void send_item(unsigned to, std::optional<std::size_t> item);
 
  private:
   unsigned rank_ = 0;

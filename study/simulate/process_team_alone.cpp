@@ -19,9 +19,9 @@ ProcessTeam::ProcessTeam() {
 }
 ProcessTeam::~ProcessTeam() = default;
 
-void ProcessTeam::agree(const std::function<std::string()>& prepare) { prepare(); }
-std::optional<std::size_t> ProcessTeam::exchange(const std::string&) { return std::nullopt; }
+void ProcessTeam::check_agreement(const std::function<std::string()>& prepare) { prepare(); }
+std::optional<std::size_t> ProcessTeam::exchange_item(const std::string&) { return std::nullopt; }
 std::optional<ProcessTeam::TeamMessage> ProcessTeam::receive_message() { return std::nullopt; }
-void ProcessTeam::answer(unsigned, std::optional<std::size_t>) {}
+void ProcessTeam::send_item(unsigned, std::optional<std::size_t>) {}
 
 }  // namespace clast

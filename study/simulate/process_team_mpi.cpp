@@ -58,7 +58,7 @@ ProcessTeam::~ProcessTeam() {
   MPI_Finalize();
 }
 
-void ProcessTeam::agree(const std::function<std::string()>& prepare) {
+void ProcessTeam::check_agreement(const std::function<std::string()>& prepare) {
   std::string failure, fingerprint;
   try {
     fingerprint = sha256(prepare());
@@ -85,7 +85,7 @@ void ProcessTeam::agree(const std::function<std::string()>& prepare) {
   }
 }
 
-std::optional<std::size_t> ProcessTeam::exchange(const std::string& done) {
+std::optional<std::size_t> ProcessTeam::exchange_item(const std::string& done) {
   MPI_Send(done.data(), static_cast<int>(done.size()), MPI_CHAR, 0, kDone, MPI_COMM_WORLD);
   std::int64_t item = kNothingLeft;
   MPI_Recv(&item, 1, MPI_INT64_T, 0, kNext, MPI_COMM_WORLD, MPI_STATUS_IGNORE);
@@ -107,7 +107,7 @@ std::optional<ProcessTeam::TeamMessage> ProcessTeam::receive_message() {
   return delivery;
 }
 
-void ProcessTeam::answer(unsigned to, std::optional<std::size_t> item) {
+void ProcessTeam::send_item(unsigned to, std::optional<std::size_t> item) {
   const std::int64_t next = item ? static_cast<std::int64_t>(*item) : kNothingLeft;
   MPI_Send(&next, 1, MPI_INT64_T, static_cast<int>(to), kNext, MPI_COMM_WORLD);
 }

@@ -33,7 +33,7 @@ class RunObserver {
   RunObserver(const CampaignPlan& prepared, const RunRecord& run, const RigidBody& body)
       : impacts(body, run.run), prepared_(prepared), planned_(run), body_(body) {}
 
-  void see(const MotionStep& step) {
+  void observe_step(const MotionStep& step) {
     const double gravity = prepared_.campaign.gravity;
     const double interval = prepared_.campaign.trajectory_interval;
     if (interval > 0.0) add_frames(step, interval, gravity);
@@ -45,7 +45,7 @@ class RunObserver {
         crossings.push_back(crossing);
       }
     }
-    impacts.see(step);
+    impacts.observe_step(step);
     last = step.end;
     last_time = step.end_time;
   }
@@ -129,7 +129,7 @@ StoredRun single_run(const CampaignPlan& prepared, const RunRecord& planned,
     return observer.stored(simulate_release(
         *prepared.surface, prepared.header.ground_sets[planned.ground_set].zones, body,
         planned.start, release_settings(prepared.campaign, planned), [&](const MotionStep& step) {
-          observer.see(step);
+          observer.observe_step(step);
           if (observe) observe(step);
           if (after_step) after_step({.time = step.end_time, .released = 1});
         }));
@@ -228,7 +228,7 @@ std::vector<StoredRun> realisation(const CampaignPlan& prepared, std::span<const
     results = simulate_sequence(
         *prepared.surface, prepared.header.ground_sets[planned.front().ground_set].zones, shapes,
         blocks, settings,
-        {[&](std::size_t block, const MotionStep& step) { observers[block]->see(step); },
+        {[&](std::size_t block, const MotionStep& step) { observers[block]->observe_step(step); },
          [&](const EnergySample& sample) {
            energies.push_back({planned.front().run, sample});
          },
@@ -305,9 +305,10 @@ void check_mass_start(const CampaignPlan& prepared, std::uint32_t first) {
       format_significant(deepest, 3) + " m; select blocks that do not, or cut the mass anew");
 }
 
-std::vector<StoredRun> runs_from(const CampaignPlan& prepared, std::uint32_t first,
-                                 const SequenceProgressObserver& after_step, unsigned threads,
-                                 const MotionObserver& observe, ByteReader* from) {
+std::vector<StoredRun> simulate_realisation(const CampaignPlan& prepared, std::uint32_t first,
+                                            const SequenceProgressObserver& after_step,
+                                            unsigned threads, const MotionObserver& observe,
+                                            ByteReader* from) {
   if (!prepared.header.stay) {
     return {single_run(prepared, prepared.runs[first], after_step, observe)};
   }

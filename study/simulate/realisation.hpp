@@ -16,10 +16,11 @@ namespace clast::study_detail {
 /// @param from  state of the same realisation saved by the same program (`SequenceProgress::save`),
 ///              continued bit-identically; null: none
 /// @throws InputError  if the saved state is of another realisation
-std::vector<StoredRun> runs_from(const CampaignPlan& prepared, std::uint32_t first,
-                                 const SequenceProgressObserver& after_step = {},
-                                 unsigned threads = 1, const MotionObserver& observe = {},
-                                 ByteReader* from = nullptr);
+std::vector<StoredRun> simulate_realisation(const CampaignPlan& prepared, std::uint32_t first,
+                                            const SequenceProgressObserver& after_step = {},
+                                            unsigned threads = 1,
+                                            const MotionObserver& observe = {},
+                                            ByteReader* from = nullptr);
 
 /// Checks that no blocks of a multi-block release overlap at the start.
 /// @param first  index of its first run

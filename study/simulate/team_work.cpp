@@ -18,9 +18,9 @@ constexpr std::chrono::microseconds kLookAround(500);
 
 }  // namespace
 
-void lead_work(ProcessTeam& team, const std::vector<std::uint32_t>& items, unsigned threads,
-               const std::function<void(std::uint32_t item)>& here,
-               const std::function<void(const std::string& done)>& accept) {
+void distribute_work(ProcessTeam& team, const std::vector<std::uint32_t>& items, unsigned threads,
+                     const std::function<void(std::uint32_t item)>& here,
+                     const std::function<void(const std::string& done)>& accept) {
   std::atomic<std::size_t> next{0};
   std::atomic<bool> stop{false};
   std::mutex failure_mutex;
@@ -56,7 +56,7 @@ void lead_work(ProcessTeam& team, const std::vector<std::uint32_t>& items, unsig
     }
     if (!delivery->done.empty()) guarded([&] { accept(delivery->done); });
     const std::optional<std::size_t> item = take();
-    team.answer(delivery->from, item);
+    team.send_item(delivery->from, item);
     if (!item) --waiting;
   }
   workers.clear();
@@ -64,8 +64,8 @@ void lead_work(ProcessTeam& team, const std::vector<std::uint32_t>& items, unsig
   if (failure) std::rethrow_exception(failure);
 }
 
-void follow_work(ProcessTeam& team, unsigned threads,
-                 const std::function<std::string(std::uint32_t item)>& compute) {
+void process_received_work(ProcessTeam& team, unsigned threads,
+                           const std::function<std::string(std::uint32_t item)>& compute) {
   std::mutex one_at_a_time;
   team.begin();
   parallel_for(threads, threads, [&](std::size_t) {
@@ -74,7 +74,7 @@ void follow_work(ProcessTeam& team, unsigned threads,
       std::optional<std::size_t> item;
       {
         const std::lock_guard lock(one_at_a_time);
-        item = team.exchange(done);
+        item = team.exchange_item(done);
       }
       if (!item) return;
       done = compute(static_cast<std::uint32_t>(*item));

@@ -15,13 +15,13 @@ namespace clast {
 /// @param threads  per process, equal on all
 /// @param here  computes and stores an item; called from several threads
 /// @param accept  stores an item computed by another process; called beside `here`
-void lead_work(ProcessTeam& team, const std::vector<std::uint32_t>& items, unsigned threads,
-               const std::function<void(std::uint32_t item)>& here,
-               const std::function<void(const std::string& done)>& accept);
+void distribute_work(ProcessTeam& team, const std::vector<std::uint32_t>& items, unsigned threads,
+                     const std::function<void(std::uint32_t item)>& here,
+                     const std::function<void(const std::string& done)>& accept);
 
 /// Computes the items received from the leader until none is left.
 /// @param compute  returns the bytes for `accept`, not empty; called from several threads
-void follow_work(ProcessTeam& team, unsigned threads,
-                 const std::function<std::string(std::uint32_t item)>& compute);
+void process_received_work(ProcessTeam& team, unsigned threads,
+                           const std::function<std::string(std::uint32_t item)>& compute);
 
 }  // namespace clast

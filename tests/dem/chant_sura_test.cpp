@@ -84,7 +84,7 @@ struct FirstImpact {
   double depth = 0.0, flown = 0.0;
   bool over = false, touched = false;
 
-  void see(const MotionStep& step) {
+  void observe_step(const MotionStep& step) {
     if (over) return;
     if (!step.flight) {
       touched = true;
@@ -126,8 +126,9 @@ Throw thrown(const TerrainSurface& terrain, const RigidBody& body, RigidState st
   }
   start.position.z() = high;
   FirstImpact impact;
-  const ReleaseResult result = simulate_release(terrain, zones, body, start, settings,
-                                                [&](const MotionStep& step) { impact.see(step); });
+  const ReleaseResult result =
+      simulate_release(terrain, zones, body, start, settings,
+                       [&](const MotionStep& step) { impact.observe_step(step); });
   EXPECT_NE(result.stop_reason, StopReason::kError) << result.message;
   EXPECT_FALSE(result.below_ground);
   EXPECT_LT(result.energy.error, 0.01);

@@ -61,10 +61,10 @@ TEST(BlockVariation, AreTheBlockItselfAtItsOwnFigures) {
         Variation{VertexCountVariation{parent.body.vertices.size()}},
         Variation{DetailVariation{.gain = 1.0, .degree = 4}}}) {
     const Block twin = varied(own);
-    EXPECT_EQ(twin.body.vertices, parent.body.vertices) << variation_kind(own);
-    EXPECT_EQ(twin.body.radius, parent.body.radius) << variation_kind(own);
-    EXPECT_EQ(twin.mass.mass, parent.mass.mass) << variation_kind(own);
-    EXPECT_EQ(twin.mass.inertia, parent.mass.inertia) << variation_kind(own);
+    EXPECT_EQ(twin.body.vertices, parent.body.vertices) << name_of_variation(own);
+    EXPECT_EQ(twin.body.radius, parent.body.radius) << name_of_variation(own);
+    EXPECT_EQ(twin.mass.mass, parent.mass.mass) << name_of_variation(own);
+    EXPECT_EQ(twin.mass.inertia, parent.mass.inertia) << name_of_variation(own);
   }
 }
 

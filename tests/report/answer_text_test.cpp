@@ -130,7 +130,8 @@ TEST(AnswerText, OneRealisationIsNotEvidence) {
   EXPECT_FALSE(contains(sentences(comparison), "farther"));
   EXPECT_TRUE(contains(describe_intervals(summarise_key_results(comparison)),
                        "One realisation: no interval"));
-  for (const KeyFigure& figure : key_figures(comparison, summarise_key_results(comparison))) {
+  for (const KeyFigure& figure :
+       select_key_figures(comparison, summarise_key_results(comparison))) {
     EXPECT_EQ(figure.range, "") << figure.label;
   }
 }
@@ -158,7 +159,7 @@ TEST(AnswerText, UncertainGroundIsInTheTiles) {
   add_barrier(results, "road", 30.0);
   const Comparison comparison = compared(std::move(results));
   const KeyResults found = summarise_key_results(comparison);
-  const std::vector<KeyFigure> figures = key_figures(comparison, found);
+  const std::vector<KeyFigure> figures = select_key_figures(comparison, found);
   ASSERT_EQ(figures.size(), 4u);
   for (const KeyFigure& figure : figures) {
     EXPECT_TRUE(contains(figure.range, " over draws of the ground parameters")) << figure.label;
@@ -198,7 +199,7 @@ TEST(AnswerText, LargeNumbersSayWhatClassesAndTheLargestAre) {
   add_barrier(results, "road", 30.0);
   const Comparison comparison = compared(std::move(results));
   const KeyResults said = summarise_key_results(comparison);
-  const std::vector<KeyFigure> figures = key_figures(comparison, said);
+  const std::vector<KeyFigure> figures = select_key_figures(comparison, said);
   ASSERT_EQ(figures.size(), 4u);
   const RunoutEstimate& compact = said.statements[0].classes[0];
   EXPECT_TRUE(figures[0].more.starts_with("half stop before " + format_decimals(compact.median, 0)))
@@ -292,7 +293,7 @@ TEST(AnswerText, EveryFileHasItsSentence) {
   EXPECT_TRUE(contains(text, "File 1 (hard): compact blocks run "));
   EXPECT_TRUE(contains(text, "File 2 (soft): compact blocks run "));
   EXPECT_TRUE(contains(text, " farther in file 2 (soft) than in file 1 (hard) ("));
-  EXPECT_LE(key_figures(comparison, summarise_key_results(comparison)).size(), 4u);
+  EXPECT_LE(select_key_figures(comparison, summarise_key_results(comparison)).size(), 4u);
 }
 
 TEST(AnswerText, MeasuredStopsHaveAVerdict) {

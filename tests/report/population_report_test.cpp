@@ -35,9 +35,9 @@ Population blocks(const std::string& name, std::size_t count, bool weighed = tru
   for (std::size_t i = 0; i < count; ++i) {
     const Axes axes = Axes::sorted(std::exp(0.4 * random.normal()), std::exp(0.4 * random.normal()),
                                    std::exp(0.4 * random.normal()));
-    population.blocks.push_back(
-        make_measured_block("b<" + std::to_string(i) + ">", axes,
-                       weighed ? std::optional(2600.0 * axes.L * axes.I * axes.S) : std::nullopt));
+    population.blocks.push_back(make_measured_block(
+        "b<" + std::to_string(i) + ">", axes,
+        weighed ? std::optional(2600.0 * axes.L * axes.I * axes.S) : std::nullopt));
   }
   return population;
 }
@@ -85,7 +85,7 @@ TEST_P(Sizes, PageAndPicturesAreWellFormedAndNeedNothingElse) {
 
 TEST(PopulationPage, EveryMarkNamesItsBlock) {
   const PopulationReport report = report_of({blocks("talus", 12)});
-  const std::string triangle = sneed_folk_diagram(report.populations[0].population, 0);
+  const std::string triangle = draw_sneed_folk_diagram(report.populations[0].population, 0);
   for (std::size_t i = 0; i < 12; ++i) {
     const std::string key = "data-block=\"0-" + std::to_string(i) + "\"";
     EXPECT_EQ(count_of(triangle, key), 1u);
@@ -97,13 +97,13 @@ TEST(PopulationPage, EveryMarkNamesItsBlock) {
 
 TEST(PopulationPage, ClassesWithoutABlockAreDrawnToo) {
   const PopulationReport report = report_of({blocks("one", 1)});
-  const std::string triangle = sneed_folk_diagram(report.populations[0].population, 0);
+  const std::string triangle = draw_sneed_folk_diagram(report.populations[0].population, 0);
   EXPECT_EQ(count_of(triangle, "<polygon"), 10u);
   for (const std::string& name : class_names("sneed-folk")) {
     EXPECT_TRUE(contains(triangle, ">" + name + "</text>"));
     EXPECT_TRUE(contains(triangle, "<title>" + name + ": "));
   }
-  const std::string zingg = zingg_diagram(report.populations[0].population, 0);
+  const std::string zingg = draw_zingg_diagram(report.populations[0].population, 0);
   EXPECT_EQ(count_of(zingg, "<polygon"), 4u);
   const std::string html = page_of(report);
   for (const std::string& scheme : report.options.schemes) {
@@ -121,10 +121,11 @@ double number_after(const std::string& svg, const std::string& part, const std::
 
 // Where the limits meet the left side: heights of the triangle from the base are S/L.
 TEST(SneedFolkDiagram, MarksStandWhereTheRatiosSay) {
-  Population population{"three",
-                        {make_measured_block("cube", {1, 1, 1}), make_measured_block("plate", {1, 1, 0.001}),
-                         make_measured_block("needle", {1, 0.001, 0.001})}};
-  const std::string svg = sneed_folk_diagram(population, 0);
+  Population population{
+      "three",
+      {make_measured_block("cube", {1, 1, 1}), make_measured_block("plate", {1, 1, 0.001}),
+       make_measured_block("needle", {1, 0.001, 0.001})}};
+  const std::string svg = draw_sneed_folk_diagram(population, 0);
   const auto x = [&](int i) {
     const std::string key = "data-block=\"0-" + std::to_string(i) + "\"";
     return i < 2 ? number_after(svg, key, " cx=\"") : number_after(svg, key, " d=\"M");
@@ -142,7 +143,7 @@ TEST(PopulationPage, ManyBlocksAreShownAsADensityAndThatIsSaid) {
   EXPECT_TRUE(contains(html, "show densities"));
   EXPECT_LT(html.size(), 400'000u);
   // Every block is in one of the squares.
-  const std::string triangle = sneed_folk_diagram(report.populations[0].population, 0);
+  const std::string triangle = draw_sneed_folk_diagram(report.populations[0].population, 0);
   std::size_t counted = 0;
   for (std::size_t at = triangle.find("blocks</title></rect>"); at != std::string::npos;
        at = triangle.find("blocks</title></rect>", at + 1)) {
@@ -223,7 +224,8 @@ TEST(PopulationPage, EverySchemeHasItsDiagramAndColumn) {
   const CsvTable table = read_csv(read_text_file(folder / "classes.csv"));
   for (const std::string& scheme : scheme_names()) {
     const std::string& svg = diagrams.at("shares_" + class_column_name(scheme));
-    for (const std::string& name : class_names(scheme)) EXPECT_TRUE(contains(svg, escape_html(name)));
+    for (const std::string& name : class_names(scheme))
+      EXPECT_TRUE(contains(svg, escape_html(name)));
     const MeasuredBlock& block = report.populations[0].population.blocks[3];
     EXPECT_EQ(table.rows[3].at(class_column_name(scheme)),
               shape_class(scheme, block.axes, report.options.limits));
@@ -233,12 +235,14 @@ TEST(PopulationPage, EverySchemeHasItsDiagramAndColumn) {
 
 // A block on the limit of C says so where its mark is.
 TEST(PopulationPage, BlocksNearALimitSaySo) {
-  Population population{
-      "two", {make_measured_block("edge", {1.0, 0.85, 0.7}), make_measured_block("clear", {1.0, 0.9, 0.1})}};
+  Population population{"two",
+                        {make_measured_block("edge", {1.0, 0.85, 0.7}),
+                         make_measured_block("clear", {1.0, 0.9, 0.1})}};
   population.blocks[0].axis_error = 0.05;
   const std::string edge = format_block_title(population.blocks[0], {.schemes = {"sneed-folk"}});
   EXPECT_TRUE(contains(edge, "sneed-folk: C (") && contains(edge, "0.7"));
-  EXPECT_EQ(format_block_title(population.blocks[1], {.schemes = {"zingg"}}).find('('), std::string::npos);
+  EXPECT_EQ(format_block_title(population.blocks[1], {.schemes = {"zingg"}}).find('('),
+            std::string::npos);
 }
 
 TEST(PopulationTables, SharesAndSizesAreThoseOfTheSummary) {
@@ -434,8 +438,8 @@ TEST(PopulationPage, LongNamesStayInThePictures) {
   }
   const std::string shares =
       draw_class_fractions("t", {"C"},
-                  {{std::string(60, 'a'), "#000000", {{0.5, 0.4, 0.6, ""}}},
-                   {std::string(60, 'b'), "#000000", {{0.5, 0.4, 0.6, ""}}}});
+                           {{std::string(60, 'a'), "#000000", {{0.5, 0.4, 0.6, ""}}},
+                            {std::string(60, 'b'), "#000000", {{0.5, 0.4, 0.6, ""}}}});
   // Two names and the whiskers, a row each, inside the height.
   const double a = number_after(shares, "aaaa</text>", " y=\"");
   const double b = number_after(shares, "bbbb</text>", " y=\"");
@@ -446,10 +450,10 @@ TEST(PopulationPage, LongNamesStayInThePictures) {
 }
 
 TEST(Html, ShortenedTextKeepsItsCharactersWhole) {
-  EXPECT_EQ(shorten_middle("talus", 5), "talus");
-  EXPECT_EQ(shorten_middle("taluses", 5), "talu\xe2\x80\xa6");
-  EXPECT_EQ(shorten_middle("\xc3\xa9\xc3\xa9\xc3\xa9", 3), "\xc3\xa9\xc3\xa9\xc3\xa9");
-  EXPECT_EQ(shorten_middle("\xc3\xa9\xc3\xa9\xc3\xa9", 2), "\xc3\xa9\xe2\x80\xa6");
+  EXPECT_EQ(shorten_text("talus", 5), "talus");
+  EXPECT_EQ(shorten_text("taluses", 5), "talu\xe2\x80\xa6");
+  EXPECT_EQ(shorten_text("\xc3\xa9\xc3\xa9\xc3\xa9", 3), "\xc3\xa9\xc3\xa9\xc3\xa9");
+  EXPECT_EQ(shorten_text("\xc3\xa9\xc3\xa9\xc3\xa9", 2), "\xc3\xa9\xe2\x80\xa6");
 }
 
 // Half of the mass lies up to 2 m: the step to 50 % stands where the axis has 2 m.
@@ -457,7 +461,7 @@ TEST(CumulativeChart, WeighsItsValues) {
   Series series{"by mass", "#000000", "", {1.0, 2.0, 4.0}};
   series.weights = {10.0, 40.0, 50.0};
   series.names = {"a", "b", "c"};
-  const std::string svg = cumulative_chart({"Size", "size, m", true}, {series});
+  const std::string svg = draw_cumulative_chart({"Size", "size, m", true}, {series});
   EXPECT_TRUE(contains(svg, "b\n50.0 % up to here, by mass"));
   const double x1 = number_after(svg, "a\n10.0 %", " cx=\"");
   EXPECT_EQ(unbalanced(svg), "");

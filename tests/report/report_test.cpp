@@ -293,17 +293,17 @@ TEST(Relief, ShowsTheUpperOfTwoSurfaces) {
 }
 
 TEST(Ticks, AreRoundAndInside) {
-  const Ticks marks = ticks(-3.2, 47.9, 7);
+  const Ticks marks = choose_ticks(-3.2, 47.9, 7);
   EXPECT_EQ(marks.step, 10.0);
   EXPECT_EQ(marks.values, (std::vector<double>{0.0, 10.0, 20.0, 30.0, 40.0}));
-  EXPECT_EQ(ticks(0.0, 0.5, 5).decimals, 1);
-  EXPECT_EQ(ticks(6500000.0, 6500100.0, 5).values.front(), 6500000.0);
+  EXPECT_EQ(choose_ticks(0.0, 0.5, 5).decimals, 1);
+  EXPECT_EQ(choose_ticks(6500000.0, 6500100.0, 5).values.front(), 6500000.0);
 }
 
 TEST(Ticks, EndOnRangesThatHaveNoWidth) {
-  EXPECT_EQ(ticks(3.0, 3.0, 5).values.size(), 1u);
-  EXPECT_EQ(ticks(1e9, std::nextafter(1e9, 2e9), 5).values.size(), 1u);
-  EXPECT_EQ(ticks(0.0, INFINITY, 5).values.size(), 1u);
+  EXPECT_EQ(choose_ticks(3.0, 3.0, 5).values.size(), 1u);
+  EXPECT_EQ(choose_ticks(1e9, std::nextafter(1e9, 2e9), 5).values.size(), 1u);
+  EXPECT_EQ(choose_ticks(0.0, INFINITY, 5).values.size(), 1u);
 }
 
 TEST(PageNumbers, AreWrittenAsAReaderExpects) {

@@ -17,8 +17,8 @@ namespace {
 
 TEST(ResponseTriangle, PutsFormsAtTheirCornersAndColoursThemByTheirValue) {
   const std::vector<ShapeResponse> forms = {{"cube <1>", {1.0, 1.0, 1.0}, 60.0},
-                                           {"disc", {1.0, 1.0, 1e-9}, 20.0},
-                                           {"rod", {1.0, 1e-9, 1e-9}, 30.0, true}};
+                                            {"disc", {1.0, 1.0, 1e-9}, 20.0},
+                                            {"rod", {1.0, 1e-9, 1e-9}, 30.0, true}};
   const std::string svg = draw_response_triangle(forms, "mean runout, m");
   // Corners of an equilateral triangle of side 520 px: 450.3 px high.
   EXPECT_TRUE(contains(svg, "<circle cx=\"310.0\" cy=\"40.0\" r=\"3.5\" fill=\"#253494\""));
@@ -68,7 +68,7 @@ TEST(ContourField, OfAPlaneIsFlatWithStraightLines) {
   for (const Vec2& place : places) values.push_back(5.0 + 0.1 * place.x());
   const ThinPlateSpline plate(places, values);
   EXPECT_NEAR(plate.at({50, 20}), 10.0, 1e-9);
-  const std::vector<Vec2> hull = hull_of(places);
+  const std::vector<Vec2> hull = convex_hull_of(places);
   EXPECT_EQ(hull.size(), 4u) << "the fifth is inside";
   EXPECT_TRUE(is_inside(hull, {50, 50}));
   EXPECT_FALSE(is_inside(hull, {101, 50}));
@@ -111,7 +111,7 @@ TEST(ContourField, BandsHaveTheirAreaInFewParts) {
   const std::vector<Vec2> places = {{0, 0}, {100, 0}, {0, 100}, {100, 100}};
   const std::vector<double> values = {0.0, 10.0, 0.0, 10.0};
   const ThinPlateSpline plate(places, values);
-  const std::vector<Vec2> hull = hull_of(places);
+  const std::vector<Vec2> hull = convex_hull_of(places);
   for (const double level : {-5.0, 2.0, 5.0, 9.0}) {
     const double width = std::min(100.0, 100.0 - 10.0 * level);
     const std::vector<double> areas = areas_of(format_band_path(plate, hull, level, 5.0));

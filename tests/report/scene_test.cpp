@@ -51,7 +51,7 @@ class Scene : public testing::Test {
 
 TEST_F(Scene, HoldsEveryStateOnTheMapLessItsOrigin) {
   const Comparison comparison = stored();
-  const SceneData scene = scene_data(comparison);
+  const SceneData scene = make_scene_data(comparison);
   EXPECT_EQ(scene.runs_drawn, comparison.rows.size());
   EXPECT_EQ(scene.runs, comparison.rows.size());
   const Json json = Json::parse(scene.json);
@@ -77,7 +77,7 @@ TEST_F(Scene, HoldsEveryStateOnTheMapLessItsOrigin) {
 
 TEST_F(Scene, HoldsTheRealShapesAndTheGround) {
   const Comparison comparison = stored();
-  const Json json = Json::parse(scene_data(comparison).json);
+  const Json json = Json::parse(make_scene_data(comparison).json);
   ASSERT_EQ(json["bodies"].size(), 2u);
   const std::vector<float> box = packed_numbers<float>(json["bodies"][1]["vertices"]);
   ASSERT_EQ(box.size(), 3u * 8u);
@@ -95,13 +95,13 @@ TEST_F(Scene, HoldsTheRealShapesAndTheGround) {
 
 TEST_F(Scene, ThinsRunsAndGroundToItsLimits) {
   const Comparison comparison = stored();
-  const SceneData whole = scene_data(comparison);
+  const SceneData whole = make_scene_data(comparison);
   const std::size_t frames = packed_numbers<float>(Json::parse(whole.json)["frames"]).size() / 8;
-  const SceneData half = scene_data(comparison, {.frames = (frames + 1) / 2});
+  const SceneData half = make_scene_data(comparison, {.frames = (frames + 1) / 2});
   EXPECT_EQ(half.runs_drawn, (whole.runs_drawn + 1) / 2);
   EXPECT_EQ(half.runs, whole.runs);
   const Json coarse =
-      Json::parse(scene_data(comparison, {.triangles = 1, .grid = 12}).json)["terrain"];
+      Json::parse(make_scene_data(comparison, {.triangles = 1, .grid = 12}).json)["terrain"];
   const std::size_t triangles = packed_numbers<std::uint32_t>(coarse["triangles"]).size() / 3;
   EXPECT_GT(triangles, 0u);
   EXPECT_EQ(packed_numbers<std::uint16_t>(coarse["zones"]).size(), triangles);
@@ -113,26 +113,26 @@ TEST_F(Scene, ThinsRunsAndGroundToItsLimits) {
   for (std::size_t i = 0; i < vertices.size(); i += 3) {
     EXPECT_NEAR(vertices[i + 2] + z0, -0.5 * (vertices[i] + x0), 1e-3);
   }
-  EXPECT_THROW(scene_data(comparison, {.frames = 0}), InputError);
-  EXPECT_THROW(scene_data(comparison, {.grid = 1}), InputError);
+  EXPECT_THROW(make_scene_data(comparison, {.frames = 0}), InputError);
+  EXPECT_THROW(make_scene_data(comparison, {.grid = 1}), InputError);
 }
 
 TEST_F(Scene, IsOnePieceOfThePageAndSaysHowManyRunsItDraws) {
   const Comparison comparison = stored();
-  const std::string all = scene_section(comparison);
+  const std::string all = format_scene_section(comparison);
   EXPECT_TRUE(contains(all, "All " + std::to_string(comparison.rows.size()) + " runs are drawn."));
   EXPECT_EQ(unbalanced(all), "");
   // What three.js says of itself in comments is not looked at.
   expect_self_contained(all.substr(0, all.find("<script>")));
-  EXPECT_TRUE(contains(scene_section(comparison, {.frames = 1}),
+  EXPECT_TRUE(contains(format_scene_section(comparison, {.frames = 1}),
                        "1 of " + std::to_string(comparison.rows.size()) + " runs are drawn"));
 }
 
 TEST_F(Scene, SaysWhatIsMissing) {
-  EXPECT_TRUE(contains(scene_section(compared(hand_made_results())),
+  EXPECT_TRUE(contains(format_scene_section(compared(hand_made_results())),
                        "The results hold no trajectories: set [run] trajectory_interval_s"));
   ASSERT_EQ(::setenv("CLAST_THREE", folder.path().c_str(), 1), 0);
-  const std::string none = scene_section(stored());
+  const std::string none = format_scene_section(stored());
   ::unsetenv("CLAST_THREE");
   EXPECT_TRUE(contains(none, "three.js is not in " + folder.path().string()));
   EXPECT_TRUE(contains(none, "apt install libjs-three"));

@@ -9,7 +9,7 @@
 
 namespace clast {
 
-inline Vec3 middle_of(const TriangleMesh& mesh, std::size_t triangle) {
+inline Vec3 compute_posterior_medians(const TriangleMesh& mesh, std::size_t triangle) {
   const auto& [a, b, c] = mesh.triangles[triangle];
   return (mesh.vertices[a] + mesh.vertices[b] + mesh.vertices[c]) / 3.0;
 }
@@ -20,7 +20,7 @@ TriangleMesh part_of(const TriangleMesh& mesh, const Wanted& wanted) {
   TriangleMesh part;
   std::vector<std::uint32_t> number(mesh.vertices.size(), 0xffffffffu);
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-    if (!wanted(middle_of(mesh, t))) continue;
+    if (!wanted(compute_posterior_medians(mesh, t))) continue;
     TriangleMesh::Triangle triangle = mesh.triangles[t];
     for (std::uint32_t& corner : triangle) {
       if (number[corner] == 0xffffffffu) {
@@ -78,13 +78,14 @@ inline TriangleMesh with_slivers(TriangleMesh mesh, int count, const std::vector
                                  Random& random) {
   for (int i = 0; i < count;) {
     const std::size_t t = random.uniform_index(mesh.triangles.size());
-    if (std::any_of(cuts.begin(), cuts.end(),
-                    [&](double at) { return std::abs(middle_of(mesh, t).x() - at) < 1.5; })) {
+    if (std::any_of(cuts.begin(), cuts.end(), [&](double at) {
+          return std::abs(compute_posterior_medians(mesh, t).x() - at) < 1.5;
+        })) {
       continue;
     }
     ++i;
     const auto [a, b, c] = mesh.triangles[t];
-    const Vec3 inwards = (middle_of(mesh, t) - mesh.vertices[a]).normalized();
+    const Vec3 inwards = (compute_posterior_medians(mesh, t) - mesh.vertices[a]).normalized();
     const auto point = static_cast<std::uint32_t>(mesh.vertices.size());
     mesh.vertices.push_back(mesh.vertices[a] + 1e-4 * inwards);
     mesh.triangles[t] = {a, b, point};

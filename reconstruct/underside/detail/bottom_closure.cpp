@@ -13,7 +13,7 @@ constexpr int kPowerSteps = 40;  ///< halvings of a range of powers
 
 }  // namespace
 
-double BottomClosure::vertex_drop(std::size_t vertex, const ClosureShape& move) const {
+double BottomClosure::lowering_at_vertex(std::size_t vertex, const ClosureShape& move) const {
   return move.depth * std::pow(patch_.deflection[vertex], move.power);
 }
 
@@ -21,7 +21,7 @@ TriangleMesh BottomClosure::lowered(const ClosureShape& move) const {
   TriangleMesh mesh = closed_;
   if (move.depth <= 0.0) return mesh;
   for (std::size_t i = 0; i < patch_.deflection.size(); ++i) {
-    mesh.vertices[first_vertex_ + i] += vertex_drop(i, move) * down_;
+    mesh.vertices[first_vertex_ + i] += lowering_at_vertex(i, move) * down_;
   }
   return mesh;
 }
@@ -31,9 +31,12 @@ ClosureShape BottomClosure::shape_for_volume(double added, double power, double 
   return {power, added / volume_per_depth(power)};
 }
 
-ClosureShape BottomClosure::shape_touching_ground(const Plane& ground, const ClosureShape& blunt, double added, double max_power) const {
+ClosureShape BottomClosure::shape_touching_ground(const Plane& ground, const ClosureShape& blunt,
+                                                  double added, double max_power) const {
   if (touches(ground, blunt)) return blunt;
-  const auto of_power = [&](double power) { return ClosureShape{power, added / volume_per_depth(power)}; };
+  const auto of_power = [&](double power) {
+    return ClosureShape{power, added / volume_per_depth(power)};
+  };
   double low = blunt.power, high = max_power;
   for (int i = 0; i < kPowerSteps; ++i) {
     const double power = 0.5 * (low + high);
@@ -44,7 +47,8 @@ ClosureShape BottomClosure::shape_touching_ground(const Plane& ground, const Clo
 
 bool BottomClosure::touches(const Plane& ground, const ClosureShape& move) const {
   for (std::size_t i = 0; i < patch_.deflection.size(); ++i) {
-    if (ground.signed_distance(closed_.vertices[first_vertex_ + i]) <= vertex_drop(i, move)) return true;
+    if (ground.signed_distance(closed_.vertices[first_vertex_ + i]) <= lowering_at_vertex(i, move))
+      return true;
   }
   return false;
 }

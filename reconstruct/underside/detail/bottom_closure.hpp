@@ -43,7 +43,7 @@ class BottomClosure {
   /// Returns the added volume per depth, m^2.
   double volume_per_depth(double power) const;
   bool touches(const Plane& ground, const ClosureShape& move) const;
-  double vertex_drop(std::size_t vertex, const ClosureShape& move) const;
+  double lowering_at_vertex(std::size_t vertex, const ClosureShape& move) const;
 
   const TriangleMesh& closed_;
   HolePatch patch_;

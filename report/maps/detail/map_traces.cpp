@@ -24,8 +24,8 @@ std::string stop_note(const Comparison& comparison, const RunRow& row) {
   const std::string file =
       comparison.results.size() > 1 ? "file " + std::to_string(row.file + 1) + ", " : std::string();
   return escape_html(file + "run " + std::to_string(row.record->run) + ", block " + row.block->id +
-                 ", point " + std::to_string(row.record->point) + ", orientation " +
-                 std::to_string(row.record->orientation)) +
+                     ", point " + std::to_string(row.record->point) + ", orientation " +
+                     std::to_string(row.record->orientation)) +
          "<br>" + name_of(result.stop_reason) + " after " + fixed(result.duration, 1) +
          " s, runout " + fixed(row.runout, 1) + " m, lateral " +
          fixed(row.lateral * kDegreesPerRadian, 1) + " deg<br>z " + fixed(row.stop.z(), 2) + " m";
@@ -34,7 +34,7 @@ std::string stop_note(const Comparison& comparison, const RunRow& row) {
 Json points_trace(const std::string& name) {
   return {{"type", "scatter"},
           {"mode", "markers"},
-          {"name", escape_html(shorten_middle(name, 40))},
+          {"name", escape_html(shorten_text(name, 40))},
           {"x", Json::array()},
           {"y", Json::array()},
           {"text", Json::array()},
@@ -202,8 +202,9 @@ void add_zones(const SiteMap& site, Json& data) {
     Json trace = points_trace("ground: " + zones[zone]);
     trace["x"].push_back(Json());
     trace["y"].push_back(Json());
-    trace["marker"] = {
-        {"symbol", "square"}, {"size", 12}, {"color", format_colour(zone_colour(zones[zone], zone))}};
+    trace["marker"] = {{"symbol", "square"},
+                       {"size", 12},
+                       {"color", format_colour(zone_colour(zones[zone], zone))}};
     data.push_back(std::move(trace));
   }
 }

@@ -89,7 +89,7 @@ void MultiBlockPlacement::begin(const std::string& name, const std::vector<std::
 RigidState MultiBlockPlacement::place(std::size_t mass, std::uint32_t block,
                                       const MeasuredBody& body, Random& random) {
   const RigidState state = plans_[mass].in_place ? in_place(mass, block, body)
-                                                 : place_in_heap(mass, block, body, random);
+                                                 : draw_heap_start(mass, block, body, random);
   MultiBlockStart& placed = placed_[mass];
   ++placed.blocks;
   placed.volume += prepared_.header.blocks[block].volume;
@@ -131,8 +131,8 @@ RigidState MultiBlockPlacement::in_place(std::size_t mass, std::uint32_t block,
                         "give [mass] height_m");
 }
 
-RigidState MultiBlockPlacement::place_in_heap(std::size_t mass, std::uint32_t block,
-                                              const MeasuredBody& body, Random& random) {
+RigidState MultiBlockPlacement::draw_heap_start(std::size_t mass, std::uint32_t block,
+                                                const MeasuredBody& body, Random& random) {
   const Quat turn = draw_run_orientations(prepared_.campaign.releases.front(),
                                           prepared_.choice.blocks[block].id, name_, 1)
                         .front();

@@ -60,7 +60,7 @@ std::vector<std::size_t> choose_posterior_draws(const Ensemble& ensemble) {
   return order;
 }
 
-PosteriorDraws middle_of(const PosteriorDraws& posterior) {
+PosteriorDraws compute_posterior_medians(const PosteriorDraws& posterior) {
   PosteriorDraws middle{posterior.file, posterior.parameters, {{}}};
   for (std::size_t i = 0; i < posterior.parameters.size(); ++i) {
     std::vector<double> values;
@@ -85,7 +85,8 @@ std::vector<MemberSettings> draw_member_settings(const Campaign& campaign) {
 MemberSettings central_settings(const Campaign& campaign) {
   const Campaign bare = without_points(campaign);
   const std::optional<PosteriorDraws>& posterior = campaign.ensemble.posterior;
-  return posterior ? settings_of(bare, middle_of(*posterior), 0) : settings_of(bare);
+  return posterior ? settings_of(bare, compute_posterior_medians(*posterior), 0)
+                   : settings_of(bare);
 }
 
 }  // namespace clast::study_detail

@@ -11,7 +11,7 @@ namespace clast::study_detail {
 std::vector<std::size_t> choose_posterior_draws(const Ensemble& ensemble);
 
 /// Returns the medians of all parameters as a single draw.
-PosteriorDraws middle_of(const PosteriorDraws& posterior);
+PosteriorDraws compute_posterior_medians(const PosteriorDraws& posterior);
 
 /// Start conditions of a release set.
 struct ReleaseStart {

@@ -62,7 +62,7 @@ void ResumableRuns::check_checkpoints(const std::vector<std::uint32_t>& firsts) 
 
 std::vector<StoredRun> ResumableRuns::compute(std::uint32_t first, unsigned threads,
                                               const Report& report) const {
-  if (!prepared_.header.stay) return runs_from(prepared_, first, {}, threads);
+  if (!prepared_.header.stay) return simulate_realisation(prepared_, first, {}, threads);
   const CheckpointFile file = checkpoint_of(prepared_, target_, first);
   const std::string name =
       "realisation " + std::to_string(first / prepared_.header.runs_per_realisation() + 1);
@@ -106,7 +106,8 @@ std::vector<StoredRun> ResumableRuns::compute(std::uint32_t first, unsigned thre
   if (options_.resume) saved = file.read().value_or("");
   ByteReader from(saved);
   try {
-    return runs_from(prepared_, first, after_step, threads, {}, saved.empty() ? nullptr : &from);
+    return simulate_realisation(prepared_, first, after_step, threads, {},
+                                saved.empty() ? nullptr : &from);
   } catch (const Stopped& stopped) {
     std::rethrow_exception(stopped.why);
   } catch (const InputError& error) {

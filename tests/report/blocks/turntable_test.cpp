@@ -40,7 +40,7 @@ std::vector<Vec3> places(const Json& mesh, const Json& data) {
 
 TEST(Turntable, HoldsBlockScanAndBoxWhereTheyAre) {
   const Block block = scanned_block();
-  const Json data = Json::parse(turntable_json(block));
+  const Json data = Json::parse(format_turntable_json(block));
   const double step = double(data["size"]) / 32767.0;
   const TriangleMesh skin = rounded_surface_mesh(block.body, 2);
   const std::vector<Vec3> corners = places(data["block"], data);
@@ -59,7 +59,7 @@ TEST(Turntable, HoldsBlockScanAndBoxWhereTheyAre) {
 // Each distance is that of its corner between those of a triangle, searched through all triangles.
 TEST(Turntable, HasTheDistanceOfEveryCornerFromTheScan) {
   const Block block = scanned_block();
-  const Json deviation = Json::parse(turntable_json(block))["deviation"];
+  const Json deviation = Json::parse(format_turntable_json(block))["deviation"];
   const TriangleMesh skin = rounded_surface_mesh(block.body, 2);
   const auto pieces = packed_numbers<std::uint8_t>(deviation["pieces"]);
   const auto shares = packed_numbers<std::int8_t>(deviation["shares"]);
@@ -93,7 +93,7 @@ TEST(Turntable, HasTheDistanceOfEveryCornerFromTheScan) {
 
 TEST(Turntable, CoarsensAFineScanAndLeavesOutWhatIsNotThere) {
   const Block block = scanned_block();
-  const Json coarse = Json::parse(turntable_json(block, {.scan_triangles = 300}));
+  const Json coarse = Json::parse(format_turntable_json(block, {.scan_triangles = 300}));
   const std::size_t triangles =
       packed_numbers<std::uint32_t>(coarse["scan"]["triangles"]).size() / 3;
   EXPECT_LE(triangles, 300u);
@@ -103,11 +103,11 @@ TEST(Turntable, CoarsensAFineScanAndLeavesOutWhatIsNotThere) {
   for (const Vec3& place : places(coarse["scan"], coarse)) {
     EXPECT_LT(std::abs(tree.signed_distance(place)), 1e-3);
   }
-  const Json core = Json::parse(turntable_json(filled_block("B2")));
+  const Json core = Json::parse(format_turntable_json(filled_block("B2")));
   EXPECT_FALSE(core.contains("scan")) << "made from a core, it has no scan";
   EXPECT_FALSE(core.contains("deviation"));
-  EXPECT_THROW(turntable_json(block, {.scan_triangles = 3}), InputError);
-  EXPECT_THROW(turntable_json(block, {.deviation_cells = 1e9}), InputError);
+  EXPECT_THROW(format_turntable_json(block, {.scan_triangles = 3}), InputError);
+  EXPECT_THROW(format_turntable_json(block, {.deviation_cells = 1e9}), InputError);
 }
 
 TEST(Turntable, SaysWhatIsMissing) {

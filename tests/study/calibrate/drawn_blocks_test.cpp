@@ -67,7 +67,7 @@ class DrawnBlocks : public CampaignRun {
     std::vector<Moment> moments;
     if (observation.moment) moments = {*observation.moment};
     SiteMemberSimulator simulator(study.sites[0], study.unknowns, study.design, moments);
-    CalibrationRuns runs{{simulator.facts()}, {{}}};
+    CalibrationRuns runs{{simulator.description()}, {{}}};
     std::uint32_t number = 0;
     for (const std::vector<double>& place : study.design.places(unknowns.size())) {
       runs.outcomes[0].push_back(simulator.simulate(number++, study.values(place), 2));
@@ -126,8 +126,8 @@ TEST_F(DrawnBlocks, EachMemberHasBlocksOfItsOwn) {
                                  {"blocks.mass_sigma", 0.1, 0.5, false},
                                  {"blocks.share.elongated", 0.1, 0.9, false}},
                                 design);
-  EXPECT_EQ(simulator.facts().blocks, (std::vector<std::string>{"cube", "slab"}));
-  EXPECT_EQ(simulator.facts().shapes, (std::vector<std::string>{"compact", "elongated"}));
+  EXPECT_EQ(simulator.description().blocks, (std::vector<std::string>{"cube", "slab"}));
+  EXPECT_EQ(simulator.description().shapes, (std::vector<std::string>{"compact", "elongated"}));
   simulator.simulate(0, {800.0, 0.2, 0.2}, 2);
   const std::vector<ReleaseOutcome> member = simulator.simulate(1, {500.0, 0.4, 0.7}, 2);
   Campaign same = north.campaign;
@@ -144,7 +144,8 @@ TEST_F(DrawnBlocks, EachMemberHasBlocksOfItsOwn) {
     const RunRecord& run = results.runs[i];
     EXPECT_EQ(member[i].stop,
               results.frame.to_map(run.result.final_state.position).head<2>().eval());
-    EXPECT_EQ(simulator.facts().blocks[member[i].block], results.blocks[run.block].library_block());
+    EXPECT_EQ(simulator.description().blocks[member[i].block],
+              results.blocks[run.block].library_block());
   }
 }
 

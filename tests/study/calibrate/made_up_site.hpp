@@ -44,7 +44,7 @@ struct MadeUpSite {
     return outcome;
   }
 
-  SiteDescription facts(const std::string& name) const {
+  SiteDescription description(const std::string& name) const {
     return {name, {"A", "B"}, {"compact", "elongated"}, {"EC"}, Vec2::UnitX(), Vec2::Zero()};
   }
 
@@ -81,7 +81,7 @@ struct MadeUpThrows {
   }
 
   static std::string name(std::uint32_t number) { return "throw " + std::to_string(number); }
-  static SiteDescription facts() {
+  static SiteDescription description() {
     SiteDescription facts{"throws", {"A"}, {"compact"}, {}, Vec2::UnitX(), Vec2::Zero()};
     for (std::uint32_t i = 0; i < kThrows; ++i) facts.releases.push_back(name(i));
     facts.moments = {{Moment::Kind::kImpact, 1.0}};
@@ -128,7 +128,7 @@ struct MadeUpStudy {
   /// @returns the number of the site
   std::size_t add_site(const std::string& name, const MadeUpSite& site) {
     study.sites.push_back({name, {}});
-    runs.sites.push_back(site.facts(name));
+    runs.sites.push_back(site.description(name));
     runs.outcomes.emplace_back();
     std::uint64_t member = 0;
     for (const std::vector<double>& place : study.design.places(study.unknowns.size())) {
@@ -141,7 +141,7 @@ struct MadeUpStudy {
   /// @returns the number of the site
   std::size_t add_throws() {
     study.sites.push_back({"throws", {}});
-    runs.sites.push_back(MadeUpThrows::facts());
+    runs.sites.push_back(MadeUpThrows::description());
     runs.outcomes.emplace_back();
     std::uint64_t member = 0;
     for (const std::vector<double>& place : study.design.places(study.unknowns.size())) {

@@ -59,9 +59,9 @@ TEST_F(SiteSimulation, MembersDoNotDisturbEachOther) {
   const std::vector<ReleaseOutcome> a = one.simulate(2, {0.3}, 2), b = other.simulate(2, {0.3}, 1);
   ASSERT_EQ(a.size(), b.size());
   for (std::size_t i = 0; i < a.size(); ++i) EXPECT_EQ(a[i].stop, b[i].stop);
-  EXPECT_EQ(one.facts().blocks, (std::vector<std::string>{"cube", "slab"}));
-  EXPECT_EQ(one.facts().barriers, std::vector<std::string>{"foot"});
-  EXPECT_EQ(one.facts().middle_of_starts, Vec2(-12.0, 0.0));
+  EXPECT_EQ(one.description().blocks, (std::vector<std::string>{"cube", "slab"}));
+  EXPECT_EQ(one.description().barriers, std::vector<std::string>{"foot"});
+  EXPECT_EQ(one.description().middle_of_starts, Vec2(-12.0, 0.0));
 }
 
 TEST_F(SiteSimulation, StartsFollowTheirUnknowns) {
@@ -82,7 +82,7 @@ TEST_F(SiteSimulation, DrawnBlocksAreThoseOfTheCampaign) {
   CalibrationDesign design;
   design.releases = 18;
   SiteMemberSimulator simulator(site(text), kFriction, design);
-  EXPECT_EQ(simulator.facts().blocks.size(), 3u);
+  EXPECT_EQ(simulator.description().blocks.size(), 3u);
   simulator.simulate(0, {0.55}, 2);
   expect_runs_of(replaced_once(text, "friction = 0.4", "friction = 0.25"),
                  simulator.simulate(1, {0.25}, 2));
@@ -96,7 +96,7 @@ TEST_F(SiteSimulation, ImpactsAndTimesAreThoseOfTheRuns) {
                                        {Moment::Kind::kTime, 0.1},
                                        {Moment::Kind::kTime, 1e4}};
   SiteMemberSimulator simulator(site(), kFriction, design, moments);
-  EXPECT_EQ(simulator.facts().moments, moments);
+  EXPECT_EQ(simulator.description().moments, moments);
   const std::vector<ReleaseOutcome> member = simulator.simulate(0, {0.4}, 2);
   const std::filesystem::path file = *folder_ / "results.h5";
   RunOptions options;
@@ -132,7 +132,7 @@ TEST_F(SiteSimulation, TheGroundIsFoundAgainFromImpactsAlone) {
                                     "{ random = 50, fresh = true }"))};
   const std::vector<Moment> moments = {{Moment::Kind::kImpact, 1.0}};
   SiteMemberSimulator simulator(study.sites[0], study.unknowns, study.design, moments);
-  CalibrationRuns runs{{simulator.facts()}, {{}}};
+  CalibrationRuns runs{{simulator.description()}, {{}}};
   std::uint32_t number = 0;
   for (const std::vector<double>& place : study.design.places(1)) {
     runs.outcomes[0].push_back(simulator.simulate(number++, study.values(place), 2));

@@ -29,7 +29,7 @@ TEST(PathSamples, FollowTheParabolaBetweenFrames) {
   block.moments = Vec3(1.0, 1.0, 5.0);
   double last = -1.0;
   std::size_t count = 0;
-  walk(thrown(0.5), block, level(), 0.2, [&](const PathSample& sample) {
+  for_each_path_sample(thrown(0.5), block, level(), 0.2, [&](const PathSample& sample) {
     const double t = sample.position.x() / 10.0;
     EXPECT_NEAR(sample.height, 2.0 - 0.5 * kTestGravity * t * t, 1e-12);
     EXPECT_NEAR(sample.position.z(), sample.height, 1e-12);
@@ -41,7 +41,8 @@ TEST(PathSamples, FollowTheParabolaBetweenFrames) {
   EXPECT_EQ(count, 1u + 2u * 13u);
   // At a frame the energy is exact: m v^2/2 and J w^2/2.
   double first = 0.0;
-  walk(thrown(0.0), block, level(), 0.2, [&](const PathSample& s) { first = s.energy; });
+  for_each_path_sample(thrown(0.0), block, level(), 0.2,
+                       [&](const PathSample& s) { first = s.energy; });
   EXPECT_NEAR(first, 0.5 * 3.0 * 100.0 + 0.5 * 5.0 * 4.0, 1e-12);
 }
 
@@ -82,11 +83,11 @@ TEST(Profiles, BarrierMeetsTheLeastEnergyBeyondThePeakWhereBlocksStillCome) {
   for (const double energy : {1.0, 20.0, 30.0, 9.0, 40.0, 25.0}) add(0, 10, energy);
   add(0, 4, 3.0);
   add(1, 10, 2.0);
-  const ProfileBin* place = least_energy_place(bins, 0, 10);
+  const ProfileBin* place = find_least_energy_position(bins, 0, 10);
   ASSERT_NE(place, nullptr);
   EXPECT_EQ(place->from, 6.0);
-  EXPECT_EQ(least_energy_place(bins, 1, 10), nullptr) << "no peak is behind";
-  EXPECT_EQ(least_energy_place(bins, 0, 30), nullptr) << "fewer than half come by";
+  EXPECT_EQ(find_least_energy_position(bins, 1, 10), nullptr) << "no peak is behind";
+  EXPECT_EQ(find_least_energy_position(bins, 0, 30), nullptr) << "fewer than half come by";
 }
 
 }  // namespace

@@ -15,7 +15,7 @@ ImpactObserver seen(const RigidBody& body, const TerrainSurface& terrain, const 
   ImpactObserver observer(body, 7);
   const std::vector<GroundParameters> zones = {{restitution, 0.0, 0.0}};
   simulate_release(terrain, zones, body, start, settings,
-                   [&](const MotionStep& step) { observer.see(step); });
+                   [&](const MotionStep& step) { observer.observe_step(step); });
   observer.finish();
   return observer;
 }
@@ -81,15 +81,15 @@ MotionStep step(double begin, double end, bool flight, std::uint32_t points, dou
 TEST(Impact, ShortFlightsDoNotEndIt) {
   const RigidBody body = ball(2.0, 0.5);
   ImpactObserver observer(body, 1);
-  observer.see(step(0.0, 0.5, true, 1, 0.0, 4.0));  // first touch
-  observer.see(step(0.5, 0.6, false, 2, 0.03, 3.0));
-  observer.see(step(0.6, 0.61, false, 0, 0.0, 3.0));   // free
-  observer.see(step(0.61, 0.615, true, 1, 0.0, 3.0));  // 5 ms: the same impact
-  observer.see(step(0.615, 0.7, false, 4, 0.01, 2.0));
-  observer.see(step(0.7, 0.71, false, 0, 0.0, 2.0));
-  observer.see(step(0.71, 0.716, true, 0, 0.0, 2.0));  // two pieces of one flight of 12 ms
-  observer.see(step(0.716, 0.722, true, 3, 0.0, 2.0));
-  observer.see(step(0.722, 0.8, false, 3, 0.02, 0.0));  // until the end of the run
+  observer.observe_step(step(0.0, 0.5, true, 1, 0.0, 4.0));  // first touch
+  observer.observe_step(step(0.5, 0.6, false, 2, 0.03, 3.0));
+  observer.observe_step(step(0.6, 0.61, false, 0, 0.0, 3.0));   // free
+  observer.observe_step(step(0.61, 0.615, true, 1, 0.0, 3.0));  // 5 ms: the same impact
+  observer.observe_step(step(0.615, 0.7, false, 4, 0.01, 2.0));
+  observer.observe_step(step(0.7, 0.71, false, 0, 0.0, 2.0));
+  observer.observe_step(step(0.71, 0.716, true, 0, 0.0, 2.0));  // two pieces of one flight of 12 ms
+  observer.observe_step(step(0.716, 0.722, true, 3, 0.0, 2.0));
+  observer.observe_step(step(0.722, 0.8, false, 3, 0.02, 0.0));  // until the end of the run
   observer.finish();
   ASSERT_EQ(observer.impacts.size(), 2u);
   const Impact& first = observer.impacts[0];
@@ -115,9 +115,9 @@ TEST(Impact, ShortFlightsDoNotEndIt) {
 TEST(Impact, RunThatStartsInContactHasNoneBeforeItsFirstFlight) {
   const RigidBody body = ball(2.0, 0.5);
   ImpactObserver observer(body, 1);
-  observer.see(step(0.0, 0.5, false, 1, 0.01));
-  observer.see(step(0.5, 0.6, false, 0, 0.0));
-  observer.see(step(0.6, 0.8, true, 0, 0.0));
+  observer.observe_step(step(0.0, 0.5, false, 1, 0.01));
+  observer.observe_step(step(0.5, 0.6, false, 0, 0.0));
+  observer.observe_step(step(0.6, 0.8, true, 0, 0.0));
   observer.finish();
   EXPECT_TRUE(observer.impacts.empty());
 }
