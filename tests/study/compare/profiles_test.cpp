@@ -66,7 +66,7 @@ TEST(Profiles, CountEveryRunOncePerBinWithItsLargestValues) {
 }
 
 TEST(Profiles, AreEmptyWithoutTrajectories) {
-  EXPECT_TRUE(profiles(compared(hand_made_results())).empty());
+  EXPECT_TRUE(compute_profiles(compared(hand_made_results())).empty());
 }
 
 TEST(Profiles, BarrierMeetsTheLeastEnergyBeyondThePeakWhereBlocksStillCome) {
