@@ -12,7 +12,7 @@ using Files = std::map<std::string, std::string>;
 
 void read_model(const std::filesystem::path& folder) {
   const PhotoModel model = read_photo_model(folder);
-  for (const SparsePoint& point : model.points) ASSERT_TRUE(point.place.allFinite());
+  for (const SparsePoint& point : model.points) ASSERT_TRUE(point.position.allFinite());
 }
 
 NamedReader model_reader(const std::string& file, const std::function<Files()>& files) {
