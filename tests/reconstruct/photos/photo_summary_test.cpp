@@ -59,10 +59,10 @@ TEST(PhotoSummary, SaysWhatBecameOfEachMarker) {
   };
   for (const int id : {0, 1, 2}) EXPECT_TRUE(of(id).used) << id;
   EXPECT_FALSE(of(5).used);
-  EXPECT_TRUE(contains(of(5).why, "not where the board has it"));
+  EXPECT_TRUE(contains(of(5).reason, "not where the board has it"));
   EXPECT_FALSE(of(3).used);
-  EXPECT_TRUE(contains(of(3).why, "too few photos"));
-  EXPECT_EQ(evidence.coverage.front().least, 1);
+  EXPECT_TRUE(contains(of(3).reason, "too few photos"));
+  EXPECT_EQ(evidence.coverage.front().min_views, 1);
   EXPECT_NEAR(evidence.coverage.front().photos, 5.0 / 6.0, 1e-12) << "all but the underside";
 }
 
