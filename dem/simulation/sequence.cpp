@@ -98,7 +98,7 @@ class Sequence {
     released_at_ = world_.time();
     for (std::size_t block = first; block < end; ++block) add(block);
     newest_ = first;
-    for (const SequenceForm& wall : settings_.confining_walls) {
+    for (const ConfiningWall& wall : settings_.confining_walls) {
       walls_.push_back(world_.add_confining_wall(wall.shape, wall.pose, wall.first, wall.end));
     }
     phase_ = Phase::kSettling;

@@ -24,7 +24,7 @@ struct SequenceBlock {
 
 /// Confining wall: fixed body that touches only given blocks of a multi-block release while they
 /// settle, until it is removed.
-struct SequenceForm {
+struct ConfiningWall {
   std::size_t shape = 0;           ///< index into the shapes
   RigidState pose;                 ///< its x axis points to the blocks that it holds
   std::size_t first = 0, end = 0;  ///< range of these blocks
@@ -47,7 +47,7 @@ struct SequenceSettings {
   /// Confining walls of a multi-block release: their blocks settle under gravity before the first
   /// release, while other blocks are fixed. Times and energies count from then on; a block is
   /// released when its first wall is removed.
-  std::vector<SequenceForm> confining_walls;
+  std::vector<ConfiningWall> confining_walls;
   double settle_time = 20.0;  ///< time limit for settling, s
 
   void check() const;  ///< throws InputError naming the field and its value

@@ -201,7 +201,7 @@ std::vector<StoredRun> realisation(const CampaignPlan& prepared, std::span<const
   SequenceSettings settings = sequence_settings(prepared, planned.front());
   settings.world.threads = threads;
   ConfiningWalls faces = build_confining_walls(prepared, planned);
-  for (SequenceForm& form : faces.confining_walls) form.shape += shapes.size();
+  for (ConfiningWall& form : faces.confining_walls) form.shape += shapes.size();
   shapes.insert(shapes.end(), faces.shapes.begin(), faces.shapes.end());
   settings.confining_walls = std::move(faces.confining_walls);
   for (std::size_t i = 0; i < planned.size(); ++i) {

@@ -26,11 +26,11 @@ TerrainSurface incline(double angle) {
 
 /// Four faces around a square about the origin, 1 m thick; the shape must be `kFaceSides`.
 const Vec3 kFaceSides(1.0, 12.0, 12.0);
-std::vector<SequenceForm> square_form(std::size_t shape, double half, std::size_t blocks) {
-  std::vector<SequenceForm> confining_walls;
+std::vector<ConfiningWall> square_form(std::size_t shape, double half, std::size_t blocks) {
+  std::vector<ConfiningWall> confining_walls;
   for (int side = 0; side < 4; ++side) {
     const double turn = side * kPi / 2.0;
-    SequenceForm form;
+    ConfiningWall form;
     form.shape = shape;
     form.pose.position = -(half + 0.5) * Vec3(std::cos(turn), std::sin(turn), 0.0);
     form.pose.orientation = Quat(Eigen::AngleAxisd(turn, Vec3::UnitZ()));
@@ -40,9 +40,9 @@ std::vector<SequenceForm> square_form(std::size_t shape, double half, std::size_
   return confining_walls;
 }
 
-std::vector<std::size_t> add_forms(World& world, const std::vector<SequenceForm>& confining_walls) {
+std::vector<std::size_t> add_forms(World& world, const std::vector<ConfiningWall>& confining_walls) {
   std::vector<std::size_t> numbers;
-  for (const SequenceForm& form : confining_walls) {
+  for (const ConfiningWall& form : confining_walls) {
     numbers.push_back(world.add_confining_wall(form.shape, form.pose, form.first, form.end));
   }
   return numbers;
@@ -83,7 +83,7 @@ TEST(Form, CarriesTheSlopingWeightOfACube) {
   RigidState start = at({0.0, 0.0, 0.5 * side / std::cos(kAngle) + 1e-3});
   start.orientation = Quat(Eigen::AngleAxisd(kAngle, Vec3::UnitY()));
   world.add_body(0, start);
-  SequenceForm face = square_form(1, 0.6, 1)[2];  // the one that the cube slides onto
+  ConfiningWall face = square_form(1, 0.6, 1)[2];  // the one that the cube slides onto
   const std::size_t form = world.add_confining_wall(1, face.pose, 0, 1);
   ASSERT_EQ(world.run_until_rest(30.0), StopReason::kRest);
   const Vec3 force = world.contact_force(form);

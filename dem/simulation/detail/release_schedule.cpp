@@ -8,7 +8,7 @@ namespace clast::dem_detail {
 
 bool ReleaseSchedule::is_confined(std::size_t block) const {
   return std::any_of(settings_.confining_walls.begin(), settings_.confining_walls.end(),
-                     [&](const SequenceForm& f) { return block >= f.first && block < f.end; });
+                     [&](const ConfiningWall& f) { return block >= f.first && block < f.end; });
 }
 
 bool ReleaseSchedule::starts_fixed(std::size_t block) const {
@@ -19,7 +19,7 @@ bool ReleaseSchedule::starts_fixed(std::size_t block) const {
 
 double ReleaseSchedule::release_time(std::size_t block) const {
   double time = std::numeric_limits<double>::infinity();
-  for (const SequenceForm& wall : settings_.confining_walls) {
+  for (const ConfiningWall& wall : settings_.confining_walls) {
     if (block >= wall.first && block < wall.end) time = std::min(time, wall.removed_at);
   }
   return std::isfinite(time) ? time : blocks_[block].release_time;

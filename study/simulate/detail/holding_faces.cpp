@@ -119,7 +119,7 @@ void add_faces(const CampaignPlan& prepared, std::span<const RunRecord> runs, st
     const Vec2 to =
         heap.corner(side + 1) + beyond_corner(heap, (side + 1) % heap.outline.size(), reach) * way;
     const Vec2 middle = 0.5 * (from + to) + (reaches[side] + 0.5 * heap.thickness) * outwards;
-    SequenceForm wall;
+    ConfiningWall wall;
     wall.shape = faces.shapes.size();
     wall.pose.position = {middle.x(), middle.y(), 0.5 * (heap.low + heap.high)};
     wall.pose.orientation =

@@ -11,7 +11,7 @@ namespace clast::study_detail {
 /// Confining walls and their shapes.
 struct ConfiningWalls {
   std::vector<RigidBody> shapes;              ///< one per wall
-  std::vector<SequenceForm> confining_walls;  ///< `shape` is an index into `shapes`
+  std::vector<ConfiningWall> confining_walls;  ///< `shape` is an index into `shapes`
 };
 
 /// Builds vertical boxes on the polygon sides, from below the ground to above the heap, joined at
