@@ -63,8 +63,10 @@ MeasureDifference measure_difference(const ShapeMeasure& measure, const Populati
 }
 
 /// The class whose share differs most, which is what a reader wants named.
-std::string max_cdf_difference(const std::vector<ClassFraction>& a, const std::string& name_a,
-                               const std::vector<ClassFraction>& b, const std::string& name_b) {
+std::string describe_largest_difference(const std::vector<ClassFraction>& a,
+                                        const std::string& name_a,
+                                        const std::vector<ClassFraction>& b,
+                                        const std::string& name_b) {
   std::size_t largest = 0;
   const auto gap = [&](std::size_t k) { return std::abs(a[k].fraction - b[k].fraction); };
   for (std::size_t k = 1; k < a.size(); ++k) {
@@ -97,7 +99,7 @@ ClassDifference class_difference(const std::string& scheme, const Population& a,
   result.description = (differs ? "The shares of the " + scheme + " classes differ, "
                                 : "No difference in the shares of the " + scheme +
                                       " classes can be shown; they differ ") +
-                       max_cdf_difference(shares_a, a.name, shares_b, b.name) + "; " +
+                       describe_largest_difference(shares_a, a.name, shares_b, b.name) + "; " +
                        chance(test.p_value) + " (chi-squared " +
                        format_decimals(test.chi_squared, 2) + ", " +
                        std::to_string(test.degrees_of_freedom) +

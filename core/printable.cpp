@@ -15,7 +15,7 @@ bool is_unseen(char32_t c) {
          (c >= 0xfff9 && c <= 0xfffb);
 }
 
-std::string escape_html(char32_t c) {
+std::string escape_character(char32_t c) {
   if (c == '\n') return "\\n";
   if (c == '\r') return "\\r";
   if (c == '\t') return "\\t";
@@ -39,7 +39,7 @@ std::string escape_nonprintable(std::string_view text) {
       continue;
     }
     if (is_unseen(first.code)) {
-      result += escape_html(first.code);
+      result += escape_character(first.code);
     } else {
       result += text.substr(0, first.length);
     }

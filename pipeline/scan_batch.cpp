@@ -53,8 +53,7 @@ class Batch {
   BatchResult run() {
     try {
       run_ordered_jobs(
-          scans_.size(), options_.jobs,
-          [&](std::size_t i) { return count_stop_reasons(scans_[i]); },
+          scans_.size(), options_.jobs, [&](std::size_t i) { return outcome_of(scans_[i]); },
           [&](std::size_t i, Outcome& outcome) { take(scans_[i], outcome); });
     } catch (const Cancelled&) {
       save();
@@ -110,7 +109,7 @@ class Batch {
     return {make_shape_block(shape, scan.path, scan.id, options_.scan, callbacks)};
   }
 
-  Outcome count_stop_reasons(const ScanFile& scan) {
+  Outcome outcome_of(const ScanFile& scan) {
     Outcome outcome;
     try {
       if (is_done(scan)) return {};

@@ -100,7 +100,7 @@ class Cells {
     ++cell.count;
   }
 
-  void flush_batch(DenseCloud& cloud) const {
+  void pass_on_points(DenseCloud& cloud) const {
     std::vector<std::uint64_t> keys;
     for (const auto& [key, cell] : cells_) keys.push_back(key);
     std::sort(keys.begin(), keys.end());
@@ -205,7 +205,7 @@ DenseCloud compute_dense_cloud(const PhotoModel& model, const DenseOptions& opti
     }
     if (progress) progress(count + (first + points.size()) / 4, count + count / 4);
   }
-  cells.flush_batch(cloud);
+  cells.pass_on_points(cloud);
   cloud.free_space = photos_detail::carve_free_space(views, agreed, cloud.region, options.tolerance,
                                                      options.threads);
   if (cloud.points.size() < kMinDensePoints) {

@@ -91,7 +91,7 @@ class MomentObserver {
   std::vector<OutcomeAtMoment> outcomes_;
 };
 
-ReleaseOutcome count_stop_reasons(const StoredRun& run, const CampaignPlan& prepared) {
+ReleaseOutcome make_release_outcome(const StoredRun& run, const CampaignPlan& prepared) {
   const MapFrame& frame = prepared.header.frame;
   ReleaseOutcome outcome;
   outcome.block = run.record.block;
@@ -254,7 +254,7 @@ std::vector<ReleaseOutcome> SiteMemberSimulator::simulate(std::uint32_t member,
     if (!own.facts.moments.empty()) observe = [&](const MotionStep& step) { moments.see(step); };
     const StoredRun run =
         simulate_realisation(prepared, static_cast<std::uint32_t>(i), {}, 1, observe).front();
-    outcomes[i] = count_stop_reasons(run, prepared);
+    outcomes[i] = make_release_outcome(run, prepared);
     if (own.blocks_vary) {
       outcomes[i].block =
           static_cast<std::uint32_t>(prepared.choice.blocks[outcomes[i].block].library);

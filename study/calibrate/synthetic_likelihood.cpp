@@ -69,7 +69,7 @@ std::size_t fewest_members(std::size_t members, std::size_t unknowns) {
   return std::min(members, std::max<std::size_t>(8, 2 * unknowns + 2));
 }
 
-std::string full_command_name(const CalibrationStudy& study, std::size_t figure) {
+std::string full_statistic_name(const CalibrationStudy& study, std::size_t figure) {
   for (const Observation& observation : study.observations) {
     if (figure < observation.figures.size()) {
       return "observation " + observation.name + ", " + observation.figures[figure].name;
@@ -153,7 +153,7 @@ SyntheticLikelihood::SyntheticLikelihood(const CalibrationStudy& study,
   for (std::size_t k = 0; k < count; ++k) {
     if (surrogates_[k] || !fitted_[k]) continue;
     const auto with_value = figures.values.row(static_cast<Index>(k)).array().isFinite().count();
-    throw InputError(study.file.string() + ": " + full_command_name(study, k) + ": only " +
+    throw InputError(study.file.string() + ": " + full_statistic_name(study, k) + ": only " +
                      format_count(static_cast<std::size_t>(with_value), "member") + " of " +
                      std::to_string(study.design.members) + " have it, and " +
                      std::to_string(fewest) +

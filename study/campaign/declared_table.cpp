@@ -41,7 +41,7 @@ std::vector<std::string> names_of_keys(const std::vector<const TableKey*>& keys)
   return names;
 }
 
-std::vector<const TableKey*> to_key_dict(const KeyTable& declared) {
+std::vector<const TableKey*> collect_keys(const KeyTable& declared) {
   std::vector<const TableKey*> keys;
   for (const TableKey& key : declared.keys) keys.push_back(&key);
   return keys;
@@ -55,7 +55,7 @@ DeclaredTable::DeclaredTable(const TomlNode& node, const std::string& file,
 
 DeclaredTable::DeclaredTable(const TomlNode& node, const std::string& file,
                              const std::string& title, const KeyTable& declared)
-    : DeclaredTable(node, file, title, to_key_dict(declared)) {}
+    : DeclaredTable(node, file, title, collect_keys(declared)) {}
 
 DeclaredTable DeclaredTable::inner(const std::string& key) const {
   std::vector<const TableKey*> keys;

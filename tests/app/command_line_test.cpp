@@ -87,7 +87,7 @@ class WithLibrary : public WorkingFolder {
     library.write("blocks.h5");
   }
   /// What `clast show --json` prints of a library.
-  Json format_for_terminal(const std::string& library = "blocks.h5") {
+  Json show_library(const std::string& library = "blocks.h5") {
     Json blocks = Json::array();
     const BlockLibrary read = BlockLibrary::read(library);
     for (const Block& block : read.blocks())
@@ -104,16 +104,15 @@ TEST_F(WithLibrary, ReconstructPrintsALineForEachBlockAndShowItsJson) {
   EXPECT_TRUE(contains(made, "flat: ") && contains(made, "long: ")) << made;
   EXPECT_TRUE(contains(made, "elongated")) << made;
   EXPECT_TRUE(contains(made, "2 in all")) << made;
-  EXPECT_EQ(Json::parse(run_clast({"show", "again.h5", "--json"}).out),
-            format_for_terminal("again.h5"));
-  for (const Json& block : format_for_terminal("again.h5")) {
+  EXPECT_EQ(Json::parse(run_clast({"show", "again.h5", "--json"}).out), show_library("again.h5"));
+  for (const Json& block : show_library("again.h5")) {
     EXPECT_LE(std::abs(double(block["deviation_m"]["volume_relative"])), 1e-3);
     EXPECT_EQ(int(block["vertices"]) - int(block["edges"]) + int(block["faces"]), 2);
   }
 }
 
 TEST_F(WithLibrary, ShowGivesEveryPromisedKey) {
-  const Json blocks = format_for_terminal();
+  const Json blocks = show_library();
   ASSERT_EQ(blocks.size(), 2u);
   for (const Json& block : blocks) {
     for (const char* key : {"id",
@@ -178,8 +177,8 @@ TEST_F(WithLibrary, AnIdThatIsThereNeedsReplace) {
   EXPECT_EQ(run_clast({"reconstruct", "flat.obj", "--replace", "--density", "2000"}, folder.path())
                 .exit_code,
             0);
-  EXPECT_EQ(format_for_terminal()[0]["density_kg_m3"], 2000.0);
-  EXPECT_EQ(format_for_terminal().size(), 2u);
+  EXPECT_EQ(show_library()[0]["density_kg_m3"], 2000.0);
+  EXPECT_EQ(show_library().size(), 2u);
 }
 
 TEST_F(WithLibrary, ABadScanNeverCostsTheBatch) {
@@ -188,7 +187,7 @@ TEST_F(WithLibrary, ABadScanNeverCostsTheBatch) {
   const ProgramRun run = run_clast({"reconstruct", "bad.obj", "good.obj"}, folder.path());
   EXPECT_EQ(run.exit_code, 1);
   EXPECT_TRUE(contains(run.err, "bad.obj") && contains(run.err, "1 of 2")) << run.err;
-  EXPECT_EQ(format_for_terminal().size(), 3u);
+  EXPECT_EQ(show_library().size(), 3u);
 }
 
 Json classified(const BlockMeasuringOptions& reading) {
@@ -221,7 +220,7 @@ TEST_F(WithLibrary, ClassifyCountsThePopulation) {
 
 TEST_F(WithLibrary, ClassifyGivesEveryClassItsCertaintyAndEveryIndexItsFormula) {
   const Json json = classified({.surfaces = true, .roundness_edge = 0.08});
-  const Json shown_blocks = format_for_terminal();
+  const Json shown_blocks = show_library();
   for (int i = 0; i < 2; ++i) {
     const Json& block = json["blocks"][i];
     for (const char* scheme : {"sneed-folk", "zingg", "garcia", "williams", "erdogan", "blott-pye",
@@ -255,7 +254,7 @@ TEST_F(WithLibrary, ClassifyGivesEveryClassItsCertaintyAndEveryIndexItsFormula) 
 }
 
 TEST_F(WithLibrary, ClassifyMeasuresOnTheNamedBox) {
-  const Json blocks = format_for_terminal();
+  const Json blocks = show_library();
   for (const std::string box : {"smallest", "inertia", "feret", "pca"}) {
     const Json json = classified({.box = box, .box_given = true});
     EXPECT_EQ(json["box"], box);
@@ -290,7 +289,7 @@ TEST_F(WithLibrary, ExportWritesEveryFormatAndTurnsBack) {
                       folder.path())
                 .exit_code,
             0);
-  const Json once = format_for_terminal("y.h5")[0], back = format_for_terminal("back.h5")[0];
+  const Json once = show_library("y.h5")[0], back = show_library("back.h5")[0];
   for (int i = 0; i < 3; ++i) {
     EXPECT_NEAR(once["centre_m"][i], back["centre_m"][i], 1e-4);
   }
@@ -302,24 +301,24 @@ TEST_F(WithLibrary, LibrariesAreMergedCutAndAnnotated) {
   ASSERT_EQ(
       run_clast({"library", "merge", "all.h5", "blocks.h5", "other.h5"}, folder.path()).exit_code,
       0);
-  EXPECT_EQ(format_for_terminal("all.h5").size(), 3u);
-  EXPECT_EQ(format_for_terminal("all.h5")[1], format_for_terminal("blocks.h5")[0]);
+  EXPECT_EQ(show_library("all.h5").size(), 3u);
+  EXPECT_EQ(show_library("all.h5")[1], show_library("blocks.h5")[0]);
   const ProgramRun again = run_clast({"library", "merge", "all.h5", "other.h5"}, folder.path());
   EXPECT_EQ(again.exit_code, 1);
   EXPECT_TRUE(contains(again.err, "cube") && contains(again.err, "other.h5")) << again.err;
 
   ASSERT_EQ(run_clast({"library", "remove", "all.h5", "flat", "long"}, folder.path()).exit_code, 0);
-  EXPECT_EQ(format_for_terminal("all.h5").size(), 1u);
+  EXPECT_EQ(show_library("all.h5").size(), 1u);
   expect_refused(folder, {"library", "remove", "all.h5", "flat"}, 1, "flat");
   expect_refused(folder, {"library", "remove", "all.h5", "cube", "nope"}, 1, "nope");
-  EXPECT_EQ(format_for_terminal("all.h5").size(), 1u) << "all go or none";
+  EXPECT_EQ(show_library("all.h5").size(), 1u) << "all go or none";
 
   const ProgramRun set =
       run_clast({"library", "set", "all.h5", "cube", "--site", "Authume", "--note", "weathered",
                  "--taped", "0.9,1.1,1.0", "--weighed", "2650"},
                 folder.path());
   ASSERT_EQ(set.exit_code, 0) << set.err;
-  const Json field = format_for_terminal("all.h5")[0]["field"];
+  const Json field = show_library("all.h5")[0]["field"];
   EXPECT_EQ(field["site"], "Authume");
   EXPECT_EQ(field["note"], "weathered");
   EXPECT_EQ(field["taped_m"], Json({1.1, 1.0, 0.9}));
@@ -334,7 +333,7 @@ TEST_F(WithLibrary, TextThatIsNotUtf8IsConverted) {
   ASSERT_EQ(
       run_clast({"library", "set", "blocks.h5", "flat", "--site", street}, folder.path()).exit_code,
       0);
-  EXPECT_EQ(format_for_terminal()[0]["field"]["site"],
+  EXPECT_EQ(show_library()[0]["field"]["site"],
             "Stra\xc3\x9f"
             "e");
   write_obj(folder /

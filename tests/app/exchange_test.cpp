@@ -37,7 +37,7 @@ class Exchange : public testing::Test {
     return run_clast(all, folder.path());
   }
   /// The blocks of a library by id.
-  std::map<std::string, Json> format_for_terminal(const std::string& library) {
+  std::map<std::string, Json> show_library(const std::string& library) {
     std::map<std::string, Json> blocks;
     for (const Json& block :
          Json::parse(run_clast({"show", library, "--json"}, folder.path()).out)) {
@@ -57,7 +57,7 @@ TEST_F(Exchange, AShapeWithoutTurnBecomesABlock) {
   const ProgramRun run = reconstruct({"rock.shp", "-o", "b.h5", "--density", "2000"});
   ASSERT_EQ(run.exit_code, 0) << run.err;
   EXPECT_FALSE(contains(run.out, ".shp file gives")) << run.out;
-  const Json block = format_for_terminal("b.h5").at("rock");  // one shape: the file's name
+  const Json block = show_library("b.h5").at("rock");  // one shape: the file's name
   EXPECT_EQ(block["vertices"], 8);
   EXPECT_EQ(block["edges"], 12);
   EXPECT_EQ(block["faces"], 6);
@@ -82,7 +82,7 @@ TEST_F(Exchange, PolygonsWrittenWithEightDigitsStayWhole) {
       "nf 7\n5 0 1 2 3 4\n5 5 6 7 8 9\n4 0 1 6 5\n4 2 1 6 7\n4 2 3 8 7\n4 4 3 8 9\n4 0 4 9 5\n>\n";
   write("prism.shp", text);
   ASSERT_EQ(reconstruct({"prism.shp", "-o", "b.h5"}).exit_code, 0);
-  const Json block = format_for_terminal("b.h5").at("prism");
+  const Json block = show_library("b.h5").at("prism");
   EXPECT_EQ(block["faces"], 7);
   EXPECT_EQ(block["edges"], 15);
   EXPECT_EQ(block["edge_bends"]["convex"], 15);
@@ -94,7 +94,7 @@ TEST_F(Exchange, AFileOfSeveralShapesGivesABlockForEach) {
                        "<\nname rod\nradius 0.1\nnv 2\n0 0 0\n0 0 1\nne 1\n0 1\nnf 0\n>\n");
   const ProgramRun run = reconstruct({"all.shp", "-o", "b.h5"});
   ASSERT_EQ(run.exit_code, 0) << run.err;
-  const std::map<std::string, Json> blocks = format_for_terminal("b.h5");
+  const std::map<std::string, Json> blocks = show_library("b.h5");
   ASSERT_EQ(blocks.size(), 3u);
   EXPECT_NEAR(blocks.at("SP1A")["volume_m3"], rounded_cube_volume(0.1), 1e-12);
   EXPECT_NEAR(blocks.at("ball")["volume_m3"], kPi / 6.0, 1e-12);
@@ -115,8 +115,8 @@ TEST_F(Exchange, ExportedShapesComeBackAsTheSameBodies) {
   ASSERT_EQ(run.exit_code, 0) << run.err;
   EXPECT_FALSE(contains(run.out, ".shp file gives")) << run.out;
   EXPECT_FALSE(contains(run.out, "turned")) << run.out;
-  const std::map<std::string, Json> once = format_for_terminal("once.h5"),
-                                    again = format_for_terminal("again.h5");
+  const std::map<std::string, Json> once = show_library("once.h5"),
+                                    again = show_library("again.h5");
   ASSERT_EQ(again.size(), 4u);
   for (const auto& [id, was] : once) {
     const Json& is = again.at(id);
@@ -179,13 +179,13 @@ TEST_F(Exchange, UnitsAndUpAxisHoldForShapesToo) {
         cube("ANY", 0.25,
              "preCompDone y\nvolume " + std::to_string(rounded_cube_volume(0.25)) + "\n"));
   ASSERT_EQ(reconstruct({"rock.shp", "-o", "b.h5", "--units", "cm"}).exit_code, 0);
-  const Json block = format_for_terminal("b.h5").at("rock");
+  const Json block = show_library("b.h5").at("rock");
   EXPECT_NEAR(block["radius_m"], 0.0025, 1e-15);
   EXPECT_NEAR(block["volume_m3"], 1e-6 * rounded_cube_volume(0.25), 1e-17);
   EXPECT_EQ(block["warnings"].dump().find(".shp file gives"), std::string::npos);
   write("ball.shp", "<\nname ball\nradius 0.5\nnv 1\n1 2 3\n>\n");
   ASSERT_EQ(reconstruct({"ball.shp", "-o", "y.h5", "--up", "y"}).exit_code, 0);
-  EXPECT_EQ(format_for_terminal("y.h5").at("ball")["centre_m"], Json({1.0, -3.0, 2.0}));
+  EXPECT_EQ(show_library("y.h5").at("ball")["centre_m"], Json({1.0, -3.0, 2.0}));
 }
 
 TEST_F(Exchange, WhatCannotBeABlockIsRefusedWithTheReason) {
@@ -221,7 +221,7 @@ TEST_F(Exchange, FoldersGiveTheirShapesAndLeaveMapsAlone) {
   EXPECT_EQ(run.exit_code, 1);
   EXPECT_TRUE(contains(run.err, "cut.shp") && contains(run.err, "1 of 4 scans")) << run.err;
   EXPECT_FALSE(contains(run.err, "map.shp")) << run.err;
-  EXPECT_EQ(format_for_terminal("b.h5").size(), 3u);
+  EXPECT_EQ(show_library("b.h5").size(), 3u);
 }
 
 TEST_F(Exchange, MeshesAreOfTheAskedSurfaceInTheAskedFrame) {
@@ -236,7 +236,7 @@ TEST_F(Exchange, MeshesAreOfTheAskedSurfaceInTheAskedFrame) {
   };
   EXPECT_NEAR(enclosed_volume(exported({"--what", "core"})), 3.0, 1e-12);
   EXPECT_EQ(exported({"--what", "surface"}).triangles.size(), l_block().triangles.size());
-  const double volume = format_for_terminal("b.h5").at("concave")["volume_m3"];
+  const double volume = show_library("b.h5").at("concave")["volume_m3"];
   const TriangleMesh skin = exported({}), fine = exported({"--segments", "8"});
   EXPECT_TRUE(inspect_mesh(skin).is_closed() && inspect_mesh(skin).is_oriented());
   EXPECT_TRUE(find_self_intersections(skin).empty());

@@ -8,7 +8,7 @@ namespace clast::architecture {
 namespace {
 
 /// Keys of a BibTeX file with the line of each.
-std::multimap<std::string, std::size_t> to_key_dict(const SourceFile& references) {
+std::multimap<std::string, std::size_t> bibliography_keys(const SourceFile& references) {
   static const std::regex kEntry(R"(^@\w+\{\s*([^,\s]+)\s*,.*)");
   std::multimap<std::string, std::size_t> keys;
   std::smatch match;
@@ -78,7 +78,7 @@ Findings citation_findings(const SourceFile& file, const SourceFile& references)
   static const std::regex kInBrackets(R"(([a-z]{3,}\d{3,4}[a-z]?))");
   const bool document = file.path.starts_with("docs/") && file.path.ends_with(".md");
   if (!file.is_header() && !document) return {};
-  const std::multimap<std::string, std::size_t> keys = to_key_dict(references);
+  const std::multimap<std::string, std::size_t> keys = bibliography_keys(references);
   Findings findings;
   for (std::size_t i = 0; i < file.lines.size(); ++i) {
     std::string text = file.lines[i];
@@ -133,7 +133,7 @@ Findings field_findings(const SourceFile& file, const SourceFile& flags) {
 }
 
 Findings repeated_key_findings(const SourceFile& references) {
-  const std::multimap<std::string, std::size_t> keys = to_key_dict(references);
+  const std::multimap<std::string, std::size_t> keys = bibliography_keys(references);
   Findings findings;
   for (const auto& [key, line] : keys) {
     if (keys.lower_bound(key)->second != line) {

@@ -59,7 +59,7 @@ INSTANTIATE_TEST_SUITE_P(Subdivisions, FlatDrop,
 
 /// Height of the centre of a ball of 1000 kg and 0.5 m at rest on ground of 1e7 N/m, above that at
 /// which it touches.
-double find_rest_height(double energy_restitution, double drop, ReleaseResult& result) {
+double rest_height(double energy_restitution, double drop, ReleaseResult& result) {
   const TerrainSurface terrain = ground(plane_mesh(5.0, 6));
   const RigidBody body = ball(1000.0, 0.5);
   ReleaseSettings settings = yielding_settings(body, 1e7, energy_restitution);
@@ -77,7 +77,7 @@ TEST(YieldingGround, CarriesABlockBetweenItsDentAndItsStaticDepth) {
   const double weight = 1000.0 * kTestGravity, deepest = 2.0 * weight / 1e7;
   for (const double e : {0.01, 0.1}) {
     ReleaseResult result;
-    const double height = find_rest_height(e, 0.0, result);
+    const double height = rest_height(e, 0.0, result);
     EXPECT_EQ(result.stop_reason, StopReason::kRest);
     const double residual_indentation = deepest * (1.0 - e);
     // Above its dent by what carries it when it loads again, or unloads.
@@ -92,7 +92,7 @@ TEST(YieldingGround, CarriesABlockBetweenItsDentAndItsStaticDepth) {
 // block sink to m g/(k e_n^2) = 9.8 cm.
 TEST(YieldingGround, KeepsTheDentOfAFall) {
   ReleaseResult result;
-  const double height = find_rest_height(0.01, 0.2, result);
+  const double height = rest_height(0.01, 0.2, result);
   const double weight = 1000.0 * kTestGravity;
   const double deepest = (weight + std::sqrt(weight * weight + 2.0 * 1e7 * weight * 0.2)) / 1e7;
   EXPECT_EQ(result.stop_reason, StopReason::kRest);

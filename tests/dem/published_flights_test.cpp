@@ -11,7 +11,7 @@
 namespace clast {
 namespace {
 
-std::vector<ReferenceRow> make_comparison_rows(const std::string& name) {
+std::vector<ReferenceRow> read_reference_rows(const std::string& name) {
   std::istringstream lines(read_text_file(test_data(name)));
   std::vector<std::string> header;
   std::vector<ReferenceRow> rows;
@@ -46,7 +46,7 @@ RigidState state_of(const ReferenceRow& row) {
 
 TEST(PublishedFlights, AreFollowed) {
   std::map<std::string, RigidBody> bodies;
-  for (const ReferenceRow& row : make_comparison_rows("garcia2022/table01_blocks.csv")) {
+  for (const ReferenceRow& row : read_reference_rows("garcia2022/table01_blocks.csv")) {
     RigidBody& body = bodies[row.at("block")];
     body.mass = 1.0;
     body.shape.vertices = {Vec3::Zero()};
@@ -55,7 +55,7 @@ TEST(PublishedFlights, AreFollowed) {
   std::size_t compared = 0;
   double worst_spin = 0.0, worst_angle = 0.0, worst_height = 0.0;
   ReferenceRow first, last;
-  for (const ReferenceRow& row : make_comparison_rows("authume/sim/free_flight.csv")) {
+  for (const ReferenceRow& row : read_reference_rows("authume/sim/free_flight.csv")) {
     const bool goes_on = !last.empty() && last.at("segment") == row.at("segment") &&
                          value(row, "t") - value(last, "t") < 0.15;
     last = row;

@@ -48,7 +48,7 @@ struct Middle {
   double volume = 0.0;
 };
 
-Middle compute_posterior_medians(const TriangleMesh& closed) {
+Middle middle_of(const TriangleMesh& closed) {
   const Vec3 origin = closed.vertices[0];
   Middle middle;
   for (const auto& [a, b, c] : closed.triangles) {
@@ -325,7 +325,7 @@ std::vector<Vec3> observed_points(const Parted& parts) {
 
 UnobservedBounds bound_unobserved_parts(const TriangleMesh& closed, const UnobservedParts& parts) {
   const Parted surface = parted(closed, parts.closure);
-  const Middle middle = compute_posterior_medians(closed);
+  const Middle middle = middle_of(closed);
   UnobservedBounds bounds{{middle.volume, middle.volume, middle.volume}, {}};
   std::vector<Vec3> beyond;
   if (surface.first < closed.triangles.size()) {

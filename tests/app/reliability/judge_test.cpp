@@ -42,26 +42,26 @@ Given given(const Json& block) {
   return given_by({0, Json{{"blocks", {block}}, {"failed", Json::array()}}.dump(), ""});
 }
 
-Outcome count_stop_reasons(const Json& block) { return judge(given(block), {kRock}).outcome; }
+Outcome outcome_of(const Json& block) { return judge(given(block), {kRock}).outcome; }
 
 TEST(ReliabilityJudge, ValuesWithinTheToleranceAreRight) {
-  EXPECT_EQ(count_stop_reasons(block(0.2, {1.0, 0.7, 0.5})), Outcome::kRight);
-  EXPECT_EQ(count_stop_reasons(block(0.2019, {1.014, 0.69, 0.507})), Outcome::kRight);
-  EXPECT_EQ(count_stop_reasons(block(0.1981, {0.986, 0.71, 0.493})), Outcome::kRight);
+  EXPECT_EQ(outcome_of(block(0.2, {1.0, 0.7, 0.5})), Outcome::kRight);
+  EXPECT_EQ(outcome_of(block(0.2019, {1.014, 0.69, 0.507})), Outcome::kRight);
+  EXPECT_EQ(outcome_of(block(0.1981, {0.986, 0.71, 0.493})), Outcome::kRight);
 }
 
 TEST(ReliabilityJudge, AValueOffWithoutARangeIsWrong) {
-  EXPECT_EQ(count_stop_reasons(block(0.2021, {1.0, 0.7, 0.5})), Outcome::kWrong);
-  EXPECT_EQ(count_stop_reasons(block(0.1979, {1.0, 0.7, 0.5})), Outcome::kWrong);
-  EXPECT_EQ(count_stop_reasons(block(0.2, {1.016, 0.7, 0.5})), Outcome::kWrong);
-  EXPECT_EQ(count_stop_reasons(block(0.2, {1.0, 0.689, 0.5})), Outcome::kWrong);
-  EXPECT_EQ(count_stop_reasons(block(0.2, {1.0, 0.7, 0.508})), Outcome::kWrong);
+  EXPECT_EQ(outcome_of(block(0.2021, {1.0, 0.7, 0.5})), Outcome::kWrong);
+  EXPECT_EQ(outcome_of(block(0.1979, {1.0, 0.7, 0.5})), Outcome::kWrong);
+  EXPECT_EQ(outcome_of(block(0.2, {1.016, 0.7, 0.5})), Outcome::kWrong);
+  EXPECT_EQ(outcome_of(block(0.2, {1.0, 0.689, 0.5})), Outcome::kWrong);
+  EXPECT_EQ(outcome_of(block(0.2, {1.0, 0.7, 0.508})), Outcome::kWrong);
 }
 
 TEST(ReliabilityJudge, AClassThatIsNotThatOfTheAxesIsWrong) {
   Json other = block(0.2, {1.0, 0.7, 0.5});
   other["sneed_folk"] = "VE";
-  EXPECT_EQ(count_stop_reasons(other), Outcome::kWrong);
+  EXPECT_EQ(outcome_of(other), Outcome::kWrong);
 }
 
 TEST(ReliabilityJudge, AnotherClassIsRightWhereALimitIsWithinTheTolerance) {
@@ -82,17 +82,17 @@ TEST(ReliabilityJudge, ARangeThatHoldsTheTruthIsHonest) {
 
 TEST(ReliabilityJudge, ARangeThatMissesTheTruthIsWrong) {
   const Json off = block(0.21, {1.0, 0.7, 0.52});
-  EXPECT_EQ(count_stop_reasons(bracketed(off, 0.201, 0.23, {1.0, 0.7, 0.49}, {1.0, 0.7, 0.55})),
+  EXPECT_EQ(outcome_of(bracketed(off, 0.201, 0.23, {1.0, 0.7, 0.49}, {1.0, 0.7, 0.55})),
             Outcome::kWrong);
-  EXPECT_EQ(count_stop_reasons(bracketed(off, 0.19, 0.23, {1.0, 0.7, 0.51}, {1.0, 0.7, 0.55})),
+  EXPECT_EQ(outcome_of(bracketed(off, 0.19, 0.23, {1.0, 0.7, 0.51}, {1.0, 0.7, 0.55})),
             Outcome::kWrong);
   Json other_class =
       bracketed(block(0.21, {1.0, 0.7, 0.31}), 0.19, 0.23, {1.0, 0.7, 0.3}, {1.0, 0.7, 0.55});
-  EXPECT_EQ(count_stop_reasons(other_class), Outcome::kWrong);
+  EXPECT_EQ(outcome_of(other_class), Outcome::kWrong);
   other_class["unseen"]["sneed_folk"].push_back(sneed_folk_class(kRock.truth.axes));
   other_class["unseen"]["zingg"].push_back(zingg_class(kRock.truth.axes));
   other_class["unseen"]["shape"].push_back(garcia_class(kRock.truth.axes));
-  EXPECT_EQ(count_stop_reasons(other_class), Outcome::kBracketed);
+  EXPECT_EQ(outcome_of(other_class), Outcome::kBracketed);
 }
 
 TEST(ReliabilityJudge, ARangeThatMissesIsCountedBesideAValueThatIsRight) {

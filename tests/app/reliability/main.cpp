@@ -57,7 +57,7 @@ ProgramRun reconstruct(const std::filesystem::path& scan, const std::filesystem:
   return RunningProgram(std::move(words), folder).wait();
 }
 
-Verdict judge_agreement(const Case& one, const Options& options) {
+Verdict judge_case(const Case& one, const Options& options) {
   const ScratchFolder scratch;
   const std::filesystem::path folder =
       options.keep.empty() ? scratch.path() : std::filesystem::path(options.keep);
@@ -107,7 +107,7 @@ int run(const Options& options) {
   std::size_t done = 0;
   parallel_for(cases.size(), options.threads, [&](std::size_t i) {
     const Case& one = cases[i];
-    judged[i] = {one.kind->name, one.level(), one.name(), judge_agreement(one, options)};
+    judged[i] = {one.kind->name, one.level(), one.name(), judge_case(one, options)};
     const std::lock_guard lock(mutex);
     ++done;
     if (judged[i].verdict.outcome == Outcome::kWrong) {

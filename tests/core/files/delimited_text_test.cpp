@@ -15,7 +15,7 @@ namespace {
 
 using Rows = std::vector<std::vector<std::string>>;
 
-Rows make_comparison_rows(const std::string& content, const TableDialect& rules = {}) {
+Rows read_rows(const std::string& content, const TableDialect& rules = {}) {
   const DecodedText table = decode_text(content, "t.csv");
   DelimitedTextReader text(table.text, "t.csv", rules);
   Rows rows;
@@ -31,14 +31,12 @@ TEST(DelimitedTextReader, EverySeparatorGivesTheSameRows) {
                            "\xef\xbb\xbf"
                            "a,b\n1.5,x\n",
                            "# taped\n\na , \"b\"\n\"1.5\",x\n,\n", "sep=,\r\na,b\r\n1.5,x"}) {
-    EXPECT_EQ(make_comparison_rows(text), rows) << text;
+    EXPECT_EQ(read_rows(text), rows) << text;
   }
 }
 
 TEST(DelimitedTextReader, ARowOfAnotherNumberOfFieldsIsRefusedWithItsLine) {
-  const auto refused = [](const std::string& text) {
-    return refusal([&] { make_comparison_rows(text); });
-  };
+  const auto refused = [](const std::string& text) { return refusal([&] { read_rows(text); }); };
   // 50.5 and 20.1, as a program that writes decimal commas separates them with commas.
   EXPECT_EQ(refused("x,y\n50,5,20,1\n"),
             "t.csv:2: has 4 fields, but line 1 has 2; where commas are decimal signs, separate the "
@@ -66,9 +64,9 @@ TEST(DelimitedTextReader, DecimalCommasAreReadWhereCommasDoNotSeparate) {
 }
 
 TEST(DelimitedTextReader, RemarksEndRowsWhereTheyAreAskedFor) {
-  EXPECT_EQ(make_comparison_rows("1;2 # edge\n#\n3;4\n", {.inline_comments = true}),
+  EXPECT_EQ(read_rows("1;2 # edge\n#\n3;4\n", {.inline_comments = true}),
             (Rows{{"1", "2"}, {"3", "4"}}));
-  EXPECT_EQ(make_comparison_rows("id;L\nB #7;2\n"), (Rows{{"id", "L"}, {"B #7", "2"}}));
+  EXPECT_EQ(read_rows("id;L\nB #7;2\n"), (Rows{{"id", "L"}, {"B #7", "2"}}));
 }
 
 // Texts that a spreadsheet would run are written so that it shows them, and come back as they were.
@@ -93,7 +91,7 @@ TEST(DelimitedTextReader, GivesBackWhatCsvTextWrote) {
     csv.write_cell(text);
     csv.write_cell(1.0);
     csv.end_row();
-    EXPECT_EQ(make_comparison_rows(csv.take_text()).at(1).at(0), text);
+    EXPECT_EQ(read_rows(csv.take_text()).at(1).at(0), text);
   }
 }
 
