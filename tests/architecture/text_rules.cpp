@@ -97,6 +97,93 @@ Findings citation_findings(const SourceFile& file, const SourceFile& references)
   return findings;
 }
 
+Findings docs_comment_findings(const SourceFile& file) {
+  static const std::regex kComment(R"(^\s*///(?!<)\s?(.*))");
+  static const std::regex kBadStart(
+      "(As|At|By|For|From|How|In|Of|On|To|What|When|Where|Whether|Which|Whose|With|[a-z]+)\\b.*");
+  static const std::regex kQuestion(R"(.*\?(\s.*)?$)");
+  Findings findings;
+  if (!is_of_library(file) && file.folder() != "app") return findings;
+  if (!file.is_header()) return findings;
+  bool inside = false;
+  std::smatch match;
+  for (std::size_t i = 0; i < file.lines.size(); ++i) {
+    const bool comment = std::regex_match(file.lines[i], match, kComment);
+    const std::string text = comment ? match[1].str() : "";
+    if (comment && !inside && std::regex_match(text, kBadStart)) {
+      findings.push_back(finding(
+          file, i + 1,
+          "begins with \"" + text.substr(0, text.find(' ')) + "\"; begin with a noun or a verb"));
+    }
+    if (comment && std::regex_match(text, kQuestion)) {
+      findings.push_back(finding(file, i + 1, "asks a question; state what holds"));
+    }
+    inside = comment;
+  }
+  return findings;
+}
+
+Findings renamed_name_findings(const SourceFile& file) {
+  static const std::map<std::string, std::string> kRenamed = {
+      {"Asleep", "SeparationBound"},
+      {"BlockDraw", "BlockSampling"},
+      {"CameraSeat", "CameraPosition"},
+      {"DoubledSurface", "DuplicateSurface"},
+      {"EnergyLedger", "EnergyBalance"},
+      {"FormDoubt", "ShapeAnomaly"},
+      {"HoldingFaces", "ConfiningWalls"},
+      {"PlaceMark", "PositionMark"},
+      {"SeenThrough", "FreeSpaceGrid"},
+      {"SkinPiece", "OffsetPiece"},
+      {"SleepWatch", "SleepDetector"},
+      {"StandingBlock", "BlockOnGround"},
+      {"StayRecord", "PersistentBlockRecord"},
+      {"UnseenBounds", "UnobservedBounds"},
+      {"UnseenRange", "BlockBracket"},
+      {"asleep_until", "separated_until"},
+      {"cloud_margin", "compute_surface_uncertainty"},
+      {"drop_ratio", "height_length_ratio"},
+      {"drop_triangles", "remove_triangles"},
+      {"drop_fins", "remove_fins"},
+      {"edge_bend", "edge_convexity"},
+      {"foot_share", "base_fraction"},
+      {"free_heading", "any_heading_width"},
+      {"friction_after", "slip_dependent_friction"},
+      {"gap_in_words", "describe_difference"},
+      {"kept_volume", "retained_volume"},
+      {"leave_dents_in", "store_indentations"},
+      {"list_anew", "request_broad_phase"},
+      {"looked_through", "carve_free_space"},
+      {"mass_in_words", "format_mass"},
+      {"pierced_depth", "edge_penetration_depth"},
+      {"reading_step", "find_reading_resolution"},
+      {"redraw_blocks", "resample_blocks"},
+      {"refuse_if_there", "refuse_if_present"},
+      {"runs_in_words", "describe_runs"},
+      {"scale_in_words", "describe_block_scale"},
+      {"share_in_words", "format_percentage"},
+      {"standing_blocks", "find_blocks_on_ground"},
+      {"sure_until", "nearest_face_until"},
+      {"time_beside", "sphere_contact_free_time"},
+      {"turned_one_step", "integrate_rotation_step"},
+      {"turn_over", "flip_orientation"},
+      {"unseen_range", "derive_block_bracket"},
+      {"unseen_sides", "fill_unobserved_sides"},
+      {"values_of", "measure_values"},
+  };
+  static const std::regex kIdentifier(R"([A-Za-z_]\w*)");
+  Findings findings;
+  if (!file.is_header() || !is_of_library(file)) return findings;
+  for (std::size_t i = 0; i < file.lines.size(); ++i) {
+    for (const std::smatch& match : matches(file.lines[i], kIdentifier)) {
+      const auto renamed = kRenamed.find(match.str());
+      if (renamed == kRenamed.end()) continue;
+      findings.push_back(finding(file, i + 1, match.str() + " is called " + renamed->second));
+    }
+  }
+  return findings;
+}
+
 Findings flag_findings(const SourceFile& file) {
   static const std::regex kFlag(R"((^|[\s(])--[a-z])");
   Findings findings;

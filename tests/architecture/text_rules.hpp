@@ -16,6 +16,13 @@ Findings machine_path_findings(const SourceFile& file);
 /// (BibTeX) lacks.
 Findings citation_findings(const SourceFile& file, const SourceFile& references);
 
+/// Docs comments of headers that do not begin with a noun or a verb (but with "Of", "Where", "What"
+/// or a lower-case letter) or that ask a question.
+Findings docs_comment_findings(const SourceFile& file);
+
+/// Identifiers of headers that have standard terms instead.
+Findings renamed_name_findings(const SourceFile& file);
+
 /// Keys that stand twice in a BibTeX file.
 Findings repeated_key_findings(const SourceFile& references);
 

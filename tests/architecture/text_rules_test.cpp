@@ -43,6 +43,16 @@ TEST(TextRules, EveryCitedKeyIsInTheReferences) {
   EXPECT_TRUE(findings.empty()) << lines(findings);
 }
 
+TEST(TextRules, DocsCommentsBeginWithANounOrAVerb) {
+  const Findings findings = in_every_file(docs_comment_findings);
+  EXPECT_TRUE(findings.empty()) << lines(findings);
+}
+
+TEST(TextRules, HeadersUseStandardTerms) {
+  const Findings findings = in_every_file(renamed_name_findings);
+  EXPECT_TRUE(findings.empty()) << lines(findings);
+}
+
 TEST(TextRules, NoReferenceStandsTwice) {
   const Findings findings = repeated_key_findings(references());
   EXPECT_TRUE(findings.empty()) << lines(findings);
@@ -55,6 +65,22 @@ TEST(TextRules, SourcesThatDocumentsNameExist) {
 }
 
 // The rules, applied to made-up files.
+
+TEST(TextRules, DocsCommentWithoutASubjectIsFound) {
+  const auto count = [](const std::string& text) {
+    return docs_comment_findings(source_file("dem/a.hpp", text)).size();
+  };
+  EXPECT_EQ(count("/// Of every block.\nint a;\n/// where it is.\nint b;\n"), 2u);
+  EXPECT_EQ(count("/// Is it closed?\nbool a();\n"), 1u);
+  EXPECT_EQ(count("/// Volume of a block\n/// in its frame.\nint a;  ///< of the block\n"), 0u);
+  EXPECT_EQ(count("// Of every block.\n"), 0u);
+}
+
+TEST(TextRules, NameThatWasRenamedIsFound) {
+  EXPECT_EQ(renamed_name_findings(source_file("dem/a.hpp", "int a;\ndouble drop_ratio();\n")),
+            Findings{"dem/a.hpp:2: drop_ratio is called height_length_ratio"});
+  EXPECT_TRUE(renamed_name_findings(source_file("dem/a.hpp", "double drop_ratios();\n")).empty());
+}
 
 TEST(TextRules, ASourceThatIsGoneIsFoundInTheDocumentThatNamesIt) {
   const std::string text = "See `dem/a.hpp`\nand `dem/b.hpp`.\n";
