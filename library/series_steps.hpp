@@ -41,7 +41,7 @@ const std::vector<std::string>& form_grid_names();
 const std::vector<std::string>& inertia_form_names();
 
 /// Checks target ratios.
-/// @param asked  ratios as written, for the message
+/// @param written  ratios as written, for the message
 /// @throws InputError  unless they are I/L and S/L of a box, both from 0.01 to 1
 BoxRatios check_stretch_ratios(double i_over_l, double s_over_l, const std::string& written);
 

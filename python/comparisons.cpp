@@ -16,8 +16,8 @@
 #include "report/json/campaign_json.hpp"
 #include "report/page_pdf.hpp"
 #include "report/tables/comparison_tables.hpp"
-#include "report/text/answer_text.hpp"
 #include "report/text/effects_text.hpp"
+#include "report/text/key_results_text.hpp"
 #include "report/text/measured_text.hpp"
 #include "report/text/trends_text.hpp"
 

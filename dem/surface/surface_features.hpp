@@ -79,7 +79,7 @@ double distance_inside_face(const SurfaceFeatures& surface, const SurfaceFace& f
 
 /// Returns the direction in the plane of a face, perpendicular to its edge and pointing into the
 /// face; unit if `edge_direction` is.
-/// @param along  true if the face runs along the direction of the edge, `SurfaceEdge::along`
+/// @param forward  true if the face runs in the direction of the edge, `SurfaceEdge::forward`
 inline Vec3 inward_direction(const SurfaceFace& face, const Vec3& edge_direction, bool forward) {
   return forward ? face.normal.cross(edge_direction) : edge_direction.cross(face.normal);
 }

@@ -86,10 +86,10 @@ Json trace_json(const Trace& trace, const ChartAxes& axes) {
 }
 
 /// A dotted line at every place, its name beside it at the top.
-void add_places(const std::vector<ChartPoint>& places, Json& layout) {
+void add_places(const std::vector<LabelledLine>& places, Json& layout) {
   if (places.empty()) return;
   Json lines = Json::array(), names = Json::array();
-  for (const ChartPoint& place : places) {
+  for (const LabelledLine& place : places) {
     const double x = short_number(place.x);
     lines.push_back({{"type", "line"},
                      {"x0", x},

@@ -29,7 +29,7 @@ struct Trace {
 };
 
 /// Vertical line with a label.
-struct ChartPoint {
+struct LabelledLine {
   double x = 0.0;
   std::string name;  ///< plain text
 };
@@ -41,7 +41,7 @@ struct ChartAxes {
   std::string y;
   bool y_in_percent = false;  ///< y values are fractions
   bool equal_scales = false;  ///< equal scale of both axes, as on a map
-  std::vector<ChartPoint> places = {};
+  std::vector<LabelledLine> places = {};
 };
 
 /// Value with its interval: one row of `draw_interval_chart`.

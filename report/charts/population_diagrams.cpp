@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "report/charts/class_fraction_chart.hpp"
 #include "report/charts/form_diagram.hpp"
 #include "report/charts/palette.hpp"
-#include "report/charts/share_chart.hpp"
 #include "report/charts/svg_chart.hpp"
 #include "report/html/html_page.hpp"
 #include "report/tables/population_tables.hpp"

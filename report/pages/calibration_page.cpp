@@ -8,7 +8,7 @@
 #include "report/charts/palette.hpp"
 #include "report/charts/plotly_chart.hpp"
 #include "report/html/assets.hpp"
-#include "report/html/contents.hpp"
+#include "report/html/contents_list.hpp"
 #include "report/html/html_page.hpp"
 #include "report/html/page_script.hpp"
 #include "report/html/report_page.hpp"

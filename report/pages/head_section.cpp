@@ -3,8 +3,8 @@
 #include <cctype>
 
 #include "report/html/html_page.hpp"
-#include "report/text/answer_text.hpp"
 #include "report/text/key_figures.hpp"
+#include "report/text/key_results_text.hpp"
 
 namespace clast::report_detail {
 namespace {

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "study/compare/barrier_passages.hpp"
+#include "study/compare/barrier_statistics.hpp"
 
 namespace clast::report_detail {
 

@@ -27,9 +27,9 @@ std::vector<std::string> bin_counts(const Bins& bins) {
 }
 
 /// Barriers on the axis of distance: where half of their counted crossings lie before.
-std::vector<ChartPoint> barrier_places(const Comparison& comparison,
-                                       std::optional<std::uint32_t> file) {
-  std::vector<ChartPoint> places;
+std::vector<LabelledLine> barrier_places(const Comparison& comparison,
+                                         std::optional<std::uint32_t> file) {
+  std::vector<LabelledLine> places;
   for (std::size_t line = 0; line < comparison.lines.size(); ++line) {
     std::vector<double> distances;
     for (const BarrierCrossing& crossing : comparison.crossings) {

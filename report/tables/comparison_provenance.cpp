@@ -3,7 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/version.hpp"
-#include "report/text/answer_text.hpp"
+#include "report/text/key_results_text.hpp"
 #include "study/results/block_stiffness.hpp"
 
 namespace clast {

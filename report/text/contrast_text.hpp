@@ -3,8 +3,8 @@
 #include <string>
 
 #include "study/compare/comparison.hpp"
+#include "study/compare/deposit_quantities.hpp"
 #include "study/compare/mass_mobility.hpp"
-#include "study/compare/realisation_figures.hpp"
 
 namespace clast {
 

@@ -7,9 +7,9 @@
 
 #include "core/statistics/gaussian_process.hpp"
 #include "study/calibrate/observation.hpp"
+#include "study/campaign/calibratable_parameter.hpp"
 #include "study/campaign/campaign.hpp"
 #include "study/campaign/key_table.hpp"
-#include "study/campaign/unknown.hpp"
 
 namespace clast {
 

@@ -4,7 +4,7 @@
 
 #include "core/files/toml_reader.hpp"
 #include "study/calibrate/calibration_study.hpp"
-#include "study/campaign/bound_table.hpp"
+#include "study/campaign/member_table.hpp"
 
 namespace clast::study_detail {
 

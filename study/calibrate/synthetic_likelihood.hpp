@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "study/calibrate/calibration_study.hpp"
-#include "study/calibrate/figure_scatter.hpp"
+#include "study/calibrate/statistic_scatter.hpp"
 #include "study/calibrate/surrogate.hpp"
 
 namespace clast::study_detail {

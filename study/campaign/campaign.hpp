@@ -12,8 +12,8 @@
 #include "dem/simulation/release.hpp"
 #include "library/series_request.hpp"
 #include "study/campaign/barrier.hpp"
+#include "study/campaign/distribution.hpp"
 #include "study/campaign/posterior_draws.hpp"
-#include "study/campaign/uncertain.hpp"
 #include "terrain/terrain_input.hpp"
 
 namespace clast {

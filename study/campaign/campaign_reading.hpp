@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "core/files/toml_reader.hpp"
-#include "study/campaign/bound_table.hpp"
 #include "study/campaign/campaign.hpp"
+#include "study/campaign/member_table.hpp"
 
 namespace clast::study_detail {
 

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "core/files/toml_reader.hpp"
+#include "study/campaign/distribution.hpp"
 #include "study/campaign/key_table.hpp"
-#include "study/campaign/uncertain.hpp"
 
 namespace clast::study_detail {
 

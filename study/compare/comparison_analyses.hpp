@@ -4,17 +4,17 @@
 #include <optional>
 #include <vector>
 
-#include "study/compare/answer.hpp"
-#include "study/compare/barrier_passages.hpp"
+#include "study/compare/barrier_statistics.hpp"
+#include "study/compare/deposit_quantities.hpp"
 #include "study/compare/design_effects.hpp"
 #include "study/compare/ensemble_effects.hpp"
 #include "study/compare/form_outcomes.hpp"
+#include "study/compare/key_results.hpp"
 #include "study/compare/mass_mobility.hpp"
 #include "study/compare/path_rasters.hpp"
 #include "study/compare/profiles.hpp"
 #include "study/compare/realisation_deposits.hpp"
 #include "study/compare/realisation_energies.hpp"
-#include "study/compare/realisation_figures.hpp"
 #include "study/compare/shape_trends.hpp"
 
 namespace clast {

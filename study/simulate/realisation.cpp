@@ -15,7 +15,7 @@
 #include "core/number_text.hpp"
 #include "dem/simulation/sequence.hpp"
 #include "mesh/triangle_tree.hpp"
-#include "study/simulate/detail/holding_faces.hpp"
+#include "study/simulate/detail/confining_walls.hpp"
 
 namespace clast::study_detail {
 

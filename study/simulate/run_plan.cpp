@@ -13,10 +13,10 @@
 #include "study/campaign/named_seed.hpp"
 #include "study/campaign/release_points.hpp"
 #include "study/simulate/campaign_checks.hpp"
-#include "study/simulate/detail/mass_members.hpp"
-#include "study/simulate/detail/mass_starts.hpp"
+#include "study/simulate/detail/block_distribution.hpp"
 #include "study/simulate/detail/measured_bodies.hpp"
 #include "study/simulate/detail/member_settings.hpp"
+#include "study/simulate/detail/multi_block_placement.hpp"
 #include "study/simulate/detail/run_starts.hpp"
 
 namespace clast::study_detail {

@@ -14,7 +14,7 @@
 #include "report/maps/map_style.hpp"
 #include "report/pages/comparison_page.hpp"
 #include "report/pages/report_sections.hpp"
-#include "report/text/answer_text.hpp"
+#include "report/text/key_results_text.hpp"
 #include "study/compare/path_rasters.hpp"
 #include "terrain/relief.hpp"
 #include "tests/study/hand_made_results.hpp"

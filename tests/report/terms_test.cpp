@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "report/html/contents.hpp"
+#include "report/html/contents_list.hpp"
 #include "report/html/html_page.hpp"
 #include "tests/support/markup.hpp"
 #include "tests/support/refusal.hpp"

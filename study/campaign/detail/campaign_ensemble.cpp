@@ -6,9 +6,9 @@
 #include "core/error.hpp"
 #include "core/number_text.hpp"
 #include "core/statistics/sobol_sequence.hpp"
+#include "study/campaign/calibratable_parameter.hpp"
 #include "study/campaign/campaign_reading.hpp"
 #include "study/campaign/ground_fields.hpp"
-#include "study/campaign/unknown.hpp"
 
 namespace clast::study_detail {
 namespace {

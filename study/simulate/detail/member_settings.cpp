@@ -5,8 +5,8 @@
 
 #include "core/random.hpp"
 #include "core/statistics/statistics.hpp"
+#include "study/campaign/calibratable_parameter.hpp"
 #include "study/campaign/named_seed.hpp"
-#include "study/campaign/unknown.hpp"
 
 namespace clast::study_detail {
 namespace {

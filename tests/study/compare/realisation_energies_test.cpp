@@ -7,8 +7,8 @@
 #include <cmath>
 #include <string>
 
+#include "study/compare/deposit_quantities.hpp"
 #include "study/compare/realisation_deposits.hpp"
-#include "study/compare/realisation_figures.hpp"
 #include "tests/study/energies_that_are_lost.hpp"
 
 namespace clast {
@@ -28,7 +28,8 @@ TEST(RealisationEnergies, GoByFileAndRealisation) {
 
 TEST(RealisationEnergies, SharesAreOfWhatContactsDissipated) {
   const Comparison comparison = compared(energies_that_are_lost());
-  const EnergyFractions shares = compute_energy_fractions(collect_realisation_energies(comparison)[0].samples);
+  const EnergyFractions shares =
+      compute_energy_fractions(collect_realisation_energies(comparison)[0].samples);
   EXPECT_DOUBLE_EQ(shares.on_ground.friction, 0.4);
   EXPECT_DOUBLE_EQ(shares.on_ground.normal, 0.2);
   EXPECT_DOUBLE_EQ(shares.between_blocks.friction, 0.3);

@@ -3,7 +3,7 @@
 
 #include <set>
 
-#include "study/compare/barrier_passages.hpp"
+#include "study/compare/barrier_statistics.hpp"
 #include "study/compare/run_columns.hpp"
 #include "tests/study/campaign_run.hpp"
 #include "tests/study/results_equal.hpp"

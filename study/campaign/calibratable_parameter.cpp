@@ -1,4 +1,4 @@
-#include "study/campaign/unknown.hpp"
+#include "study/campaign/calibratable_parameter.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,5 +1,5 @@
 // What passes a barrier together, against crossings written by hand.
-#include "study/compare/barrier_passages.hpp"
+#include "study/compare/barrier_statistics.hpp"
 
 #include <gtest/gtest.h>
 
@@ -23,8 +23,8 @@ TEST(LargestWithin, IsTheFullestWindowWhereverItBegins) {
   const WindowMaximum most = find_window_maximum(passages, 1.0, one);
   EXPECT_EQ(most.value, 4.0);  // from 0.9 to 1.9, both ends included
   EXPECT_EQ(most.from, 0.9);
-  const WindowMaximum energy =
-      find_window_maximum(passages, 1.0, [](const BlockCrossing& passage) { return passage.energy; });
+  const WindowMaximum energy = find_window_maximum(
+      passages, 1.0, [](const BlockCrossing& passage) { return passage.energy; });
   EXPECT_EQ(energy.value, 70.0);  // one block alone, more than the four
   EXPECT_EQ(energy.from, 7.0);
   EXPECT_EQ(find_window_maximum(passages, 10.0, one).value, 7.0);
@@ -80,7 +80,8 @@ TEST(BarrierPassages, AreTheCountedCrossingsOfEachRealisation) {
 }
 
 TEST(BarrierPassages, AreByTheClockOfTheRealisation) {
-  const std::vector<RealisationCrossings> all = collect_barrier_crossings(compared(results_that_stay(false)));
+  const std::vector<RealisationCrossings> all =
+      collect_barrier_crossings(compared(results_that_stay(false)));
   EXPECT_EQ(all[0].first(), 11.0);
   EXPECT_EQ(all[0].last(), 21.5);
   EXPECT_EQ(all[0].most_blocks.value, 1.0);

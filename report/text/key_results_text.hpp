@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "study/compare/answer.hpp"
+#include "study/compare/key_results.hpp"
 
 namespace clast {
 

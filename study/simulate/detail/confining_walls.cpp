@@ -1,4 +1,4 @@
-#include "study/simulate/detail/holding_faces.hpp"
+#include "study/simulate/detail/confining_walls.hpp"
 
 #include <algorithm>
 #include <cmath>

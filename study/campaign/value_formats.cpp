@@ -1,4 +1,4 @@
-#include "study/campaign/key_forms.hpp"
+#include "study/campaign/value_formats.hpp"
 
 #include <algorithm>
 

@@ -1,4 +1,4 @@
-#include "study/compare/realisation_figures.hpp"
+#include "study/compare/deposit_quantities.hpp"
 
 #include <cmath>
 
@@ -13,8 +13,8 @@ constexpr Interval kPossibleShare{0.0, 1.0};
 
 double plan_distance(const Vec3& from, const Vec3& to) { return (to - from).head<2>().norm(); }
 
-DepositQuantitySummary figure_of_file(const std::vector<DepositMeasures>& realisations, std::uint32_t file,
-                            std::size_t figure) {
+DepositQuantitySummary figure_of_file(const std::vector<DepositMeasures>& realisations,
+                                      std::uint32_t file, std::size_t figure) {
   DepositQuantitySummary found;
   found.file = file;
   found.figure = figure;
@@ -32,7 +32,8 @@ DepositQuantitySummary figure_of_file(const std::vector<DepositMeasures>& realis
 }
 
 /// The pairs of files in each figure, uncorrected.
-std::vector<DepositQuantityDifference> pairs_of(const std::vector<std::vector<DepositQuantitySummary>>& by_file) {
+std::vector<DepositQuantityDifference> pairs_of(
+    const std::vector<std::vector<DepositQuantitySummary>>& by_file) {
   std::vector<DepositQuantityDifference> pairs;
   for (std::size_t i = 0; i < by_file.size(); ++i) {
     for (std::size_t k = i + 1; k < by_file.size(); ++k) {
@@ -107,7 +108,8 @@ const std::vector<DepositQuantity>& deposit_quantities() {
   return kFigures;
 }
 
-DepositQuantityComparison compare_deposit_quantities(const std::vector<DepositMeasures>& realisations) {
+DepositQuantityComparison compare_deposit_quantities(
+    const std::vector<DepositMeasures>& realisations) {
   DepositQuantityComparison found;
   std::vector<std::vector<DepositQuantitySummary>> by_file;
   for (const DepositMeasures& deposit : realisations) {

@@ -1,5 +1,5 @@
 // The first screen in words, for every kind of campaign.
-#include "report/text/answer_text.hpp"
+#include "report/text/key_results_text.hpp"
 #include "report/text/key_figures.hpp"
 #include "report/text/measured_text.hpp"
 

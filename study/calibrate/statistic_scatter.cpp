@@ -1,4 +1,4 @@
-#include "study/calibrate/figure_scatter.hpp"
+#include "study/calibrate/statistic_scatter.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,5 +1,5 @@
 // What a comparison says: what is there, with its interval, and nothing that the data do not carry.
-#include "study/compare/answer.hpp"
+#include "study/compare/key_results.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "study/simulate/detail/mass_members.hpp"
+#include "study/simulate/detail/block_distribution.hpp"
 
 #include <cmath>
 #include <numeric>
@@ -21,13 +21,13 @@ std::size_t mass_around(const Campaign& campaign, const std::string& block, cons
   if (masses.size() == 1) return 0;
   std::optional<std::size_t> found;
   const std::string where = campaign.file.string() + ": block " + block + " in place at x " +
-                            format_decimals(centre.x(), 3) + ", y " + format_decimals(centre.y(), 3) +
-                            " lies in the polygon of ";
+                            format_decimals(centre.x(), 3) + ", y " +
+                            format_decimals(centre.y(), 3) + " lies in the polygon of ";
   for (std::size_t i = 0; i < masses.size(); ++i) {
     if (!is_inside(masses[i].polygon, centre.head<2>())) continue;
     if (found) {
-      throw InputError(where + multi_block_release_name(campaign, *found) + " and of " + multi_block_release_name(campaign, i) +
-                       "; they must not overlap");
+      throw InputError(where + multi_block_release_name(campaign, *found) + " and of " +
+                       multi_block_release_name(campaign, i) + "; they must not overlap");
     }
     found = i;
   }
@@ -83,15 +83,15 @@ std::vector<std::size_t> blocks_per_release(const Campaign& campaign, std::size_
   for (std::size_t i = 0; i < masses.size(); ++i) {
     if (masses[i].count) counts[i] = *masses[i].count;
     if (counts[i] > 0) continue;
-    throw InputError(campaign.file.string() + ": " + multi_block_release_name(campaign, i) + " gets none of the " +
-                     format_count(blocks, "block") +
+    throw InputError(campaign.file.string() + ": " + multi_block_release_name(campaign, i) +
+                     " gets none of the " + format_count(blocks, "block") +
                      " of a realisation; give it a count or a larger share, or draw more");
   }
   return counts;
 }
 
 std::vector<std::vector<std::uint32_t>> distribute_blocks(const CampaignPlan& prepared,
-                                                         std::span<const std::uint32_t> order) {
+                                                          std::span<const std::uint32_t> order) {
   const Campaign& campaign = prepared.campaign;
   std::vector<std::vector<std::uint32_t>> blocks(campaign.stay->masses.size());
   if (!campaign.stay->masses.front().in_place) {

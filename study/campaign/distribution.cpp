@@ -1,4 +1,4 @@
-#include "study/campaign/uncertain.hpp"
+#include "study/campaign/distribution.hpp"
 
 #include <algorithm>
 #include <cmath>

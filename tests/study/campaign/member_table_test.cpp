@@ -1,5 +1,5 @@
 // Keys of tables that are bound to what they set.
-#include "study/campaign/bound_table.hpp"
+#include "study/campaign/member_table.hpp"
 
 #include <gtest/gtest.h>
 

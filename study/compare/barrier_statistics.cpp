@@ -1,4 +1,4 @@
-#include "study/compare/barrier_passages.hpp"
+#include "study/compare/barrier_statistics.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -39,7 +39,7 @@ void find_peaks(RealisationCrossings& found) {
 }  // namespace
 
 WindowMaximum find_window_maximum(const std::vector<BlockCrossing>& passages, double window,
-                           const CrossingValue& value) {
+                                  const CrossingValue& value) {
   WindowMaximum peak;
   // Each window is added up anew: what is subtracted again leaves rounding behind.
   for (std::size_t first = 0; first < passages.size(); ++first) {

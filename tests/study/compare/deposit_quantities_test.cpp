@@ -1,5 +1,5 @@
 // Figures of realisations over files and their differences, against values written by hand.
-#include "study/compare/realisation_figures.hpp"
+#include "study/compare/deposit_quantities.hpp"
 
 #include <gtest/gtest.h>
 
@@ -41,7 +41,8 @@ DepositMeasures realisation(std::uint32_t file, std::uint32_t number, double len
   return deposit;
 }
 
-const DepositQuantityDifference& named(const DepositQuantityComparison& figures, const std::string& name) {
+const DepositQuantityDifference& named(const DepositQuantityComparison& figures,
+                                       const std::string& name) {
   for (const DepositQuantityDifference& one : figures.differences) {
     if (one.first.figure == figure_named(name)) return one;
   }
@@ -70,8 +71,8 @@ TEST(RealisationFigures, AreThoseOfTheDeposit) {
 
 TEST(RealisationFigures, DifferByFileWithWelchsInterval) {
   const DepositQuantityComparison figures =
-      compare_deposit_quantities({realisation(0, 0, 20.0), realisation(0, 1, 22.0), realisation(2, 0, 10.0),
-                        realisation(2, 1, 12.0)});
+      compare_deposit_quantities({realisation(0, 0, 20.0), realisation(0, 1, 22.0),
+                                  realisation(2, 0, 10.0), realisation(2, 1, 12.0)});
   ASSERT_EQ(figures.files.size(), 2 * deposit_quantities().size());
   const DepositQuantityDifference& length = named(figures, "toe_distance_m");
   EXPECT_EQ(length.first.file, 0u);
@@ -103,7 +104,8 @@ TEST(RealisationFigures, AreDistinguishedWhereTheIntervalAndTheCorrectedTestSayS
     for (const double length : second) all.push_back(realisation(1, 0, length));
     return named(compare_deposit_quantities(all), "toe_distance_m");
   };
-  const DepositQuantityDifference clear = compared_lengths({20.0, 21.0, 22.0, 21.0}, {10.0, 11.0, 12.0});
+  const DepositQuantityDifference clear =
+      compared_lengths({20.0, 21.0, 22.0, 21.0}, {10.0, 11.0, 12.0});
   EXPECT_EQ(clear.verdict(), Verdict::kSignificant);
   EXPECT_EQ(in_words(clear), "distance L from crest to toe: file 1 21.00 m, file 2 11.00 m; " +
                                  describe_difference(clear) + ", from 4 and 3 realisations");

@@ -1,4 +1,4 @@
-#include "report/charts/share_chart.hpp"
+#include "report/charts/class_fraction_chart.hpp"
 
 #include <algorithm>
 

@@ -1,4 +1,4 @@
-#include "study/simulate/detail/mass_starts.hpp"
+#include "study/simulate/detail/multi_block_placement.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -6,7 +6,7 @@
 
 #include "core/error.hpp"
 #include "core/number_text.hpp"
-#include "study/simulate/detail/mass_members.hpp"
+#include "study/simulate/detail/block_distribution.hpp"
 #include "study/simulate/detail/run_starts.hpp"
 
 namespace clast::study_detail {

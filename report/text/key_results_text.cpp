@@ -1,4 +1,4 @@
-#include "report/text/answer_text.hpp"
+#include "report/text/key_results_text.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -53,8 +53,8 @@ TEST(DepositSection, GivesMeansOverRealisationsForEachFile) {
   CampaignResults gone = results;
   for (RunRecord& run : gone.runs) run.result.stop_reason = StopReason::kLeftTerrain;
   const Comparison comparison = compared(results, gone);
-  EXPECT_TRUE(
-      contains(format_provenance_section(comparison), "2 realisations of 3 blocks, released at once"));
+  EXPECT_TRUE(contains(format_provenance_section(comparison),
+                       "2 realisations of 3 blocks, released at once"));
   CampaignResults masses = results;
   masses.release_points.resize(3);
   masses.set_of_point.resize(3);
@@ -142,7 +142,8 @@ TEST(DepositSection, WithOneRealisationSaysWhatAnIntervalTakes) {
   CampaignResults single = realisations_that_stop_at({30.0, 30.0});
   single.stay->blocks_each = 6;
   const Comparison comparison = compared(single, single);
-  EXPECT_TRUE(contains(format_deposit_section(comparison), "which takes two realisations of each file"));
+  EXPECT_TRUE(
+      contains(format_deposit_section(comparison), "which takes two realisations of each file"));
 }
 
 TEST(DepositSection, SetsBlocksTogetherAgainstTheSameAlone) {
@@ -164,7 +165,8 @@ TEST(DepositSection, SetsBlocksTogetherAgainstTheSameAlone) {
 }
 
 TEST(BarrierSection, SaysWhatPassesTogether) {
-  EXPECT_EQ(format_barrier_section(compared(hand_made_results())).find("within 1 s"), std::string::npos);
+  EXPECT_EQ(format_barrier_section(compared(hand_made_results())).find("within 1 s"),
+            std::string::npos);
   CampaignResults results = hand_made_results();
   results.stay = {3, {0.01, 0.5, 0.3}, true};
   for (std::uint32_t run = 0; run < 6; ++run) results.stays.push_back({.run = run});

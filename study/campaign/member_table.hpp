@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "study/campaign/declared_table.hpp"
-#include "study/campaign/key_forms.hpp"
+#include "study/campaign/value_formats.hpp"
 
 namespace clast::study_detail {
 

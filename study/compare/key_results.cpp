@@ -1,4 +1,4 @@
-#include "study/compare/answer.hpp"
+#include "study/compare/key_results.hpp"
 
 #include <algorithm>
 #include <map>

@@ -1,4 +1,4 @@
-#include "report/html/contents.hpp"
+#include "report/html/contents_list.hpp"
 
 namespace clast::report_detail {
 
