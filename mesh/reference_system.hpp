@@ -69,7 +69,7 @@ std::vector<std::string> check_length_units(const std::string& name,
 /// count as local coordinates and are accepted.
 /// @param crs  "EPSG:3857" or WKT, plan in metres; empty: none
 /// @param position  plan coordinates in the file
-/// @param way  command that projects the file, with "EPSG:CODE" for the system
+/// @param conversion_command  command that projects the file, with "EPSG:CODE" for the system
 /// @throws InputError  with the scale factor and a suitable system
 void check_map_scale(
     const std::string& name, const std::string& crs, const Vec2& position,

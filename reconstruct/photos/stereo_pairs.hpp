@@ -39,7 +39,7 @@ void visit_fields(const StereoPairOptions& options, Visit&& visit) {
 
 /// Chooses for each photo that shows the region's centre the partners nearest to the best angle, on
 /// both sides if possible, in photo order.
-/// @param left_out  ascending indices of unused (blurred) photos
+/// @param excluded  ascending indices of unused (blurred) photos
 /// @throws InputError  if there are too few pairs; states how far the photos are apart
 std::vector<StereoPair> stereo_pairs(const PhotoModel& model, const PhotoRegion& region,
                                      const std::vector<std::size_t>& excluded = {},

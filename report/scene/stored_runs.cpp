@@ -14,7 +14,7 @@ DrawnRuns select_drawn_runs(const Comparison& comparison) {
   for (std::size_t i = 0; i < comparison.rows.size(); ++i) {
     const RunRow& row = comparison.rows[i];
     if (!stored.files[row.file]) continue;
-    const std::size_t frames = stored.files[row.file]->frames(row.record->run);
+    const std::size_t frames = stored.files[row.file]->frame_count(row.record->run);
     if (frames == 0) continue;
     stored.rows.push_back(i);
     stored.frames += frames;

@@ -49,7 +49,7 @@ class MomentObserver {
   }
 
   void see(const MotionStep& step) {
-    impacts_.see(step);
+    impacts_.observe_step(step);
     for (std::size_t i = 0; i < moments_.size(); ++i) {
       const double time = moments_[i].value;
       if (moments_[i].kind != Moment::Kind::kTime || outcomes_[i].passed()) continue;

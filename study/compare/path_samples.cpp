@@ -62,7 +62,7 @@ void for_each_trajectory(
       const TerrainSurface ground = make_terrain_surface(results.terrain);
       for (; row < end; ++row) {
         const std::uint32_t run = comparison.rows[row].record->run;
-        if (trajectories.frames(run) > 0) visit(row, trajectories.read(run), ground);
+        if (trajectories.frame_count(run) > 0) visit(row, trajectories.read(run), ground);
       }
     }
     row = end;
