@@ -48,7 +48,7 @@ struct LengthUnitUse {
   bool unit_given = false;
   bool needs_z_up = true;  ///< z must point up: geocentric coordinates are refused
   std::string conversion_command =
-      {};  ///< of bringing the file to metres: "gdalwarp -t_srs EPSG:CODE"
+      {};  ///< command that converts the file to metres: "gdalwarp -t_srs EPSG:CODE"
   std::string correction_command =
       {};  ///< command that corrects its declarations: "pdal translate ..."
   /// True if the unit can be given as `units`, which messages then suggest.
@@ -71,10 +71,8 @@ std::vector<std::string> check_length_units(const std::string& name,
 /// @param position  plan coordinates in the file
 /// @param conversion_command  command that projects the file, with "EPSG:CODE" for the system
 /// @throws InputError  with the scale factor and a suitable system
-void check_map_scale(
-    const std::string& name, const std::string& crs, const Vec2& position,
-    const std::string& conversion_command);  ///< command that converts the file to metres:
-                                             ///< "gdalwarp -t_srs EPSG:CODE"
+void check_map_scale(const std::string& name, const std::string& crs, const Vec2& position,
+                     const std::string& conversion_command);
 
 /// Returns the map scale factor along x and y; empty if PROJ cannot compute it.
 /// @cite snyder1987

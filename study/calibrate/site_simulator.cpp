@@ -48,7 +48,7 @@ class MomentObserver {
     outcomes_.resize(moments.size());
   }
 
-  void see(const MotionStep& step) {
+  void observe_step(const MotionStep& step) {
     impacts_.observe_step(step);
     for (std::size_t i = 0; i < moments_.size(); ++i) {
       const double time = moments_[i].value;
@@ -251,7 +251,8 @@ std::vector<ReleaseOutcome> SiteMemberSimulator::simulate(std::uint32_t member,
     MomentObserver moments(own.facts.moments, body, prepared.header.frame,
                            prepared.campaign.gravity);
     MotionObserver observe;
-    if (!own.facts.moments.empty()) observe = [&](const MotionStep& step) { moments.see(step); };
+    if (!own.facts.moments.empty())
+      observe = [&](const MotionStep& step) { moments.observe_step(step); };
     const StoredRun run =
         simulate_realisation(prepared, static_cast<std::uint32_t>(i), {}, 1, observe).front();
     outcomes[i] = make_release_outcome(run, prepared);
