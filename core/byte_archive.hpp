@@ -65,7 +65,7 @@ class ByteReader {
     (serialize(*this, values), ...);
   }
   void archive_bytes(void* data, std::size_t size) {
-    if (size > bytes_.size()) throw InputError("a record is too short");  ///< remaining bytes
+    if (size > bytes_.size()) throw InputError("a record is too short");
     if (size > 0) std::memcpy(data, bytes_.data(), size);
     bytes_.remove_prefix(size);
   }
@@ -80,7 +80,7 @@ class ByteReader {
   bool at_end() const { return bytes_.empty(); }
 
  private:
-  std::string_view bytes_;  ///< those that are left
+  std::string_view bytes_;  ///< remaining bytes
 };
 
 template <class Bytes, class T>

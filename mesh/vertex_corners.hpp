@@ -14,12 +14,11 @@ class VertexCorners {
   explicit VertexCorners(const TriangleMesh& mesh);
 
   std::span<const std::uint32_t> corners_of(std::uint32_t vertex) const {
-    return {corners_.data() + start_[vertex],
-            corners_.data() + start_[vertex + 1]};  ///< of all vertices, concatenated
+    return {corners_.data() + start_[vertex], corners_.data() + start_[vertex + 1]};
   }
 
  private:
-  std::vector<std::uint32_t> start_, corners_;  ///< of all vertices, behind one another
+  std::vector<std::uint32_t> start_, corners_;  ///< of all vertices, concatenated
 };
 
 }  // namespace clast

@@ -48,7 +48,7 @@ void visit_fields(const ScanToBlockOptions& options, Visit&& visit) {
   visit("vertices", vertices);
   visit("block", block);
   visit("radius_given", radius_given);
-  visit("any_size", ExcludedField{any_size});  ///< accept blocks outside the usual sizes
+  visit("any_size", ExcludedField{any_size});
   visit("up_given", up_given);
   visit("find_ground", find_ground);
   visit("split", split);

@@ -101,9 +101,8 @@ class ContactForces {
   /// Serialises the state that determines future loads.
   template <class Bytes>
   void serialize(Bytes& bytes) {
-    bytes(patches_, contacts_, deepest_, last_wrench_, slip_, slipped_,
-          contactless_time_);  ///< time since the last contact, s
-    if (drag_) bytes(*drag_);  ///< null if the ground has no scar drag
+    bytes(patches_, contacts_, deepest_, last_wrench_, slip_, slipped_, contactless_time_);
+    if (drag_) bytes(*drag_);
   }
 
  private:
@@ -186,10 +185,10 @@ class ContactForces {
   std::vector<Contact> contacts_;
   std::size_t deepest_ = 0;  ///< contact with the largest overlap, the first of such
   PairWrench last_wrench_;
-  std::unique_ptr<ScarDrag> drag_;  ///< where the ground has one
+  std::unique_ptr<ScarDrag> drag_;  ///< null if the ground has no scar drag
   double slip_ = 0.0;               ///< how far the block has slid lately, m
   double slipped_ = 0.0;           ///< in this step, summed over the contacts with their weights, m
-  double contactless_time_ = 0.0;  ///< since its last contact, s
+  double contactless_time_ = 0.0;  ///< time since the last contact, s
 };
 
 }  // namespace clast::dem_detail

@@ -15,19 +15,18 @@ struct Contact {
   ContactPoint point;
   std::uint16_t zone = 0;
   double weight = 0.0;
-  double normal = 0.0;             ///< N
-  Vec3 tangential = Vec3::Zero();  ///< of the decreased weights, N
-  Vec3 rolling = Vec3::Zero();     ///< N m
-  Vec3 position = Vec3::Zero();    ///< point of application
-  double effective_mass = 0.0;     ///< of its patch, kg; only for laws that need it
-  double stored = 0.0;             ///< weighted elastic energy, J
-  double residual_indentation =
-      0.0;  ///< part of the overlap that stays, m; only where a law keeps one
+  double normal = 0.0;                ///< N
+  Vec3 tangential = Vec3::Zero();     ///< of the decreased weights, N
+  Vec3 rolling = Vec3::Zero();        ///< N m
+  Vec3 position = Vec3::Zero();       ///< point of application
+  double effective_mass = 0.0;        ///< of its patch, kg; only for laws that need it
+  double stored = 0.0;                ///< weighted elastic energy, J
+  double residual_indentation = 0.0;  ///< m; only for plastic laws
 
   template <class Bytes>
   void serialize(Bytes& bytes) {
     bytes(point, zone, weight, normal, tangential, rolling, position, effective_mass, stored,
-          residual_indentation);  ///< m; only for plastic laws
+          residual_indentation);
   }
 };
 

@@ -27,7 +27,7 @@ class ContactPatches {
   std::size_t patch_of(std::size_t point) const { return patch_[point]; }
   template <class Bytes>
   void serialize(Bytes& bytes) {
-    bytes(patch_, features_, links_, all_linked_, group_points_);  ///< computed on demand
+    bytes(patch_, features_, links_, all_linked_, group_points_);
   }
 
  private:
@@ -83,7 +83,7 @@ class ContactPatches {
   /// test.
   std::vector<PointLink> links_;
   bool all_linked_ = false;  ///< in the last call; then the same links leave the same patches
-  std::vector<GroupPoint> group_points_;  ///< of these features; empty while nobody has asked
+  std::vector<GroupPoint> group_points_;  ///< computed on demand
 };
 
 }  // namespace clast::dem_detail

@@ -40,7 +40,7 @@ class PairContactState {
   /// `over`; until then the contact detection ignores them.
   void store_indentations(bool over, SoilMemory& soil) {
     if (indentations_ && (over || !is_touching()) && !indentations_->empty())
-      soil.merge(*indentations_);  ///< of this contact, if the soil has a memory
+      soil.merge(*indentations_);
   }
 
   /// Clears the impulse of the last step, which has been applied; the other loads stay valid while
@@ -131,7 +131,7 @@ class PairContactState {
   double size_;
   const ContactModel& model_;
   std::unique_ptr<NarrowPhaseState> near_;
-  std::unique_ptr<SoilMemory> indentations_;  ///< of this touch, where soil remembers
+  std::unique_ptr<SoilMemory> indentations_;  ///< of this contact, if the soil has a memory
   ContactLoad load_;
   EnergyBalance energy_balance_;
 };

@@ -46,8 +46,7 @@ class RigidBodyIntegrator {
   bool is_finite() const;
   template <class Bytes>
   void serialize(Bytes& bytes) {
-    bytes(state_, momentum_, max_point_speed_,
-          correction_displacement_);  ///< angular, world axes, kg m^2/s
+    bytes(state_, momentum_, max_point_speed_, correction_displacement_);
   }
 
  private:

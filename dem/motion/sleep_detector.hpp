@@ -26,7 +26,7 @@ class SleepDetector {
   bool is_stationary() const { return is_stationary_; }
   template <class Bytes>
   void serialize(Bytes& bytes) {
-    bytes(sum_, duration_, last_, is_stationary_);  ///< time integral over the current window
+    bytes(sum_, duration_, last_, is_stationary_);
   }
 
  private:
@@ -39,7 +39,7 @@ class SleepDetector {
       bytes(position, rotation);
     }
   };
-  MeanPose sum_;  ///< times duration, of the window under way
+  MeanPose sum_;  ///< time integral over the current window
   double duration_ = 0.0;
   std::optional<MeanPose> last_;
   bool is_stationary_ = false;

@@ -40,8 +40,7 @@ class BlockNarrowPhase {
   template <class Bytes>
   void serialize(Bytes& bytes) {
     bytes(tests_, direction_, vertices_, faces_, pairs_, near_face_, low_, high_, list_valid_until_,
-          displacement_, list_touching_, safe_displacement_, deepest_,
-          allowed_);  ///< largest overlap of the last call, m
+          displacement_, list_touching_, safe_displacement_, deepest_, allowed_);
   }
 
  private:
@@ -112,9 +111,7 @@ class BlockNarrowPhase {
   /// @param slack  of these normals, a sine
   double depth_beyond_plane(double along, double slack) const;
   double depth_beyond_plane(const EdgeNormalArc& arc) const {
-    const double along = std::min(
-        direction_.dot(arc.first),
-        direction_.dot(arc.second));  ///< unit, out of the ground into the block; zero if unknown
+    const double along = std::min(direction_.dot(arc.first), direction_.dot(arc.second));
     return depth_beyond_plane(arc.is_unbounded ? -1.0 : along, arc.slack);
   }
 
@@ -159,7 +156,7 @@ class BlockNarrowPhase {
   double margin_;  ///< displacement for which a list is valid, m
   double turn_;    ///< largest rotation chord for which a list is valid
   FeatureTests tests_;
-  Vec3 direction_ = Vec3::Zero();  ///< unit, out of the ground into the block; zero: none known
+  Vec3 direction_ = Vec3::Zero();  ///< unit, out of the ground into the block; zero if unknown
 
   std::vector<CandidateVertex> vertices_;
   std::vector<std::uint32_t> faces_;  ///< ground faces that may be nearest to a listed vertex
@@ -172,7 +169,7 @@ class BlockNarrowPhase {
   double list_touching_ = 0.0;      ///< ... for contacts of edges and faces no deeper than this, m
 
   double safe_displacement_ = 0.0;  ///< travel to which nothing that is listed can touch, m
-  double deepest_ = 0.0;            ///< largest overlap at the last call, m
+  double deepest_ = 0.0;            ///< largest overlap of the last call, m
   ContactDepthLimit allowed_;
 };
 

@@ -133,7 +133,7 @@ class FeatureTests {
   /// Returns an upper bound of the displacement of a ground point relative to the block, as a
   /// multiple of the block's displacement: above 1 beyond the bounding radius.
   double relative_motion_factor(const Vec3& point) const {
-    return std::max(1.0, (point - position_).norm() / bounding_radius_);  ///< of the block
+    return std::max(1.0, (point - position_).norm() / bounding_radius_);
   }
   ContactPoint vertex_contact(ContactKind kind, std::uint32_t block_feature,
                               std::uint32_t ground_vertex, const Vec3& normal,

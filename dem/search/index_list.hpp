@@ -12,7 +12,7 @@ class IndexList {
   /// Clears the list.
   /// @param max_count  maximum number of indices until the next call
   void clear(std::uint32_t max_count) {
-    if (indices_.size() <= max_count) indices_.resize(max_count + 1);  ///< with one spare element
+    if (indices_.size() <= max_count) indices_.resize(max_count + 1);
     count_ = 0;
   }
   void add_if(bool wanted, std::uint32_t index) {
@@ -39,7 +39,7 @@ class IndexList {
   const std::uint32_t* end() const { return indices_.data() + count_; }
 
  private:
-  std::vector<std::uint32_t> indices_;  ///< one more than can be wanted
+  std::vector<std::uint32_t> indices_;  ///< with one spare element
   std::size_t count_ = 0;
 };
 

@@ -57,13 +57,12 @@ class TerrainNarrowPhase {
   void serialize(Bytes& bytes) {
     bytes(tests_, started_, displacement_, moved_, turned_, last_move_, local_, ground_complete_,
           ground_gathered_at_, part_states_, part_expiry_, search_at_, deepest_, allowed_,
-          lowest_face_, touches_);  ///< true if the last call found contacts
+          lowest_face_, touches_);
     for (std::uint32_t p = 0; p < part_states_.size(); ++p) {
       bool near = part_states_[p].near != nullptr;  ///< null if the part is far from the ground
       bytes(near);
       if constexpr (Bytes::kReads) {
-        if (near)
-          part_states_[p].near = std::make_unique<NearPart>(parts_.parts[p]);  ///< its parts
+        if (near) part_states_[p].near = std::make_unique<NearPart>(parts_.parts[p]);
       }
       if (near) bytes(*part_states_[p].near);
     }
@@ -289,7 +288,7 @@ class TerrainNarrowPhase {
   const IndexedSurface& ground_;
   const IndexedSurface& surface_;  ///< of the block
   const SurfaceFeatures& block_;   ///< its features
-  const BlockParts& parts_;        ///< and its parts
+  const BlockParts& parts_;        ///< its parts
   double reach_;                   ///< block radius + ground radius, m
   double bounding_radius_ = 0.0;   ///< of the core about the centre, m
   double farthest_ = 0.0;          ///< largest distance of part spheres from the centre, m
@@ -313,7 +312,7 @@ class TerrainNarrowPhase {
   double deepest_ = 0.0;             ///< largest overlap of the last call, m
   ContactDepthLimit allowed_;        ///< depth limit considered by all separation bounds
   std::uint32_t lowest_face_ = 0;    ///< of `local_`: the one that ended the last flight
-  bool touches_ = false;             ///< in the last call
+  bool touches_ = false;             ///< true if the last call found contacts
 };
 
 }  // namespace clast::dem_detail

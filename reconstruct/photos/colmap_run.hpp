@@ -34,7 +34,7 @@ void visit_fields(const ColmapOptions& options, Visit&& visit) {
   visit("program", program);
   visit("cache", ExcludedField{cache});
   visit("masks", masks);
-  visit("seconds", ExcludedField{time_limit});  ///< time limit of each step
+  visit("seconds", ExcludedField{time_limit});
   visit("features", features);
   visit("most_pixels", most_pixels);
   visit("exhaustive_up_to", exhaustive_up_to);

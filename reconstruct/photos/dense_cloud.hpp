@@ -34,8 +34,7 @@ void visit_fields(const DenseOptions& options, Visit&& visit) {
                threads] = options;
   visit("pairs", pairs);
   visit("most_pixels", most_pixels);
-  visit("agreeing",
-        min_agreeing_pairs);  ///< minimum number of consistent depths from pairs per point
+  visit("agreeing", min_agreeing_pairs);
   visit("tolerance", tolerance);
   visit("cell", cell);
   visit("skip_blurred", skip_blurred);

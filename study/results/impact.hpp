@@ -61,7 +61,7 @@ class ImpactObserver {
   template <class Bytes>
   void serialize(Bytes& bytes) {
     bytes(impacts, last_touches, statistics, first_, open_, last_touch_, last_touch_time_, flight_,
-          take_off_);  ///< start of the current flight
+          take_off_);
   }
 
   std::vector<Impact> impacts;
@@ -80,7 +80,7 @@ class ImpactObserver {
   RigidState last_touch_;       ///< last contact of the open impact
   double last_touch_time_ = 0.0;
   double flight_ = 0.0;           ///< time since the last contact, s
-  std::optional<Vec2> take_off_;  ///< where the present flight began
+  std::optional<Vec2> take_off_;  ///< start of the current flight
 };
 
 }  // namespace clast

@@ -16,13 +16,13 @@ struct BlockRecorder {
 
   template <class Bytes>
   void serialize(Bytes& bytes) {
-    bytes(result, touching, hit_blocks, first_rest);  ///< position at the end of its own release
+    bytes(result, touching, hit_blocks, first_rest);
   }
 
   SequenceResult result;
   bool touching = false;                ///< at the end of the last step
   std::vector<std::size_t> hit_blocks;  ///< blocks it touched during its own release, ascending
-  Vec3 first_rest = Vec3::Zero();       ///< its place at the end of its own release
+  Vec3 first_rest = Vec3::Zero();       ///< position at the end of its own release
 };
 
 }  // namespace clast::dem_detail

@@ -123,8 +123,7 @@ class ContactPairTable {
   void serialize(Bytes& bytes, std::span<const WorldBody> bodies) {
     std::vector<BroadPhase::Pair> keys;
     for (const ContactPair& pair : pairs_) keys.push_back(pair.key());
-    bytes(broad_phase_, slack_, keys, ended_.on_ground, ended_.between_bodies,
-          broad_phase_count_);  ///< of ended pairs
+    bytes(broad_phase_, slack_, keys, ended_.on_ground, ended_.between_bodies, broad_phase_count_);
     if constexpr (Bytes::kReads) {
       pairs_.clear();
       for (const BroadPhase::Pair& key : keys) {
@@ -157,7 +156,7 @@ class ContactPairTable {
   std::vector<ContactPair> pairs_;
   std::vector<std::uint32_t> active_;
   std::vector<std::vector<std::uint32_t>> of_body_;
-  Losses ended_;  ///< of pairs that have ended
+  Losses ended_;  ///< of ended pairs
   std::uint64_t broad_phase_count_ = 0;
 };
 

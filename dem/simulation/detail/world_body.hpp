@@ -46,7 +46,7 @@ struct WorldBody {
         integrator(of_shape.body, start),
         fixed(is_fixed),
         motion(integrator.current_motion()) {
-    if (fixed) motion = motion_at_rest();  ///< over the last step
+    if (fixed) motion = motion_at_rest();
   }
   BodyMotion motion_at_rest() const {
     BodyMotion still;
@@ -72,8 +72,7 @@ struct WorldBody {
   template <class Bytes>
   void serialize(Bytes& bytes) {
     bytes(integrator, fixed, confined, inactive, off_terrain, motion, path_length, rotation_path,
-          force, torque, touching, correction_energy, resting, asleep, sleep_detector,
-          pair_steps);  ///< touching pairs in which it is the block, summed over steps
+          force, torque, touching, correction_energy, resting, asleep, sleep_detector, pair_steps);
   }
 
   const BodyShape* shape;

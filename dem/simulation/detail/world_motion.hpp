@@ -45,7 +45,7 @@ class WorldMotion {
   /// Returns the ascending indices of moving bodies, valid until the next step.
   std::span<const std::uint32_t> moving_bodies() {
     update_moving_list();
-    return moving_;  ///< ascending indices of moving bodies
+    return moving_;
   }
   /// Advances the time while no body moves, s.
   void advance_time(double duration) { time_ += duration; }
@@ -160,7 +160,7 @@ class WorldMotion {
 
   // Sleeping bodies should cost next to nothing, so a step works on these lists only.
   bool listed_ = false;                ///< true if both lists and the active pairs are up to date
-  std::vector<std::uint32_t> moving_;  ///< bodies that are not idle, ascending
+  std::vector<std::uint32_t> moving_;  ///< ascending indices of moving bodies
   std::vector<std::uint32_t> awake_;   ///< bodies not asleep, including fixed ones
   bool positions_known_ = false;       ///< the broad phase knows the positions of resting bodies
 
