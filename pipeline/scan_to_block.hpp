@@ -28,7 +28,7 @@ struct ScanToBlockOptions {
   std::optional<std::size_t> vertices;
   BlockOptions block;
   bool radius_given = false;  ///< the radius, or its ratio to S, was given by the user and is kept
-  bool allow_any_size = false;  ///< take blocks beyond the usual sizes
+  bool allow_any_size = false;  ///< accept blocks outside the usual sizes
   bool up_given = false;        ///< `scan.up` was given by the user and overrides the ground
   bool find_ground = true;
   bool split = false;       ///< make all blocks above the ground of a scan

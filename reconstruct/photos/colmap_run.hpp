@@ -16,7 +16,7 @@ struct ColmapOptions {
   std::filesystem::path cache = {};
   /// Folder of masks (`find_masks`), or empty; features are detected in white areas.
   std::filesystem::path masks = {};
-  double time_limit = 3600.0;         ///< each of its steps may take so long
+  double time_limit = 3600.0;         ///< time limit of each step, s
   int features = 4000;                ///< maximum number per photo
   int most_pixels = 2000;             ///< of the longer side; larger photos are reduced
   std::size_t exhaustive_up_to = 60;  ///< number of photos up to which all pairs are matched; for

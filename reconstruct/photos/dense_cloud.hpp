@@ -17,7 +17,7 @@ namespace clast {
 struct DenseOptions {
   StereoPairOptions pairs = {};
   int most_pixels = 1100;  ///< largest side of compared image regions; larger ones are reduced
-  std::size_t min_agreeing_pairs = 3;  ///< depths from as many pairs must meet in a point
+  std::size_t min_agreeing_pairs = 3;  ///< minimum number of consistent depths from pairs per point
   double tolerance = 1.0;              ///< disparity difference of consistent depths, px
   double cell = 1.7;                   ///< spacing of the points, in units of the model
   bool skip_blurred = true;
