@@ -56,7 +56,7 @@ std::string figures_table(const Comparison& comparison, const DepositQuantityCom
 }
 
 /// What a pair of files differs in, by how much, and what it does not.
-std::string pair_in_words(const Comparison& comparison,
+std::string describe_pair(const Comparison& comparison,
                           const std::vector<const DepositQuantityDifference*>& pair) {
   std::map<Verdict, std::string> lists;
   std::size_t fewest = pair.front()->first.summary.count, tests = 0;
@@ -134,7 +134,7 @@ std::string differences_of_files(const Comparison& comparison,
   std::string html;
   for (const std::vector<const DepositQuantityDifference*>& pair : pairs) {
     const bool with_first = pair.front()->first.file == figures.differences.front().first.file;
-    if (pairs.size() <= kMostPairs || with_first) html += pair_in_words(comparison, pair);
+    if (pairs.size() <= kMostPairs || with_first) html += describe_pair(comparison, pair);
   }
   return html +
          format_folded_section(

@@ -155,7 +155,7 @@ std::string shares_table(const Comparison& comparison,
 }
 
 /// "53 % of what was dissipated was friction, 31 % ...": means over the realisations of a file.
-std::string dissipation_in_words(const Comparison& comparison,
+std::string describe_dissipation(const Comparison& comparison,
                                  const EnergyRealisations& realisations) {
   const auto mean = [&](const std::function<double(const EnergyFractions&)>& share) {
     std::vector<double> shares;
@@ -192,7 +192,7 @@ std::string format_energy_section(const ComparisonAnalyses& analyses) {
   std::vector<EnergyRealisations> masses;
   std::string body;
   for (const EnergyRealisations& realisations : files) {
-    body += dissipation_in_words(comparison, realisations);
+    body += describe_dissipation(comparison, realisations);
     if (comparison.results[realisations.front()->file].stay->at_once) {
       masses.push_back(realisations);
     }

@@ -27,7 +27,7 @@ std::string runs_of(const Comparison& comparison, const ParameterEffect& effect)
   return text;
 }
 
-std::string parameter_in_words(const std::string& parameter) {
+std::string describe_parameter(const std::string& parameter) {
   for (const GroundParameterField& field : ground_fields()) {
     if (parameter == field.name) return field.words;
   }
@@ -57,7 +57,7 @@ std::string effect_sentence(const Comparison& comparison,
     text += "; no single parameter is seen to move it";
   } else {
     text += std::string("; it ") + (most->correlation->statistic > 0.0 ? "grows" : "falls") +
-            " most clearly with the " + parameter_in_words(most->parameter) + " of " + most->zone +
+            " most clearly with the " + describe_parameter(most->parameter) + " of " + most->zone +
             " (rank correlation " + fixed(most->correlation->statistic, 2) + ")";
   }
   return capitalized(text) + ".";
@@ -84,7 +84,7 @@ std::string format_ensemble_section(const ComparisonAnalyses& analyses) {
       same.push_back(effect);
       const std::optional<TestResult>& correlation = effect.correlation;
       table.row({runs_of(comparison, effect) + effect.outcome, effect.zone,
-                 parameter_in_words(effect.parameter), significant(effect.low),
+                 describe_parameter(effect.parameter), significant(effect.low),
                  significant(effect.high), correlation ? fixed(correlation->statistic, 2) : "-",
                  correlation ? significant(correlation->p_value, 2) : "-",
                  effect.first_order ? format_percent(*effect.first_order) : "-"});

@@ -24,7 +24,7 @@ std::string unit_of(const std::string& parameter) {
   return unit.empty() ? "" : " " + unit;
 }
 
-std::string listed_in_words(const std::vector<std::string>& parts) {
+std::string join_with_and(const std::vector<std::string>& parts) {
   std::string text;
   for (std::size_t i = 0; i < parts.size(); ++i) {
     text += (i == 0 ? "" : i + 1 == parts.size() ? " and " : ", ") + parts[i];
@@ -97,11 +97,11 @@ void add_surrogate_warnings(const Calibration& calibration, std::vector<std::str
   }
   if (!poor.empty()) {
     findings.push_back("simulations vary little with the unknowns, or by chance, in " +
-                       listed_in_words(poor) +
+                       join_with_and(poor) +
                        ": such figures determine little; more members or releases may help");
   }
   if (!none.empty()) {
-    findings.push_back("too few members have " + listed_in_words(none) + " to predict it");
+    findings.push_back("too few members have " + join_with_and(none) + " to predict it");
   }
 }
 
@@ -149,14 +149,14 @@ std::string describe_calibration_result(const Calibration& calibration) {
   if (determined.empty()) {
     text = "what was observed determines none of the unknowns";
   } else {
-    text = "with 95 % probability within the ranges asked, " + listed_in_words(determined);
+    text = "with 95 % probability within the ranges asked, " + join_with_and(determined);
     if (calibration.posterior.fitted.failed()) {
       text = "the law does not explain what was observed; the least bad ground has " +
-             listed_in_words(determined);
+             join_with_and(determined);
     }
   }
   if (!undetermined.empty() && !determined.empty()) {
-    text += "; what was observed does not determine " + listed_in_words(undetermined);
+    text += "; what was observed does not determine " + join_with_and(undetermined);
   }
   return capitalized(text) + ".";
 }
@@ -177,7 +177,7 @@ std::vector<std::string> describe_calibration_findings(const Calibration& calibr
   const std::vector<std::string> names = contradicted(calibration);
   if (!names.empty()) {
     findings.push_back("the members nearest to the observations have other values of " +
-                       listed_in_words(names) +
+                       join_with_and(names) +
                        ": do not trust the surrogates before more "
                        "members are simulated");
   }

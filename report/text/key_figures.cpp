@@ -62,7 +62,7 @@ KeyFigure runout_figure(const Comparison& comparison, const FileSummary& stateme
 /// Of each class that passes, and of all the largest: "compact 33, elongated 17 kJ; largest 37 kJ".
 std::string by_class(const Comparison& comparison, const BarrierSummary& passage,
                      double CrossingEstimate::*value, std::string (*as_limit)(double),
-                     double CrossingEstimate::*largest, std::string (*in_words)(double)) {
+                     double CrossingEstimate::*largest, std::string (*format)(double)) {
   std::string text;
   for (const CrossingEstimate& share : passage.classes) {
     if (share.crossed == 0) continue;
@@ -71,7 +71,7 @@ std::string by_class(const Comparison& comparison, const BarrierSummary& passage
             (share.largest ? " (" + format_count(share.crossed, "passage") + ")" : "");
   }
   if (passage.all.largest) return text;
-  return text + (text.empty() ? "" : "; ") + "largest " + describe_effect(passage.all.*largest);
+  return text + (text.empty() ? "" : "; ") + "largest " + format(passage.all.*largest);
 }
 
 std::vector<KeyFigure> barrier_figures(const Comparison& comparison, const FileSummary& statement) {

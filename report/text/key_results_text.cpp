@@ -196,7 +196,7 @@ std::string strength_of(const BarrierSummary& passage, const std::string& pass) 
                    " and their tops at most " + height + " above the ground";
 }
 
-std::string passages_in_words(const Comparison& comparison, const FileSummary& statement) {
+std::string describe_passages(const Comparison& comparison, const FileSummary& statement) {
   if (statement.passages.empty()) return "";
   const BarrierSummary& first = statement.passages.front();
   std::string text = capitalized(share_sentence(comparison, first, statement.draws)) +
@@ -212,7 +212,7 @@ std::string passages_in_words(const Comparison& comparison, const FileSummary& s
 }
 
 /// What the ground does to the runs of all classes together.
-std::string ground_in_words(const Comparison& comparison, const FileSummary& statement) {
+std::string describe_ground(const Comparison& comparison, const FileSummary& statement) {
   if (statement.draws == 0) return "";
   std::string text;
   if (const auto& range = statement.all.interval) {
@@ -235,12 +235,12 @@ std::string sentence_of(const Comparison& comparison, const FileSummary& stateme
                                            : mean_runout(comparison, statement);
   const std::string prefix =
       statement.file ? capitalized(file_name(comparison, *statement.file)) + ": " : "";
-  const std::string passages = passages_in_words(comparison, statement);
+  const std::string passages = describe_passages(comparison, statement);
   return prefix + (prefix.empty() ? capitalized(runout) : runout) + "." +
-         (passages.empty() ? "" : " " + passages) + ground_in_words(comparison, statement);
+         (passages.empty() ? "" : " " + passages) + describe_ground(comparison, statement);
 }
 
-std::string files_in_words(const Comparison& comparison, const KeyResults& answer) {
+std::string describe_files(const Comparison& comparison, const KeyResults& answer) {
   const RunoutContrast& gap = *answer.files;
   const std::string a = file_name(comparison, *comparison.groups[gap.farther].file);
   const std::string b = file_name(comparison, *comparison.groups[gap.nearer].file);
@@ -267,7 +267,7 @@ std::string files_in_words(const Comparison& comparison, const KeyResults& answe
 }
 
 /// "330 to 580 kg".
-std::string masses_in_words(const Comparison& comparison) {
+std::string describe_masses(const Comparison& comparison) {
   double low = INFINITY, high = 0.0;
   for (const RunRow& row : comparison.rows) {
     low = std::min(low, row.block->mass);
@@ -283,7 +283,7 @@ std::vector<std::string> describe_key_results(const Comparison& comparison,
                                               const KeyResults& answer) {
   std::vector<std::string> sentences;
   if (answer.files) {
-    const std::string between = files_in_words(comparison, answer);
+    const std::string between = describe_files(comparison, answer);
     if (!between.empty()) sentences.push_back(between);
   }
   const std::size_t shown = std::min(answer.statements.size(), kMostStatements);
@@ -304,7 +304,7 @@ std::string describe_runs(const Comparison& comparison) {
     classes += group.kind == GroupKind::kGarcia;
   }
   std::string text = format_count(comparison.rows.size(), "run") + " of " +
-                     format_count(blocks, "block") + " (" + masses_in_words(comparison) + ") in " +
+                     format_count(blocks, "block") + " (" + describe_masses(comparison) + ") in " +
                      format_count(classes, "shape class", "shape classes");
   const std::size_t files = comparison.results.size();
   return files > 1 ? text + ", from " + format_count(files, "file") : text;

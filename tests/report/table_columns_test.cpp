@@ -14,19 +14,62 @@ namespace {
 /// A column as docs/formats.md has it.
 struct DocumentedColumn {
   std::string name;
-  std::string about;  ///< the cells after the name: "m | height above ground |"
+  std::string about;  ///< after the names: " (m): height above ground"
 };
 
-std::string cell(const std::string& text) { return text.empty() ? "| " : "| " + text + " "; }
+std::string describe(const std::vector<std::string>& properties, const std::string& meaning) {
+  std::string text;
+  for (const std::string& property : properties) {
+    if (!property.empty()) text += (text.empty() ? " (" : "; ") + property;
+  }
+  return text + (text.empty() ? ": " : "): ") + meaning;
+}
 
-/// A line for all neighbours that share unit and meaning.
+/// Splits a text where a line may end: not in code, and not before a sign that would begin a list.
+std::vector<std::string> split_words(const std::string& text) {
+  std::vector<std::string> words(1);
+  bool code = false;
+  for (const char c : text) {
+    if (c == '`') code = !code;
+    if (c == ' ' && !code)
+      words.emplace_back();
+    else
+      words.back() += c;
+  }
+  for (std::size_t i = 1; i < words.size();) {
+    if (words[i].size() == 1 && std::string("-+*#>|").find(words[i][0]) != std::string::npos) {
+      words[i - 1] += " " + words[i];
+      words.erase(words.begin() + static_cast<std::ptrdiff_t>(i));
+    } else {
+      ++i;
+    }
+  }
+  return words;
+}
+
+/// An item of a list, in lines of up to 110 characters.
+std::string wrap_item(const std::string& text) {
+  std::string lines;
+  std::string line = "-";
+  for (const std::string& word : split_words(text)) {
+    if (line.size() + 1 + word.size() > 110) {
+      lines += line + "\n";
+      line = " ";
+    }
+    line += " " + word;
+  }
+  return lines + line + "\n";
+}
+
+/// An item for all neighbours that share unit and meaning.
 std::string lines_of(const std::vector<DocumentedColumn>& columns) {
   std::string lines;
+  std::string names;
   for (std::size_t i = 0; i < columns.size(); ++i) {
-    const bool begins = i == 0 || columns[i].about != columns[i - 1].about;
-    const bool ends = i + 1 == columns.size() || columns[i].about != columns[i + 1].about;
-    lines += (begins ? "| `" : ", `") + columns[i].name + "`";
-    if (ends) lines += " " + columns[i].about + "|\n";
+    names += (names.empty() ? "`" : ", `") + columns[i].name + "`";
+    if (i + 1 < columns.size() && columns[i].about == columns[i + 1].about) continue;
+    lines += wrap_item(names + columns[i].about);
+    names.clear();
   }
   return lines;
 }
@@ -34,7 +77,7 @@ std::string lines_of(const std::vector<DocumentedColumn>& columns) {
 std::string lines_of(const TableValues& columns) {
   std::vector<DocumentedColumn> documented;
   for (const ColumnValues& column : columns) {
-    documented.push_back({column.name, cell(column.unit) + cell(column.meaning)});
+    documented.push_back({column.name, describe({column.unit}, column.meaning)});
   }
   return lines_of(documented);
 }
@@ -52,7 +95,7 @@ std::string datasets_of(const std::string& group) {
   visit_columns(kRowsOf<Row>, [&](const std::string& name, const std::string& unit,
                                   const std::string& meaning, const auto& field) {
     const std::string type = type_of(Stored<Row, decltype(field)>());
-    const std::string about = cell(type + " [" + group + "]") + cell(unit) + cell(meaning);
+    const std::string about = describe({type + " [" + group + "]", unit}, meaning);
     const bool begins = documented.empty() || documented.back().about != about;
     documented.push_back({(begins ? "/" + group + "/" : "") + name, about});
   });
@@ -73,10 +116,9 @@ class TableColumnsOf : public testing::TestWithParam<Table> {};
 
 TEST_P(TableColumnsOf, AreThoseOfTheDocument) {
   const std::string docs = formats();
-  const std::string head = "| column | unit | meaning |\n|---|---|---|\n";
   const std::size_t section = docs.find("### " + GetParam().file);
   ASSERT_NE(section, std::string::npos);
-  const std::size_t begin = docs.find(head, section) + head.size();
+  const std::size_t begin = docs.find("\n- `", section) + 1;
   EXPECT_EQ(docs.substr(begin, docs.find("\n\n", begin) + 1 - begin), GetParam().lines);
 }
 
@@ -101,7 +143,7 @@ class ResultsColumnsOf : public testing::TestWithParam<Table> {};
 TEST_P(ResultsColumnsOf, AreThoseOfTheDocument) {
   const std::string docs = formats();
   const std::string& lines = GetParam().lines;
-  const std::size_t begin = docs.find(lines.substr(0, lines.find('|', 2)));
+  const std::size_t begin = docs.find(lines.substr(0, lines.find(' ', 2)));
   ASSERT_NE(begin, std::string::npos);
   EXPECT_EQ(docs.substr(begin, lines.size()), lines);
 }
@@ -110,7 +152,8 @@ INSTANTIATE_TEST_SUITE_P(Hdf5, ResultsColumnsOf,
                          testing::Values(Table{"runs", datasets_of<RunRecord>("runs")},
                                          Table{"impacts", datasets_of<Impact>("impacts")},
                                          Table{"crossings", datasets_of<Crossing>("crossings")},
-                                         Table{"stays", datasets_of<PersistentBlockRecord>("stays")},
+                                         Table{"stays",
+                                               datasets_of<PersistentBlockRecord>("stays")},
                                          Table{"energies", datasets_of<EnergyRecord>("energies")}));
 
 }  // namespace
