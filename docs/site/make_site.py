@@ -71,7 +71,8 @@ def write_pages(source, pages_folder):
         file = pages_folder / page
         text = re.sub(r"(\]\((?:\.\./)*files/[^)]+\.md)\)", r"\1.txt)", file.read_text(encoding="utf-8"))
         file.write_text(text, encoding="utf-8")
-    for picture in [*(source / "docs").glob("*.png"), *(source / "docs").glob("*.svg")]:
+    docs_pictures = (file for ending in ("png", "svg") for file in sorted(docs.rglob("*." + ending)))
+    for picture in docs_pictures:
         shutil.copy(picture, pages_folder)
     bib = (source / "docs" / "references.bib").read_text(encoding="utf-8")
     (pages_folder / "references.md").write_text(f"# References\n\n```bibtex\n{bib}\n```\n", encoding="utf-8")

@@ -118,7 +118,7 @@ TableColumns<BlockRow> class_columns(const PopulationOptions& options) {
   }
   for (const FormIndex& index : form_index_definitions()) {
     columns.push_back(
-        {index.name, "", "indices, see [theory](theory.md#shape-classes)",
+        {index.name, "", "indices, see [theory](theory/shape-classes.md#indices-of-form)",
          [index](const Row& row) { return cell_of(index.value(row.block.axes_as_written)); }});
   }
   return columns;

@@ -295,7 +295,8 @@ TEST_F(Talus, EveryKeyOfTheJsonIsDocumented) {
   for (const auto& [box, axes] : json["blocks"][0]["boxes_m"].items()) {
     EXPECT_NE(section.find("`" + box + "`"), std::string::npos) << box;
   }
-  const std::string theory = read_text_file(fs::path(CLAST_SOURCE_DIR) / "docs" / "theory.md");
+  const std::string theory =
+      read_text_file(fs::path(CLAST_SOURCE_DIR) / "docs" / "theory" / "shape-classes.md");
   for (const auto& [scheme, shares] : json["population"].items()) {
     EXPECT_NE(theory.find("`" + scheme + "`"), std::string::npos) << scheme;
   }
