@@ -7,7 +7,7 @@
 
 namespace clast {
 
-/// An option, a flag or a positional argument.
+/// Option, flag or positional argument.
 struct OptionEntry {
   std::vector<std::string> names;  ///< "-o", "--output"; for a positional argument its name
   bool positional = false;

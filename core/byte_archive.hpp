@@ -30,6 +30,7 @@ class ByteWriter {
  public:
   static constexpr bool kReads = false;
 
+  /// Writes to a buffer.
   /// @param to  must outlive the writer
   explicit ByteWriter(std::ostream& to) : to_(to) {}
 
@@ -55,6 +56,7 @@ class ByteReader {
  public:
   static constexpr bool kReads = true;
 
+  /// Reads from bytes.
   /// @param bytes  must outlive the reader
   explicit ByteReader(std::string_view bytes) : bytes_(bytes) {}
 

@@ -14,7 +14,7 @@ struct NumberRange {
       nullptr;  ///< meaning of 0 if it is allowed below `low`; "" without explanation
 
   bool contains(double value) const;  ///< false of NaN too
-  /// "from 0.01 to 1000 m/s^2", "0 (none), or from 1e-06 to 100 m".
+  /// Formats the range as "from 0.01 to 1000 m/s^2" or "0 (none), or from 1e-06 to 100 m".
   std::string describe() const;
 };
 

@@ -4,7 +4,8 @@
 
 namespace clast {
 
-/// A rotation followed by a translation: `world_from_body * point_in_body` is a point in the world.
+/// Rotation followed by a translation: `world_from_body * point_in_body` is the point in the world
+/// frame.
 struct Pose {
   Vec3 translation = Vec3::Zero();
   Quat rotation = Quat::Identity();  ///< unit

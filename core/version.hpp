@@ -1,5 +1,5 @@
 #pragma once
-/// The program version that every output names.
+/// Program version, recorded in every output.
 namespace clast {
 
 /// Returns "major.minor.patch", from the top-level CMakeLists.txt.

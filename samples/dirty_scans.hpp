@@ -1,5 +1,5 @@
 #pragma once
-/// Scans as photogrammetry exports them before anyone cleaned them.
+/// Synthetic scans with the defects of photogrammetry exports.
 #include <string>
 #include <vector>
 
@@ -12,8 +12,8 @@ struct NamedMesh {
   TriangleMesh mesh;
 };
 
-/// A block that grows out of a patch of ground, with crumbs floating beside it; a block open below;
-/// a block with spikes and a hole.
+/// Writes three scans: a block on a patch of ground with loose fragments; a block open at the
+/// bottom; a block with spikes and a hole.
 std::vector<NamedMesh> dirty_scans();
 
 }  // namespace clast

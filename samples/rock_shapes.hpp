@@ -1,6 +1,6 @@
 #pragma once
-/// Made-up rock blocks: facets, worn edges, rough skin. Closed and free of self-intersections by
-/// construction, because each is a radius over directions from one inner point.
+/// Synthetic rock blocks with facets, worn edges and a rough surface. They are star-shaped about an
+/// inner point, therefore closed and without self-intersections.
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -23,13 +23,13 @@ struct RockRecipe {
   std::uint64_t seed = 1;
 };
 
-/// The scan of one block, in an arbitrary pose above the origin, as a field scan has it.
+/// Makes the scan of a block in an arbitrary pose above the origin.
 TriangleMesh rock(const RockRecipe& recipe);
 
-/// The clean blocks of samples/blocks.
+/// Returns the recipes of the blocks in samples/blocks.
 const std::vector<RockRecipe>& sample_recipes();
 
-/// The block B01 scanned more finely, with 2,562 vertices.
+/// Returns the recipe of block B01 with 2,562 vertices.
 RockRecipe make_fine_recipe();
 
 }  // namespace clast

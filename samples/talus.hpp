@@ -1,5 +1,5 @@
 #pragma once
-/// A field book of taped blocks.
+/// Synthetic table of block axes measured by tape.
 #include <string>
 
 namespace clast {

@@ -1,5 +1,5 @@
 #pragma once
-/// The largest ball inside a closed surface.
+/// Largest ball inside a closed surface.
 #include "mesh/triangle_mesh.hpp"
 
 namespace clast {

@@ -1,12 +1,12 @@
 #pragma once
-/// Boxes around a body, and the axes L >= I >= S that shape classes are measured on.
+/// Bounding boxes of a body, and the axes L >= I >= S on which shape classes are measured.
 #include <span>
 
 #include "shapes/sphero_polyhedron.hpp"
 
 namespace clast {
 
-/// A box with sides L >= I >= S along the columns of `axes`.
+/// Box with sides L >= I >= S along the columns of `axes`.
 struct OrientedBox {
   Vec3 centre = Vec3::Zero();
   Mat3 axes = Mat3::Identity();  ///< columns: unit directions of L, I, S; right-handed
@@ -18,11 +18,11 @@ struct OrientedBox {
 /// True if `a` is smaller: by volume; by area if volumes agree to 1e-11, then by L.
 bool is_smaller(const OrientedBox& a, const OrientedBox& b);
 
-/// The box of smallest volume around the points, each swept by a ball of `radius`. The search uses
-/// the extents with 2 radius added, so it is the smallest box of the rounded body. Same bits for
-/// any order of the points; ties by smallest area, then smallest L. Points in a plane, on a line or
-/// at one place give a flat box.
-/// @throws GeometryError  no points
+/// Computes the box of smallest volume around the points, each swept by a ball of `radius`: the
+/// search includes 2 radius in the extents, so the result is the smallest box of the rounded body.
+/// The result is bit-identical for any order of the points; ties are broken by area, then by L.
+/// Coplanar, collinear or coincident points have a flat box.
+/// @throws GeometryError  for no points
 /// @cite orourke1985
 OrientedBox smallest_box(std::span<const Vec3> points, double radius = 0.0);
 

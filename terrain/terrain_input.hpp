@@ -12,8 +12,8 @@ namespace clast {
 
 /// Options for reading surface files and zones.
 struct TerrainOptions {
-  /// Meshes (.stl, .ply, .obj, ...), one raster (.tif, .asc, ...), clouds (.las, .xyz, .txt, .csv,
-  /// .pts, .pcd), or one terrain file (.h5).
+  /// Surface files: meshes (.stl, .ply, .obj, ...), one raster (.tif, .asc, ...), clouds (.las,
+  /// .xyz, .txt, .csv, .pts, .pcd), or one terrain file (.h5).
   std::vector<std::filesystem::path> surface = {};
   /// One name per mesh, a zone raster, or a file of polygons (GeoJSON, GeoPackage, Shapefile) with
   /// property "zone". Class numbers of a raster are the names, or are mapped by

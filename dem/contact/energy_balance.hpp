@@ -32,7 +32,8 @@ struct EnergyBalance {
             std::max({std::abs(lost), 1e-3 * std::abs(drop), 1e-300});
   }
 
-  /// |initial - final - dissipated| / max(dissipated, 1e-3 |kinetic + drop|)
+  /// Relative error of the balance: |initial - final - dissipated| / max(dissipated, 1e-3 |kinetic
+  /// + drop|).
   double error = 0.0;
 
   template <class Bytes>

@@ -1,5 +1,5 @@
 #pragma once
-/// The interface of laws of the normal force (docs/theory.md, Normal laws).
+/// Interface of normal force laws (docs/theory.md, Normal laws).
 #include <concepts>
 
 #include "dem/contact/ground_parameters.hpp"

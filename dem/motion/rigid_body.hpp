@@ -39,7 +39,7 @@ struct RigidBody {
   void check(const std::string& name) const;
 };
 
-/// Kinetic energies, J.
+/// Returns the kinetic energy, J.
 double translational_energy(const RigidBody& body, const RigidState& state);
 double rotational_energy(const RigidBody& body, const RigidState& state);
 

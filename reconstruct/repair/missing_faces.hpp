@@ -8,8 +8,8 @@
 namespace clast::reconstruct_detail {
 
 /// Maximum width (twice the area over the perimeter, in mean border edges) of a hole without
-/// missing vertices: n - 2 equal triangles between n vertices have less, and a hexagon without its
-/// centre has exactly this.
+/// missing vertices: n - 2 equal triangles between n vertices have less than 0.87, and a hexagon
+/// without its centre has 0.87.
 inline constexpr double kMaxMissingFaceWidth = 1.0;
 
 /// Closes all holes up to `kMaxMissingFaceWidth` by the triangulation of minimum bending; fragments

@@ -10,7 +10,7 @@
 
 namespace clast::reconstruct_detail {
 
-/// The position of a copy relative to the surface that it copies.
+/// Position of a copy relative to the original surface.
 struct SurfaceCopy {
   double offset = 0.0;    ///< mean distance, positive outside the surface, m
   double distance = 0.0;  ///< root mean square distance, m

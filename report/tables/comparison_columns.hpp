@@ -16,7 +16,7 @@ namespace clast::report_detail {
 const TableColumns<BarrierGroupStatistics>& barrier_table_columns();
 const TableColumns<ComparisonRow<BarrierCrossing>>& crossing_columns();
 
-/// Parts of `comparison_tables`.
+/// Column lists of `comparison_tables`.
 std::vector<ComparisonTable> make_run_tables();
 std::vector<ComparisonTable> make_group_tables();
 std::vector<ComparisonTable> make_effect_tables();

@@ -18,7 +18,8 @@ struct DesignFactor {
 
 /// Variance decomposition of one outcome.
 struct OutcomeEffects {
-  /// "runout", "lateral angle", "largest energy" (of the centre's motion), or "passing BARRIER".
+  /// Outcome: "runout", "lateral angle", "largest energy" (of the centre's motion), or "passing
+  /// BARRIER".
   std::string outcome;
   std::string unit;              ///< "m", "rad", "J"; empty for a proportion of runs
   double mean = 0.0;             ///< mean of all runs

@@ -1,5 +1,5 @@
 #pragma once
-/// Esri grids in text, as GDAL has to find them. For .cpp files only.
+/// Preparation of Esri ASCII grids for GDAL. Private to .cpp files.
 #include <filesystem>
 #include <string>
 #include <vector>

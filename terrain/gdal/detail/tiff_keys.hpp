@@ -1,6 +1,6 @@
 #pragma once
-/// GeoTIFF keys of a file. GDAL gives the reference system that it makes of them, in which units
-/// that contradict each other no longer show.
+/// GeoTIFF keys of a file. The reference system that GDAL derives from them hides contradictory
+/// units.
 #include <filesystem>
 
 #include "mesh/geotiff_keys.hpp"

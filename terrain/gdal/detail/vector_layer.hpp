@@ -46,7 +46,7 @@ std::unique_ptr<OGRGeometry> linearised_geometry(const OGRFeature& feature,
                                                  OGRCoordinateTransformation* transform,
                                                  const std::filesystem::path& path);
 
-/// "lines.geojson: feature 3"
+/// Formats the name of a feature as "lines.geojson: feature 3".
 std::string feature_name(const OGRFeature& feature, const std::filesystem::path& path);
 
 }  // namespace clast::terrain_detail

@@ -309,8 +309,8 @@ TEST(Distribution, DrawsFollowTheirLaw) {
   }
   EXPECT_LT(least, 0.01);
   const Distribution log_normal{Distribution::Law::kLogNormal, 300.0, 0.5};
-  EXPECT_EQ(log_normal.central(), 300.0);
-  EXPECT_EQ((Distribution{Distribution::Law::kUniform, 1.0, 2.0}.central()), 1.5);
+  EXPECT_EQ(log_normal.central_value(), 300.0);
+  EXPECT_EQ((Distribution{Distribution::Law::kUniform, 1.0, 2.0}.central_value()), 1.5);
   EXPECT_EQ((Distribution{Distribution::Law::kFixed, 0.7}.draw(random)), 0.7);
 }
 

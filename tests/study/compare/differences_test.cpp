@@ -111,9 +111,9 @@ TEST(Differences, OneRealisationGivesNeitherIntervalNorTest) {
     EXPECT_FALSE(difference.is_significant());
     EXPECT_EQ(difference.tests, 0u);
     EXPECT_EQ(difference.verdict(), Verdict::kUntested);
-    EXPECT_NE(
-        in_words(difference, one).find("one realisation does not show whether this is chance"),
-        std::string::npos);
+    EXPECT_NE(describe_effect(difference, one)
+                  .find("one realisation does not show whether this is chance"),
+              std::string::npos);
     EXPECT_GT(difference.ks_distance, 0.0) << "how far apart they are is known";
   }
   const CsvTable table = read_csv(table_csv(one, "differences"));
@@ -203,14 +203,14 @@ TEST(Differences, AreSaidInASentence) {
   const Difference& runout = between_classes(comparison, "runout_m");
   const Interval& interval = runout.interval.value();
   const int decimals = known_decimals(interval, 4);
-  EXPECT_EQ(in_words(runout, comparison),
+  EXPECT_EQ(describe_effect(runout, comparison),
             "runout: class compact " + format_significant(runout.first_mean, 3) +
                 " m on average, class elongated " + format_significant(runout.second_mean, 3) +
                 " m; " + format_decimals(runout.first_mean - runout.second_mean, decimals) +
                 " m more (" + format_decimals(interval.low, decimals) + " to " +
                 format_decimals(interval.high, decimals) + " m)");
   const Comparison same = compared(synthetic_results(5, 0.0));
-  EXPECT_TRUE(in_words(between_classes(same, "runout_m"), same)
+  EXPECT_TRUE(describe_effect(between_classes(same, "runout_m"), same)
                   .ends_with(", which can be chance among 4 differences"));
   // The other way round: less, with an interval that rises all the same.
   Difference back = runout;

@@ -44,8 +44,8 @@ CampaignResults alone(const std::vector<double>& runouts) {
 }
 
 TEST(MassMobility, IsTheDifferenceOfRealisationsAndReleasePoints) {
-  const std::vector<DepositMobility> all =
-      compute_mass_mobility(compared(together(10.0, 12.0), alone({19.0, 20.0, 21.0, 21.0, 22.0, 23.0})));
+  const std::vector<DepositMobility> all = compute_mass_mobility(
+      compared(together(10.0, 12.0), alone({19.0, 20.0, 21.0, 21.0, 22.0, 23.0})));
   ASSERT_EQ(all.size(), 3u);
   const DepositMobility& every = all[0];
   EXPECT_EQ(every.file, 0u);
@@ -63,7 +63,7 @@ TEST(MassMobility, IsTheDifferenceOfRealisationsAndReleasePoints) {
   EXPECT_NEAR(every.together_toe.mean, 11.0, 1e-6);
   EXPECT_NEAR(every.alone_toe,
               expected_largest(std::vector<double>{19.0, 20.0, 21.0, 21.0, 22.0, 23.0}, 3.0), 1e-6);
-  EXPECT_EQ(in_words(every), "all: 11.0 m together, 21.0 m alone; 10 m less (4 to 16 m)");
+  EXPECT_EQ(describe_effect(every), "all: 11.0 m together, 21.0 m alone; 10 m less (4 to 16 m)");
   EXPECT_NEAR(every.starts_apart, 0.0, 1e-6);
   EXPECT_NEAR(every.mass_ratio, 1.0, 1e-12);
   EXPECT_EQ(all[1].group, "class compact");
@@ -79,18 +79,20 @@ TEST(MassMobility, SaysWhereStartsAndMassesDiffer) {
     run.result.final_state.position.y() += 30.0;
   }
   for (BlockSummary& block : single.blocks) block.mass *= 2.0;
-  const std::vector<DepositMobility> all = compute_mass_mobility(compared(together(10.0, 12.0), single));
+  const std::vector<DepositMobility> all =
+      compute_mass_mobility(compared(together(10.0, 12.0), single));
   ASSERT_FALSE(all.empty());
   EXPECT_NEAR(all[0].starts_apart, 30.0, 1e-6);
-  EXPECT_TRUE(in_words(all[0]).ends_with(
+  EXPECT_TRUE(describe_effect(all[0]).ends_with(
       "; they start 30 m apart; mean mass together is 0.5 times that alone"))
-      << in_words(all[0]);
+      << describe_effect(all[0]);
 }
 
 TEST(MassMobility, OfOneReleasePointIsOverRuns) {
   CampaignResults single = alone({19.0, 20.0, 21.0, 21.0, 22.0, 23.0});
   for (RunRecord& run : single.runs) run.point = 0;
-  const std::vector<DepositMobility> all = compute_mass_mobility(compared(together(10.0, 12.0), single));
+  const std::vector<DepositMobility> all =
+      compute_mass_mobility(compared(together(10.0, 12.0), single));
   ASSERT_FALSE(all.empty());
   EXPECT_EQ(all[0].alone_runout.count, 6u);
 }

@@ -206,13 +206,13 @@ TEST_F(NewCampaigns, TakeGroundFromTheNamesOfZones) {
   const CampaignProposal proposal = write("slope.h5");
   const Campaign campaign = read_campaign(folder / "campaign.toml");
   ASSERT_EQ(campaign.ground.size(), 4u);
-  EXPECT_EQ(campaign.ground.at("upper cliff").friction->central(),
+  EXPECT_EQ(campaign.ground.at("upper cliff").friction->central_value(),
             ground_type("rock").friction.value);
-  EXPECT_EQ(campaign.ground.at("deep \"wet\" meadow").rolling_friction->central(),
+  EXPECT_EQ(campaign.ground.at("deep \"wet\" meadow").rolling_friction->central_value(),
             ground_type("soil medium").rolling_friction.value);
-  EXPECT_EQ(campaign.ground.at("éboulis").energy_restitution->central(),
+  EXPECT_EQ(campaign.ground.at("éboulis").energy_restitution->central_value(),
             ground_type("talus").energy_restitution.value);
-  EXPECT_EQ(campaign.ground.at("a.b").rolling_friction->central(),
+  EXPECT_EQ(campaign.ground.at("a.b").rolling_friction->central_value(),
             default_ground_type().rolling_friction.value);
   ASSERT_EQ(proposal.doubts.size(), 1u);
   EXPECT_TRUE(contains(proposal.doubts[0], "1 ground zone is taken"));
