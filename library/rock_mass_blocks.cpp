@@ -76,7 +76,7 @@ RockMassBlocks cut_rock_mass(const TriangleMesh& mass, const BlockSource& source
 }
 
 RockMassBlocks cut_rock_masses(std::span<const TriangleMesh> masses, const BlockSource& source,
-                                 const RockMassOptions& options) {
+                               const RockMassOptions& options) {
   RockMassBlocks result;
   const JointedMass cut = cut_masses(masses, options, result.failures);
   BlockSource of_block = source;

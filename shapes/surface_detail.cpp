@@ -69,7 +69,8 @@ std::vector<double> solid_angles(const TriangleMesh& mesh, const Vec3& centre) {
   return angles;
 }
 
-TriangleMesh harmonic_detail(TriangleMesh mesh, const Vec3& centre, const SurfaceDetailOptions& options) {
+TriangleMesh harmonic_detail(TriangleMesh mesh, const Vec3& centre,
+                             const SurfaceDetailOptions& options) {
   const int count = (options.degree + 1) * (options.degree + 1);
   const auto vertices = static_cast<Eigen::Index>(mesh.vertices.size());
   const std::vector<double> weights = solid_angles(mesh, centre);
@@ -139,7 +140,8 @@ TriangleMesh bilaplacian_detail(TriangleMesh mesh, const SurfaceDetailOptions& o
   }
   if (!find_self_intersections(mesh).empty()) {
     throw GeometryError(
-        "the surface is not star-shaped, and with detail times " + format_significant(options.gain, 4) +
+        "the surface is not star-shaped, and with detail times " +
+        format_significant(options.gain, 4) +
         " it would cross itself; give a `detail` nearer to 1, or a larger `degree`");
   }
   return mesh;
@@ -156,7 +158,8 @@ void SurfaceDetailOptions::check() const {
   }
 }
 
-DetailedSurface scale_surface_detail(const TriangleMesh& mesh, const SurfaceDetailOptions& options) {
+DetailedSurface scale_surface_detail(const TriangleMesh& mesh,
+                                     const SurfaceDetailOptions& options) {
   options.check();
   const std::optional<Vec3> centre = find_kernel_point(mesh);
   const CoarseShape form = centre ? CoarseShape::kHarmonics : CoarseShape::kBilaplacian;

@@ -331,6 +331,8 @@ class SeamSearch {
 
 }  // namespace
 
-std::optional<BodySeam> find_body_seam(const TriangleMesh& closed) { return SeamSearch(closed).run(); }
+std::optional<BodySeam> find_body_seam(const TriangleMesh& closed) {
+  return SeamSearch(closed).run();
+}
 
 }  // namespace clast::reconstruct_detail

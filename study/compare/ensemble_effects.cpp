@@ -118,11 +118,13 @@ void add_effects(const Comparison& comparison, std::uint32_t file, const std::st
 
 std::uint32_t count_ensemble_members(const CampaignResults& results) {
   std::uint32_t members = 1;
-  for (const GroundParameterSet& set : results.ground_sets) members = std::max(members, set.member + 1);
+  for (const GroundParameterSet& set : results.ground_sets)
+    members = std::max(members, set.member + 1);
   return members;
 }
 
-std::optional<double> estimate_first_order_index(std::span<const double> x, std::span<const double> y) {
+std::optional<double> estimate_first_order_index(std::span<const double> x,
+                                                 std::span<const double> y) {
   const std::size_t count = x.size();
   if (count < kFewestForIndex) return std::nullopt;
   const auto equal = [](std::span<const double> values) {

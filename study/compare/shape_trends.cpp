@@ -152,7 +152,8 @@ std::optional<ShapeTrend> trend_of(const RunOutcome& outcome, const ShapePropert
   found.trend = *trend;
   found.limit = grouping.limit;
   found.halves = *halves;
-  found.smallest = minimum_detectable_difference(halves->standard_error, halves->degrees_of_freedom);
+  found.smallest =
+      minimum_detectable_difference(halves->standard_error, halves->degrees_of_freedom);
   if (margin && outcome.unit == "m") {
     found.equivalence = equivalence_p_value(*halves, *margin);
     const double times = found.smallest / *margin;

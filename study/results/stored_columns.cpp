@@ -56,7 +56,8 @@ const TableColumns<Impact>& stored_impact_columns() {
 }
 
 const TableColumns<PersistentBlockRecord>& stored_stay_columns() {
-  static const TableColumns<PersistentBlockRecord> columns = stored_columns<PersistentBlockRecord>();
+  static const TableColumns<PersistentBlockRecord> columns =
+      stored_columns<PersistentBlockRecord>();
   return columns;
 }
 

@@ -17,12 +17,12 @@ namespace clast::photos_detail {
 
 namespace {
 
-constexpr double kShortestSide = 16.0;   ///< px; cells of less than 3 px have no edges of their own
-constexpr double kFromCorner = 0.12;     ///< of the side: the edge there is bent by the blur
-constexpr double kReach = 3.0;           ///< px to each side of an edge
-constexpr double kProfileStep = 0.25;    ///< px
-constexpr double kMinContrast = 20.0;  ///< grey levels
-constexpr double kFurthestFit = 0.8;     ///< px off the line; such places are left out
+constexpr double kShortestSide = 16.0;  ///< px; cells of less than 3 px have no edges of their own
+constexpr double kFromCorner = 0.12;    ///< of the side: the edge there is bent by the blur
+constexpr double kReach = 3.0;          ///< px to each side of an edge
+constexpr double kProfileStep = 0.25;   ///< px
+constexpr double kMinContrast = 20.0;   ///< grey levels
+constexpr double kFurthestFit = 0.8;    ///< px off the line; such places are left out
 constexpr std::size_t kMinPlaces = 6;
 
 struct KnownDictionary {
@@ -194,8 +194,9 @@ std::vector<DetectedMarker> detect_markers(const cv::Mat& grey, const std::strin
   return found;
 }
 
-std::optional<DetectedMarker> refine_marker_corners(const DetectedMarker& marker, const cv::Mat& grey,
-                                               const CameraIntrinsics& lens) {
+std::optional<DetectedMarker> refine_marker_corners(const DetectedMarker& marker,
+                                                    const cv::Mat& grey,
+                                                    const CameraIntrinsics& lens) {
   Vec2 middle = Vec2::Zero();
   for (const Vec2& corner : marker.corners) middle += 0.25 * corner;
   std::array<Line, 4> lines;

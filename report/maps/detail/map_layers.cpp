@@ -119,8 +119,9 @@ Json paths_json(const Comparison& comparison, const DrawnRuns& stored, const Vec
 
 }  // namespace
 
-MapLayers make_map_layers(const Comparison& comparison, const std::vector<const MapRasterSet*>& rasters,
-                     const Vec2& origin, bool with_paths) {
+MapLayers make_map_layers(const Comparison& comparison,
+                          const std::vector<const MapRasterSet*>& rasters, const Vec2& origin,
+                          bool with_paths) {
   Json layers = Json::array(), paths = Json::array();
   for (const MapRasterSet* grid : rasters) {
     const std::vector<ValueStyle> styles = choose_value_styles(*grid);

@@ -38,13 +38,15 @@ void check_polygon(const DeclaredTable& table, const MultiBlockRelease& mass) {
                  "must not cross, touch or retrace itself, and its sides " +
                      std::to_string(found->first + 1) + " and " +
                      std::to_string(found->second + 1) + " meet at [" +
-                     format_significant(found->place.x(), 9) + ", " + format_significant(found->place.y(), 9) +
+                     format_significant(found->place.x(), 9) + ", " +
+                     format_significant(found->place.y(), 9) +
                      "]; give the corners in their order around it");
   }
 }
 
 /// Checks a mass whose blocks are where they were cut or scanned.
-void check_places(const DeclaredTable& table, const Campaign& campaign, const MultiBlockRelease& mass) {
+void check_places(const DeclaredTable& table, const Campaign& campaign,
+                  const MultiBlockRelease& mass) {
   for (const char* key :
        {"thickness_m", "share", "count", "settle", "settle_time_s", "faces", "face_interval_s"}) {
     table.refuse_if_present(key, "is for a heap; blocks that are in place have theirs already");
@@ -189,7 +191,8 @@ std::vector<ReleaseSet> read_mass_releases(const TomlTable& top) {
   return releases;
 }
 
-std::optional<PersistentBlocksPlan> read_multi_block_releases(const TomlTable& top, const Campaign& campaign) {
+std::optional<PersistentBlocksPlan> read_multi_block_releases(const TomlTable& top,
+                                                              const Campaign& campaign) {
   const std::vector<DeclaredTable> tables = find_tables(top, mass_keys());
   if (tables.empty()) return std::nullopt;
   const DeclaredTable& first = tables.front();

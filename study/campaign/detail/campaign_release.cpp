@@ -71,7 +71,8 @@ std::vector<Vec3> read_release_points(const DeclaredTable& table, bool y_up, Rel
   if (!plan_only) rule.refuse("a polygon gives plan positions and needs height_m");
   const std::vector<Vec2> corners = *rule.value<std::vector<Vec2>>("polygon");
   return rule.checked("polygon", [&] {
-    return sample_points_in_polygon(corners, count, rule.value<std::uint64_t>("seed").value_or(plan.seed));
+    return sample_points_in_polygon(corners, count,
+                                    rule.value<std::uint64_t>("seed").value_or(plan.seed));
   });
 }
 
@@ -116,7 +117,8 @@ void read_orientation_set(const DeclaredTable& table, bool y_up, ReleaseSet& pla
 
 void check_rate(const DeclaredTable& table, const std::string& key, const Vec3& rate, double most) {
   if (rate.norm() > most) {
-    table.refuse(key, "must be " + format_significant(most, 6) + " in size at most; check the units");
+    table.refuse(key,
+                 "must be " + format_significant(most, 6) + " in size at most; check the units");
   }
 }
 
@@ -137,14 +139,15 @@ const MemberTable<ReleaseSet>& release_keys() {
   static const TableKey how_many{
       "count", "", "how many points",
       required("how many points, a whole number", count(1, kMostPerSet))};
-  static const ValueFormat points = either({text(), list(point(), 1),
-                                          table({{"line", "m", "points are spaced evenly along it",
-                                                  required("a list of points", list(point(), 2))},
-                                                 how_many}),
-                                          table({{"polygon", "m", "points are drawn in it",
-                                                  required("a list of points", list(point(), 3))},
-                                                 how_many,
-                                                 {"seed", "", "of the points", seed()}})});
+  static const ValueFormat points =
+      either({text(), list(point(), 1),
+              table({{"line", "m", "points are spaced evenly along it",
+                      required("a list of points", list(point(), 2))},
+                     how_many}),
+              table({{"polygon", "m", "points are drawn in it",
+                      required("a list of points", list(point(), 3))},
+                     how_many,
+                     {"seed", "", "of the points", seed()}})});
   static const ValueFormat orientations = either(
       {text(), table({{"random", "", "how many",
                        required("how many orientations, a whole number", count(1, kMostPerSet))},

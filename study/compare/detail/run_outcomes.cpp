@@ -21,7 +21,7 @@ std::vector<const RunRow*> select_rows_of_file(const Comparison& comparison, std
 }
 
 std::vector<RunOutcome> collect_run_outcomes(const Comparison& comparison, std::uint32_t file,
-                                     const std::vector<const RunRow*>& rows) {
+                                             const std::vector<const RunRow*>& rows) {
   std::vector<RunOutcome> outcomes = {
       {"runout", "m", {}}, {"lateral angle", "rad", {}}, {"largest energy", "J", {}}};
   for (const RunRow* row : rows) {

@@ -101,8 +101,9 @@ void add_contacts(const CampaignPlan& prepared, const SceneContents& set, std::u
 }  // namespace
 
 std::string scene_name(const CampaignPlan& prepared, std::uint32_t first) {
-  return prepared.header.stay ? "realisation" + padded(first / prepared.header.runs_per_realisation(), 4)
-                              : "run" + padded(first, 5);
+  return prepared.header.stay
+             ? "realisation" + padded(first / prepared.header.runs_per_realisation(), 4)
+             : "run" + padded(first, 5);
 }
 
 SceneContents scene_set(const CampaignPlan& prepared) {

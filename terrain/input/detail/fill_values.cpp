@@ -193,8 +193,8 @@ std::vector<std::string> check_fill_values(const HeightGrid& grid,
     if (!(is_usual_fill(value) && far) && !stepped) continue;
     const std::string number = format_significant(value, 9);
     const std::string text =
-        path.string() + ": " + format_count(cells.count, "cell has", "cells have") + " the height " +
-        number + " m, " +
+        path.string() + ": " + format_count(cells.count, "cell has", "cells have") +
+        " the height " + number + " m, " +
         (gap > 0.0 ? format_significant(gap, 4) + " m " + (value < others.low ? "below" : "above") +
                          " all others"
                    : format_significant(median, 4) + " m from those of the neighbouring cells") +
