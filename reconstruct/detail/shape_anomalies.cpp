@@ -101,7 +101,7 @@ std::optional<ShapeAnomaly> ground_around(const TriangleMesh& closed, const Vec3
   double plan = 0.0, base = 0.0, tall_area = 0.0;
   Vec3 tall = Vec3::Zero();
   for (const TriangleMesh::Triangle& t : closed.triangles) {
-    const Vec3 area = 0.5 * area_vector(closed, t);
+    const Vec3 area = 0.5 * doubled_area_vector(closed, t);
     if (!(area.norm() > 0.0)) continue;
     const Vec3 centre =
         (closed.vertices[t[0]] + closed.vertices[t[1]] + closed.vertices[t[2]]) / 3.0;

@@ -41,7 +41,7 @@ struct Sample {
 std::vector<Sample> samples_of(const TriangleMesh& component) {
   std::vector<Vec3> normals(component.vertices.size(), Vec3::Zero());
   for (const TriangleMesh::Triangle& t : component.triangles) {
-    const Vec3 doubled = area_vector(component, t);
+    const Vec3 doubled = doubled_area_vector(component, t);
     for (const std::uint32_t v : t) normals[v] += doubled;
   }
   std::vector<Sample> samples;

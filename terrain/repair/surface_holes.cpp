@@ -69,7 +69,7 @@ void measure(const TriangleMesh& mesh, Loop& loop) {
     loop.area += a.cross(b);
     loop.length += (b - a).norm();
     loop.normal +=
-        (b - a).norm() * area_vector(mesh, mesh.triangles[loop.triangles[i]]).normalized();
+        (b - a).norm() * doubled_area_vector(mesh, mesh.triangles[loop.triangles[i]]).normalized();
     loop.box.include(a + origin);
   }
 }

@@ -23,7 +23,7 @@ using Triangle = TriangleMesh::Triangle;
 bool is_degenerate(const TriangleMesh& mesh, const Triangle& t) {
   const Vec3 &a = mesh.vertices[t[0]], &b = mesh.vertices[t[1]], &c = mesh.vertices[t[2]];
   const double longest = std::max({(b - a).norm(), (c - b).norm(), (a - c).norm()});
-  return !(area_vector(mesh, t).norm() >= kLeastHeight * longest) || longest == 0.0;
+  return !(doubled_area_vector(mesh, t).norm() >= kLeastHeight * longest) || longest == 0.0;
 }
 
 /// Marks all but the first of triangles with the same corners.
@@ -51,7 +51,7 @@ std::optional<bool> faces_up(const TriangleMesh& mesh, const std::vector<std::ui
                              const std::vector<bool>& against) {
   double plan = 0.0, area = 0.0;
   for (const std::uint32_t t : component) {
-    const Vec3 normal = area_vector(mesh, mesh.triangles[t]);
+    const Vec3 normal = doubled_area_vector(mesh, mesh.triangles[t]);
     plan += against[t] ? -normal.z() : normal.z();
     area += normal.norm();
   }

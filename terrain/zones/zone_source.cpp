@@ -283,7 +283,7 @@ void assign_zones(Terrain& terrain, const ZoneFile& source, bool cut) {
   std::vector<std::uint32_t> label(mesh.triangles.size(), kNoIndex);
   Bare bare;
   for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
-    const Vec3 area = area_vector(mesh, mesh.triangles[t]);
+    const Vec3 area = doubled_area_vector(mesh, mesh.triangles[t]);
     const Vec3 middle = terrain.frame.to_map(centroid(mesh, mesh.triangles[t]));
     const double plan = std::abs(area.z()) / 2.0;
     double covered = 0.0;
@@ -332,7 +332,7 @@ void assign_zones(Terrain& terrain, const std::vector<std::string>& texts) {
   std::vector<std::uint32_t> label(mesh.triangles.size(), kNoIndex);
   Bare bare;
   for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
-    const Vec3 area = area_vector(mesh, mesh.triangles[t]);
+    const Vec3 area = doubled_area_vector(mesh, mesh.triangles[t]);
     const Vec3 middle = terrain.frame.to_map(centroid(mesh, mesh.triangles[t]));
     const double slope = std::atan2(area.head<2>().norm(), area.z());
     for (std::size_t r = 0; r < rules.size() && label[t] == kNoIndex; ++r) {

@@ -30,7 +30,7 @@ bool remove_fins(RawSurface& surface, const TriangleNeighbours& links, TerrainRe
   const std::vector<std::uint32_t> component = manifold_components(links);
   std::vector<double> area(*std::max_element(component.begin(), component.end()) + 1u, 0.0);
   for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
-    area[component[t]] += area_vector(mesh, mesh.triangles[t]).norm() / 2.0;
+    area[component[t]] += doubled_area_vector(mesh, mesh.triangles[t]).norm() / 2.0;
   }
   const std::vector<std::vector<std::uint32_t>> crowded = crowded_edges(mesh);
   const double largest = *std::max_element(area.begin(), area.end());
@@ -62,7 +62,7 @@ bool remove_fins(RawSurface& surface, const TriangleNeighbours& links, TerrainRe
     keep[t] = !dropped[component[t]];
     if (keep[t]) continue;
     if (dropped_area == 0.0) first_at = centroid(mesh, mesh.triangles[t]);
-    dropped_area += area_vector(mesh, mesh.triangles[t]).norm() / 2.0;
+    dropped_area += doubled_area_vector(mesh, mesh.triangles[t]).norm() / 2.0;
   }
   retain_triangles(surface, keep);
   report.removed_components += fins;
