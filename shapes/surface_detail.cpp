@@ -18,11 +18,11 @@ namespace clast {
 namespace {
 
 constexpr int kMostDegree = 20;
-constexpr double kMostGain = 10.0;
+constexpr double kMaxGain = 10.0;
 /// Vertices for each coefficient: fewer would fit the detail, too.
 constexpr double kVerticesEach = 2.0;
 /// Of the mean distance: what comes nearer to the centre is no rock.
-constexpr double kLeastDistance = 0.1;
+constexpr double kMinDistance = 0.1;
 
 using Matrix = Eigen::MatrixXd;
 using Vector = Eigen::VectorXd;
@@ -89,7 +89,7 @@ TriangleMesh harmonic_detail(TriangleMesh mesh, const Vec3& centre,
   const double mean = distances.mean();
   for (Eigen::Index v = 0; v < vertices; ++v) {
     const double distance = coarse[v] + options.gain * (distances[v] - coarse[v]);
-    if (!(distance > kLeastDistance * mean)) {
+    if (!(distance > kMinDistance * mean)) {
       throw GeometryError("detail times " + format_significant(options.gain, 4) +
                           " would draw the surface to within a tenth of its mean radius of the "
                           "middle; give a smaller `detail` or a larger `degree`");
@@ -150,7 +150,7 @@ TriangleMesh bilaplacian_detail(TriangleMesh mesh, const SurfaceDetailOptions& o
 }  // namespace
 
 void SurfaceDetailOptions::check() const {
-  if (!(gain >= 0.0 && gain <= kMostGain)) {
+  if (!(gain >= 0.0 && gain <= kMaxGain)) {
     throw InputError("`detail` = " + format_significant(gain, 4) + ": must be from 0 to 10");
   }
   if (degree < 2 || degree > kMostDegree) {

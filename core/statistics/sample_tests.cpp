@@ -14,7 +14,7 @@ namespace clast {
 namespace {
 
 constexpr double kMostCells = 1e7;      // of the lattice that the exact test walks
-constexpr std::size_t kMostOrders = 9;  // 9! = 362,880 orders
+constexpr std::size_t kMaxOrders = 9;   // 9! = 362,880 orders
 constexpr double kSmallExpected = 5.0;  // Cochran's rule
 
 /// The pooled samples: after how many values, in ascending order, a value's ties end, and the
@@ -206,7 +206,7 @@ std::optional<TestResult> spearman_test(std::span<const double> x, std::span<con
   if (!found) return std::nullopt;
   TestResult result;
   result.statistic = *found;
-  result.exact = x.size() <= kMostOrders;
+  result.exact = x.size() <= kMaxOrders;
   if (result.exact) {
     result.p_value = share_of_orders(rank_x, rank_y, *found);
   } else {

@@ -16,7 +16,7 @@ namespace {
 constexpr double kRoundnessTolerance = 3e-3;  ///< relative
 constexpr int kRounds = 10;
 /// Shares of S that are tried to get below a target, after the largest.
-constexpr std::array<double, 4> kFallingShares = {0.2, 0.1, 0.05, 0.0};
+constexpr std::array<double, 4> kFallingFractions = {0.2, 0.1, 0.05, 0.0};
 
 [[noreturn]] void refuse_target(double target, const std::string& why, double nearest) {
   throw GeometryError("a roundness of " + format_significant(target, 4) +
@@ -69,7 +69,7 @@ RoundedBody find_body_of_roundness(const std::function<SpheroPolyhedron(double)>
                       " of S, gives ",
                   high.roundness);
   }
-  for (const double share : kFallingShares) {
+  for (const double share : kFallingFractions) {
     RoundedBody low = at(share);
     if (good(low, target, kRoundnessTolerance)) return low;
     if (low.roundness > target) {

@@ -28,8 +28,8 @@ constexpr double kGroundLevel = 0.85, kRises = 0.35;
 constexpr double kGroundFall = 0.12;
 /// Mean distance of the ground from its median height, against the height of what stands on it.
 constexpr double kGroundSpread = 0.12;
-constexpr double kHighestSlab = 0.8;  ///< of the width: a needle that stands up has no ground
-constexpr double kMinGround = 0.2;    ///< of the plan area
+constexpr double kMaxSlabHeight = 0.8;  ///< of the width: a needle that stands up has no ground
+constexpr double kMinGround = 0.2;      ///< of the plan area
 /// It reaches beyond the body, by this share of the width, in so many of the sectors of the plan.
 constexpr double kMinRim = 0.1;
 constexpr std::size_t kGroundSectors = 12, kSectorsWithGround = 10;
@@ -144,7 +144,7 @@ std::optional<ShapeAnomaly> ground_around(const TriangleMesh& closed, const Vec3
   std::size_t around = 0;
   for (std::size_t i = 0; i < kGroundSectors; ++i)
     around += ground[i] > body[i] + kMinRim * std::sqrt(plan);
-  if (whole > kHighestSlab * std::sqrt(plan) || around < kSectorsWithGround ||
+  if (whole > kMaxSlabHeight * std::sqrt(plan) || around < kSectorsWithGround ||
       ground_area < kMinGround * plan || fall > kGroundFall * ground_area) {
     return std::nullopt;
   }

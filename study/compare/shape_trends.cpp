@@ -169,7 +169,7 @@ ShapeTrends trends_of(const Comparison& comparison, std::uint32_t file) {
   const std::vector<const RunRow*> rows = select_rows_of_file(comparison, file);
   std::set<std::uint32_t> blocks;
   for (const RunRow* row : rows) blocks.insert(row->record->block);
-  if (results.stay || blocks.size() < kFewestBlocksOfPower) return result;
+  if (results.stay || blocks.size() < kMinBlocksOfPower) return result;
   const bool crossed_masses = has_crossed_masses(rows);
   std::vector<std::pair<ShapeProperty, Grouping>> groupings;
   for (const ShapeProperty& property : properties_of(results)) {

@@ -15,7 +15,7 @@ namespace {
 constexpr double kSmallComponent = 0.05;  // of the plan area of the largest component
 constexpr double kNoRoom = 1e-6;          // m, between two faces, at least
 constexpr double kMostlyOver = 0.9;       // of a component's plan area, beyond which it lies double
-constexpr double kFoldedShare = 1e-3;     // of all plan area, under which folds are only noted
+constexpr double kFoldedFraction = 1e-3;  // of all plan area, under which folds are only noted
 
 /// For every triangle that faces up, the one that faces up next over its centroid, if no face
 /// between faces down; and the other way round. Also one that faces down and lies on it: an
@@ -98,7 +98,7 @@ struct PlanArea {
 
 /// Ground over ground that stays is refused, or noted where it is little.
 void check_folded(const PlanArea& folded, double whole, TerrainReport& report) {
-  if (folded.m2 > kFoldedShare * whole) {
+  if (folded.m2 > kFoldedFraction * whole) {
     throw GeometryError("the ground lies double over " + format_significant(folded.m2, 4) +
                         " m2, the first at " + format_map_point(folded.first) +
                         ": two surfaces face up over each other with no overhang between, or lie "

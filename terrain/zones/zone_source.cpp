@@ -20,7 +20,7 @@
 namespace clast::terrain_detail {
 namespace {
 
-constexpr std::size_t kMostZones = 65535;
+constexpr std::size_t kMaxZones = 65535;
 constexpr double kUpright = 1e-6;  // of plan area in area, under which the centroid decides
 
 /// Plan areas by label.
@@ -273,7 +273,7 @@ void check_extent(const ZoneMap& map, const Terrain& terrain, const ZoneFile& so
 void assign_zones(Terrain& terrain, const ZoneFile& source, bool cut) {
   const ZoneMap map = is_polygon_file(source.path) ? polygon_zones(source, terrain.frame.crs)
                                                    : raster_zones(source, terrain.frame.crs);
-  if (map.labels.size() > kMostZones) {
+  if (map.labels.size() > kMaxZones) {
     throw InputError(source.path.string() + ": " + std::to_string(map.labels.size()) +
                      " zones are more than can be; is it a raster of heights? Give one of classes");
   }

@@ -147,7 +147,7 @@ const MemberTable<MultiBlockRelease>& mass_keys() {
        {"thickness_m", "m", "largest height of a heap above the ground", number({1e-3, 1e3}),
         &Mass::thickness},
        {"share", "", "of the blocks that are in this heap", number({1e-6, 1.0}), &Mass::share},
-       {"count", "", "blocks that are in this heap", count(1, kMostPerSet), &Mass::count},
+       {"count", "", "blocks that are in this heap", count(1, kMaxPerSet), &Mass::count},
        {"release_time_s", "s", "its blocks are held until then, since the first release",
         number({1e-6, 1e5, "s", "at the first release"}), &Mass::release_time},
        {"settle", "", "the blocks of a heap settle before it is released", flag(), &Mass::settle},
@@ -157,7 +157,7 @@ const MemberTable<MultiBlockRelease>& mass_keys() {
         words({"together", "one by one"})},
        {"face_interval_s", "s", "from one face to the next", number({1e-3, 1e4}),
         &Mass::face_interval},
-       {"realisations", "", "how often the masses are released", count(1, kMostPerSet)},
+       {"realisations", "", "how often the masses are released", count(1, kMaxPerSet)},
        {"seed", "", "of what is drawn", seed()}});
   return keys;
 }

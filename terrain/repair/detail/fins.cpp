@@ -10,7 +10,7 @@ namespace clast::terrain_detail {
 namespace {
 
 // Of the area of the largest component: a flap larger than this may be the ground itself.
-constexpr double kLargestFin = 0.01;
+constexpr double kMaxFin = 0.01;
 
 /// Triangles of each edge that has more than two.
 std::vector<std::vector<std::uint32_t>> crowded_edges(const TriangleMesh& mesh) {
@@ -37,7 +37,7 @@ bool remove_fins(RawSurface& surface, const TriangleNeighbours& links, TerrainRe
   std::vector<bool> dropped(area.size(), false);
   for (const std::vector<std::uint32_t>& triangles : crowded) {
     for (const std::uint32_t t : triangles) {
-      dropped[component[t]] = area[component[t]] <= kLargestFin * largest;
+      dropped[component[t]] = area[component[t]] <= kMaxFin * largest;
     }
   }
   // Where the ground itself would be opened, all that meets there stays, and so on from there.
