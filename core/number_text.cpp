@@ -18,7 +18,7 @@ std::string in_format(double value, std::chars_format format, int precision) {
   return {text.data(), end.ptr};
 }
 
-/// What Microsoft's C library writes for numbers that are not finite: "-1.#IND", "1.#INF00".
+/// Non-finite numbers as written by Microsoft's C library: "-1.#IND", "1.#INF00".
 std::optional<double> not_finite_in(std::string_view text) {
   const bool negative = text.starts_with('-');
   if (negative) text.remove_prefix(1);

@@ -88,7 +88,7 @@ void check_places(const std::vector<const Block*>& blocks, const std::filesystem
   }
 }
 
-/// What a user should know of a block before its files are written.
+/// Notes on a block before its files are written.
 std::vector<std::string> notes_on(const Block& block, const BlockExportOptions& options) {
   std::vector<std::string> notes;
   if (is_unscaled(block)) {

@@ -10,7 +10,8 @@
 namespace clast {
 namespace {
 
-/// Of the edge length: facets of a round surface that are larger pass for flat faces with edges.
+/// Fraction of the edge length; larger facets of a rounded surface would count as flat faces with
+/// edges.
 constexpr double kFacetFraction = 0.7;
 constexpr double kMinSegments = 4.0, kMaxSegments = 24.0;
 

@@ -18,7 +18,7 @@ namespace {
 constexpr std::size_t kNearest = 3;
 constexpr std::size_t kMinDigits = 4;
 
-/// How much a block has to be stretched: the distance of its logarithmic ratios.
+/// Stretch that a block needs: distance of the logarithms of its ratios.
 double stretch_between(const BoxRatios& a, const BoxRatios& b) {
   return std::hypot(std::log(a.i_l / b.i_l), std::log(a.s_l / b.s_l));
 }

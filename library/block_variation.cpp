@@ -102,7 +102,7 @@ SpheroPolyhedron sized(const SpheroPolyhedron& body, const Block& parent,
   return result;
 }
 
-/// Is the body the parent's, to the bit? Then its size is, too.
+/// If the body is bit-identical to that of the parent, its size is too.
 bool same_body(const SpheroPolyhedron& a, const SpheroPolyhedron& b) {
   return a.radius == b.radius && a.vertices == b.vertices && a.faces == b.faces;
 }

@@ -48,7 +48,7 @@ SpheroPolyhedron rounded_piece(const TriangleMesh& piece, double radius_share) {
                       "`radius_share`");
 }
 
-/// What joints cut from all masses that they cut.
+/// Blocks cut from all masses that could be cut.
 JointedMass cut_masses(std::span<const TriangleMesh> masses, const RockMassOptions& options,
                        std::vector<std::string>& failed) {
   JointedMass all;

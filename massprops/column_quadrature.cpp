@@ -8,7 +8,7 @@ namespace clast::massprops_detail {
 namespace {
 
 constexpr double kSigmas = 3.0;
-// What columns of unknown place meet this many times on average, they miss once in twenty.
+// Mean number of column hits of a region that random columns miss once in twenty cases.
 constexpr double kUnseenColumns = 3.0;
 constexpr std::size_t kFewColumns = 10;
 // Share of the radius below which the excess of a column is rounding.

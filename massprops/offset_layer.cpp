@@ -169,7 +169,7 @@ void add_wedge(OffsetLayer& skin, const Vec3& p, const Vec3& q, const Vec3& left
   skin.area += (q - p).norm() * bend * r;
 }
 
-/// Where the triangles beside an edge do not define which side is out: the whole cylinder.
+/// If the adjacent triangles do not define the outer side of an edge, the whole cylinder is used.
 void add_cylinder(OffsetLayer& skin, const Vec3& p, const Vec3& q) {
   const double length = (q - p).norm();
   if (!(length > 0.0)) return;

@@ -23,7 +23,7 @@ constexpr double kFold = 0.2;
 /// A meeting point farther from the edge's middle than this many edge lengths is not trusted.
 constexpr double kFarthest = 1.5;
 
-/// How far around triangles that can't be collapsed themselves their neighbours are tried.
+/// Rings of neighbours that are tried if a triangle cannot be collapsed.
 constexpr int kRings = 3;
 
 bool has_corner(const Triangle& t, std::uint32_t vertex) {
@@ -83,7 +83,7 @@ class Collapser {
     return step.norm() < longest ? Vec3(middle + step) : middle;
   }
 
-  /// Would a triangle that keeps area turn over when `from` moves to `point`?
+  /// True if moving `from` to `point` inverts a triangle that keeps its area.
   bool folds(std::uint32_t from, std::uint32_t other, const Vec3& point) const {
     for (const std::uint32_t corner : corners_.corners_of(from)) {
       const Triangle& corners = mesh_.triangles[corner / 3];

@@ -15,7 +15,7 @@ namespace clast {
 
 namespace {
 
-/// As `detect_file_kind` has it.
+/// Names of `detect_file_kind`.
 constexpr const char* kOriginKind = "origin of coordinates";
 
 bool contains_advice(const std::string& reason) {

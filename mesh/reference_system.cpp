@@ -105,7 +105,7 @@ void describe_part(PJ_CONTEXT* context, const PJ* part, LengthUnitDeclaration& d
   if (axes.units.size() > 2) declared.height = axes.units[2];
 }
 
-/// Where the first system of a text ends; Esri's programs write that of heights behind it.
+/// End of the first system in a text; Esri programs append the vertical system.
 std::size_t first_system_end(const std::string& wkt) {
   std::size_t depth = 0;
   bool quoted = false;
@@ -207,7 +207,7 @@ void refuse_kinds(const std::string& name, const std::vector<LengthUnitDeclarati
   }
 }
 
-/// What to do about a unit: the option where there is one, else conversion.
+/// Advice on a unit: the option if it exists, otherwise conversion.
 std::string unit_advice(const DeclaredUnit& unit, const LengthUnitUse& use) {
   if (use.has_units_option && unit.metres > 0.0) {
     return "give `units` " + format_significant(unit.metres, 10) + ", or bring it to metres (" +
@@ -306,7 +306,7 @@ LengthUnitDeclaration describe_system(const std::string& crs, std::string source
 }
 
 std::optional<DeclaredUnit> epsg_length_unit(int code) {
-  // Without a data base too.
+  // Works without the PROJ database.
   if (code == 9001) return DeclaredUnit{1.0, "metre"};
   if (code == 9002) return DeclaredUnit{0.3048, "foot"};
   if (code == 9003) return DeclaredUnit{1200.0 / 3937.0, "US survey foot"};

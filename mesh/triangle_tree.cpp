@@ -208,7 +208,7 @@ TriangleTree::SignedClosest TriangleTree::signed_closest_point(const Vec3& point
   result.foot = found.point;
   result.triangle = found.triangle;
   result.distance = normal.dot(away) < 0.0 ? -distance : distance;
-  // On the surface itself the way from the foot has no direction left.
+  // On the surface the direction from the closest point is undefined.
   const double size = a.cwiseAbs().maxCoeff() + (b - a).norm();
   const bool on_surface = distance <= kOnSurface * size;
   result.outward = on_surface ? Vec3(normal.normalized()) : Vec3(away / result.distance);

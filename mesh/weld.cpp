@@ -18,7 +18,7 @@ namespace {
 
 using Triangle = TriangleMesh::Triangle;
 
-/// For every vertex the first one with exactly its coordinates.
+/// First vertex with exactly the same coordinates, for each vertex.
 std::vector<std::uint32_t> first_of_equals(std::span<const Vec3> vertices) {
   std::vector<std::uint32_t> order(vertices.size()), first(vertices.size());
   for (std::uint32_t v = 0; v < order.size(); ++v) order[v] = v;
@@ -100,7 +100,7 @@ class NearbyVertices {
   std::vector<std::uint32_t> next_;  ///< older vertex of the same slot
 };
 
-/// What copies of a triangle have in common.
+/// Key shared by the copies of a triangle.
 Triangle copy_key(Triangle corners, WindingMatch turn) {
   if (turn == WindingMatch::kEither) {
     std::sort(corners.begin(), corners.end());

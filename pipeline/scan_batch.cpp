@@ -22,8 +22,8 @@ namespace {
 /// A batch that is killed loses little; a write for every block would copy the library each time.
 constexpr std::chrono::seconds kBetweenWrites{60};
 
-/// What became of a scan: blocks, or the reasons why some or all are missing, or neither where the
-/// library has its block already.
+/// Outcome of a scan: blocks, or the reasons why blocks are missing, or neither if the library
+/// already has the block.
 struct Outcome {
   std::vector<Block> blocks;
   std::vector<std::string> failures;
@@ -209,7 +209,7 @@ class Batch {
     }
   }
 
-  /// What can't be written now is tried again at the end.
+  /// Failed writes are repeated at the end.
   void save_now_and_then() {
     if (unsaved_.empty() || std::chrono::steady_clock::now() - written_ < kBetweenWrites) return;
     try {

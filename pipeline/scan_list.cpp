@@ -19,7 +19,7 @@ namespace {
 bool is_scan_file(const fs::path& path) {
   const std::string extension = lower_case_extension(path);
   if (extension == ".shp") return !is_esri_shapefile(path);
-  // In a folder .txt and .csv are more often tables than scans: those are taken by name only.
+  // In folders, .txt and .csv files are usually tables; as scans they must be named explicitly.
   static const std::set<std::string> kClouds = {".las", ".laz", ".pcd", ".pts", ".xyz"};
   if (kClouds.contains(extension)) return true;
   const std::vector<std::string>& known = readable_mesh_extensions();
@@ -47,7 +47,7 @@ std::vector<fs::path> photo_folders_in(const fs::path& folder) {
   return found;
 }
 
-/// One of hundreds that may not be read is named, and not the folder that holds them all.
+/// The unreadable file is named instead of its folder.
 void check_searchable(const fs::path& folder) {
   std::error_code code;
   const fs::directory_iterator trial(folder, code);
@@ -124,8 +124,8 @@ std::string id_from_name(const std::string& name) {
   return is_file ? path.stem().string() : name;
 }
 
-/// One entry for a mesh; for a .shp file one for each shape, or one without when it can't be read:
-/// the reason is given when its turn comes.
+/// One entry for a mesh; one per shape of a .shp file, or one without a shape if the file cannot be
+/// read, with the reason reported later.
 std::vector<ScanFile> scans_of(const fs::path& path) {
   // A folder of photographs may have dots in its name.
   std::error_code code;
@@ -177,7 +177,7 @@ std::vector<ScanFile> list_scans(const std::vector<std::string>& inputs) {
   }
   std::map<std::string, fs::path> ids;
   for (ScanFile& scan : scans) {
-    // One scan in two formats, or two scans: that is for the user to say.
+    // The user decides whether these are one scan in two formats or two scans.
     if (in_folders[scan.id] > 1 && scan.path.has_extension()) {
       scan.id += "_" + to_utf8(scan.path.extension().string().substr(1));
     }

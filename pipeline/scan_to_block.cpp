@@ -43,7 +43,8 @@ void add_unseen(Block& block, const VolumeBracket& bounds) {
   block.warnings.insert(block.warnings.begin(), describe_volume_bracket(block));
 }
 
-/// What a tolerance that was hardly meant as a share of L lets pass; empty for usual ones.
+/// Warning about a tolerance that was probably not meant as a fraction of L; empty for usual
+/// values.
 std::string wide_tolerance_note(const BlockOptions& options, const Block& block) {
   constexpr double kWidest = 0.1;
   if (options.tolerance <= kWidest || options.core) return {};

@@ -74,7 +74,7 @@ py::dict classify_axes(double l, double i, double s, const py::kwargs& keywords)
   return classes_of(Axes::sorted(l, i, s), axis_error, options);
 }
 
-/// Of the block in metres; not a number of an unscaled one, whose mass means nothing.
+/// Value of a block in metres; NaN for an unscaled block, whose mass is undefined.
 template <class Value>
 auto if_scaled(const Block& block, Value value) {
   if (!is_unscaled(block)) return value;

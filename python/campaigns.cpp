@@ -97,7 +97,7 @@ bool check_place(const fs::path& target, const CampaignPlan& prepared, const Run
   return false;
 }
 
-/// Where the results are.
+/// Returns the path of the results.
 std::string run(const std::string& text, const fs::path& file, const fs::path& output,
                 const py::dict& keywords, const py::object& progress) {
   Keywords given(keywords);
@@ -123,7 +123,7 @@ std::string run(const std::string& text, const fs::path& file, const fs::path& o
   return target.string();
 }
 
-/// What `clast simulate --dry-run --json` prints; `map` is written where it is given.
+/// Returns what `clast simulate --dry-run --json` prints; writes `map` if it is given.
 py::object dry_run(const std::string& text, const fs::path& file, const py::dict& keywords) {
   constexpr double kProbeTime = 2.0;  // s
   Keywords given(keywords);

@@ -18,7 +18,7 @@ namespace py = pybind11;
 
 namespace {
 
-/// What is asked of a cut.
+/// Options of a cut.
 struct CutRequest {
   RockMassFile file;  ///< of a closed mesh; empty: the difference of two terrains
   MassTerrains terrains;

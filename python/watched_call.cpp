@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::chrono::milliseconds kBetweenLooks{50};
 
-/// What the two threads know of each other.
+/// State shared by the two threads.
 struct Exchange {
   std::mutex mutex;
   std::condition_variable changed;

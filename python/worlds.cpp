@@ -40,7 +40,7 @@ GroundParameters ground_from(const py::handle& object, const std::string& zone) 
   return ground;
 }
 
-/// What moves before the first step.
+/// Bodies that move before the first step.
 struct Waiting {
   std::size_t shape;
   RigidState state;

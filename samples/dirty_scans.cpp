@@ -29,7 +29,7 @@ TriangleMesh kept(const TriangleMesh& mesh, const Keep& keep) {
   return result;
 }
 
-/// What stands above the ground: the part with every corner over the lowest `share` of the height.
+/// Part above the ground: triangles with all corners above the lowest `share` of the height.
 TriangleMesh above_ground(const TriangleMesh& mesh, double share) {
   const Bounds box = bounds(mesh);
   const double level = box.low.z() + share * (box.high.z() - box.low.z());

@@ -16,13 +16,13 @@ namespace {
 constexpr double kSameRatios = 1e-9;
 constexpr double kGoodEnough = 1e-4;  ///< a fiftieth of what is promised
 constexpr int kStretchRounds = 400;
-/// From this round on, three of four steps go eight times as far: where several boxes are nearly
-/// the smallest, the ratios stand nearly still for hundreds of steps. A step of any length keeps
-/// the volume of the box, so that the smallest box still never grows.
+/// From this iteration on, three of four steps are eight times as long: if several boxes are nearly
+/// the smallest, the ratios hardly change for hundreds of steps. A step of any length keeps the
+/// volume of the box, so that the smallest box never grows.
 constexpr int kFirstLongStep = 8;
 constexpr double kLongStep = 8.0;
 constexpr double kMaxFactor = 1.1;  ///< of one side, to the power of a long step
-/// Of L: what is thinner has no S.
+/// Fraction of L below which S is undefined.
 constexpr double kNoThickness = 1e-9;
 
 /// Sides of the target box with a core of radius `share` S inside, S = s_l.

@@ -12,7 +12,7 @@
 namespace clast {
 namespace {
 
-/// Of the diagonal: points nearer to a plane lie on it.
+/// Fraction of the diagonal within which points lie on a plane.
 constexpr double kCellSlack = 1e-9;
 /// Vertices of a cell nearer than this share of its size are one.
 constexpr double kSameVertex = 1e-4;

@@ -94,8 +94,8 @@ class Merger {
     region_of_polygon_.resize(polygons_.size(), region);
   }
 
-  /// Can all polygons be cut into triangles that face the same way? Marks regions of those that
-  /// can't, and says whether there are new ones.
+  /// True if all polygons can be cut into triangles of the same orientation. Otherwise marks the
+  /// regions that cannot, and reports whether there are new ones.
   bool keep_uncuttable_apart() {
     bool found = false;
     TriangleMesh cut{shape_.vertices, {}};

@@ -33,7 +33,8 @@ constexpr std::size_t kScanVertices = 25000;
 constexpr double kProgress = 0.99;
 constexpr int kRoundsWithoutProgress = 12;
 constexpr double kMaxPower = 8.0, kPowerPerRound = 0.5;
-/// Of the mean diagonal: keeps what no point sees where it is, and neighbours moving together.
+/// Regularisation, as a fraction of the mean diagonal: keeps unobserved vertices in place and
+/// neighbours moving together.
 constexpr double kDamping = 1e-3, kSmoothing = 0.3;
 /// A core this many times worse than the best is given up, and the step from the best cut.
 constexpr double kWorse = 1.1;

@@ -15,9 +15,9 @@
 namespace clast {
 namespace {
 
-/// Of the hull's volume: less is gained by rounding alone.
+/// Fraction of the hull's volume; a smaller gain is rounding.
 constexpr double kLeastGain = 1e-12;
-/// Of the product of the lengths: directions in one plane.
+/// Fraction of the product of the lengths below which directions are coplanar.
 constexpr double kCoplanarDirections = 1e-12;
 
 /// The corner of the triangle that is not on the edge.

@@ -17,7 +17,7 @@
 namespace clast {
 namespace {
 
-/// Of the diagonal of the mass: points nearer to a plane lie on it.
+/// Fraction of the mass's diagonal within which points lie on a plane.
 constexpr double kMassSlack = 1e-9;
 /// Pieces of the surface whose normals are this near to that of the largest are cut off together,
 /// degrees. Small angles suit smooth surfaces, large ones rough ones: all are tried.
@@ -129,8 +129,7 @@ class Cutting {
     return std::nullopt;
   }
 
-  /// What parallel planes cut a cell into.
-  /// @param planes  in the direction of their normal
+  /// Cuts a cell by parallel planes. @param planes in the direction of their normal
   void add_slices(const ConvexCell& cell, const std::vector<Plane>& planes,
                   std::vector<ConvexCell>& slices) const {
     std::optional<ConvexCell> rest = cell;

@@ -62,7 +62,7 @@ std::vector<Vec3> superellipsoid_points(double exponent) {
 }
 
 std::vector<Vec3> cylinder_points(const BoxRatios& ratios) {
-  // Of a rod S/I is nearer to 1 than I/L: the axis is L; of a plate it is S.
+  // If S/I is nearer to 1 than I/L (rod), the axis of symmetry is L; otherwise (plate) it is S.
   const int axis = ratios.i_l * ratios.i_l < ratios.s_l ? 0 : 2;
   std::vector<Vec3> points;
   for (int i = 0; i < kAround; ++i) {

@@ -8,9 +8,9 @@
 namespace clast {
 namespace {
 
-/// Of the diagonal: vertices of the kernel nearer to a plane than this lie on it.
+/// Fraction of the diagonal within which kernel vertices lie on a plane.
 constexpr double kKernelSlack = 1e-9;
-/// Of the diagonal: a point less far below a plane sees its triangle edge on.
+/// Fraction of the diagonal below a plane, within which a point sees the triangle edge-on.
 constexpr double kMinDepth = 1e-5;
 
 }  // namespace

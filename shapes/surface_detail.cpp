@@ -21,7 +21,7 @@ constexpr int kMostDegree = 20;
 constexpr double kMaxGain = 10.0;
 /// Vertices for each coefficient: fewer would fit the detail, too.
 constexpr double kVerticesEach = 2.0;
-/// Of the mean distance: what comes nearer to the centre is no rock.
+/// Fraction of the mean distance below which the surface is not that of a rock.
 constexpr double kMinDistance = 0.1;
 
 using Matrix = Eigen::MatrixXd;
@@ -122,7 +122,7 @@ TriangleMesh bilaplacian_detail(TriangleMesh mesh, const SurfaceDetailOptions& o
   Sparse laplacian(vertices, vertices), identity(vertices, vertices);
   laplacian.setFromTriplets(entries.begin(), entries.end());
   identity.setIdentity();
-  // On an even triangulation waves k have the eigenvalue (k h)^2/4 of this Laplacian.
+  // On a uniform triangulation, waves k have the eigenvalue (k h)^2/4 of this Laplacian.
   const double l = options.degree;
   const double cut = l * (l + 1.0) * 4.0 * kPi / surface_area(mesh) * length * length / 4.0;
   const Sparse filter = identity + 1.0 / (cut * cut) * Sparse(laplacian * laplacian);

@@ -77,7 +77,7 @@ struct Patch {
   }
 };
 
-/// What is known of one patch.
+/// Bounds for one patch.
 struct Bounded {
   double at_centre = 0.0;  ///< distance there, where `counts`
   double most = 0.0;       ///< no point of the patch has a larger one; negative: it has none at all
@@ -114,9 +114,10 @@ double largest_over(std::vector<Patch> patches, double known, double gap, const 
   return open.empty() ? known : std::max(known, open.top().most);
 }
 
-/// How far any point of a flat patch of the scan is from the skin, by the plane of the core face
-/// nearest to its centre. Where nothing of the core near by rises above that plane, the skin over
-/// it is bare: a point inside the body is at most its depth under the raised plane away from it.
+/// Upper bound of the distance of a flat patch of the scan from the rounded surface, from the plane
+/// of the core face nearest to the patch centre. If no part of the core nearby is above that plane,
+/// the rounded surface over it is exposed: a point inside the body is at most its depth below the
+/// raised plane away from it.
 std::optional<double> most_by_plane(const Patch& patch, const TriangleTree& core, double radius,
                                     double in_plane) {
   const Vec3& normal = core.face_normal(patch.near);

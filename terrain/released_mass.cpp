@@ -26,7 +26,7 @@ using terrain_detail::ZonePolygon;
 
 /// Walls higher than the least thickness by more are noted, m.
 constexpr double kWallSlack = 1e-3;
-/// How far beside an upright triangle the mass is looked for, m.
+/// Distance from a vertical triangle at which the mass is searched, m.
 constexpr double kBeside = 1e-3;
 
 /// Places in the order of volume; none: all of them.
@@ -138,7 +138,7 @@ std::vector<ZonePolygon> outlines_of(const ReleasedMassOptions& options, const M
   throw InputError(text);
 }
 
-/// Whether a place lies under the top of a body.
+/// True if a position is below the top of a body.
 class Cover {
  public:
   explicit Cover(const std::vector<const OverlayBody*>& bodies) {

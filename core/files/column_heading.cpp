@@ -75,8 +75,8 @@ const std::set<std::string, std::less<>>& empty_words() {
 
 /// Lower case, with letters of Latin-1 by their ASCII letter; other characters stay.
 std::string plain_lower(std::string_view text) {
-  // From U+00E0 to U+00FF, with the capitals 32 below; a blank where there is no letter. Sharp s
-  // stands at 0xDF, and y with two dots at 0xFF.
+  // Base letters of U+00E0 to U+00FF (capitals are 32 lower); a blank if there is none. Sharp s is
+  // at 0xDF, y with diaeresis at 0xFF.
   constexpr std::string_view kLetters = "aaaaaaaceeeeiiiidnooooo ouuuuypy";
   std::string plain;
   const std::string utf8 = to_utf8(text);
@@ -222,7 +222,7 @@ bool is_summary_sign(std::string_view text) {
 
 SummaryLabel detect_summary_label(std::string_view text) {
   static const std::set<std::string> kLabels = {
-      // number, sum
+      // count, sum
       "n", "count", "anzahl", "nombre", "effectif", "numero", "total", "totals", "sum", "summe",
       "gesamt", "gesamtsumme", "insgesamt", "grand total", "somme", "totale", "somma", "totali",
       "suma", "subtotal", "total general",

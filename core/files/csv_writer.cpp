@@ -11,7 +11,7 @@
 namespace clast {
 namespace {
 
-/// What `text` begins with after its apostrophes starts a formula.
+/// True if a spreadsheet reads the text, after leading apostrophes, as a formula.
 bool begins_a_formula(std::string_view text) {
   const std::size_t first = text.find_first_not_of('\'');
   return first != std::string_view::npos &&

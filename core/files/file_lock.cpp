@@ -60,8 +60,8 @@ int opened_or_made(const fs::path& file) {
                           : "check the permissions of the folder"));
 }
 
-/// Whether the open file is still the one with that name. Opened anew, since network file systems
-/// answer that from the server, and what they know of names from memory.
+/// True if the open file still has that name. The file is opened again, because network file
+/// systems answer this from the server, but names from a cache.
 bool is_still(const fs::path& file, int descriptor) {
   const int now = opened(file, O_RDONLY);
   if (now < 0) return false;

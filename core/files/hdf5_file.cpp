@@ -78,7 +78,8 @@ struct Hdf5Group::Handle {
     fail(name, "can't be written" + last_error_message() + "; is the disk full? Free some space");
   }
 
-  /// What can't be read is not missing: an optional part must not be lost that way.
+  /// An unreadable object is not treated as missing; otherwise damaged optional parts would be
+  /// lost.
   bool has(const std::string& name) const {
     const htri_t there = H5Lexists(get(), name.c_str(), H5P_DEFAULT);
     if (there < 0) fail_damaged(name);
@@ -93,7 +94,7 @@ struct Hdf5Group::Handle {
     return {std::move(opened), file, path + "/" + name, checked};
   }
 
-  /// That attributes and values, whose sum is `values`, are those that were written.
+  /// Checks the stored checksum of attributes and values.
   void verify(hid_t object, const std::string& name, std::uint64_t values) const {
     if (!checked) return;
     const std::optional<std::uint64_t> attributes = attributes_checksum(object);
@@ -324,7 +325,7 @@ std::string Hdf5Group::unit(const std::string& name) const {
 
 Hdf5File Hdf5File::create(const fs::path& path, const std::string& format, int schema_version) {
   silence_errors();
-  // Without times on the root group equal content is equal bytes.
+  // Time stamps are off, so that equal content gives equal bytes.
   const ScopedId creation(H5Pcreate(H5P_FILE_CREATE), H5Pclose);
   H5Pset_obj_track_times(creation, false);
   ScopedId id(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, creation, access_properties()), H5Fclose);

@@ -29,8 +29,9 @@ bool holds_a_number(std::string_view line) {
   }
 }
 
-/// Of the first line with a number: a heading in words may have commas of its own. Numbers hold no
-/// blanks, so blanks and tabs separate alike unless the first row names columns between tabs.
+/// Detects the separator from the first line with a number, because headings may contain commas.
+/// Numbers contain no blanks, so blanks and tabs are equivalent unless the first row has column
+/// names separated by tabs.
 char separator_of_numbers(std::string_view text) {
   bool heading_has_tabs = false;
   for (std::size_t at = 0; at < text.size();) {

@@ -163,7 +163,7 @@ void OutputFolder::commit() {
     return !why_folder_is_kept(there, kind_, replace_).empty();
   };
   if (is_kept(target_)) throw_concurrent_write(target_);
-  // With files of another kind, or it is a working directory.
+  // The folder contains foreign files, or is a working directory.
   bool shared = fs::equivalent(target_, fs::current_path(), code);
   for (const fs::path& file : files_in(target_)) {
     if (kind_.is_own_file(file)) continue;

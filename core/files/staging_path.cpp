@@ -109,7 +109,7 @@ void remove_stale_staging(const fs::path& target, StagingPath::Kind kind) {
   for (const std::string& part : parts) {
     const fs::path path = folder / part;
     const auto lock = lock_on(path);
-    // Without locks nothing is known of who uses it.
+    // Without locks, other users of the path cannot be detected.
     if (!lock || !*lock || is_locked_itself(path)) continue;
     const bool folders = kind == StagingPath::Kind::kFolder;
     const fs::file_status status = fs::symlink_status(path, code);

@@ -31,7 +31,7 @@ class SourceText {
     }
   }
 
-  /// On one line, cut when long.
+  /// Formats a value on one line, shortened if it is long.
   std::string quoted(const toml::source_region& region) const {
     std::string quote;
     for (std::size_t line = region.begin.line; line <= region.end.line; ++line) {
@@ -179,7 +179,7 @@ bool is_bare_text(std::string_view value) {
          value.find_first_of("\"'[{") == value.npos;
 }
 
-/// What a line that is not TOML was probably meant to be; empty: not known.
+/// Guesses what an invalid line was meant to be; empty if unknown.
 std::string hint_for(std::string_view line) {
   const std::size_t equals = line.find('=');
   const std::size_t begin =

@@ -34,7 +34,7 @@ Contrast welch_difference(const Summary& first, const Summary& second) {
   if (first.count < 2 || second.count < 2) return found;
   const double a = mean_variance(first), b = mean_variance(second), both = a + b;
   if (!(both > 0.0)) return found;
-  // As shares of their sum, so that small variances do not vanish when squared.
+  // Variances are divided by their sum, so that small ones do not underflow when squared.
   const double of_a = a / both, of_b = b / both;
   const double degrees_of_freedom = 1.0 / (of_a * of_a / static_cast<double>(first.count - 1) +
                                            of_b * of_b / static_cast<double>(second.count - 1));

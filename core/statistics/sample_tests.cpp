@@ -98,8 +98,9 @@ double share_of_orders(std::span<const double> x, std::span<const double> y, dou
 
 double log_factorial(std::size_t n) { return std::lgamma(static_cast<double>(n) + 1.0); }
 
-/// How many of `marked` balls are among `drawn` ones out of `total`: from the most probable number
-/// outwards, so that the steps are as few as the spread is small.
+/// Hypergeometric distribution: number of `marked` balls among `drawn` ones out of `total`. Terms
+/// are summed outwards from the most probable number, so that the number of terms depends on the
+/// spread only.
 std::size_t drawn_marked(Random& random, std::size_t total, std::size_t marked, std::size_t drawn) {
   const std::size_t low = drawn + marked > total ? drawn + marked - total : 0;
   const std::size_t high = std::min(marked, drawn);
@@ -131,7 +132,7 @@ std::size_t drawn_marked(Random& random, std::size_t total, std::size_t marked, 
       rest -= p_below;
       if (rest <= 0.0) return below;
     }
-    // What is left is the rounding of a sum that should have reached one.
+    // The remainder is the rounding error of a sum that should be one.
     if (p_above + p_below < std::numeric_limits<double>::min()) break;
   }
   return mode;

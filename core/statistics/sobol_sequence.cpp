@@ -17,7 +17,7 @@ struct Polynomial {
   std::array<std::uint32_t, 7> first;
 };
 
-/// Of the dimensions from the second on (Joe and Kuo, 2008).
+/// Direction numbers from the second dimension on (Joe and Kuo, 2008).
 constexpr std::array<Polynomial, kMaxSobolDimensions - 1> kPolynomials{{
     {1, 0, {1}},
     {2, 1, {1, 3}},
@@ -114,7 +114,7 @@ std::vector<double> SobolSequence::next_point() {
   for (const std::uint64_t digits : point_) {
     coordinates.push_back(static_cast<double>(digits) * 0x1.0p-52);
   }
-  // In the order of Gray's code one direction number leads from a point to the next.
+  // In Gray code order, consecutive points differ by one direction number.
   const auto changed = static_cast<std::size_t>(std::countr_one(count_++)) % kBits;
   for (std::size_t d = 0; d < point_.size(); ++d) point_[d] ^= directions_[d * kBits + changed];
   return coordinates;

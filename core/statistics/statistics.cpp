@@ -72,7 +72,7 @@ Interval wilson_interval_of_proportion(double proportion, double trials) {
   const double shrink = 1.0 + kZ * kZ / n;
   const double middle = (p + kZ * kZ / (2.0 * n)) / shrink;
   const double half = kZ / shrink * std::sqrt(p * (1.0 - p) / n + kZ * kZ / (4.0 * n * n));
-  // At shares of 0 and 1 the bound is exact; rounding must not take it outside.
+  // The bound is exact for proportions of 0 and 1; rounding must not move it beyond them.
   return {p == 0.0 ? 0.0 : std::max(0.0, middle - half),
           p == 1.0 ? 1.0 : std::min(1.0, middle + half)};
 }

@@ -21,7 +21,7 @@ constexpr std::size_t kMinTrimmed = 5;    ///< levels; with fewer nothing is lef
 constexpr double kOffset = 0.01;          ///< of shares, so that zero has odds
 constexpr double kUpperQuantile = 0.975;
 
-/// Which values belong together.
+/// Group of each value.
 struct Grouping {
   std::vector<std::uint32_t> of_value;
   std::uint32_t count = 0;
@@ -78,8 +78,8 @@ struct CachedAnalysis {
   }
 };
 
-/// What the squared sums are expected to be for components of one: traces of (M V_i M V_j), with M
-/// the removal of the mean and V_i which values share a group.
+/// Expected sums of squares for unit variance components: traces of (M V_i M V_j), where M removes
+/// the mean and V_i marks values of the same group.
 Eigen::MatrixXd expectations(const CachedAnalysis& kept) {
   const std::size_t count = kept.groupings.size();
   const auto n = static_cast<double>(kept.values.size());
@@ -186,9 +186,9 @@ std::vector<double> level_means(const Grouping& factor, const std::vector<double
   return sums;
 }
 
-/// By how much the jackknife's variance is too small where the effects of a factor are skewed: the
-/// variance of a variance goes with the kurtosis less (k - 3)/k, and the kurtosis of few levels is
-/// too small about their mean and nearly right about their trimmed mean. @cite bonett2006
+/// Correction of the jackknife variance for skewed effects of a factor: the variance of a variance
+/// depends on the kurtosis minus (k - 3)/k; the kurtosis of few levels is underestimated about
+/// their mean and nearly unbiased about their trimmed mean. @cite bonett2006
 double skew_factor(const std::vector<double>& means) {
   if (means.size() <= kMinTrimmed) return 1.0;
   const auto count = static_cast<double>(means.size());

@@ -62,7 +62,7 @@ Analysis analysis_of(std::span<const double> values, std::span<const std::size_t
       (set >> f & 1 ? result.degrees_of_freedom[set] : result.others[set]) *=
           static_cast<double>(levels[f]) - (set >> f & 1 ? 1.0 : 0.0);
     }
-    // What the parts of the set do not account for.
+    // Variance not explained by the subsets.
     for (Subset part = set; part > 0; part = (part - 1) & set) {
       result.squares[set] +=
           (std::popcount(set) - std::popcount(part)) % 2 == 0 ? raw[part] : -raw[part];

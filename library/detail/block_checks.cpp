@@ -59,7 +59,7 @@ void check_box(const Block& block, const std::string& where) {
               format_significant(sides[2], 9) + " m");
 }
 
-/// Of a convex core, by the closed form; none for others, whose integration takes long.
+/// Volume of a convex core in closed form; empty for other cores, whose integration is slow.
 std::optional<MassProperties> exact_properties(const Block& block) {
   if (block.mass.relative_error > 0.0) return std::nullopt;
   try {

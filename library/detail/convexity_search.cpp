@@ -13,7 +13,7 @@
 namespace clast::library_detail {
 namespace {
 
-/// What is nearer to a target than this is on it.
+/// Tolerance within which a target is reached.
 constexpr double kSameConvexity = 1e-6;
 constexpr double kConvexityTolerance = 2e-4;
 constexpr double kVolumeAccuracy = 1e-4;

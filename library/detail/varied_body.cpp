@@ -160,7 +160,7 @@ VariedBody vary_body(const Block& parent, const InertiaVariation& target) {
     const Vec3 now = spread(sphero_mass_properties(body, 1.0));
     const Vec3 factors = target_spread.cwiseQuotient(now).cwiseSqrt();
     gap = (factors - Vec3::Ones()).cwiseAbs().maxCoeff();
-    // x is the longest: the largest spread.
+    // x is the longest axis: it has the largest variance.
     for (Vec3& v : body.vertices) v = v.cwiseProduct(Vec3(factors[2], factors[1], factors[0]));
   }
   if (gap > kVariationTolerance) {

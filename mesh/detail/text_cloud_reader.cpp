@@ -192,7 +192,7 @@ class LinesOfPoints {
            }) >= 3;
   }
 
-  /// So many values of x each one whole step more than the last number the points.
+  /// Minimum run of consecutive integers in the x column that is taken for point numbers.
   static constexpr std::size_t kNoChance = 100;
   /// Lines of words before the points at most.
   static constexpr std::size_t kMaxHeadingLength = 20;
@@ -222,7 +222,7 @@ class LinesOfPoints {
     ++counts_;
   }
 
-  /// Whether a line is none of points: a heading, or the number of points.
+  /// True if the line is not a point: a heading, or the number of points.
   bool is_before_points(std::string_view text) {
     if (head_lines_ >= kMaxHeadingLength) return false;
     split_fields(text, detect_separator(text), fields_);

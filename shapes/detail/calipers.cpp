@@ -56,7 +56,7 @@ std::vector<Vec2> convex_hull_2d(std::vector<Vec2> points) {
 
 std::vector<Vec2> remove_reflex_vertices(std::vector<Vec2> loop) {
   if (loop.size() < 3) return convex_hull_2d(std::move(loop));
-  // From a point that is certainly a corner, so that none before it has to be undone.
+  // Starts at a point that is certainly a corner, so that no earlier one has to be removed.
   std::rotate(loop.begin(), std::min_element(loop.begin(), loop.end(), is_before_in_plane),
               loop.end());
   const Vec2 start = loop.front();

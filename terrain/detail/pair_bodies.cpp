@@ -147,7 +147,7 @@ class Closing {
     }
   }
 
-  /// Where a side has no triangle beyond it.
+  /// Marks a side without an adjacent triangle.
   void add_walls() {
     std::map<std::pair<std::uint32_t, std::uint32_t>, bool> sides;
     for (const Triangle& triangle : triangles_) {

@@ -25,7 +25,7 @@ namespace {
 
 constexpr double kNoData = -9999.0;
 
-/// How a band or heading may call the metre, in lower case.
+/// Names of the metre in bands and headings, in lower case.
 constexpr std::array<std::string_view, 16> kMetres = {
     "m",     "metre",  "meter", "metres", "meters", "metro",
     "metri", "metros", "mètre", "mètres", "gpm",  // and above the sea, without full stops
@@ -130,8 +130,8 @@ HeightGrid read_heights(GDALRasterBand& band, const std::array<double, 6>& trans
   const double scale = band.GetScale(), offset = band.GetOffset();
   std::vector<double> values(grid.columns);
   std::vector<unsigned char> mask(grid.columns);
-  // In the order of the file: GDAL looks for a row of a text grid by way of the rows before it, and
-  // in one that was cut short that search branches without end.
+  // Rows are read in file order: GDAL finds a row of a text grid through the preceding rows, and in
+  // a truncated grid that search does not end.
   for (std::size_t row = 0; row < grid.rows; ++row) {
     read_row(band, static_cast<int>(row), values, mask, path);
     const std::size_t j = north_first ? grid.rows - 1 - row : row;

@@ -17,7 +17,8 @@
 namespace clast::terrain_detail {
 namespace {
 
-/// What is smaller than a cell, as the sides of a crack that was filled, no grid would show anyway.
+/// Faces smaller than a cell, such as the sides of a filled crack, are ignored: a grid would not
+/// show them.
 void check_one_height(const TriangleMesh& mesh, double cell, const std::filesystem::path& path) {
   std::size_t count = 0;
   Vec3 first = Vec3::Zero();

@@ -78,7 +78,7 @@ std::set<std::uint32_t> neighbours_of(const TriangleMesh& mesh, const Border& bo
   return result;
 }
 
-/// Whether the triangles at `vertex` keep their sides when it moves to `to`.
+/// True if the triangles at `vertex` keep their orientation when it moves to `to`.
 bool may_move(const TriangleMesh& mesh, const Border& border, std::uint32_t vertex,
               const Vec3& to) {
   for (const std::uint32_t corner : border.corners.corners_of(vertex)) {
@@ -190,7 +190,7 @@ struct Junction {
   }
 };
 
-/// By number of the border side; in order along it.
+/// Sorted by border side, then along it.
 std::map<std::size_t, std::vector<Junction>> junctions_within(double width,
                                                               const TriangleMesh& mesh,
                                                               const Border& border) {
@@ -215,7 +215,7 @@ std::map<std::size_t, std::vector<Junction>> junctions_within(double width,
   return junctions;
 }
 
-/// Those at which the triangle can be divided: the parts face as it does, and no edge comes to have
+/// Vertices at which the triangle can be divided: the parts keep its orientation, and no edge gets
 /// a third triangle.
 std::vector<Junction> fitting(const std::vector<Junction>& junctions, const BorderSide& at,
                               const TriangleMesh& mesh, const EdgesNearBorder& edges) {

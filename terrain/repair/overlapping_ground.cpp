@@ -17,9 +17,9 @@ constexpr double kNoRoom = 1e-6;          // m, between two faces, at least
 constexpr double kMostlyOver = 0.9;       // of a component's plan area, beyond which it lies double
 constexpr double kFoldedFraction = 1e-3;  // of all plan area, under which folds are only noted
 
-/// For every triangle that faces up, the one that faces up next over its centroid, if no face
-/// between faces down; and the other way round. Also one that faces down and lies on it: an
-/// overhang without room under it is the other side of a sheet that was joined round its border.
+/// Finds for each upward triangle the next upward triangle above its centroid, if no triangle
+/// between them faces down; and vice versa. Includes a downward triangle that coincides with it: an
+/// overhang without space below is the back of a sheet joined around its border.
 std::vector<std::uint32_t> doubles_of(const TriangleMesh& mesh, double width) {
   const std::vector<PlanBox> boxes = plan_boxes(mesh);
   const PlanIndex index(boxes);

@@ -148,7 +148,7 @@ class Growing {
     return std::abs(ap.z() - v * ab.z() - w * ac.z());
   }
 
-  /// Of every face the vertex that is farthest off, if by more than the tolerance; rising numbers.
+  /// Farthest vertex of each face, if beyond the tolerance; ascending.
   std::vector<std::uint32_t> far_vertices(std::span<const std::uint32_t> vertices) {
     for (auto face = triangulation_.all_faces_begin(); face != triangulation_.all_faces_end();
          ++face) {
@@ -173,8 +173,8 @@ class Growing {
     return wanted;
   }
 
-  /// For every new edge the old one that it crosses at the largest distance, if that is more than
-  /// the tolerance; rising numbers, each once.
+  /// For each new edge, the old edge that it crosses at the largest distance, if beyond the
+  /// tolerance; ascending, unique.
   std::vector<std::uint32_t> far_edges() {
     std::vector<std::uint32_t> wanted;
     for (auto edge = triangulation_.finite_edges_begin(); edge != triangulation_.finite_edges_end();
@@ -196,7 +196,7 @@ class Growing {
     const Vec2 plan_along = along.head<2>();
     std::optional<std::uint32_t> farthest;
     double most = tolerance_;
-    // In parts: the box of a long edge would hold much that is far from it.
+    // Long edges are divided: their boxes would contain many distant vertices.
     const double parts = std::ceil(plan_along.norm() / (kPart * length_));
     for (double part = 0.0; part < parts; ++part) {
       PlanBox box;
@@ -236,7 +236,7 @@ class Growing {
   Vec3 largest_at_ = Vec3::Zero();
 };
 
-/// In rows that run to and fro, so that each is near the one before.
+/// Alternating row direction, so that consecutive vertices are close.
 void put_in_rows(std::vector<std::uint32_t>& vertices, const std::vector<Vec3>& points,
                  double row) {
   std::vector<std::tuple<std::int64_t, double, std::uint32_t>> order;
@@ -258,7 +258,7 @@ std::optional<std::uint32_t> triangle_under(const TriangleMesh& mesh, const Plan
   return std::nullopt;
 }
 
-/// What of the surface is triangulated anew: all but the triangles that stay.
+/// Part of the surface that is retriangulated: all but the triangles that are kept.
 struct FreeSurface {
   std::vector<EdgeKey> constraints;     ///< borders of files, zones and triangles that stay; rising
   std::vector<EdgeKey> edges;           ///< the others

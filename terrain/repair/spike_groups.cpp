@@ -195,9 +195,9 @@ struct Levelled {
   Vec3 at = Vec3::Zero();
 };
 
-/// Does a vertex of the group stand out more steeply than `steepness` from the ring around it, and
-/// more than the ground there is rough?
-/// @param off  distance of a vertex from the plane of the ground, m
+/// True if a vertex of the group protrudes more steeply than `steepness` from the surrounding ring,
+/// and by more than the roughness of the ground. @param off distance of a vertex from the plane of
+/// the ground, m
 template <class Off>
 bool stands_out(const TriangleMesh& mesh, const std::vector<std::uint32_t>& group,
                 const std::set<std::uint32_t>& ring, const Surroundings& surroundings,
@@ -245,7 +245,7 @@ void level_group(TriangleMesh& mesh, const std::vector<std::uint32_t>& group,
     }
     mesh.vertices[v].z() = plane->height_at((mesh.vertices[v] - first).head<2>());
   }
-  // At a cut onto the other tile: first onto its vertices, then onto its border between them.
+  // At a cut, snaps to the other tile: first to its vertices, then to its border between them.
   for (const std::uint32_t v : moved) {
     for (const std::uint32_t copy : surroundings.copies(v)) {
       if (!loose[copy] || copy < v) mesh.vertices[v].z() = mesh.vertices[copy].z();

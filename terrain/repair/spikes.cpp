@@ -66,8 +66,8 @@ Rings rings_of(const TriangleMesh& mesh) {
   return rings;
 }
 
-/// How far the neighbours and their neighbours are from the plane, the farthest of them left out:
-/// it may be a spike as well, m.
+/// Largest distance of the first and second neighbours from the plane, m, without the farthest,
+/// which may be a spike too.
 double farthest_around(const TriangleMesh& mesh, const Rings& rings, std::uint32_t vertex,
                        const RingPlane& plane) {
   std::vector<std::uint32_t> around(rings.at(vertex).begin(), rings.at(vertex).end());
@@ -157,7 +157,7 @@ void level_spikes(RawSurface& surface, double steepness, TerrainReport& report) 
   TriangleMesh& mesh = surface.mesh;
   const Rings rings = rings_of(mesh);
   Spikes spikes;
-  // What was level with a spike stands out when that is gone.
+  // A vertex beside a spike protrudes once the spike is removed.
   for (int round = 0; round < kSpikeRounds; ++round) {
     const std::size_t before = spikes.levelled;
     spikes.left = 0;

@@ -143,7 +143,7 @@ std::optional<std::vector<Triangle>> ears(const TriangleMesh& mesh, const Loop& 
     double shortest = 0.0;
     for (std::size_t i = 0; i < n; ++i) {
       const std::uint32_t a = ring[(i + n - 1) % n], b = ring[i], c = ring[(i + 1) % n];
-      // What is left must not be a line either: the corners of a hole often lie in rows.
+      // The remainder must not be collinear: hole corners are often in rows.
       const double cut = turn(a, b, c);
       if (!(cut > 0.0 && left - cut > kMinLeft * left)) continue;
       const bool holds_another = std::any_of(ring.begin(), ring.end(), [&](std::uint32_t p) {

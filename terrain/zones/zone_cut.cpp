@@ -75,7 +75,7 @@ class CutMesh {
     return found;
   }
 
-  /// Where along side k of a triangle the segment crosses it, if properly inside of both.
+  /// Position along side k of a triangle at which the segment crosses it, if properly inside both.
   std::optional<double> crossing(std::uint32_t t, std::size_t k, const Vec2& from,
                                  const Vec2& to) const {
     const Vec2 a = plan(mesh_.triangles[t][k]), b = plan(mesh_.triangles[t][(k + 1) % 3]);
@@ -88,7 +88,7 @@ class CutMesh {
     return share;
   }
 
-  /// Where a point lies in a triangle: on a side, at a share of it, or inside (side 3).
+  /// Position of a point in a triangle: on a side, at a fraction of it, or inside (side 3).
   struct Spot {
     std::uint32_t triangle;
     std::size_t side;
@@ -120,7 +120,7 @@ class CutMesh {
     return std::nullopt;
   }
 
-  /// In three, around the point on the triangle's plane.
+  /// Splits into three, around the point on the triangle's plane.
   void divide_inside(std::uint32_t t, const Vec2& point) {
     const Triangle corners = mesh_.triangles[t];
     const Vec3 &a = mesh_.vertices[corners[0]], &b = mesh_.vertices[corners[1]],

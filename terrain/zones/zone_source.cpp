@@ -44,7 +44,7 @@ std::uint32_t label_of_name(std::vector<std::string>& labels, const std::string&
   return label;
 }
 
-/// What lies over the plan, as an index into `labels`.
+/// Zone of the plan, as an index into `labels`.
 struct ZoneMap {
   std::vector<std::string> labels;
   PlanBox extent;                                   ///< on the map

@@ -27,8 +27,7 @@ std::string lower_word(std::string_view text, std::size_t at) {
   return lower_case_ascii(text.substr(at, text.find_first_of(kGridBlank, at) - at));
 }
 
-/// Where the heights begin: behind the lines that begin with a word of the header.
-/// @return npos  it is no Esri grid
+/// Position of the heights, after the header lines. @return npos if it is not an Esri grid
 std::size_t find_heights(std::string_view text) {
   std::size_t at = text.find_first_not_of(kGridBlank);
   for (std::size_t lines = 0; at != std::string_view::npos; ++lines) {

@@ -58,10 +58,10 @@ struct Cells {
   }
 };
 
-/// Which points of a classified cloud count, by ASPRS class.
+/// Selects points of a classified cloud by ASPRS class.
 using Classes = std::array<bool, 256>;
 
-/// One cloud file, as often as it is needed.
+/// Streams a cloud file repeatedly.
 struct Cloud {
   fs::path path;
   bool y_up = false;

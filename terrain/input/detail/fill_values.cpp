@@ -49,7 +49,7 @@ struct OtherHeights {
   std::size_t steps = 0;
 
   double mean_step() const { return steps > 0 ? step_sum / static_cast<double>(steps) : 0.0; }
-  /// How far a value lies outside of them; 0: within.
+  /// Distance of a value outside the range; 0 inside.
   double gap(double value) const { return std::max({low - value, value - high, 0.0}); }
 };
 

@@ -9,7 +9,7 @@
 namespace clast::terrain_detail {
 namespace {
 
-// Of the area of the largest component: a flap larger than this may be the ground itself.
+// Fraction of the largest component's area; a larger flap may be the ground itself.
 constexpr double kMaxFin = 0.01;
 
 /// Triangles of each edge that has more than two.
@@ -40,7 +40,7 @@ bool remove_fins(RawSurface& surface, const TriangleNeighbours& links, TerrainRe
       dropped[component[t]] = area[component[t]] <= kMaxFin * largest;
     }
   }
-  // Where the ground itself would be opened, all that meets there stays, and so on from there.
+  // If a removal would open the ground, all triangles at that edge are kept, and so on.
   for (bool changed = true; changed;) {
     changed = false;
     for (const std::vector<std::uint32_t>& triangles : crowded) {
